@@ -1,0 +1,50 @@
+#pragma once
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace mill
+{
+/// Where something stands in a text file.  Lines and columns count from 1; line 0 means "no place in a file"
+/// (an override given with --set has file = "--set section.key=value").
+struct Place {
+  std::string file;
+  int line   = 0;
+  int column = 0;
+};
+bool operator<(const Place &a, const Place &b);
+
+/// One mistake of the user, ready to be shown.
+struct Problem {
+  Place place;
+  std::string message;          ///< one sentence: key, value with unit, what is allowed, what to change
+  std::vector<Place> related;   ///< the other places of a contradiction
+};
+
+/// A mistake of the user: exit code 2.  Holds every problem of a case, sorted by place.
+class InputError : public std::runtime_error {
+public:
+  explicit InputError(std::vector<Problem> problems);
+  InputError(Place place, std::string message);
+  explicit InputError(std::string message);  ///< no place in a file: a command-line mistake
+  std::vector<Problem> problems;
+};
+
+/// A numerical failure: exit code 3.  What converged before is kept and named.
+class SolverError : public std::runtime_error {
+public:
+  struct Report {
+    std::string what;    ///< "contact upper: no convergence at load step 7 of 12 (F = 569.5 kN)"
+    std::string where;   ///< how it stood when it stopped
+    std::string cause;   ///< usual cause, with the numbers
+    std::string remedy;  ///< what to change, with key and place
+    std::string kept;    ///< files or results that are good
+  };
+  explicit SolverError(Report report);
+  Report report;
+};
+
+/// A problem as text: "file:line:column: error: message", the line with its neighbour above, and a caret.
+/// The lines are read from the file again; without a readable file only the first line is given.
+std::string render(const Problem &problem, const std::string &severity = "error");
+} // namespace mill

@@ -1,0 +1,456 @@
+#include "core/fields.h"
+#include "core/units.h"
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace mill
+{
+namespace
+{
+// Range ends and values meet after a conversion of units; both carry its rounding, some 1e-16 each.
+constexpr double rounding = 1e-14;
+
+bool inside(const double number, const Range &range)
+{
+  const auto slack = [](const double end) { return std::isfinite(end) ? rounding * std::abs(end) : 0; };
+  return number >= range.min - slack(range.min) && number <= range.max + slack(range.max);
+}
+
+bool has_range(const Range &range)
+{
+  return std::isfinite(range.min) || std::isfinite(range.max);
+}
+
+// Unit of the column of a table row, or of any other row.
+std::string form_of(const Row &row, const int column = 0)
+{
+  return row.kind == Kind::table ? split(row.form, ", ")[std::size_t(column)] : row.form;
+}
+
+std::string with_unit(const double number, const std::string &form)
+{
+  const bool whole       = std::abs(number) < 1e10 && number == std::floor(number);  // 1000000 rather than 1e+06
+  const std::string text = whole ? fmt::format("{:.0f}", number) : number_text(number);
+  return form == "1" || form == "count" ? text : text + " " + form;
+}
+
+std::string range_of(const Range &range, const std::string &form)
+{
+  if (!std::isfinite(range.max))
+    return "at least " + with_unit(range.min, form);
+  if (!std::isfinite(range.min))
+    return "at most " + with_unit(range.max, form);
+  return with_unit(range.min, form) + " .. " + with_unit(range.max, form);
+}
+
+// Damerau-Levenshtein distance, adjacent exchanges counted as one slip.
+std::size_t slips_between(const std::string &a, const std::string &b)
+{
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+// The value under the reader's eye: its row, its node, its full key, and where to complain.
+struct Item {
+  const Row &row;
+  const Node &node;
+  std::string key;
+  Reading &reading;
+  std::nullopt_t refuse(const std::string &why) const
+  {
+    reading.add(node.place, fmt::format("{} = {} {}", key, shown(node), why));
+    return std::nullopt;
+  }
+};
+
+// One number with the unit `form` ("1": bare).
+std::optional<double> scalar(const Item &item, const std::string &form, const Range &range)
+{
+  using Fault      = ParsedQuantity::Fault;
+  const Node &node = item.node;
+  const bool bare  = node.kind == Node::Kind::integer || node.kind == Node::Kind::real;
+  const auto want  = needed(item.row);
+  double number    = node.number;
+  double value     = number;
+  if (form == "1") {
+    if (!bare || !std::isfinite(number))
+      return item.refuse(fmt::format("is not a number; {}", want));
+  } else {
+    if (bare)
+      return item.refuse(fmt::format("has no unit; {}", want));
+    if (node.kind != Node::Kind::text)
+      return item.refuse(fmt::format("is no quantity; {}", want));
+    const ParsedQuantity parsed = parse_quantity(node.text);
+    if (parsed.fault == Fault::no_number)
+      return item.refuse(fmt::format("does not begin with a number; {}", want));
+    if (parsed.fault == Fault::no_unit)
+      return item.refuse(fmt::format("has no unit; {}", want));
+    if (parsed.fault == Fault::unknown_unit)
+      return item.refuse(fmt::format("has the unknown unit '{}'; {} (known units: {})", parsed.unit_text,
+                                     want, units_like(unit(form))));
+    if (!(parsed.unit->dimension == unit(form).dimension))
+      return item.refuse(fmt::format("is {}; {}", parsed.unit->quantity, want));
+    value  = parsed.value();
+    number = from_si(value, unit(form));
+  }
+  if (!inside(number, range))
+    return item.refuse(fmt::format("is outside {}", range_of(range, form)));
+  return value;
+}
+
+std::optional<Value> count(const Item &item)
+{
+  if (item.node.kind != Node::Kind::integer)
+    return item.refuse(fmt::format("is not a whole number; {}", needed(item.row)));
+  if (!inside(item.node.number, item.row.range))
+    return item.refuse(fmt::format("is outside {}", range_of(item.row.range, "count")));
+  return int(item.node.number);
+}
+
+std::optional<Value> words(const Item &item)
+{
+  const std::string &text = item.node.text;
+  if (item.node.kind != Node::Kind::text)
+    return item.refuse(fmt::format("is not a text; {}", needed(item.row)));
+  if (item.row.kind == Kind::choice) {
+    const auto choices = split(item.row.form, " | ");
+    if (std::find(choices.begin(), choices.end(), text) == choices.end())
+      return item.refuse(fmt::format("is unknown; {}", needed(item.row)));
+  } else if (item.row.kind == Kind::path) {
+    if (text.empty() || text.find('\0') != std::string::npos)
+      return item.refuse("is not the name of a file");
+    return (std::filesystem::path(item.reading.folder) / text).lexically_normal().string();
+  }
+  return text;
+}
+
+std::optional<std::array<double, 2>> two(const Item &item, const std::array<std::string, 2> &forms,
+                                         const std::array<Range, 2> &ranges)
+{
+  if (item.node.kind != Node::Kind::array || item.node.items.size() != 2)
+    return item.refuse(fmt::format("is not a pair; {}", needed(item.row)));
+  std::array<double, 2> values{};
+  bool good = true;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Item one{item.row, item.node.items[i], fmt::format("{}[{}]", item.key, i), item.reading};
+    const auto value = scalar(one, forms[i], ranges[i]);
+    good             = good && value;
+    values[i]        = value.value_or(0);
+  }
+  return good ? std::optional(values) : std::nullopt;
+}
+
+std::optional<Value> table(const Item &item)
+{
+  if (item.node.kind != Node::Kind::array || item.node.items.size() < 2)
+    return item.refuse(fmt::format("is no list of two pairs or more; {}", needed(item.row)));
+  std::vector<std::array<double, 2>> pairs;
+  for (std::size_t i = 0; i < item.node.items.size(); ++i) {
+    const Item one{item.row, item.node.items[i], fmt::format("{}[{}]", item.key, i), item.reading};
+    const auto pair = two(one, {form_of(item.row, 0), form_of(item.row, 1)}, {Range{}, item.row.range});
+    if (!pair)
+      return std::nullopt;
+    if (!pairs.empty() && !((*pair)[0] > pairs.back()[0])) {
+      one.refuse("does not increase in its first column; sort the pairs");
+      return std::nullopt;
+    }
+    pairs.push_back(*pair);
+  }
+  return pairs;
+}
+
+std::optional<Value> value_of(const Item &item)
+{
+  switch (item.row.kind) {
+  case Kind::quantity:
+  case Kind::number:
+    if (const auto value = scalar(item, item.row.form, item.row.range))
+      return *value;
+    return std::nullopt;
+  case Kind::count:
+    return count(item);
+  case Kind::flag:
+    if (item.node.kind != Node::Kind::flag)
+      return item.refuse("is neither true nor false");
+    return item.node.flag;
+  case Kind::choice:
+  case Kind::text:
+  case Kind::path:
+    return words(item);
+  case Kind::pair:
+    if (const auto pair = two(item, {item.row.form, item.row.form}, {item.row.range, item.row.range}))
+      return *pair;
+    return std::nullopt;
+  case Kind::table:
+    return table(item);
+  }
+  return std::nullopt;
+}
+
+std::optional<Value> default_of(const Row &row)
+{
+  const Fallback &fallback = row.fallback;
+  if (fallback.kind == Fallback::Kind::text)
+    return std::string(fallback.text);
+  if (fallback.kind != Fallback::Kind::number)
+    return std::nullopt;
+  if (row.kind == Kind::count)
+    return int(fallback.number);
+  if (row.kind == Kind::flag)
+    return fallback.number != 0;
+  return row.kind == Kind::quantity ? to_si(fallback.number, unit(row.form)) : fallback.number;
+}
+
+std::string scalar_toml(const double value, const std::string &form)
+{
+  return form == "1" ? number_text(value) : quoted(quantity_text(value, unit(form)));
+}
+} // namespace
+
+std::string quoted(const std::string &text)
+{
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      out += '\\';
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      out += fmt::format("\\u{:04X}", static_cast<unsigned char>(c));
+    else
+      out += c;
+  }
+  return out + '"';
+}
+
+std::vector<std::string> split(const std::string &list, const std::string &separator)
+{
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t at; (at = list.find(separator, begin)) != std::string::npos; begin = at + separator.size())
+    parts.push_back(list.substr(begin, at - begin));
+  parts.push_back(list.substr(begin));
+  return parts;
+}
+
+std::string key_text(const std::string &key)
+{
+  const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](const unsigned char c) {
+    return (c < 0x80 && std::isalnum(c)) || c == '_' || c == '-';
+  });
+  return bare ? key : quoted(key);
+}
+
+void Reading::add(Place at, std::string message, std::vector<Place> related)
+{
+  problems.push_back({std::move(at), std::move(message), std::move(related)});
+}
+
+bool Reading::usable(const std::vector<std::string> &keys) const
+{
+  return std::none_of(keys.begin(), keys.end(), [&](const std::string &key) { return bad.count(key) > 0; });
+}
+
+Place Reading::place(const std::string &key) const
+{
+  const auto found = places.find(key);
+  return found == places.end() ? Place{file} : found->second;
+}
+
+std::string Reading::said(const std::string &key) const
+{
+  const auto found = written.find(key);
+  return found == written.end() ? key : key + " = " + found->second;
+}
+
+std::string Section::header() const
+{
+  return name.empty() ? "the top level" : "[" + name + "]";
+}
+
+std::string Section::key(const std::string &key) const
+{
+  return name.empty() ? key : name + "." + key;
+}
+
+Kind kind_of(const std::size_t member_index, const std::string &form)
+{
+  switch (member_index) {
+  case 0:
+    return form == "1" ? Kind::number : Kind::quantity;
+  case 1:
+    return Kind::count;
+  case 2:
+    return Kind::flag;
+  case 3:
+    return form == "text" ? Kind::text : form == "path" ? Kind::path : Kind::choice;
+  case 4:
+    return Kind::pair;
+  default:
+    return Kind::table;
+  }
+}
+
+void report_missing_section(const Section &section, const std::vector<Row> &rows, Reading &reading)
+{
+  if (section.node)
+    return;
+  std::string keys;
+  for (const Row &row : rows)
+    if (row.fallback.kind == Fallback::Kind::required)
+      keys += (keys.empty() ? "" : ", ") + row.key;
+  if (!keys.empty())
+    reading.add(Place{reading.file}, fmt::format("the section {} is missing; it needs {}", section.header(), keys));
+}
+
+std::optional<Value> read_row(const Row &row, const Section &section, Reading &reading)
+{
+  const std::string key    = section.key(row.key);
+  const Node::Entry *entry = section.node ? section.node->find(row.key) : nullptr;
+  if (!entry) {
+    if (row.fallback.kind == Fallback::Kind::required) {
+      reading.bad.insert(key);
+      if (section.node)
+        reading.add(section.node->place, fmt::format("{} has no '{}'; add for example {} = {}", section.header(), row.key, row.key,
+                              example_toml(row)));
+    }
+    return default_of(row);
+  }
+  const auto value = value_of({row, entry->value, key, reading});
+  if (value) {
+    reading.places[key]  = entry->value.place;
+    reading.written[key] = shown(entry->value);
+  } else {
+    reading.bad.insert(key);
+  }
+  return value;
+}
+
+void refuse_unknown_keys(const Section &section, const std::vector<Row> &rows, const std::vector<std::string> &others,
+                         Reading &reading)
+{
+  if (!section.node)
+    return;
+  std::vector<std::string> known;
+  for (const Row &row : rows)
+    known.push_back(row.key);
+  known.insert(known.end(), others.begin(), others.end());
+  for (const Node::Entry &entry : section.node->entries)
+    if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
+      const std::string what = entry.value.section && section.name.empty()
+                                   ? fmt::format("unknown section [{}]", entry.key)
+                                   : fmt::format("unknown key '{}' in {}", entry.key, section.header());
+      reading.add(entry.key_place, what + suggestion(entry.key, known));
+    }
+}
+
+std::string toml_of(const Row &row, const Value &value)
+{
+  switch (row.kind) {
+  case Kind::quantity:
+  case Kind::number: {
+    const double number = std::get<double>(value);
+    return std::isnan(number) ? "" : scalar_toml(number, row.form);
+  }
+  case Kind::count:
+    return std::to_string(std::get<int>(value));
+  case Kind::flag:
+    return std::get<bool>(value) ? "true" : "false";
+  case Kind::choice:
+  case Kind::text: {
+    const auto &text = std::get<std::string>(value);
+    return text.empty() && row.fallback.kind == Fallback::Kind::absent ? "" : quoted(text);
+  }
+  case Kind::path: {
+    // absolute, because nobody knows yet in which folder the text will stand
+    const auto &path = std::get<std::string>(value);
+    return path.empty() ? "" : quoted(std::filesystem::absolute(path).lexically_normal().string());
+  }
+  case Kind::pair: {
+    const auto &pair = std::get<std::array<double, 2>>(value);
+    if (std::isnan(pair[0]))
+      return "";
+    return "[" + scalar_toml(pair[0], row.form) + ", " + scalar_toml(pair[1], row.form) + "]";
+  }
+  case Kind::table: {
+    std::string text;
+    for (const auto &pair : std::get<std::vector<std::array<double, 2>>>(value))
+      text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", scalar_toml(pair[0], form_of(row, 0)),
+                          scalar_toml(pair[1], form_of(row, 1)));
+    return text.empty() ? "" : "[" + text + "]";
+  }
+  }
+  return "";
+}
+
+std::string example_toml(const Row &row)
+{
+  const bool in_quotes =
+      row.kind == Kind::quantity || row.kind == Kind::choice || row.kind == Kind::text || row.kind == Kind::path;
+  return in_quotes ? quoted(row.example) : row.example;
+}
+
+std::string default_toml(const Row &row)
+{
+  const auto value = default_of(row);
+  return value ? toml_of(row, *value) : "";
+}
+
+std::string suggestion(const std::string &word, const std::vector<std::string> &known)
+{
+  std::string best, list;
+  // more than a third of the letters wrong is another word
+  std::size_t fewest = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (const std::string &candidate : known) {
+    list += (list.empty() ? "" : ", ") + candidate;
+    if (word.size() > 3 * candidate.size() + 3)
+      continue;  // cannot be near, and a very long word would make the table of distances large
+    if (const auto slips = slips_between(word, candidate); slips < fewest) {
+      fewest = slips;
+      best   = candidate;
+    }
+  }
+  return best.empty() ? "; known are " + list : "; did you mean '" + best + "'?";
+}
+
+std::string needed(const Row &row)
+{
+  const std::string example = example_toml(row);
+  switch (row.kind) {
+  case Kind::quantity:
+    return fmt::format("{} is needed, for example {}", unit(row.form).quantity, example);
+  case Kind::number:
+    return fmt::format("a pure number is needed, for example {}", example);
+  case Kind::count:
+    return fmt::format("a whole number is needed, for example {}", example);
+  case Kind::flag:
+    return "true or false is needed";
+  case Kind::choice:
+    return fmt::format("one of {} is needed", row.form);
+  case Kind::text:
+  case Kind::path:
+    return fmt::format("a text in quotes is needed, for example {}", example);
+  case Kind::pair:
+    return fmt::format("a pair such as {} is needed", example);
+  case Kind::table:
+    return fmt::format("a list of pairs such as {} is needed", example);
+  }
+  return "";
+}
+
+std::string range_text(const Row &row)
+{
+  return has_range(row.range) ? range_of(row.range, row.kind == Kind::count ? "count" : form_of(row, 1)) : "";
+}
+} // namespace mill

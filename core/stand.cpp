@@ -1,0 +1,121 @@
+#include "core/stand_reader.h"
+#include <algorithm>
+#include <cassert>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace mill
+{
+namespace
+{
+// Kinds of the file format that later versions will read.
+const std::vector<std::string> later_kinds{"bearing", "chatter", "cluster"};
+
+std::string listed(const std::vector<std::string> &words)
+{
+  std::string text;
+  for (const std::string &word : words)
+    text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+// Without a known schema and kind nothing else in the file can be judged, so these throw at once.
+CaseHead read_head(const Node &root, const Reading &before)
+{
+  Reading reading = before;
+  CaseHead head;
+  const Section top{&root, ""};
+  for (const auto &field : head_rows())
+    if (const auto value = read_row(row_of(field), top, reading))
+      std::visit([&](auto member) { head.*member = std::get<std::decay_t<decltype(head.*member)>>(*value); },
+                 field.member);
+  if (reading.usable({"schema"}) && head.schema != 1)
+    reading.add(reading.place("schema"),
+                fmt::format("schema = {} belongs to another version of the file format; this version reads schema = 1, "
+                            "whose keys are listed in docs/input.md",
+                            head.schema));
+  const auto &kinds = case_kinds();
+  if (std::find(later_kinds.begin(), later_kinds.end(), head.kind) != later_kinds.end())
+    reading.add(reading.place("kind"), fmt::format("kind = \"{}\" is not handled by this version; it handles {}",
+                                                   head.kind, listed(kinds)));
+  else if (reading.usable({"kind"}) && std::find(kinds.begin(), kinds.end(), head.kind) == kinds.end())
+    reading.add(reading.place("kind"), fmt::format("kind = \"{}\" is unknown{}", head.kind,
+                                                   suggestion(head.kind, kinds)));
+  if (!reading.problems.empty())
+    throw InputError(reading.problems);
+  return head;
+}
+
+// First parts of the section names: what may stand at the top level of this kind.
+std::vector<std::string> top_names(const std::string &kind)
+{
+  std::vector<std::string> names;
+  for (const SectionRows &section : sections_of(kind)) {
+    const std::string first = section.name.substr(0, section.name.find('.'));
+    if (!first.empty() && std::find(names.begin(), names.end(), first) == names.end())
+      names.push_back(first);
+  }
+  return names;
+}
+} // namespace
+
+Section section_at(const Node &root, const std::string &name, Reading &reading)
+{
+  const Node *node = &root;
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end    = std::min(name.find('.', begin), name.size());
+    const Node::Entry *entry = node->find(name.substr(begin, end - begin));
+    if (!entry)
+      return {nullptr, name};
+    if (entry->value.kind != Node::Kind::table) {
+      reading.add(entry->value.place,
+                  fmt::format("{} = {} is a value; a section [{}] is needed", name, shown(entry->value), name));
+      static const Node empty_table;
+      return {&empty_table, name};
+    }
+    node  = &entry->value;
+    begin = end + 1;
+  }
+  return {node, name};
+}
+
+const RollerBearing &bearing_of(const FourHigh &stand, const std::string &name)
+{
+  const auto found = std::find_if(stand.bearings.begin(), stand.bearings.end(),
+                                  [&](const RollerBearing &bearing) { return bearing.name == name; });
+  assert(found != stand.bearings.end() && "the reader has checked that every bearing a roll names exists");
+  return *found;
+}
+
+Case read_case(const std::string &path, const std::vector<std::string> &sets)
+{
+  const Node root                    = read_case_file(path, sets);
+  const std::filesystem::path file   = path;
+  const std::filesystem::path folder = file.parent_path();
+  Reading reading;
+  reading.file   = path;
+  reading.folder = folder.empty() ? "." : folder.string();
+
+  Case result;
+  const CaseHead head = read_head(root, reading);
+  result.path         = path;
+  result.name         = file.stem().string();
+  result.kind         = head.kind;
+  CaseHead again;
+  read({&root, ""}, head_rows(), again, reading, top_names(head.kind));
+  result.title = head.title;
+  reading.echo = resolved_lines("", head_rows(), head, reading);
+
+  if (head.kind == "four-high")
+    result.spec = read_four_high(root, reading);
+  else if (head.kind == "lumped")
+    result.spec = read_lumped(root, reading);
+  else
+    result.spec = read_two_cylinders(root, reading);
+  if (!reading.problems.empty())
+    throw InputError(std::move(reading.problems));
+  result.resolved = std::move(reading.echo);
+  result.places   = std::move(reading.places);
+  return result;
+}
+} // namespace mill

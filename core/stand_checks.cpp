@@ -1,0 +1,308 @@
+#include "core/stand_reader.h"
+#include "core/units.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace mill
+{
+namespace
+{
+constexpr double pi = 3.14159265358979323846;
+
+// Two keys that cannot both be right: the problem stands at the first, the second is shown with it.
+void contradict(Reading &reading, const std::string &key, const std::string &why, const std::vector<std::string> &others)
+{
+  std::vector<Place> related;
+  for (const std::string &other : others)
+    if (reading.places.count(other))
+      related.push_back(reading.place(other));
+  reading.add(reading.place(key), reading.said(key) + " " + why, std::move(related));
+}
+
+std::string millimetres(const double length)
+{
+  return fmt::format("{:.6g} mm", from_si(length, unit("mm")));
+}
+
+std::string degrees(const double angle)
+{
+  return fmt::format("{:.2f} deg", from_si(angle, unit("deg")));
+}
+
+// What work roll and backup roll have in common.
+void check_roll(const std::string &name, const Roll &roll, Reading &reading)
+{
+  const auto key = [&](const char *k) { return name + "." + k; };
+  if (reading.usable({key("neck_diameter"), key("barrel_diameter")}) && roll.neck_diameter > roll.barrel_diameter)
+    contradict(reading, key("neck_diameter"), "is larger than the barrel", {key("barrel_diameter")});
+  if (reading.usable({key("bearing_span"), key("barrel_length")}) && roll.bearing_span <= roll.barrel_length)
+    contradict(reading, key("bearing_span"),
+               fmt::format("puts the bearing centres inside the barrel, which is {} long",
+                           millimetres(roll.barrel_length)),
+               {key("barrel_length")});
+  if (!roll.crown_table.empty() && reading.places.count(key("crown")))
+    contradict(reading, key("crown"), "stands beside a crown_table; give one of the two", {key("crown_table")});
+  if (reading.usable({key("crown_table"), key("barrel_length")}) && !roll.crown_table.empty()) {
+    const double reach = std::max(-roll.crown_table.front()[0], roll.crown_table.back()[0]);
+    // one part in 1e9 for the rounding of the units
+    if (reach > roll.barrel_length / 2 * (1 + 1e-9))
+      contradict(reading, key("crown_table"),
+                 fmt::format("reaches {} from mid-length; the barrel ends at {}", millimetres(reach),
+                             millimetres(roll.barrel_length / 2)),
+                 {key("barrel_length")});
+  }
+}
+
+void check_bearing_name(const std::string &roll, const std::string &bearing, const FourHigh &stand, Reading &reading)
+{
+  const std::string key = roll + ".bearing";
+  if (!reading.usable({key}))
+    return;
+  std::vector<std::string> names;
+  for (const RollerBearing &known : stand.bearings)
+    names.push_back(known.name);
+  if (std::find(names.begin(), names.end(), bearing) != names.end())
+    return;
+  reading.add(reading.place(key),
+              names.empty() ? fmt::format("{}: there is no section [bearing.{}]", reading.said(key), bearing)
+                            : fmt::format("{}: there is no section [bearing.{}]{}", reading.said(key), bearing,
+                                          suggestion(bearing, names)));
+}
+
+double pitch_diameter(const RollerBearing &bearing)
+{
+  return std::isnan(bearing.pitch_diameter) ? (bearing.bore + bearing.outside_diameter) / 2 : bearing.pitch_diameter;
+}
+
+// Roller, cup and cone share one apex: sin(alpha_m) = (D_pw/D_we) tan(beta), cup angle alpha_m + beta, with beta half
+// the roller cone.  Half a degree is what catalogues and drawings are good for.
+void check_apex(const std::string &name, const RollerBearing &bearing, Reading &reading)
+{
+  const double beta      = bearing.roller_cone_angle / 2;
+  const double sine      = pitch_diameter(bearing) / bearing.roller_diameter * std::tan(beta);
+  const double tolerance = 0.5 * pi / 180;
+  const double closing   = sine <= 1 ? std::asin(sine) + beta : not_given;
+  if (!(beta > 0) || std::isnan(sine) || std::abs(bearing.cup_angle - closing) <= tolerance)
+    return;
+  const double alpha  = bearing.cup_angle - beta;
+  const auto diameter = pitch_diameter(bearing) * std::tan(beta) / std::sin(alpha);
+  const auto cone     = 2 * std::atan(std::sin(alpha) * bearing.roller_diameter / pitch_diameter(bearing));
+  const std::string closes =
+      std::isnan(closing) ? "no cup angle closes it" : fmt::format("cup_angle = \"{}\" closes it", degrees(closing));
+  contradict(reading, name + ".cup_angle",
+             fmt::format("leaves roller, cup and cone without a common apex; with a pitch diameter of {} {}, or "
+                         "roller_diameter = \"{}\", or roller_cone_angle = \"{}\"",
+                         millimetres(pitch_diameter(bearing)), closes, millimetres(diameter), degrees(cone)),
+             {name + ".roller_diameter", name + ".roller_cone_angle"});
+}
+
+void check_file(const std::string &key, const std::string &file, Reading &reading)
+{
+  std::error_code ignored;
+  if (!file.empty() && !std::filesystem::is_regular_file(file, ignored))
+    reading.add(reading.place(key), fmt::format("{}: there is no file {}", reading.said(key), file));
+}
+
+// Initial value of the flow stress, where the law has one of its own; the strip must carry its back tension there.
+double initial_stress(const FlowStress &flow)
+{
+  if (flow.law == "constant")
+    return flow.k;
+  if (flow.law == "swift" || flow.law == "reduction-power")
+    return flow.k * std::pow(flow.eps0, flow.n);
+  if (flow.law == "ludwik" || flow.law == "voce")
+    return flow.k0;
+  if (flow.law == "table" && !flow.table.empty())
+    return flow.table.front()[1];
+  return not_given;
+}
+
+void check_flow_stress(const FlowStress &flow, Reading &reading)
+{
+  const std::string name = "strip.flow_stress.";
+  const auto needs       = [&](const char *key) {
+    if (!reading.places.count(name + key) && !reading.bad.count(name + key))
+      contradict(reading, name + "law", fmt::format("needs '{}'", key), {});
+  };
+  if (!reading.usable({name + "law"}))
+    return;
+  if (flow.law == "table")
+    needs("table");
+  else
+    needs("k");
+  if (flow.law == "ludwik" || flow.law == "voce")
+    needs("k0");
+  if (flow.law == "swift" || flow.law == "reduction-power")
+    needs("eps0");
+  if (flow.law != "constant" && flow.law != "table")
+    needs("n");
+}
+
+void check_tension(const char *key, const double tension, const Strip &strip, Reading &reading)
+{
+  const std::string full = std::string("strip.") + key;
+  const double limit     = initial_stress(strip.flow_stress);
+  const std::string law  = strip.flow_stress.law == "table" ? "table" : "k";
+  if (reading.usable({full, "strip.flow_stress.k", "strip.flow_stress.law", "strip.flow_stress.table"}) && limit > 0 &&
+      tension >= limit)
+    contradict(reading, full,
+               fmt::format("would stretch the strip outside the bite, whose flow stress is {:.6g} MPa there",
+                           limit / 1e6),
+               {"strip.flow_stress." + law});
+}
+} // namespace
+
+void check_work_roll(const WorkRollInput &roll, Reading &reading)
+{
+  check_roll("work_roll", roll, reading);
+  if (reading.usable({"work_roll.total_length", "work_roll.barrel_length"}) && roll.total_length <= roll.barrel_length)
+    contradict(reading, "work_roll.total_length", "is not longer than the barrel", {"work_roll.barrel_length"});
+  if (reading.usable({"work_roll.total_length", "work_roll.bearing_span"}) && roll.bearing_span >= roll.total_length)
+    contradict(reading, "work_roll.bearing_span", "puts the bearing centres beyond the ends of the roll",
+               {"work_roll.total_length"});
+}
+
+void check_backup_roll(const Roll &roll, Reading &reading)
+{
+  check_roll("backup_roll", roll, reading);
+  if (reading.usable({"backup_roll.barrel_length", "backup_roll.neck_length", "backup_roll.bearing_span"}) &&
+      roll.bearing_span >= roll.barrel_length + 2 * roll.neck_length)
+    contradict(reading, "backup_roll.bearing_span", "puts the bearing centres beyond the ends of the roll",
+               {"backup_roll.barrel_length", "backup_roll.neck_length"});
+}
+
+void check_bearing(const RollerBearing &bearing, Reading &reading)
+{
+  const std::string name = "bearing." + bearing.name;
+  const auto key         = [&](const char *k) { return name + "." + k; };
+  if (reading.usable({key("bore"), key("outside_diameter")}) && bearing.bore >= bearing.outside_diameter)
+    contradict(reading, key("bore"), "is not smaller than the outside diameter", {key("outside_diameter")});
+  if (reading.usable({key("bore"), key("outside_diameter"), key("pitch_diameter")}) &&
+      (bearing.pitch_diameter <= bearing.bore || bearing.pitch_diameter >= bearing.outside_diameter))
+    contradict(reading, key("pitch_diameter"), "is not between bore and outside diameter",
+               {key("bore"), key("outside_diameter")});
+
+  const bool sizes = reading.usable({key("bore"), key("outside_diameter"), key("pitch_diameter"),
+                                     key("roller_diameter"), key("rollers_per_row")});
+  const double largest = pi * pitch_diameter(bearing) / bearing.rollers_per_row;
+  if (sizes && bearing.roller_diameter > largest)
+    contradict(reading, key("roller_diameter"),
+               fmt::format("makes {} rollers overlap on the pitch circle of {}; at most {} fit", bearing.rollers_per_row,
+                           millimetres(pitch_diameter(bearing)), millimetres(largest)),
+               {key("rollers_per_row")});
+
+  if (reading.usable({key("type"), key("cup_angle"), key("roller_cone_angle")})) {
+    const bool tapered = bearing.type == "four-row tapered";
+    if (tapered && bearing.cup_angle == 0)
+      contradict(reading, key("type"), "needs a cup_angle above zero", {key("cup_angle")});
+    else if (tapered && sizes)
+      check_apex(name, bearing, reading);
+    if (!tapered && (bearing.cup_angle != 0 || bearing.roller_cone_angle != 0))
+      contradict(reading, key("type"), "has neither a cup_angle nor a roller_cone_angle",
+                 {key("cup_angle"), key("roller_cone_angle")});
+  }
+  if (reading.usable({key("profile"), key("crown_drop")}) && bearing.profile == "crown" &&
+      std::isnan(bearing.crown_drop))
+    contradict(reading, key("profile"), "needs a crown_drop", {});
+  if (reading.usable({key("profile"), key("roller_diameter")}) &&
+      (bearing.profile == "iso" || bearing.profile == "log") && std::isnan(bearing.roller_diameter))
+    contradict(reading, key("profile"), "needs a roller_diameter", {});
+}
+
+void check_strip(const FourHigh &stand, Reading &reading)
+{
+  const Strip &strip = stand.strip;
+  if (reading.usable({"strip.entry_thickness", "strip.exit_thickness"}) && strip.exit_thickness >= strip.entry_thickness)
+    contradict(reading, "strip.exit_thickness", "is not smaller than the entry thickness", {"strip.entry_thickness"});
+  if (reading.usable({"strip.entry_thickness", "strip.initial_thickness"}) &&
+      strip.initial_thickness < strip.entry_thickness)
+    contradict(reading, "strip.initial_thickness", "is smaller than the entry thickness", {"strip.entry_thickness"});
+  if (reading.usable({"strip.width", "work_roll.barrel_length"}) && strip.width > stand.work_roll.barrel_length)
+    contradict(reading, "strip.width", "is wider than the barrel of the work roll", {"work_roll.barrel_length"});
+  check_flow_stress(strip.flow_stress, reading);
+  check_tension("entry_tension", strip.entry_tension, strip, reading);
+  if (strip.flow_stress.law == "constant")  // a hardening strip is stronger behind the bite
+    check_tension("exit_tension", strip.exit_tension, strip, reading);
+}
+
+void check_passes(const std::vector<Pass> &passes, Reading &reading)
+{
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    const Pass &pass       = passes[i];
+    const std::string name = fmt::format("pass.{}", i);
+    const auto key         = [&](const char *k) { return name + "." + k; };
+    const bool has_range   = reading.places.count(key("synthetic_range")) > 0;
+    check_file(key("force"), pass.force_file, reading);
+    check_file(key("measured"), pass.measured_file, reading);
+    if (!reading.usable({key("name"), key("force"), key("load"), key("synthetic_range")}))
+      continue;
+    if (pass.force_file.empty() && std::isnan(pass.load) && !has_range)
+      reading.add(pass.place, fmt::format("pass \"{}\" has no force; add force = \"FILE.csv\", synthetic_range or load",
+                                          pass.name));
+    if (!pass.force_file.empty() && has_range)
+      contradict(reading, key("synthetic_range"), "stands beside a force file; give one of the two", {key("force")});
+    if (has_range && !(pass.synthetic_range[0] < pass.synthetic_range[1]))
+      contradict(reading, key("synthetic_range"), "does not increase; write the smaller force first", {});
+    if (pass.name.empty() || pass.name.find('/') != std::string::npos || pass.name[0] == '.')
+      contradict(reading, key("name"), "cannot name a file; it may not be empty, begin with a dot or contain '/'", {});
+    for (std::size_t j = 0; j < i; ++j)
+      if (passes[j].name == pass.name)
+        contradict(reading, key("name"), "is the name of an earlier pass as well", {fmt::format("pass.{}.name", j)});
+  }
+}
+
+void check_contact(const std::string &section, const ContactSettings &contact, Reading &reading)
+{
+  const std::string loads = section + ".loads", at = section + ".at";
+  if (!reading.usable({loads}) || std::isnan(contact.loads[0]))
+    return;
+  if (!(contact.loads[0] < contact.loads[1]))
+    contradict(reading, loads, "does not increase; write the smaller load first", {});
+  else if (reading.usable({at}) && (contact.at < contact.loads[0] || contact.at > contact.loads[1]))
+    contradict(reading, at, "is outside the swept range", {loads});
+}
+
+void check_published_force(const DynamicsSettings &dynamics, const GivenValues &given, Reading &reading)
+{
+  if (dynamics.force_meaning != "published" || !reading.usable({"given.K4", "given.C"}))
+    return;
+  std::string missing;
+  for (const char *key : {"K4", "C"})
+    if (!given.count(key))
+      missing += (missing.empty() ? "" : " and ") + std::string(key);
+  if (!missing.empty())
+    contradict(reading, "dynamics.force_meaning", fmt::format("needs {} in [given]", missing), {});
+}
+
+void check_four_high(const FourHigh &stand, Reading &reading)
+{
+  if (reading.usable({"work_roll.barrel_diameter", "backup_roll.barrel_diameter"}) &&
+      stand.backup_roll.barrel_diameter < stand.work_roll.barrel_diameter)
+    contradict(reading, "backup_roll.barrel_diameter", "is smaller than the work roll", {"work_roll.barrel_diameter"});
+  check_bearing_name("work_roll", stand.work_roll.bearing, stand, reading);
+  check_bearing_name("backup_roll", stand.backup_roll.bearing, stand, reading);
+  check_strip(stand, reading);
+  if (stand.passes.empty() && reading.usable({"pass"}))
+    reading.add(Place{reading.file}, "there is no [[pass]]; the working load of every stiffness comes from one");
+  for (std::size_t i = 0; i < stand.passes.size(); ++i) {
+    const Pass &pass = stand.passes[i];
+    const auto key   = [&](const char *k) { return fmt::format("pass.{}.{}", i, k); };
+    const bool own_entry = !std::isnan(pass.entry_thickness), own_exit = !std::isnan(pass.exit_thickness);
+    const std::string entry_key = own_entry ? key("entry_thickness") : "strip.entry_thickness";
+    const std::string exit_key  = own_exit ? key("exit_thickness") : "strip.exit_thickness";
+    const double entry          = own_entry ? pass.entry_thickness : stand.strip.entry_thickness;
+    const double exit           = own_exit ? pass.exit_thickness : stand.strip.exit_thickness;
+    if ((own_entry || own_exit) && reading.usable({entry_key, exit_key}) && exit >= entry)
+      contradict(reading, own_exit ? exit_key : entry_key, "leaves no reduction between entry and exit thickness",
+                 {own_exit ? entry_key : exit_key});
+    for (const auto &[name, contact] : {std::pair("contact.upper", &stand.upper_contact),
+                                        std::pair("contact.lower", &stand.lower_contact)})
+      if (pass.load < contact->loads[0] || pass.load > contact->loads[1])
+        contradict(reading, key("load"), fmt::format("is outside the swept range of [{}]", name),
+                   {std::string(name) + ".loads"});
+  }
+  check_published_force(stand.dynamics, stand.given, reading);
+}
+} // namespace mill

@@ -1,0 +1,122 @@
+#include "core/stand_reader.h"
+#include <fmt/format.h>
+
+namespace mill
+{
+namespace
+{
+WorkRollInput read_work_roll(const Node &root, Reading &reading)
+{
+  WorkRollInput roll;
+  const Section section = section_at(root, "work_roll", reading);
+  read_and_echo(section, section.header(), work_roll_rows(), roll, reading);
+  roll.neck_length = (roll.total_length - roll.barrel_length) / 2;
+  check_work_roll(roll, reading);
+  return roll;
+}
+
+Roll read_backup_roll(const Node &root, Reading &reading)
+{
+  Roll roll;
+  const Section section = section_at(root, "backup_roll", reading);
+  read_and_echo(section, section.header(), backup_roll_rows(), roll, reading);
+  check_backup_roll(roll, reading);
+  return roll;
+}
+
+std::vector<RollerBearing> read_bearings(const Node &root, Reading &reading)
+{
+  std::vector<RollerBearing> bearings;
+  const Section all = section_at(root, "bearing", reading);
+  if (!all.node)
+    return bearings;  // each roll then says that its bearing does not exist
+  for (const Node::Entry &entry : all.node->entries) {
+    if (entry.value.kind != Node::Kind::table) {
+      reading.add(entry.value.place, fmt::format("bearing.{} = {} is a value; a section [bearing.{}] is needed",
+                                                 entry.key, shown(entry.value), entry.key));
+      continue;
+    }
+    RollerBearing bearing;
+    bearing.name = entry.key;
+    read_and_echo({&entry.value, "bearing." + entry.key}, "[bearing." + key_text(entry.key) + "]", bearing_rows(),
+                  bearing, reading);
+    check_bearing(bearing, reading);
+    bearings.push_back(std::move(bearing));
+  }
+  return bearings;
+}
+
+Strip read_strip(const Node &root, Reading &reading)
+{
+  Strip strip;
+  const Section section = section_at(root, "strip", reading);
+  read_and_echo(section, section.header(), strip_rows(), strip, reading, {"flow_stress"});
+  if (section.node) {
+    const Section law = section_at(root, "strip.flow_stress", reading);
+    read_and_echo(law, law.header(), flow_stress_rows(), strip.flow_stress, reading);
+  }
+  return strip;
+}
+
+ContactSettings read_roll_contact(const Node &root, const std::string &name, Reading &reading)
+{
+  ContactSettings contact;
+  const Section section = section_at(root, name, reading);
+  read_and_echo(section, section.header(), roll_contact_rows(), contact, reading);
+  contact.loads_place    = reading.place(name + ".loads");
+  contact.elements_place = reading.place(name + ".elements_per_half_width");
+  check_contact(name, contact, reading);
+  return contact;
+}
+} // namespace
+
+FourHigh read_four_high(const Node &root, Reading &reading)
+{
+  FourHigh stand;
+  const Section steel = section_at(root, "steel", reading), frame = section_at(root, "frame", reading);
+  read_and_echo(steel, steel.header(), steel_rows(), stand.steel, reading);
+  stand.work_roll   = read_work_roll(root, reading);
+  stand.backup_roll = read_backup_roll(root, reading);
+  stand.bearings    = read_bearings(root, reading);
+  read_and_echo(frame, frame.header(), frame_rows(), stand.frame, reading);
+  stand.strip  = read_strip(root, reading);
+  stand.passes = read_passes(root, reading);
+  if (const Section contact = section_at(root, "contact", reading); contact.node)
+    refuse_unknown_keys(contact, {}, {"upper", "lower"}, reading);
+  stand.upper_contact = read_roll_contact(root, "contact.upper", reading);
+  stand.lower_contact = read_roll_contact(root, "contact.lower", reading);
+  stand.dynamics      = read_dynamics(root, reading);
+  stand.given         = read_given(root, "four-high", reading);
+  check_four_high(stand, reading);
+  return stand;
+}
+
+Lumped read_lumped(const Node &root, Reading &reading)
+{
+  Lumped lumped;
+  lumped.given    = read_given(root, "lumped", reading);
+  lumped.passes   = read_passes(root, reading);
+  lumped.dynamics = read_dynamics(root, reading);
+  check_published_force(lumped.dynamics, lumped.given, reading);
+  return lumped;
+}
+
+TwoCylinders read_two_cylinders(const Node &root, Reading &reading)
+{
+  TwoCylinders pair;
+  const auto read_section = [&](const std::string &name, const auto &rows, auto &out) {
+    const Section section = section_at(root, name, reading);
+    read_and_echo(section, section.header(), rows, out, reading);
+  };
+  read_section("steel", steel_rows(), pair.steel);
+  read_section("upper", upper_cylinder_rows(), pair);
+  read_section("lower", lower_cylinder_rows(), pair);
+  if (const Section contact = section_at(root, "contact", reading); contact.node)
+    refuse_unknown_keys(contact, {}, {"line"}, reading);
+  read_section("contact.line", line_contact_rows(), pair.contact);
+  pair.contact.loads_place    = reading.place("contact.line.loads");
+  pair.contact.elements_place = reading.place("contact.line.elements_per_half_width");
+  check_contact("contact.line", pair.contact, reading);
+  return pair;
+}
+} // namespace mill

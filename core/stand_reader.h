@@ -1,0 +1,31 @@
+#pragma once
+#include "core/stand_rows.h"
+
+// Reading of the three kinds of case, section by section.
+namespace mill
+{
+/// Section "contact.upper" below the root; its node is null when it is left out.  A value where a section is wanted
+/// becomes a problem.
+Section section_at(const Node &root, const std::string &name, Reading &reading);
+
+/// [[pass]]; `root` may have none.
+std::vector<Pass> read_passes(const Node &root, Reading &reading);
+DynamicsSettings read_dynamics(const Node &root, Reading &reading);
+GivenValues read_given(const Node &root, const std::string &kind, Reading &reading);
+
+FourHigh read_four_high(const Node &root, Reading &reading);
+Lumped read_lumped(const Node &root, Reading &reading);
+TwoCylinders read_two_cylinders(const Node &root, Reading &reading);
+
+// Checks between keys.  Each compares only values that were accepted, and names both places.
+void check_work_roll(const WorkRollInput &roll, Reading &reading);
+void check_backup_roll(const Roll &roll, Reading &reading);
+void check_bearing(const RollerBearing &bearing, Reading &reading);
+void check_strip(const FourHigh &stand, Reading &reading);
+void check_passes(const std::vector<Pass> &passes, Reading &reading);
+void check_contact(const std::string &section, const ContactSettings &contact, Reading &reading);
+/// Rolls against each other, bearings that are named, passes against strip and contacts.
+void check_four_high(const FourHigh &stand, Reading &reading);
+/// force_meaning = "published" needs K4 and C.
+void check_published_force(const DynamicsSettings &dynamics, const GivenValues &given, Reading &reading);
+} // namespace mill

@@ -1,0 +1,60 @@
+#pragma once
+#include "core/fields.h"
+#include "core/stand.h"
+#include <string>
+#include <vector>
+
+// Every parameter of the case files, one row each.
+namespace mill
+{
+/// [work_roll]: drawn with its total length, stored with its neck length.
+struct WorkRollInput : Roll {
+  double total_length = 0;  ///< m
+};
+
+/// [[pass]]: peaks are kept in g by the program, read as accelerations here.
+struct PassInput : Pass {
+  std::array<double, 2> published_peak = {not_given, not_given};  ///< m/s2
+  std::array<double, 2> measured_peak  = {not_given, not_given};  ///< m/s2
+};
+
+/// The top of every case file.
+struct CaseHead {
+  int schema = 0;
+  std::string kind, title;
+};
+
+const std::vector<Field<CaseHead>> &head_rows();
+const std::vector<Field<Material>> &steel_rows();
+const std::vector<Field<WorkRollInput>> &work_roll_rows();
+const std::vector<Field<Roll>> &backup_roll_rows();
+const std::vector<Field<RollerBearing>> &bearing_rows();
+const std::vector<Field<Frame>> &frame_rows();
+const std::vector<Field<Strip>> &strip_rows();
+const std::vector<Field<FlowStress>> &flow_stress_rows();
+const std::vector<Field<PassInput>> &pass_rows();
+const std::vector<Field<ContactSettings>> &roll_contact_rows();  ///< four-high: loads are forces
+const std::vector<Field<ContactSettings>> &line_contact_rows();  ///< two-cylinders: loads per length
+const std::vector<Field<DynamicsSettings>> &dynamics_rows();
+const std::vector<Field<TwoCylinders>> &upper_cylinder_rows();
+const std::vector<Field<TwoCylinders>> &lower_cylinder_rows();
+
+/// Rows of [given]; they share a reader of their own because a value may carry its source.
+const std::vector<Row> &given_rows(const std::string &kind);
+
+/// One section of a kind of case, as schema, template and reference need it.
+struct SectionRows {
+  enum class Repeat {
+    once,
+    named,  ///< [bearing.NAME], one example name
+    list    ///< [[pass]]
+  };
+  std::string name;  ///< "work_roll", "strip.flow_stress", "bearing"; "" for the top level
+  Repeat repeat;
+  bool needed;  ///< false: the section may be left out
+  std::string meaning;
+  std::vector<Row> rows;
+};
+const std::vector<std::string> &case_kinds();  ///< those this version reads
+std::vector<SectionRows> sections_of(const std::string &kind);
+} // namespace mill

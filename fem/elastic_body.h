@@ -1,0 +1,48 @@
+#pragma once
+#include "core/mesh_file.h"
+#include "core/sparse.h"
+#include "core/stand.h"
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mill::fem
+{
+/// Linear elastic body on a mesh: nodes of the chosen degree, stiffness, boundary groups.  Unknown 3 n + c is the
+/// displacement of node n in direction c.  theory.md 1
+class ElasticBody {
+public:
+  /// Reads the mesh and puts the faces of barrel, contact and neck on the true cylinder.
+  /// @param degree  1 or 2: trilinear or triquadratic hexahedra
+  /// @throws InputError  the mesh cannot be read
+  ElasticBody(const MeshFile &mesh, const Material &material, int degree);
+  ~ElasticBody();
+  ElasticBody(ElasticBody &&) noexcept;
+
+  /// (3N, 3N) N/m, upper triangle; assembled when first asked for, about 0.1 ms per quadratic element and thread.
+  const SymmetricSparse &stiffness() const;
+  const Eigen::Matrix<double, Eigen::Dynamic, 3> &nodes() const;  ///< (N, 3) m
+  const std::vector<int> &group(const std::string &name) const;   ///< nodes of a boundary group, ascending
+  const std::vector<int> &axis() const;                 ///< nodes on x = y = 0, by ascending z
+
+  /// (N) m2: integral of each node's shape function over a group; sums to its area.  For pressure from nodal forces.
+  Eigen::VectorXd face_weights(const std::string &group) const;
+  /// (N) integral of shape function times weight(z) over a group: nodal shares of a distributed load.
+  Eigen::VectorXd face_load(const std::string &group, double (*weight)(double z, const void *context),
+                            const void *context) const;
+  double volume() const;  ///< m3, by the quadrature of the assembly
+
+  /// Displacement, stress (xx yy zz xy xz yz, von Mises) and a nodal scalar as VTU for ParaView.
+  /// @param displacement (3N) m
+  /// @param pressure     (N) Pa, contact pressure, zero off the contact
+  void write_vtu(const std::string &path, const Eigen::VectorXd &displacement, const Eigen::VectorXd &pressure) const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> self;
+};
+
+/// Threads that assembly may use.
+void set_assembly_threads(int n);
+} // namespace mill::fem

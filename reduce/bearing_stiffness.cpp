@@ -1,0 +1,168 @@
+#include "reduce/bearing_stiffness.h"
+#include "reduce/bearing_geometry.h"
+#include "reduce/roller_law.h"
+#include <cmath>
+#include <sstream>
+
+namespace mill::reduce
+{
+namespace
+{
+/// What stays the same while the ring moves.
+struct RigidRings {
+  RollerLaw law;
+  double cosine;             ///< of the cup contact angle
+  double half_clearance;     ///< m, radial
+  double tilt;               ///< rad
+  Eigen::VectorXd position;  ///< (rows) m
+  Eigen::VectorXd azimuth;   ///< (rollers) rad
+  bool rows_equal;           ///< no tilt: one row is computed and counts for all
+};
+
+RigidRings rigid_rings(const RollerBearing &b, const double tilt)
+{
+  require_closed_apex(b);
+  RigidRings rings{roller_law(b), std::cos(b.cup_angle), b.radial_clearance / 2, tilt, row_positions(b), roller_azimuths(b),
+                   tilt == 0};
+  if (!rings.rows_equal && !rings.position.allFinite())
+    throw InputError("bearing." + b.name + ": a tilted ring needs the bearing width, from which the row positions follow");
+  return rings;
+}
+
+/// Approach of a roller's middle, normal to the raceway, (5.11).
+double approach(const RigidRings &rings, const double displacement, const Eigen::Index row, const double azimuth)
+{
+  const double z = rings.rows_equal ? 0 : rings.position[row];
+  return rings.cosine * ((displacement + z * rings.tilt) * std::cos(azimuth) - rings.half_clearance);
+}
+
+/// Tilt of a roller in its axial plane, (5.12).
+double roller_tilt(const RigidRings &rings, const double azimuth)
+{
+  return std::atan(std::tan(rings.tilt) * std::cos(azimuth));
+}
+
+struct RadialForce {
+  double force     = 0;  ///< N
+  double stiffness = 0;  ///< N/m
+};
+
+/// Radial force of one row and its slope, (5.13) and (5.14).
+RadialForce row_force(const RigidRings &rings, const double displacement, const Eigen::Index row)
+{
+  RadialForce sum;
+  for (const double phi : rings.azimuth) {
+    const RollerLoad roller = roller_load(rings.law, approach(rings, displacement, row, phi), roller_tilt(rings, phi));
+    const double direction  = rings.cosine * std::cos(phi);
+    sum.force += roller.load * direction;
+    sum.stiffness += roller.stiffness * direction * direction;
+  }
+  return sum;
+}
+
+RadialForce bearing_force(const RigidRings &rings, const double displacement)
+{
+  const auto rows = rings.position.size();
+  RadialForce sum;
+  if (rings.rows_equal) {
+    const RadialForce one = row_force(rings, displacement, 0);
+    return {double(rows) * one.force, double(rows) * one.stiffness};
+  }
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    const RadialForce one = row_force(rings, displacement, r);
+    sum.force += one.force;
+    sum.stiffness += one.stiffness;
+  }
+  return sum;
+}
+
+/// A displacement at which the bearing carries more than `load`: clearance and profile taken up, then doubled.
+double beyond(const RigidRings &rings, const double load)
+{
+  const double whole = rings.law.lamina_constant * double(rings.law.position.size());
+  double displacement = std::abs(rings.half_clearance) + std::pow(load / whole, 0.9) / rings.cosine;
+  for (int i = 0; i < 100; ++i, displacement *= 2)
+    if (bearing_force(rings, displacement).force > load)
+      return displacement;
+  throw SolverError({"bearing: no displacement carries the load", "stopped after 100 doublings",
+                     "a dimension, angle or clearance of the bearing is not a number", "check the [bearing] section", ""});
+}
+
+/// Newton's method inside a bracket that only shrinks; where Newton leaves it, the bracket is halved.
+double equilibrium(const RigidRings &rings, const double load)
+{
+  double low = 0, high = beyond(rings, load);  // rows and rollers balance at zero displacement, with or without tilt
+  double x = high;
+  for (int i = 0; i < 200; ++i) {
+    const RadialForce at = bearing_force(rings, x);
+    (at.force > load ? high : low) = x;
+    double next = x - (at.force - load) / at.stiffness;
+    if (!(next > low && next < high))
+      next = (low + high) / 2;
+    if (std::abs(next - x) <= 4e-16 * high || next == low || next == high)
+      return next;
+    x = next;
+  }
+  std::ostringstream stood;
+  stood << "displacement between " << low * 1e6 << " and " << high * 1e6 << " um after 200 steps";
+  throw SolverError({"bearing: no equilibrium found", stood.str(), "an input of the bearing is not a number",
+                     "check the [bearing] section", ""});
+}
+
+/// Loads of all rollers at a displacement, and the state they make.
+BearingState state_at(const RigidRings &rings, const double load, const double displacement)
+{
+  const auto rows = rings.position.size(), rollers = rings.azimuth.size();
+  BearingState state;
+  state.load         = load;
+  state.tilt         = rings.tilt;
+  state.displacement = displacement;
+  state.secant       = load / displacement;
+  state.tangent      = bearing_force(rings, displacement).stiffness;
+  state.azimuth      = rings.azimuth;
+  state.roller_load.resize(rows, rollers);
+  state.row_share.resize(rows);
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    state.row_share[r] = row_force(rings, displacement, r).force / load;
+    for (Eigen::Index j = 0; j < rollers; ++j)
+      state.roller_load(r, j) =
+          roller_load(rings.law, approach(rings, displacement, r, rings.azimuth[j]), roller_tilt(rings, rings.azimuth[j])).load;
+  }
+  state.loaded_rollers = (state.roller_load.array() > 0).cast<int>().rowwise().sum();
+  Eigen::Index r, j;
+  state.roller_max       = state.roller_load.maxCoeff(&r, &j);
+  state.roller_approach  = approach(rings, displacement, r, rings.azimuth[j]);
+  state.roller_secant    = state.roller_max / state.roller_approach;
+  state.roller_tangent   = roller_load(rings.law, state.roller_approach, roller_tilt(rings, rings.azimuth[j])).stiffness;
+  return state;
+}
+
+void require_load(const RollerBearing &b, const double load)
+{
+  if (load > 0 && std::isfinite(load))
+    return;
+  std::ostringstream text;
+  text << "bearing." << b.name << ": radial load " << load / 1e3 << " kN; ";
+  if (b.radial_clearance > 0)
+    text << "with a clearance of " << b.radial_clearance * 1e6 << " um no roller is loaded without load, so there is no stiffness";
+  else
+    text << "the stiffness of rollers grows with load from zero, so a positive load is needed";
+  throw InputError(text.str());
+}
+} // namespace
+
+BearingState solve_bearing(const RollerBearing &bearing, const double radial_load, const double tilt)
+{
+  require_load(bearing, radial_load);
+  const RigidRings rings = rigid_rings(bearing, tilt);
+  return state_at(rings, radial_load, equilibrium(rings, radial_load));
+}
+
+std::vector<BearingState> bearing_curve(const RollerBearing &bearing, const std::vector<double> &loads, const double tilt)
+{
+  std::vector<BearingState> curve;
+  for (const double load : loads)
+    curve.push_back(solve_bearing(bearing, load, tilt));
+  return curve;
+}
+} // namespace mill::reduce

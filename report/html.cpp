@@ -1,0 +1,49 @@
+#include "report/html.h"
+#include "report/embedded.h"
+#include "report/page.h"
+#include "report/sections.h"
+#include "report/svg.h"
+
+namespace mill::report {
+namespace {
+// The charts need dygraphs; where the build had none, the static drawings stand alone.
+std::string scripts()
+{
+  using namespace embedded;
+  if (!*dygraphs_js)
+    return "";
+  return std::string("<style>") + dygraphs_css + "</style>\n<script>\n/*\n" + dygraphs_licence + "*/\n" +
+         dygraphs_js + "\n</script>\n<script>\n" + page_js + "</script>\n";
+}
+}  // namespace
+
+bool has_chain(const Run &run)
+{
+  return run.manifest.kind != "two-cylinders" && (run.find("M1") || run.table("curves/modes"));
+}
+
+std::string html_page(const Run &run)
+{
+  Page page(run);
+  summary_section(page, run);
+  stand_section(page, run);
+  contact_section(page, run);
+  bearing_section(page, run);
+  shape_section(page, run);
+  mode_section(page, run);
+  response_section(page, run);
+  limits_section(page, run);
+  full_results_section(page, run);
+  record_section(page, run);
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
+         escaped(run.case_name) + " - millstand report</title>\n<style>\n" + embedded::page_css +
+         "</style>\n</head>\n<body>\n<main>\n" + page_head(run) + page.contents() + page.body() + "</main>\n" +
+         scripts() + "</body>\n</html>\n";
+}
+
+std::string html_report(const std::string &run_directory)
+{
+  return html_page(read_run(run_directory));
+}
+}  // namespace mill::report

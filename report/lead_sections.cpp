@@ -1,0 +1,147 @@
+#include "report/names.h"
+#include "report/number.h"
+#include "report/sections.h"
+#include "report/svg.h"
+#include "report/tables.h"
+#include <cmath>
+
+namespace mill::report {
+namespace {
+std::string list_of(const std::vector<std::string> &sentences)
+{
+  std::string list = "<ul>\n";
+  for (const std::string &sentence : sentences)
+    list += "<li>" + escaped(sentence) + "</li>\n";
+  return list + "</ul>\n";
+}
+
+// Colour is not the only carrier: the first word says the same.
+std::string banner(const Run &run)
+{
+  const bool failed = run.status != "ok" && run.status != "warnings";
+  if (failed)
+    return "<div class=\"banner failed\"><b>Failed.</b> The run ended with status \u201c" + escaped(run.status) +
+           "\u201d; what is shown below was finished before." +
+           (run.warnings.empty() ? "" : list_of(run.warnings)) + "</div>\n";
+  if (run.status == "warnings" || !run.warnings.empty())
+    return "<div class=\"banner warnings\"><b>Done, with " + std::to_string(run.warnings.size()) +
+           (run.warnings.size() == 1 ? " warning." : " warnings.") + "</b>" +
+           (run.warnings.empty() ? "" : list_of(run.warnings)) + "</div>\n";
+  return "<div class=\"banner ok\"><b>Done.</b> Every stage finished, no warnings.</div>\n";
+}
+
+std::string fact(const std::string &name, const std::string &value)
+{
+  return value.empty() ? "" : "<div><dt>" + name + "</dt><dd>" + escaped(value) + "</dd></div>";
+}
+
+std::string tile(const Result *result, const std::string &label)
+{
+  if (!result || !std::isfinite(result->value))
+    return "";
+  const bool acceleration = result->name.find("_g.") != std::string::npos;
+  const Shown shown =
+      acceleration ? Shown{in_g(result->value, result->unit), "g"} : engineering(result->value, result->unit);
+  const std::string number = acceleration ? fixed(shown.value, 2) : significant(shown.value, 4);
+  return "<div class=\"tile\"><span>" + escaped(label) + "</span><b>" + number + "</b> " + escaped(shown.unit) +
+         "<small>" + escaped(result->source) + (result->at.empty() ? "" : ", at " + escaped(result->at)) +
+         "</small></div>\n";
+}
+
+std::string tiles(const Run &run)
+{
+  std::string all;
+  if (has_chain(run)) {
+    all += tile(chain_value(run, "K3"), "K3, upper contact") + tile(chain_value(run, "K5"), "K5, lower contact") +
+           tile(run.find("f1"), "f1, first mode") + tile(run.find("f6"), "f6, highest mode");
+    for (const PassInfo &pass : run.manifest.passes)
+      all += tile(pass_value(run, pass, "peak_g.upper_work_roll"), pass.name + ", peak, upper work roll") +
+             tile(pass_value(run, pass, "peak_g.lower_work_roll"), pass.name + ", peak, lower work roll");
+  } else
+    for (const char *aspect : {"tangent", "secant", "approach", "half_width", "peak_pressure"})
+      all += tile(run.find(std::string("contact.line.") + aspect),
+                  aspect == std::string("half_width")      ? "half width"
+                  : aspect == std::string("peak_pressure") ? "peak pressure"
+                                                           : aspect);
+  return all.empty() ? "" : "<div class=\"tiles\">\n" + all + "</div>\n";
+}
+}  // namespace
+
+std::string page_head(const Run &run)
+{
+  const Manifest &m = run.manifest;
+  return "<header><p class=\"program\">millstand " + escaped(m.version) + "</p><h1>" +
+         escaped(m.title.empty() ? run.case_name : m.title) + "</h1><dl class=\"facts\">" +
+         fact("case", run.case_name) + fact("kind", m.kind) + fact("run", m.run_id) + fact("date", m.date) +
+         "</dl></header>\n" + banner(run);
+}
+
+void summary_section(Page &page, const Run &run)
+{
+  page.section("summary", "The numbers in short");
+  page.html(tiles(run));
+  if (const auto groups = short_groups(run); !groups.empty())
+    page.table(short_table(groups),
+               std::string(has_chain(run)
+                               ? "What the model runs on. Stiffnesses belong to the whole stand, Kzc to one "
+                                 "bearing; a contact counts with its tangent."
+                               : "The contact at its working load, stiffnesses per metre of length.") +
+                   " The last column is an independent value and how far this run is from it.");
+  page.paragraph("Every value with all its checks and inputs: <a href=\"#results\">All results</a>.");
+}
+
+void limits_section(Page &page, const Run &run)
+{
+  page.section("limits", "Assumptions and limits");
+  if (!run.assumptions.empty())
+    page.html(list_of(run.assumptions));
+  if (has_chain(run))
+    page.paragraph("Six masses show the modes of the stack and the contact modes of the work rolls. They cannot "
+                   "show the rolls "
+                   "rocking on their necks, chocks that move against their roll, or frame modes with several "
+                   "moving points. The "
+                   "chain is linear and has no feedback from the strip: it rings, but it cannot become unstable.");
+  else
+    page.paragraph(
+        "The contact is elastic, smooth and free of friction; the cylinders are long, in plane strain.");
+  if (!run.remarks.empty())
+    page.html("<p>Not in this report:</p>\n" + list_of(run.remarks));
+}
+
+void full_results_section(Page &page, const Run &run)
+{
+  page.section("results", "All results");
+  page.table(full_table(run),
+             "Everything in <code>results.json</code>. A deviation is this run relative to the check "
+             "beside it; accuracy is the run's own estimate.");
+}
+
+void record_section(Page &page, const Run &run)
+{
+  const Manifest &m = run.manifest;
+  page.section("record", "Record of the run");
+  std::string versions;
+  for (const auto &[name, version] : m.versions)
+    versions += (versions.empty() ? "" : ", ") + name + " " + version;
+  page.html("<dl class=\"facts\">" + fact("program", m.program + " " + m.version) +
+            fact("case file", m.case_path) + fact("run", m.run_id) + fact("date", m.date) +
+            fact("host", m.hostname) + fact("BLAS", m.blas) +
+            fact("threads", m.threads > 0 ? std::to_string(m.threads) : "") +
+            fact("peak memory", m.peak_memory > 0 ? significant(m.peak_memory / 1e9, 3) + " GB" : "") +
+            fact("libraries", versions) + "</dl>");
+  if (m.timings.empty())
+    return;
+  std::string rows;
+  double total = 0;
+  for (const Timing &timing : m.timings) {
+    total += std::isfinite(timing.seconds) ? timing.seconds : 0;
+    rows += "<tr><th scope=\"row\">" + escaped(timing.stage) + "</th><td class=\"num\">" +
+            fixed(timing.seconds, 2) + "</td><td>" + (timing.cached ? "taken over from an earlier run" : "") +
+            "</td></tr>\n";
+  }
+  page.table("<table><thead><tr><th>stage</th><th>time [s]</th><th></th></tr></thead>\n<tbody>\n" + rows +
+                 "<tr class=\"total\"><th scope=\"row\">total</th><td class=\"num\">" + fixed(total, 2) +
+                 "</td><td></td></tr>\n</tbody></table>\n",
+             "Wall-clock time of the stages.");
+}
+}  // namespace mill::report

@@ -1,0 +1,172 @@
+#include "report/names.h"
+#include <algorithm>
+
+namespace mill::report {
+namespace {
+struct Words {
+  const char *name;
+  const char *meaning;
+};
+const Words quantities[] = {
+    {"K1",   "ground to M1: upper frame, screw-down"               },
+    {"K2",   "M1 to M2: oil column, cylinder, chock, bearing, roll"},
+    {"K3",   "upper backup roll on upper work roll"                },
+    {"K4",   "bite, between the work rolls"                        },
+    {"K5",   "lower work roll on lower backup roll"                },
+    {"K6",   "M5 to M6: roll, bearing, chock"                      },
+    {"K7",   "M6 to ground: lower frame"                           },
+    {"C",    "damper beside K4"                                    },
+    {"K_Zy", "two backup bearings, part of K2 and K6"              },
+    {"K_ZW", "bending and shear of a backup roll"                  },
+    {"M1",   "upper frame and screw-down"                          },
+    {"M2",   "upper backup roll with bearings, chocks, cylinders"  },
+    {"M3",   "upper work roll"                                     },
+    {"M4",   "lower work roll"                                     },
+    {"M5",   "lower backup roll with bearings, chocks"             },
+    {"M6",   "lower frame, load cell"                              },
+    {"Kzc1", "one bearing of the upper backup roll"                },
+    {"Kzc2", "one bearing of the upper work roll"                  },
+    {"Kzc3", "one bearing of the lower work roll"                  },
+    {"Kzc4", "one bearing of the lower backup roll"                },
+};
+const Words aspects[] = {
+    {"tangent",         "tangent dF/d\u03b4"                     },
+    {"secant",          "secant F/\u03b4"                        },
+    {"path_plateau",    "nodal value on the contact path"        },
+    {"plastic_slope",   "plastic slope of the pass"              },
+    {"flattening",      "elastic flattening of the rolls"        },
+    {"combined",        "plastic slope and flattening in series" },
+    {"roller_secant",   "one roller, secant"                     },
+    {"roller_tangent",  "one roller, tangent"                    },
+    {"roller_max",      "most loaded roller"                     },
+    {"loaded_rollers",  "rollers that carry load"                },
+    {"half_width",      "half width of the contact at mid-length"},
+    {"peak_pressure",   "largest contact pressure at mid-length" },
+    {"approach",        "approach of the two roll axes"          },
+    {"line_load",       "load per length"                        },
+    {"peak_g",          "largest acceleration"                   },
+    {"rms_g",           "rms acceleration"                       },
+    {"upper_work_roll", "upper work roll"                        },
+    {"lower_work_roll", "lower work roll"                        },
+};
+
+std::vector<std::string> parts_of(const std::string &name)
+{
+  std::vector<std::string> parts(1);
+  for (const char c : name)
+    if (c == '.')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+std::string words_of(const std::string &part)
+{
+  for (const Words &words : quantities)
+    if (part == words.name)
+      return words.meaning;
+  for (const Words &words : aspects)
+    if (part == words.name)
+      return words.meaning;
+  if (part.size() == 10 && part.substr(0, 3) == "row" && part.substr(4) == "_share")
+    return std::string("share of row ") + part[3];
+  return "";
+}
+
+// "f1" -> "1": a natural frequency.  Empty when the name is something else.
+std::string number_after(const std::string &prefix, const std::string &name)
+{
+  if (name.size() <= prefix.size() || name.compare(0, prefix.size(), prefix) != 0)
+    return "";
+  const std::string number = name.substr(prefix.size());
+  return std::all_of(number.begin(), number.end(), [](const char c) { return c >= '0' && c <= '9'; }) ? number
+                                                                                                      : "";
+}
+
+void add(Group &group, const Result *result)
+{
+  if (result)
+    group.results.push_back(result);
+}
+}  // namespace
+
+std::string meaning_of(const std::string &name)
+{
+  if (const std::string number = number_after("fh", name); !number.empty())
+    return "natural frequency " + number + ", horizontal";
+  if (const std::string number = number_after("f", name); !number.empty())
+    return "natural frequency " + number + ", vertical";
+  std::string meaning;
+  const auto parts = parts_of(name);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::string words = words_of(parts[i]);
+    if (i == 0 && words.empty() && parts.size() > 1 && parts[0] != "contact")
+      words = parts[0];  // the name of a pass
+    if (i == 1 && parts[0] == "contact")
+      words = contact_title(parts[1]);
+    if (!words.empty())
+      meaning += (meaning.empty() ? "" : ", ") + words;
+  }
+  return meaning;
+}
+
+const Result *chain_value(const Run &run, const std::string &name)
+{
+  for (const char *ending : {"", ".tangent", ".combined"})
+    if (const Result *result = run.find(name + ending))
+      return result;
+  return nullptr;
+}
+
+std::vector<Group> short_groups(const Run &run)
+{
+  Group contact{"Contact", {}}, stiffness{"Stiffness", {}}, mass{"Equivalent mass", {}},
+      frequency{"Natural frequency", {}};
+  if (run.manifest.kind == "two-cylinders" || !chain_value(run, "K1"))
+    for (const Result &result : run.results)
+      if (parts_of(result.name)[0] == "contact")
+        contact.results.push_back(&result);
+  for (int i = 1; i <= 7; ++i)
+    add(stiffness, chain_value(run, "K" + std::to_string(i)));
+  for (int i = 1; i <= 4; ++i)
+    add(stiffness, chain_value(run, "Kzc" + std::to_string(i)));
+  for (int i = 1; i <= 6; ++i)
+    add(mass, run.find("M" + std::to_string(i)));
+  for (int i = 1; i <= 6; ++i)
+    add(frequency, run.find("f" + std::to_string(i)));
+  std::vector<Group> groups;
+  for (Group &group : {std::ref(contact), std::ref(stiffness), std::ref(mass), std::ref(frequency)})
+    if (!group.results.empty())
+      groups.push_back(group);
+  return groups;
+}
+
+std::string contact_title(const std::string &contact)
+{
+  if (contact == "upper")
+    return "upper contact (K3)";
+  if (contact == "lower")
+    return "lower contact (K5)";
+  return contact == "line" ? "line contact" : "contact " + contact;
+}
+
+std::vector<std::string> names_of_curves(const Run &run, const std::string &prefix,
+                                         const std::vector<std::string> &companions)
+{
+  const std::string start = "curves/" + prefix + "-";
+  const auto ends_with    = [](const std::string &text, const std::string &ending) {
+    return text.size() > ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+  };
+  std::vector<std::string> names;
+  for (const auto &[path, table] : run.tables) {
+    if (path.compare(0, start.size(), start) != 0)
+      continue;
+    if (std::none_of(companions.begin(), companions.end(),
+                     [&](const auto &c) { return ends_with(path, "-" + c); }))
+      names.push_back(path.substr(start.size()));
+  }
+  std::sort(names.begin(), names.end(), std::greater<>());  // upper before lower, trb before crb: the load path
+  return names;
+}
+}  // namespace mill::report

@@ -1,0 +1,29 @@
+#pragma once
+#include "report/run.h"
+#include <string>
+#include <vector>
+
+namespace mill::report {
+/// What a result is, in words: "K3.tangent" -> "upper backup roll on upper work roll, tangent dF/dδ".  Empty when
+/// the name is not one of the product's.
+std::string meaning_of(const std::string &name);
+
+/// The value that stands for K1..K7, Kzc1..Kzc4: the entry of that name, else its tangent, which is what a
+/// vibrating mill feels, else its combined value.  nullptr when the run has none.
+const Result *chain_value(const Run &run, const std::string &name);
+
+struct Group {
+  std::string title;
+  std::vector<const Result *> results;
+};
+
+/// The numbers of the short table, in the order of the load path; empty groups are left out.
+std::vector<Group> short_groups(const Run &run);
+
+/// "upper" -> "upper contact (K3)".
+std::string contact_title(const std::string &contact);
+
+/// Names in curves/<prefix>-<name>.csv whose name has none of the endings of companion files.
+std::vector<std::string> names_of_curves(const Run &run, const std::string &prefix,
+                                         const std::vector<std::string> &companions);
+}  // namespace mill::report

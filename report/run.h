@@ -1,0 +1,67 @@
+#pragma once
+#include "core/csv.h"
+#include "core/parameter.h"
+#include <map>
+#include <string>
+#include <vector>
+
+// A run directory as read back from disk.  The report knows nothing else: what is not stored cannot be shown.
+namespace mill::report {
+/// One entry of results.json.
+struct Result {
+  std::string name;                 ///< "K3.tangent"
+  double value;                     ///< SI; NaN when the run stored none
+  std::string unit;                 ///< SI unit, "N/m", "1"
+  std::string source;               ///< "computed: contact FEM", "given", ...
+  std::string at;                   ///< load or state, "976.2 kN"; empty when it has none
+  double error_estimate;            ///< relative; NaN: none can be stated
+  std::vector<std::string> inputs;  ///< keys of the case file
+  std::vector<Check> checks;        ///< independent values beside it
+};
+
+struct PassInfo {
+  std::string name;           ///< "pass 1"
+  std::string slug;           ///< "pass-1", names response/<slug>.csv
+  double load;                ///< N, working load; NaN: not stored
+  bool synthetic;             ///< the force record is made, not measured
+  std::string force_meaning;  ///< measured | disturbance | published
+};
+
+struct Timing {
+  std::string stage;
+  double seconds;  ///< s, wall clock
+  bool cached;     ///< taken over from an earlier run
+};
+
+/// run.json: who, when, with what.
+struct Manifest {
+  std::string program, version, case_path, kind, title, run_id, date, hostname, blas;
+  int threads        = 0;
+  double peak_memory = 0;  ///< byte; 0: not stored
+  std::vector<std::pair<std::string, std::string>> versions;
+  std::vector<Timing> timings;
+  std::map<std::string, double> geometry;  ///< m, "work_roll_diameter", ...
+  std::vector<PassInfo> passes;
+};
+
+struct Run {
+  std::string directory;
+  std::string case_name;
+  std::string status;  ///< "ok", "warnings" or anything else, which is a failure
+  std::vector<Result> results;
+  std::vector<std::string> warnings, assumptions;
+  Manifest manifest;
+  std::map<std::string, Table> tables;  ///< by path in the run directory without ending: "curves/modes"
+  std::vector<std::string> remarks;     ///< what is missing or could not be read, one sentence each
+
+  const Result *find(const std::string &name) const;  ///< nullptr when absent
+  const Table *table(const std::string &path) const;  ///< nullptr when absent
+};
+
+/// Reads results.json, run.json and every table in curves/ and response/.  Without run.json, or with a table that
+/// cannot be read, the run is still a run: a remark says what is missing.
+///
+/// @throws InputError  no results.json, or not the JSON this program writes; names file, line and column
+/// Cost: reads every table once, about 0.2 s per million numbers.
+Run read_run(const std::string &directory);
+}  // namespace mill::report

@@ -1,0 +1,185 @@
+#include "report/tables.h"
+#include "report/number.h"
+#include "report/svg.h"
+#include <algorithm>
+#include <cmath>
+
+namespace mill::report {
+namespace {
+bool contains(std::string text, const std::string &word)
+{
+  std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) { return std::tolower(c); });
+  return text.find(word) != std::string::npos;
+}
+
+bool is_share(const Result &result)
+{
+  return result.unit == "1" && contains(result.name, "share");
+}
+
+std::string with_unit(const Shown &shown, const int digits)
+{
+  return significant(shown.value, digits) + (shown.unit.empty() ? "" : "\u00a0" + escaped(shown.unit));
+}
+
+// In the unit in which the result itself is shown, so that the two can be compared at a glance.
+std::string check_text(const Result &result, const Check &check)
+{
+  const Shown own    = engineering(result.value, result.unit);
+  const double scale = result.value != 0 ? own.value / result.value : 1;
+  std::string text   = escaped(check.name) + ": ";
+  text += std::isfinite(scale) ? with_unit({check.value * scale, own.unit}, 5)
+                               : with_unit(engineering(check.value, result.unit), 5);
+  if (std::isfinite(result.value) && check.value != 0)
+    text += " <span class=\"deviation\">(" + percent(result.value / check.value - 1) + ")</span>";
+  return text;
+}
+
+// "976.2 kN" stays on one line; a longer state may wrap.
+std::string unbroken(const std::string &text)
+{
+  return text.size() > 16 ? text : "<span class=\"together\">" + text + "</span>";
+}
+
+std::string row_head(const Result &result)
+{
+  return "<th scope=\"row\"><code>" + escaped(result.name) + "</code><small>" + escaped(meaning_of(result.name)) +
+         "</small></th>";
+}
+
+std::string common_cells(const Result &result)
+{
+  return "<td class=\"value\">" + value_cell(result) + "</td><td>" + escaped(result.source) + "</td><td>" +
+         (result.at.empty() ? "\u2013" : unbroken(escaped(result.at))) + "</td><td>" + accuracy_cell(result) +
+         "</td>";
+}
+
+std::string all_checks(const Result &result)
+{
+  if (result.checks.empty())
+    return "\u2013";
+  std::string cell;
+  for (const Check &check : result.checks)
+    cell += "<div>" + check_text(result, check) +
+            (check.note.empty() ? "" : "<small>" + escaped(check.note) + "</small>") + "</div>";
+  return cell;
+}
+
+std::string folded_inputs(const Result &result)
+{
+  if (result.inputs.empty())
+    return "";
+  std::string list;
+  for (const std::string &input : result.inputs)
+    list += (list.empty() ? "" : ", ") + ("<code>" + escaped(input) + "</code>");
+  const std::string count = std::to_string(result.inputs.size());
+  return "<details><summary>" + count + (count == "1" ? " input" : " inputs") + "</summary>" + list + "</details>";
+}
+
+const Check *check_named(const Result &result, const std::string &word)
+{
+  for (const Check &check : result.checks)
+    if (contains(check.name, word))
+      return &check;
+  return nullptr;
+}
+
+// Value of another origin and how many times as large this run's is.
+std::string compared_cells(const Result &result, const std::string &word)
+{
+  const Check *check = check_named(result, word);
+  if (!check)
+    return "<td class=\"num\">\u2013</td><td class=\"num\">\u2013</td>";
+  return "<td class=\"num\">" + fixed(in_g(check->value, result.unit), 2) + "</td><td class=\"num\">" +
+         fixed(result.value / check->value, 2) + "</td>";
+}
+}  // namespace
+
+std::string value_cell(const Result &result)
+{
+  if (!std::isfinite(result.value))
+    return "\u2013<small>not a number</small>";
+  if (is_share(result))
+    return "<b>" + fixed(100 * result.value, 1) + "</b>\u00a0%";
+  const Shown shown = engineering(result.value, result.unit);
+  std::string cell  = "<b>" + significant(shown.value, 5) + "</b>";
+  if (!shown.unit.empty())
+    cell += "\u00a0" + escaped(shown.unit);
+  if (result.unit == "N/m")
+    cell += "<small>" + significant(result.value, 5) + "\u00a0N/m</small>";
+  return cell;
+}
+
+std::string accuracy_cell(const Result &result)
+{
+  if (std::isfinite(result.error_estimate)) {
+    const std::string size = percent(std::abs(result.error_estimate));
+    return "\u00b1" + (size[0] == '+' ? size.substr(1) : size);
+  }
+  for (const char *origin : {"given", "published", "measured", "assumed"})
+    if (result.source.rfind(origin, 0) == 0)
+      return std::string("\u2013<small>") + origin + ", not computed here</small>";
+  return "\u2013<small>no independent estimate</small>";
+}
+
+std::string short_table(const std::vector<Group> &groups)
+{
+  std::string table = "<table class=\"results\"><thead><tr><th>name</th><th>value</th><th>source</th><th>at</th>"
+                      "<th>accuracy</th><th>beside it (this run deviates by)</th></tr></thead>\n";
+  for (const Group &group : groups) {
+    table += "<tbody><tr class=\"group\"><th colspan=\"6\">" + escaped(group.title) + "</th></tr>\n";
+    for (const Result *result : group.results)
+      table += "<tr>" + row_head(*result) + common_cells(*result) + "<td>" +
+               (result->checks.empty() ? "\u2013" : check_text(*result, result->checks[0])) + "</td></tr>\n";
+    table += "</tbody>\n";
+  }
+  return table + "</table>\n";
+}
+
+std::string full_table(const Run &run)
+{
+  std::string table =
+      "<table class=\"results full\"><thead><tr><th>name</th><th>value</th><th>source</th><th>at</th>"
+      "<th>accuracy</th><th>checks (this run deviates by)</th></tr></thead>\n<tbody>\n";
+  for (const Result &result : run.results)
+    table += "<tr>" + row_head(result) + common_cells(result) + "<td>" + all_checks(result) +
+             folded_inputs(result) + "</td></tr>\n";
+  return table + "</tbody></table>\n";
+}
+
+const Result *pass_value(const Run &run, const PassInfo &pass, const std::string &quantity)
+{
+  const Result *by_name = run.find(pass.name + "." + quantity);
+  return by_name ? by_name : run.find(pass.slug + "." + quantity);
+}
+
+double in_g(const double value, const std::string &unit)
+{
+  return unit == "m/s2" ? value / standard_gravity : value;
+}
+
+std::string peak_table(const Run &run)
+{
+  std::string rows;
+  for (const PassInfo &pass : run.manifest.passes)
+    for (const std::string roll : {"upper", "lower"}) {
+      const Result *peak = pass_value(run, pass, "peak_g." + roll + "_work_roll");
+      const Result *rms  = pass_value(run, pass, "rms_g." + roll + "_work_roll");
+      if (!peak)
+        continue;
+      rows += "<tr><th scope=\"row\">" + escaped(pass.name) +
+              (pass.synthetic ? " <small>synthetic force</small>" : "") + "</th><td>" + roll +
+              "</td><td class=\"num\"><b>" + fixed(in_g(peak->value, peak->unit), 2) +
+              "</b></td><td class=\"num\">" + (rms ? fixed(in_g(rms->value, rms->unit), 3) : "\u2013") + "</td>" +
+              compared_cells(*peak, "published") + compared_cells(*peak, "measured") + "</tr>\n";
+    }
+  if (rows.empty())
+    return "";
+  return "<table class=\"peaks\"><thead><tr><th rowspan=\"2\">pass</th><th rowspan=\"2\">work roll</th>"
+         "<th colspan=\"2\">this run</th><th colspan=\"2\">published model</th><th "
+         "colspan=\"2\">measured</th></tr>"
+         "<tr><th>peak [g]</th><th>rms [g]</th><th>peak [g]</th><th>run / model</th><th>peak [g]</th>"
+         "<th>run / measured</th></tr></thead>\n<tbody>\n" +
+         rows + "</tbody></table>\n";
+}
+}  // namespace mill::report

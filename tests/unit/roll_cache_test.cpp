@@ -1,0 +1,87 @@
+#include "fem/roll_cache.h"
+#include "core/files.h"
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <random>
+#include <thread>
+#include <unistd.h>
+
+using namespace mill;
+
+namespace
+{
+const std::string folder = (std::filesystem::temp_directory_path() / ("millstand-cache-" + std::to_string(getpid()))).string();
+
+fem::CondensedRoll some_roll(const double number)
+{
+  fem::CondensedRoll roll;
+  roll.geometry.radius = number;
+  roll.n_x = 2, roll.n_z = 3, roll.n_unknowns = 12345;
+  roll.x         = Eigen::VectorXd::LinSpaced(2, 0, number);
+  roll.squeeze   = Eigen::MatrixXd::Constant(6, 6, number);
+  roll.translate = Eigen::MatrixXd::Identity(6, 6);
+  return roll;
+}
+} // namespace
+
+class RollCache : public testing::Test {
+  void SetUp() override
+  {
+    std::filesystem::create_directories(folder);
+  }
+  void TearDown() override
+  {
+    std::filesystem::remove_all(folder);
+  }
+};
+
+TEST_F(RollCache, GivesBackEveryBit)
+{
+  const auto roll = some_roll(0.1);
+  fem::save_roll(folder + "/a", "key", roll);
+  const auto back = fem::load_roll(folder + "/a", "key");
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->squeeze, roll.squeeze);
+  EXPECT_EQ(back->translate, roll.translate);
+  EXPECT_EQ(back->x, roll.x);
+  EXPECT_EQ(back->geometry.radius, roll.geometry.radius);
+  EXPECT_EQ(back->n_unknowns, 12345);
+}
+
+TEST_F(RollCache, RefusesOtherKeysAndAbsentFiles)
+{
+  fem::save_roll(folder + "/a", "key", some_roll(0.1));
+  std::string note;
+  EXPECT_FALSE(fem::load_roll(folder + "/a", "other", &note));
+  EXPECT_NE(note.find("other inputs"), std::string::npos);
+  EXPECT_FALSE(fem::load_roll(folder + "/b", "key"));
+}
+
+TEST_F(RollCache, NoDamagedFileIsTrusted)
+{
+  fem::save_roll(folder + "/a", "key", some_roll(0.1));
+  const std::string whole = read_text(folder + "/a");
+  std::mt19937 random(1);
+  for (int trial = 0; trial < 300; ++trial) {
+    std::string broken = whole;
+    if (trial % 3 == 0)
+      broken.resize(random() % whole.size());
+    else
+      broken[random() % whole.size()] ^= char(1 << (random() % 8));
+    write_atomically(folder + "/b", broken);
+    EXPECT_FALSE(fem::load_roll(folder + "/b", "key")) << "trial " << trial;
+  }
+}
+
+TEST_F(RollCache, TwoWritersLeaveAWholeFile)
+{
+  std::vector<std::thread> writers;
+  for (int w = 0; w < 4; ++w)
+    writers.emplace_back([w] {
+      for (int i = 0; i < 25; ++i)
+        fem::save_roll(folder + "/a", "key", some_roll(w + 1));
+    });
+  for (auto &writer : writers)
+    writer.join();
+  EXPECT_TRUE(fem::load_roll(folder + "/a", "key"));
+}
