@@ -4,10 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace mill
-{
-namespace
-{
+namespace mill {
+namespace {
 using nlohmann::ordered_json;
 using Repeat = SectionRows::Repeat;
 
@@ -15,7 +13,10 @@ const char *const quantity_pattern = R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE]
 
 ordered_json quantity()
 {
-  return {{"type", "string"}, {"pattern", quantity_pattern}};
+  return {
+      {"type",    "string"        },
+      {"pattern", quantity_pattern}
+  };
 }
 
 ordered_json element(const std::string &form)
@@ -36,7 +37,9 @@ ordered_json type_of(const Row &row)
     return json;
   }
   case Kind::count: {
-    ordered_json json{{"type", "integer"}};
+    ordered_json json{
+        {"type", "integer"}
+    };
     if (std::isfinite(row.range.min)) {
       json["minimum"] = row.range.min;
       json["maximum"] = row.range.max;
@@ -44,21 +47,38 @@ ordered_json type_of(const Row &row)
     return json;
   }
   case Kind::flag:
-    return {{"type", "boolean"}};
+    return {
+        {"type", "boolean"}
+    };
   case Kind::choice:
-    return {{"enum", split(row.form, " | ")}};
+    return {
+        {"enum", split(row.form, " | ")}
+    };
   case Kind::text:
   case Kind::path:
-    return {{"type", "string"}};
+    return {
+        {"type", "string"}
+    };
   case Kind::pair:
-    return {{"type", "array"}, {"items", element(row.form)}, {"minItems", 2}, {"maxItems", 2}};
+    return {
+        {"type",     "array"          },
+        {"items",    element(row.form)},
+        {"minItems", 2                },
+        {"maxItems", 2                }
+    };
   case Kind::table: {
     const auto forms = split(row.form, ", ");
-    const ordered_json pair{{"type", "array"},
-                            {"items", ordered_json::array({element(forms[0]), element(forms[1])})},
-                            {"minItems", 2},
-                            {"maxItems", 2}};
-    return {{"type", "array"}, {"items", pair}, {"minItems", 2}};
+    const ordered_json pair{
+        {"type",     "array"                                                    },
+        {"items",    ordered_json::array({element(forms[0]), element(forms[1])})},
+        {"minItems", 2                                                          },
+        {"maxItems", 2                                                          }
+    };
+    return {
+        {"type",     "array"},
+        {"items",    pair   },
+        {"minItems", 2      }
+    };
   }
   }
   return {};
@@ -77,31 +97,40 @@ std::string description(const Row &row)
 // A value of [given]: a quantity, or a table that keeps where it comes from.
 ordered_json given_type()
 {
-  const ordered_json text{{"type", "string"}};
+  const ordered_json text{
+      {"type", "string"}
+  };
   const ordered_json table{
-      {"type", "object"},
-      {"additionalProperties", false},
-      {"required", {"value"}},
+      {"type",                 "object"                  },
+      {"additionalProperties", false                     },
+      {"required",             {"value"}                 },
       {"properties",
        {{"value", quantity()},
         {"source", {{"type", "string"}, {"pattern", "^(given|published|measured|assumed|computed)(: .*)?$"}}},
         {"method", text},
         {"at", text},
         {"error_estimate", {{"type", "number"}}},
-        {"inputs", {{"type", "array"}, {"items", text}}}}}};
-  return {{"anyOf", ordered_json::array({quantity(), table})}};
+        {"inputs", {{"type", "array"}, {"items", text}}}}}
+  };
+  return {
+      {"anyOf", ordered_json::array({quantity(), table})}
+  };
 }
 
 ordered_json closed_object()
 {
-  return {{"type", "object"}, {"additionalProperties", false}, {"properties", ordered_json::object()}};
+  return {
+      {"type",                 "object"              },
+      {"additionalProperties", false                 },
+      {"properties",           ordered_json::object()}
+  };
 }
 
 void add_rows(ordered_json &object, const SectionRows &section)
 {
   for (const Row &row : section.rows) {
-    ordered_json type      = section.name == "given" ? given_type() : type_of(row);
-    type["description"]    = description(row);
+    ordered_json type             = section.name == "given" ? given_type() : type_of(row);
+    type["description"]           = description(row);
     object["properties"][row.key] = std::move(type);
     if (row.fallback.kind == Fallback::Kind::required)
       object["required"].push_back(row.key);
@@ -156,14 +185,17 @@ ordered_json schema_of(const std::string &kind)
   }
   return root;
 }
-} // namespace
+}  // namespace
 
 std::string case_schema()
 {
-  ordered_json schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "millstand case file"}};
+  ordered_json schema{
+      {"$schema", "http://json-schema.org/draft-07/schema#"},
+      {"title",   "millstand case file"                    }
+  };
   schema["oneOf"] = ordered_json::array();
   for (const std::string &kind : case_kinds())
     schema["oneOf"].push_back(schema_of(kind));
   return schema.dump(2) + "\n";
 }
-} // namespace mill
+}  // namespace mill

@@ -6,29 +6,32 @@
 #include <fmt/format.h>
 #include <string_view>
 
-namespace mill
-{
-namespace
-{
+namespace mill {
+namespace {
 // A cell with its place; the column counts characters.
 struct Cell {
   std::string text;
-  Place place;
+  int line, column;
 };
 
 struct Header {
   std::string name, unit;
-  bool has_unit = false;
-  Place place;
+  bool has_unit;
+  int line, column;
 };
 
 // A text file taken apart: header and rows of cells, blank and comment lines left out.
 struct Sheet {
+  std::string file;
   std::vector<Header> header;
   std::vector<std::vector<Cell>> rows;
-  char separator = ',';
+  char separator     = ',';
   bool decimal_comma = false;
   std::vector<std::string> notes;
+  template <class CellOrHeader> Place place(const CellOrHeader &at) const
+  {
+    return {file, at.line, at.column};
+  }
 };
 
 std::string trimmed(const std::string_view text)
@@ -48,19 +51,19 @@ char separator_of(const std::string_view line)
   return ',';
 }
 
-std::vector<Cell> cells_of(const std::string_view line, const char separator, const std::string &file, const int number)
+std::vector<Cell> cells_of(const std::string_view line, const char separator, const int number)
 {
   std::vector<Cell> cells;
   std::size_t begin = 0;
   int column        = 1;
   while (true) {
-    const std::size_t end  = std::min(line.find(separator, begin), line.size());
-    const auto raw         = line.substr(begin, end - begin);
-    const auto blanks      = std::min(raw.find_first_not_of(" \t"), raw.size());
-    std::string text       = trimmed(raw);
+    const std::size_t end = std::min(line.find(separator, begin), line.size());
+    const auto raw        = line.substr(begin, end - begin);
+    const auto blanks     = std::min(raw.find_first_not_of(" \t"), raw.size());
+    std::string text      = trimmed(raw);
     if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
       text = trimmed(std::string_view(text).substr(1, text.size() - 2));
-    cells.push_back({std::move(text), {file, number, column + int(blanks)}});
+    cells.push_back({std::move(text), number, column + int(blanks)});
     column += 1 + int(std::count_if(raw.begin(), raw.end(), [](const char c) { return (c & 0xC0) != 0x80; }));
     if (end == line.size())
       return cells;
@@ -73,9 +76,10 @@ Header header_of(const Cell &cell)
 {
   const auto open = cell.text.find('[');
   if (open == std::string::npos || cell.text.back() != ']')
-    return {cell.text, "", false, cell.place};
+    return {cell.text, "", false, cell.line, cell.column};
   return {trimmed(std::string_view(cell.text).substr(0, open)),
-          trimmed(std::string_view(cell.text).substr(open + 1, cell.text.size() - open - 2)), true, cell.place};
+          trimmed(std::string_view(cell.text).substr(open + 1, cell.text.size() - open - 2)), true, cell.line,
+          cell.column};
 }
 
 Sheet sheet_of(const std::string &path)
@@ -83,6 +87,7 @@ Sheet sheet_of(const std::string &path)
   const std::string text = read_text(path);
   std::string_view rest  = text;
   Sheet sheet;
+  sheet.file = path;
   if (rest.substr(0, 3) == "\xEF\xBB\xBF") {
     rest.remove_prefix(3);
     sheet.notes.push_back("a byte-order mark at the beginning of the file was ignored");
@@ -103,11 +108,11 @@ Sheet sheet_of(const std::string &path)
       continue;
     if (sheet.header.empty()) {
       sheet.separator = separator_of(line);
-      for (const Cell &cell : cells_of(line, sheet.separator, path, number))
+      for (const Cell &cell : cells_of(line, sheet.separator, number))
         sheet.header.push_back(header_of(cell));
       continue;
     }
-    sheet.rows.push_back(cells_of(line, sheet.separator, path, number));
+    sheet.rows.push_back(cells_of(line, sheet.separator, number));
     if (const auto n = sheet.rows.back().size(); n != sheet.header.size())
       throw InputError(Place{path, number, 1},
                        fmt::format("this line has {} cells, the header has {}; a decimal comma needs ';' or tab "
@@ -115,7 +120,8 @@ Sheet sheet_of(const std::string &path)
                                    n, sheet.header.size()));
   }
   if (sheet.header.empty())
-    throw InputError(Place{path, 1, 1}, "the file is empty; a header such as \"time [s], force [kN]\" and data are needed");
+    throw InputError(Place{path, 1, 1},
+                     "the file is empty; a header such as \"time [s], force [kN]\" and data are needed");
   if (n_blank > 0)
     sheet.notes.push_back(fmt::format("{} blank line{} skipped", n_blank, n_blank == 1 ? " was" : "s were"));
   return sheet;
@@ -124,7 +130,7 @@ Sheet sheet_of(const std::string &path)
 double number_of(const Cell &cell, const std::string &name, Sheet &sheet)
 {
   if (cell.text.empty())
-    throw InputError(cell.place, fmt::format("the cell of column '{}' is empty; a number is needed", name));
+    throw InputError(sheet.place(cell), fmt::format("the cell of column '{}' is empty; a number is needed", name));
   std::string text = cell.text;
   if (sheet.separator != ',')
     if (const auto comma = text.find(','); comma != std::string::npos) {
@@ -133,7 +139,7 @@ double number_of(const Cell &cell, const std::string &name, Sheet &sheet)
     }
   double number = 0;
   if (!parse_number(text, number))
-    throw InputError(cell.place,
+    throw InputError(sheet.place(cell),
                      fmt::format("'{}' in column '{}' is not a finite number", cell.text, name));
   return number;
 }
@@ -146,24 +152,24 @@ std::size_t index_of(const Sheet &sheet, const std::string &name, const std::str
       return i;
     names += (names.empty() ? "'" : ", '") + sheet.header[i].name + "'";
   }
-  throw InputError(sheet.header.front().place,
-                   fmt::format("no column '{}' in the header, which has {}; write for example \"{} [{}]\"", name, names,
-                               name, sample));
+  throw InputError(sheet.place(sheet.header.front()),
+                   fmt::format("no column '{}' in the header, which has {}; write for example \"{} [{}]\"", name,
+                               names, name, sample));
 }
 
-const Unit &unit_of(const Header &header, const std::string &sample)
+const Unit &unit_of(const Sheet &sheet, const Header &header, const std::string &sample)
 {
   const Unit &wanted = unit(sample);
   const auto remedy  = fmt::format("{} is needed, for example \"{} [{}]\"", wanted.quantity, header.name, sample);
   if (!header.has_unit || header.unit.empty())
-    throw InputError(header.place, fmt::format("column '{}' has no unit; {}", header.name, remedy));
+    throw InputError(sheet.place(header), fmt::format("column '{}' has no unit; {}", header.name, remedy));
   const Unit *found = find_unit(header.unit);
   if (!found)
-    throw InputError(header.place,
+    throw InputError(sheet.place(header),
                      fmt::format("column '{}' has the unknown unit '{}'; {}", header.name, header.unit, remedy));
   if (!(found->dimension == wanted.dimension))
-    throw InputError(header.place, fmt::format("column '{}' has the unit '{}', {}; {}", header.name, header.unit,
-                                               found->quantity, remedy));
+    throw InputError(sheet.place(header), fmt::format("column '{}' has the unit '{}', {}; {}", header.name,
+                                                      header.unit, found->quantity, remedy));
   return *found;
 }
 
@@ -171,7 +177,7 @@ const Unit &unit_of(const Header &header, const std::string &sample)
 Eigen::VectorXd column_of(Sheet &sheet, const std::string &name, const std::string &sample)
 {
   const std::size_t c = index_of(sheet, name, sample);
-  const Unit &u       = unit_of(sheet.header[c], sample);
+  const Unit &u       = unit_of(sheet, sheet.header[c], sample);
   Eigen::VectorXd values(Eigen::Index(sheet.rows.size()));
   for (std::size_t r = 0; r < sheet.rows.size(); ++r)
     values[Eigen::Index(r)] = to_si(number_of(sheet.rows[r][c], name, sheet), u);
@@ -180,14 +186,13 @@ Eigen::VectorXd column_of(Sheet &sheet, const std::string &name, const std::stri
 
 void require_increasing(const Sheet &sheet, const Eigen::VectorXd &time)
 {
-  const Header &last_header = sheet.header.back();
   if (time.size() < 2)
-    throw InputError(Place{last_header.place.file, last_header.place.line, 1},
+    throw InputError(Place{sheet.file, sheet.header.front().line, 1},
                      fmt::format("{} after this header; at least two are needed",
                                  time.size() == 0 ? "no sample" : "only one sample"));
-  const auto is_time  = [](const Header &h) { return h.name == "time"; };
-  const auto c        = std::size_t(std::find_if(sheet.header.begin(), sheet.header.end(), is_time) -
-                                    sheet.header.begin());
+  const auto is_time = [](const Header &h) { return h.name == "time"; };
+  const auto c =
+      std::size_t(std::find_if(sheet.header.begin(), sheet.header.end(), is_time) - sheet.header.begin());
   const auto unit_txt = sheet.header[c].unit;
   for (Eigen::Index i = 1; i < time.size(); ++i)
     if (!(time[i] > time[i - 1])) {
@@ -195,9 +200,11 @@ void require_increasing(const Sheet &sheet, const Eigen::VectorXd &time)
       const auto message =
           time[i] == time[i - 1]
               ? fmt::format("time {} {} stands twice; keep one of the two lines", cell.text, unit_txt)
-              : fmt::format("time {} {} comes after {} {}; sort the lines by time", cell.text, unit_txt, before.text,
-                            unit_txt);
-      throw InputError(std::vector<Problem>{{cell.place, message, {before.place}}});
+              : fmt::format("time {} {} comes after {} {}; sort the lines by time", cell.text, unit_txt,
+                            before.text, unit_txt);
+      throw InputError(std::vector<Problem>{
+          {sheet.place(cell), message, {sheet.place(before)}}
+      });
     }
 }
 
@@ -208,7 +215,7 @@ std::vector<std::string> notes_of(const Sheet &sheet)
     notes.push_back("decimal commas were read as decimal points");
   return notes;
 }
-} // namespace
+}  // namespace
 
 const Eigen::VectorXd *Table::column(const std::string &name) const
 {
@@ -276,4 +283,4 @@ MeasuredRecord read_measured(const std::string &path)
   record.notes = notes_of(sheet);
   return record;
 }
-} // namespace mill
+}  // namespace mill

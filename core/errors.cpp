@@ -4,11 +4,10 @@
 #include <fstream>
 #include <tuple>
 
-namespace mill
-{
-namespace
-{
-constexpr std::size_t longest_line = 160;  // characters shown of a line, so that a data file does not fill the screen
+namespace mill {
+namespace {
+constexpr std::size_t longest_line =
+    160;  // characters shown of a line, so that a data file does not fill the screen
 
 std::vector<std::string> lines_of(const std::string &path)
 {
@@ -94,6 +93,7 @@ std::string excerpt(const Place &place)
 std::string excerpts(std::vector<Place> places)
 {
   struct Shown {
+    int at;
     std::string number, line, section;
   };
   std::sort(places.begin(), places.end());
@@ -102,19 +102,19 @@ std::string excerpts(std::vector<Place> places)
   for (const Place &place : places) {
     const auto lines = lines_of(place.file);
     if (place.line < 1 || place.line > int(lines.size())) {
-      shown.push_back({"    ", place.file, ""});
+      shown.push_back({0, "    ", place.file, ""});
       continue;
     }
     const bool is_case = place.file.size() > 5 && place.file.substr(place.file.size() - 5) == ".toml";
-    shown.push_back({fmt::format("{:>4}", place.line), shortened(lines[std::size_t(place.line - 1)]),
+    shown.push_back({place.line, fmt::format("{:>4}", place.line), shortened(lines[std::size_t(place.line - 1)]),
                      is_case ? section_above(lines, place.line) : ""});
     widest = std::max(widest, n_characters(shown.back().line));
   }
   std::string text;
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    if (i > 0)
+    const auto &[at, number, line, section] = shown[i];
+    if (i > 0 && at != shown[i - 1].at + 1)
       text += "\n...";
-    const auto &[number, line, section] = shown[i];
     text += fmt::format("\n>{} | {}", number, line);
     if (!section.empty() && section != line)
       text += std::string(widest - n_characters(line), ' ') + "      # " + section;
@@ -136,7 +136,7 @@ std::vector<Problem> sorted(std::vector<Problem> problems)
                    [](const Problem &a, const Problem &b) { return a.place < b.place; });
   return problems;
 }
-} // namespace
+}  // namespace
 
 bool operator<(const Place &a, const Place &b)
 {
@@ -148,17 +148,15 @@ InputError::InputError(std::vector<Problem> all) : std::runtime_error(joined(sor
 }
 
 InputError::InputError(Place place, std::string message)
-    : InputError(std::vector<Problem>{{std::move(place), std::move(message), {}}})
+    : InputError(std::vector<Problem>{
+          {std::move(place), std::move(message), {}}
+})
 {
 }
 
-InputError::InputError(std::string message) : InputError(Place{}, std::move(message))
-{
-}
+InputError::InputError(std::string message) : InputError(Place{}, std::move(message)) {}
 
-SolverError::SolverError(Report r) : std::runtime_error(r.what), report(std::move(r))
-{
-}
+SolverError::SolverError(Report r) : std::runtime_error(r.what), report(std::move(r)) {}
 
 std::string render(const Problem &problem, const std::string &severity)
 {
@@ -169,4 +167,4 @@ std::string render(const Problem &problem, const std::string &severity)
   places.push_back(problem.place);
   return first + excerpts(std::move(places));
 }
-} // namespace mill
+}  // namespace mill

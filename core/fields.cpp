@@ -6,10 +6,8 @@
 #include <filesystem>
 #include <fmt/format.h>
 
-namespace mill
-{
-namespace
-{
+namespace mill {
+namespace {
 // Range ends and values meet after a conversion of units; both carry its rounding, some 1e-16 each.
 constexpr double rounding = 1e-14;
 
@@ -17,50 +15,6 @@ bool inside(const double number, const Range &range)
 {
   const auto slack = [](const double end) { return std::isfinite(end) ? rounding * std::abs(end) : 0; };
   return number >= range.min - slack(range.min) && number <= range.max + slack(range.max);
-}
-
-bool has_range(const Range &range)
-{
-  return std::isfinite(range.min) || std::isfinite(range.max);
-}
-
-// Unit of the column of a table row, or of any other row.
-std::string form_of(const Row &row, const int column = 0)
-{
-  return row.kind == Kind::table ? split(row.form, ", ")[std::size_t(column)] : row.form;
-}
-
-std::string with_unit(const double number, const std::string &form)
-{
-  const bool whole       = std::abs(number) < 1e10 && number == std::floor(number);  // 1000000 rather than 1e+06
-  const std::string text = whole ? fmt::format("{:.0f}", number) : number_text(number);
-  return form == "1" || form == "count" ? text : text + " " + form;
-}
-
-std::string range_of(const Range &range, const std::string &form)
-{
-  if (!std::isfinite(range.max))
-    return "at least " + with_unit(range.min, form);
-  if (!std::isfinite(range.min))
-    return "at most " + with_unit(range.max, form);
-  return with_unit(range.min, form) + " .. " + with_unit(range.max, form);
-}
-
-// Damerau-Levenshtein distance, adjacent exchanges counted as one slip.
-std::size_t slips_between(const std::string &a, const std::string &b)
-{
-  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i)
-    for (std::size_t j = 0; j <= b.size(); ++j) {
-      if (i == 0 || j == 0) {
-        d[i][j] = i + j;
-        continue;
-      }
-      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-    }
-  return d[a.size()][b.size()];
 }
 
 // The value under the reader's eye: its row, its node, its full key, and where to complain.
@@ -99,15 +53,15 @@ std::optional<double> scalar(const Item &item, const std::string &form, const Ra
     if (parsed.fault == Fault::no_unit)
       return item.refuse(fmt::format("has no unit; {}", want));
     if (parsed.fault == Fault::unknown_unit)
-      return item.refuse(fmt::format("has the unknown unit '{}'; {} (known units: {})", parsed.unit_text,
-                                     want, units_like(unit(form))));
+      return item.refuse(fmt::format("has the unknown unit '{}'; {} (known units: {})", parsed.unit_text, want,
+                                     units_like(unit(form))));
     if (!(parsed.unit->dimension == unit(form).dimension))
       return item.refuse(fmt::format("is {}; {}", parsed.unit->quantity, want));
     value  = parsed.value();
     number = from_si(value, unit(form));
   }
   if (!inside(number, range))
-    return item.refuse(fmt::format("is outside {}", range_of(range, form)));
+    return item.refuse(fmt::format("is outside {}", range_in(range, form)));
   return value;
 }
 
@@ -116,7 +70,7 @@ std::optional<Value> count(const Item &item)
   if (item.node.kind != Node::Kind::integer)
     return item.refuse(fmt::format("is not a whole number; {}", needed(item.row)));
   if (!inside(item.node.number, item.row.range))
-    return item.refuse(fmt::format("is outside {}", range_of(item.row.range, "count")));
+    return item.refuse(fmt::format("is outside {}", range_in(item.row.range, "count")));
   return int(item.node.number);
 }
 
@@ -160,7 +114,7 @@ std::optional<Value> table(const Item &item)
   std::vector<std::array<double, 2>> pairs;
   for (std::size_t i = 0; i < item.node.items.size(); ++i) {
     const Item one{item.row, item.node.items[i], fmt::format("{}[{}]", item.key, i), item.reading};
-    const auto pair = two(one, {form_of(item.row, 0), form_of(item.row, 1)}, {Range{}, item.row.range});
+    const auto pair = two(one, {column_form(item.row, 0), column_form(item.row, 1)}, {Range{}, item.row.range});
     if (!pair)
       return std::nullopt;
     if (!pairs.empty() && !((*pair)[0] > pairs.back()[0])) {
@@ -200,57 +154,7 @@ std::optional<Value> value_of(const Item &item)
   return std::nullopt;
 }
 
-std::optional<Value> default_of(const Row &row)
-{
-  const Fallback &fallback = row.fallback;
-  if (fallback.kind == Fallback::Kind::text)
-    return std::string(fallback.text);
-  if (fallback.kind != Fallback::Kind::number)
-    return std::nullopt;
-  if (row.kind == Kind::count)
-    return int(fallback.number);
-  if (row.kind == Kind::flag)
-    return fallback.number != 0;
-  return row.kind == Kind::quantity ? to_si(fallback.number, unit(row.form)) : fallback.number;
-}
-
-std::string scalar_toml(const double value, const std::string &form)
-{
-  return form == "1" ? number_text(value) : quoted(quantity_text(value, unit(form)));
-}
-} // namespace
-
-std::string quoted(const std::string &text)
-{
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      out += fmt::format("\\u{:04X}", static_cast<unsigned char>(c));
-    else
-      out += c;
-  }
-  return out + '"';
-}
-
-std::vector<std::string> split(const std::string &list, const std::string &separator)
-{
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (std::size_t at; (at = list.find(separator, begin)) != std::string::npos; begin = at + separator.size())
-    parts.push_back(list.substr(begin, at - begin));
-  parts.push_back(list.substr(begin));
-  return parts;
-}
-
-std::string key_text(const std::string &key)
-{
-  const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](const unsigned char c) {
-    return (c < 0x80 && std::isalnum(c)) || c == '_' || c == '-';
-  });
-  return bare ? key : quoted(key);
-}
+}  // namespace
 
 void Reading::add(Place at, std::string message, std::vector<Place> related)
 {
@@ -304,14 +208,29 @@ Kind kind_of(const std::size_t member_index, const std::string &form)
 
 void report_missing_section(const Section &section, const std::vector<Row> &rows, Reading &reading)
 {
-  if (section.node)
+  if (section.node || section.refused)
     return;
   std::string keys;
   for (const Row &row : rows)
     if (row.fallback.kind == Fallback::Kind::required)
       keys += (keys.empty() ? "" : ", ") + row.key;
   if (!keys.empty())
-    reading.add(Place{reading.file}, fmt::format("the section {} is missing; it needs {}", section.header(), keys));
+    reading.add(Place{reading.file},
+                fmt::format("the section {} is missing; it needs {}", section.header(), keys));
+}
+
+std::optional<Value> default_of(const Row &row)
+{
+  const Fallback &fallback = row.fallback;
+  if (fallback.kind == Fallback::Kind::text)
+    return std::string(fallback.text);
+  if (fallback.kind != Fallback::Kind::number)
+    return std::nullopt;
+  if (row.kind == Kind::count)
+    return int(fallback.number);
+  if (row.kind == Kind::flag)
+    return fallback.number != 0;
+  return row.kind == Kind::quantity ? to_si(fallback.number, unit(row.form)) : fallback.number;
 }
 
 std::optional<Value> read_row(const Row &row, const Section &section, Reading &reading)
@@ -322,8 +241,8 @@ std::optional<Value> read_row(const Row &row, const Section &section, Reading &r
     if (row.fallback.kind == Fallback::Kind::required) {
       reading.bad.insert(key);
       if (section.node)
-        reading.add(section.node->place, fmt::format("{} has no '{}'; add for example {} = {}", section.header(), row.key, row.key,
-                              example_toml(row)));
+        reading.add(section.node->place, fmt::format("{} has no '{}'; add for example {} = {}", section.header(),
+                                                     row.key, row.key, example_toml(row)));
     }
     return default_of(row);
   }
@@ -337,8 +256,8 @@ std::optional<Value> read_row(const Row &row, const Section &section, Reading &r
   return value;
 }
 
-void refuse_unknown_keys(const Section &section, const std::vector<Row> &rows, const std::vector<std::string> &others,
-                         Reading &reading)
+void refuse_unknown_keys(const Section &section, const std::vector<Row> &rows,
+                         const std::vector<std::string> &others, Reading &reading)
 {
   if (!section.node)
     return;
@@ -355,102 +274,4 @@ void refuse_unknown_keys(const Section &section, const std::vector<Row> &rows, c
     }
 }
 
-std::string toml_of(const Row &row, const Value &value)
-{
-  switch (row.kind) {
-  case Kind::quantity:
-  case Kind::number: {
-    const double number = std::get<double>(value);
-    return std::isnan(number) ? "" : scalar_toml(number, row.form);
-  }
-  case Kind::count:
-    return std::to_string(std::get<int>(value));
-  case Kind::flag:
-    return std::get<bool>(value) ? "true" : "false";
-  case Kind::choice:
-  case Kind::text: {
-    const auto &text = std::get<std::string>(value);
-    return text.empty() && row.fallback.kind == Fallback::Kind::absent ? "" : quoted(text);
-  }
-  case Kind::path: {
-    // absolute, because nobody knows yet in which folder the text will stand
-    const auto &path = std::get<std::string>(value);
-    return path.empty() ? "" : quoted(std::filesystem::absolute(path).lexically_normal().string());
-  }
-  case Kind::pair: {
-    const auto &pair = std::get<std::array<double, 2>>(value);
-    if (std::isnan(pair[0]))
-      return "";
-    return "[" + scalar_toml(pair[0], row.form) + ", " + scalar_toml(pair[1], row.form) + "]";
-  }
-  case Kind::table: {
-    std::string text;
-    for (const auto &pair : std::get<std::vector<std::array<double, 2>>>(value))
-      text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", scalar_toml(pair[0], form_of(row, 0)),
-                          scalar_toml(pair[1], form_of(row, 1)));
-    return text.empty() ? "" : "[" + text + "]";
-  }
-  }
-  return "";
-}
-
-std::string example_toml(const Row &row)
-{
-  const bool in_quotes =
-      row.kind == Kind::quantity || row.kind == Kind::choice || row.kind == Kind::text || row.kind == Kind::path;
-  return in_quotes ? quoted(row.example) : row.example;
-}
-
-std::string default_toml(const Row &row)
-{
-  const auto value = default_of(row);
-  return value ? toml_of(row, *value) : "";
-}
-
-std::string suggestion(const std::string &word, const std::vector<std::string> &known)
-{
-  std::string best, list;
-  // more than a third of the letters wrong is another word
-  std::size_t fewest = std::max<std::size_t>(1, word.size() / 3) + 1;
-  for (const std::string &candidate : known) {
-    list += (list.empty() ? "" : ", ") + candidate;
-    if (word.size() > 3 * candidate.size() + 3)
-      continue;  // cannot be near, and a very long word would make the table of distances large
-    if (const auto slips = slips_between(word, candidate); slips < fewest) {
-      fewest = slips;
-      best   = candidate;
-    }
-  }
-  return best.empty() ? "; known are " + list : "; did you mean '" + best + "'?";
-}
-
-std::string needed(const Row &row)
-{
-  const std::string example = example_toml(row);
-  switch (row.kind) {
-  case Kind::quantity:
-    return fmt::format("{} is needed, for example {}", unit(row.form).quantity, example);
-  case Kind::number:
-    return fmt::format("a pure number is needed, for example {}", example);
-  case Kind::count:
-    return fmt::format("a whole number is needed, for example {}", example);
-  case Kind::flag:
-    return "true or false is needed";
-  case Kind::choice:
-    return fmt::format("one of {} is needed", row.form);
-  case Kind::text:
-  case Kind::path:
-    return fmt::format("a text in quotes is needed, for example {}", example);
-  case Kind::pair:
-    return fmt::format("a pair such as {} is needed", example);
-  case Kind::table:
-    return fmt::format("a list of pairs such as {} is needed", example);
-  }
-  return "";
-}
-
-std::string range_text(const Row &row)
-{
-  return has_range(row.range) ? range_of(row.range, row.kind == Kind::count ? "count" : form_of(row, 1)) : "";
-}
-} // namespace mill
+}  // namespace mill

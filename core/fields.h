@@ -10,19 +10,18 @@
 #include <vector>
 
 // One row per parameter: reading, range check, echo, template, schema and input reference are all made from it.
-namespace mill
-{
+namespace mill {
 /// Both ends allowed, in the unit of the row.
 struct Range {
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
+  double min = -std::numeric_limits<double>::infinity();  ///< unit of the row
+  double max = std::numeric_limits<double>::infinity();   ///< unit of the row
 };
 
 /// Value when the key is absent: a number in the unit of the row, a text, or one of the two words below.
 struct Fallback {
   enum class Kind { required, absent, number, text };
   Kind kind        = Kind::required;
-  double number    = 0;
+  double number    = 0;  ///< unit of the row
   const char *text = "";
   constexpr Fallback(Kind k) : kind(k) {}
   constexpr Fallback(double n) : kind(Kind::number), number(n) {}
@@ -65,8 +64,7 @@ using Member = std::variant<double T::*, int T::*, bool T::*, std::string T::*, 
                             std::vector<std::array<double, 2>> T::*>;
 
 /// One input parameter.  Whatever the program ever says about it is said here, once.
-template <class T>
-struct Field {
+template <class T> struct Field {
   const char *key;
   Member<T> member;     ///< destination, SI
   const char *form;     ///< as Row::form; "text" and "path" for those
@@ -78,8 +76,8 @@ struct Field {
 
 /// What reading a case has found so far: every problem, and where the good values stand.
 struct Reading {
-  std::string file;                            ///< the case file as the user named it
-  std::string folder;                          ///< of the case file; paths of the case start there
+  std::string file;    ///< the case file as the user named it
+  std::string folder;  ///< of the case file; paths of the case start there
   std::vector<Problem> problems;
   std::map<std::string, Place> places;         ///< full key -> place of a value that was read and accepted
   std::map<std::string, std::string> written;  ///< full key -> value as written, "\"420 mm\""
@@ -87,14 +85,16 @@ struct Reading {
   std::string echo;                            ///< resolved.toml so far
   void add(Place place, std::string message, std::vector<Place> related = {});
   bool usable(const std::vector<std::string> &keys) const;  ///< none of these is bad
-  Place place(const std::string &key) const;         ///< of a value; the file alone when the value is a default
-  std::string said(const std::string &key) const;    ///< "work_roll.barrel_diameter = \"420 mm\""
+  Place place(const std::string &key) const;       ///< of a value; the file alone when the value is a default
+  std::string said(const std::string &key) const;  ///< "work_roll.barrel_diameter = \"420 mm\""
 };
 
-/// A section as the reader sees it: its node (nullptr: left out) and its full name "bearing.trb", "pass.0", "" (top).
+/// A section as the reader sees it: its node (nullptr: left out) and its full name "bearing.trb", "pass.0", ""
+/// (top).
 struct Section {
   const Node *node = nullptr;
   std::string name;
+  bool refused = false;                           ///< something else stands in its place, and that has been said
   std::string header() const;                     ///< "[bearing.trb]"; "the top level" for the top
   std::string key(const std::string &key) const;  ///< full key
 };
@@ -104,11 +104,14 @@ Kind kind_of(std::size_t member_index, const std::string &form);
 /// One problem that lists the required keys of a section that is not there at all.
 void report_missing_section(const Section &section, const std::vector<Row> &rows, Reading &reading);
 
+/// Default of a row, SI; nothing when it is required or may be absent.
+std::optional<Value> default_of(const Row &row);
+
 /// Value of one row in a section, its default, or nothing (absent, or a problem that was added to `reading`).
 std::optional<Value> read_row(const Row &row, const Section &section, Reading &reading);
 
-/// Adds a problem for every key of the section that is neither a row nor one of `others`; at the top level `others`
-/// are the sections.
+/// Adds a problem for every key of the section that is neither a row nor one of `others`; at the top level
+/// `others` are the sections.
 void refuse_unknown_keys(const Section &section, const std::vector<Row> &rows,
                          const std::vector<std::string> &others, Reading &reading);
 
@@ -130,17 +133,21 @@ std::vector<std::string> split(const std::string &list, const std::string &separ
 std::string quoted(const std::string &text);
 std::string key_text(const std::string &key);
 
+/// Unit of one column of a table row, or of any other row.
+std::string column_form(const Row &row, int column);
+
+/// A range with the unit `form`, "200 mm .. 2500 mm", "at least 3".
+std::string range_in(const Range &range, const std::string &form);
+
 /// "200 mm .. 2500 mm"; empty without a range.
 std::string range_text(const Row &row);
 
-template <class T>
-Row row_of(const Field<T> &f)
+template <class T> Row row_of(const Field<T> &f)
 {
   return {f.key, kind_of(f.member.index(), f.form), f.form, f.range, f.fallback, f.example, f.meaning};
 }
 
-template <class T>
-std::vector<Row> rows_of(const std::vector<Field<T>> &fields)
+template <class T> std::vector<Row> rows_of(const std::vector<Field<T>> &fields)
 {
   std::vector<Row> rows;
   for (const Field<T> &field : fields)
@@ -148,12 +155,17 @@ std::vector<Row> rows_of(const std::vector<Field<T>> &fields)
   return rows;
 }
 
-template <class T>
-Value member_value(const Field<T> &field, const T &in)
+template <class T> Value member_value(const Field<T> &field, const T &in)
 {
   Value value;
-  std::visit([&](auto member) { value = in.*member; }, field.member);
+  std::visit([&](auto member) { value.emplace<std::decay_t<decltype(in.*member)>>(in.*member); }, field.member);
   return value;
+}
+
+template <class T> void set_member(const Field<T> &field, const Value &value, T &out)
+{
+  std::visit([&](auto member) { out.*member = std::get<std::decay_t<decltype(out.*member)>>(value); },
+             field.member);
 }
 
 /// Fills a struct from a section: every row, its default, and a problem for each key nobody knows.
@@ -165,12 +177,12 @@ void read(const Section &section, const std::vector<Field<T>> &fields, T &out, R
   report_missing_section(section, rows_of(fields), reading);
   for (const Field<T> &field : fields)
     if (const auto value = read_row(row_of(field), section, reading))
-      std::visit(
-          [&](auto member) { out.*member = std::get<std::decay_t<decltype(out.*member)>>(*value); }, field.member);
+      set_member(field, *value, out);
   refuse_unknown_keys(section, rows_of(fields), others, reading);
 }
 
-/// The same rows backwards: "key = value" lines of resolved.toml, defaults marked.  `name` is the full section name.
+/// The same rows backwards: "key = value" lines of resolved.toml, defaults marked.  `name` is the full section
+/// name.
 template <class T>
 std::string resolved_lines(const std::string &name, const std::vector<Field<T>> &fields, const T &in,
                            const Reading &reading)
@@ -196,4 +208,4 @@ void read_and_echo(const Section &section, const std::string &header, const std:
   read(section, fields, out, reading, others);
   reading.echo += "\n" + header + "\n" + resolved_lines(section.name, fields, out, reading);
 }
-} // namespace mill
+}  // namespace mill

@@ -12,10 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace mill
-{
-namespace
-{
+namespace mill {
+namespace {
 [[noreturn]] void cannot_write(const std::string &path, const int error)
 {
   throw InputError(Place{path}, fmt::format("cannot be written: {}", std::strerror(error)));
@@ -35,7 +33,7 @@ int write_all(const int file, const std::string &text)
   }
   return ::fsync(file) == 0 ? 0 : errno;
 }
-} // namespace
+}  // namespace
 
 void write_atomically(const std::string &path, const std::string &text)
 {
@@ -77,4 +75,4 @@ std::string hash_of(const std::string &bytes)
   }
   return fmt::format("{:016x}", hash);
 }
-} // namespace mill
+}  // namespace mill

@@ -5,23 +5,21 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace mill
-{
-namespace
-{
+namespace mill {
+namespace {
 // Keys of { value = "...", source = "...", ... }.
 struct GivenInput {
   std::string source, at, method;
-  double error_estimate = not_given;
+  double error_estimate = not_given;  // -, relative
 };
 const std::vector<Field<GivenInput>> &table_rows()
 {
   using T = GivenInput;
   static const std::vector<Field<T>> rows{
-      {"source", &T::source, "text", {}, "given", "published", "given, published, measured, assumed or computed"},
-      {"method", &T::method, "text", {}, absent, "contact FEM", "how it was computed or assumed"},
-      {"at", &T::at, "text", {}, absent, "976.2 kN", "load or state it belongs to"},
-      {"error_estimate", &T::error_estimate, "1", {0, 10}, absent, "0.01", "relative"},
+      {"source",         &T::source,         "text", {},      "given", "published",   "given, published, measured, assumed or computed"},
+      {"method",         &T::method,         "text", {},      absent,  "contact FEM", "how it was computed or assumed"                 },
+      {"at",             &T::at,             "text", {},      absent,  "976.2 kN",    "load or state it belongs to"                    },
+      {"error_estimate", &T::error_estimate, "1",    {0, 10}, absent,  "0.01",        "relative"                                       },
   };
   return rows;
 }
@@ -32,12 +30,14 @@ std::vector<std::string> read_inputs(const Section &section, Reading &reading)
   const Node::Entry *entry = section.node->find("inputs");
   if (!entry)
     return inputs;
-  const auto &items  = entry->value.items;
-  const bool is_list = entry->value.kind == Node::Kind::array &&
-                       std::all_of(items.begin(), items.end(), [](const Node &i) { return i.kind == Node::Kind::text; });
+  const auto &items = entry->value.items;
+  const bool is_list =
+      entry->value.kind == Node::Kind::array &&
+      std::all_of(items.begin(), items.end(), [](const Node &i) { return i.kind == Node::Kind::text; });
   if (!is_list)
-    reading.add(entry->value.place, fmt::format("{} = {} is no list of keys, for example [\"work_roll.barrel_diameter\"]",
-                                                section.key("inputs"), shown(entry->value)));
+    reading.add(entry->value.place,
+                fmt::format("{} = {} is no list of keys, for example [\"work_roll.barrel_diameter\"]",
+                            section.key("inputs"), shown(entry->value)));
   else
     for (const Node &item : items)
       inputs.push_back(item.text);
@@ -55,9 +55,10 @@ Parameter read_table(const Row &row, const Section &section, Reading &reading)
   if (const auto value = read_row(value_row, section, reading))
     parameter.value = std::get<double>(*value);
   if (!parse_source(input.source, parameter))
-    reading.add(reading.place(section.key("source")),
-                fmt::format("{} is unknown; given, published, measured, \"assumed: why\" or \"computed: how\" is needed",
-                            reading.said(section.key("source"))));
+    reading.add(
+        reading.place(section.key("source")),
+        fmt::format("{} is unknown; given, published, measured, \"assumed: why\" or \"computed: how\" is needed",
+                    reading.said(section.key("source"))));
   if (!input.method.empty())
     parameter.method = input.method;
   parameter.at             = input.at;
@@ -73,9 +74,9 @@ std::optional<GivenValue> read_one(const Row &row, const Section &given, Reading
   if (!entry)
     return std::nullopt;
   GivenValue result;
-  result.place           = entry->value.place;
-  const std::string key  = given.key(row.key);
-  const auto n_problems  = reading.problems.size();
+  result.place          = entry->value.place;
+  const std::string key = given.key(row.key);
+  const auto n_problems = reading.problems.size();
   if (entry->value.kind == Node::Kind::table) {
     result.parameter = read_table(row, {&entry->value, key}, reading);
   } else if (const auto value = read_row(row, given, reading)) {
@@ -107,7 +108,7 @@ void report_missing(const Section &given, const std::vector<Row> &rows, Reading 
   reading.add(given.node ? given.node->place : Place{reading.file},
               fmt::format("{}{}; add for example {} = {}", where, missing, first->key, example_toml(*first)));
 }
-} // namespace
+}  // namespace
 
 bool parse_source(const std::string &text, Parameter &parameter)
 {
@@ -159,4 +160,4 @@ GivenValues read_given(const Node &root, const std::string &kind, Reading &readi
     }
   return values;
 }
-} // namespace mill
+}  // namespace mill

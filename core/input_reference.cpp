@@ -6,10 +6,8 @@
 #include <fmt/format.h>
 #include <map>
 
-namespace mill
-{
-namespace
-{
+namespace mill {
+namespace {
 using Repeat = SectionRows::Repeat;
 
 std::string form_text(const Row &row)
@@ -113,19 +111,40 @@ std::vector<Filled> filled_sections(const std::string &kind, const std::vector<S
   std::vector<Filled> all;
   for (const SectionRows &section : sections) {
     if (section.name == "bearing") {
-      all.push_back({"[bearing.trb]", &section, {}, {"bore", "outside_diameter", "width", "roller_diameter",
-                     "roller_cone_angle", "cup_angle", "profile"}});
-      all.push_back({"[bearing.crb]", &section,
-                     {{"type", "\"four-row cylindrical\""}, {"rollers_per_row", "32"}, {"roller_length", "\"110 mm\""},
-                      {"roller_diameter", "\"75 mm\""}}, {}});
+      all.push_back({
+          "[bearing.trb]",
+          &section,
+          {         },
+          { "bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile"}
+      });
+      all.push_back({
+          "[bearing.crb]",
+          &section,
+          {{"type", "\"four-row cylindrical\""},
+                   {"rollers_per_row", "32"},
+                   {"roller_length", "\"110 mm\""},
+                   {"roller_diameter", "\"75 mm\""}},
+          {                         }
+      });
     } else if (section.name == "pass") {
       all.push_back({"[[pass]]", &section, {{"synthetic", "true"}}, {"synthetic_range"}});
-      all.push_back({"[[pass]]", &section,
-                     {{"name", "\"pass 2\""}, {"synthetic", "true"},
-                      {"synthetic_range", "[\"733.705 kN\", \"742.280 kN\"]"}, {"synthetic_seed", "2"}}, {}});
+      all.push_back({
+          "[[pass]]",
+          &section,
+          {{"name", "\"pass 2\""},
+                   {"synthetic", "true"},
+                   {"synthetic_range", "[\"733.705 kN\", \"742.280 kN\"]"},
+                   {"synthetic_seed", "2"}},
+          {                                            }
+      });
     } else if (section.name.empty()) {
-      const std::string title = kind == "two-cylinders" ? "two cylinders" : kind == "lumped" ? "lumped model" : "four-high stand";
-      all.push_back({"", &section, {{"kind", quoted(kind)}, {"title", quoted(title)}}, {}});
+      const std::string title = kind == "two-cylinders" ? "two cylinders"
+                                : kind == "lumped"      ? "lumped model"
+                                                        : "four-high stand";
+      all.push_back({
+          "", &section, {{"kind", quoted(kind)}, {"title", quoted(title)}},
+            {                      }
+      });
     } else if (section.name == "strip.flow_stress") {
       all.push_back({"[strip.flow_stress]", &section, {}, {"k"}});
     } else {
@@ -134,7 +153,7 @@ std::vector<Filled> filled_sections(const std::string &kind, const std::vector<S
   }
   return all;
 }
-} // namespace
+}  // namespace
 
 std::string template_of(const std::string &kind)
 {
@@ -142,7 +161,8 @@ std::string template_of(const std::string &kind)
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
     throw InputError(fmt::format("there is no template for the kind '{}'{}", kind, suggestion(kind, kinds)));
   const auto sections = sections_of(kind);
-  std::string text    = fmt::format("# A case of kind \"{}\" that runs as it is.  Quantities are texts with a unit.\n\n", kind);
+  std::string text =
+      fmt::format("# A case of kind \"{}\" that runs as it is.  Quantities are texts with a unit.\n\n", kind);
   for (const Filled &filled : filled_sections(kind, sections))
     text += template_section(filled);
   return text;
@@ -150,13 +170,14 @@ std::string template_of(const std::string &kind)
 
 std::string input_reference()
 {
-  std::string text = "# Input reference\n\n"
-                     "Printed by the program from the rows that also read the case file (`core/stand_rows.cpp`,\n"
-                     "`core/stand_sections.cpp`); a test compares this page with them.\n\n"
-                     "A case is a TOML file. Every value with a unit is a text, `\"1450 mm\"`; counts and pure numbers are\n"
-                     "bare. Any unit of the right dimension may be used; both ends of a range are allowed. Paths start at the\n"
-                     "folder of the case file. A key nobody knows is an error.\n\n"
-                     "## Units\n\n| quantity | units |\n|---|---|\n";
+  std::string text =
+      "# Input reference\n\n"
+      "Printed by the program from the rows that also read the case file (`core/stand_rows.cpp`,\n"
+      "`core/stand_sections.cpp`); a test compares this page with them.\n\n"
+      "A case is a TOML file. Every value with a unit is a text, `\"1450 mm\"`; counts and pure numbers are\n"
+      "bare. Any unit of the right dimension may be used; both ends of a range are allowed. Paths start at the\n"
+      "folder of the case file. A key nobody knows is an error.\n\n"
+      "## Units\n\n| quantity | units |\n|---|---|\n";
   std::map<std::string, bool> seen;
   for (const Unit &u : all_units()) {
     std::string symbols;
@@ -176,8 +197,10 @@ std::string input_reference()
       text += section_reference(section);
   }
   return text + "\nA value of `[given]` is a quantity or a table that keeps where it comes from:\n"
-                "`K3 = { value = \"4.02e10 N/m\", source = \"computed: contact FEM\", at = \"976.2 kN\", error_estimate = 0.01,\n"
-                "inputs = [\"work_roll.barrel_diameter\"] }`. `source` is `given`, `published`, `measured`, `assumed` or `computed`,\n"
+                "`K3 = { value = \"4.02e10 N/m\", source = \"computed: contact FEM\", at = \"976.2 kN\", "
+                "error_estimate = 0.01,\n"
+                "inputs = [\"work_roll.barrel_diameter\"] }`. `source` is `given`, `published`, `measured`, "
+                "`assumed` or `computed`,\n"
                 "the last two followed by a colon and the reason or method; `method` may be written separately.\n";
 }
-} // namespace mill
+}  // namespace mill

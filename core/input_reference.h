@@ -2,9 +2,9 @@
 #include <string>
 
 // What is printed from the rows of the parameters: template, schema, reference.
-namespace mill
-{
-/// Commented case file of a kind that runs as it is; keys that may be left out without a default stand as comments.
+namespace mill {
+/// Commented case file of a kind that runs as it is; keys that may be left out without a default stand as
+/// comments.
 /// @throws InputError  kind not handled by this version
 std::string template_of(const std::string &kind);
 
@@ -14,4 +14,4 @@ std::string case_schema();
 
 /// docs/input.md: every section and key of every kind.
 std::string input_reference();
-} // namespace mill
+}  // namespace mill

@@ -6,10 +6,8 @@
 #include <filesystem>
 #include <fmt/format.h>
 
-namespace mill
-{
-namespace
-{
+namespace mill {
+namespace {
 std::string relative_to(const std::string &directory, const std::string &path)
 {
   namespace fs        = std::filesystem;
@@ -32,8 +30,7 @@ PassInput input_of(const Pass &pass, const std::string &directory)
 }
 
 // "key = value" of every row; a path is written as it stands and not made absolute.
-template <class T>
-std::string lines(const std::vector<Field<T>> &fields, const T &in)
+template <class T> std::string lines(const std::vector<Field<T>> &fields, const T &in)
 {
   std::string text;
   for (const Field<T> &field : fields) {
@@ -69,7 +66,7 @@ const Parameter &entry(const LumpedModel &model, const std::string &name)
     return model.Kzc[index];
   return name[0] == 'M' ? model.M[index] : model.K[index];
 }
-} // namespace
+}  // namespace
 
 LumpedModel lumped_model_of(const Case &lumped_case)
 {
@@ -107,4 +104,4 @@ std::string lumped_model_toml(const LumpedModel &model, const Case &origin, cons
     text += "\n[[pass]]\n" + lines(pass_rows(), input_of(pass, directory));
   return text + "\n[dynamics]\n" + lines(dynamics_rows(), dynamics_of(origin));
 }
-} // namespace mill
+}  // namespace mill

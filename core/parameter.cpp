@@ -1,7 +1,6 @@
 #include "core/parameter.h"
 
-namespace mill
-{
+namespace mill {
 const char *name_of(const Source source)
 {
   switch (source) {
@@ -24,4 +23,4 @@ std::string source_text(const Parameter &parameter)
   const std::string name = name_of(parameter.source);
   return parameter.method.empty() ? name : name + ": " + parameter.method;
 }
-} // namespace mill
+}  // namespace mill

@@ -2,15 +2,17 @@
 #include <cassert>
 #include <nlohmann/json.hpp>
 
-namespace mill
-{
-namespace
-{
+namespace mill {
+namespace {
 using nlohmann::ordered_json;
 
 ordered_json json_of(const Parameter &parameter)
 {
-  ordered_json json{{"value", parameter.value}, {"unit", parameter.unit}, {"source", source_text(parameter)}};
+  ordered_json json{
+      {"value",  parameter.value       },
+      {"unit",   parameter.unit        },
+      {"source", source_text(parameter)}
+  };
   if (!parameter.at.empty())
     json["at"] = parameter.at;
   json["error_estimate"] = parameter.error_estimate;  // NaN, none can be stated, becomes null
@@ -18,11 +20,15 @@ ordered_json json_of(const Parameter &parameter)
   if (!parameter.checks.empty()) {
     json["checks"] = ordered_json::array();
     for (const Check &check : parameter.checks)
-      json["checks"].push_back({{"name", check.name}, {"value", check.value}, {"note", check.note}});
+      json["checks"].push_back({
+          {"name",  check.name },
+          {"value", check.value},
+          {"note",  check.note }
+      });
   }
   return json;
 }
-} // namespace
+}  // namespace
 
 void Results::add(const std::string &name, Parameter parameter)
 {
@@ -40,7 +46,11 @@ const Parameter *Results::find(const std::string &name) const
 
 std::string results_json(const Results &results, const std::string &case_name, const std::string &status)
 {
-  ordered_json json{{"schema", 1}, {"case", case_name}, {"status", status}};
+  ordered_json json{
+      {"schema", 1        },
+      {"case",   case_name},
+      {"status", status   }
+  };
   json["values"] = ordered_json::object();
   for (const auto &[name, parameter] : results.values)
     json["values"][name] = json_of(parameter);
@@ -48,4 +58,4 @@ std::string results_json(const Results &results, const std::string &case_name, c
   json["assumptions"] = results.assumptions;
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
-} // namespace mill
+}  // namespace mill

@@ -4,10 +4,8 @@
 #include <filesystem>
 #include <fmt/format.h>
 
-namespace mill
-{
-namespace
-{
+namespace mill {
+namespace {
 // Kinds of the file format that later versions will read.
 const std::vector<std::string> later_kinds{"bearing", "chatter", "cluster"};
 
@@ -20,29 +18,27 @@ std::string listed(const std::vector<std::string> &words)
 }
 
 // Without a known schema and kind nothing else in the file can be judged, so these throw at once.
-CaseHead read_head(const Node &root, const Reading &before)
+CaseHead read_head(const Section &top, Reading &reading)
 {
-  Reading reading = before;
   CaseHead head;
-  const Section top{&root, ""};
-  for (const auto &field : head_rows())
+  for (const Field<CaseHead> &field : head_rows())
     if (const auto value = read_row(row_of(field), top, reading))
-      std::visit([&](auto member) { head.*member = std::get<std::decay_t<decltype(head.*member)>>(*value); },
-                 field.member);
+      set_member(field, *value, head);
   if (reading.usable({"schema"}) && head.schema != 1)
-    reading.add(reading.place("schema"),
-                fmt::format("schema = {} belongs to another version of the file format; this version reads schema = 1, "
-                            "whose keys are listed in docs/input.md",
-                            head.schema));
+    reading.add(
+        reading.place("schema"),
+        fmt::format("{} belongs to another version of the file format; this version reads schema = 1, whose "
+                    "keys are listed in docs/input.md",
+                    reading.said("schema")));
   const auto &kinds = case_kinds();
   if (std::find(later_kinds.begin(), later_kinds.end(), head.kind) != later_kinds.end())
-    reading.add(reading.place("kind"), fmt::format("kind = \"{}\" is not handled by this version; it handles {}",
-                                                   head.kind, listed(kinds)));
+    reading.add(reading.place("kind"), fmt::format("{} is not handled by this version; it handles {}",
+                                                   reading.said("kind"), listed(kinds)));
   else if (reading.usable({"kind"}) && std::find(kinds.begin(), kinds.end(), head.kind) == kinds.end())
-    reading.add(reading.place("kind"), fmt::format("kind = \"{}\" is unknown{}", head.kind,
-                                                   suggestion(head.kind, kinds)));
+    reading.add(reading.place("kind"),
+                fmt::format("{} is unknown{}", reading.said("kind"), suggestion(head.kind, kinds)));
   if (!reading.problems.empty())
-    throw InputError(reading.problems);
+    throw InputError(std::move(reading.problems));
   return head;
 }
 
@@ -57,7 +53,7 @@ std::vector<std::string> top_names(const std::string &kind)
   }
   return names;
 }
-} // namespace
+}  // namespace
 
 Section section_at(const Node &root, const std::string &name, Reading &reading)
 {
@@ -70,8 +66,7 @@ Section section_at(const Node &root, const std::string &name, Reading &reading)
     if (entry->value.kind != Node::Kind::table) {
       reading.add(entry->value.place,
                   fmt::format("{} = {} is a value; a section [{}] is needed", name, shown(entry->value), name));
-      static const Node empty_table;
-      return {&empty_table, name};
+      return {nullptr, name, true};
     }
     node  = &entry->value;
     begin = end + 1;
@@ -97,13 +92,13 @@ Case read_case(const std::string &path, const std::vector<std::string> &sets)
   reading.folder = folder.empty() ? "." : folder.string();
 
   Case result;
-  const CaseHead head = read_head(root, reading);
+  const Section top{&root, ""};
+  const CaseHead head = read_head(top, reading);
   result.path         = path;
   result.name         = file.stem().string();
   result.kind         = head.kind;
-  CaseHead again;
-  read({&root, ""}, head_rows(), again, reading, top_names(head.kind));
-  result.title = head.title;
+  result.title        = head.title;
+  refuse_unknown_keys(top, rows_of(head_rows()), top_names(head.kind), reading);
   reading.echo = resolved_lines("", head_rows(), head, reading);
 
   if (head.kind == "four-high")
@@ -118,4 +113,4 @@ Case read_case(const std::string &path, const std::vector<std::string> &sets)
   result.places   = std::move(reading.places);
   return result;
 }
-} // namespace mill
+}  // namespace mill

@@ -5,14 +5,13 @@
 #include <filesystem>
 #include <fmt/format.h>
 
-namespace mill
-{
-namespace
-{
+namespace mill {
+namespace {
 constexpr double pi = 3.14159265358979323846;
 
 // Two keys that cannot both be right: the problem stands at the first, the second is shown with it.
-void contradict(Reading &reading, const std::string &key, const std::string &why, const std::vector<std::string> &others)
+void contradict(Reading &reading, const std::string &key, const std::string &why,
+                const std::vector<std::string> &others)
 {
   std::vector<Place> related;
   for (const std::string &other : others)
@@ -23,7 +22,7 @@ void contradict(Reading &reading, const std::string &key, const std::string &why
 
 std::string millimetres(const double length)
 {
-  return fmt::format("{:.6g} mm", from_si(length, unit("mm")));
+  return fmt::format("{:.5g} mm", from_si(length, unit("mm")));
 }
 
 std::string degrees(const double angle)
@@ -55,7 +54,8 @@ void check_roll(const std::string &name, const Roll &roll, Reading &reading)
   }
 }
 
-void check_bearing_name(const std::string &roll, const std::string &bearing, const FourHigh &stand, Reading &reading)
+void check_bearing_name(const std::string &roll, const std::string &bearing, const FourHigh &stand,
+                        Reading &reading)
 {
   const std::string key = roll + ".bearing";
   if (!reading.usable({key}))
@@ -73,11 +73,12 @@ void check_bearing_name(const std::string &roll, const std::string &bearing, con
 
 double pitch_diameter(const RollerBearing &bearing)
 {
-  return std::isnan(bearing.pitch_diameter) ? (bearing.bore + bearing.outside_diameter) / 2 : bearing.pitch_diameter;
+  return std::isnan(bearing.pitch_diameter) ? (bearing.bore + bearing.outside_diameter) / 2
+                                            : bearing.pitch_diameter;
 }
 
-// Roller, cup and cone share one apex: sin(alpha_m) = (D_pw/D_we) tan(beta), cup angle alpha_m + beta, with beta half
-// the roller cone.  Half a degree is what catalogues and drawings are good for.
+// Roller, cup and cone share one apex: sin(alpha_m) = (D_pw/D_we) tan(beta), cup angle alpha_m + beta, with beta
+// half the roller cone.  Half a degree is what catalogues and drawings are good for.
 void check_apex(const std::string &name, const RollerBearing &bearing, Reading &reading)
 {
   const double beta      = bearing.roller_cone_angle / 2;
@@ -86,11 +87,11 @@ void check_apex(const std::string &name, const RollerBearing &bearing, Reading &
   const double closing   = sine <= 1 ? std::asin(sine) + beta : not_given;
   if (!(beta > 0) || std::isnan(sine) || std::abs(bearing.cup_angle - closing) <= tolerance)
     return;
-  const double alpha  = bearing.cup_angle - beta;
-  const auto diameter = pitch_diameter(bearing) * std::tan(beta) / std::sin(alpha);
-  const auto cone     = 2 * std::atan(std::sin(alpha) * bearing.roller_diameter / pitch_diameter(bearing));
-  const std::string closes =
-      std::isnan(closing) ? "no cup angle closes it" : fmt::format("cup_angle = \"{}\" closes it", degrees(closing));
+  const double alpha       = bearing.cup_angle - beta;
+  const auto diameter      = pitch_diameter(bearing) * std::tan(beta) / std::sin(alpha);
+  const auto cone          = 2 * std::atan(std::sin(alpha) * bearing.roller_diameter / pitch_diameter(bearing));
+  const std::string closes = std::isnan(closing) ? "no cup angle closes it"
+                                                 : fmt::format("cup_angle = \"{}\" closes it", degrees(closing));
   contradict(reading, name + ".cup_angle",
              fmt::format("leaves roller, cup and cone without a common apex; with a pitch diameter of {} {}, or "
                          "roller_diameter = \"{}\", or roller_cone_angle = \"{}\"",
@@ -145,21 +146,41 @@ void check_tension(const char *key, const double tension, const Strip &strip, Re
   const std::string full = std::string("strip.") + key;
   const double limit     = initial_stress(strip.flow_stress);
   const std::string law  = strip.flow_stress.law == "table" ? "table" : "k";
-  if (reading.usable({full, "strip.flow_stress.k", "strip.flow_stress.law", "strip.flow_stress.table"}) && limit > 0 &&
-      tension >= limit)
+  if (reading.usable({full, "strip.flow_stress.k", "strip.flow_stress.law", "strip.flow_stress.table"}) &&
+      limit > 0 && tension >= limit)
     contradict(reading, full,
                fmt::format("would stretch the strip outside the bite, whose flow stress is {:.6g} MPa there",
                            limit / 1e6),
                {"strip.flow_stress." + law});
 }
-} // namespace
+void check_strip(const FourHigh &stand, Reading &reading)
+{
+  const Strip &strip = stand.strip;
+  if (reading.usable({"strip.entry_thickness", "strip.exit_thickness"}) &&
+      strip.exit_thickness >= strip.entry_thickness)
+    contradict(reading, "strip.exit_thickness", "is not smaller than the entry thickness",
+               {"strip.entry_thickness"});
+  if (reading.usable({"strip.entry_thickness", "strip.initial_thickness"}) &&
+      strip.initial_thickness < strip.entry_thickness)
+    contradict(reading, "strip.initial_thickness", "is smaller than the entry thickness",
+               {"strip.entry_thickness"});
+  if (reading.usable({"strip.width", "work_roll.barrel_length"}) && strip.width > stand.work_roll.barrel_length)
+    contradict(reading, "strip.width", "is wider than the barrel of the work roll", {"work_roll.barrel_length"});
+  check_flow_stress(strip.flow_stress, reading);
+  check_tension("entry_tension", strip.entry_tension, strip, reading);
+  if (strip.flow_stress.law == "constant")  // a hardening strip is stronger behind the bite
+    check_tension("exit_tension", strip.exit_tension, strip, reading);
+}
+}  // namespace
 
 void check_work_roll(const WorkRollInput &roll, Reading &reading)
 {
   check_roll("work_roll", roll, reading);
-  if (reading.usable({"work_roll.total_length", "work_roll.barrel_length"}) && roll.total_length <= roll.barrel_length)
+  if (reading.usable({"work_roll.total_length", "work_roll.barrel_length"}) &&
+      roll.total_length <= roll.barrel_length)
     contradict(reading, "work_roll.total_length", "is not longer than the barrel", {"work_roll.barrel_length"});
-  if (reading.usable({"work_roll.total_length", "work_roll.bearing_span"}) && roll.bearing_span >= roll.total_length)
+  if (reading.usable({"work_roll.total_length", "work_roll.bearing_span"}) &&
+      roll.bearing_span >= roll.total_length)
     contradict(reading, "work_roll.bearing_span", "puts the bearing centres beyond the ends of the roll",
                {"work_roll.total_length"});
 }
@@ -184,13 +205,13 @@ void check_bearing(const RollerBearing &bearing, Reading &reading)
     contradict(reading, key("pitch_diameter"), "is not between bore and outside diameter",
                {key("bore"), key("outside_diameter")});
 
-  const bool sizes = reading.usable({key("bore"), key("outside_diameter"), key("pitch_diameter"),
-                                     key("roller_diameter"), key("rollers_per_row")});
+  const bool sizes     = reading.usable({key("bore"), key("outside_diameter"), key("pitch_diameter"),
+                                         key("roller_diameter"), key("rollers_per_row")});
   const double largest = pi * pitch_diameter(bearing) / bearing.rollers_per_row;
   if (sizes && bearing.roller_diameter > largest)
     contradict(reading, key("roller_diameter"),
-               fmt::format("makes {} rollers overlap on the pitch circle of {}; at most {} fit", bearing.rollers_per_row,
-                           millimetres(pitch_diameter(bearing)), millimetres(largest)),
+               fmt::format("makes {} rollers overlap on the pitch circle of {}; at most {} fit",
+                           bearing.rollers_per_row, millimetres(pitch_diameter(bearing)), millimetres(largest)),
                {key("rollers_per_row")});
 
   if (reading.usable({key("type"), key("cup_angle"), key("roller_cone_angle")})) {
@@ -211,22 +232,6 @@ void check_bearing(const RollerBearing &bearing, Reading &reading)
     contradict(reading, key("profile"), "needs a roller_diameter", {});
 }
 
-void check_strip(const FourHigh &stand, Reading &reading)
-{
-  const Strip &strip = stand.strip;
-  if (reading.usable({"strip.entry_thickness", "strip.exit_thickness"}) && strip.exit_thickness >= strip.entry_thickness)
-    contradict(reading, "strip.exit_thickness", "is not smaller than the entry thickness", {"strip.entry_thickness"});
-  if (reading.usable({"strip.entry_thickness", "strip.initial_thickness"}) &&
-      strip.initial_thickness < strip.entry_thickness)
-    contradict(reading, "strip.initial_thickness", "is smaller than the entry thickness", {"strip.entry_thickness"});
-  if (reading.usable({"strip.width", "work_roll.barrel_length"}) && strip.width > stand.work_roll.barrel_length)
-    contradict(reading, "strip.width", "is wider than the barrel of the work roll", {"work_roll.barrel_length"});
-  check_flow_stress(strip.flow_stress, reading);
-  check_tension("entry_tension", strip.entry_tension, strip, reading);
-  if (strip.flow_stress.law == "constant")  // a hardening strip is stronger behind the bite
-    check_tension("exit_tension", strip.exit_tension, strip, reading);
-}
-
 void check_passes(const std::vector<Pass> &passes, Reading &reading)
 {
   for (std::size_t i = 0; i < passes.size(); ++i) {
@@ -239,17 +244,21 @@ void check_passes(const std::vector<Pass> &passes, Reading &reading)
     if (!reading.usable({key("name"), key("force"), key("load"), key("synthetic_range")}))
       continue;
     if (pass.force_file.empty() && std::isnan(pass.load) && !has_range)
-      reading.add(pass.place, fmt::format("pass \"{}\" has no force; add force = \"FILE.csv\", synthetic_range or load",
-                                          pass.name));
+      reading.add(
+          pass.place,
+          fmt::format("pass \"{}\" has no force; add force = \"FILE.csv\", synthetic_range or load", pass.name));
     if (!pass.force_file.empty() && has_range)
-      contradict(reading, key("synthetic_range"), "stands beside a force file; give one of the two", {key("force")});
+      contradict(reading, key("synthetic_range"), "stands beside a force file; give one of the two",
+                 {key("force")});
     if (has_range && !(pass.synthetic_range[0] < pass.synthetic_range[1]))
       contradict(reading, key("synthetic_range"), "does not increase; write the smaller force first", {});
     if (pass.name.empty() || pass.name.find('/') != std::string::npos || pass.name[0] == '.')
-      contradict(reading, key("name"), "cannot name a file; it may not be empty, begin with a dot or contain '/'", {});
+      contradict(reading, key("name"), "cannot name a file; it may not be empty, begin with a dot or contain '/'",
+                 {});
     for (std::size_t j = 0; j < i; ++j)
       if (passes[j].name == pass.name)
-        contradict(reading, key("name"), "is the name of an earlier pass as well", {fmt::format("pass.{}.name", j)});
+        contradict(reading, key("name"), "is the name of an earlier pass as well",
+                   {fmt::format("pass.{}.name", j)});
   }
 }
 
@@ -280,15 +289,16 @@ void check_four_high(const FourHigh &stand, Reading &reading)
 {
   if (reading.usable({"work_roll.barrel_diameter", "backup_roll.barrel_diameter"}) &&
       stand.backup_roll.barrel_diameter < stand.work_roll.barrel_diameter)
-    contradict(reading, "backup_roll.barrel_diameter", "is smaller than the work roll", {"work_roll.barrel_diameter"});
+    contradict(reading, "backup_roll.barrel_diameter", "is smaller than the work roll",
+               {"work_roll.barrel_diameter"});
   check_bearing_name("work_roll", stand.work_roll.bearing, stand, reading);
   check_bearing_name("backup_roll", stand.backup_roll.bearing, stand, reading);
   check_strip(stand, reading);
   if (stand.passes.empty() && reading.usable({"pass"}))
     reading.add(Place{reading.file}, "there is no [[pass]]; the working load of every stiffness comes from one");
   for (std::size_t i = 0; i < stand.passes.size(); ++i) {
-    const Pass &pass = stand.passes[i];
-    const auto key   = [&](const char *k) { return fmt::format("pass.{}.{}", i, k); };
+    const Pass &pass     = stand.passes[i];
+    const auto key       = [&](const char *k) { return fmt::format("pass.{}.{}", i, k); };
     const bool own_entry = !std::isnan(pass.entry_thickness), own_exit = !std::isnan(pass.exit_thickness);
     const std::string entry_key = own_entry ? key("entry_thickness") : "strip.entry_thickness";
     const std::string exit_key  = own_exit ? key("exit_thickness") : "strip.exit_thickness";
@@ -297,12 +307,12 @@ void check_four_high(const FourHigh &stand, Reading &reading)
     if ((own_entry || own_exit) && reading.usable({entry_key, exit_key}) && exit >= entry)
       contradict(reading, own_exit ? exit_key : entry_key, "leaves no reduction between entry and exit thickness",
                  {own_exit ? entry_key : exit_key});
-    for (const auto &[name, contact] : {std::pair("contact.upper", &stand.upper_contact),
-                                        std::pair("contact.lower", &stand.lower_contact)})
+    for (const auto &[name, contact] :
+         {std::pair("contact.upper", &stand.upper_contact), std::pair("contact.lower", &stand.lower_contact)})
       if (pass.load < contact->loads[0] || pass.load > contact->loads[1])
         contradict(reading, key("load"), fmt::format("is outside the swept range of [{}]", name),
                    {std::string(name) + ".loads"});
   }
   check_published_force(stand.dynamics, stand.given, reading);
 }
-} // namespace mill
+}  // namespace mill

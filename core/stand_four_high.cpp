@@ -1,10 +1,8 @@
 #include "core/stand_reader.h"
 #include <fmt/format.h>
 
-namespace mill
-{
-namespace
-{
+namespace mill {
+namespace {
 WorkRollInput read_work_roll(const Node &root, Reading &reading)
 {
   WorkRollInput roll;
@@ -68,7 +66,7 @@ ContactSettings read_roll_contact(const Node &root, const std::string &name, Rea
   check_contact(name, contact, reading);
   return contact;
 }
-} // namespace
+}  // namespace
 
 FourHigh read_four_high(const Node &root, Reading &reading)
 {
@@ -119,4 +117,4 @@ TwoCylinders read_two_cylinders(const Node &root, Reading &reading)
   check_contact("contact.line", pair.contact, reading);
   return pair;
 }
-} // namespace mill
+}  // namespace mill

@@ -2,10 +2,8 @@
 #include "core/units.h"
 #include <fmt/format.h>
 
-namespace mill
-{
-namespace
-{
+namespace mill {
+namespace {
 std::array<double, 2> in_g(const std::array<double, 2> &acceleration)
 {
   return {from_si(acceleration[0], unit("g")), from_si(acceleration[1], unit("g"))};
@@ -26,7 +24,7 @@ Pass read_pass(const Node &node, const std::string &name, Reading &reading)
   pass.measured_place   = reading.place(name + ".measured");
   return pass;
 }
-} // namespace
+}  // namespace
 
 std::vector<Pass> read_passes(const Node &root, Reading &reading)
 {
@@ -44,7 +42,8 @@ std::vector<Pass> read_passes(const Node &root, Reading &reading)
     if (node.kind == Node::Kind::table)
       passes.push_back(read_pass(node, fmt::format("pass.{}", i), reading));
     else
-      reading.add(node.place, fmt::format("pass.{} = {} is a value; a section [[pass]] is needed", i, shown(node)));
+      reading.add(node.place,
+                  fmt::format("pass.{} = {} is a value; a section [[pass]] is needed", i, shown(node)));
   }
   check_passes(passes, reading);
   return passes;
@@ -58,4 +57,4 @@ DynamicsSettings read_dynamics(const Node &root, Reading &reading)
   dynamics.force_meaning_place = reading.place("dynamics.force_meaning");
   return dynamics;
 }
-} // namespace mill
+}  // namespace mill

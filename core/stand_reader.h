@@ -2,10 +2,9 @@
 #include "core/stand_rows.h"
 
 // Reading of the three kinds of case, section by section.
-namespace mill
-{
-/// Section "contact.upper" below the root; its node is null when it is left out.  A value where a section is wanted
-/// becomes a problem.
+namespace mill {
+/// Section "contact.upper" below the root; its node is null when it is left out.  A value where a section is
+/// wanted becomes a problem.
 Section section_at(const Node &root, const std::string &name, Reading &reading);
 
 /// [[pass]]; `root` may have none.
@@ -21,11 +20,10 @@ TwoCylinders read_two_cylinders(const Node &root, Reading &reading);
 void check_work_roll(const WorkRollInput &roll, Reading &reading);
 void check_backup_roll(const Roll &roll, Reading &reading);
 void check_bearing(const RollerBearing &bearing, Reading &reading);
-void check_strip(const FourHigh &stand, Reading &reading);
 void check_passes(const std::vector<Pass> &passes, Reading &reading);
 void check_contact(const std::string &section, const ContactSettings &contact, Reading &reading);
-/// Rolls against each other, bearings that are named, passes against strip and contacts.
+/// Rolls against each other, bearings that are named, the strip, passes against strip and contacts.
 void check_four_high(const FourHigh &stand, Reading &reading);
 /// force_meaning = "published" needs K4 and C.
 void check_published_force(const DynamicsSettings &dynamics, const GivenValues &given, Reading &reading);
-} // namespace mill
+}  // namespace mill

@@ -2,21 +2,19 @@
 
 // Columns of a row: key, destination, unit (or form), range in that unit, default in that unit, example, meaning.
 // Ranges are generous: they catch a slip of unit or of a power of ten, they do not judge a design.
-namespace mill
-{
-namespace
-{
+namespace mill {
+namespace {
 constexpr Range any{};
 constexpr Range stand_stiffness{1, 1e7};  // kN/mm, from a soft spring to far beyond a solid block of steel
 constexpr Range part_mass{0, 5e5};        // kg
-} // namespace
+}  // namespace
 
 const std::vector<Field<CaseHead>> &head_rows()
 {
   static const std::vector<Field<CaseHead>> rows{
-      {"schema", &CaseHead::schema, "count", any, required, "1", "version of the case file format"},
-      {"kind", &CaseHead::kind, "text", any, required, "four-high", "what the case describes"},
-      {"title", &CaseHead::title, "text", any, "", "1400 four-high, demo stand", "headline of the report"},
+      {"schema", &CaseHead::schema, "count", any, required, "1",                          "version of the case file format"},
+      {"kind",   &CaseHead::kind,   "text",  any, required, "four-high",                  "what the case describes"        },
+      {"title",  &CaseHead::title,  "text",  any, "",       "1400 four-high, demo stand", "headline of the report"         },
   };
   return rows;
 }
@@ -25,9 +23,9 @@ const std::vector<Field<Material>> &steel_rows()
 {
   using T = Material;
   static const std::vector<Field<T>> rows{
-      {"youngs_modulus", &T::youngs_modulus, "GPa", {1, 1000}, 210, "210 GPa", "Young's modulus of every solid"},
-      {"poisson_ratio", &T::poisson_ratio, "1", {0, 0.49}, 0.28, "0.28", "Poisson's ratio"},
-      {"density", &T::density, "kg/m3", {500, 25000}, 7700, "7700 kg/m3", "density"},
+      {"youngs_modulus", &T::youngs_modulus, "GPa",   {1, 1000},    210,  "210 GPa",    "Young's modulus of every solid"},
+      {"poisson_ratio",  &T::poisson_ratio,  "1",     {0, 0.49},    0.28, "0.28",       "Poisson's ratio"               },
+      {"density",        &T::density,        "kg/m3", {500, 25000}, 7700, "7700 kg/m3", "density"                       },
   };
   return rows;
 }
@@ -36,22 +34,38 @@ const std::vector<Field<WorkRollInput>> &work_roll_rows()
 {
   using T = WorkRollInput;
   static const std::vector<Field<T>> rows{
-      {"barrel_diameter", &T::barrel_diameter, "mm", {200, 2500}, required, "420 mm", "ground diameter of the barrel"},
-      {"barrel_length", &T::barrel_length, "mm", {300, 6000}, required, "1400 mm", "length of the barrel"},
-      {"neck_diameter", &T::neck_diameter, "mm", {50, 2500}, required, "266.7 mm", "diameter of both necks"},
-      {"total_length", &T::total_length, "mm", {300, 12000}, required, "2320 mm", "over both necks"},
-      {"bearing_span", &T::bearing_span, "mm", {300, 12000}, required, "2000 mm",
-       "between the centres of the two bearings"},
-      {"crown", &T::crown, "um", {-2000, 2000}, 0, "0 um",
-       "diameter at mid-length minus diameter at the barrel end, parabola between"},
-      {"crown_table", &T::crown_table, "mm, um", {-5000, 5000}, absent, R"([["-700 mm", "0 um"], ["700 mm", "0 um"]])",
-       "position from mid-length and diameter minus nominal, instead of crown"},
-      {"bearing", &T::bearing, "text", any, required, "trb", "name of a [bearing.*]"},
-      {"bearing_mass", &T::bearing_mass, "kg", part_mass, required, "90 kg", "bearing set, per side"},
-      {"chock_mass_upper", &T::chock_mass_upper, "kg", part_mass, required, "0 kg", "upper chock, per side"},
-      {"chock_mass_lower", &T::chock_mass_lower, "kg", part_mass, required, "880 kg", "lower chock, per side"},
-      {"bearing_load", &T::bearing_load, "kN", {0.001, 50000}, absent, "48.8 kN",
-       "radial load of one bearing; when absent F/20 is assumed and reported as an assumption"},
+      {"barrel_diameter",
+       &T::barrel_diameter,
+       "mm",                                             {200, 2500},
+       required,                                                                   "420 mm",
+       "ground diameter of the barrel"                                                                                                                     },
+      {"barrel_length",    &T::barrel_length,    "mm",   {300, 6000},    required, "1400 mm",                                      "length of the barrel"  },
+      {"neck_diameter",    &T::neck_diameter,    "mm",   {50, 2500},     required, "266.7 mm",                                     "diameter of both necks"},
+      {"total_length",     &T::total_length,     "mm",   {300, 12000},   required, "2320 mm",                                      "over both necks"       },
+      {"bearing_span",
+       &T::bearing_span,
+       "mm",                                             {300, 12000},
+       required,                                                                   "2000 mm",
+       "between the centres of the two bearings"                                                                                                           },
+      {"crown",
+       &T::crown,
+       "um",                                             {-2000, 2000},
+       0,                                                                          "0 um",
+       "diameter at mid-length minus diameter at the barrel end, parabola between"                                                                         },
+      {"crown_table",
+       &T::crown_table,
+       "mm, um",                                         {-5000, 5000},
+       absent,                                                                     R"([["-700 mm", "0 um"], ["700 mm", "0 um"]])",
+       "position from mid-length and diameter minus nominal, instead of crown"                                                                             },
+      {"bearing",          &T::bearing,          "text", any,            required, "trb",                                          "name of a [bearing.*]" },
+      {"bearing_mass",     &T::bearing_mass,     "kg",   part_mass,      required, "90 kg",                                        "bearing set, per side" },
+      {"chock_mass_upper", &T::chock_mass_upper, "kg",   part_mass,      required, "0 kg",                                         "upper chock, per side" },
+      {"chock_mass_lower", &T::chock_mass_lower, "kg",   part_mass,      required, "880 kg",                                       "lower chock, per side" },
+      {"bearing_load",
+       &T::bearing_load,
+       "kN",                                             {0.001, 50000},
+       absent,                                                                     "48.8 kN",
+       "radial load of one bearing; when absent F/20 is assumed and reported as an assumption"                                                             },
   };
   return rows;
 }
@@ -60,24 +74,42 @@ const std::vector<Field<Roll>> &backup_roll_rows()
 {
   using T = Roll;
   static const std::vector<Field<T>> rows{
-      {"barrel_diameter", &T::barrel_diameter, "mm", {200, 2500}, required, "1450 mm",
-       "ground diameter of the barrel"},
-      {"barrel_length", &T::barrel_length, "mm", {300, 6000}, required, "1400 mm", "length of the barrel"},
-      {"neck_diameter", &T::neck_diameter, "mm", {50, 2500}, required, "950 mm", "diameter of both necks"},
-      {"neck_length", &T::neck_length, "mm", {50, 5000}, required, "950 mm",
-       "each side, from the barrel end to the end of the roll"},
-      {"bearing_span", &T::bearing_span, "mm", {300, 12000}, required, "2450 mm",
-       "between the centres of the two bearings"},
-      {"crown", &T::crown, "um", {-2000, 2000}, 0, "0 um",
-       "diameter at mid-length minus diameter at the barrel end, parabola between"},
-      {"crown_table", &T::crown_table, "mm, um", {-5000, 5000}, absent, R"([["-700 mm", "0 um"], ["700 mm", "0 um"]])",
-       "position from mid-length and diameter minus nominal, instead of crown"},
-      {"bearing", &T::bearing, "text", any, required, "crb", "name of a [bearing.*]"},
-      {"bearing_mass", &T::bearing_mass, "kg", part_mass, required, "1500 kg", "bearing, per side"},
-      {"chock_mass_upper", &T::chock_mass_upper, "kg", part_mass, required, "10900 kg", "upper chock, per side"},
-      {"chock_mass_lower", &T::chock_mass_lower, "kg", part_mass, required, "9800 kg", "lower chock, per side"},
-      {"bearing_load", &T::bearing_load, "kN", {0.001, 50000}, absent, "488 kN",
-       "radial load of one bearing; when absent half the rolling force"},
+      {"barrel_diameter",
+       &T::barrel_diameter,
+       "mm",                                             {200, 2500},
+       required,                                                                   "1450 mm",
+       "ground diameter of the barrel"                                                                                                                     },
+      {"barrel_length",    &T::barrel_length,    "mm",   {300, 6000},    required, "1400 mm",                                      "length of the barrel"  },
+      {"neck_diameter",    &T::neck_diameter,    "mm",   {50, 2500},     required, "950 mm",                                       "diameter of both necks"},
+      {"neck_length",
+       &T::neck_length,
+       "mm",                                             {50, 5000},
+       required,                                                                   "950 mm",
+       "each side, from the barrel end to the end of the roll"                                                                                             },
+      {"bearing_span",
+       &T::bearing_span,
+       "mm",                                             {300, 12000},
+       required,                                                                   "2450 mm",
+       "between the centres of the two bearings"                                                                                                           },
+      {"crown",
+       &T::crown,
+       "um",                                             {-2000, 2000},
+       0,                                                                          "0 um",
+       "diameter at mid-length minus diameter at the barrel end, parabola between"                                                                         },
+      {"crown_table",
+       &T::crown_table,
+       "mm, um",                                         {-5000, 5000},
+       absent,                                                                     R"([["-700 mm", "0 um"], ["700 mm", "0 um"]])",
+       "position from mid-length and diameter minus nominal, instead of crown"                                                                             },
+      {"bearing",          &T::bearing,          "text", any,            required, "crb",                                          "name of a [bearing.*]" },
+      {"bearing_mass",     &T::bearing_mass,     "kg",   part_mass,      required, "1500 kg",                                      "bearing, per side"     },
+      {"chock_mass_upper", &T::chock_mass_upper, "kg",   part_mass,      required, "10900 kg",                                     "upper chock, per side" },
+      {"chock_mass_lower", &T::chock_mass_lower, "kg",   part_mass,      required, "9800 kg",                                      "lower chock, per side" },
+      {"bearing_load",
+       &T::bearing_load,
+       "kN",                                             {0.001, 50000},
+       absent,                                                                     "488 kN",
+       "radial load of one bearing; when absent half the rolling force"                                                                                    },
   };
   return rows;
 }
@@ -86,27 +118,36 @@ const std::vector<Field<RollerBearing>> &bearing_rows()
 {
   using T = RollerBearing;
   static const std::vector<Field<T>> rows{
-      {"type", &T::type, "four-row tapered | four-row cylindrical", any, required, "four-row tapered",
-       "decides whether the contact angles take part"},
-      {"bore", &T::bore, "mm", {20, 2500}, absent, "266.7 mm", "bore of the inner ring"},
-      {"outside_diameter", &T::outside_diameter, "mm", {30, 3500}, absent, "355.6 mm", "of the outer ring"},
-      {"width", &T::width, "mm", {5, 3000}, absent, "230.188 mm", "over all rows"},
-      {"pitch_diameter", &T::pitch_diameter, "mm", {20, 3000}, absent, "311.15 mm",
-       "of the roller set at mid-roller; when absent the mean of bore and outside diameter"},
-      {"rows", &T::rows, "count", {1, 8}, 4, "4", "rows of rollers"},
-      {"rollers_per_row", &T::rollers_per_row, "count", {3, 300}, required, "39", "rollers in one row"},
-      {"roller_length", &T::roller_length, "mm", {1, 1000}, required, "33.4 mm", "effective length"},
-      {"roller_diameter", &T::roller_diameter, "mm", {1, 500}, absent, "21.5 mm", "mean diameter"},
-      {"roller_cone_angle", &T::roller_cone_angle, "deg", {0, 20}, 0, "2.5 deg", "included angle of the roller"},
-      {"cup_angle", &T::cup_angle, "deg", {0, 60}, 0, "19.66 deg",
-       "contact angle on the outer ring; it closes the apex condition with the roller and the pitch diameter"},
-      {"radial_clearance", &T::radial_clearance, "mm", {-1, 5}, 0, "0 mm",
-       "diametral clearance in the radial plane, negative for preload"},
-      {"profile", &T::profile, "none | iso | log | crown", any, "none", "iso", "profile of the roller"},
-      {"crown_drop", &T::crown_drop, "um", {0.01, 2000}, absent, "20 um", "drop of the roller end, profile crown"},
-      {"roller_law", &T::roller_law, "iso | palmgren", any, "iso", "iso",
-       "load-deflection law of one roller between two raceways"},
-      {"slices", &T::slices, "count", {1, 1001}, 41, "41", "laminae along one roller"},
+      {"type",              &T::type,              "four-row tapered | four-row cylindrical", any,          required, "four-row tapered",
+       "decides whether the contact angles take part"                                                                                                                            },
+      {"bore",              &T::bore,              "mm",                                      {20, 2500},   absent,   "266.7 mm",         "bore of the inner ring"               },
+      {"outside_diameter",  &T::outside_diameter,  "mm",                                      {30, 3500},   absent,   "355.6 mm",         "of the outer ring"                    },
+      {"width",             &T::width,             "mm",                                      {5, 3000},    absent,   "230.188 mm",       "over all rows"                        },
+      {"pitch_diameter",
+       &T::pitch_diameter,
+       "mm",                                                                                  {20, 3000},
+       absent,                                                                                                        "311.15 mm",
+       "of the roller set at mid-roller; when absent the mean of bore and outside diameter"                                                                                      },
+      {"rows",              &T::rows,              "count",                                   {1, 8},       4,        "4",                "rows of rollers"                      },
+      {"rollers_per_row",   &T::rollers_per_row,   "count",                                   {3, 300},     required, "39",               "rollers in one row"                   },
+      {"roller_length",     &T::roller_length,     "mm",                                      {1, 1000},    required, "33.4 mm",          "effective length"                     },
+      {"roller_diameter",   &T::roller_diameter,   "mm",                                      {1, 500},     absent,   "21.5 mm",          "mean diameter"                        },
+      {"roller_cone_angle", &T::roller_cone_angle, "deg",                                     {0, 20},      0,        "2.5 deg",          "included angle of the roller"         },
+      {"cup_angle",
+       &T::cup_angle,
+       "deg",                                                                                 {0, 60},
+       0,                                                                                                             "19.66 deg",
+       "contact angle on the outer ring; it closes the apex condition with the roller and the pitch diameter"                                                                    },
+      {"radial_clearance",
+       &T::radial_clearance,
+       "mm",                                                                                  {-1, 5},
+       0,                                                                                                             "0 mm",
+       "diametral clearance in the radial plane, negative for preload"                                                                                                           },
+      {"profile",           &T::profile,           "none | iso | log | crown",                any,          "none",   "iso",              "profile of the roller"                },
+      {"crown_drop",        &T::crown_drop,        "um",                                      {0.01, 2000}, absent,   "20 um",            "drop of the roller end, profile crown"},
+      {"roller_law",        &T::roller_law,        "iso | palmgren",                          any,          "iso",    "iso",
+       "load-deflection law of one roller between two raceways"                                                                                                                  },
+      {"slices",            &T::slices,            "count",                                   {1, 1001},    41,       "41",               "laminae along one roller"             },
   };
   return rows;
 }
@@ -115,42 +156,42 @@ const std::vector<Field<Frame>> &frame_rows()
 {
   using T = Frame;
   static const std::vector<Field<T>> rows{
-      {"upper_post_mass", &T::upper_post_mass, "kg", part_mass, required, "5200 kg", "reduced, both sides"},
-      {"upper_beam_mass", &T::upper_beam_mass, "kg", part_mass, required, "2700 kg", "reduced"},
-      {"upper_packing_mass", &T::upper_packing_mass, "kg", part_mass, required, "420 kg", "whole stand"},
-      {"piston_mass", &T::piston_mass, "kg", part_mass, required, "1000 kg", "screw-down pistons, whole stand"},
-      {"cylinder_mass", &T::cylinder_mass, "kg", part_mass, required, "7400 kg", "screw-down cylinder, per side"},
-      {"balance_mass", &T::balance_mass, "kg", part_mass, required, "8000 kg", "roll balance gear, whole stand"},
-      {"lower_post_mass", &T::lower_post_mass, "kg", part_mass, required, "2150 kg", "reduced, both sides"},
-      {"lower_beam_mass", &T::lower_beam_mass, "kg", part_mass, required, "1850 kg", "reduced"},
-      {"load_cell_mass", &T::load_cell_mass, "kg", part_mass, required, "240 kg", "whole stand"},
-      {"lower_packing_mass", &T::lower_packing_mass, "kg", part_mass, required, "420 kg", "whole stand"},
-      {"upper_post_stiffness", &T::upper_post_stiffness, "kN/mm", stand_stiffness, required, "6.0e4 kN/mm",
-       "upper part of the posts"},
-      {"upper_beam_stiffness", &T::upper_beam_stiffness, "kN/mm", stand_stiffness, required, "7.30e3 kN/mm",
-       "top beam"},
-      {"piston_stiffness", &T::piston_stiffness, "kN/mm", stand_stiffness, required, "4.0e5 kN/mm",
-       "screw-down pistons"},
-      {"upper_packing_stiffness", &T::upper_packing_stiffness, "kN/mm", stand_stiffness, required, "4.5e5 kN/mm",
-       "top packing"},
-      {"oil_column_stiffness", &T::oil_column_stiffness, "kN/mm", stand_stiffness, required, "1.80e4 kN/mm",
-       "oil columns of the screw-down cylinders"},
-      {"cylinder_body_stiffness", &T::cylinder_body_stiffness, "kN/mm", stand_stiffness, required, "1.25e5 kN/mm",
-       "bodies of the screw-down cylinders"},
-      {"upper_chock_stiffness", &T::upper_chock_stiffness, "kN/mm", stand_stiffness, required, "1.03e5 kN/mm",
-       "upper backup-roll chocks"},
-      {"lower_chock_stiffness", &T::lower_chock_stiffness, "kN/mm", stand_stiffness, required, "1.03e5 kN/mm",
-       "lower backup-roll chocks"},
-      {"lower_post_stiffness", &T::lower_post_stiffness, "kN/mm", stand_stiffness, required, "6.0e4 kN/mm",
-       "lower part of the posts"},
-      {"lower_beam_stiffness", &T::lower_beam_stiffness, "kN/mm", stand_stiffness, required, "8.05e3 kN/mm",
-       "bottom beam"},
-      {"lower_packing_stiffness", &T::lower_packing_stiffness, "kN/mm", stand_stiffness, required, "2.25e5 kN/mm",
-       "bottom packing"},
-      {"load_cell_stiffness", &T::load_cell_stiffness, "kN/mm", stand_stiffness, absent, "5e4 kN/mm",
-       "load cells; rigid when absent"},
-      {"chock_to_housing_stiffness", &T::chock_to_housing_stiffness, "kN/mm", stand_stiffness, absent, "2e4 kN/mm",
-       "horizontal seat of one work roll's chocks, both sides together; rigid when absent"},
+      {"upper_post_mass",            &T::upper_post_mass,            "kg",    part_mass,       required, "5200 kg",      "reduced, both sides"            },
+      {"upper_beam_mass",            &T::upper_beam_mass,            "kg",    part_mass,       required, "2700 kg",      "reduced"                        },
+      {"upper_packing_mass",         &T::upper_packing_mass,         "kg",    part_mass,       required, "420 kg",       "whole stand"                    },
+      {"piston_mass",                &T::piston_mass,                "kg",    part_mass,       required, "1000 kg",      "screw-down pistons, whole stand"},
+      {"cylinder_mass",              &T::cylinder_mass,              "kg",    part_mass,       required, "7400 kg",      "screw-down cylinder, per side"  },
+      {"balance_mass",               &T::balance_mass,               "kg",    part_mass,       required, "8000 kg",      "roll balance gear, whole stand" },
+      {"lower_post_mass",            &T::lower_post_mass,            "kg",    part_mass,       required, "2150 kg",      "reduced, both sides"            },
+      {"lower_beam_mass",            &T::lower_beam_mass,            "kg",    part_mass,       required, "1850 kg",      "reduced"                        },
+      {"load_cell_mass",             &T::load_cell_mass,             "kg",    part_mass,       required, "240 kg",       "whole stand"                    },
+      {"lower_packing_mass",         &T::lower_packing_mass,         "kg",    part_mass,       required, "420 kg",       "whole stand"                    },
+      {"upper_post_stiffness",       &T::upper_post_stiffness,       "kN/mm", stand_stiffness, required, "6.0e4 kN/mm",
+       "upper part of the posts"                                                                                                                          },
+      {"upper_beam_stiffness",       &T::upper_beam_stiffness,       "kN/mm", stand_stiffness, required, "7.30e3 kN/mm",
+       "top beam"                                                                                                                                         },
+      {"piston_stiffness",           &T::piston_stiffness,           "kN/mm", stand_stiffness, required, "4.0e5 kN/mm",
+       "screw-down pistons"                                                                                                                               },
+      {"upper_packing_stiffness",    &T::upper_packing_stiffness,    "kN/mm", stand_stiffness, required, "4.5e5 kN/mm",
+       "top packing"                                                                                                                                      },
+      {"oil_column_stiffness",       &T::oil_column_stiffness,       "kN/mm", stand_stiffness, required, "1.80e4 kN/mm",
+       "oil columns of the screw-down cylinders"                                                                                                          },
+      {"cylinder_body_stiffness",    &T::cylinder_body_stiffness,    "kN/mm", stand_stiffness, required, "1.25e5 kN/mm",
+       "bodies of the screw-down cylinders"                                                                                                               },
+      {"upper_chock_stiffness",      &T::upper_chock_stiffness,      "kN/mm", stand_stiffness, required, "1.03e5 kN/mm",
+       "upper backup-roll chocks"                                                                                                                         },
+      {"lower_chock_stiffness",      &T::lower_chock_stiffness,      "kN/mm", stand_stiffness, required, "1.03e5 kN/mm",
+       "lower backup-roll chocks"                                                                                                                         },
+      {"lower_post_stiffness",       &T::lower_post_stiffness,       "kN/mm", stand_stiffness, required, "6.0e4 kN/mm",
+       "lower part of the posts"                                                                                                                          },
+      {"lower_beam_stiffness",       &T::lower_beam_stiffness,       "kN/mm", stand_stiffness, required, "8.05e3 kN/mm",
+       "bottom beam"                                                                                                                                      },
+      {"lower_packing_stiffness",    &T::lower_packing_stiffness,    "kN/mm", stand_stiffness, required, "2.25e5 kN/mm",
+       "bottom packing"                                                                                                                                   },
+      {"load_cell_stiffness",        &T::load_cell_stiffness,        "kN/mm", stand_stiffness, absent,   "5e4 kN/mm",
+       "load cells; rigid when absent"                                                                                                                    },
+      {"chock_to_housing_stiffness", &T::chock_to_housing_stiffness, "kN/mm", stand_stiffness, absent,   "2e4 kN/mm",
+       "horizontal seat of one work roll's chocks, both sides together; rigid when absent"                                                                },
   };
   return rows;
 }
@@ -159,14 +200,17 @@ const std::vector<Field<Strip>> &strip_rows()
 {
   using T = Strip;
   static const std::vector<Field<T>> rows{
-      {"width", &T::width, "mm", {10, 6000}, required, "1000 mm", "width of the strip"},
-      {"entry_thickness", &T::entry_thickness, "mm", {0.01, 1000}, required, "8 mm", "before the bite"},
-      {"exit_thickness", &T::exit_thickness, "mm", {0.005, 1000}, required, "5 mm", "behind the bite"},
-      {"entry_tension", &T::entry_tension, "MPa", {0, 2000}, 0, "0 MPa", "back tension"},
-      {"exit_tension", &T::exit_tension, "MPa", {0, 2000}, 0, "0 MPa", "front tension"},
-      {"initial_thickness", &T::initial_thickness, "mm", {0.01, 1000}, absent, "8 mm",
-       "thickness of zero strain; the entry thickness when absent"},
-      {"friction", &T::friction, "1", {0, 1}, required, "0.2", "Coulomb friction between roll and strip"},
+      {"width",             &T::width,           "mm",  {10, 6000},    required, "1000 mm", "width of the strip"                     },
+      {"entry_thickness",   &T::entry_thickness, "mm",  {0.01, 1000},  required, "8 mm",    "before the bite"                        },
+      {"exit_thickness",    &T::exit_thickness,  "mm",  {0.005, 1000}, required, "5 mm",    "behind the bite"                        },
+      {"entry_tension",     &T::entry_tension,   "MPa", {0, 2000},     0,        "0 MPa",   "back tension"                           },
+      {"exit_tension",      &T::exit_tension,    "MPa", {0, 2000},     0,        "0 MPa",   "front tension"                          },
+      {"initial_thickness",
+       &T::initial_thickness,
+       "mm",                                            {0.01, 1000},
+       absent,                                                                   "8 mm",
+       "thickness of zero strain; the entry thickness when absent"                                                                   },
+      {"friction",          &T::friction,        "1",   {0, 1},        required, "0.2",     "Coulomb friction between roll and strip"},
   };
   return rows;
 }
@@ -175,14 +219,17 @@ const std::vector<Field<FlowStress>> &flow_stress_rows()
 {
   using T = FlowStress;
   static const std::vector<Field<T>> rows{
-      {"law", &T::law, "constant | swift | ludwik | voce | power | reduction-power | table", any, required, "constant",
-       "law of the plane-strain flow stress"},
-      {"k", &T::k, "MPa", {0, 10000}, 0, "28 MPa", "the constant, or the factor of the law"},
-      {"eps0", &T::eps0, "1", {0, 10}, 0, "0", "strain offset of swift and reduction-power"},
-      {"n", &T::n, "1", {0, 100}, 0, "0", "exponent; rate of voce"},
-      {"k0", &T::k0, "MPa", {0, 10000}, 0, "0 MPa", "initial value of ludwik and voce"},
-      {"table", &T::table, "1, MPa", {0.001, 10000}, absent, R"([[0.0, "28 MPa"], [1.0, "28 MPa"]])",
-       "strain and stress, law table"},
+      {"law",   &T::law,  "constant | swift | ludwik | voce | power | reduction-power | table", any,            required,
+       "constant",                                                                                                                                                 "law of the plane-strain flow stress"       },
+      {"k",     &T::k,    "MPa",                                                                {0, 10000},     0,        "28 MPa",                                "the constant, or the factor of the law"    },
+      {"eps0",  &T::eps0, "1",                                                                  {0, 10},        0,        "0",                                     "strain offset of swift and reduction-power"},
+      {"n",     &T::n,    "1",                                                                  {0, 100},       0,        "0",                                     "exponent; rate of voce"                    },
+      {"k0",    &T::k0,   "MPa",                                                                {0, 10000},     0,        "0 MPa",                                 "initial value of ludwik and voce"          },
+      {"table",
+       &T::table,
+       "1, MPa",                                                                                {0.001, 10000},
+       absent,                                                                                                            R"([[0.0, "28 MPa"], [1.0, "28 MPa"]])",
+       "strain and stress, law table"                                                                                                                                                                          },
   };
   return rows;
 }
@@ -191,25 +238,41 @@ const std::vector<Field<PassInput>> &pass_rows()
 {
   using T = PassInput;
   static const std::vector<Field<T>> rows{
-      {"name", &T::name, "text", any, required, "pass 1", "unique; names the response file"},
-      {"force", &T::force_file, "path", any, absent, "data/pass-1.csv",
-       "recorded rolling force, columns time [s] and force [kN]"},
-      {"measured", &T::measured_file, "path", any, absent, "data/pass-1-measured.csv",
-       "measured accelerations, columns time [s], upper_work_roll [g], lower_work_roll [g]"},
-      {"synthetic", &T::synthetic, "flag", any, 0, "true", "the force record is made, not measured"},
-      {"load", &T::load, "kN", {0.1, 100000}, absent, "976.2 kN",
-       "working load; when absent the mean of the force record"},
-      {"entry_thickness", &T::entry_thickness, "mm", {0.01, 1000}, absent, "8 mm", "when absent that of [strip]"},
-      {"exit_thickness", &T::exit_thickness, "mm", {0.005, 1000}, absent, "5 mm", "when absent that of [strip]"},
-      {"published_peak", &T::published_peak, "g", {0, 10000}, absent, R"(["1.40 g", "0.75 g"])",
-       "peak accelerations of a published model, upper and lower work roll, to set beside the result"},
-      {"measured_peak", &T::measured_peak, "g", {0, 10000}, absent, R"(["1.20 g", "0.60 g"])",
-       "measured peak accelerations where no record is known, upper and lower work roll"},
-      {"synthetic_range", &T::synthetic_range, "kN", {0.1, 100000}, absent, R"(["972.898 kN", "979.537 kN"])",
-       "instead of a force file: band-limited white noise that touches both ends"},
-      {"synthetic_duration", &T::synthetic_duration, "s", {0.01, 600}, 10, "10 s", "length of the noise"},
-      {"synthetic_bandwidth", &T::synthetic_bandwidth, "Hz", {1, 100000}, 1000, "1000 Hz", "upper end of its band"},
-      {"synthetic_seed", &T::synthetic_seed, "count", {0, 2147483647}, 1, "1", "seed of the noise"},
+      {"name",                &T::name,               "text",  any,             required, "pass 1",                          "unique; names the response file"       },
+      {"force",               &T::force_file,         "path",  any,             absent,   "data/pass-1.csv",
+       "recorded rolling force, columns time [s] and force [kN]"                                                                                                     },
+      {"measured",            &T::measured_file,      "path",  any,             absent,   "data/pass-1-measured.csv",
+       "measured accelerations, columns time [s], upper_work_roll [g], lower_work_roll [g]"                                                                          },
+      {"synthetic",           &T::synthetic,          "flag",  any,             0,        "true",                            "the force record is made, not measured"},
+      {"load",
+       &T::load,
+       "kN",                                                   {0.1, 100000},
+       absent,                                                                            "976.2 kN",
+       "working load; when absent the mean of the force record"                                                                                                      },
+      {"entry_thickness",     &T::entry_thickness,    "mm",    {0.01, 1000},    absent,   "8 mm",                            "when absent that of [strip]"           },
+      {"exit_thickness",      &T::exit_thickness,     "mm",    {0.005, 1000},   absent,   "5 mm",                            "when absent that of [strip]"           },
+      {"published_peak",
+       &T::published_peak,
+       "g",                                                    {0, 10000},
+       absent,                                                                            R"(["1.40 g", "0.75 g"])",
+       "peak accelerations of a published model, upper and lower work roll, to set beside the result"                                                                },
+      {"measured_peak",
+       &T::measured_peak,
+       "g",                                                    {0, 10000},
+       absent,                                                                            R"(["1.20 g", "0.60 g"])",
+       "measured peak accelerations where no record is known, upper and lower work roll"                                                                             },
+      {"synthetic_range",
+       &T::synthetic_range,
+       "kN",                                                   {0.1, 100000},
+       absent,                                                                            R"(["972.898 kN", "979.537 kN"])",
+       "instead of a force file: band-limited white noise that touches both ends"                                                                                    },
+      {"synthetic_duration",  &T::synthetic_duration, "s",     {0.01, 600},     10,       "10 s",                            "length of the noise"                   },
+      {"synthetic_bandwidth",
+       &T::synthetic_bandwidth,
+       "Hz",                                                   {1, 100000},
+       1000,                                                                              "1000 Hz",
+       "upper end of its band"                                                                                                                                       },
+      {"synthetic_seed",      &T::synthetic_seed,     "count", {0, 2147483647}, 1,        "1",                               "seed of the noise"                     },
   };
   return rows;
 }
@@ -218,11 +281,17 @@ const std::vector<Field<ContactSettings>> &roll_contact_rows()
 {
   using T = ContactSettings;
   static const std::vector<Field<T>> rows{
-      {"loads", &T::loads, "kN", {0.1, 100000}, absent, R"(["100 kN", "2000 kN"])",
-       "swept range; when absent chosen around the working loads"},
-      {"samples", &T::samples, "count", {5, 1000}, 24, "24", "loads in the sweep, logarithmically spaced"},
-      {"elements_per_half_width", &T::elements_per_half_width, "count", {1, 64}, 8, "8",
-       "quadratic elements per Hertz half width at the largest load"},
+      {"loads",
+       &T::loads,
+       "kN",                                            {0.1, 100000},
+       absent,                                                             R"(["100 kN", "2000 kN"])",
+       "swept range; when absent chosen around the working loads"                                                                                  },
+      {"samples",                 &T::samples, "count", {5, 1000},     24, "24",                       "loads in the sweep, logarithmically spaced"},
+      {"elements_per_half_width",
+       &T::elements_per_half_width,
+       "count",                                         {1, 64},
+       8,                                                                  "8",
+       "quadratic elements per Hertz half width at the largest load"                                                                               },
   };
   return rows;
 }
@@ -231,12 +300,15 @@ const std::vector<Field<ContactSettings>> &line_contact_rows()
 {
   using T = ContactSettings;
   static const std::vector<Field<T>> rows{
-      {"length", &T::length, "mm", {0.1, 100000}, required, "100 mm", "plane strain over this length"},
-      {"loads", &T::loads, "N/mm", {0.01, 100000}, required, R"(["200 N/mm", "5000 N/mm"])", "swept range"},
-      {"at", &T::at, "N/mm", {0.01, 100000}, required, "1000 N/mm", "load of the scalar results"},
-      {"samples", &T::samples, "count", {5, 1000}, 24, "24", "loads in the sweep, logarithmically spaced"},
-      {"elements_per_half_width", &T::elements_per_half_width, "count", {1, 64}, 8, "8",
-       "quadratic elements per Hertz half width at the largest load"},
+      {"length",                  &T::length,  "mm",    {0.1, 100000},  required, "100 mm",                       "plane strain over this length"             },
+      {"loads",                   &T::loads,   "N/mm",  {0.01, 100000}, required, R"(["200 N/mm", "5000 N/mm"])", "swept range"                               },
+      {"at",                      &T::at,      "N/mm",  {0.01, 100000}, required, "1000 N/mm",                    "load of the scalar results"                },
+      {"samples",                 &T::samples, "count", {5, 1000},      24,       "24",                           "loads in the sweep, logarithmically spaced"},
+      {"elements_per_half_width",
+       &T::elements_per_half_width,
+       "count",                                         {1, 64},
+       8,                                                                         "8",
+       "quadratic elements per Hertz half width at the largest load"                                                                                          },
   };
   return rows;
 }
@@ -245,15 +317,16 @@ const std::vector<Field<DynamicsSettings>> &dynamics_rows()
 {
   using T = DynamicsSettings;
   static const std::vector<Field<T>> rows{
-      {"modal_damping", &T::modal_damping, "%", {0, 50}, 1, "1 %", "ratio of critical, the same in every mode"},
-      {"force_meaning", &T::force_meaning, "measured | disturbance | published", any, "measured", "measured",
-       "measured: total bite force, K4 and C rest; disturbance: without the reaction of the gap; published: K4 and C "
-       "in parallel"},
-      {"output_rate", &T::output_rate, "kHz", {0.1, 10000}, 20, "20 kHz", "samples of the response per second"},
-      {"frame", &T::frame, "open | closed", any, "open", "open",
-       "open: K1 and K7 end at the ground; closed: K1 joins M1 to M6"},
-      {"mass_reference", &T::mass_reference, "mid | mean", any, "mid", "mid",
-       "displacement the equivalent masses refer to: mid-span or load-weighted mean"},
+      {"modal_damping",  &T::modal_damping,  "%",                                  {0, 50},      1,          "1 %",      "ratio of critical, the same in every mode"},
+      {"force_meaning",  &T::force_meaning,  "measured | disturbance | published", any,          "measured", "measured",
+       "measured: total bite force, K4 and C rest; disturbance: without the reaction of the gap; published: K4 "
+       "and C "
+       "in parallel"                                                                                                                                                },
+      {"output_rate",    &T::output_rate,    "kHz",                                {0.1, 10000}, 20,         "20 kHz",   "samples of the response per second"       },
+      {"frame",          &T::frame,          "open | closed",                      any,          "open",     "open",
+       "open: K1 and K7 end at the ground; closed: K1 joins M1 to M6"                                                                                               },
+      {"mass_reference", &T::mass_reference, "mid | mean",                         any,          "mid",      "mid",
+       "displacement the equivalent masses refer to: mid-span or load-weighted mean"                                                                                },
   };
   return rows;
 }
@@ -275,4 +348,4 @@ const std::vector<Field<TwoCylinders>> &lower_cylinder_rows()
   };
   return rows;
 }
-} // namespace mill
+}  // namespace mill

@@ -5,8 +5,7 @@
 #include <vector>
 
 // Every parameter of the case files, one row each.
-namespace mill
-{
+namespace mill {
 /// [work_roll]: drawn with its total length, stored with its neck length.
 struct WorkRollInput : Roll {
   double total_length = 0;  ///< m
@@ -57,4 +56,4 @@ struct SectionRows {
 };
 const std::vector<std::string> &case_kinds();  ///< those this version reads
 std::vector<SectionRows> sections_of(const std::string &kind);
-} // namespace mill
+}  // namespace mill

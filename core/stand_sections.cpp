@@ -1,43 +1,84 @@
 #include "core/stand_rows.h"
 
-namespace mill
-{
-namespace
-{
+namespace mill {
+namespace {
 // Published values of the 1400 mm four-high stand, doi 10.21203/rs.3.rs-1441429/v1, are the examples of [given].
 std::vector<Row> made_given_rows(const bool lumped)
 {
-  const char *masses[]    = {"9321.943 kg", "59716.884 kg", "1888.705 kg", "3094.684 kg", "42200.563 kg", "4663.290 kg"};
-  const char *springs[]   = {"6.3086e3 kN/mm",   "1.0233e4 kN/mm",  "7.53399e5 kN/mm", "1.91141e5 kN/mm",
-                             "6.58293e5 kN/mm", "2.9301e4 kN/mm", "6.8789e3 kN/mm"};
-  const char *mass_text[] = {"upper frame",     "upper backup roll", "upper work roll",
-                             "lower work roll", "lower backup roll", "lower frame"};
-  const char *spring_text[]  = {"ground to M1", "M1 to M2", "M2 to M3, contact of the upper rolls",
+  const char *masses[]       = {"9321.943 kg", "59716.884 kg", "1888.705 kg",
+                                "3094.684 kg", "42200.563 kg", "4663.290 kg"};
+  const char *springs[]      = {"6.3086e3 kN/mm",  "1.0233e4 kN/mm", "7.53399e5 kN/mm", "1.91141e5 kN/mm",
+                                "6.58293e5 kN/mm", "2.9301e4 kN/mm", "6.8789e3 kN/mm"};
+  const char *mass_text[]    = {"upper frame",     "upper backup roll", "upper work roll",
+                                "lower work roll", "lower backup roll", "lower frame"};
+  const char *spring_text[]  = {"ground to M1",
+                                "M1 to M2",
+                                "M2 to M3, contact of the upper rolls",
                                 "M3 to M4, bite",
-                                "M4 to M5, contact of the lower rolls", "M5 to M6", "M6 to ground"};
+                                "M4 to M5, contact of the lower rolls",
+                                "M5 to M6",
+                                "M6 to ground"};
   const char *bearing_text[] = {"upper backup roll", "upper work roll", "lower work roll", "lower backup roll"};
   const Fallback chain       = lumped ? required : absent;
   std::vector<Row> rows;
   const auto number = [](const int i) { return std::to_string(i + 1); };
   for (int i = 0; i < 6; ++i)
-    rows.push_back({"M" + number(i), Kind::quantity, "kg", {0.001, 1e7}, chain, masses[i],
-                    std::string("equivalent mass, ") + mass_text[i]});
+    rows.push_back({
+        "M" + number(i),
+        Kind::quantity,
+        "kg",
+        {0.001, 1e7},
+        chain,
+        masses[i],
+        std::string("equivalent mass, ") + mass_text[i]
+    });
   for (int i = 0; i < 7; ++i)
-    rows.push_back({"K" + number(i), Kind::quantity, "kN/mm", {i == 3 ? 0 : 0.001, 1e9}, chain, springs[i],
-                    spring_text[i]});  // an open bite is a case of its own, any other open spring a torn stand
+    rows.push_back({
+        "K" + number(i),
+        Kind::quantity,
+        "kN/mm",
+        {i == 3 ? 0 : 0.001, 1e9},
+        chain,
+        springs[i],
+        spring_text[i]
+    });  // an open bite is a case of its own, any other open spring a torn stand
   for (int i = 0; i < 4; ++i)
-    rows.push_back({"Kzc" + number(i), Kind::quantity, "kN/mm", {0.001, 1e9}, absent, "2.01e4 kN/mm",
-                    std::string("radial stiffness of one bearing, ") + bearing_text[i]});
-  rows.push_back({"C", Kind::quantity, "N s/m", {0, 1e12}, absent, "1.91141e5 N s/m", "damper beside K4"});
+    rows.push_back({
+        "Kzc" + number(i),
+        Kind::quantity,
+        "kN/mm",
+        {0.001, 1e9},
+        absent,
+        "2.01e4 kN/mm",
+        std::string("radial stiffness of one bearing, ") + bearing_text[i]
+    });
+  rows.push_back({
+      "C", Kind::quantity, "N s/m", {0, 1e12},
+         absent, "1.91141e5 N s/m", "damper beside K4"
+  });
   if (!lumped) {
-    rows.push_back({"K_Zy", Kind::quantity, "kN/mm", {0.001, 1e9}, absent, "1.0229e5 kN/mm",
-                    "two backup-roll bearings together"});
-    rows.push_back({"K_ZW", Kind::quantity, "kN/mm", {0.001, 1e9}, absent, "6.8123e4 kN/mm",
-                    "bending and shear of a backup roll"});
+    rows.push_back({
+        "K_Zy",
+        Kind::quantity,
+        "kN/mm",
+        {0.001, 1e9},
+        absent,
+        "1.0229e5 kN/mm",
+        "two backup-roll bearings together"
+    });
+    rows.push_back({
+        "K_ZW",
+        Kind::quantity,
+        "kN/mm",
+        {0.001, 1e9},
+        absent,
+        "6.8123e4 kN/mm",
+        "bending and shear of a backup roll"
+    });
   }
   return rows;
 }
-} // namespace
+}  // namespace
 
 const std::vector<Row> &given_rows(const std::string &kind)
 {
@@ -56,35 +97,39 @@ std::vector<SectionRows> sections_of(const std::string &kind)
   using Repeat = SectionRows::Repeat;
   const SectionRows head{"", Repeat::once, true, "what the file is", rows_of(head_rows())};
   const SectionRows steel{"steel", Repeat::once, false, "material of every solid", rows_of(steel_rows())};
-  const SectionRows dynamics{"dynamics", Repeat::once, false, "runs of the lumped model", rows_of(dynamics_rows())};
-  const SectionRows pass{"pass", Repeat::list, kind == "four-high", "one pass: its rolling force and what is known of it",
-                         rows_of(pass_rows())};
+  const SectionRows dynamics{"dynamics", Repeat::once, false, "runs of the lumped model",
+                             rows_of(dynamics_rows())};
+  const SectionRows pass{"pass", Repeat::list, kind == "four-high",
+                         "one pass: its rolling force and what is known of it", rows_of(pass_rows())};
   const SectionRows given{"given", Repeat::once, kind == "lumped",
                           "values that replace computed ones, each a quantity or { value, source, ... }",
                           given_rows(kind)};
   if (kind == "two-cylinders")
-    return {head,
-            steel,
-            {"upper", Repeat::once, true, "the upper cylinder", rows_of(upper_cylinder_rows())},
-            {"lower", Repeat::once, true, "the lower cylinder", rows_of(lower_cylinder_rows())},
-            {"contact.line", Repeat::once, true, "their contact", rows_of(line_contact_rows())}};
+    return {
+        head,
+        steel,
+        {"upper",        Repeat::once, true, "the upper cylinder", rows_of(upper_cylinder_rows())},
+        {"lower",        Repeat::once, true, "the lower cylinder", rows_of(lower_cylinder_rows())},
+        {"contact.line", Repeat::once, true, "their contact",      rows_of(line_contact_rows())  }
+    };
   if (kind == "lumped")
     return {head, given, pass, dynamics};
-  return {head,
-          steel,
-          {"work_roll", Repeat::once, true, "both work rolls", rows_of(work_roll_rows())},
-          {"backup_roll", Repeat::once, true, "both backup rolls", rows_of(backup_roll_rows())},
-          {"bearing", Repeat::named, true, "a roller bearing, named by the rolls", rows_of(bearing_rows())},
-          {"frame", Repeat::once, true,
-           "masses already reduced to the moving point; stiffnesses of the whole stand, both sides together",
-           rows_of(frame_rows())},
-          {"strip", Repeat::once, true, "the strip in the bite", rows_of(strip_rows())},
-          {"strip.flow_stress", Repeat::once, true, "plane-strain flow stress of the strip",
-           rows_of(flow_stress_rows())},
-          pass,
-          {"contact.upper", Repeat::once, false, "contact of the upper rolls, K3", rows_of(roll_contact_rows())},
-          {"contact.lower", Repeat::once, false, "contact of the lower rolls, K5", rows_of(roll_contact_rows())},
-          dynamics,
-          given};
+  return {
+      head,
+      steel,
+      {"work_roll",         Repeat::once,  true,  "both work rolls",                                      rows_of(work_roll_rows())   },
+      {"backup_roll",       Repeat::once,  true,  "both backup rolls",                                    rows_of(backup_roll_rows()) },
+      {"bearing",           Repeat::named, true,  "a roller bearing, named by the rolls",                 rows_of(bearing_rows())     },
+      {"frame",             Repeat::once,  true,
+        "masses already reduced to the moving point; stiffnesses of the whole stand, both sides together", rows_of(frame_rows())       },
+      {"strip",             Repeat::once,  true,  "the strip in the bite",                                rows_of(strip_rows())       },
+      {"strip.flow_stress", Repeat::once,  true,  "plane-strain flow stress of the strip",
+        rows_of(flow_stress_rows())                                                                                                    },
+      pass,
+      {"contact.upper",     Repeat::once,  false, "contact of the upper rolls, K3",                       rows_of(roll_contact_rows())},
+      {"contact.lower",     Repeat::once,  false, "contact of the lower rolls, K5",                       rows_of(roll_contact_rows())},
+      dynamics,
+      given
+  };
 }
-} // namespace mill
+}  // namespace mill

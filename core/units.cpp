@@ -5,10 +5,8 @@
 #include <limits>
 #include <system_error>
 
-namespace mill
-{
-namespace
-{
+namespace mill {
+namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double g0 = 9.80665;  // m/s2, standard acceleration of free fall (CGPM 1901)
 
@@ -100,7 +98,7 @@ std::string exact_text(const double value, const double number, const Unit &u)
   }
   return "";
 }
-} // namespace
+}  // namespace
 
 bool operator==(const Dimension &a, const Dimension &b)
 {
@@ -111,74 +109,74 @@ bool operator==(const Dimension &a, const Dimension &b)
 const std::vector<Unit> &all_units()
 {
   static const std::vector<Unit> units{
-      {"1",       none,          1,      1,     0,      "a pure number"          },
-      {"%",       none,          1,      100,   0,      "a percentage"           },
-      {"m",       length,        1,      1,     0,      "a length"               },
-      {"mm",      length,        1,      1e3,   0,      "a length"               },
-      {"um",      length,        1,      1e6,   0,      "a length"               },
-      {"m2",      area,          1,      1,     0,      "an area"                },
-      {"mm2",     area,          1,      1e6,   0,      "an area"                },
-      {"kg",      mass,          1,      1,     0,      "a mass"                 },
-      {"t",       mass,          1e3,    1,     0,      "a mass"                 },
-      {"s",       time,          1,      1,     0,      "a time"                 },
-      {"ms",      time,          1,      1e3,   0,      "a time"                 },
-      {"us",      time,          1,      1e6,   0,      "a time"                 },
-      {"min",     time,          60,     1,     0,      "a time"                 },
-      {"K",       temperature,   1,      1,     0,      "a temperature"          },
-      {"degC",    temperature,   1,      1,     273.15, "a temperature"          },
-      {"rad",     angle,         1,      1,     0,      "an angle"               },
-      {"mrad",    angle,         1,      1e3,   0,      "an angle"               },
-      {"deg",     angle,         pi,     180,   0,      "an angle"               },
-      {"Hz",      frequency,     1,      1,     0,      "a frequency"            },
-      {"kHz",     frequency,     1e3,    1,     0,      "a frequency"            },
-      {"rpm",     frequency,     1,      60,    0,      "a frequency"            },
-      {"rad/s",   angular_speed, 1,      1,     0,      "an angular speed"       },
-      {"m/s",     speed,         1,      1,     0,      "a speed"                },
-      {"mm/s",    speed,         1,      1e3,   0,      "a speed"                },
-      {"m/min",   speed,         1,      60,    0,      "a speed"                },
-      {"m/s2",    acceleration,  1,      1,     0,      "an acceleration"        },
-      {"g",       acceleration,  g0,     1,     0,      "an acceleration"        },
-      {"N",       force,         1,      1,     0,      "a force"                },
-      {"kN",      force,         1e3,    1,     0,      "a force"                },
-      {"MN",      force,         1e6,    1,     0,      "a force"                },
-      {"N/m",     stiffness,     1,      1,     0,      "a stiffness"            },
-      {"N/um",    stiffness,     1e6,    1,     0,      "a stiffness"            },
-      {"kN/mm",   stiffness,     1e6,    1,     0,      "a stiffness"            },
-      {"MN/m",    stiffness,     1e6,    1,     0,      "a stiffness"            },
-      {"kN/um",   stiffness,     1e9,    1,     0,      "a stiffness"            },
-      {"MN/mm",   stiffness,     1e9,    1,     0,      "a stiffness"            },
-      {"GN/m",    stiffness,     1e9,    1,     0,      "a stiffness"            },
-      {"N/mm",    stiffness,     1e3,    1,     0,      "a line load"            },
-      {"kN/m",    stiffness,     1e3,    1,     0,      "a line load"            },
-      {"N s/m",   damping,       1,      1,     0,      "a damping"              },
-      {"kN s/m",  damping,       1e3,    1,     0,      "a damping"              },
-      {"N s/mm",  damping,       1e3,    1,     0,      "a damping"              },
-      {"kN s/mm", damping,       1e6,    1,     0,      "a damping"              },
-      {"Pa",      pressure,      1,      1,     0,      "a stress"               },
-      {"kPa",     pressure,      1e3,    1,     0,      "a stress"               },
-      {"MPa",     pressure,      1e6,    1,     0,      "a stress"               },
-      {"GPa",     pressure,      1e9,    1,     0,      "a stress"               },
-      {"N/m2",    pressure,      1,      1,     0,      "a stress"               },
-      {"N/mm2",   pressure,      1e6,    1,     0,      "a stress"               },
-      {"kN/mm2",  pressure,      1e9,    1,     0,      "a stress"               },
-      {"bar",     pressure,      1e5,    1,     0,      "a stress"               },
-      {"1/Pa",    compliance,    1,      1,     0,      "a pressure coefficient" },
-      {"1/MPa",   compliance,    1,      1e6,   0,      "a pressure coefficient" },
-      {"1/GPa",   compliance,    1,      1e9,   0,      "a pressure coefficient" },
-      {"1/m",     curvature,     1,      1,     0,      "a reciprocal length"    },
-      {"1/mm",    curvature,     1e3,    1,     0,      "a reciprocal length"    },
-      {"1/um",    curvature,     1e6,    1,     0,      "a reciprocal length"    },
-      {"kg/m3",   density,       1,      1,     0,      "a density"              },
-      {"t/m3",    density,       1e3,    1,     0,      "a density"              },
-      {"Pa s",    viscosity,     1,      1,     0,      "a viscosity"            },
-      {"mPa s",   viscosity,     1,      1e3,   0,      "a viscosity"            },
-      {"J",       energy,        1,      1,     0,      "an energy"              },
-      {"kJ",      energy,        1e3,    1,     0,      "an energy"              },
-      {"N m",     energy,        1,      1,     0,      "a torque"               },
-      {"kN m",    energy,        1e3,    1,     0,      "a torque"               },
-      {"W",       power,         1,      1,     0,      "a power"                },
-      {"kW",      power,         1e3,    1,     0,      "a power"                },
-      {"MW",      power,         1e6,    1,     0,      "a power"                },
+      {"1",       none,          1,   1,   0,      "a pure number"         },
+      {"%",       none,          1,   100, 0,      "a percentage"          },
+      {"m",       length,        1,   1,   0,      "a length"              },
+      {"mm",      length,        1,   1e3, 0,      "a length"              },
+      {"um",      length,        1,   1e6, 0,      "a length"              },
+      {"m2",      area,          1,   1,   0,      "an area"               },
+      {"mm2",     area,          1,   1e6, 0,      "an area"               },
+      {"kg",      mass,          1,   1,   0,      "a mass"                },
+      {"t",       mass,          1e3, 1,   0,      "a mass"                },
+      {"s",       time,          1,   1,   0,      "a time"                },
+      {"ms",      time,          1,   1e3, 0,      "a time"                },
+      {"us",      time,          1,   1e6, 0,      "a time"                },
+      {"min",     time,          60,  1,   0,      "a time"                },
+      {"K",       temperature,   1,   1,   0,      "a temperature"         },
+      {"degC",    temperature,   1,   1,   273.15, "a temperature"         },
+      {"rad",     angle,         1,   1,   0,      "an angle"              },
+      {"mrad",    angle,         1,   1e3, 0,      "an angle"              },
+      {"deg",     angle,         pi,  180, 0,      "an angle"              },
+      {"Hz",      frequency,     1,   1,   0,      "a frequency"           },
+      {"kHz",     frequency,     1e3, 1,   0,      "a frequency"           },
+      {"rpm",     frequency,     1,   60,  0,      "a frequency"           },
+      {"rad/s",   angular_speed, 1,   1,   0,      "an angular speed"      },
+      {"m/s",     speed,         1,   1,   0,      "a speed"               },
+      {"mm/s",    speed,         1,   1e3, 0,      "a speed"               },
+      {"m/min",   speed,         1,   60,  0,      "a speed"               },
+      {"m/s2",    acceleration,  1,   1,   0,      "an acceleration"       },
+      {"g",       acceleration,  g0,  1,   0,      "an acceleration"       },
+      {"N",       force,         1,   1,   0,      "a force"               },
+      {"kN",      force,         1e3, 1,   0,      "a force"               },
+      {"MN",      force,         1e6, 1,   0,      "a force"               },
+      {"N/m",     stiffness,     1,   1,   0,      "a stiffness"           },
+      {"N/um",    stiffness,     1e6, 1,   0,      "a stiffness"           },
+      {"kN/mm",   stiffness,     1e6, 1,   0,      "a stiffness"           },
+      {"MN/m",    stiffness,     1e6, 1,   0,      "a stiffness"           },
+      {"kN/um",   stiffness,     1e9, 1,   0,      "a stiffness"           },
+      {"MN/mm",   stiffness,     1e9, 1,   0,      "a stiffness"           },
+      {"GN/m",    stiffness,     1e9, 1,   0,      "a stiffness"           },
+      {"N/mm",    stiffness,     1e3, 1,   0,      "a line load"           },
+      {"kN/m",    stiffness,     1e3, 1,   0,      "a line load"           },
+      {"N s/m",   damping,       1,   1,   0,      "a damping"             },
+      {"kN s/m",  damping,       1e3, 1,   0,      "a damping"             },
+      {"N s/mm",  damping,       1e3, 1,   0,      "a damping"             },
+      {"kN s/mm", damping,       1e6, 1,   0,      "a damping"             },
+      {"Pa",      pressure,      1,   1,   0,      "a stress"              },
+      {"kPa",     pressure,      1e3, 1,   0,      "a stress"              },
+      {"MPa",     pressure,      1e6, 1,   0,      "a stress"              },
+      {"GPa",     pressure,      1e9, 1,   0,      "a stress"              },
+      {"N/m2",    pressure,      1,   1,   0,      "a stress"              },
+      {"N/mm2",   pressure,      1e6, 1,   0,      "a stress"              },
+      {"kN/mm2",  pressure,      1e9, 1,   0,      "a stress"              },
+      {"bar",     pressure,      1e5, 1,   0,      "a stress"              },
+      {"1/Pa",    compliance,    1,   1,   0,      "a pressure coefficient"},
+      {"1/MPa",   compliance,    1,   1e6, 0,      "a pressure coefficient"},
+      {"1/GPa",   compliance,    1,   1e9, 0,      "a pressure coefficient"},
+      {"1/m",     curvature,     1,   1,   0,      "a reciprocal length"   },
+      {"1/mm",    curvature,     1e3, 1,   0,      "a reciprocal length"   },
+      {"1/um",    curvature,     1e6, 1,   0,      "a reciprocal length"   },
+      {"kg/m3",   density,       1,   1,   0,      "a density"             },
+      {"t/m3",    density,       1e3, 1,   0,      "a density"             },
+      {"Pa s",    viscosity,     1,   1,   0,      "a viscosity"           },
+      {"mPa s",   viscosity,     1,   1e3, 0,      "a viscosity"           },
+      {"J",       energy,        1,   1,   0,      "an energy"             },
+      {"kJ",      energy,        1e3, 1,   0,      "an energy"             },
+      {"N m",     energy,        1,   1,   0,      "a torque"              },
+      {"kN m",    energy,        1e3, 1,   0,      "a torque"              },
+      {"W",       power,         1,   1,   0,      "a power"               },
+      {"kW",      power,         1e3, 1,   0,      "a power"               },
+      {"MW",      power,         1e6, 1,   0,      "a power"               },
   };
   return units;
 }
@@ -267,4 +265,4 @@ std::string units_like(const Unit &u)
       list += (list.empty() ? "" : ", ") + std::string(other.symbol);
   return list;
 }
-} // namespace mill
+}  // namespace mill

@@ -3,22 +3,21 @@
 #include <string_view>
 #include <vector>
 
-namespace mill
-{
+namespace mill {
 /// Exponents of the base dimensions.  The angle is kept apart so that "2.5 mrad" is not taken for a pure number.
 struct Dimension {
   int length = 0, mass = 0, time = 0, temperature = 0, angle = 0;
 };
 bool operator==(const Dimension &a, const Dimension &b);
 
-/// One unit of the closed list.  SI value = number * multiply / divide + offset; a division keeps "420 mm" the double
-/// nearest to 0.42, which a multiplication by 0.001 does not.
+/// One unit of the closed list.  SI value = number * multiply / divide + offset; a division keeps "420 mm" the
+/// double nearest to 0.42, which a multiplication by 0.001 does not.
 struct Unit {
   const char *symbol;    ///< as written in a case file, "kN/mm"
   Dimension dimension;   ///< of the quantity
-  double multiply;       ///< numerator of the factor to SI
-  double divide;         ///< denominator of the factor to SI
-  double offset;         ///< SI value of the number zero, for degC
+  double multiply;       ///< -, numerator of the factor to SI
+  double divide;         ///< -, denominator of the factor to SI
+  double offset;         ///< SI unit, value of the number zero, for degC
   const char *quantity;  ///< in words with article, "a stiffness"; N/mm and kN/mm share a dimension, not the word
 };
 
@@ -64,4 +63,4 @@ std::string quantity_text(double value, const Unit &unit);
 
 /// Symbols of the units that share a dimension, "m, mm, um".
 std::string units_like(const Unit &unit);
-} // namespace mill
+}  // namespace mill

@@ -5,13 +5,11 @@
 #include <complex>
 #include <sstream>
 
-namespace mill::dynamics
-{
-namespace
-{
+namespace mill::dynamics {
+namespace {
 using Complex = std::complex<double>;
 
-constexpr int n_gauss             = 48;    // per zone; 8 already reach rounding for a smooth flow stress
+constexpr int n_gauss               = 48;  // per zone; 8 already reach rounding for a smooth flow stress
 constexpr double largest_flattening = 20;  // R'/R; Hitchcock's ellipse has lost its meaning long before
 constexpr double flattening_range   = 5;   // R'/R up to which the formula is used in practice
 
@@ -42,15 +40,13 @@ const GaussRule &gauss_legendre()
   return rule;
 }
 
-template <class... Parts> std::string sentence(const Parts &... parts)
+template <class... Parts> std::string sentence(const Parts &...parts)
 {
   std::ostringstream text;
   text.precision(4);
   (text << ... << parts);
   return text.str();
 }
-
-// --- flow stress ------------------------------------------------------------------------------------------------
 
 template <class T> T table_stress(const FlowStress &law, const T &strain)
 {
@@ -59,14 +55,15 @@ template <class T> T table_stress(const FlowStress &law, const T &strain)
     throw InputError("strip.flow_stress: a table needs at least two rows of strain and stress");
   const double e = real(strain), tolerance = 1e-12 * (1 + std::abs(e));  // ln(h0/h) at an end is rounded
   if (!(e >= rows.front()[0] - tolerance && e <= rows.back()[0] + tolerance))
-    throw InputError(sentence("strip.flow_stress: the table covers strains ", rows.front()[0], " .. ", rows.back()[0],
-                              " but the bite needs ", e, "; it is not extrapolated"));
+    throw InputError(sentence("strip.flow_stress: the table covers strains ", rows.front()[0], " .. ",
+                              rows.back()[0], " but the bite needs ", e, "; it is not extrapolated"));
   std::size_t i = 1;
   while (i + 1 < rows.size() && e > rows[i][0])
     ++i;
   if (!(rows[i][0] > rows[i - 1][0]))
     throw InputError("strip.flow_stress: the strains of the table must increase");
-  return rows[i - 1][1] + (strain - rows[i - 1][0]) * ((rows[i][1] - rows[i - 1][1]) / (rows[i][0] - rows[i - 1][0]));
+  return rows[i - 1][1] +
+         (strain - rows[i - 1][0]) * ((rows[i][1] - rows[i - 1][1]) / (rows[i][0] - rows[i - 1][0]));
 }
 
 /// (8.1)
@@ -91,8 +88,6 @@ template <class T> T flow_stress_of(const FlowStress &law, const T &strain)
   throw InputError("strip.flow_stress.law = \"" + law.law +
                    "\" is not known; constant, swift, ludwik, voce, power, reduction-power or table");
 }
-
-// --- slab ---------------------------------------------------------------------------------------------------------
 
 /// What is fixed while exit thickness and radius vary.
 struct Slab {
@@ -119,11 +114,11 @@ template <class T> T tension_factor(const double tension, const T &stress)
 /// T is double, or Complex with the derivative in its imaginary part.
 template <class T> struct Arc {
   T exit_thickness, radius;
-  T entry_angle;    ///< t_e
-  T neutral_angle;  ///< t_n, between 0 and t_e
-  T exit_factor;    ///< 1 - sigma_d / k_fd
+  T entry_angle;              ///< t_e
+  T neutral_angle;            ///< t_n, between 0 and t_e
+  T exit_factor;              ///< 1 - sigma_d / k_fd
   double free_neutral_angle;  ///< t_n before it is kept inside the arc: tells that there is no neutral point
-  double balance;   ///< ln of the ratio of both pressure branches' ends, Lambda of (8.7)
+  double balance;             ///< ln of the ratio of both pressure branches' ends, Lambda of (8.7)
 };
 
 template <class T> Arc<T> arc(const Slab &slab, const T &exit_thickness, const T &radius)
@@ -139,7 +134,7 @@ template <class T> Arc<T> arc(const Slab &slab, const T &exit_thickness, const T
   a.exit_factor    = tension_factor(slab.strip.exit_tension, stress_at(slab, exit_thickness));
   const T balance  = log(a.exit_factor / slab.entry_factor * entry_thickness / exit_thickness);  // (8.7)
   a.neutral_angle  = 0.5 * a.entry_angle - sqrt(exit_thickness / radius) * balance / (4.0 * slab.strip.friction);
-  a.balance            = real(balance);
+  a.balance        = real(balance);
   a.free_neutral_angle = real(a.neutral_angle);
   if (a.free_neutral_angle <= 0)
     a.neutral_angle = T(0);
@@ -162,7 +157,8 @@ template <class T> T pressure_at(const Slab &slab, const Arc<T> &a, const T &ang
   const T h         = thickness_at(a, angle);
   const T per_angle = 2.0 * slab.strip.friction * sqrt(a.radius / a.exit_thickness);  // mu dH/dt
   if (entry_side)
-    return slab.entry_factor * stress_at(slab, h) * h / slab.strip.entry_thickness * exp(per_angle * (a.entry_angle - angle));
+    return slab.entry_factor * stress_at(slab, h) * h / slab.strip.entry_thickness *
+           exp(per_angle * (a.entry_angle - angle));
   return a.exit_factor * stress_at(slab, h) * h / a.exit_thickness * exp(per_angle * angle);
 }
 
@@ -211,34 +207,33 @@ template <class T> T force(const Slab &slab, const T &exit_thickness, const T &r
   return force(slab, arc(slab, exit_thickness, radius));
 }
 
-// --- what can be wrong --------------------------------------------------------------------------------------------
-
 Slab checked_slab(const RollBite &bite)
 {
   const Strip &s = bite.strip;
   if (!(s.exit_thickness > 0 && s.entry_thickness > s.exit_thickness))
-    throw InputError(sentence("strip.exit_thickness = ", s.exit_thickness * 1e3, " mm must be positive and below strip.entry_thickness = ",
-                              s.entry_thickness * 1e3, " mm"));
+    throw InputError(sentence("strip.exit_thickness = ", s.exit_thickness * 1e3,
+                              " mm must be positive and below strip.entry_thickness = ", s.entry_thickness * 1e3,
+                              " mm"));
   if (!(s.width > 0 && bite.roll_radius > 0))
     throw InputError("strip.width and the work roll diameter must be positive");
   if (!(s.friction > 0))
     throw InputError("strip.friction must be positive: without friction the rolls do not pull the strip through");
   const double h0 = std::isnan(s.initial_thickness) ? s.entry_thickness : s.initial_thickness;
   if (!(h0 >= s.entry_thickness))
-    throw InputError(sentence("strip.initial_thickness = ", h0 * 1e3, " mm is below strip.entry_thickness = ", s.entry_thickness * 1e3,
-                              " mm: the strip would have been rolled thicker"));
+    throw InputError(sentence("strip.initial_thickness = ", h0 * 1e3, " mm is below strip.entry_thickness = ",
+                              s.entry_thickness * 1e3, " mm: the strip would have been rolled thicker"));
   Slab slab{s, h0, 0, 1};
   slab.entry_stress        = stress_at(slab, s.entry_thickness);
   const double exit_stress = stress_at(slab, s.exit_thickness);
   if (!(slab.entry_stress >= 0 && exit_stress > 0))
-    throw InputError(sentence("strip.flow_stress gives ", slab.entry_stress / 1e6, " MPa at the entry and ", exit_stress / 1e6,
-                              " MPa at the exit; it must be positive over the bite"));
+    throw InputError(sentence("strip.flow_stress gives ", slab.entry_stress / 1e6, " MPa at the entry and ",
+                              exit_stress / 1e6, " MPa at the exit; it must be positive over the bite"));
   if (!(s.entry_tension < slab.entry_stress || s.entry_tension == 0))
     throw InputError(sentence("strip.entry_tension = ", s.entry_tension / 1e6, " MPa reaches the flow stress ",
                               slab.entry_stress / 1e6, " MPa at the entry: the strip yields before the bite"));
   if (!(s.exit_tension < exit_stress))
-    throw InputError(sentence("strip.exit_tension = ", s.exit_tension / 1e6, " MPa reaches the flow stress ", exit_stress / 1e6,
-                              " MPa at the exit: the strip yields behind the bite"));
+    throw InputError(sentence("strip.exit_tension = ", s.exit_tension / 1e6, " MPa reaches the flow stress ",
+                              exit_stress / 1e6, " MPa at the exit: the strip yields behind the bite"));
   slab.entry_factor = tension_factor(s.entry_tension, slab.entry_stress);
   return slab;
 }
@@ -248,15 +243,17 @@ void require_neutral_point(const Slab &slab, const Arc<double> &a)
 {
   if (a.free_neutral_angle > 0 && a.free_neutral_angle < a.entry_angle)
     return;
-  const double H_entry = 2 * std::sqrt(a.radius / a.exit_thickness) * a.entry_angle;  // H of (8.3) at the entry
-  const double needed      = std::abs(a.balance) / H_entry;
-  const double angle       = std::sqrt((slab.strip.entry_thickness - a.exit_thickness) / a.radius);
-  const bool beyond_exit   = a.free_neutral_angle <= 0;
-  throw InputError(sentence("strip.friction = ", slab.strip.friction, " is too small for an angle of bite of ", angle, " rad",
-                            beyond_exit ? ": the rolls cannot pull the strip through, the neutral point would lie beyond the exit"
-                                        : " and this front tension: the strip is torn through, the neutral point would lie before the entry",
-                            "; more than ", needed, " is needed, or ",
-                            beyond_exit ? "a smaller reduction, more front tension or less back tension" : "less front tension"));
+  const double H_entry   = 2 * std::sqrt(a.radius / a.exit_thickness) * a.entry_angle;  // H of (8.3) at the entry
+  const double needed    = std::abs(a.balance) / H_entry;
+  const double angle     = std::sqrt((slab.strip.entry_thickness - a.exit_thickness) / a.radius);
+  const bool beyond_exit = a.free_neutral_angle <= 0;
+  throw InputError(sentence(
+      "strip.friction = ", slab.strip.friction, " is too small for an angle of bite of ", angle, " rad",
+      beyond_exit
+          ? ": the rolls cannot pull the strip through, the neutral point would lie beyond the exit"
+          : " and this front tension: the strip is torn through, the neutral point would lie before the entry",
+      "; more than ", needed, " is needed, or ",
+      beyond_exit ? "a smaller reduction, more front tension or less back tension" : "less front tension"));
 }
 
 std::vector<std::string> range_notes(const BiteState &state, const RollBite &bite)
@@ -264,17 +261,18 @@ std::vector<std::string> range_notes(const BiteState &state, const RollBite &bit
   std::vector<std::string> notes;
   const double ratio = state.flattened_radius / bite.roll_radius;
   if (state.bite_angle > bite.strip.friction)
-    notes.push_back(sentence("the angle of bite ", state.bite_angle, " rad is larger than the friction ", bite.strip.friction,
+    notes.push_back(sentence("the angle of bite ", state.bite_angle, " rad is larger than the friction ",
+                             bite.strip.friction,
                              ": the pass runs, but the strip has to be pushed in at its head"));
   if (state.largest_shear > 1)
-    notes.push_back(sentence("the friction stress reaches ", state.largest_shear,
-                             " times the shear yield stress: the strip would stick, which Coulomb friction does not know"));
+    notes.push_back(
+        sentence("the friction stress reaches ", state.largest_shear,
+                 " times the shear yield stress: the strip would stick, which Coulomb friction does not know"));
   if (ratio > flattening_range)
-    notes.push_back(sentence("R'/R = ", ratio, " is beyond ", flattening_range, ", where Hitchcock's circular arc no longer holds"));
+    notes.push_back(sentence("R'/R = ", ratio, " is beyond ", flattening_range,
+                             ", where Hitchcock's circular arc no longer holds"));
   return notes;
 }
-
-// --- flattening -----------------------------------------------------------------------------------------------------
 
 /// R' over force: R' = R (1 + compliance F / (h_e - h_d)), (8.9).  In m/N.
 double flattening_compliance(const RollBite &bite)
@@ -283,8 +281,8 @@ double flattening_compliance(const RollBite &bite)
   return 16 * (1 - m.poisson_ratio * m.poisson_ratio) / (M_PI * m.youngs_modulus * bite.strip.width);
 }
 
-/// Smallest R' with R' = Phi(R').  Phi grows with R' and Phi(R) > R, so plain iteration from R climbs to the first root
-/// and cannot jump over it; where it does not come to rest there is none.
+/// Smallest R' with R' = Phi(R').  Phi grows with R' and Phi(R) > R, so plain iteration from R climbs to the first
+/// root and cannot jump over it; where it does not come to rest there is none.
 double flattened_radius(const RollBite &bite, const Slab &slab, int &iterations)
 {
   const double h = bite.strip.exit_thickness, reduction = bite.strip.entry_thickness - h;
@@ -298,12 +296,14 @@ double flattened_radius(const RollBite &bite, const Slab &slab, int &iterations)
     if (rests)
       return R;
   }
-  throw SolverError({"roll bite: no flattened radius",
-                     sentence("R'/R = ", R / bite.roll_radius, " and still growing after ", iterations, " steps, force there ",
-                              force(slab, h, R) / 1e3, " kN"),
-                     sentence("the strip is too thin or too hard for this roll: the arc flattens faster than the gap closes "
-                              "(exit thickness ", h * 1e3, " mm, friction ", bite.strip.friction, ")"),
-                     "a smaller work roll, less friction, more tension, or a thicker strip.exit_thickness", ""});
+  throw SolverError(
+      {"roll bite: no flattened radius",
+       sentence("R'/R = ", R / bite.roll_radius, " and still growing after ", iterations, " steps, force there ",
+                force(slab, h, R) / 1e3, " kN"),
+       sentence("the strip is too thin or too hard for this roll: the arc flattens faster than the gap closes "
+                "(exit thickness ",
+                h * 1e3, " mm, friction ", bite.strip.friction, ")"),
+       "a smaller work roll, less friction, more tension, or a thicker strip.exit_thickness", ""});
 }
 
 /// Pressure hill: 101 points on each side of the neutral point, which belongs to both.
@@ -315,20 +315,20 @@ void sample_pressure(BiteState &state, const Slab &slab, const Arc<double> &a)
   state.pressure.resize(2 * n - 1);
   for (int i = 0; i < 2 * n - 1; ++i) {
     const bool entry_side = i >= n;
-    const double x = entry_side
-                         ? state.neutral_position + (state.arc_length - state.neutral_position) * (i - n + 1) / (n - 1)
-                         : state.neutral_position * i / (n - 1);
-    const double t     = std::atan(x / std::sqrt(a.radius * a.exit_thickness));
-    state.position[i]  = x;
-    state.thickness[i] = thickness_at(a, t);
-    state.pressure[i]  = pressure_at(slab, a, t, entry_side);
+    const double x =
+        entry_side ? state.neutral_position + (state.arc_length - state.neutral_position) * (i - n + 1) / (n - 1)
+                   : state.neutral_position * i / (n - 1);
+    const double t      = std::atan(x / std::sqrt(a.radius * a.exit_thickness));
+    state.position[i]   = x;
+    state.thickness[i]  = thickness_at(a, t);
+    state.pressure[i]   = pressure_at(slab, a, t, entry_side);
     const double stress = stress_at(slab, std::min(state.thickness[i], slab.strip.entry_thickness));
     if (stress > 0)
       state.largest_shear = std::max(state.largest_shear, 2 * slab.strip.friction * state.pressure[i] / stress);
   }
   state.peak_pressure = state.pressure.maxCoeff();
 }
-} // namespace
+}  // namespace
 
 double flow_stress(const FlowStress &law, const double strain)
 {
@@ -339,18 +339,18 @@ BiteState solve_bite(const RollBite &bite)
 {
   const Slab slab = checked_slab(bite);
   BiteState state;
-  state.flattened_radius    = bite.flattening ? flattened_radius(bite, slab, state.iterations) : bite.roll_radius;
-  const Arc<double> a       = arc(slab, bite.strip.exit_thickness, state.flattened_radius);
+  state.flattened_radius = bite.flattening ? flattened_radius(bite, slab, state.iterations) : bite.roll_radius;
+  const Arc<double> a    = arc(slab, bite.strip.exit_thickness, state.flattened_radius);
   require_neutral_point(slab, a);
-  const double scale        = std::sqrt(a.radius * a.exit_thickness);
-  state.force               = force(slab, a);
-  state.arc_length          = scale * std::tan(a.entry_angle);
-  state.bite_angle          = state.arc_length / a.radius;
-  state.neutral_position    = scale * std::tan(a.neutral_angle);
-  state.neutral_thickness   = thickness_at(a, a.neutral_angle);
-  state.forward_slip        = state.neutral_thickness / a.exit_thickness - 1;  // volume flow: v_d h_d = v_r h_n
-  state.entry_flow_stress   = slab.entry_stress;
-  state.exit_flow_stress    = stress_at(slab, a.exit_thickness);
+  const double scale      = std::sqrt(a.radius * a.exit_thickness);
+  state.force             = force(slab, a);
+  state.arc_length        = scale * std::tan(a.entry_angle);
+  state.bite_angle        = state.arc_length / a.radius;
+  state.neutral_position  = scale * std::tan(a.neutral_angle);
+  state.neutral_thickness = thickness_at(a, a.neutral_angle);
+  state.forward_slip      = state.neutral_thickness / a.exit_thickness - 1;  // volume flow: v_d h_d = v_r h_n
+  state.entry_flow_stress = slab.entry_stress;
+  state.exit_flow_stress  = stress_at(slab, a.exit_thickness);
   sample_pressure(state, slab, a);
   state.notes = range_notes(state, bite);
   return state;
@@ -358,11 +358,12 @@ BiteState solve_bite(const RollBite &bite)
 
 BiteStiffness bite_stiffness(const RollBite &bite, const BiteState &state)
 {
-  const Slab slab   = checked_slab(bite);
-  const double h    = bite.strip.exit_thickness, R = state.flattened_radius, reduction = bite.strip.entry_thickness - h;
-  const double step = 1e-30;  // relative; no difference is formed, so it may be as small as it likes
-  const double F_h  = force(slab, Complex(h, h * step), Complex(R, 0)).imag() / (h * step);
-  const double F_R  = force(slab, Complex(h, 0), Complex(R, R * step)).imag() / (R * step);
+  const Slab slab = checked_slab(bite);
+  const double h = bite.strip.exit_thickness, R = state.flattened_radius,
+               reduction = bite.strip.entry_thickness - h;
+  const double step      = 1e-30;  // relative; no difference is formed, so it may be as small as it likes
+  const double F_h       = force(slab, Complex(h, h * step), Complex(R, 0)).imag() / (h * step);
+  const double F_R       = force(slab, Complex(h, 0), Complex(R, R * step)).imag() / (R * step);
   // (8.11): R' = Phi(R', h) differentiated along the flattened states
   const double c         = bite.flattening ? bite.roll_radius * flattening_compliance(bite) / reduction : 0;
   const double following = F_h + F_R * c * (F_h + state.force / reduction) / (1 - c * F_R);
@@ -377,4 +378,4 @@ BiteStiffness bite_stiffness(const RollBite &bite, const BiteState &state)
   k.combined                = 1 / (1 / k.plastic_slope + 2 / k.flattening);                               // (8.13)
   return k;
 }
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

@@ -3,13 +3,12 @@
 #include <Eigen/Core>
 #include <array>
 
-namespace mill::dynamics
-{
+namespace mill::dynamics {
 /// Steady response per newton of harmonic bite force.
 struct FrequencyResponse {
-  Eigen::VectorXd frequency;       ///< (m) Hz
-  Eigen::MatrixXcd acceleration;   ///< (m, n) 1/kg, acceleration of every mass over force
-  Eigen::VectorXcd load_cell;      ///< (m) -, change of the load-cell force over change of the bite force
+  Eigen::VectorXd frequency;      ///< (m) Hz
+  Eigen::MatrixXcd acceleration;  ///< (m, n) 1/kg, acceleration of every mass over force
+  Eigen::VectorXcd load_cell;     ///< (m) -, change of the load-cell force over change of the bite force
 };
 
 /// Solves (K - w^2 M + i w C) y = b at each frequency.  theory.md (6.16)
@@ -24,6 +23,7 @@ FrequencyResponse frequency_response(const MillModel &model, const Eigen::Vector
 /// @param duration    s, length of the step response; a bound for forces not longer than this, and for all forces
 ///                    once the slowest mode has died out
 /// @param rate        Hz, sampling of the step response; 20 times the highest frequency is within 0.5 %
-/// Cost as first_order_hold over `duration`.
+/// @throws SolverError  as equilibrium
+/// Cost: one product of a matrix of 2n with a vector per sample.
 Eigen::VectorXd largest_response(const MillModel &model, double half_range, double duration, double rate);
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

@@ -5,10 +5,8 @@
 #include <cassert>
 #include <cmath>
 
-namespace mill::dynamics
-{
-namespace
-{
+namespace mill::dynamics {
+namespace {
 Eigen::MatrixXd assemble(const int n, const std::vector<Spring> &springs)
 {
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
@@ -45,26 +43,28 @@ Eigen::VectorXd load_cell_row(const bool closed, const double K1, const double K
     row[lower_frame] = -K7;
   return row;
 }
-} // namespace
+}  // namespace
 
 MillModel mill_model(const LumpedModel &lumped, const DynamicsSettings &settings)
 {
-  const bool measured = settings.force_meaning == "measured";
-  const bool closed   = settings.frame == "closed";
-  const auto K        = [&](const int i) { return lumped.K[std::size_t(i - 1)].value; };
-  const double K4     = measured ? 0 : K(4);
+  const bool measured     = settings.force_meaning == "measured";
+  const bool closed       = settings.frame == "closed";
+  const auto K            = [&](const int i) { return lumped.K[std::size_t(i - 1)].value; };
+  const double K4         = measured ? 0 : K(4);
   const double gap_damper = measured || std::isnan(lumped.C.value) ? 0 : lumped.C.value;
 
   MillModel model;
   model.labels  = {"upper frame",     "upper backup roll", "upper work roll",
                    "lower work roll", "lower backup roll", "lower frame"};
-  model.springs = {{"K1", closed ? int(lower_frame) : ground, upper_frame, K(1)},
-                   {"K2", upper_frame, upper_backup_roll, K(2)},
-                   {"K3", upper_backup_roll, upper_work_roll, K(3)},
-                   {"K4", upper_work_roll, lower_work_roll, K4},
-                   {"K5", lower_work_roll, lower_backup_roll, K(5)},
-                   {"K6", lower_backup_roll, lower_frame, K(6)},
-                   {"K7", lower_frame, ground, K(7)}};
+  model.springs = {
+      {"K1", closed ? int(lower_frame) : ground, upper_frame,       K(1)},
+      {"K2", upper_frame,                        upper_backup_roll, K(2)},
+      {"K3", upper_backup_roll,                  upper_work_roll,   K(3)},
+      {"K4", upper_work_roll,                    lower_work_roll,   K4  },
+      {"K5", lower_work_roll,                    lower_backup_roll, K(5)},
+      {"K6", lower_backup_roll,                  lower_frame,       K(6)},
+      {"K7", lower_frame,                        ground,            K(7)}
+  };
   model.M.resize(6);
   for (int i = 0; i < 6; ++i)
     model.M[i] = lumped.M[std::size_t(i)].value;
@@ -85,8 +85,7 @@ MillModel mill_model(const LumpedModel &lumped, const DynamicsSettings &settings
   return model;
 }
 
-namespace
-{
+namespace {
 // Adds one roll on its bearings; for a work roll in series with its chock seat.  (6.9), (6.10)
 struct HorizontalRoll {
   std::string label, bearing, seat;
@@ -106,22 +105,23 @@ void add_roll(const HorizontalRoll &roll, std::vector<double> &masses, MillModel
     model.springs.push_back({roll.bearing, here, here + 1, roll.bearing_stiffness});
     model.springs.push_back({roll.seat, here + 1, ground, roll.seat_stiffness});
   } else {
-    const double both = roll.bearing_stiffness + roll.seat_stiffness;
+    const double both   = roll.bearing_stiffness + roll.seat_stiffness;
     const double series = both > 0 ? roll.bearing_stiffness * roll.seat_stiffness / both : 0;
     model.springs.push_back({roll.bearing + " + " + roll.seat, here, ground, series});
   }
 }
-} // namespace
+}  // namespace
 
 MillModel horizontal_model(const LumpedModel &lumped, const ChockSeats &seats)
 {
   const auto Kzc = [&](const int i) { return seats.bearings_per_roll * lumped.Kzc[std::size_t(i - 1)].value; };
   const auto M   = [&](const int i) { return lumped.M[std::size_t(i - 1)].value; };
   const std::vector<HorizontalRoll> rolls = {
-      {"upper backup roll", "Kzc1", "", M(2), Kzc(1), not_given, 0},
-      {"upper work roll", "Kzc2", "Kx1", M(3), Kzc(2), seats.stiffness[0], seats.chock_mass[0]},
-      {"lower work roll", "Kzc3", "Kx2", M(4), Kzc(3), seats.stiffness[1], seats.chock_mass[1]},
-      {"lower backup roll", "Kzc4", "", M(5), Kzc(4), not_given, 0}};
+      {"upper backup roll", "Kzc1", "",    M(2), Kzc(1), not_given,          0                  },
+      {"upper work roll",   "Kzc2", "Kx1", M(3), Kzc(2), seats.stiffness[0], seats.chock_mass[0]},
+      {"lower work roll",   "Kzc3", "Kx2", M(4), Kzc(3), seats.stiffness[1], seats.chock_mass[1]},
+      {"lower backup roll", "Kzc4", "",    M(5), Kzc(4), not_given,          0                  }
+  };
   MillModel model;
   std::vector<double> masses;
   for (const HorizontalRoll &roll : rolls)
@@ -140,7 +140,8 @@ Eigen::VectorXd static_displacement(const MillModel &model)
 {
   const Eigen::LLT<Eigen::MatrixXd> factor(model.K);
   // A mechanism leaves a pivot that is only rounding: n eps of the largest entry, taken a thousand times.
-  const double smallest = factor.info() == Eigen::Success ? factor.matrixLLT().diagonal().array().square().minCoeff() : 0;
+  const double smallest =
+      factor.info() == Eigen::Success ? factor.matrixLLT().diagonal().array().square().minCoeff() : 0;
   if (!(smallest > 1e-12 * model.K.diagonal().maxCoeff()))
     throw SolverError({"static equilibrium of the lumped model: the stiffness matrix is singular",
                        "smallest pivot " + std::to_string(smallest) + " N/m",
@@ -156,4 +157,4 @@ double mill_modulus(const LumpedModel &lumped)
     flexibility += 1 / lumped.K[i - 1].value;  // (6.6)
   return 1 / flexibility;
 }
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace mill::dynamics
-{
+namespace mill::dynamics {
 constexpr double standard_gravity = 9.80665;  ///< m/s2, the g of every acceleration in g
 
 /// Places of the masses in the vertical chain.
@@ -17,10 +16,10 @@ constexpr int ground = -1;
 
 /// One linear spring between two masses, or between a mass and the ground.
 struct Spring {
-  std::string name;       ///< "K3"
-  int from;               ///< index of a mass, or ground
-  int to;                 ///< index of a mass, or ground
-  double stiffness;       ///< N/m
+  std::string name;  ///< "K3"
+  int from;          ///< index of a mass, or ground
+  int to;            ///< index of a mass, or ground
+  double stiffness;  ///< N/m
 };
 
 /// A chain of n masses ready to be analysed:  M y'' + C y' + K y = b F(t).  theory.md (6.1)
@@ -51,9 +50,10 @@ MillModel mill_model(const LumpedModel &model, const DynamicsSettings &settings)
 
 /// What the lumped record does not hold about the horizontal motion.
 struct ChockSeats {
-  std::array<double, 2> stiffness  = {not_given, not_given};  ///< N/m, Kx upper and lower work roll, both sides; NaN: rigid
-  std::array<double, 2> chock_mass = {0, 0};                  ///< kg, both chocks of the upper and of the lower work roll
-  int bearings_per_roll            = 2;                       ///< the two ends of a roll, in parallel
+  std::array<double, 2> stiffness  = {not_given,
+                                      not_given};  ///< N/m, Kx upper and lower work roll, both sides; NaN: rigid
+  std::array<double, 2> chock_mass = {0, 0};       ///< kg, both chocks of the upper and of the lower work roll
+  int bearings_per_roll            = 2;            ///< the two ends of a roll, in parallel
 };
 
 /// Horizontal motion of the rolls on their bearings, work rolls in series with the seats of their chocks.
@@ -69,4 +69,4 @@ Eigen::VectorXd static_displacement(const MillModel &model);
 
 /// Stiffness of the stand without the bite: series of K1, K2, K3, K5, K6, K7.  N/m  theory.md (6.6)
 double mill_modulus(const LumpedModel &model);
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

@@ -6,10 +6,8 @@
 #include <cmath>
 #include <complex>
 
-namespace mill::dynamics
-{
-namespace
-{
+namespace mill::dynamics {
+namespace {
 double elongation(const Spring &spring, const Eigen::MatrixXd &shape, const Eigen::Index mode)
 {
   const auto at = [&](const int mass) { return mass == ground ? 0 : shape(mass, mode); };
@@ -42,7 +40,7 @@ std::vector<Pole> sorted(std::vector<Pole> poles)
   std::sort(poles.begin(), poles.end(), [](const Pole &a, const Pole &b) { return a.frequency < b.frequency; });
   return poles;
 }
-} // namespace
+}  // namespace
 
 Modes modes(const MillModel &model)
 {
@@ -51,7 +49,8 @@ Modes modes(const MillModel &model)
   if (n == 0)
     return result;
   const Eigen::VectorXd root = model.M.cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(root.asDiagonal() * model.K * root.asDiagonal());  // (6.11)
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(root.asDiagonal() * model.K *
+                                                              root.asDiagonal());  // (6.11)
   if (solver.info() != Eigen::Success)
     throw no_eigenvalues("the undamped lumped model");
   const Eigen::VectorXd squared = solver.eigenvalues().cwiseMax(0);  // rounding may push a free mode below zero
@@ -67,7 +66,7 @@ Modes modes(const MillModel &model)
           model.springs[j].stiffness * std::pow(elongation(model.springs[j], result.shape, i), 2);
     const double total = result.strain_share.row(i).sum();
     if (total > 0)
-      result.strain_share.row(i) /= total;  // (6.12)
+      result.strain_share.row(i) /= total;                                                            // (6.12)
     result.kinetic_share.row(i) = model.M.cwiseProduct(result.shape.col(i).cwiseAbs2()).transpose();  // (6.13)
   }
   return result;
@@ -105,7 +104,7 @@ std::vector<Pole> loss_factor_poles(const MillModel &model, const std::string &n
     throw no_eigenvalues("the lumped model with a loss factor");
   std::vector<Pole> found;
   for (const std::complex<double> mu : solver.eigenvalues())
-    found.push_back(pole_of(std::complex<double>(0, 1) * std::sqrt(mu)));
+    found.push_back({std::sqrt(mu.real()) / (2 * M_PI), mu.imag() / (2 * mu.real())});
   return sorted(found);
 }
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

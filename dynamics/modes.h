@@ -3,8 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace mill::dynamics
-{
+namespace mill::dynamics {
 /// Undamped modes of n masses on s springs, ascending.  theory.md (6.11) to (6.13)
 struct Modes {
   Eigen::VectorXd frequency;      ///< (n) Hz
@@ -24,11 +23,13 @@ struct Pole {
   double damping;    ///< -, -Re(lambda) / |lambda|; 1 for a real, decaying pole
 };
 
-/// Poles of M y'' + C y' + K y = 0 in ascending |lambda|, a complex pair once, real poles one by one.  theory.md (6.14)
-/// Taken from the state matrix and not from the modes, so that any C is right, the gap damper included.  Cost O(n^3).
+/// Poles of M y'' + C y' + K y = 0 in ascending |lambda|, a complex pair once, real poles one by one.  theory.md
+/// (6.14) Taken from the state matrix and not from the modes, so that any C is right, the gap damper included.
+/// Cost O(n^3).
 std::vector<Pole> poles(const MillModel &model);
 
 /// Poles with spring `name` replaced by the complex stiffness k (1 + i eta), C left out.  theory.md (6.15)
+/// An eigenvalue is w^2 (1 + i eta_k): frequency w / 2 pi, damping eta_k / 2, half of the loss factor of the mode.
 /// @throws InputError  no spring of that name
 std::vector<Pole> loss_factor_poles(const MillModel &model, const std::string &name, double eta);
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace mill::dynamics
-{
+namespace mill::dynamics {
 Response mill_response(const MillModel &model, const ForceRecord &force, const double output_rate,
                        const HoldForm wanted)
 {
@@ -44,9 +43,9 @@ std::string output_rate_warning(const double output_rate, const double highest_m
   return text;
 }
 
-namespace
-{
-Level level_between(const Eigen::VectorXd &time, const Eigen::VectorXd &signal, const double begin, const double end)
+namespace {
+Level level_between(const Eigen::VectorXd &time, const Eigen::VectorXd &signal, const double begin,
+                    const double end)
 {
   const auto first = std::lower_bound(time.begin(), time.end(), begin) - time.begin();
   const auto last  = std::upper_bound(time.begin(), time.end(), end) - time.begin();
@@ -55,7 +54,7 @@ Level level_between(const Eigen::VectorXd &time, const Eigen::VectorXd &signal, 
                      "check that both count seconds from the same instant");
   return level(signal.segment(first, last - first));
 }
-} // namespace
+}  // namespace
 
 Comparison compare(const Response &response, const MeasuredRecord &measured)
 {
@@ -81,7 +80,8 @@ Table response_table(const Response &response)
     table.columns.push_back(column);
   };
   add("time", "s", response.time);
-  for (const Mass mass : {upper_work_roll, lower_work_roll, upper_frame, upper_backup_roll, lower_backup_roll, lower_frame}) {
+  for (const Mass mass :
+       {upper_work_roll, lower_work_roll, upper_frame, upper_backup_roll, lower_backup_roll, lower_frame}) {
     std::string name = response.labels[std::size_t(mass)];
     std::replace(name.begin(), name.end(), ' ', '_');
     add(name, "g", response.acceleration.col(mass) / standard_gravity);
@@ -90,4 +90,4 @@ Table response_table(const Response &response)
   add("load_cell", "kN", response.load_cell / 1e3);
   return table;
 }
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace mill::dynamics
-{
+namespace mill::dynamics {
 /// Motion of the six masses under a force record, n output times.
 struct Response {
   std::vector<std::string> labels;  ///< (6) what moves, columns of acceleration
@@ -34,8 +33,8 @@ struct Level {
 };
 Level level(const Eigen::VectorXd &acceleration);
 
-/// Sentence when the output is too coarse to show the peaks of the highest mode (fewer than 20 points per period: a
-/// peak may be seen up to 1.2 % low); empty when it is fine.
+/// Sentence when the output is too coarse to show the peaks of the highest mode (fewer than 20 points per period:
+/// a peak may be seen up to 1.2 % low); empty when it is fine.
 std::string output_rate_warning(double output_rate, double highest_mode);
 
 /// One roll, computed beside measured.
@@ -60,4 +59,4 @@ Comparison compare(const Response &response, const MeasuredRecord &measured);
 /// The response as it is written: time [s], upper_work_roll [g], lower_work_roll [g], the other four masses [g],
 /// force [kN], load_cell [kN].
 Table response_table(const Response &response);
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

@@ -8,10 +8,8 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
-namespace mill::dynamics
-{
-namespace
-{
+namespace mill::dynamics {
+namespace {
 std::string hertz(const double frequency)
 {
   char text[40];
@@ -62,7 +60,7 @@ std::complex<double> normal_pair(std::mt19937_64 &engine)
   const double radius = std::sqrt(-2 * std::log(uniform()));
   return std::polar(radius, 2 * M_PI * uniform());
 }
-} // namespace
+}  // namespace
 
 ForceStatistics force_statistics(const ForceRecord &record)
 {
@@ -119,13 +117,14 @@ ForceRecord synthetic_force(const NoiseSettings &settings)
   const Eigen::VectorXd white = Eigen::Map<const Eigen::VectorXd>(noise.data(), n);
   Eigen::Index low = 0, high = 0;
   const double smallest = white.minCoeff(&low), largest = white.maxCoeff(&high);
-  require(largest > smallest, "bandwidth " + hertz(settings.bandwidth) + " leaves no line of the spectrum to fill");
+  require(largest > smallest,
+          "bandwidth " + hertz(settings.bandwidth) + " leaves no line of the spectrum to fill");
   const double scale = (settings.range[1] - settings.range[0]) / (largest - smallest);
   record.force       = settings.range[0] + (white.array() - smallest) * scale;
   record.force[low]  = settings.range[0];  // exact, whatever the rounding of the line above
   record.force[high] = settings.range[1];
-  record.notes = {"made, not measured: Gaussian noise white to " + hertz(settings.bandwidth) + ", seed " +
-                  std::to_string(settings.seed)};
+  record.notes       = {"made, not measured: Gaussian noise white to " + hertz(settings.bandwidth) + ", seed " +
+                        std::to_string(settings.seed)};
   return record;
 }
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

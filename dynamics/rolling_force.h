@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace mill::dynamics
-{
+namespace mill::dynamics {
 /// What a force record says about itself.
 struct ForceStatistics {
   double mean;         ///< N, over the samples
@@ -19,8 +18,8 @@ struct ForceStatistics {
                        ///<     density; for white noise cut off at f this is f.  0 for a constant force
 };
 
-/// Statistics of a record of n >= 2 samples; uneven samples are read at the mean rate on the straight lines between
-/// them for the spectrum.  Cost O(n log n).  theory.md (7.12)
+/// Statistics of a record of n >= 2 samples; uneven samples are read at the mean rate on the straight lines
+/// between them for the spectrum.  Cost O(n log n).  theory.md (7.12)
 ForceStatistics force_statistics(const ForceRecord &record);
 
 /// One or two sentences when the record cannot excite the highest mode; empty when it can.
@@ -30,16 +29,16 @@ std::string bandwidth_warning(const ForceStatistics &statistics, double highest_
 /// A made force record.
 struct NoiseSettings {
   std::array<double, 2> range;  ///< N, smallest and largest value, reached exactly
-  double duration  = 10;        ///< s
-  double bandwidth = 1000;      ///< Hz, white from 0 to here and nothing above
-  double rate      = 10e3;      ///< Hz, samples per second, at least twice the bandwidth
+  double duration    = 10;      ///< s
+  double bandwidth   = 1000;    ///< Hz, white from 0 to here and nothing above
+  double rate        = 10e3;    ///< Hz, samples per second, at least twice the bandwidth
   std::uint64_t seed = 1;
 };
 
-/// Gaussian noise, white to the bandwidth, shifted and scaled so that its smallest and largest value are the range:
-/// rate * duration + 1 samples from time 0.  The same seed gives the same record on every platform to rounding: the
-/// deviates are made here from std::mt19937_64 and not by std::normal_distribution, which each library does its way.
-/// Cost: one FFT.  theory.md (7.13)
+/// Gaussian noise, white to the bandwidth, shifted and scaled so that its smallest and largest value are the
+/// range: rate * duration + 1 samples from time 0.  The same seed gives the same record on every platform to
+/// rounding: the deviates are made here from std::mt19937_64 and not by std::normal_distribution, which each
+/// library does its way. Cost: one FFT.  theory.md (7.13)
 /// @throws InputError  range not increasing, bandwidth not between 0 and rate/2, no two samples
 ForceRecord synthetic_force(const NoiseSettings &settings);
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

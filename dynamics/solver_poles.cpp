@@ -3,10 +3,8 @@
 #include <cmath>
 #include <complex>
 
-namespace mill::dynamics
-{
-namespace
-{
+namespace mill::dynamics {
+namespace {
 // One step of  M a(n+1-am) + K y(n+1-af) = 0  with Newmark's update of y and y', written for the state
 // (y, h y', h^2 y''):  left * new = right * old.  (7.10)
 Eigen::Matrix3d generalised_alpha_step(const double wh, const double rho)
@@ -24,7 +22,7 @@ Pole of_amplification(const std::complex<double> factor, const double step)
   const double growth = std::log(std::abs(factor)), turn = std::abs(std::arg(factor));
   return {turn / (2 * M_PI * step), -growth / std::hypot(growth, turn)};
 }
-} // namespace
+}  // namespace
 
 Pole seen_through(const StepMethod method, const double frequency, const double step, const double rho)
 {
@@ -41,4 +39,4 @@ Pole seen_through(const StepMethod method, const double frequency, const double 
       mode = factor;
   return of_amplification(mode, step);
 }
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

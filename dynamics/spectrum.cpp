@@ -6,10 +6,8 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
-namespace mill::dynamics
-{
-namespace
-{
+namespace mill::dynamics {
+namespace {
 Eigen::Index power_of_two_within(const Eigen::Index n)
 {
   Eigen::Index power = 1;
@@ -23,7 +21,7 @@ Eigen::Index chosen_length(const Eigen::Index n)
   return std::max(power_of_two_within(std::max<Eigen::Index>(n / 8, 1)),
                   std::min<Eigen::Index>(256, power_of_two_within(n)));
 }
-} // namespace
+}  // namespace
 
 Spectrum amplitude_spectral_density(const Eigen::VectorXd &signal, const double rate, Eigen::Index segment_length)
 {
@@ -55,4 +53,4 @@ Spectrum amplitude_spectral_density(const Eigen::VectorXd &signal, const double 
   result.density = result.density.cwiseSqrt();  // (7.11)
   return result;
 }
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

@@ -1,8 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-namespace mill::dynamics
-{
+namespace mill::dynamics {
 /// One-sided amplitude spectral density, mean of overlapping segments (Welch), Hann window.  theory.md (7.11)
 struct Spectrum {
   Eigen::VectorXd frequency;    ///< (L/2 + 1) Hz, 0 .. rate/2
@@ -17,7 +16,8 @@ struct Spectrum {
 /// @param signal          (n) n >= 2
 /// @param rate            Hz, samples per second
 /// @param segment_length  0: the longest power of two of which eight fit into the signal, so that the scatter of a
-///                        line is about a quarter of its power; a signal shorter than 2048 samples has fewer segments
+///                        line is about a quarter of its power; a signal shorter than 2048 samples has fewer
+///                        segments
 /// Cost O(n log L).  Source: P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70-73.
 Spectrum amplitude_spectral_density(const Eigen::VectorXd &signal, double rate, Eigen::Index segment_length = 0);
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

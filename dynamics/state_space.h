@@ -2,8 +2,7 @@
 #include "dynamics/mill_model.h"
 #include <Eigen/Core>
 
-namespace mill::dynamics
-{
+namespace mill::dynamics {
 /// x' = A x + B F,  output = C x + D F.
 struct StateSpace {
   Eigen::MatrixXd A;  ///< (s, s) 1/s
@@ -19,4 +18,8 @@ struct StateSpace {
 /// eight digits to the scale alone.  In [w q; q'] the undamped A is skew and its norm is the highest frequency.
 /// Cost O(n^3).
 StateSpace state_space(const MillModel &model);
-} // namespace mill::dynamics
+
+/// State at rest under a constant force (N):  A x = -B F.  (s)  theory.md (7.7)
+/// @throws SolverError  A is singular: a part of the chain is not held to the ground
+Eigen::VectorXd equilibrium(const StateSpace &system, double force);
+}  // namespace mill::dynamics

@@ -1,5 +1,4 @@
 #include "dynamics/time_integration.h"
-#include "core/errors.h"
 #include "dynamics/time_walk.h"
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -11,21 +10,9 @@
 #include <optional>
 #include <unsupported/Eigen/MatrixFunctions>
 
-namespace mill::dynamics
-{
-namespace
-{
+namespace mill::dynamics {
+namespace {
 using Complex = std::complex<double>;
-
-Eigen::VectorXd equilibrium(const StateSpace &system, const double force)
-{
-  const Eigen::FullPivLU<Eigen::MatrixXd> factor(system.A);
-  if (!factor.isInvertible())
-    throw SolverError({"start of the time integration: no static equilibrium under the first force sample",
-                       "the state matrix is singular", "a part of the lumped model is not held to the ground",
-                       "give K1, K2, K3, K5, K6 and K7 values above zero", ""});
-  return factor.solve(-system.B * force);
-}
 
 // x(n+1) = E11 x + E12 F0 + E13 (F1 - F0)  (7.2), (7.3)
 class ExponentialForm {
@@ -156,8 +143,8 @@ public:
     const Eigen::Index n = er_.size();
     for (Eigen::Index k = 0; k < n; ++k) {
       const double re = z_[k], im = z_[n + k];
-      z_[k]           = er_[k] * re - ei_[k] * im + ar_[k] * F0 + br_[k] * F1;
-      z_[n + k]       = er_[k] * im + ei_[k] * re + ai_[k] * F0 + bi_[k] * F1;
+      z_[k]     = er_[k] * re - ei_[k] * im + ar_[k] * F0 + br_[k] * F1;
+      z_[n + k] = er_[k] * im + ei_[k] * re + ai_[k] * F0 + bi_[k] * F1;
     }
   }
 
@@ -189,7 +176,7 @@ template <class Form> void march(Form form, const ForceRecord &force, const Outp
     }
   });
 }
-} // namespace
+}  // namespace
 
 HoldResult first_order_hold(const StateSpace &system, const ForceRecord &force, const double output_rate,
                             const HoldForm wanted)
@@ -197,19 +184,20 @@ HoldResult first_order_hold(const StateSpace &system, const ForceRecord &force, 
   assert(force.time.size() >= 2 && force.time.size() == force.force.size() && output_rate > 0);
   const OutputGrid grid = output_grid(force, output_rate);
   HoldResult result;
-  result.form     = wanted;
-  result.time     = grid.begin + Eigen::ArrayXd::LinSpaced(grid.n, 0, double(grid.n - 1)) * grid.step;
-  result.force    = Eigen::VectorXd::Constant(grid.n, force.force[0]);
-  result.output   = Eigen::MatrixXd::Zero(system.C.rows(), grid.n);
+  result.form      = wanted;
+  result.time      = grid.begin + Eigen::ArrayXd::LinSpaced(grid.n, 0, double(grid.n - 1)) * grid.step;
+  result.force     = Eigen::VectorXd::Constant(grid.n, force.force[0]);
+  result.output    = Eigen::MatrixXd::Zero(system.C.rows(), grid.n);
   const auto poles = wanted == HoldForm::modal ? diagonal(system) : std::nullopt;
   if (poles && (poles->lambda.array().abs() > 0).all()) {
     march(ModalForm(*poles, system.D, force.force[0]), force, grid, result);
     return result;
   }
   if (wanted == HoldForm::modal)
-    result.note = "repeated poles without independent shapes: integrated with the matrix exponential, not by modes";
+    result.note =
+        "repeated poles without independent shapes: integrated with the matrix exponential, not by modes";
   result.form = HoldForm::matrix_exponential;
   march(ExponentialForm(system, force.force[0]), force, grid, result);
   return result;
 }
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

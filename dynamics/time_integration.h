@@ -4,8 +4,7 @@
 #include <Eigen/Core>
 #include <string>
 
-namespace mill::dynamics
-{
+namespace mill::dynamics {
 /// Two ways to the same numbers.  theory.md 7
 enum class HoldForm {
   modal,               ///< one complex number per mode and step: fast; needs eigenvectors that are independent
@@ -21,10 +20,10 @@ struct HoldResult {
   std::string note;        ///< why it is not the wanted one; empty when it is
 };
 
-/// Response of a linear system to a force that runs in straight lines between its samples (first-order hold), exact
-/// but for rounding: no step limits stability or accuracy, the output rate only decides which peaks are seen.
-/// Starts at rest in the equilibrium under the first sample.  Every break point of the force is honoured: where one
-/// falls between two output times the step is split there.
+/// Response of a linear system to a force that runs in straight lines between its samples (first-order hold),
+/// exact but for rounding: no step limits stability or accuracy, the output rate only decides which peaks are
+/// seen. Starts at rest in the equilibrium under the first sample.  Every break point of the force is honoured:
+/// where one falls between two output times the step is split there.
 ///
 /// @param system       s states, m outputs
 /// @param force        n >= 2 samples, time increasing in s, any spacing
@@ -38,4 +37,4 @@ struct HoldResult {
 /// theory.md (7.2) to (7.6)
 HoldResult first_order_hold(const StateSpace &system, const ForceRecord &force, double output_rate,
                             HoldForm wanted = HoldForm::modal);
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

@@ -1,10 +1,8 @@
 #include "dynamics/time_walk.h"
 #include <algorithm>
 
-namespace mill::dynamics
-{
-namespace
-{
+namespace mill::dynamics {
+namespace {
 // Times written with few digits are even to about a millionth of their spacing; the force read there is that much
 // of one sample's change beside the straight line.
 constexpr double evenness = 1e-6;
@@ -15,7 +13,7 @@ bool evenly_spaced(const Eigen::VectorXd &time, const double spacing)
   return ((time.array() - time[0]) / spacing - Eigen::ArrayXd::LinSpaced(n, 0, double(n - 1))).abs().maxCoeff() <
          evenness;
 }
-} // namespace
+}  // namespace
 
 OutputGrid output_grid(const ForceRecord &force, const double output_rate)
 {
@@ -40,4 +38,4 @@ CommonGrid common_grid(const ForceRecord &force, const OutputGrid &grid)
   }
   return {};
 }
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

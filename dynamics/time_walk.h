@@ -3,8 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace mill::dynamics
-{
+namespace mill::dynamics {
 /// Uniform output times begin + k step, k = 0..n-1.
 struct OutputGrid {
   double begin;    ///< s
@@ -52,8 +51,9 @@ template <class Visit> void walk(const ForceRecord &force, const OutputGrid &gri
     }
     return;
   }
-  const double same = 1e-9 * grid.step;  // two times closer than this are one: the force between them moves as little
-  Eigen::Index i    = 0;                 // samples i and i + 1 span the line the walk is on
+  const double same =
+      1e-9 * grid.step;  // two times closer than this are one: the force between them moves as little
+  Eigen::Index i = 0;    // samples i and i + 1 span the line the walk is on
   double now = grid.begin, F0 = F[0];
   for (Eigen::Index k = 1; k < grid.n; ++k) {
     const double end = grid.begin + double(k) * grid.step;
@@ -69,4 +69,4 @@ template <class Visit> void walk(const ForceRecord &force, const OutputGrid &gri
     F0  = F1;
   }
 }
-} // namespace mill::dynamics
+}  // namespace mill::dynamics

@@ -239,6 +239,11 @@ Eigen::VectorXd ElasticBody::face_load(const std::string &group, double (*weight
   return self->face_integral(group, [&](const dealii::Point<3> &p) { return weight(p[2], context); });
 }
 
+std::string library_version()
+{
+  return DEAL_II_PACKAGE_VERSION;
+}
+
 void set_assembly_threads(const int n)
 {
   MultithreadInfo::set_thread_limit(unsigned(n));

@@ -43,6 +43,8 @@ private:
   std::unique_ptr<Implementation> self;
 };
 
+std::string library_version();  ///< of deal.II, "9.4.1"
+
 /// Threads that assembly may use.
 void set_assembly_threads(int n);
 } // namespace mill::fem

@@ -14,6 +14,11 @@ GmshSession::GmshSession()
   gmsh::model::add("millstand");
 }
 
+std::string library_version()
+{
+  return GMSH_API_VERSION;
+}
+
 GmshSession::~GmshSession()
 {
   gmsh::finalize();

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <gmsh.h>
+#include <unistd.h>
 
 namespace mill::meshes
 {
@@ -96,6 +97,17 @@ std::vector<double> graded_layers(const double length, const double end_layer, c
   return layers;
 }
 
+MeshFile known_mesh(const std::string &path, const RollGeometry &geometry)
+{
+  MeshFile mesh;
+  mesh.path     = path;
+  mesh.geometry = geometry;
+  for (std::size_t i = 0; i < group_names.size(); ++i)
+    if (geometry.neck_length > 0 || (group_names[i] != "neck" && group_names[i] != "shoulder"))
+      mesh.groups[group_names[i]] = int(i) + 1;
+  return mesh;
+}
+
 MeshFile mesh_roll(const std::string &name, const RollGeometry &geometry, const RollMeshSize &size,
                    const std::string &path)
 {
@@ -124,9 +136,7 @@ MeshFile mesh_roll(const std::string &name, const RollGeometry &geometry, const 
   }
   geo::synchronize();
 
-  MeshFile mesh;
-  mesh.path     = path;
-  mesh.geometry = geometry;
+  MeshFile mesh = known_mesh(path, geometry);
   gmsh::vectorpair volumes, faces;
   gmsh::model::getEntities(volumes, 3);
   gmsh::model::getEntities(faces, 2);
@@ -137,15 +147,11 @@ MeshFile mesh_roll(const std::string &name, const RollGeometry &geometry, const 
   std::map<std::string, std::vector<int>> members;
   for (const auto &face : faces)
     members[group_of(face.second, geometry, patch_half_width(section))].push_back(face.second);
-  for (std::size_t i = 0; i < group_names.size(); ++i) {
-    const bool needed = geometry.neck_length > 0 || (group_names[i] != "neck" && group_names[i] != "shoulder");
-    if (needed && members[group_names[i]].empty())
-      throw SolverError({"mesh of the " + name + ": no face belongs to the group " + group_names[i], "", "", "", ""});
-    if (members[group_names[i]].empty())
-      continue;
-    mesh.groups[group_names[i]] = int(i) + 1;
-    gmsh::model::addPhysicalGroup(2, members[group_names[i]], int(i) + 1);
-    gmsh::model::setPhysicalName(2, int(i) + 1, group_names[i]);
+  for (const auto &[group, id] : mesh.groups) {
+    if (members[group].empty())
+      throw SolverError({"mesh of the " + name + ": no face belongs to the group " + group, "", "", "", ""});
+    gmsh::model::addPhysicalGroup(2, members[group], id);
+    gmsh::model::setPhysicalName(2, id, group);
   }
   gmsh::model::mesh::generate(3);
 
@@ -165,7 +171,7 @@ MeshFile mesh_roll(const std::string &name, const RollGeometry &geometry, const 
   mesh.n_cells            = int(elements.size());
   mesh.contact_element    = section.first_element;
   mesh.contact_half_width = patch_half_width(section);
-  const std::string aside = path + ".part.msh";
+  const std::string aside = path + "." + std::to_string(::getpid()) + ".msh";  // Gmsh goes by the ending
   gmsh::write(aside);
   std::filesystem::rename(aside, path);
   return mesh;

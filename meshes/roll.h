@@ -25,4 +25,7 @@ std::vector<double> graded_layers(double length, double end_layer, double growth
 /// Cost: some tenths of a second; the file is written aside and renamed.
 MeshFile mesh_roll(const std::string &name, const RollGeometry &geometry, const RollMeshSize &size,
                    const std::string &path);
+
+/// Description of a mesh that mesh_roll wrote earlier, without reading it: path, geometry and the ids of the groups.
+MeshFile known_mesh(const std::string &path, const RollGeometry &geometry);
 } // namespace mill::meshes

@@ -3,27 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mill::reduce
-{
-namespace
-{
+namespace mill::reduce {
+namespace {
 /// cosh cos, sinh sin, cosh sin, sinh cos of the argument u, and their derivatives over u.
 /// Each derivative is a pair of the four again, so the rows follow from one another: (4.9).
 Eigen::RowVector4d bed_functions(const double u, const int derivative)
 {
   const double C = std::cosh(u), S = std::sinh(u), c = std::cos(u), s = std::sin(u);
   const Eigen::RowVector4d f(C * c, S * s, C * s, S * c);
-  Eigen::Matrix4d next;        // d/du f = f * next
-  next << 0, 0, 1, 1,          // (cosh sin)' = sinh sin + cosh cos,  (sinh cos)' = cosh cos - sinh sin
-      0, 0, 1, -1,             //
-      -1, 1, 0, 0,             // (cosh cos)' = sinh cos - cosh sin,  (sinh sin)' = cosh sin + sinh cos
+  Eigen::Matrix4d next;  // d/du f = f * next
+  next << 0, 0, 1, 1,    // (cosh sin)' = sinh sin + cosh cos,  (sinh cos)' = cosh cos - sinh sin
+      0, 0, 1, -1,       //
+      -1, 1, 0, 0,       // (cosh cos)' = sinh cos - cosh sin,  (sinh sin)' = cosh sin + sinh cos
       1, 1, 0, 0;
   Eigen::RowVector4d value = f;
   for (int i = 0; i < derivative; ++i)
     value = value * next;
   return value;
 }
-} // namespace
+}  // namespace
 
 BeamSection round_section(const double diameter, const Material &m)
 {
@@ -43,12 +41,12 @@ SteppedBeam backup_beam(const FourHigh &stand)
 double drop(const SteppedBeam &beam, const double position)
 {
   const double a = beam.half_span, c = beam.half_load, h = beam.half_barrel;
-  const double x  = std::abs(position);
+  const double x = std::abs(position);
   // Under the load, (4.4): bending D with slope t, shear S.
   const double x1 = std::min(x, c);
-  double D = ((2 * a - c) * x1 * x1 / 8 - std::pow(x1, 4) / (48 * c)) / beam.barrel.bending;
-  double t = ((2 * a - c) * x1 / 4 - std::pow(x1, 3) / (12 * c)) / beam.barrel.bending;
-  double S = x1 * x1 / (4 * c * beam.barrel.shear);
+  double D        = ((2 * a - c) * x1 * x1 / 8 - std::pow(x1, 4) / (48 * c)) / beam.barrel.bending;
+  double t        = ((2 * a - c) * x1 / 4 - std::pow(x1, 3) / (12 * c)) / beam.barrel.bending;
+  double S        = x1 * x1 / (4 * c * beam.barrel.shear);
   // Beyond the load, zone from x0 to x1, (4.5): the moment is (a - x)/2, the shear force 1/2.
   const auto zone = [&](const double x0, const double end, const BeamSection &section) {
     const double s = end - x0;
@@ -94,13 +92,14 @@ BedShape bed_shape(const BarrelOnBed &roll)
     shape.end_deflection = 1 / (2 * h * k);
     return shape;
   }
-  // w and its first three derivatives continue at the strip edge; no moment and no shear force at the barrel end, (4.10).
+  // w and its first three derivatives continue at the strip edge; no moment and no shear force at the barrel end,
+  // (4.10).
   Eigen::Matrix<double, 6, 6> condition = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> right     = Eigen::Matrix<double, 6, 1>::Zero();
   for (int order = 0; order < 4; ++order) {
-    const Eigen::RowVector4d at_strip       = bed_functions(shape.wave_number * s, order);
-    condition.block<1, 2>(order, 0) = at_strip.head<2>();
-    condition.block<1, 4>(order, 2) = -at_strip;
+    const Eigen::RowVector4d at_strip = bed_functions(shape.wave_number * s, order);
+    condition.block<1, 2>(order, 0)   = at_strip.head<2>();
+    condition.block<1, 4>(order, 2)   = -at_strip;
   }
   condition.block<1, 4>(4, 2) = bed_functions(shape.wave_number * h, 2);
   condition.block<1, 4>(5, 2) = bed_functions(shape.wave_number * h, 3);
@@ -125,4 +124,4 @@ double deflection(const BedShape &shape, const double position)
     return 1 / (2 * roll.half_strip * roll.bed_stiffness) + f.head<2>().dot(shape.constant.head<2>());
   return f.dot(shape.constant.tail<4>());
 }
-} // namespace mill::reduce
+}  // namespace mill::reduce

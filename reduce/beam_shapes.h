@@ -3,8 +3,7 @@
 #include <Eigen/Core>
 #include <limits>
 
-namespace mill::reduce
-{
+namespace mill::reduce {
 /// Stiffness of a beam section.
 struct BeamSection {
   double bending = 0;                                        ///< N m2, E I
@@ -26,7 +25,8 @@ struct SteppedBeam {
 /// The case's backup roll, loaded over its whole barrel.
 SteppedBeam backup_beam(const FourHigh &stand);
 
-/// How much less the point x (m from mid-span, |x| <= half_span) moves than mid-span under a total load of 1 N, m/N, (4.6).
+/// How much less the point x (m from mid-span, |x| <= half_span) moves than mid-span under a total load of 1 N,
+/// m/N, (4.6).
 double drop(const SteppedBeam &beam, double x);
 
 /// Deflection under a total load of 1 N, from the bearing centres, m/N, (4.7).
@@ -35,11 +35,12 @@ double deflection(const SteppedBeam &beam, double x);
 /// 1/K_ZW with the deflection at mid-span, m/N, (4.8a).
 double mid_flexibility(const SteppedBeam &beam);
 
-/// 1/K_ZW with the mean deflection under the load, m/N, (4.8b): the stiffness that belongs to the work of the load.
+/// 1/K_ZW with the mean deflection under the load, m/N, (4.8b): the stiffness that belongs to the work of the
+/// load.
 double mean_flexibility(const SteppedBeam &beam);
 
-/// Work roll pressed by the strip against the contact line with the backup roll: Euler beam with free ends on a bed.
-/// theory.md 4.3
+/// Work roll pressed by the strip against the contact line with the backup roll: Euler beam with free ends on a
+/// bed. theory.md 4.3
 struct BarrelOnBed {
   double half_barrel   = 0;  ///< m, h
   double half_strip    = 0;  ///< m, s; >= half_barrel: the roll sinks in evenly
@@ -50,15 +51,16 @@ struct BarrelOnBed {
 /// Solution of BarrelOnBed: constants of (4.9) and what the necks continue with.
 struct BedShape {
   BarrelOnBed roll;
-  double wave_number = 0;  ///< 1/m
+  double wave_number                   = 0;                                    ///< 1/m
   Eigen::Matrix<double, 6, 1> constant = Eigen::Matrix<double, 6, 1>::Zero();  ///< m/N
-  double end_deflection = 0;  ///< m/N, at the barrel end
-  double end_slope      = 0;  ///< 1/N, there
+  double end_deflection                = 0;                                    ///< m/N, at the barrel end
+  double end_slope                     = 0;                                    ///< 1/N, there
 };
 
 /// Solves the six conditions of (4.10).  @throws InputError  bed stiffness or a length not positive
 BedShape bed_shape(const BarrelOnBed &roll);
 
-/// Deflection of the roll at x (m from mid-length) under a strip load of 1 N, m/N; straight beyond the barrel, (4.9).
+/// Deflection of the roll at x (m from mid-length) under a strip load of 1 N, m/N; straight beyond the barrel,
+/// (4.9).
 double deflection(const BedShape &shape, double x);
-} // namespace mill::reduce
+}  // namespace mill::reduce

@@ -2,23 +2,23 @@
 #include <cmath>
 #include <sstream>
 
-namespace mill::reduce
-{
-namespace
-{
-constexpr double degree          = M_PI / 180;
-constexpr double angle_tolerance = 0.5 * degree;  // what a drawing or a catalogue fixes; 0.5 deg moves Kzc by 0.6 %
-} // namespace
+namespace mill::reduce {
+namespace {
+constexpr double degree = M_PI / 180;
+constexpr double angle_tolerance =
+    0.5 * degree;  // what a drawing or a catalogue fixes; 0.5 deg moves Kzc by 0.6 %
+}  // namespace
 
-ApexClosure apex_closure(const double D_pw, const double D_we, const double roller_cone_angle, const int rollers_per_row)
+ApexClosure apex_closure(const double D_pw, const double D_we, const double roller_cone_angle,
+                         const int rollers_per_row)
 {
   const double beta = roller_cone_angle / 2;
   const double sine = D_pw / D_we * std::tan(beta);  // (5.1)
   if (!(sine >= 0 && sine < 1)) {
     std::ostringstream text;
-    text << "tapered roller: no cup angle closes the apex condition for a roller cone of " << roller_cone_angle / degree
-         << " deg included, roller diameter " << D_we * 1e3 << " mm and pitch diameter " << D_pw * 1e3
-         << " mm; is the cone angle the included one?";
+    text << "tapered roller: no cup angle closes the apex condition for a roller cone of "
+         << roller_cone_angle / degree << " deg included, roller diameter " << D_we * 1e3
+         << " mm and pitch diameter " << D_pw * 1e3 << " mm; is the cone angle the included one?";
     throw InputError(text.str());
   }
   const double axis = std::asin(sine);
@@ -37,9 +37,10 @@ void require_closed_apex(const RollerBearing &b)
   const double closing = D_pw * std::tan(beta) / std::sin(b.cup_angle - beta);  // (5.1) solved for D_we
   std::ostringstream text;
   text.precision(5);
-  text << "bearing." << b.name << ": cup angle " << b.cup_angle / degree << " deg does not close the apex condition; with a "
-       << b.roller_diameter * 1e3 << " mm roller of " << b.roller_cone_angle / degree << " deg included on a " << D_pw * 1e3
-       << " mm pitch circle it is " << closed.cup_angle / degree << " deg";
+  text << "bearing." << b.name << ": cup angle " << b.cup_angle / degree
+       << " deg does not close the apex condition; with a " << b.roller_diameter * 1e3 << " mm roller of "
+       << b.roller_cone_angle / degree << " deg included on a " << D_pw * 1e3 << " mm pitch circle it is "
+       << closed.cup_angle / degree << " deg";
   if (closing > 0)
     text << "; the given angle would need a roller diameter of " << closing * 1e3 << " mm, "
          << (closing > closed.largest_roller_diameter ? "more than the " : "and there is room for ")
@@ -66,4 +67,4 @@ Eigen::VectorXd roller_azimuths(const RollerBearing &b)
   const int Z = b.rollers_per_row;
   return 2 * M_PI / Z * Eigen::VectorXd::LinSpaced(Z, 0, Z - 1);
 }
-} // namespace mill::reduce
+}  // namespace mill::reduce

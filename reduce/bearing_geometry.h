@@ -2,8 +2,7 @@
 #include "core/stand.h"
 #include <Eigen/Core>
 
-namespace mill::reduce
-{
+namespace mill::reduce {
 /// Angles with which roller, cup and cone of a tapered row share one apex, so that the rollers roll without slip.
 struct ApexClosure {
   double axis_angle;               ///< rad, of the roller axis, (5.1)
@@ -16,10 +15,11 @@ struct ApexClosure {
 /// @param pitch_diameter, roller_diameter  m, at mid-roller
 /// @param roller_cone_angle  rad, included angle 2 beta of the roller
 /// @throws InputError  no angle closes: the included angle is too large for this pair of diameters
-ApexClosure apex_closure(double pitch_diameter, double roller_diameter, double roller_cone_angle, int rollers_per_row);
+ApexClosure apex_closure(double pitch_diameter, double roller_diameter, double roller_cone_angle,
+                         int rollers_per_row);
 
-/// Refuses a tapered bearing whose cup angle is more than 0.5 deg away from the closing one; a catalogue angle is not
-/// known better.  Does nothing for a cylindrical bearing or without a roller diameter.
+/// Refuses a tapered bearing whose cup angle is more than 0.5 deg away from the closing one; a catalogue angle is
+/// not known better.  Does nothing for a cylindrical bearing or without a roller diameter.
 /// @throws InputError  with the closing angle and the roller diameter that would close the given angle
 void require_closed_apex(const RollerBearing &bearing);
 
@@ -32,4 +32,4 @@ Eigen::VectorXd row_positions(const RollerBearing &bearing);
 
 /// Azimuth of the rollers of a row (rollers_per_row), rad; roller 0 lies on the line of the load.
 Eigen::VectorXd roller_azimuths(const RollerBearing &bearing);
-} // namespace mill::reduce
+}  // namespace mill::reduce

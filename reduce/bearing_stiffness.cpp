@@ -4,10 +4,8 @@
 #include <cmath>
 #include <sstream>
 
-namespace mill::reduce
-{
-namespace
-{
+namespace mill::reduce {
+namespace {
 /// What stays the same while the ring moves.
 struct RigidRings {
   RollerLaw law;
@@ -22,10 +20,12 @@ struct RigidRings {
 RigidRings rigid_rings(const RollerBearing &b, const double tilt)
 {
   require_closed_apex(b);
-  RigidRings rings{roller_law(b), std::cos(b.cup_angle), b.radial_clearance / 2, tilt, row_positions(b), roller_azimuths(b),
+  RigidRings rings{roller_law(b), std::cos(b.cup_angle), b.radial_clearance / 2,
+                   tilt,          row_positions(b),      roller_azimuths(b),
                    tilt == 0};
   if (!rings.rows_equal && !rings.position.allFinite())
-    throw InputError("bearing." + b.name + ": a tilted ring needs the bearing width, from which the row positions follow");
+    throw InputError("bearing." + b.name +
+                     ": a tilted ring needs the bearing width, from which the row positions follow");
   return rings;
 }
 
@@ -52,8 +52,9 @@ RadialForce row_force(const RigidRings &rings, const double displacement, const 
 {
   RadialForce sum;
   for (const double phi : rings.azimuth) {
-    const RollerLoad roller = roller_load(rings.law, approach(rings, displacement, row, phi), roller_tilt(rings, phi));
-    const double direction  = rings.cosine * std::cos(phi);
+    const RollerLoad roller =
+        roller_load(rings.law, approach(rings, displacement, row, phi), roller_tilt(rings, phi));
+    const double direction = rings.cosine * std::cos(phi);
     sum.force += roller.load * direction;
     sum.stiffness += roller.stiffness * direction * direction;
   }
@@ -79,24 +80,26 @@ RadialForce bearing_force(const RigidRings &rings, const double displacement)
 /// A displacement at which the bearing carries more than `load`: clearance and profile taken up, then doubled.
 double beyond(const RigidRings &rings, const double load)
 {
-  const double whole = rings.law.lamina_constant * double(rings.law.position.size());
+  const double whole  = rings.law.lamina_constant * double(rings.law.position.size());
   double displacement = std::abs(rings.half_clearance) + std::pow(load / whole, 0.9) / rings.cosine;
   for (int i = 0; i < 100; ++i, displacement *= 2)
     if (bearing_force(rings, displacement).force > load)
       return displacement;
   throw SolverError({"bearing: no displacement carries the load", "stopped after 100 doublings",
-                     "a dimension, angle or clearance of the bearing is not a number", "check the [bearing] section", ""});
+                     "a dimension, angle or clearance of the bearing is not a number",
+                     "check the [bearing] section", ""});
 }
 
 /// Newton's method inside a bracket that only shrinks; where Newton leaves it, the bracket is halved.
 double equilibrium(const RigidRings &rings, const double load)
 {
-  double low = 0, high = beyond(rings, load);  // rows and rollers balance at zero displacement, with or without tilt
-  double x = high;
+  double low  = 0,
+         high = beyond(rings, load);  // rows and rollers balance at zero displacement, with or without tilt
+  double x    = high;
   for (int i = 0; i < 200; ++i) {
-    const RadialForce at = bearing_force(rings, x);
+    const RadialForce at           = bearing_force(rings, x);
     (at.force > load ? high : low) = x;
-    double next = x - (at.force - load) / at.stiffness;
+    double next                    = x - (at.force - load) / at.stiffness;
     if (!(next > low && next < high))
       next = (low + high) / 2;
     if (std::abs(next - x) <= 4e-16 * high || next == low || next == high)
@@ -125,15 +128,17 @@ BearingState state_at(const RigidRings &rings, const double load, const double d
   for (Eigen::Index r = 0; r < rows; ++r) {
     state.row_share[r] = row_force(rings, displacement, r).force / load;
     for (Eigen::Index j = 0; j < rollers; ++j)
-      state.roller_load(r, j) =
-          roller_load(rings.law, approach(rings, displacement, r, rings.azimuth[j]), roller_tilt(rings, rings.azimuth[j])).load;
+      state.roller_load(r, j) = roller_load(rings.law, approach(rings, displacement, r, rings.azimuth[j]),
+                                            roller_tilt(rings, rings.azimuth[j]))
+                                    .load;
   }
   state.loaded_rollers = (state.roller_load.array() > 0).cast<int>().rowwise().sum();
   Eigen::Index r, j;
-  state.roller_max       = state.roller_load.maxCoeff(&r, &j);
-  state.roller_approach  = approach(rings, displacement, r, rings.azimuth[j]);
-  state.roller_secant    = state.roller_max / state.roller_approach;
-  state.roller_tangent   = roller_load(rings.law, state.roller_approach, roller_tilt(rings, rings.azimuth[j])).stiffness;
+  state.roller_max      = state.roller_load.maxCoeff(&r, &j);
+  state.roller_approach = approach(rings, displacement, r, rings.azimuth[j]);
+  state.roller_secant   = state.roller_max / state.roller_approach;
+  state.roller_tangent =
+      roller_load(rings.law, state.roller_approach, roller_tilt(rings, rings.azimuth[j])).stiffness;
   return state;
 }
 
@@ -144,12 +149,13 @@ void require_load(const RollerBearing &b, const double load)
   std::ostringstream text;
   text << "bearing." << b.name << ": radial load " << load / 1e3 << " kN; ";
   if (b.radial_clearance > 0)
-    text << "with a clearance of " << b.radial_clearance * 1e6 << " um no roller is loaded without load, so there is no stiffness";
+    text << "with a clearance of " << b.radial_clearance * 1e6
+         << " um no roller is loaded without load, so there is no stiffness";
   else
     text << "the stiffness of rollers grows with load from zero, so a positive load is needed";
   throw InputError(text.str());
 }
-} // namespace
+}  // namespace
 
 BearingState solve_bearing(const RollerBearing &bearing, const double radial_load, const double tilt)
 {
@@ -158,11 +164,12 @@ BearingState solve_bearing(const RollerBearing &bearing, const double radial_loa
   return state_at(rings, radial_load, equilibrium(rings, radial_load));
 }
 
-std::vector<BearingState> bearing_curve(const RollerBearing &bearing, const std::vector<double> &loads, const double tilt)
+std::vector<BearingState> bearing_curve(const RollerBearing &bearing, const std::vector<double> &loads,
+                                        const double tilt)
 {
   std::vector<BearingState> curve;
   for (const double load : loads)
     curve.push_back(solve_bearing(bearing, load, tilt));
   return curve;
 }
-} // namespace mill::reduce
+}  // namespace mill::reduce

@@ -7,14 +7,12 @@
 #include <sstream>
 #include <vector>
 
-namespace mill::reduce
-{
-namespace
-{
-constexpr int n_needed      = 5;     // three unknowns, two left over to judge the fit
-constexpr int n_local       = 7;     // taken when there are as many
-constexpr double worst_fit  = 1e-3;  // a smooth sweep reaches 1e-5; 1e-3 means the form no longer holds
-constexpr double edge_match = 1e-12; // a working load equal to an end of the sweep but for rounding is inside
+namespace mill::reduce {
+namespace {
+constexpr int n_needed      = 5;      // three unknowns, two left over to judge the fit
+constexpr int n_local       = 7;      // taken when there are as many
+constexpr double worst_fit  = 1e-3;   // a smooth sweep reaches 1e-5; 1e-3 means the form no longer holds
+constexpr double edge_match = 1e-12;  // a working load equal to an end of the sweep but for rounding is inside
 
 std::string kilonewton(const double load)
 {
@@ -28,11 +26,13 @@ void require_samples(const ContactCurve &curve)
 {
   const auto n = curve.load.size();
   if (n < n_needed || curve.approach.size() != n)
-    throw InputError("contact " + curve.name + ": the load-approach curve has " + std::to_string(n) + " samples; at least " +
-                     std::to_string(n_needed) + " are needed, see contact." + curve.name + ".samples");
+    throw InputError("contact " + curve.name + ": the load-approach curve has " + std::to_string(n) +
+                     " samples; at least " + std::to_string(n_needed) + " are needed, see contact." + curve.name +
+                     ".samples");
   for (Eigen::Index i = 0; i < n; ++i)
     if (!(curve.load[i] > 0 && curve.approach[i] > 0) || (i > 0 && !(curve.load[i] > curve.load[i - 1])))
-      throw InputError("contact " + curve.name + ": loads and approaches must be positive and the loads increasing; sample " +
+      throw InputError("contact " + curve.name +
+                       ": loads and approaches must be positive and the loads increasing; sample " +
                        std::to_string(i + 1) + " is not");
 }
 
@@ -40,8 +40,9 @@ void require_inside(const ContactCurve &curve, const double load)
 {
   const double low = curve.load[0], high = curve.load[curve.load.size() - 1];
   if (!(load >= low * (1 - edge_match) && load <= high * (1 + edge_match)))
-    throw InputError("contact " + curve.name + ": the working load " + kilonewton(load) + " is outside the computed curve, " +
-                     kilonewton(low) + " .. " + kilonewton(high) + "; widen contact." + curve.name + ".loads");
+    throw InputError("contact " + curve.name + ": the working load " + kilonewton(load) +
+                     " is outside the computed curve, " + kilonewton(low) + " .. " + kilonewton(high) +
+                     "; widen contact." + curve.name + ".loads");
 }
 
 /// Indices of all samples, those nearest to the working load in ln F first and in order.
@@ -50,7 +51,8 @@ std::vector<Eigen::Index> by_distance(const ContactCurve &curve, const double lo
   std::vector<Eigen::Index> index(std::size_t(curve.load.size()));
   std::iota(index.begin(), index.end(), Eigen::Index(0));
   const auto distance = [&](Eigen::Index i) { return std::abs(std::log(curve.load[i] / load)); };
-  std::stable_sort(index.begin(), index.end(), [&](Eigen::Index i, Eigen::Index k) { return distance(i) < distance(k); });
+  std::stable_sort(index.begin(), index.end(),
+                   [&](Eigen::Index i, Eigen::Index k) { return distance(i) < distance(k); });
   return index;
 }
 
@@ -60,15 +62,16 @@ struct LogFit {
   double error;  ///< -
 };
 
-/// Weighted least squares of  approach/F = c0 + c1 u + c2 u^2,  u = ln(F / working load), (3.6).  The weights fall from one
-/// at the working load to zero at the first sample left out, so that the result does not jump when the load moves past a
-/// midpoint.
+/// Weighted least squares of  approach/F = c0 + c1 u + c2 u^2,  u = ln(F / working load), (3.6).  The weights fall
+/// from one at the working load to zero at the first sample left out, so that the result does not jump when the
+/// load moves past a midpoint.
 LogFit fit_line_contact(const ContactCurve &curve, const double load)
 {
   const auto samples = by_distance(curve, load);
   const auto n       = std::min<Eigen::Index>(n_local, Eigen::Index(samples.size()));
   const bool all     = n == Eigen::Index(samples.size());
-  const double reach = std::abs(std::log(curve.load[samples[std::size_t(all ? n - 1 : n)]] / load)) * (all ? 1.25 : 1);
+  const double reach =
+      std::abs(std::log(curve.load[samples[std::size_t(all ? n - 1 : n)]] / load)) * (all ? 1.25 : 1);
   Eigen::MatrixX3d form(n, 3);
   Eigen::VectorXd ratio(n), weight(n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -80,7 +83,7 @@ LogFit fit_line_contact(const ContactCurve &curve, const double load)
   const Eigen::Vector3d c = (weight.asDiagonal() * form).colPivHouseholderQr().solve(weight.cwiseProduct(ratio));
   return {c[0], c[1], ((form * c - ratio).array() / ratio.array()).abs().maxCoeff()};
 }
-} // namespace
+}  // namespace
 
 ContactStiffness contact_stiffness(const ContactCurve &curve, const double working_load)
 {
@@ -90,7 +93,8 @@ ContactStiffness contact_stiffness(const ContactCurve &curve, const double worki
   if (!(fit.error <= worst_fit)) {
     std::ostringstream stood;
     stood << "largest deviation of the fit " << fit.error << ", wanted " << worst_fit;
-    throw SolverError({"contact " + curve.name + ": the curve is no line contact near " + kilonewton(working_load), stood.str(),
+    throw SolverError({"contact " + curve.name + ": the curve is no line contact near " + kilonewton(working_load),
+                       stood.str(),
                        "edge contact, contact nodes lost, or samples too far apart for a crowned roll",
                        "raise contact." + curve.name + ".samples or narrow contact." + curve.name + ".loads",
                        "the computed load-approach curve"});
@@ -99,4 +103,4 @@ ContactStiffness contact_stiffness(const ContactCurve &curve, const double worki
           1 / fit.c0,             // secant
           working_load, fit.error};
 }
-} // namespace mill::reduce
+}  // namespace mill::reduce

@@ -1,9 +1,8 @@
 #pragma once
 #include "core/records.h"
 
-namespace mill::reduce
-{
-/// The two slopes of a load-approach curve at one load.  theory.md 3.3
+namespace mill::reduce {
+/// The two slopes of a load-approach curve at one load.  theory.md 3.2
 struct ContactStiffness {
   double tangent;       ///< N/m, dF/d(approach) at the working load: what a vibrating mill feels
   double secant;        ///< N/m, F/approach at the working load: what screwing down feels
@@ -12,9 +11,10 @@ struct ContactStiffness {
 };
 
 /// Stiffness of one contact, for instance K3, upper backup roll on upper work roll.
-/// Fits  approach = F (c0 + c1 u + c2 u^2),  u = ln(F / working load), so that the slope is analytic and not a difference
-/// of two nearly equal numbers.  With c2 = 0 this is the form of a plane-strain line contact (3.6); c2 takes up what
-/// crown and barrel ends add.  The fit is local: up to seven samples nearest to the working load, weighted towards it.
+/// Fits  approach = F (c0 + c1 u + c2 u^2),  u = ln(F / working load), so that the slope is analytic and not a
+/// difference of two nearly equal numbers.  With c2 = 0 this is the form of a plane-strain line contact (3.6); c2
+/// takes up what crown and barrel ends add.  The fit is local: up to seven samples nearest to the working load,
+/// weighted towards it.
 ///
 /// @param curve         n >= 5 samples in increasing load; only load and approach are read
 ///                        curve.load      (n)  N, total over the contact length, > 0
@@ -25,6 +25,6 @@ struct ContactStiffness {
 ///                      names the key that sets the range
 /// @throws SolverError  fit_error > 1e-3: no line contact any more (edge contact, lost nodes)
 /// Cost O(n).  No state, no files.
-/// Source: K. L. Johnson, Contact Mechanics (1985), chapter 5; the slope is derived in theory.md 3.3.
+/// Source: K. L. Johnson, Contact Mechanics (1985), chapter 5; the slope is derived in theory.md 3.2.
 ContactStiffness contact_stiffness(const ContactCurve &curve, double working_load);
-} // namespace mill::reduce
+}  // namespace mill::reduce

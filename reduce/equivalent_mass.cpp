@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mill::reduce
-{
-namespace
-{
+namespace mill::reduce {
+namespace {
 constexpr int n_gauss = 40;
 
 struct GaussRule {
@@ -46,12 +44,15 @@ double neck_mass(const Roll &roll, const Material &m)
 /// Half the backup roll: the whole neck is smeared over the span between barrel and bearing centre.
 std::vector<MassSpan> half_backup_roll(const FourHigh &stand)
 {
-  const Roll &roll  = stand.backup_roll;
-  const double h    = roll.barrel_length / 2, a = roll.bearing_span / 2;
+  const Roll &roll = stand.backup_roll;
+  const double h = roll.barrel_length / 2, a = roll.bearing_span / 2;
   const double neck = a > h ? neck_mass(roll, stand.steel) / (a - h) : 0;
-  return {{0, h, barrel_mass_per_length(roll, stand.steel)}, {h, a, neck}};
+  return {
+      {0, h, barrel_mass_per_length(roll, stand.steel)},
+      {h, a,  neck                           }
+  };
 }
-} // namespace
+}  // namespace
 
 double equivalent_mass(const std::function<double(double)> &shape, const std::vector<MassSpan> &spans,
                        const std::vector<PointMass> &points, const double reference)
@@ -81,22 +82,29 @@ double backup_shape(const SteppedBeam &beam, const double bearing_displacement, 
 
 double upper_backup_mass(const FourHigh &stand, const SteppedBeam &beam, const Flexibilities &u)
 {
-  const auto f2   = [&](double x) { return backup_shape(beam, u.bearing_upper, x); };
+  const auto f2    = [&](double x) { return backup_shape(beam, u.bearing_upper, x); };
   const Roll &roll = stand.backup_roll;
-  return 2 * equivalent_mass(f2, half_backup_roll(stand),
-                             {{stand.frame.cylinder_mass, u.cylinder},
-                              {roll.chock_mass_upper, u.chock_upper},
-                              {roll.bearing_mass, u.bearing_upper},
-                              {stand.frame.balance_mass / 2, u.frame_upper}},  // hangs on the frame; whole stand
-                             u.roll_upper);
+  return 2 *
+         equivalent_mass(f2, half_backup_roll(stand),
+                         {
+                             {stand.frame.cylinder_mass,    u.cylinder     },
+                             {roll.chock_mass_upper,        u.chock_upper  },
+                             {roll.bearing_mass,            u.bearing_upper},
+                             {stand.frame.balance_mass / 2, u.frame_upper  }
+  },  // hangs on the frame; whole stand
+                         u.roll_upper);
 }
 
 double lower_backup_mass(const FourHigh &stand, const SteppedBeam &beam, const Flexibilities &u)
 {
-  const auto f2   = [&](double x) { return backup_shape(beam, u.bearing_lower, x); };
+  const auto f2    = [&](double x) { return backup_shape(beam, u.bearing_lower, x); };
   const Roll &roll = stand.backup_roll;
   return 2 * equivalent_mass(f2, half_backup_roll(stand),
-                             {{roll.chock_mass_lower, u.frame_lower}, {roll.bearing_mass, u.bearing_lower}}, u.roll_lower);
+                             {
+                                 {roll.chock_mass_lower, u.frame_lower  },
+                                 {roll.bearing_mass,     u.bearing_lower}
+  },
+                             u.roll_lower);
 }
 
 double work_shape(const BedShape &bed, const SteppedBeam &backup, const double backup_reference, const double x)
@@ -104,17 +112,21 @@ double work_shape(const BedShape &bed, const SteppedBeam &backup, const double b
   return backup_reference - drop(backup, std::min(std::abs(x), backup.half_barrel)) + deflection(bed, x);
 }
 
-double work_roll_mass(const FourHigh &stand, const BedShape &bed, const SteppedBeam &backup, const double backup_reference,
-                      const double chock_mass)
+double work_roll_mass(const FourHigh &stand, const BedShape &bed, const SteppedBeam &backup,
+                      const double backup_reference, const double chock_mass)
 {
   const Roll &roll       = stand.work_roll;
   const auto f1          = [&](double x) { return work_shape(bed, backup, backup_reference, x); };
   const double h         = roll.barrel_length / 2;
   const double edge      = std::min(bed.roll.half_strip, h);  // the shape has a kink in its fourth derivative here
   const double per_meter = barrel_mass_per_length(roll, stand.steel);
-  return 2 * equivalent_mass(f1, {{0, edge, per_meter}, {edge, h, per_meter}},
+  return 2 * equivalent_mass(f1,
+                             {
+                                 {0,    edge, per_meter},
+                                 {edge, h,    per_meter}
+  },
                              {{roll.bearing_mass + chock_mass, f1(roll.bearing_span / 2)},
                               {neck_mass(roll, stand.steel), f1(h + roll.neck_length / 2)}},
                              f1(0));
 }
-} // namespace mill::reduce
+}  // namespace mill::reduce

@@ -2,10 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mill::reduce
-{
-namespace
-{
+namespace mill::reduce {
+namespace {
 void require_positive(const CylinderPair &pair, const double load)
 {
   if (!(pair.diameter1 > 0 && pair.diameter2 > 0 && pair.length > 0))
@@ -25,7 +23,7 @@ double half_width(const CylinderPair &pair, const double q)
   const double R1 = pair.diameter1 / 2, R2 = pair.diameter2 / 2;
   return std::sqrt(4 * q * compliance(pair.material) * R1 * R2 / (R1 + R2));  // (3.2), 1/E' = pi A
 }
-} // namespace
+}  // namespace
 
 LineContact line_contact(const CylinderPair &pair, const double load)
 {
@@ -36,9 +34,9 @@ LineContact line_contact(const CylinderPair &pair, const double load)
   const double shape = std::log(16 * R1 * R2 / (a * a));
   LineContact contact;
   contact.half_width    = a;
-  contact.peak_pressure = 2 * q / (M_PI * a);             // (3.3)
-  contact.approach      = A * q * (shape - 1);            // (3.4)
-  contact.secant        = load / contact.approach;        // (3.5a)
+  contact.peak_pressure = 2 * q / (M_PI * a);               // (3.3)
+  contact.approach      = A * q * (shape - 1);              // (3.4)
+  contact.secant        = load / contact.approach;          // (3.5a)
   contact.tangent       = pair.length / (A * (shape - 2));  // (3.5b): a^2 grows with q, so d(shape)/dq = -1/q
   return contact;
 }
@@ -47,10 +45,10 @@ SecantLaws secant_laws(const CylinderPair &pair, const double load)
 {
   require_positive(pair, load);
   const double q = load / pair.length, A = compliance(pair.material), a = half_width(pair, q);
-  const double small   = std::min(pair.diameter1, pair.diameter2) / 2;
-  const double foeppl  = A * q * (2.0 / 3 + std::log(pair.diameter1 / a) + std::log(pair.diameter2 / a));  // (3.8)
-  const double half    = A * q * std::log(8 * small * pair.length / (a * a));                              // (3.9)
-  const double palmgren = 3.84e-8 * std::pow(load, 0.9) / std::pow(1e3 * pair.length, 0.8);                // (3.10)
+  const double small  = std::min(pair.diameter1, pair.diameter2) / 2;
+  const double foeppl = A * q * (2.0 / 3 + std::log(pair.diameter1 / a) + std::log(pair.diameter2 / a));  // (3.8)
+  const double half   = A * q * std::log(8 * small * pair.length / (a * a));                              // (3.9)
+  const double palmgren = 3.84e-8 * std::pow(load, 0.9) / std::pow(1e3 * pair.length, 0.8);               // (3.10)
   return {line_contact(pair, load).secant, load / foeppl, load / half, load / palmgren};
 }
-} // namespace mill::reduce
+}  // namespace mill::reduce

@@ -1,8 +1,7 @@
 #pragma once
 #include "core/stand.h"
 
-namespace mill::reduce
-{
+namespace mill::reduce {
 /// Two solid cylinders of one material with parallel axes, each loaded diametrally.
 struct CylinderPair {
   double diameter1 = 0;  ///< m
@@ -27,7 +26,7 @@ struct LineContact {
 LineContact line_contact(const CylinderPair &pair, double load);
 
 /// Secant stiffness F/approach of the same pair by four laws that differ only in what they take as datum.
-/// Their spread is the accuracy with which "the" stiffness of a line contact is defined.  theory.md 3.2
+/// Their spread is the accuracy with which "the" stiffness of a line contact is defined.  theory.md 3.3
 struct SecantLaws {
   double johnson;     ///< N/m, axis to axis, Hertz pressure, (3.5a)
   double foeppl;      ///< N/m, axis to axis, parabolic pressure, (3.8)
@@ -37,4 +36,4 @@ struct SecantLaws {
 
 /// The four secants at `load` (N).  Errors and cost as line_contact.
 SecantLaws secant_laws(const CylinderPair &pair, double load);
-} // namespace mill::reduce
+}  // namespace mill::reduce

@@ -1,16 +1,13 @@
 #include "reduce/lumped_stand.h"
 #include "reduce/beam_shapes.h"
+#include "reduce/chain_keys.h"
 #include "reduce/equivalent_mass.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace mill::reduce
-{
-namespace
-{
-using Keys = std::vector<std::string>;
-
+namespace mill::reduce {
+namespace {
 /// The computed springs the chain depends on: everything else is a number of the case.
 enum { i_K3, i_K5, i_K_Zy_upper, i_K_Zy_lower, n_computed };
 using Computed = std::array<double, n_computed>;
@@ -72,11 +69,12 @@ Reduced reduce_stand(const FourHigh &stand, const Computed &computed, const std:
   r.lower_bed             = work_roll_bed(stand, computed[i_K5]);
   const PathSprings path{computed[i_K_Zy_upper], computed[i_K_Zy_lower], r.K_ZW};
   r.series = series_springs(stand.frame, path);
-  r.u      = flexibilities(stand.frame, path, given_or(stand, "K1", r.series.K1), given_or(stand, "K7", r.series.K7));
+  r.u = flexibilities(stand.frame, path, given_or(stand, "K1", r.series.K1), given_or(stand, "K7", r.series.K7));
   return r;
 }
 
-ChainValues chain_values(const FourHigh &stand, const Computed &computed, const double K4, const std::string &reference)
+ChainValues chain_values(const FourHigh &stand, const Computed &computed, const double K4,
+                         const std::string &reference)
 {
   const Reduced r  = reduce_stand(stand, computed, reference);
   const Roll &work = stand.work_roll;
@@ -96,9 +94,10 @@ ChainValues chain_values(const FourHigh &stand, const Computed &computed, const 
 }
 
 /// Relative errors of all values from those of the computed springs; see the header for the rule.
-ChainValues propagated_errors(const FourHigh &stand, const Computed &computed, const Computed &error, const double K4)
+ChainValues propagated_errors(const FourHigh &stand, const Computed &computed, const Computed &error,
+                              const double K4)
 {
-  constexpr double step     = 1e-4;  // truncation 1e-8 of the slope, rounding 1e-11: both far below any honest estimate
+  constexpr double step     = 1e-4;  // truncation 1e-8, rounding 1e-11 of the slope: far below any estimate
   constexpr double no_slope = 1e-9;
   ChainValues sum{};
   std::array<bool, 13> depends{};
@@ -120,47 +119,6 @@ ChainValues propagated_errors(const FourHigh &stand, const Computed &computed, c
     if (!depends[v])
       sum[v] = std::numeric_limits<double>::quiet_NaN();
   return sum;
-}
-
-Keys joined(std::initializer_list<Keys> lists)
-{
-  Keys all;
-  for (const Keys &list : lists)
-    for (const std::string &key : list)
-      if (std::find(all.begin(), all.end(), key) == all.end())
-        all.push_back(key);
-  return all;
-}
-
-Keys prefixed(const std::string &section, std::initializer_list<const char *> names)
-{
-  Keys keys;
-  for (const char *name : names)
-    keys.push_back(section + "." + name);
-  return keys;
-}
-
-/// Keys of the case behind every value, in the order of ChainValues.
-std::array<Keys, 13> input_keys(const Keys &K3, const Keys &K4, const Keys &K5, const Keys &K_Zy_upper, const Keys &K_Zy_lower)
-{
-  const Keys beam = joined({prefixed("backup_roll", {"barrel_diameter", "barrel_length", "neck_diameter", "bearing_span"}),
-                            prefixed("steel", {"youngs_modulus", "poisson_ratio"})});
-  const Keys K1 = prefixed("frame", {"upper_post_stiffness", "upper_beam_stiffness", "piston_stiffness", "upper_packing_stiffness"});
-  const Keys K2 = joined({prefixed("frame", {"oil_column_stiffness", "cylinder_body_stiffness", "upper_chock_stiffness"}),
-                          K_Zy_upper, beam});
-  const Keys K6 = joined({{"frame.lower_chock_stiffness"}, K_Zy_lower, beam});
-  const Keys K7 = prefixed("frame", {"lower_post_stiffness", "lower_beam_stiffness", "lower_packing_stiffness", "load_cell_stiffness"});
-  const Keys backup = joined({beam, prefixed("backup_roll", {"neck_length", "bearing_mass"}), {"steel.density"}});
-  const Keys work   = joined({prefixed("work_roll", {"barrel_diameter", "barrel_length", "neck_diameter", "total_length",
-                                                   "bearing_span", "bearing_mass"}),
-                            {"strip.width", "steel.density"}});
-  return {prefixed("frame", {"upper_post_mass", "upper_beam_mass", "upper_packing_mass", "piston_mass"}),
-          joined({backup, {"backup_roll.chock_mass_upper", "frame.cylinder_mass", "frame.balance_mass"}, K1, K2}),
-          joined({work, {"work_roll.chock_mass_upper"}, K3, K1, K2}),
-          joined({work, {"work_roll.chock_mass_lower"}, K5, K7, K6}),
-          joined({backup, {"backup_roll.chock_mass_lower"}, K7, K6}),
-          prefixed("frame", {"lower_post_mass", "lower_beam_mass", "load_cell_mass", "lower_packing_mass"}),
-          K1, K2, K3, K4, K5, K6, K7};
 }
 
 std::string mass_method(const std::size_t i, const std::string &reference)
@@ -194,7 +152,8 @@ void add_shapes(LumpedStand &result, const FourHigh &stand, const Reduced &r)
   result.f2_lower = sampled(centre, [&](double x) { return backup_shape(r.backup, r.u.bearing_lower, x); });
 }
 
-Parameter computed_parameter(const double value, const char *unit, const std::string &method, const std::string &at, const Keys &keys)
+Parameter computed_parameter(const double value, const char *unit, const std::string &method,
+                             const std::string &at, const Keys &keys)
 {
   Parameter p;
   p.value  = value;
@@ -211,7 +170,7 @@ Parameter damper(const FourHigh &stand)
   none.source    = Source::assumed;
   return given_or(stand, "C", none);
 }
-} // namespace
+}  // namespace
 
 LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
 {
@@ -220,27 +179,31 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
   const std::string at = model.at = inputs.at;
   const Parameter K3 = given_or(stand, "K3", inputs.K3), K4 = given_or(stand, "K4", inputs.K4),
                   K5 = given_or(stand, "K5", inputs.K5);
-  result.K_Zy_upper = given_or(stand, "K_Zy", inputs.K_Zy_upper);
-  result.K_Zy_lower = given_or(stand, "K_Zy", inputs.K_Zy_lower);
+  result.K_Zy_upper  = given_or(stand, "K_Zy", inputs.K_Zy_upper);
+  result.K_Zy_lower  = given_or(stand, "K_Zy", inputs.K_Zy_lower);
 
   const std::string &reference = stand.dynamics.mass_reference;
   const Computed computed{K3.value, K5.value, result.K_Zy_upper.value, result.K_Zy_lower.value};
-  const Computed error{K3.error_estimate, K5.error_estimate, result.K_Zy_upper.error_estimate, result.K_Zy_lower.error_estimate};
+  const Computed error{K3.error_estimate, K5.error_estimate, result.K_Zy_upper.error_estimate,
+                       result.K_Zy_lower.error_estimate};
   const Reduced reduced    = reduce_stand(stand, computed, reference);
   const ChainValues values = chain_values(stand, computed, K4.value, reference);
   const ChainValues other  = chain_values(stand, computed, K4.value, reference == "mean" ? "mid" : "mean");
   const ChainValues errors = propagated_errors(stand, computed, error, K4.value);
-  const auto keys = input_keys(K3.inputs, K4.inputs, K5.inputs, result.K_Zy_upper.inputs, result.K_Zy_lower.inputs);
+  const auto keys =
+      chain_keys({K3.inputs, K4.inputs, K5.inputs, result.K_Zy_upper.inputs, result.K_Zy_lower.inputs});
 
   for (std::size_t i = 0; i < 6; ++i) {
-    Parameter mass      = computed_parameter(values[i], "kg", mass_method(i, reference), i == 0 || i == 5 ? "" : at, keys[i]);
+    Parameter mass =
+        computed_parameter(values[i], "kg", mass_method(i, reference), i == 0 || i == 5 ? "" : at, keys[i]);
     mass.error_estimate = errors[i];
     if (i != 0 && i != 5)
       mass.checks.push_back(other_reference(i, reference, other));
     model.M[i] = given_or(stand, "M" + std::to_string(i + 1), mass);
   }
   for (std::size_t i = 0; i < 7; ++i) {
-    Parameter spring      = computed_parameter(values[6 + i], "N/m", "series springs", i == 0 || i == 6 ? "" : at, keys[6 + i]);
+    Parameter spring =
+        computed_parameter(values[6 + i], "N/m", "series springs", i == 0 || i == 6 ? "" : at, keys[6 + i]);
     spring.error_estimate = errors[6 + i];
     model.K[i]            = given_or(stand, "K" + std::to_string(i + 1), spring);
   }
@@ -251,9 +214,10 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
     model.Kzc[i] = given_or(stand, "Kzc" + std::to_string(i + 1), inputs.Kzc[i]);
   model.C = damper(stand);
 
-  const Keys beam = {"backup_roll.barrel_diameter", "backup_roll.barrel_length", "backup_roll.neck_diameter",
-                     "backup_roll.bearing_span", "steel.youngs_modulus", "steel.poisson_ratio"};
-  result.K_ZW = given_or(stand, "K_ZW", computed_parameter(reduced.K_ZW, "N/m", "stepped Timoshenko beam, " + reference + " reference", "", beam));
+  result.K_ZW =
+      given_or(stand, "K_ZW",
+               computed_parameter(reduced.K_ZW, "N/m", "stepped Timoshenko beam, " + reference + " reference", "",
+                                  backup_beam_keys()));
   result.flexibility = reduced.u;
   add_shapes(result, stand, reduced);
   return result;
@@ -263,4 +227,4 @@ LumpedModel lumped_model(const FourHigh &stand, const ChainInputs &inputs)
 {
   return lumped_stand(stand, inputs).model;
 }
-} // namespace mill::reduce
+}  // namespace mill::reduce

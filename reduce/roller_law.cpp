@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mill::reduce
-{
-namespace
-{
+namespace mill::reduce {
+namespace {
 constexpr double exponent = 10.0 / 9;
 // Bearing steel.  The empirical laws hold for it only, so it is a constant of this file and no input.
 constexpr double E_steel = 206e9, nu_steel = 0.3;
@@ -30,7 +28,7 @@ double iso_drop(const RollerBearing &b, const double x)
     return 0.00045 * D * curve(2 * x / L);  // (5.6a)
   if (L <= 2.5 * D)
     return 0.00035 * D * curve(2 * x / L);  // (5.6b)
-  const double flat = L - 2.5 * D;           // long rollers: cylindrical in the middle, (5.6c)
+  const double flat = L - 2.5 * D;          // long rollers: cylindrical in the middle, (5.6c)
   return 0.0005 * D * curve(std::max(0.0, 2 * std::abs(x) - flat) / (2.5 * D));
 }
 
@@ -55,23 +53,27 @@ double drop(const RollerBearing &b, const double x)
     return 0;
   if (b.profile == "crown") {
     if (!std::isfinite(b.crown_drop))
-      throw InputError("bearing." + b.name + ": profile = \"crown\" needs crown_drop, the drop at the roller end, for example \"20 um\"");
+      throw InputError(
+          "bearing." + b.name +
+          ": profile = \"crown\" needs crown_drop, the drop at the roller end, for example \"20 um\"");
     return crown_drop(b, x);
   }
   if (b.profile != "iso" && b.profile != "log")
-    throw InputError("bearing." + b.name + ": profile \"" + b.profile + "\" is not known; none, iso, log or crown");
+    throw InputError("bearing." + b.name + ": profile \"" + b.profile +
+                     "\" is not known; none, iso, log or crown");
   if (!std::isfinite(b.roller_diameter))
     throw InputError("bearing." + b.name + ": profile = \"" + b.profile + "\" needs roller_diameter");
   if (b.profile == "log" && !std::isfinite(pitch_diameter(b)))
-    throw InputError("bearing." + b.name + ": profile = \"log\" needs pitch_diameter, or bore and outside_diameter");
+    throw InputError("bearing." + b.name +
+                     ": profile = \"log\" needs pitch_diameter, or bore and outside_diameter");
   return b.profile == "iso" ? iso_drop(b, x) : log_drop(b, x);
 }
-} // namespace
+}  // namespace
 
 double roller_constant(const std::string &law, const double roller_length)
 {
-  const double l      = 1e3 * roller_length;         // both constants are stated in N and mm
-  const double per_mm = std::pow(1e3, exponent);      // N/mm^(10/9) -> N/m^(10/9)
+  const double l      = 1e3 * roller_length;      // both constants are stated in N and mm
+  const double per_mm = std::pow(1e3, exponent);  // N/mm^(10/9) -> N/m^(10/9)
   if (law == "iso")
     return 35948 * std::pow(l, 8.0 / 9) * per_mm;  // (5.3)
   if (law == "palmgren")
@@ -130,14 +132,17 @@ ElasticRoller elastic_roller(const RollerBearing &b, const double load, const do
 {
   const double D = b.roller_diameter;
   if (!(load > 0 && depth > 0 && D > 0 && pitch_diameter(b) > 0))
-    throw InputError("bearing." + b.name + ": the elastic check needs a load, a raceway depth, roller_diameter and a pitch diameter");
+    throw InputError("bearing." + b.name +
+                     ": the elastic check needs a load, a raceway depth, roller_diameter and a pitch diameter");
   const double q = load / b.roller_length, nu = nu_steel;
-  const double A = q * (1 - nu * nu) / (M_PI * E_steel);
-  const auto half_width = [&](bool inner) { return std::sqrt(4 * q * effective_radius(b, inner) / (M_PI * E_plane)); };
-  const auto roller     = [&](double w) { return A * (2 * std::log(2 * D / w) - 1); };                       // (5.9)
-  const auto raceway    = [&](double w) { return A * (2 * std::log(2 * depth / w) - nu / (1 - nu)); };  // (5.10)
+  const double A        = q * (1 - nu * nu) / (M_PI * E_steel);
+  const auto half_width = [&](bool inner) {
+    return std::sqrt(4 * q * effective_radius(b, inner) / (M_PI * E_plane));
+  };
+  const auto roller  = [&](double w) { return A * (2 * std::log(2 * D / w) - 1); };                  // (5.9)
+  const auto raceway = [&](double w) { return A * (2 * std::log(2 * depth / w) - nu / (1 - nu)); };  // (5.10)
   const double bi = half_width(true), bo = half_width(false);
   const double inside = roller(bi) + roller(bo);
   return {inside + raceway(bi) + raceway(bo), inside, bi, bo, 2 * q / (M_PI * bi), 2 * q / (M_PI * bo)};
 }
-} // namespace mill::reduce
+}  // namespace mill::reduce

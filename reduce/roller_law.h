@@ -2,9 +2,9 @@
 #include "core/stand.h"
 #include <Eigen/Core>
 
-namespace mill::reduce
-{
-/// Load-approach law of one roller between both raceways, cut into laminae:  q_k = c_s max(0, d_k)^(10/9).  theory.md 5.2
+namespace mill::reduce {
+/// Load-approach law of one roller between both raceways, cut into laminae:  q_k = c_s max(0, d_k)^(10/9).
+/// theory.md 5.2
 struct RollerLaw {
   double lamina_constant;    ///< N/m^(10/9), c_s = c_L / n
   Eigen::VectorXd position;  ///< (n) m, middle of each lamina along the roller, from its middle
@@ -13,8 +13,8 @@ struct RollerLaw {
 
 /// Load of one roller and its slopes at one approach.
 struct RollerLoad {
-  double load;        ///< N, sum over the laminae
-  double stiffness;   ///< N/m, d(load)/d(approach)
+  double load;       ///< N, sum over the laminae
+  double stiffness;  ///< N/m, d(load)/d(approach)
 };
 
 /// Constant c_L of a whole roller, N/m^(10/9):  Q = c_L d^(10/9) with d the approach of both raceways together.
@@ -27,15 +27,15 @@ double roller_constant(const std::string &law, double roller_length);
 /// @throws InputError  unknown profile; a profile without roller diameter; crown without crown_drop; no lamina
 RollerLaw roller_law(const RollerBearing &bearing);
 
-/// Load of a roller pressed by `approach` (m, both raceways, at its middle) and tilted by `tilt` (rad) in its axial plane.
-/// Cost O(n), one power per loaded lamina.
+/// Load of a roller pressed by `approach` (m, both raceways, at its middle) and tilted by `tilt` (rad) in its
+/// axial plane. Cost O(n), one power per loaded lamina.
 RollerLoad roller_load(const RollerLaw &law, double approach, double tilt);
 
 /// Inverse of roller_load without tilt: approach, m, at which the roller carries `load` (N, > 0).
 double roller_approach(const RollerLaw &law, double load);
 
-/// One roller between its raceways by plane-strain elasticity: no empirical constant, but a depth to which the raceway
-/// is counted, since a line contact has no deflection without a datum.  theory.md 5.3
+/// One roller between its raceways by plane-strain elasticity: no empirical constant, but a depth to which the
+/// raceway is counted, since a line contact has no deflection without a datum.  theory.md 5.3
 struct ElasticRoller {
   double approach;             ///< m, raceway datum to raceway datum
   double roller_part;          ///< m, of the approach, inside the roller
@@ -50,4 +50,4 @@ struct ElasticRoller {
 /// @throws InputError  load or depth not positive, roller or pitch diameter missing
 /// Source: K. L. Johnson, Contact Mechanics (1985), chapter 5.
 ElasticRoller elastic_roller(const RollerBearing &bearing, double load, double depth);
-} // namespace mill::reduce
+}  // namespace mill::reduce

@@ -1,8 +1,7 @@
 #pragma once
 #include "core/stand.h"
 
-namespace mill::reduce
-{
+namespace mill::reduce {
 /// Springs of the load path that the frame does not bring along, whole stand.
 struct PathSprings {
   double K_Zy_upper = 0;  ///< N/m, both bearings of the upper backup roll
@@ -23,16 +22,16 @@ SeriesSprings series_springs(const Frame &frame, const PathSprings &path);
 
 /// Displacement of the parts of the load path under a bite force of 1 N, counted from the ground.  theory.md (4.2)
 struct Flexibilities {
-  double frame_upper    = 0;  ///< m/N, M1: 1/K1
-  double cylinder       = 0;  ///< m/N, u_yg
-  double chock_upper    = 0;  ///< m/N, u_Zt
-  double bearing_upper  = 0;  ///< m/N, u_r: centre of the upper backup bearings
-  double roll_upper     = 0;  ///< m/N, u2: upper backup roll, 1/K1 + 1/K2
-  double frame_lower    = 0;  ///< m/N, M6 and lower chock: 1/K7
-  double bearing_lower  = 0;  ///< m/N
-  double roll_lower     = 0;  ///< m/N, 1/K7 + 1/K6
+  double frame_upper   = 0;  ///< m/N, M1: 1/K1
+  double cylinder      = 0;  ///< m/N, u_yg
+  double chock_upper   = 0;  ///< m/N, u_Zt
+  double bearing_upper = 0;  ///< m/N, u_r: centre of the upper backup bearings
+  double roll_upper    = 0;  ///< m/N, u2: upper backup roll, 1/K1 + 1/K2
+  double frame_lower   = 0;  ///< m/N, M6 and lower chock: 1/K7
+  double bearing_lower = 0;  ///< m/N
+  double roll_lower    = 0;  ///< m/N, 1/K7 + 1/K6
 };
 
 /// Flexibilities for K1 and K7 as they enter the chain (computed or given).
 Flexibilities flexibilities(const Frame &frame, const PathSprings &path, double K1, double K7);
-} // namespace mill::reduce
+}  // namespace mill::reduce

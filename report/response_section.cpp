@@ -69,16 +69,16 @@ void histories(Page &page, const Run &run, const PassInfo &pass, const Table &ta
   const Table *measured = run.table("response/" + pass.slug + "-measured");
   const double limit =
       1.05 * std::max(largest_acceleration(table), measured ? largest_acceleration(*measured) : 0.0);
-  std::vector<std::string> drawings;
+  std::string drawings;
   for (const Channel &channel : channels)
     if (values_of(table, {channel.column, channel.unit}).size() > 0)
-      drawings.push_back(zoomable(history(table, channel, channel.title, limit), pass, table, channel, limit));
+      drawings += zoomable(history(table, channel, channel.title, limit), pass, table, channel, limit);
   if (measured)
     for (const Channel &channel : channels)
       if (values_of(*measured, {channel.column, channel.unit}).size() > 0)
-        drawings.push_back(history(*measured, channel, std::string(channel.title) + ", measured", limit));
+        drawings += history(*measured, channel, std::string(channel.title) + ", measured", limit);
   page.figure(
-      drawings,
+      {"<div class=\"histories\">\n" + drawings + "</div>\n"},
       "Histories of " + escaped(pass.name) +
           (pass.synthetic ? ", driven by a <b>synthetic</b> force record (generated, not measured)" : "") +
           ". Every drawn column keeps its smallest and largest sample, so no peak is lost; the samples "

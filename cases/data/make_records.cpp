@@ -7,14 +7,16 @@
 #include <exception>
 #include <string>
 
-namespace
-{
+namespace {
 struct SyntheticPass {
   const char *file;
   std::array<double, 2> range;  // N
   std::uint64_t seed;
 };
-const SyntheticPass passes[] = {{"pass-1.csv", {972898, 979537}, 1}, {"pass-2.csv", {733705, 742280}, 2}};
+const SyntheticPass passes[] = {
+    {"pass-1.csv", {972898, 979537}, 1},
+    {"pass-2.csv", {733705, 742280}, 2}
+};
 
 bool write(const std::string &path, const mill::ForceRecord &record)
 {
@@ -26,7 +28,7 @@ bool write(const std::string &path, const mill::ForceRecord &record)
     std::fprintf(file, "%.4f,%.4f\n", record.time[i], record.force[i] / 1e3);
   return std::fclose(file) == 0;
 }
-} // namespace
+}  // namespace
 
 int main(int argc, char **argv)
 try {

@@ -1,7 +1,8 @@
-// The demo stand as the reference file describes it.  Its masses and frame springs were tuned to published values, so agreement with
-// those proves nothing; what is tested is that the same drawing gives the same numbers as the independent program behind the reference.
-#include "reduce/bearing_stiffness.h"
+// The demo stand as the reference file describes it.  Its masses and frame springs were tuned to published values,
+// so agreement with those proves nothing; what is tested is that the same drawing gives the same numbers as the
+// independent program behind the reference.
 #include "reduce/beam_shapes.h"
+#include "reduce/bearing_stiffness.h"
 #include "reduce/line_contact.h"
 #include "reduce/lumped_stand.h"
 #include "tests/support/near.h"
@@ -12,13 +13,12 @@
 using namespace mill;
 using namespace mill::reduce;
 
-namespace
-{
+namespace {
 FourHigh demo_stand()
 {
   const auto in = reference("demo.inputs");
   FourHigh s;
-  s.steel = {2.1e11, 0.28, in.at("rho")};
+  s.steel                        = {2.1e11, 0.28, in.at("rho")};
   s.work_roll.barrel_diameter    = in.at("D1");
   s.work_roll.barrel_length      = in.at("Lw");
   s.work_roll.neck_diameter      = in.at("d1");
@@ -36,28 +36,28 @@ FourHigh demo_stand()
   s.backup_roll.chock_mass_upper = in.at("m_Zt");
   s.backup_roll.chock_mass_lower = in.at("m_Zd");
   s.strip.width                  = in.at("strip_B");
-  Frame &f                  = s.frame;
-  f.upper_post_mass         = in.at("M_LZ");
-  f.upper_beam_mass         = in.at("M_L");
-  f.upper_packing_mass      = in.at("M_DKt");
-  f.piston_mass             = in.at("M_hs");
-  f.cylinder_mass           = in.at("m_yg");
-  f.balance_mass            = in.at("m_ph_total");
-  f.lower_post_mass         = in.at("M_LZd");
-  f.lower_beam_mass         = in.at("M_Ld");
-  f.load_cell_mass          = in.at("M_cy");
-  f.lower_packing_mass      = in.at("M_DKd");
-  f.upper_post_stiffness    = in.at("K_LZ");
-  f.upper_beam_stiffness    = in.at("K_L");
-  f.piston_stiffness        = in.at("K_HS");
-  f.upper_packing_stiffness = in.at("K_DKt");
-  f.lower_post_stiffness    = in.at("K_LZd");
-  f.lower_beam_stiffness    = in.at("K_Ld");
-  f.lower_packing_stiffness = in.at("K_DKd");
-  f.oil_column_stiffness    = in.at("K_y");
-  f.cylinder_body_stiffness = in.at("K_gt");
-  f.upper_chock_stiffness   = in.at("K_Zt");
-  f.lower_chock_stiffness   = in.at("K_Zd");
+  Frame &f                       = s.frame;
+  f.upper_post_mass              = in.at("M_LZ");
+  f.upper_beam_mass              = in.at("M_L");
+  f.upper_packing_mass           = in.at("M_DKt");
+  f.piston_mass                  = in.at("M_hs");
+  f.cylinder_mass                = in.at("m_yg");
+  f.balance_mass                 = in.at("m_ph_total");
+  f.lower_post_mass              = in.at("M_LZd");
+  f.lower_beam_mass              = in.at("M_Ld");
+  f.load_cell_mass               = in.at("M_cy");
+  f.lower_packing_mass           = in.at("M_DKd");
+  f.upper_post_stiffness         = in.at("K_LZ");
+  f.upper_beam_stiffness         = in.at("K_L");
+  f.piston_stiffness             = in.at("K_HS");
+  f.upper_packing_stiffness      = in.at("K_DKt");
+  f.lower_post_stiffness         = in.at("K_LZd");
+  f.lower_beam_stiffness         = in.at("K_Ld");
+  f.lower_packing_stiffness      = in.at("K_DKd");
+  f.oil_column_stiffness         = in.at("K_y");
+  f.cylinder_body_stiffness      = in.at("K_gt");
+  f.upper_chock_stiffness        = in.at("K_Zt");
+  f.lower_chock_stiffness        = in.at("K_Zd");
   return s;
 }
 
@@ -90,38 +90,47 @@ double K_Zy(const double force)
 
 double K3(const double force)
 {
-  return line_contact({0.420, 1.450, 1.4, {2.1e11, 0.28, 7700}}, force).tangent;
+  return line_contact(
+             {
+                 0.420, 1.450, 1.4, {2.1e11, 0.28, 7700}
+  },
+             force)
+      .tangent;
 }
 
-ChainInputs inputs_at(const double force, const double K3_error = not_given, const double bearing_error = not_given)
+ChainInputs inputs_at(const double force, const double K3_error = not_given,
+                      const double bearing_error = not_given)
 {
   ChainInputs in;
   in.K3 = in.K5 = spring(K3(force), K3_error);
   in.K4         = spring(0);
   in.K_Zy_upper = in.K_Zy_lower = spring(K_Zy(force), bearing_error);
-  in.K3.inputs  = {"work_roll.barrel_diameter", "backup_roll.barrel_diameter"};
-  in.at         = "976.2 kN";
+  in.K3.inputs                  = {"work_roll.barrel_diameter", "backup_roll.barrel_diameter"};
+  in.at                         = "976.2 kN";
   return in;
 }
 
 constexpr double working_load = 976217.5;
-const auto closed             = within(1e-8, "closed forms; the reference integrates across the strip edge, which costs 1e-10");
+const auto closed =
+    within(1e-8, "closed forms; the reference integrates across the strip edge, which costs 1e-10");
 
 bool contains(const std::vector<std::string> &keys, const std::string &key)
 {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
-} // namespace
+}  // namespace
 
 TEST(DemoStand, MassesAndSprings)
 {
   const LumpedStand result = lumped_stand(demo_stand(), inputs_at(working_load));
   const auto masses = reference("demo.masses"), springs = reference("demo.stiffness");
   for (int i = 0; i < 6; ++i)
-    EXPECT_TRUE(near(result.model.M[std::size_t(i)].value, masses.at("M" + std::to_string(i + 1)), closed)) << "M" << i + 1;
+    EXPECT_TRUE(near(result.model.M[std::size_t(i)].value, masses.at("M" + std::to_string(i + 1)), closed))
+        << "M" << i + 1;
   for (const int i : {1, 2, 3, 5, 6, 7})
     if (i != 4)
-      EXPECT_TRUE(near(result.model.K[std::size_t(i - 1)].value, springs.at("K" + std::to_string(i)), closed)) << "K" << i;
+      EXPECT_TRUE(near(result.model.K[std::size_t(i - 1)].value, springs.at("K" + std::to_string(i)), closed))
+          << "K" << i;
   EXPECT_TRUE(near(result.K_ZW.value, springs.at("K_ZW"), closed));
   EXPECT_TRUE(near(result.K_Zy_upper.value, springs.at("K_Zy"), closed));
 }
@@ -145,8 +154,8 @@ TEST(DemoStand, Shapes)
   const auto at_bearing    = [](const RollShape &shape) {  // x = 1.0 m lies between two of the 101 stations
     for (Eigen::Index i = 1; i < shape.x.size(); ++i)
       if (shape.x[i] >= 1.0) {
-        const double s = (1.0 - shape.x[i - 1]) / (shape.x[i] - shape.x[i - 1]);
-        return ((1 - s) * shape.value[i - 1] + s * shape.value[i]) / shape.value[0];
+           const double s = (1.0 - shape.x[i - 1]) / (shape.x[i] - shape.x[i - 1]);
+           return ((1 - s) * shape.value[i - 1] + s * shape.value[i]) / shape.value[0];
       }
     return not_given;
   };
@@ -155,7 +164,8 @@ TEST(DemoStand, Shapes)
   EXPECT_TRUE(near(at_bearing(result.f1_lower), ratio[1], straight));
   EXPECT_TRUE(near(result.f2_upper.value[0], result.flexibility.roll_upper, within(1e-14, "mid-span reference")));
   EXPECT_TRUE(near(result.f2_lower.value[100], result.flexibility.bearing_lower, within(1e-14, "bearing centre")));
-  EXPECT_TRUE(near(1 / (result.f1_upper.value[0] - result.flexibility.roll_upper), reference("demo.K3_midspan"), closed));
+  EXPECT_TRUE(
+      near(1 / (result.f1_upper.value[0] - result.flexibility.roll_upper), reference("demo.K3_midspan"), closed));
 }
 
 TEST(DemoStand, MeanReference)
@@ -166,7 +176,8 @@ TEST(DemoStand, MeanReference)
   const auto expected           = reference("demo.mean_reference");
   EXPECT_TRUE(near(result.K_ZW.value, expected.at("K_ZW"), closed));
   for (int i = 2; i <= 5; ++i)
-    EXPECT_TRUE(near(result.model.M[std::size_t(i - 1)].value, expected.at("M" + std::to_string(i)), closed)) << "M" << i;
+    EXPECT_TRUE(near(result.model.M[std::size_t(i - 1)].value, expected.at("M" + std::to_string(i)), closed))
+        << "M" << i;
   EXPECT_TRUE(near(result.model.M[1].checks.at(0).value, reference("demo.masses").at("M2"), closed));
 }
 
@@ -174,17 +185,20 @@ TEST(DemoStand, MovingMasses)
 {
   const FourHigh s    = demo_stand();
   const auto expected = reference("demo.moving_masses");
-  const double roll   = s.steel.density * M_PI / 4 * (std::pow(s.work_roll.barrel_diameter, 2) * s.work_roll.barrel_length +
-                                                   2 * std::pow(s.work_roll.neck_diameter, 2) * s.work_roll.neck_length);
+  const double roll   = s.steel.density * M_PI / 4 *
+                      (std::pow(s.work_roll.barrel_diameter, 2) * s.work_roll.barrel_length +
+                       2 * std::pow(s.work_roll.neck_diameter, 2) * s.work_roll.neck_length);
   EXPECT_TRUE(near(roll, expected.at("m_wr"), within(1e-12, "density times volume")));
-  // A roll on a very stiff bed under the whole barrel, on a backup roll that does not bend: every part moves alike.
+  // A roll on a very stiff bed under the whole barrel, on a backup roll that does not bend: every part moves
+  // alike.
   FourHigh stiff                    = s;
   stiff.strip.width                 = 2;
   stiff.backup_roll.barrel_diameter = 1e3;
   ChainInputs in                    = inputs_at(working_load);
-  in.K3 = in.K5 = spring(1e18);
+  in.K3 = in.K5           = spring(1e18);
   const LumpedModel model = lumped_model(stiff, in);
-  EXPECT_TRUE(near(model.M[2].value, expected.at("M3_total"), within(1e-5, "the thick barrel still bends by 1e-6")));
+  EXPECT_TRUE(
+      near(model.M[2].value, expected.at("M3_total"), within(1e-5, "the thick barrel still bends by 1e-6")));
   EXPECT_TRUE(near(model.M[3].value, expected.at("M4_total"), within(1e-5, "as M3")));
 }
 
@@ -211,7 +225,8 @@ TEST(DemoStand, Sensitivities)
   check(stand, "D2_1.30");
 }
 
-// K2 and K6 of the reference are the published springs with the change of the backup bearing's tangent between the loads.
+// K2 and K6 of the reference are the published springs with the change of the backup bearing's tangent between the
+// loads.
 TEST(DemoStand, LoadDependentSprings)
 {
   RollerBearing work;
@@ -237,10 +252,10 @@ TEST(DemoStand, LoadDependentSprings)
 
 TEST(LumpedStand, GivenValuesReplaceAndKeepTheirSource)
 {
-  FourHigh stand = demo_stand();
+  FourHigh stand  = demo_stand();
   const auto give = [&](const std::string &name, const double value, const Source source) {
-    Parameter p = spring(value);
-    p.source    = source;
+    Parameter p       = spring(value);
+    p.source          = source;
     stand.given[name] = {p, {}};
   };
   give("K3", 7.53399e11, Source::published);
@@ -257,7 +272,8 @@ TEST(LumpedStand, GivenValuesReplaceAndKeepTheirSource)
   EXPECT_EQ(result.model.C.value, 1.9e5);
   EXPECT_EQ(result.K_ZW.value, 1e11);
   // K6 = 1 / (1/K_Zd + 1/K_Zy + 1/K_ZW) with the given roll stiffness
-  EXPECT_TRUE(near(result.model.K[5].value, 1 / (1 / 1.03e11 + 1 / K_Zy(working_load) + 1e-11), within(1e-12, "three springs in series")));
+  EXPECT_TRUE(near(result.model.K[5].value, 1 / (1 / 1.03e11 + 1 / K_Zy(working_load) + 1e-11),
+                   within(1e-12, "three springs in series")));
   // A stiffer contact pulls the work roll along: w1 vanishes, and the lower roll (K5 computed) does not notice.
   EXPECT_GT(result.model.M[2].value, lumped_model(demo_stand(), inputs_at(working_load)).M[2].value);
 }
@@ -286,7 +302,8 @@ TEST(LumpedStand, ErrorEstimatesArePropagated)
   EXPECT_TRUE(std::isnan(model.K[0].error_estimate));
   EXPECT_TRUE(std::isnan(model.M[0].error_estimate));
   EXPECT_EQ(model.K[2].error_estimate, 0.02);
-  EXPECT_TRUE(near(model.K[1].error_estimate, 0.05 * model.K[1].value / K_Zy(working_load), within(1e-6, "central difference of a series spring")));
+  EXPECT_TRUE(near(model.K[1].error_estimate, 0.05 * model.K[1].value / K_Zy(working_load),
+                   within(1e-6, "central difference of a series spring")));
   EXPECT_GT(model.M[2].error_estimate, 0);
   EXPECT_LT(model.M[2].error_estimate, 0.02);
   EXPECT_TRUE(std::isnan(lumped_model(demo_stand(), inputs_at(working_load, 0.02)).K[1].error_estimate));
@@ -294,7 +311,7 @@ TEST(LumpedStand, ErrorEstimatesArePropagated)
 
 TEST(LumpedStand, RefusesAMissingSpring)
 {
-  FourHigh stand                  = demo_stand();
+  FourHigh stand                   = demo_stand();
   stand.frame.oil_column_stiffness = 0;
   EXPECT_THROW(lumped_stand(stand, inputs_at(working_load)), InputError);
   ChainInputs in = inputs_at(working_load);

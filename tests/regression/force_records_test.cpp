@@ -51,16 +51,19 @@ TEST_F(ForceRecords, AreWhatTheGeneratorWrites)
 TEST_F(ForceRecords, HaveThePublishedRangesToTheLastDigit)
 {
   const std::pair<const char *, std::pair<const char *, const char *>> passes[] = {
-      {"pass-1.csv", {"972.8980", "979.5370"}}, {"pass-2.csv", {"733.7050", "742.2800"}}};
+      {"pass-1.csv", {"972.8980", "979.5370"}},
+      {"pass-2.csv", {"733.7050", "742.2800"}}
+  };
   for (const auto &[name, range] : passes) {
     std::ifstream file(std::string(MILLSTAND_SOURCE_DIR "/cases/data/") + name);
     std::string line, low = "999.9999", high = "000.0000";
     ASSERT_TRUE(std::getline(file, line));
     EXPECT_EQ(line, "time [s],force [kN]");
     while (std::getline(file, line)) {
-      const std::string force = line.substr(line.find(',') + 1);  // three digits before the point: text order is order
-      low                     = std::min(low, force);
-      high                    = std::max(high, force);
+      const std::string force =
+          line.substr(line.find(',') + 1);  // three digits before the point: text order is order
+      low  = std::min(low, force);
+      high = std::max(high, force);
     }
     EXPECT_EQ(low, range.first);
     EXPECT_EQ(high, range.second);

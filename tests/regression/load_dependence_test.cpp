@@ -1,5 +1,5 @@
-// The stand at six rolling forces: frequencies, and the level under white force relative to 976 kN (reference file,
-// entries load.*).
+// The stand at six rolling forces: frequencies, and the level under white force relative to 976 kN (reference
+// file, entries load.*).
 #include "dynamics/frequency_response.h"
 #include "dynamics/modes.h"
 #include "tests/support/near.h"
@@ -35,7 +35,7 @@ TEST(LoadDependence, LevelUnderWhiteForce)
   std::map<double, Eigen::Vector2d> rms;
   for (const auto &row : reference("load.table").get<std::vector<std::vector<double>>>()) {
     const auto found = frequency_response(stand_at(row), lines);
-    rms[row[0]]      = {found.acceleration.col(upper_work_roll).norm(), found.acceleration.col(lower_work_roll).norm()};
+    rms[row[0]] = {found.acceleration.col(upper_work_roll).norm(), found.acceleration.col(lower_work_roll).norm()};
   }
   const Tolerance grid = within(1e-3, "grid of the frequency integral, here and in the reference");
   for (const auto &row : reference("load.rms_ratio").get<std::vector<std::vector<double>>>()) {

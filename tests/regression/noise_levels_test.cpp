@@ -1,5 +1,5 @@
-// Peaks under white force with the pass-1 range.  The damping of 1 % was fitted to measured peaks, so agreement says
-// that driving, noise and integration are as in the reference computation, not that the model is right.
+// Peaks under white force with the pass-1 range.  The damping of 1 % was fitted to measured peaks, so agreement
+// says that driving, noise and integration are as in the reference computation, not that the model is right.
 #include "dynamics/response.h"
 #include "dynamics/rolling_force.h"
 #include "tests/support/near.h"
@@ -11,18 +11,20 @@ using namespace mill::dynamics;
 
 TEST(NoiseLevels, MeanPeaksOfTheLineContactStand)
 {
-  auto set                  = parameter_set("R1");
+  auto set                   = parameter_set("R1");
   set.dynamics.modal_damping = 0.01;
-  const MillModel model     = mill_model(set.stand, set.dynamics);
+  const MillModel model      = mill_model(set.stand, set.dynamics);
   NoiseSettings settings;
   settings.range = {972898, 979537};
-  settings.rate  = 20e3;  // as in the reference computation: the lines between samples take 2 % less at 750 Hz than at 10 kHz
+  settings.rate =
+      20e3;  // as in the reference computation: the lines between samples take 2 % less at 750 Hz than at 10 kHz
   const int n_records = 20;
   Eigen::Vector2d mean(0, 0);
   for (int seed = 1; seed <= n_records; ++seed) {
     settings.seed    = std::uint64_t(seed);
     const Response r = mill_response(model, synthetic_force(settings), 20e3);
-    mean += Eigen::Vector2d(level(r.acceleration.col(upper_work_roll)).peak, level(r.acceleration.col(lower_work_roll)).peak);
+    mean += Eigen::Vector2d(level(r.acceleration.col(upper_work_roll)).peak,
+                            level(r.acceleration.col(lower_work_roll)).peak);
   }
   mean /= n_records;
   for (const auto &row : reference("noise.calibration"))
@@ -49,11 +51,14 @@ TEST(NoiseLevels, ContentBelowTheRollModesLeavesThemQuiet)
     for (int seed = 1; seed <= n_records; ++seed) {
       settings.seed    = std::uint64_t(100 + seed);
       const Response r = mill_response(model, synthetic_force(settings), 20e3);
-      mean += Eigen::Vector2d(level(r.acceleration.col(upper_work_roll)).peak, level(r.acceleration.col(lower_work_roll)).peak);
+      mean += Eigen::Vector2d(level(r.acceleration.col(upper_work_roll)).peak,
+                              level(r.acceleration.col(lower_work_roll)).peak);
     }
     mean /= n_records;
-    const auto expected = reference("noise.peaks").at("R1").at(std::to_string(int(bandwidth))).get<std::vector<double>>();
-    const Tolerance statistical = within(0.15, "two means of 8 records, each known to 5 %: 7.5 % together, twice that");
+    const auto expected =
+        reference("noise.peaks").at("R1").at(std::to_string(int(bandwidth))).get<std::vector<double>>();
+    const Tolerance statistical =
+        within(0.15, "two means of 8 records, each known to 5 %: 7.5 % together, twice that");
     EXPECT_TRUE(near(mean[0], expected[0], statistical)) << bandwidth << " Hz";
     EXPECT_TRUE(near(mean[1], expected[1], statistical)) << bandwidth << " Hz";
   }

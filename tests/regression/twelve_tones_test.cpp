@@ -1,5 +1,5 @@
-// Response of eight parameter sets to one polyline force, against a record computed outside this program (reference
-// file, entries regression.*).
+// Response of eight parameter sets to one polyline force, against a record computed outside this program
+// (reference file, entries regression.*).
 #include "dynamics/response.h"
 #include "tests/support/near.h"
 #include "tests/support/published_stand.h"
@@ -12,7 +12,8 @@ TEST(TwelveTones, EveryParameterSet)
 {
   const ForceRecord force = twelve_tones();
   EXPECT_TRUE(near(force.force[0], reference("regression.force").at("F0"), within(1e-12, "same formula")));
-  EXPECT_TRUE(near(force.force.maxCoeff() - force.force.minCoeff(), 6639, within(1e-9, "amplitude chosen for it")));
+  EXPECT_TRUE(
+      near(force.force.maxCoeff() - force.force.minCoeff(), 6639, within(1e-9, "amplitude chosen for it")));
   for (const std::string set : {"P1", "P2", "P3", "P4", "Q1", "R1", "R2", "R3"}) {
     const auto chosen     = parameter_set(set);
     const auto expected   = reference("regression." + set + ".response");
@@ -27,7 +28,8 @@ TEST(TwelveTones, EveryParameterSet)
       EXPECT_TRUE(near(level(computed).peak, peak, tolerance)) << set;
       EXPECT_TRUE(near(level(computed).rms, expected.at("rms")[std::size_t(roll)], tolerance)) << set;
       for (std::size_t i = 0; i < sample.size(); ++i)
-        EXPECT_TRUE(near(computed[sample[i]], expected.at(history[roll])[i], tolerance)) << set << " sample " << sample[i];
+        EXPECT_TRUE(near(computed[sample[i]], expected.at(history[roll])[i], tolerance))
+            << set << " sample " << sample[i];
     }
   }
 }

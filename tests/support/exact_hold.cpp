@@ -2,8 +2,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-namespace
-{
+namespace {
 using Real   = long double;
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
@@ -22,15 +21,15 @@ Matrix exponential(const Matrix &G)
     sum = sum * sum;
   return sum;
 }
-} // namespace
+}  // namespace
 
 Eigen::MatrixXd exact_hold(const Eigen::VectorXd &M, const Eigen::MatrixXd &K, const Eigen::MatrixXd &C,
                            const Eigen::VectorXd &b, const Eigen::VectorXd &force, const double h)
 {
-  const Eigen::Index n  = M.size(), s = 2 * n;
-  const Vector inverse  = M.cast<Real>().cwiseInverse();
-  const Vector push     = inverse.cwiseProduct(b.cast<Real>());
-  Matrix A              = Matrix::Zero(s, s);
+  const Eigen::Index n = M.size(), s = 2 * n;
+  const Vector inverse      = M.cast<Real>().cwiseInverse();
+  const Vector push         = inverse.cwiseProduct(b.cast<Real>());
+  Matrix A                  = Matrix::Zero(s, s);
   A.topRightCorner(n, n)    = Matrix::Identity(n, n);
   A.bottomLeftCorner(n, n)  = -(inverse.asDiagonal() * K.cast<Real>());
   A.bottomRightCorner(n, n) = -(inverse.asDiagonal() * C.cast<Real>());
@@ -40,7 +39,7 @@ Eigen::MatrixXd exact_hold(const Eigen::VectorXd &M, const Eigen::MatrixXd &K, c
   G(s, s + 1)               = 1;
   const Matrix E            = exponential(G);
 
-  Vector x = Vector::Zero(s);
+  Vector x  = Vector::Zero(s);
   x.head(n) = K.cast<Real>().partialPivLu().solve(b.cast<Real>()) * Real(force[0]);
   Eigen::MatrixXd acceleration(force.size(), n);
   for (Eigen::Index i = 0; i < force.size(); ++i) {

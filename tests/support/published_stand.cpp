@@ -29,14 +29,20 @@ ParameterSet parameter_set(const std::string &name)
     double modal, gap_damper;  // -, N s/m
   };
   const std::map<std::string, Choice> choices = {
-      {"P1", {"published", 0, 1.91141e8}}, {"P2", {"published", 0, 1.91141e5}},   {"P3", {"published", 0.01, 1.91141e5}},
-      {"P4", {"published", 0.02, 0}},      {"Q1", {"measured", 0.02, 1.91141e8}}, {"R1", {"measured", 0.02, 1.91141e8}},
-      {"R2", {"disturbance", 0.02, 0}},    {"R3", {"measured", 0.03, 0}}};
+      {"P1", {"published", 0, 1.91141e8}   },
+      {"P2", {"published", 0, 1.91141e5}   },
+      {"P3", {"published", 0.01, 1.91141e5}},
+      {"P4", {"published", 0.02, 0}        },
+      {"Q1", {"measured", 0.02, 1.91141e8} },
+      {"R1", {"measured", 0.02, 1.91141e8} },
+      {"R2", {"disturbance", 0.02, 0}      },
+      {"R3", {"measured", 0.03, 0}         }
+  };
   const Choice choice = choices.at(name);
   ParameterSet set{published_stand(), settings(choice.meaning, choice.modal)};
   set.stand.C.value = choice.gap_damper;  // a measured force leaves it out, as it does K4
   if (name[0] == 'R') {
-    const auto K = reference("regression." + name + ".system").at("K").get<std::vector<double>>();
+    const auto K         = reference("regression." + name + ".system").at("K").get<std::vector<double>>();
     set.stand.K[2].value = K[2];
     set.stand.K[4].value = K[4];
     if (name == "R2")
@@ -54,9 +60,9 @@ mill::ForceRecord twelve_tones()
   record.time  = Eigen::ArrayXd::LinSpaced(n, 0, double(n - 1)) * tones.at("h").get<double>();
   record.force = Eigen::VectorXd::Constant(n, tones.at("mid").get<double>());
   for (std::size_t i = 1; i <= frequencies.size(); ++i)
-    record.force.array() += tones.at("amplitude").get<double>() *
-                            (2 * M_PI * frequencies[i - 1] * record.time.array() +
-                             tones.at("phase_factor").get<double>() * double(i * i))
-                                .sin();
+    record.force.array() +=
+        tones.at("amplitude").get<double>() * (2 * M_PI * frequencies[i - 1] * record.time.array() +
+                                               tones.at("phase_factor").get<double>() * double(i * i))
+                                                  .sin();
   return record;
 }

@@ -6,8 +6,7 @@
 using namespace mill;
 using namespace mill::reduce;
 
-namespace
-{
+namespace {
 constexpr double degree = M_PI / 180;
 
 RollerBearing tapered()
@@ -25,7 +24,7 @@ RollerBearing tapered()
   b.cup_angle         = 19.66 * degree;
   return b;
 }
-} // namespace
+}  // namespace
 
 TEST(BearingGeometry, ApexClosesAtTheReferenceAngles)
 {
@@ -36,11 +35,13 @@ TEST(BearingGeometry, ApexClosesAtTheReferenceAngles)
     EXPECT_TRUE(near(closed.cup_angle / degree, row[2], angle));
     EXPECT_TRUE(near(closed.cone_angle / degree, row[3], angle));
   }
-  const double printed[5][5] = {{2.5, 20, 19.84, 21.09, 18.59},  // included cone deg, D_we mm, axis, cup, cone deg
-                                {2.5, 23, 17.17, 18.42, 15.92},
-                                {1.25, 21.5, 9.08, 9.71, 8.46},
-                                {5.0, 21.5, 39.19, 41.69, 36.69},
-                                {2.5, 21.5, 18.41, 19.66, 17.16}};
+  const double printed[5][5] = {
+      {2.5,  20,   19.84, 21.09, 18.59}, // included cone deg, D_we mm, axis, cup, cone deg
+      {2.5,  23,   17.17, 18.42, 15.92},
+      {1.25, 21.5, 9.08,  9.71,  8.46 },
+      {5.0,  21.5, 39.19, 41.69, 36.69},
+      {2.5,  21.5, 18.41, 19.66, 17.16}
+  };
   for (const auto &row : printed) {
     const ApexClosure closed = apex_closure(0.31115, row[1] * 1e-3, row[0] * degree, 39);
     EXPECT_NEAR(closed.axis_angle / degree, row[2], 0.01);  // table of hundredths of a degree
@@ -62,10 +63,11 @@ TEST(BearingGeometry, RefusesAnAngleThatDoesNotClose)
     require_closed_apex(b);
     FAIL() << "accepted";
   } catch (const InputError &error) {
-    EXPECT_STREQ(error.problems.at(0).message.c_str(),
-                 "bearing.trb: cup angle 13.5 deg does not close the apex condition; with a 21.5 mm roller of 2.5 deg included on a "
-                 "311.15 mm pitch circle it is 19.658 deg; the given angle would need a roller diameter of 31.998 mm, more than the "
-                 "25.064 mm at which neighbouring rollers touch");
+    EXPECT_STREQ(error.problems.at(0).message.c_str(), "bearing.trb: cup angle 13.5 deg does not close the apex "
+                                                       "condition; with a 21.5 mm roller of 2.5 deg included on a "
+                                                       "311.15 mm pitch circle it is 19.658 deg; the given angle "
+                                                       "would need a roller diameter of 31.998 mm, more than the "
+                                                       "25.064 mm at which neighbouring rollers touch");
   }
 }
 
@@ -76,7 +78,7 @@ TEST(BearingGeometry, RefusesAConeWithoutAnyApex)
 
 TEST(BearingGeometry, CylindricalBearingNeedsNoApex)
 {
-  RollerBearing b = tapered();
+  RollerBearing b     = tapered();
   b.roller_cone_angle = b.cup_angle = 0;
   EXPECT_NO_THROW(require_closed_apex(b));
 }

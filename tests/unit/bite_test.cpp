@@ -6,8 +6,7 @@
 using namespace mill;
 using namespace mill::dynamics;
 
-namespace
-{
+namespace {
 /// Pass of the demo stand: 8 -> 5 mm, k 28 MPa, mu 0.2, 1 m wide, work roll 420 mm.
 RollBite demo_pass()
 {
@@ -23,7 +22,8 @@ RollBite demo_pass()
   return bite;
 }
 
-RollBite constant_pass(const double R_mm, const double h1_mm, const double h2_mm, const double k_MPa, const double mu)
+RollBite constant_pass(const double R_mm, const double h1_mm, const double h2_mm, const double k_MPa,
+                       const double mu)
 {
   RollBite bite              = demo_pass();
   bite.roll_radius           = R_mm * 1e-3;
@@ -37,11 +37,11 @@ RollBite constant_pass(const double R_mm, const double h1_mm, const double h2_mm
 FlowStress law(const std::string &name)
 {
   FlowStress f;
-  f.law = name;
-  f.k   = 700e6;
-  f.k0  = 300e6;
+  f.law  = name;
+  f.k    = 700e6;
+  f.k0   = 300e6;
   f.eps0 = 0.01;
-  f.n   = 0.2;
+  f.n    = 0.2;
   return f;
 }
 
@@ -54,39 +54,52 @@ std::string message_of(const RollBite &bite)
   }
   return "accepted";
 }
-} // namespace
+}  // namespace
 
 TEST(FlowStress, Laws)
 {
-  const double e = 0.3;
+  const double e     = 0.3;
   const auto formula = within(1e-14, "formula");
   EXPECT_TRUE(near(flow_stress(law("constant"), e), 700e6, formula));
   EXPECT_TRUE(near(flow_stress(law("swift"), e), 700e6 * std::pow(0.31, 0.2), formula));
   EXPECT_TRUE(near(flow_stress(law("ludwik"), e), 300e6 + 700e6 * std::pow(0.3, 0.2), formula));
   EXPECT_TRUE(near(flow_stress(law("voce"), e), 300e6 + 700e6 * (1 - std::exp(-0.06)), formula));
   EXPECT_TRUE(near(flow_stress(law("power"), e), 700e6 * std::pow(0.3, 0.2), formula));
-  EXPECT_TRUE(near(flow_stress(law("reduction-power"), e), 700e6 * std::pow(0.01 + 1 - std::exp(-0.3), 0.2), formula));
+  EXPECT_TRUE(
+      near(flow_stress(law("reduction-power"), e), 700e6 * std::pow(0.01 + 1 - std::exp(-0.3), 0.2), formula));
   FlowStress table = law("table");
-  table.table      = {{0, 300e6}, {0.2, 400e6}, {1, 480e6}};
+  table.table      = {
+           {0,   300e6},
+           {0.2, 400e6},
+           {1,   480e6}
+  };
   EXPECT_TRUE(near(flow_stress(table, 0.1), 350e6, formula));
   EXPECT_TRUE(near(flow_stress(table, 0.6), 440e6, formula));
   EXPECT_THROW(flow_stress(table, 1.1), InputError);
   EXPECT_THROW(flow_stress(law("hensel"), e), InputError);
-  table.table = {{0, 300e6}};
+  table.table = {
+      {0, 300e6}
+  };
   EXPECT_THROW(flow_stress(table, 0), InputError);
 }
 
 // Bland-Ford closed form, rigid roll, parabolic arc: N per mm of width from an independent program.
 TEST(Bite, BlandFordForcesOfFivePasses)
 {
-  const double table[5][6] = {{210, 8, 5, 28, 0.2, 963.08384},    {420, 120, 100, 60, 0.35, 6114.60500}, {300, 40, 30, 80, 0.30, 5238.51951},
-                              {100, 10, 9, 300, 0.10, 3068.63610}, {250, 2.0, 1.5, 600, 0.06, 7612.47475}};
+  const double table[5][6] = {
+      {210, 8,   5,   28,  0.2,  963.08384 },
+      {420, 120, 100, 60,  0.35, 6114.60500},
+      {300, 40,  30,  80,  0.30, 5238.51951},
+      {100, 10,  9,   300, 0.10, 3068.63610},
+      {250, 2.0, 1.5, 600, 0.06, 7612.47475}
+  };
   for (const auto &p : table)
-    EXPECT_TRUE(near(solve_bite(constant_pass(p[0], p[1], p[2], p[3], p[4])).force, p[5] * 1e3, within(1e-8, "printed with nine digits")));
+    EXPECT_TRUE(near(solve_bite(constant_pass(p[0], p[1], p[2], p[3], p[4])).force, p[5] * 1e3,
+                     within(1e-8, "printed with nine digits")));
 }
 
-// The un-approximated slab equation gives 984.351 N/mm on the same parabola and 989.456 on the circle with the friction share
-// of the vertical force: Bland and Ford's step costs 2.2 %, the rest 0.5 %.
+// The un-approximated slab equation gives 984.351 N/mm on the same parabola and 989.456 on the circle with the
+// friction share of the vertical force: Bland and Ford's step costs 2.2 %, the rest 0.5 %.
 TEST(Bite, BlandFordLiesBelowTheSlabEquation)
 {
   const double force = solve_bite(demo_pass()).force * 1e-3;
@@ -94,35 +107,38 @@ TEST(Bite, BlandFordLiesBelowTheSlabEquation)
   EXPECT_NEAR(force / 989.45598, 0.973, 0.001);
 }
 
-// Two conditions of a tandem mill (X. Liu et al., J. Vibroengineering 2017) at the friction their lubricant film gives; hardening law,
-// tensions and flattening all act.  Reference from an independent program at full precision.
+// Two conditions of a tandem mill (X. Liu et al., J. Vibroengineering 2017) at the friction their lubricant film
+// gives; hardening law, tensions and flattening all act.  Reference from an independent program at full precision.
 TEST(Bite, ColdPassesWithHardeningTensionAndFlattening)
 {
-  const double table[2][11] = {// h_e mm, h_d mm, sigma_e, sigma_d MPa, mu, F N, R' m, x_e m, x_n m, k_fe Pa, k_fd Pa
-                               {0.755, 0.568, 156, 197, 0.023968189622223662, 8257344.925615327, 0.5424180615984966, 0.010071354304110191,
-                                0.0032894652627086063, 763017137.5198973, 781358287.9541008},
-                               {0.789, 0.577, 180, 189, 0.02832038583977992, 8736293.890034175, 0.5262338200786073, 0.01056227105582245,
-                                0.003224610191225185, 759569726.7752361, 780498377.6549077}};
+  const double table[2][11] = {
+  // h_e mm, h_d mm, sigma_e, sigma_d MPa, mu, F N, R' m, x_e m, x_n m, k_fe Pa, k_fd Pa
+      {0.755, 0.568, 156, 197, 0.023968189622223662, 8257344.925615327, 0.5424180615984966, 0.010071354304110191,
+       0.0032894652627086063, 763017137.5198973, 781358287.9541008},
+      {0.789, 0.577, 180, 189, 0.02832038583977992,  8736293.890034175, 0.5262338200786073, 0.01056227105582245,
+       0.003224610191225185,  759569726.7752361, 780498377.6549077}
+  };
   for (const auto &c : table) {
-    RollBite bite                  = constant_pass(300, c[0], c[1], 829.64259, c[4]);
-    bite.flattening                = true;
-    bite.roll                      = {2.1e11, 0.3, 7850};
-    bite.strip.width               = 1.206;
-    bite.strip.entry_tension       = c[2] * 1e6;
-    bite.strip.exit_tension        = c[3] * 1e6;
-    bite.strip.initial_thickness   = 3e-3;
-    bite.strip.flow_stress.law     = "reduction-power";
-    bite.strip.flow_stress.eps0    = 0.00817;
-    bite.strip.flow_stress.n       = 0.3;
-    const BiteState state          = solve_bite(bite);
-    const auto fixed_point         = within(1e-8, "fixed point converged to 1e-13, friction handed over with 16 digits");
+    RollBite bite                = constant_pass(300, c[0], c[1], 829.64259, c[4]);
+    bite.flattening              = true;
+    bite.roll                    = {2.1e11, 0.3, 7850};
+    bite.strip.width             = 1.206;
+    bite.strip.entry_tension     = c[2] * 1e6;
+    bite.strip.exit_tension      = c[3] * 1e6;
+    bite.strip.initial_thickness = 3e-3;
+    bite.strip.flow_stress.law   = "reduction-power";
+    bite.strip.flow_stress.eps0  = 0.00817;
+    bite.strip.flow_stress.n     = 0.3;
+    const BiteState state        = solve_bite(bite);
+    const auto fixed_point = within(1e-8, "fixed point converged to 1e-13, friction handed over with 16 digits");
     EXPECT_TRUE(near(state.force, c[5], fixed_point));
     EXPECT_TRUE(near(state.flattened_radius, c[6], fixed_point));
     EXPECT_TRUE(near(state.arc_length, c[7], fixed_point));
     EXPECT_TRUE(near(state.neutral_position, c[8], fixed_point));
     EXPECT_TRUE(near(state.entry_flow_stress, c[9], fixed_point));
     EXPECT_TRUE(near(state.exit_flow_stress, c[10], fixed_point));
-    EXPECT_TRUE(near(state.forward_slip, (c[1] * 1e-3 + c[8] * c[8] / c[6]) / (c[1] * 1e-3) - 1, within(1e-7, "volume flow at the neutral point")));
+    EXPECT_TRUE(near(state.forward_slip, (c[1] * 1e-3 + c[8] * c[8] / c[6]) / (c[1] * 1e-3) - 1,
+                     within(1e-7, "volume flow at the neutral point")));
   }
 }
 
@@ -136,7 +152,8 @@ TEST(Bite, ThinStripWithAndWithoutFlattening)
   bite.strip.exit_tension  = 35e3 / (0.505 * 0.180e-3);
   BiteState state          = solve_bite(bite);
   EXPECT_TRUE(near(state.force / 0.505, 1.696467431e6, within(1e-9, "printed with ten digits")));
-  EXPECT_TRUE(near(state.neutral_position / state.arc_length, 0.330792812, within(2e-9, "printed with nine digits")));
+  EXPECT_TRUE(
+      near(state.neutral_position / state.arc_length, 0.330792812, within(2e-9, "printed with nine digits")));
   EXPECT_TRUE(near(state.peak_pressure, 1.227568157e9, within(1e-9, "printed with ten digits")));
   bite.flattening = true;
   EXPECT_TRUE(near(solve_bite(bite).force, 1.188311e6, within(1e-6, "printed with seven digits")));
@@ -151,13 +168,13 @@ TEST(Bite, ForceScalesWithStressAndSize)
 
 TEST(Bite, TensionsLowerTheForceAndMoveTheNeutralPoint)
 {
-  const BiteState base = solve_bite(demo_pass());
-  RollBite bite        = demo_pass();
-  bite.strip.exit_tension = 3e6;
-  const BiteState front = solve_bite(bite);
-  bite                   = demo_pass();
+  const BiteState base     = solve_bite(demo_pass());
+  RollBite bite            = demo_pass();
+  bite.strip.exit_tension  = 3e6;
+  const BiteState front    = solve_bite(bite);
+  bite                     = demo_pass();
   bite.strip.entry_tension = 3e6;
-  const BiteState back = solve_bite(bite);
+  const BiteState back     = solve_bite(bite);
   EXPECT_LT(front.force, base.force);
   EXPECT_LT(back.force, front.force);  // back tension works on the longer side of the hill
   EXPECT_GT(front.forward_slip, base.forward_slip);
@@ -171,7 +188,8 @@ TEST(Bite, PressureHillIsContinuousWithItsPeakAtTheNeutralPoint)
   const BiteState state   = solve_bite(bite);
   Eigen::Index peak;
   state.pressure.maxCoeff(&peak);
-  EXPECT_TRUE(near(state.position[peak], state.neutral_position, within(1e-14, "the neutral point is one of the samples")));
+  EXPECT_TRUE(near(state.position[peak], state.neutral_position,
+                   within(1e-14, "the neutral point is one of the samples")));
   EXPECT_TRUE(near(state.pressure[0], 26e6, within(1e-12, "flow stress minus front tension")));
   EXPECT_TRUE(near(state.pressure[200], 28e6, within(1e-12, "flow stress, no back tension")));
   EXPECT_TRUE(near(state.thickness[200], 8e-3, within(1e-14, "entry thickness")));
@@ -184,28 +202,44 @@ TEST(Bite, PressureHillIsContinuousWithItsPeakAtTheNeutralPoint)
 // A linear table and Ludwik's law with n = 1 are one law; so is a table cut into pieces.
 TEST(Bite, TableIsIntegratedAcrossItsKinks)
 {
-  RollBite ludwik                   = demo_pass();
-  ludwik.strip.flow_stress.law      = "ludwik";
-  ludwik.strip.flow_stress.k0       = 28e6;
-  ludwik.strip.flow_stress.k        = 20e6;
-  ludwik.strip.flow_stress.n        = 1;
-  RollBite table                    = ludwik;
-  table.strip.flow_stress.law       = "table";
-  table.strip.flow_stress.table     = {{0, 28e6}, {0.1, 30e6}, {0.31, 34.2e6}, {1, 48e6}};
+  RollBite ludwik               = demo_pass();
+  ludwik.strip.flow_stress.law  = "ludwik";
+  ludwik.strip.flow_stress.k0   = 28e6;
+  ludwik.strip.flow_stress.k    = 20e6;
+  ludwik.strip.flow_stress.n    = 1;
+  RollBite table                = ludwik;
+  table.strip.flow_stress.law   = "table";
+  table.strip.flow_stress.table = {
+      {0,    28e6  },
+      {0.1,  30e6  },
+      {0.31, 34.2e6},
+      {1,    48e6  }
+  };
   EXPECT_TRUE(near(solve_bite(table).force, solve_bite(ludwik).force, within(1e-13, "same law")));
-  EXPECT_TRUE(near(bite_stiffness(table, solve_bite(table)).plastic_slope, bite_stiffness(ludwik, solve_bite(ludwik)).plastic_slope, within(1e-12, "same law")));
+  EXPECT_TRUE(near(bite_stiffness(table, solve_bite(table)).plastic_slope,
+                   bite_stiffness(ludwik, solve_bite(ludwik)).plastic_slope, within(1e-12, "same law")));
   // A real kink: halving the pieces on either side of it must not change anything.
-  table.strip.flow_stress.table = {{0, 28e6}, {0.2, 60e6}, {1, 62e6}};
+  table.strip.flow_stress.table = {
+      {0,   28e6},
+      {0.2, 60e6},
+      {1,   62e6}
+  };
   RollBite finer                = table;
-  finer.strip.flow_stress.table = {{0, 28e6}, {0.1, 44e6}, {0.2, 60e6}, {0.3, 60.25e6}, {1, 62e6}};
+  finer.strip.flow_stress.table = {
+      {0,   28e6   },
+      {0.1, 44e6   },
+      {0.2, 60e6   },
+      {0.3, 60.25e6},
+      {1,   62e6   }
+  };
   EXPECT_TRUE(near(solve_bite(table).force, solve_bite(finer).force, within(1e-13, "same polygon")));
 }
 
 TEST(BiteStiffness, DemoPass)
 {
-  const RollBite bite      = demo_pass();
-  const BiteStiffness k    = bite_stiffness(bite, solve_bite(bite));
-  const double K_flat      = reference("flattening_K4")[1];
+  const RollBite bite   = demo_pass();
+  const BiteStiffness k = bite_stiffness(bite, solve_bite(bite));
+  const double K_flat   = reference("flattening_K4")[1];
   EXPECT_TRUE(near(k.plastic_slope, 226.424e6, within(3e-6, "printed with six digits")));
   EXPECT_TRUE(near(k.flattening, K_flat, within(1e-12, "closed form")));
   EXPECT_TRUE(near(k.combined, 1 / (1 / 226.424e6 + 2 / K_flat), within(3e-6, "printed with six digits")));
@@ -214,12 +248,13 @@ TEST(BiteStiffness, DemoPass)
 
 TEST(BiteStiffness, FlatteningOfThreeWidths)
 {
-  const auto expected = reference("flattening_K4");
+  const auto expected   = reference("flattening_K4");
   const double width[3] = {0.3, 1.0, 1.4};
   for (int i = 0; i < 3; ++i) {
     RollBite bite    = demo_pass();
     bite.strip.width = width[i];
-    EXPECT_TRUE(near(bite_stiffness(bite, solve_bite(bite)).flattening, expected[i], within(1e-12, "closed form")));
+    EXPECT_TRUE(
+        near(bite_stiffness(bite, solve_bite(bite)).flattening, expected[i], within(1e-12, "closed form")));
   }
 }
 
@@ -228,14 +263,14 @@ TEST(BiteStiffness, IsTheSlopeOfTheForce)
 {
   for (const char *name : {"constant", "swift", "voce"})
     for (const bool flattening : {false, true}) {
-      RollBite bite          = constant_pass(250, 2.0, 1.5, 600, 0.06);
-      bite.strip.flow_stress = law(name);
+      RollBite bite           = constant_pass(250, 2.0, 1.5, 600, 0.06);
+      bite.strip.flow_stress  = law(name);
       bite.strip.exit_tension = 80e6;
-      bite.flattening        = flattening;
-      const BiteState state  = solve_bite(bite);
-      const BiteStiffness k  = bite_stiffness(bite, state);
-      const double step      = 1e-5 * bite.strip.exit_thickness;
-      const auto force_at    = [&](double h, bool following) {
+      bite.flattening         = flattening;
+      const BiteState state   = solve_bite(bite);
+      const BiteStiffness k   = bite_stiffness(bite, state);
+      const double step       = 1e-5 * bite.strip.exit_thickness;
+      const auto force_at     = [&](double h, bool following) {
         RollBite moved             = bite;
         moved.strip.exit_thickness = h;
         if (!following) {
@@ -244,13 +279,19 @@ TEST(BiteStiffness, IsTheSlopeOfTheForce)
         }
         return solve_bite(moved).force;
       };
-      const double h = bite.strip.exit_thickness;
+      const double h        = bite.strip.exit_thickness;
       const auto difference = within(1e-6, "central difference: truncation 1e-9, rounding 1e-10");
-      EXPECT_TRUE(near(k.plastic_slope, (force_at(h - step, false) - force_at(h + step, false)) / (2 * step), difference)) << name;
-      EXPECT_TRUE(near(k.plastic_slope_following, (force_at(h - step, true) - force_at(h + step, true)) / (2 * step), difference)) << name;
+      EXPECT_TRUE(
+          near(k.plastic_slope, (force_at(h - step, false) - force_at(h + step, false)) / (2 * step), difference))
+          << name;
+      EXPECT_TRUE(near(k.plastic_slope_following,
+                       (force_at(h - step, true) - force_at(h + step, true)) / (2 * step), difference))
+          << name;
       // R' ~ F/dh falls with a wider gap only if the force falls faster than the reduction.
       if (flattening)
-        EXPECT_EQ(k.plastic_slope_following > k.plastic_slope, k.plastic_slope > state.force / (bite.strip.entry_thickness - h)) << name;
+        EXPECT_EQ(k.plastic_slope_following > k.plastic_slope,
+                  k.plastic_slope > state.force / (bite.strip.entry_thickness - h))
+            << name;
     }
 }
 
@@ -259,21 +300,27 @@ TEST(BiteErrors, SayWhatIsWrong)
 {
   RollBite bite       = demo_pass();
   bite.strip.friction = 0.02;
-  EXPECT_EQ(message_of(bite), "strip.friction = 0.02 is too small for an angle of bite of 0.1195 rad: the rolls cannot pull the strip "
-                              "through, the neutral point would lie beyond the exit; more than 0.05502 is needed, or a smaller reduction, "
-                              "more front tension or less back tension");
+  EXPECT_EQ(
+      message_of(bite),
+      "strip.friction = 0.02 is too small for an angle of bite of 0.1195 rad: the rolls cannot pull the strip "
+      "through, the neutral point would lie beyond the exit; more than 0.05502 is needed, or a smaller reduction, "
+      "more front tension or less back tension");
   bite                    = demo_pass();
   bite.strip.exit_tension = 1.1 * 28e6;
-  EXPECT_EQ(message_of(bite), "strip.exit_tension = 30.8 MPa reaches the flow stress 28 MPa at the exit: the strip yields behind the bite");
+  EXPECT_EQ(message_of(bite), "strip.exit_tension = 30.8 MPa reaches the flow stress 28 MPa at the exit: the "
+                              "strip yields behind the bite");
   bite                     = demo_pass();
   bite.strip.entry_tension = 28e6;
-  EXPECT_EQ(message_of(bite), "strip.entry_tension = 28 MPa reaches the flow stress 28 MPa at the entry: the strip yields before the bite");
+  EXPECT_EQ(message_of(bite), "strip.entry_tension = 28 MPa reaches the flow stress 28 MPa at the entry: the "
+                              "strip yields before the bite");
   bite                      = demo_pass();
   bite.strip.exit_thickness = 8e-3;
-  EXPECT_EQ(message_of(bite), "strip.exit_thickness = 8 mm must be positive and below strip.entry_thickness = 8 mm");
+  EXPECT_EQ(message_of(bite),
+            "strip.exit_thickness = 8 mm must be positive and below strip.entry_thickness = 8 mm");
   bite                         = demo_pass();
   bite.strip.initial_thickness = 7e-3;
-  EXPECT_EQ(message_of(bite), "strip.initial_thickness = 7 mm is below strip.entry_thickness = 8 mm: the strip would have been rolled thicker");
+  EXPECT_EQ(message_of(bite), "strip.initial_thickness = 7 mm is below strip.entry_thickness = 8 mm: the strip "
+                              "would have been rolled thicker");
   bite                    = demo_pass();
   bite.strip.friction     = 0.005;
   bite.strip.exit_tension = 27e6;
@@ -283,9 +330,10 @@ TEST(BiteErrors, SayWhatIsWrong)
     bite.strip.*member = 0;
     EXPECT_NE(message_of(bite), "accepted");
   }
-  bite                       = demo_pass();
-  bite.strip.flow_stress.law = "power";  // an unhardened strip of a pure power law yields at no stress: no tension possible
-  bite.strip.flow_stress.n   = 0.2;
+  bite = demo_pass();
+  bite.strip.flow_stress.law =
+      "power";  // an unhardened strip of a pure power law yields at no stress: no tension possible
+  bite.strip.flow_stress.n = 0.2;
   EXPECT_EQ(message_of(bite), "accepted");
   bite.strip.entry_tension = 1e6;
   EXPECT_NE(message_of(bite).find("reaches the flow stress 0 MPa"), std::string::npos);

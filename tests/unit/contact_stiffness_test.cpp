@@ -8,9 +8,9 @@
 using namespace mill;
 using reduce::contact_stiffness;
 
-namespace
-{
-ContactCurve curve_of(const std::function<double(double)> &approach, const int n = 24, const double low = 100e3, const double high = 2000e3)
+namespace {
+ContactCurve curve_of(const std::function<double(double)> &approach, const int n = 24, const double low = 100e3,
+                      const double high = 2000e3)
 {
   ContactCurve curve;
   curve.name = "upper";
@@ -29,12 +29,13 @@ double johnson(const double load)
   const double a2 = 4 * q * A * R1 * R2 / (R1 + R2);
   return A * q * (std::log(16 * R1 * R2 / a2) - 1);
 }
-} // namespace
+}  // namespace
 
 TEST(ContactStiffness, ExactOnTheExactCurve)
 {
   const auto k = contact_stiffness(curve_of(johnson), 976217.5);
-  EXPECT_TRUE(near(k.tangent, 40191831577.7, within(1e-11, "the fit contains the exact curve; reference printed with twelve digits")));
+  EXPECT_TRUE(near(k.tangent, 40191831577.7,
+                   within(1e-11, "the fit contains the exact curve; reference printed with twelve digits")));
   EXPECT_TRUE(near(k.secant, 37207522439.19, within(1e-11, "as the tangent")));
   EXPECT_LT(k.fit_error, 1e-12);
 }
@@ -45,9 +46,11 @@ TEST(ContactStiffness, FollowsASmoothCurveOfAnotherForm)
   const auto power = [](double F) { return 1.5e-11 * std::pow(F, 0.9) * std::pow(1e6, 0.1); };
   for (const double load : {100e3, 137e3, 500e3, 976217.5, 2000e3}) {
     const auto k = contact_stiffness(curve_of(power), load);
-    // approach/F ~ exp(-0.1 u): the cubic term left out is 1e-3 u^3 / 6, with u up to 0.9 at the ends of the sweep.
+    // approach/F ~ exp(-0.1 u): the cubic term left out is 1e-3 u^3 / 6, with u up to 0.9 at the ends of the
+    // sweep.
     EXPECT_TRUE(near(k.secant, load / power(load), within(1.3e-4, "cubic term at the farthest sample")));
-    EXPECT_TRUE(near(k.tangent / k.secant, 1 / 0.9, within(4e-4, "slope of the cubic term at the farthest sample, 5e-4 u^2")));
+    EXPECT_TRUE(near(k.tangent / k.secant, 1 / 0.9,
+                     within(4e-4, "slope of the cubic term at the farthest sample, 5e-4 u^2")));
   }
 }
 
@@ -61,8 +64,9 @@ TEST(ContactStiffness, NeverExtrapolatesAndNamesTheKey)
     contact_stiffness(curve, 2.1e6);
     FAIL() << "extrapolated";
   } catch (const InputError &error) {
-    EXPECT_STREQ(error.problems.at(0).message.c_str(), "contact upper: the working load 2100 kN is outside the computed curve, "
-                                                       "100 kN .. 2000 kN; widen contact.upper.loads");
+    EXPECT_STREQ(error.problems.at(0).message.c_str(),
+                 "contact upper: the working load 2100 kN is outside the computed curve, "
+                 "100 kN .. 2000 kN; widen contact.upper.loads");
   }
 }
 
@@ -72,7 +76,7 @@ TEST(ContactStiffness, RefusesTooFewOrUnorderedSamples)
   auto curve = curve_of(johnson);
   std::swap(curve.load[3], curve.load[4]);
   EXPECT_THROW(contact_stiffness(curve, 500e3), InputError);
-  curve = curve_of(johnson);
+  curve             = curve_of(johnson);
   curve.approach[7] = std::nan("");
   EXPECT_THROW(contact_stiffness(curve, 500e3), InputError);
 }

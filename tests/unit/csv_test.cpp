@@ -9,8 +9,7 @@
 
 using namespace mill;
 
-namespace
-{
+namespace {
 class Csv : public testing::Test {
 protected:
   std::string path = (std::filesystem::path(testing::TempDir()) / "millstand_csv_test.csv").string();
@@ -48,7 +47,7 @@ protected:
     EXPECT_EQ(r.force[2], -1000) << text;
   }
 };
-} // namespace
+}  // namespace
 
 TEST_F(Csv, CommaSemicolonAndTab)
 {
@@ -89,9 +88,11 @@ TEST_F(Csv, QuotedCells)
 TEST_F(Csv, WhatIsRefusedSaysWhereAndWhy)
 {
   EXPECT_EQ(refusal(""), "1:1: the file is empty; a header such as \"time [s], force [kN]\" and data are needed");
-  EXPECT_EQ(refusal("\n\n"), "1:1: the file is empty; a header such as \"time [s], force [kN]\" and data are needed");
+  EXPECT_EQ(refusal("\n\n"),
+            "1:1: the file is empty; a header such as \"time [s], force [kN]\" and data are needed");
   EXPECT_EQ(refusal("time [s], force [kN]\n"), "1:1: no sample after this header; at least two are needed");
-  EXPECT_EQ(refusal("time [s], force [kN]\n0,976\n"), "1:1: only one sample after this header; at least two are needed");
+  EXPECT_EQ(refusal("time [s], force [kN]\n0,976\n"),
+            "1:1: only one sample after this header; at least two are needed");
   EXPECT_EQ(refusal("time [s], force\n0,976\n1,976\n"),
             "1:11: column 'force' has no unit; a force is needed, for example \"force [kN]\"");
   EXPECT_EQ(refusal("time [s], force [kg]\n0,976\n1,976\n"),
@@ -103,13 +104,16 @@ TEST_F(Csv, WhatIsRefusedSaysWhereAndWhy)
   EXPECT_EQ(refusal("time [s],force [kN]\n0,976\n1,abc\n"), "3:3: 'abc' in column 'force' is not a finite number");
   EXPECT_EQ(refusal("time [s],force [kN]\n0,NaN\n1,976\n"), "2:3: 'NaN' in column 'force' is not a finite number");
   EXPECT_EQ(refusal("time [s],force [kN]\n0,inf\n1,976\n"), "2:3: 'inf' in column 'force' is not a finite number");
-  EXPECT_EQ(refusal("time [s],force [kN]\n0,\n1,976\n"), "2:3: the cell of column 'force' is empty; a number is needed");
-  EXPECT_EQ(refusal("time [s],force [kN]\n0,976\n2,976\n1,976\n"), "4:1: time 1 s comes after 2 s; sort the lines by time");
+  EXPECT_EQ(refusal("time [s],force [kN]\n0,\n1,976\n"),
+            "2:3: the cell of column 'force' is empty; a number is needed");
+  EXPECT_EQ(refusal("time [s],force [kN]\n0,976\n2,976\n1,976\n"),
+            "4:1: time 1 s comes after 2 s; sort the lines by time");
   EXPECT_EQ(refusal("time [s],force [kN]\n0,976\n1,976\n1,975\n"),
             "4:1: time 1 s stands twice; keep one of the two lines");
   EXPECT_EQ(refusal("time [s],force [kN]\n0,976,2\n1,976\n"),
             "2:1: this line has 3 cells, the header has 2; a decimal comma needs ';' or tab between the columns");
-  EXPECT_EQ(refusal("time [s];force [kN]\n0;1.976,2\n1;976\n"), "2:3: '1.976,2' in column 'force' is not a finite number");
+  EXPECT_EQ(refusal("time [s];force [kN]\n0;1.976,2\n1;976\n"),
+            "2:3: '1.976,2' in column 'force' is not a finite number");
 }
 
 TEST_F(Csv, AMissingFileIsNamed)
@@ -132,12 +136,16 @@ TEST_F(Csv, ATableComesBackWithAllDigits)
   const unsigned seed = 77;
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal(0, 1e6);
-  Table table{{"load", "ratio"}, {"N", ""}, {Eigen::VectorXd(500), Eigen::VectorXd(500)}};
+  Table table{
+      {"load",               "ratio"             },
+      {"N",                  ""                  },
+      {Eigen::VectorXd(500), Eigen::VectorXd(500)}
+  };
   for (int i = 0; i < 500; ++i) {
     table.columns[0][i] = normal(random);
     table.columns[1][i] = normal(random) * 1e-20;
   }
-  table.columns[1][7] = std::numeric_limits<double>::quiet_NaN();
+  table.columns[1][7]    = std::numeric_limits<double>::quiet_NaN();
   const std::string text = csv_text(table);
   EXPECT_EQ(text.substr(0, text.find('\n')), "load [N],ratio");
   write_atomically(path, text);

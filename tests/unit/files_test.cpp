@@ -1,6 +1,6 @@
 // Whole files: written at once or not at all, read back byte by byte.
-#include "core/files.h"
 #include "core/errors.h"
+#include "core/files.h"
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,8 +8,7 @@
 using namespace mill;
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 class Files : public testing::Test {
 protected:
   fs::path folder = fs::path(testing::TempDir()) / "millstand_files_test";
@@ -38,7 +37,7 @@ std::string message(const std::string &path)
   }
   return "";
 }
-} // namespace
+}  // namespace
 
 TEST_F(Files, BytesComeBack)
 {

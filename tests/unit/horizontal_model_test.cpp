@@ -36,10 +36,14 @@ TEST(HorizontalModel, RigidSeats)
     double Kzc;
     int bearings;
   };
-  for (const Row &row : {Row{"horizontal.2.01e10_one", 2.01e10, 1}, Row{"horizontal.2.01e10_two", 2.01e10, 2},
-                         Row{"horizontal.2.587e9_one", row_sum, 1}, Row{"horizontal.2.587e9_two", row_sum, 2},
-                         // third row read as 6.23286e4 N/mm
-                         Row{"horizontal.2.026e9_two", row_sum - 0.9 * 623286000.0, 2}}) {
+  for (const Row &row : {
+           Row{"horizontal.2.01e10_one", 2.01e10,                     1},
+           Row{"horizontal.2.01e10_two", 2.01e10,                     2},
+           Row{"horizontal.2.587e9_one", row_sum,                     1},
+           Row{"horizontal.2.587e9_two", row_sum,                     2},
+ // third row read as 6.23286e4 N/mm
+           Row{"horizontal.2.026e9_two", row_sum - 0.9 * 623286000.0, 2}
+  }) {
     ChockSeats seats;
     seats.bearings_per_roll = row.bearings;
     const auto model        = horizontal_model(stand_on_bearings(row.Kzc), seats);
@@ -60,8 +64,8 @@ TEST(HorizontalModel, SeatInSeriesWithTheBearings)
     EXPECT_TRUE(near(frequency_of(light, "upper work roll"), row[1], closed_form)) << "Kx/2Kzc " << row[0];
     EXPECT_TRUE(near(frequency_of(light, "lower work roll"), row[2], closed_form)) << "Kx/2Kzc " << row[0];
 
-    seats.chock_mass = {1200, 1200};
-    const auto heavy = horizontal_model(stand_on_bearings(2.01e10), seats);
+    seats.chock_mass  = {1200, 1200};
+    const auto heavy  = horizontal_model(stand_on_bearings(2.01e10), seats);
     const auto backup = horizontal_model(stand_on_bearings(2.01e10), ChockSeats{});
     std::vector<double> expected(row.begin() + 3, row.end());
     expected.push_back(frequency_of(backup, "upper backup roll"));
@@ -80,5 +84,6 @@ TEST(HorizontalModel, LeavesOutARollWhoseBearingIsUnknown)
   ASSERT_EQ(model.labels, (std::vector<std::string>{"upper work roll", "lower work roll"}));
   const auto two = reference_vector("horizontal.2.01e10_two");
   EXPECT_TRUE(near(frequency_of(model, "upper work roll"), two[1], closed_form));
-  EXPECT_EQ(modes(horizontal_model(published_stand(), ChockSeats{})).frequency.size(), 0) << "nothing known, no modes";
+  EXPECT_EQ(modes(horizontal_model(published_stand(), ChockSeats{})).frequency.size(), 0)
+      << "nothing known, no modes";
 }

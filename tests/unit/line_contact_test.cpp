@@ -5,10 +5,11 @@
 using namespace mill;
 using namespace mill::reduce;
 
-namespace
-{
-const CylinderPair demo_pair{0.420, 1.450, 1.4, {210e9, 0.28, 7700}};
-} // namespace
+namespace {
+const CylinderPair demo_pair{
+    0.420, 1.450, 1.4, {210e9, 0.28, 7700}
+};
+}  // namespace
 
 TEST(LineContact, MeetsTheReferenceTableOfTheDemoRolls)
 {
@@ -29,14 +30,19 @@ TEST(LineContact, MeetsTheReferenceTableOfTheDemoRolls)
   }
 }
 
-// Radii 200 and 650 mm, E 210 GPa, nu 0.3, from Johnson (1985) eq. 4.43, 4.45 and 5.57 evaluated by hand to five digits.
+// Radii 200 and 650 mm, E 210 GPa, nu 0.3, from Johnson (1985) eq. 4.43, 4.45 and 5.57 evaluated by hand to five
+// digits.
 TEST(LineContact, MeetsJohnsonForTwoSteelRolls)
 {
-  const CylinderPair pair{0.4, 1.3, 0.1, {210e9, 0.3, 7700}};
-  const auto printed = within(1e-4, "reference printed with four to five digits");
-  const double expected[3][5] = {{200e3, 0.5810e-3, 219.16e6, 8.074e-6, 26587e6},
-                                 {1000e3, 1.2991e-3, 490.05e6, 35.931e-6, 30146e6},
-                                 {5000e3, 2.9049e-3, 1095.78e6, 157.453e-6, 34804e6}};
+  const CylinderPair pair{
+      0.4, 1.3, 0.1, {210e9, 0.3, 7700}
+  };
+  const auto printed          = within(1e-4, "reference printed with four to five digits");
+  const double expected[3][5] = {
+      {200e3,  0.5810e-3, 219.16e6,  8.074e-6,   26587e6},
+      {1000e3, 1.2991e-3, 490.05e6,  35.931e-6,  30146e6},
+      {5000e3, 2.9049e-3, 1095.78e6, 157.453e-6, 34804e6}
+  };
   for (const auto &row : expected) {
     const LineContact contact = line_contact(pair, row[0] * pair.length);
     EXPECT_TRUE(near(contact.half_width, row[1], printed));
@@ -49,8 +55,10 @@ TEST(LineContact, MeetsJohnsonForTwoSteelRolls)
 TEST(LineContact, TangentIsTheSlopeOfTheApproach)
 {
   const double load = 976217.5, step = 1e-4 * load;
-  const double slope = 2 * step / (line_contact(demo_pair, load + step).approach - line_contact(demo_pair, load - step).approach);
-  EXPECT_TRUE(near(line_contact(demo_pair, load).tangent, slope, within(1e-8, "central difference, truncation step^2 / 6")));
+  const double slope =
+      2 * step / (line_contact(demo_pair, load + step).approach - line_contact(demo_pair, load - step).approach);
+  EXPECT_TRUE(near(line_contact(demo_pair, load).tangent, slope,
+                   within(1e-8, "central difference, truncation step^2 / 6")));
 }
 
 // The four laws differ in their datum only; the band is the accuracy of the notion of an axis-to-axis stiffness.

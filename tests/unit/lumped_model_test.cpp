@@ -1,8 +1,8 @@
 // The lumped model on disk: a valid case that keeps every number with its source.
-#include "core/lumped_model.h"
 #include "core/files.h"
 #include "core/given.h"
 #include "core/input_reference.h"
+#include "core/lumped_model.h"
 #include "core/stand.h"
 #include <cmath>
 #include <filesystem>
@@ -11,8 +11,7 @@
 using namespace mill;
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 LumpedModel sample()
 {
   LumpedModel model;
@@ -46,7 +45,8 @@ void expect_same(const Parameter &a, const Parameter &b)
   EXPECT_EQ(a.method, b.method);
   EXPECT_EQ(a.at, b.at);
   EXPECT_EQ(a.inputs, b.inputs);
-  EXPECT_TRUE(a.error_estimate == b.error_estimate || (std::isnan(a.error_estimate) && std::isnan(b.error_estimate)));
+  EXPECT_TRUE(a.error_estimate == b.error_estimate ||
+              (std::isnan(a.error_estimate) && std::isnan(b.error_estimate)));
 }
 
 class LumpedModels : public testing::Test {
@@ -68,16 +68,16 @@ protected:
     return (folder / name).string();
   }
 };
-} // namespace
+}  // namespace
 
 TEST_F(LumpedModels, ComeBackFromDiskWithEverySource)
 {
   write("data/f.csv", "time [s],force [kN]\n0,1\n1,2\n");
-  const Case origin = read_case(write("case.toml", template_of("four-high")),
-                                {"pass.0.published_peak=[\"1.40 g\", \"0.75 g\"]", "dynamics.modal_damping=2 %"});
+  const Case origin       = read_case(write("case.toml", template_of("four-high")),
+                                      {"pass.0.published_peak=[\"1.40 g\", \"0.75 g\"]", "dynamics.modal_damping=2 %"});
   const LumpedModel model = sample();
-  const Case read         = read_case(write("out/lumped_model.toml",
-                                            lumped_model_toml(model, origin, (folder / "out").string())));
+  const Case read =
+      read_case(write("out/lumped_model.toml", lumped_model_toml(model, origin, (folder / "out").string())));
   EXPECT_EQ(read.kind, "lumped");
   EXPECT_EQ(read.title, origin.title);
   const LumpedModel back = lumped_model_of(read);
@@ -99,13 +99,13 @@ TEST_F(LumpedModels, ComeBackFromDiskWithEverySource)
 TEST_F(LumpedModels, PathsOfThePassesFollowTheFile)
 {
   write("data/f.csv", "time [s],force [kN]\n0,1\n1,2\n");
-  const std::string text = template_of("lumped");
-  const Case origin      = read_case(write("case.toml", text), {"pass.0.load=900 kN", "pass.1.load=900 kN"});
-  Case with_file         = origin;
-  auto &passes           = std::get<Lumped>(with_file.spec).passes;
-  passes[0].force_file   = (folder / "data/f.csv").string();
+  const std::string text    = template_of("lumped");
+  const Case origin         = read_case(write("case.toml", text), {"pass.0.load=900 kN", "pass.1.load=900 kN"});
+  Case with_file            = origin;
+  auto &passes              = std::get<Lumped>(with_file.spec).passes;
+  passes[0].force_file      = (folder / "data/f.csv").string();
   passes[0].synthetic_range = {not_given, not_given};
-  const std::string toml = lumped_model_toml(sample(), with_file, (folder / "out").string());
+  const std::string toml    = lumped_model_toml(sample(), with_file, (folder / "out").string());
   EXPECT_NE(toml.find("force = \"../data/f.csv\""), std::string::npos) << toml;
   const Case back = read_case(write("out/lumped_model.toml", toml));
   EXPECT_TRUE(fs::equivalent(std::get<Lumped>(back.spec).passes[0].force_file, folder / "data/f.csv"));
@@ -121,7 +121,8 @@ TEST_F(LumpedModels, WithoutADamperNoneIsThere)
 
 TEST(Source, EveryTextIsUnderstood)
 {
-  for (const char *text : {"given", "published", "measured", "computed: contact FEM", "assumed: F/20", "computed"}) {
+  for (const char *text :
+       {"given", "published", "measured", "computed: contact FEM", "assumed: F/20", "computed"}) {
     Parameter parameter;
     EXPECT_TRUE(parse_source(text, parameter)) << text;
     EXPECT_EQ(source_text(parameter), text);

@@ -28,10 +28,12 @@ TEST(MillModel, MillModulusIsTheGapPerNewton)
 
 TEST(MillModel, ForceMeaningDecidesWhatStandsInTheBite)
 {
-  auto stand    = published_stand();
-  stand.C.value = 1e6;
-  const auto bite_stiffness = [&](const char *meaning) { return -mill_model(stand, settings(meaning, 0)).K(2, 3); };
-  const auto bite_damping   = [&](const char *meaning) { return -mill_model(stand, settings(meaning, 0)).C(2, 3); };
+  auto stand                = published_stand();
+  stand.C.value             = 1e6;
+  const auto bite_stiffness = [&](const char *meaning) {
+    return -mill_model(stand, settings(meaning, 0)).K(2, 3);
+  };
+  const auto bite_damping = [&](const char *meaning) { return -mill_model(stand, settings(meaning, 0)).C(2, 3); };
   EXPECT_EQ(bite_stiffness("measured"), 0);
   EXPECT_EQ(bite_stiffness("disturbance"), 1.91141e11);
   EXPECT_EQ(bite_stiffness("published"), 1.91141e11);
@@ -44,7 +46,9 @@ TEST(MillModel, ForceMeaningDecidesWhatStandsInTheBite)
 
 TEST(MillModel, LoadCellShowsTheMeanForceUnlessTheBiteTakesItsShare)
 {
-  const auto share = [](const char *meaning) { return mill_model(published_stand(), settings(meaning, 0)).load_cell_share; };
+  const auto share = [](const char *meaning) {
+    return mill_model(published_stand(), settings(meaning, 0)).load_cell_share;
+  };
   EXPECT_EQ(share("measured"), 1);
   EXPECT_EQ(share("disturbance"), 1);
   const double K7 = 6.8789e9;
@@ -56,8 +60,8 @@ TEST(MillModel, LoadCellShowsTheMeanForceUnlessTheBiteTakesItsShare)
 
 TEST(MillModel, ClosedFrameCarriesTheForceInItsPosts)
 {
-  auto closed  = settings("measured", 0.01);
-  closed.frame = "closed";
+  auto closed             = settings("measured", 0.01);
+  closed.frame            = "closed";
   const auto model        = mill_model(published_stand(), closed);
   const Eigen::VectorXd y = static_displacement(model);
   EXPECT_NEAR(y[lower_frame], 0, 1e-20) << "the foundation sees no force";
@@ -67,17 +71,19 @@ TEST(MillModel, ClosedFrameCarriesTheForceInItsPosts)
 TEST(MillModel, DampingMatrixOfEveryParameterSet)
 {
   for (const char *name : {"P1", "P2", "P3", "P4", "Q1", "R1", "R2", "R3"}) {
-    const auto set  = parameter_set(name);
-    const auto rows = reference(std::string("regression.") + name + ".system").at("C").get<std::vector<std::vector<double>>>();
+    const auto set = parameter_set(name);
+    const auto rows =
+        reference(std::string("regression.") + name + ".system").at("C").get<std::vector<std::vector<double>>>();
     const Eigen::MatrixXd C = mill_model(set.stand, set.dynamics).C;
-    double largest = 0;
+    double largest          = 0;
     for (const auto &row : rows)
       for (const double entry : row)
         largest = std::max(largest, std::abs(entry));
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j)
-        EXPECT_TRUE(near(C(i, j), rows[std::size_t(i)][std::size_t(j)],
-                         within(1e-10, "rounding of one 6 x 6 eigenproblem, relative to the largest entry", largest)))
+        EXPECT_TRUE(
+            near(C(i, j), rows[std::size_t(i)][std::size_t(j)],
+                 within(1e-10, "rounding of one 6 x 6 eigenproblem, relative to the largest entry", largest)))
             << name << " C(" << i << "," << j << ")";
   }
 }

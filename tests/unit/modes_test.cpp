@@ -54,7 +54,7 @@ TEST(Modes, StrainShareIsTwiceTheSensitivityOfTheFrequency)
       changed.K[spring].value *= factor;
       return modes(mill_model(changed, settings("published", 0))).frequency;
     };
-    const double step              = 1e-4;
+    const double step = 1e-4;
     const Eigen::VectorXd elasticity =
         (frequency(1 + step) - frequency(1 - step)).cwiseQuotient(2 * step * found.frequency);
     EXPECT_TRUE(near(elasticity, found.strain_share.col(Eigen::Index(spring)) / 2,
@@ -74,11 +74,12 @@ TEST(Modes, EnergySharesAndMassNormAddUp)
 
 TEST(Modes, ModalDampingGivesEveryPoleItsRatio)
 {
-  const auto found     = poles(mill_model(published_stand(), settings("measured", 0.013)));
-  const auto undamped  = modes(mill_model(published_stand(), settings("measured", 0)));
+  const auto found    = poles(mill_model(published_stand(), settings("measured", 0.013)));
+  const auto undamped = modes(mill_model(published_stand(), settings("measured", 0)));
   ASSERT_EQ(found.size(), 6u);
   for (std::size_t k = 0; k < 6; ++k) {
-    EXPECT_TRUE(near(found[k].damping, 0.013, within(1e-9, "modes decouple exactly; eigenvalues of a 12 x 12 matrix")));
+    EXPECT_TRUE(
+        near(found[k].damping, 0.013, within(1e-9, "modes decouple exactly; eigenvalues of a 12 x 12 matrix")));
     EXPECT_TRUE(near(found[k].frequency, undamped.frequency[Eigen::Index(k)], within(1e-9, "|lambda| = w")));
   }
 }

@@ -5,8 +5,7 @@
 
 using namespace mill;
 
-namespace
-{
+namespace {
 Results sample()
 {
   Results results;
@@ -17,7 +16,9 @@ Results sample()
   k3.at             = "976.2 kN";
   k3.error_estimate = 0.004;
   k3.inputs         = {"work_roll.barrel_diameter", "backup_roll.barrel_diameter"};
-  k3.checks         = {{"Hertz line contact", 4.0192e10, "infinitely long"}};
+  k3.checks         = {
+              {"Hertz line contact", 4.0192e10, "infinitely long"}
+  };
   results.add("K3.tangent", k3);
   Parameter unknown;
   unknown.unit   = "N/m";
@@ -27,7 +28,7 @@ Results sample()
   results.assumptions = {"bearing load F/20"};
   return results;
 }
-} // namespace
+}  // namespace
 
 TEST(Results, JsonHasEveryPart)
 {

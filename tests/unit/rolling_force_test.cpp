@@ -34,17 +34,19 @@ TEST(SyntheticForce, IsWhiteToItsBandwidthAndGaussian)
   const Spectrum found     = amplitude_spectral_density(record.force, 10e3, 2048);
   const auto line          = [&](const double f) { return Eigen::Index(std::lround(f / found.frequency[1])); };
   const double inside      = std::sqrt(found.density.segment(line(20), line(960)).array().square().mean());
-  const double lower  = std::sqrt(found.density.segment(line(20), line(480)).array().square().mean());
-  const double above  = found.density.tail(found.density.size() - line(1020)).maxCoeff();
-  EXPECT_TRUE(near(lower, inside, within(0.03, "half of 9600 independent lines: 1.4 % of power, 0.7 % of amplitude; "
-                                               "four of these")));
+  const double lower       = std::sqrt(found.density.segment(line(20), line(480)).array().square().mean());
+  const double above       = found.density.tail(found.density.size() - line(1020)).maxCoeff();
+  EXPECT_TRUE(near(lower, inside,
+                   within(0.03, "half of 9600 independent lines: 1.4 % of power, 0.7 % of amplitude; "
+                                "four of these")));
   // the record is a cut-out of a longer one: its ends jump, and the window lets 1/f^3 of the jump through
   EXPECT_LT(above, 1e-2 * inside);
   const Eigen::ArrayXd normal = (record.force.array() - record.force.mean());
   const double variance       = normal.square().mean();
-  EXPECT_TRUE(near(normal.square().square().mean() / (variance * variance), 3,
-                   within(0.08, "kurtosis of 20000 independent values: sqrt(24/20000) = 0.035, four of these are 5 %, "
-                                "correlation of neighbours leaves 8 %")));
+  EXPECT_TRUE(
+      near(normal.square().square().mean() / (variance * variance), 3,
+           within(0.08, "kurtosis of 20000 independent values: sqrt(24/20000) = 0.035, four of these are 5 %, "
+                        "correlation of neighbours leaves 8 %")));
 }
 
 TEST(SyntheticForce, RefusesWhatCannotBeMade)
@@ -64,8 +66,8 @@ TEST(ForceStatistics, OfASampledSine)
 {
   const double rate = 2000, f = 62.5, amplitude = 5e3, mean = 1e6;
   ForceRecord record;
-  record.time  = Eigen::ArrayXd::LinSpaced(16385, 0, 16384) / rate;
-  record.force = mean + amplitude * (2 * M_PI * f * record.time.array()).sin();
+  record.time                 = Eigen::ArrayXd::LinSpaced(16385, 0, 16384) / rate;
+  record.force                = mean + amplitude * (2 * M_PI * f * record.time.array()).sin();
   const ForceStatistics found = force_statistics(record);
   EXPECT_TRUE(near(found.mean, mean, within(1e-9, "whole periods and one sample of zero")));
   EXPECT_TRUE(near(found.largest - found.smallest, 2 * amplitude, within(1e-12, "a sample falls on the crest")));
@@ -111,12 +113,14 @@ TEST(BandwidthWarning, SaysWhatIsMissing)
 {
   ForceStatistics s{};
   s.sample_rate = 200, s.bandwidth = 100, s.content = 80;
-  EXPECT_EQ(bandwidth_warning(s, 745.8),
-            "the rolling force is sampled at 200 Hz and says nothing above 100 Hz, but the highest mode is at 745.8 Hz: "
-            "the accelerations of that mode are missing, not small");
+  EXPECT_EQ(
+      bandwidth_warning(s, 745.8),
+      "the rolling force is sampled at 200 Hz and says nothing above 100 Hz, but the highest mode is at 745.8 Hz: "
+      "the accelerations of that mode are missing, not small");
   s.sample_rate = 10e3, s.bandwidth = 5e3, s.content = 500;
-  EXPECT_EQ(bandwidth_warning(s, 745.8), "the content of the rolling force ends near 500 Hz, below the highest mode at "
-                                         "745.8 Hz: a sensor or filter of that bandwidth hides the excitation of the mode");
+  EXPECT_EQ(bandwidth_warning(s, 745.8),
+            "the content of the rolling force ends near 500 Hz, below the highest mode at "
+            "745.8 Hz: a sensor or filter of that bandwidth hides the excitation of the mode");
   s.content = 1000;
   EXPECT_EQ(bandwidth_warning(s, 745.8), "");
 }

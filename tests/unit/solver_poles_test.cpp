@@ -17,7 +17,8 @@ TEST(SolverPoles, EveryRowOfTheReferenceTable)
       return seen_through(method, row[0], row[1], rho);
     };
     const Pole euler = through(StepMethod::implicit_euler), newmark = through(StepMethod::newmark);
-    const Pole alpha8 = through(StepMethod::generalised_alpha, 0.8), alpha5 = through(StepMethod::generalised_alpha, 0.5);
+    const Pole alpha8 = through(StepMethod::generalised_alpha, 0.8),
+               alpha5 = through(StepMethod::generalised_alpha, 0.5);
     EXPECT_TRUE(near(euler.frequency, row[2], closed)) << row[0] << " Hz, " << row[1] << " s";
     EXPECT_TRUE(near(euler.damping, row[3], closed)) << row[0] << " Hz, " << row[1] << " s";
     EXPECT_TRUE(near(newmark.frequency, row[4], closed)) << row[0] << " Hz, " << row[1] << " s";
@@ -44,6 +45,7 @@ TEST(SolverPoles, GeneralisedAlphaWithoutDissipationIsNewmark)
 {
   const Pole alpha = seen_through(StepMethod::generalised_alpha, 600, 1e-4, 1);
   const Pole plain = seen_through(StepMethod::newmark, 600, 1e-4);
-  EXPECT_TRUE(near(alpha.frequency, plain.frequency, within(1e-7, "rho = 1 puts the third root on the circle: a "
-                                                                  "mode near it is known to the root of eps")));
+  EXPECT_TRUE(near(alpha.frequency, plain.frequency,
+                   within(1e-7, "rho = 1 puts the third root on the circle: a "
+                                "mode near it is known to the root of eps")));
 }

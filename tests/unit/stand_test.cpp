@@ -1,8 +1,8 @@
-// Whole cases: values arrive in SI, the echo reads back as the same case, templates and schema come from the same rows,
-// and a mutilated case is read or refused and nothing else.
-#include "core/stand.h"
+// Whole cases: values arrive in SI, the echo reads back as the same case, templates and schema come from the same
+// rows, and a mutilated case is read or refused and nothing else.
 #include "core/files.h"
 #include "core/input_reference.h"
+#include "core/stand.h"
 #include "core/stand_rows.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
@@ -14,8 +14,7 @@
 using namespace mill;
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 constexpr double deg = 3.14159265358979323846 / 180;
 
 class Cases : public testing::Test {
@@ -54,14 +53,13 @@ testing::AssertionResult same(const double a, const double b)
                                                     : testing::AssertionFailure() << a << " and " << b;
 }
 
-template <class T>
-void expect_same(const std::vector<Field<T>> &fields, const T &a, const T &b)
+template <class T> void expect_same(const std::vector<Field<T>> &fields, const T &a, const T &b)
 {
   for (const Field<T> &field : fields)
     EXPECT_EQ(toml_of(row_of(field), member_value(field, a)), toml_of(row_of(field), member_value(field, b)))
         << field.key;
 }
-} // namespace
+}  // namespace
 
 TEST_F(Cases, TheDemoStandArrivesInSi)
 {
@@ -138,8 +136,8 @@ TEST_F(Cases, TheEchoReadsBackAsTheSameCase)
     EXPECT_EQ(again.resolved.find("# default"), std::string::npos) << "an echo says everything";
   }
   const auto a = std::get<FourHigh>(read_case("cases/four-high-1400.toml").spec);
-  const auto b = std::get<FourHigh>(
-      read_case(file("resolved.toml", read_case("cases/four-high-1400.toml").resolved)).spec);
+  const auto b =
+      std::get<FourHigh>(read_case(file("resolved.toml", read_case("cases/four-high-1400.toml").resolved)).spec);
   expect_same(backup_roll_rows(), a.work_roll, b.work_roll);
   expect_same(backup_roll_rows(), a.backup_roll, b.backup_roll);
   expect_same(bearing_rows(), a.bearings[0], b.bearings[0]);
@@ -161,8 +159,8 @@ TEST_F(Cases, TheEchoKeepsEveryDigit)
     std::snprintf(set, sizeof set, "upper.diameter=%.17g mm", diameter(random));
     const Case first = read_case(file("a.toml", text), {set});
     const Case again = read_case(file("b.toml", first.resolved));
-    EXPECT_TRUE(same(std::get<TwoCylinders>(first.spec).upper_diameter,
-                     std::get<TwoCylinders>(again.spec).upper_diameter))
+    EXPECT_TRUE(
+        same(std::get<TwoCylinders>(first.spec).upper_diameter, std::get<TwoCylinders>(again.spec).upper_diameter))
         << set << ", seed " << seed;
   }
 }
@@ -174,7 +172,8 @@ TEST_F(Cases, OverridesGoThroughTheSameRows)
   EXPECT_EQ(std::get<TwoCylinders>(c.spec).contact.samples, 30);
   EXPECT_EQ(c.places.at("upper.diameter").file, "--set upper.diameter=0.5 m");
   try {
-    read_case("cases/two-cylinders.toml", {"upper.diametre=0.5 m", "lower.diameter=5 kg", "steel.poisson_ratio=0.7"});
+    read_case("cases/two-cylinders.toml",
+              {"upper.diametre=0.5 m", "lower.diameter=5 kg", "steel.poisson_ratio=0.7"});
     FAIL() << "accepted";
   } catch (const InputError &error) {
     EXPECT_STREQ(error.what(),
@@ -188,9 +187,9 @@ TEST_F(Cases, OverridesGoThroughTheSameRows)
 TEST_F(Cases, ThicknessesAndPeaksOfAPassMayBeItsOwn)
 {
   const std::string path = file("a.toml", template_of("four-high"));
-  const Case c = read_case(path, {"pass.0.entry_thickness=6 mm", "pass.0.exit_thickness=4 mm", "pass.0.load=900 kN",
-                                  "pass.0.measured_peak=[\"1.20 g\", \"0.60 g\"]"});
-  const Pass &pass = std::get<FourHigh>(c.spec).passes[0];
+  const Case c           = read_case(path, {"pass.0.entry_thickness=6 mm", "pass.0.exit_thickness=4 mm",
+                                            "pass.0.load=900 kN", "pass.0.measured_peak=[\"1.20 g\", \"0.60 g\"]"});
+  const Pass &pass       = std::get<FourHigh>(c.spec).passes[0];
   EXPECT_EQ(pass.entry_thickness, 0.006);
   EXPECT_EQ(pass.exit_thickness, 0.004);
   EXPECT_EQ(pass.load, 900e3);
@@ -253,8 +252,8 @@ TEST_F(Cases, TheSchemaHasEveryKeyAndNoOther)
   }
 }
 
-// Cases that contradict mechanics or geometry are refused by name in tests/regression/broken_cases_test.cpp; here the
-// apex condition sin(alpha_m) = (D_pw/D_we) tan(beta) with cup angles computed outside the program.
+// Cases that contradict mechanics or geometry are refused by name in tests/regression/broken_cases_test.cpp; here
+// the apex condition sin(alpha_m) = (D_pw/D_we) tan(beta) with cup angles computed outside the program.
 TEST_F(Cases, TheApexConditionClosesWithTheReferenceAngles)
 {
   const std::string path = file("a.toml", template_of("four-high"));
@@ -281,11 +280,13 @@ TEST_F(Cases, TheApexConditionClosesWithTheReferenceAngles)
 
 TEST_F(Cases, AMutilatedCaseIsReadOrRefusedAndNothingElse)
 {
-  const std::string all[] = {template_of("four-high"), template_of("lumped"), read_text("cases/four-high-1400.toml"),
-                             read_text("cases/published-1400.toml"), read_text("cases/two-cylinders.toml")};
-  const std::string snippets[] = {"\"", "[", "]", "[[", "]]", "=", "\n", ".", "{", "}", ",", "#", "-", "e999", " mm", "\\",
-                                  "'''", "\xff", "\xc2\xb5", "nan", "inf", "1979-05-27", "[pass]\n", "[[strip]]\n", "0x",
-                                  "true", std::string(1, '\0')};
+  const std::string all[]      = {template_of("four-high"), template_of("lumped"),
+                                  read_text("cases/four-high-1400.toml"), read_text("cases/published-1400.toml"),
+                                  read_text("cases/two-cylinders.toml")};
+  const std::string snippets[] = {
+      "\"",       "[",   "]",   "[[",         "]]",       "=",           "\n", ".",    "{",
+      "}",        ",",   "#",   "-",          "e999",     " mm",         "\\", "'''",  "\xff",
+      "\xc2\xb5", "nan", "inf", "1979-05-27", "[pass]\n", "[[strip]]\n", "0x", "true", std::string(1, '\0')};
   const unsigned seed = 20240501;
   std::mt19937 random(seed);
   int n_refused = 0;

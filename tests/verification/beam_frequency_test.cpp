@@ -1,5 +1,5 @@
-// First frequency of the backup roll on its bearing centres, by two roads that share nothing but the drawing: the static shape with the
-// mean reference (Rayleigh's quotient) and Timoshenko finite elements written here.
+// First frequency of the backup roll on its bearing centres, by two roads that share nothing but the drawing: the
+// static shape with the mean reference (Rayleigh's quotient) and Timoshenko finite elements written here.
 #include "reduce/beam_shapes.h"
 #include "reduce/equivalent_mass.h"
 #include "tests/support/near.h"
@@ -9,8 +9,7 @@
 using namespace mill;
 using namespace mill::reduce;
 
-namespace
-{
+namespace {
 const Material steel{2.1e11, 0.28, 7700};
 constexpr double half_barrel = 0.7, half_span = 1.225;
 const double barrel_mass = 7700 * M_PI / 4 * 1.45 * 1.45, neck_mass = 7700 * M_PI / 4 * 0.95 * 0.95;  // kg/m
@@ -20,9 +19,9 @@ Eigen::Matrix4d element_stiffness(const double EI, const double GA, const double
 {
   const double phi = 12 * EI / (GA * l * l);
   Eigen::Matrix4d k;
-  k << 12, 6 * l, -12, 6 * l,                              //
-      6 * l, (4 + phi) * l * l, -6 * l, (2 - phi) * l * l, //
-      -12, -6 * l, 12, -6 * l,                             //
+  k << 12, 6 * l, -12, 6 * l,                               //
+      6 * l, (4 + phi) * l * l, -6 * l, (2 - phi) * l * l,  //
+      -12, -6 * l, 12, -6 * l,                              //
       6 * l, (2 - phi) * l * l, -6 * l, (4 + phi) * l * l;
   return EI / (l * l * l * (1 + phi)) * k;
 }
@@ -31,7 +30,7 @@ Eigen::Matrix4d element_stiffness(const double EI, const double GA, const double
 double finite_element_frequency(const int n)
 {
   const double E = steel.youngs_modulus, G = E / (2 * (1 + steel.poisson_ratio));
-  const int nodes = 2 * n + 1;
+  const int nodes   = 2 * n + 1;
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(2 * nodes, 2 * nodes);
   Eigen::VectorXd M = Eigen::VectorXd::Zero(2 * nodes);
   for (int e = 0; e < 2 * n; ++e) {
@@ -68,17 +67,23 @@ double frequency(const double flexibility)
 {
   const SteppedBeam beam = backup_roll();
   const auto shape       = [&](double x) { return deflection(beam, x); };
-  const double mass = 2 * equivalent_mass(shape, {{0, half_barrel, barrel_mass}, {half_barrel, half_span, neck_mass}}, {}, flexibility);
+  const double mass      = 2 * equivalent_mass(shape,
+                                               {
+                                                   {0,           half_barrel, barrel_mass},
+                                                   {half_barrel, half_span,   neck_mass  }
+  },
+                                               {}, flexibility);
   return std::sqrt(1 / (flexibility * mass)) / (2 * M_PI);
 }
-} // namespace
+}  // namespace
 
 TEST(BeamFrequency, RayleighWithTheMeanReferenceMeetsFiniteElements)
 {
   const double fe = finite_element_frequency(48);
-  EXPECT_NEAR(fe, 312.0, 0.05);  // value of an independent program, printed with four digits
+  EXPECT_NEAR(fe, 312.0, 0.05);                        // value of an independent program, printed with four digits
   EXPECT_NEAR(finite_element_frequency(24), fe, 0.1);  // the mesh has converged
-  EXPECT_TRUE(near(frequency(mean_flexibility(backup_roll())), fe, within(1e-3, "Rayleigh's quotient errs at second order of the shape")));
+  EXPECT_TRUE(near(frequency(mean_flexibility(backup_roll())), fe,
+                   within(1e-3, "Rayleigh's quotient errs at second order of the shape")));
   EXPECT_NEAR(frequency(mean_flexibility(backup_roll())), 312.1, 0.05);
 }
 

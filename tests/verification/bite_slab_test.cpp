@@ -1,6 +1,6 @@
 // The closed pressure hill against the slab equation it comes from, integrated step by step here.
-#include "dynamics/bite.h"
 #include "core/errors.h"
+#include "dynamics/bite.h"
 #include "tests/support/near.h"
 #include <cmath>
 #include <functional>
@@ -8,8 +8,7 @@
 using namespace mill;
 using namespace mill::dynamics;
 
-namespace
-{
+namespace {
 enum class Equation {
   bland_ford,  ///< h k d(p/k)/dx = p (dh/dx -+ 2 mu): the term (p/k - 1) d(hk)/dx left out
   karman       ///< h dp/dx = d(h k)/dx -+ 2 mu p
@@ -29,9 +28,9 @@ SlabSolution integrate(const RollBite &bite, const double R, const Equation equa
   const auto h     = [&](double x) { return s.exit_thickness + x * x / R; };
   const auto k     = [&](double x) { return flow_stress(s.flow_stress, std::log(h0 / h(x))); };
   const auto slope = [&](double x, double p, double side) {
-    const double d    = 1e-5 * x_e;  // k is smooth, also just outside the arc; central difference error 1e-10
-    const double dk   = (k(x + d) - k(x - d)) / (2 * d);
-    const double dh   = 2 * x / R;
+    const double d  = 1e-5 * x_e;  // k is smooth, also just outside the arc; central difference error 1e-10
+    const double dk = (k(x + d) - k(x - d)) / (2 * d);
+    const double dh = 2 * x / R;
     if (equation == Equation::bland_ford)
       return p * (dh + side * 2 * s.friction) / h(x) + p / k(x) * dk;
     return (dh * k(x) + h(x) * dk + side * 2 * s.friction * p) / h(x);
@@ -43,11 +42,11 @@ SlabSolution integrate(const RollBite &bite, const double R, const Equation equa
     double force   = 0;
     for (int i = 0; i < n; ++i) {
       const double x  = from + i * d;
-      const double k1 = slope(x, p, side), k2 = slope(x + d / 2, p + d / 2 * k1, side), k3 = slope(x + d / 2, p + d / 2 * k2, side),
-                   k4 = slope(x + d, p + d * k3, side);
+      const double k1 = slope(x, p, side), k2 = slope(x + d / 2, p + d / 2 * k1, side),
+                   k3 = slope(x + d / 2, p + d / 2 * k2, side), k4 = slope(x + d, p + d * k3, side);
       const double next   = p + d / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
       const double middle = (p + next) / 2 + d / 8 * (k1 - slope(x + d, next, side));  // cubic Hermite
-      force += std::abs(d) / 6 * (p + 4 * middle + next);                                // Simpson
+      force += std::abs(d) / 6 * (p + 4 * middle + next);                              // Simpson
       p = next;
     }
     return std::pair{p, force};
@@ -55,7 +54,7 @@ SlabSolution integrate(const RollBite &bite, const double R, const Equation equa
   double low = 0, high = x_e;
   const double p_exit = k(0) - s.exit_tension, p_entry = k(x_e) - s.entry_tension;
   for (int i = 0; i < 50; ++i) {
-    const double x = (low + high) / 2;
+    const double x                                                                   = (low + high) / 2;
     (branch(0, p_exit, x, 1).first < branch(x_e, p_entry, x, -1).first ? low : high) = x;
   }
   return {branch(0, p_exit, low, 1).second + branch(x_e, p_entry, low, -1).second, low};
@@ -77,7 +76,7 @@ RollBite demo_pass()
 
 RollBite cold_pass()
 {
-  RollBite bite = demo_pass();
+  RollBite bite                = demo_pass();
   bite.roll_radius             = 0.5262338200786073;
   bite.strip.width             = 1.206;
   bite.strip.entry_thickness   = 0.789e-3;
@@ -92,60 +91,65 @@ RollBite cold_pass()
   bite.strip.flow_stress.n     = 0.3;
   return bite;
 }
-} // namespace
+}  // namespace
 
 TEST(BiteSlab, ClosedFormSolvesItsOwnEquation)
 {
-  RollBite tension            = demo_pass();
-  tension.strip.exit_tension  = 5e6;
-  tension.strip.entry_tension = 2e6;
-  RollBite swift                 = tension;
-  swift.strip.flow_stress        = {};
-  swift.strip.flow_stress.law    = "swift";
-  swift.strip.flow_stress.k      = 60e6;
-  swift.strip.flow_stress.eps0   = 0.05;
-  swift.strip.flow_stress.n      = 0.15;
+  RollBite tension             = demo_pass();
+  tension.strip.exit_tension   = 5e6;
+  tension.strip.entry_tension  = 2e6;
+  RollBite swift               = tension;
+  swift.strip.flow_stress      = {};
+  swift.strip.flow_stress.law  = "swift";
+  swift.strip.flow_stress.k    = 60e6;
+  swift.strip.flow_stress.eps0 = 0.05;
+  swift.strip.flow_stress.n    = 0.15;
   for (const RollBite &bite : {demo_pass(), tension, swift, cold_pass()}) {
     const BiteState state       = solve_bite(bite);
     const SlabSolution stepwise = integrate(bite, bite.roll_radius, Equation::bland_ford);
-    EXPECT_TRUE(near(state.force / bite.strip.width, stepwise.force, within(1e-9, "Runge-Kutta of order four, 1500 steps; slope of k by differences")));
-    EXPECT_TRUE(near(state.neutral_position, stepwise.neutral_position, within(1e-8, "crossing of two nearly straight branches")));
+    EXPECT_TRUE(near(state.force / bite.strip.width, stepwise.force,
+                     within(1e-9, "Runge-Kutta of order four, 1500 steps; slope of k by differences")));
+    EXPECT_TRUE(near(state.neutral_position, stepwise.neutral_position,
+                     within(1e-8, "crossing of two nearly straight branches")));
   }
 }
 
-// What Bland and Ford leave out, on the same parabola: reference forces of the full slab equation, 984.35127 N/mm for the demo pass
-// and 8508435.33 N for the cold pass (independent programs).
+// What Bland and Ford leave out, on the same parabola: reference forces of the full slab equation, 984.35127 N/mm
+// for the demo pass and 8508435.33 N for the cold pass (independent programs).
 TEST(BiteSlab, DistanceToTheFullSlabEquation)
 {
   const SlabSolution demo = integrate(demo_pass(), 0.210, Equation::karman);
   EXPECT_TRUE(near(demo.force, 984351.27, within(1e-7, "printed with eight digits")));
   EXPECT_TRUE(near(solve_bite(demo_pass()).force / demo.force, 0.9784, within(1e-4, "963.084 / 984.351")));
   const SlabSolution cold = integrate(cold_pass(), cold_pass().roll_radius, Equation::karman);
-  EXPECT_TRUE(near(cold.force * 1.206, 8508435.325845541, within(1e-7, "independent integration of the same equation")));
+  EXPECT_TRUE(
+      near(cold.force * 1.206, 8508435.325845541, within(1e-7, "independent integration of the same equation")));
   EXPECT_TRUE(near(cold.neutral_position, 0.002932440016814648, within(1e-6, "as the force")));
-  EXPECT_TRUE(near(cold.force * 1.206 / solve_bite(cold_pass()).force - 1, -0.0261, within(0.01, "printed -2.61 %: poor at these tensions")));
+  EXPECT_TRUE(near(cold.force * 1.206 / solve_bite(cold_pass()).force - 1, -0.0261,
+                   within(0.01, "printed -2.61 %: poor at these tensions")));
 }
 
-// R' must satisfy Hitchcock's formula with the force of a rigid roll of that radius, and no smaller radius may do so.
+// R' must satisfy Hitchcock's formula with the force of a rigid roll of that radius, and no smaller radius may do
+// so.
 TEST(BiteSlab, FlattenedRadiusIsTheFirstRoot)
 {
-  RollBite bite      = demo_pass();
-  bite.roll_radius   = 0.250;
+  RollBite bite              = demo_pass();
+  bite.roll_radius           = 0.250;
   bite.strip.entry_thickness = 0.5e-3;
   bite.strip.exit_thickness  = 0.35e-3;
   bite.strip.entry_tension   = 100e6;
   bite.strip.exit_tension    = 150e6;
   bite.strip.friction        = 0.05;
   bite.strip.flow_stress.k   = 700e6;
-  const auto map = [&](double R) {
+  const auto map             = [&](double R) {
     RollBite rigid    = bite;
     rigid.roll_radius = R;
     rigid.flattening  = false;
     const double C0   = 16 * (1 - 0.28 * 0.28) / (M_PI * 2.1e11);
     return 0.250 * (1 + C0 * solve_bite(rigid).force / 0.15e-3);
   };
-  bite.flattening        = true;
-  const BiteState state  = solve_bite(bite);
+  bite.flattening       = true;
+  const BiteState state = solve_bite(bite);
   EXPECT_TRUE(near(map(state.flattened_radius), state.flattened_radius, within(1e-12, "fixed point")));
   for (int i = 0; i < 200; ++i) {
     const double R = 0.250 + (state.flattened_radius - 0.250) * i / 200;

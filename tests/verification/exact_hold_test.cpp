@@ -57,8 +57,9 @@ TEST(ExactHold, BothFormsMeetAnIndependentMatrixExponential)
   force.force.conservativeResize(4001);
   const double mean = force.force.mean();
   for (const char *set : all_sets) {
-    const MillModel model          = model_of(set);
-    const Eigen::MatrixXd expected = exact_hold(model.M, model.K, model.C, model.b, force.force.array() - mean, 1e-4);
+    const MillModel model = model_of(set);
+    const Eigen::MatrixXd expected =
+        exact_hold(model.M, model.K, model.C, model.b, force.force.array() - mean, 1e-4);
     for (const HoldForm form : {HoldForm::modal, HoldForm::matrix_exponential}) {
       const Response found = mill_response(model, force, 10e3, form);
       EXPECT_EQ(found.form, form) << set << " " << found.note;
@@ -114,11 +115,10 @@ TEST(ExactHold, UnevenSamplesAreHonouredExactly)
     const MillModel model = model_of(set);
     const Response found  = mill_response(model, few, 20e3);
     for (const Eigen::Index per_line : {2, 7}) {
-      ForceRecord many = with_points_between(few, per_line);
-      many.force.array() += few.force.mean() - many.force.mean();  // same mean, so that one state is subtracted
-      many = with_points_between(few, per_line);
-      const Response same = mill_response(model, many, 20e3);
-      EXPECT_LT(largest_difference(same.acceleration.col(upper_work_roll), found.acceleration.col(upper_work_roll)), 1e-10)
+      const Response same = mill_response(model, with_points_between(few, per_line), 20e3);
+      EXPECT_LT(
+          largest_difference(same.acceleration.col(upper_work_roll), found.acceleration.col(upper_work_roll)),
+          1e-10)
           << set << ": same polyline, " << per_line << " points per line";
     }
   }
@@ -126,17 +126,29 @@ TEST(ExactHold, UnevenSamplesAreHonouredExactly)
 
 TEST(ExactHold, UnevenPathIsTheEvenPath)
 {
-  // one sample nudged by 2e-6 of the spacing along its line takes the uneven path; the polyline stays the same
+  // One sample moved along its line by 2e-6 of the spacing is enough for the uneven path, which makes the
+  // exponentials of every step anew; up to the line before that sample the polyline is the same.
   const ForceRecord even = twelve_tones();
-  ForceRecord nudged     = even;
-  const double shift     = 2e-6 * 1e-4;
-  nudged.time[10000] += shift;
-  nudged.force[10000] += (even.force[10001] - even.force[10000]) * 2e-6;
+  ForceRecord moved      = even;
+  const double share     = 2e-6;
+  moved.time[10000] += share * 1e-4;
+  moved.force[10000] += share * (even.force[10001] - even.force[10000]);
   const MillModel model = model_of("R1");
-  for (const HoldForm form : {HoldForm::modal}) {
-    const Response a = mill_response(model, even, 20e3, form), b = mill_response(model, nudged, 20e3, form);
-    // the line before the sample turns by 2e-6 of the difference of two slopes: about 1e-6 of one sample's step
-    EXPECT_LT(largest_difference(b.acceleration.topRows(19000), a.acceleration.topRows(19000)), 1e-10)
-        << "before the nudge: the same polyline, step by step with its own exponentials";
-  }
+  const Response a = mill_response(model, even, 20e3), b = mill_response(model, moved, 20e3);
+  EXPECT_LT(largest_difference(b.acceleration.topRows(19000), a.acceleration.topRows(19000)), 1e-10);
+}
+
+TEST(ExactHold, RepeatedPolesAreIntegratedAsExactly)
+{
+  // critical damping: every mode has a double pole with one shape, where the modal form has nothing to stand on
+  ForceRecord force = twelve_tones();
+  force.time.conservativeResize(2001);
+  force.force.conservativeResize(2001);
+  const MillModel model = mill_model(published_stand(), settings("measured", 1));
+  const Response found  = mill_response(model, force, 10e3);
+  const Eigen::MatrixXd expected =
+      exact_hold(model.M, model.K, model.C, model.b, force.force.array() - force.force.mean(), 1e-4);
+  EXPECT_EQ(found.form, HoldForm::matrix_exponential);
+  for (const Mass roll : {upper_work_roll, lower_work_roll})
+    EXPECT_LT(largest_difference(found.acceleration.col(roll), expected.col(roll)), 1e-9);
 }

@@ -21,8 +21,9 @@ TEST(LargestResponse, TwentySecondsOfEverySet)
   for (const char *set : {"P1", "P2", "P3", "P4", "Q1", "R1", "R2", "R3"}) {
     const auto expected         = reference("bound.any_force").at(set).get<std::vector<double>>();
     const Eigen::VectorXd found = largest_response(model_of(set), 6639.0 / 2, 20, 80e3);
-    const Tolerance grid = within(0.02, "the reference samples the impulse response at 40 kHz, 11 points per period of "
-                                        "the highest mode");
+    const Tolerance grid =
+        within(0.02, "the reference samples the impulse response at 40 kHz, 11 points per period of "
+                     "the highest mode");
     EXPECT_TRUE(near(found[upper_work_roll], expected[0], grid)) << set;
     EXPECT_TRUE(near(found[lower_work_roll], expected[1], grid)) << set;
   }
@@ -41,13 +42,13 @@ TEST(LargestResponse, IsReachedByTheForceThatSwitchesWithTheStepResponse)
 {
   // For one end time T the worst force jumps between the ends of the range whenever the impulse response at T - t
   // changes sign.  As a polyline on a fine grid it comes close to the bound and never above it.
-  const MillModel model    = model_of("R1");
-  const StateSpace system  = state_space(model);
+  const MillModel model   = model_of("R1");
+  const StateSpace system = state_space(model);
   const double rate = 200e3, half = 3319.5;
   const Eigen::Index n = 200001;  // 1 s: the modes of this set have fallen to 1 % of their first swing
   ForceRecord step;
-  step.time  = Eigen::Vector3d(0, 1e-9, 1.0);
-  step.force = Eigen::Vector3d(0, 1, 1);
+  step.time               = Eigen::Vector3d(0, 1e-9, 1.0);
+  step.force              = Eigen::Vector3d(0, 1, 1);
   const Eigen::VectorXd s = first_order_hold(system, step, rate).output.row(upper_work_roll);
   ForceRecord worst{Eigen::ArrayXd::LinSpaced(n, 0, double(n - 1)) / rate, Eigen::VectorXd(n), {}};
   for (Eigen::Index i = 0; i + 1 < n; ++i)

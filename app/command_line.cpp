@@ -1,0 +1,79 @@
+#include "app/command_line.h"
+#include "app/session.h"
+#include "core/sparse.h"
+#include "fem/elastic_body.h"
+#include "meshes/gmsh_session.h"
+#include <CLI/CLI.hpp>
+
+namespace mill
+{
+namespace
+{
+  std::string version_text()
+  {
+    return "millstand " + version() + "\ndeal.II " + fem::library_version() + ", Gmsh " + meshes::library_version() + ", BLAS " +
+           blas_in_use() + "\nLicence: GPL-3.0-or-later; so is every binary, since Debian's deal.II links Gmsh and others.";
+  }
+
+  void add_output(CLI::App *verb, CommandLine &c, const char *what)
+  {
+    verb->add_option("-o,--output", c.output, what);
+  }
+
+  void add_common(CLI::App *verb, CommandLine &c)
+  {
+    add_output(verb, c, "folder of the results (default out/<case name>)");
+    verb->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
+    verb->add_flag("--fresh", c.fresh, "compute everything anew, ignore the cache");
+    verb->add_flag("-q,--quiet", c.quiet, "no progress, no table");
+    verb->add_flag("-v,--verbose", c.verbose, "say what is reused and computed");
+    verb->add_option("--log", c.log, "log file (besides DIR/millstand.log)");
+    verb->add_option("--cache", c.cache, "folder of condensed rolls (default: the user's cache folder)");
+    verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::PositiveNumber);
+    verb->add_option("--set", c.sets, "override section.key=value, repeatable")->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  }
+} // namespace
+
+std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &exit_code)
+{
+  CommandLine c;
+  CLI::App app("From the drawing of a rolling-mill stand to the vibration of its rolls.", "millstand");
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+
+  auto *fresh = app.add_subcommand("new", "write a commented case file that runs as it is");
+  fresh->add_option("KIND", c.target, "four-high, two-cylinders or lumped")->required();
+  add_output(fresh, c, "file (default: standard output)");
+  fresh->add_flag("--force-overwrite", c.force_overwrite, "replace an existing file");
+
+  auto *check = app.add_subcommand("check", "list every input error of a case, compute nothing");
+  check->add_option("CASE", c.target, "case file")->required();
+  check->add_option("--set", c.sets, "override section.key=value, repeatable")->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+
+  const std::pair<const char *, const char *> chain[] = {{"run", "the whole chain and the report"},
+                                                         {"stiffness", "K3, K4, K5, Kzc with their curves"},
+                                                         {"masses", "equivalent masses with their shapes"},
+                                                         {"modes", "natural frequencies, shapes, energy shares"},
+                                                         {"simulate", "drive the lumped model with the recorded force"}};
+  for (const auto &[verb, what] : chain) {
+    auto *command = app.add_subcommand(verb, what);
+    command->add_option("CASE", c.target, "case file")->required();
+    add_common(command, c);
+    if (std::string(verb) == "simulate")
+      command->add_option("--force", c.force, "force record that replaces those of the passes (CSV)");
+  }
+
+  auto *report = app.add_subcommand("report", "write DIR/report.html again from the stored results");
+  report->add_option("DIR", c.target, "folder of a run")->required();
+
+  app.add_subcommand("schema", "print the JSON Schema of the case file");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError &e) {
+    exit_code = app.exit(e) == 0 ? 0 : 2;
+    return {};
+  }
+  c.verb = app.get_subcommands().front()->get_name();
+  return c;
+}
+} // namespace mill

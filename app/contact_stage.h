@@ -1,0 +1,29 @@
+#pragma once
+#include "app/session.h"
+#include "core/records.h"
+#include "core/stand.h"
+#include <map>
+#include <string>
+#include <vector>
+
+namespace mill
+{
+/// One contact of the stand, solved: its curve and the stiffness at every working load.
+struct SolvedContact {
+  ContactCurve curve;                ///< each roll squeezed between mirrored contacts: datum of the closed forms
+  std::vector<Parameter> tangent;    ///< (passes) N/m
+  std::vector<Parameter> secant;     ///< (passes) N/m
+};
+
+/// Solves the roll contacts upper (K3) and lower (K5) by finite elements at the working loads, writes
+/// curves/contact-*.csv and fields/*.vtu, and adds K3.*, K5.* and contact.*.* to the results.
+/// @param loads  (passes) N, working loads
+std::map<std::string, SolvedContact> solve_contacts(Session &session, const FourHigh &stand,
+                                                    const std::vector<double> &loads);
+
+/// The same for kind = "two-cylinders": contact.line.*.
+void solve_cylinders(Session &session, const TwoCylinders &pair);
+
+/// "976.2 kN"
+std::string in_kN(double load);
+} // namespace mill

@@ -1,0 +1,24 @@
+#include "app/command_line.h"
+#include "app/commands.h"
+#include "app/console.h"
+
+int main(int argc, char **argv)
+{
+  using namespace mill;
+  int exit_code      = 0;
+  const auto command = parse_command_line(argc, argv, exit_code);
+  if (!command)
+    return exit_code;
+  try {
+    return carry_out(*command);
+  } catch (const InputError &e) {
+    console::show(e);
+    return 2;
+  } catch (const SolverError &e) {
+    console::show(e);
+    return 3;
+  } catch (const std::exception &e) {
+    console::show_bug(e, current_manifest());
+    return 1;
+  }
+}

@@ -1,0 +1,51 @@
+#pragma once
+#include "app/output_dir.h"
+#include "core/progress.h"
+#include "core/results.h"
+#include "core/stand.h"
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace mill
+{
+/// Time of one stage of a run.
+struct StageTime {
+  std::string stage;
+  double seconds = 0;
+  bool cached    = false;  ///< taken over from an earlier run
+};
+
+/// What the stages of one run share.
+struct Session {
+  const Case &the_case;
+  const OutputDir &out;
+  std::string cache;      ///< folder of condensed rolls
+  bool fresh  = false;    ///< ignore what the cache holds
+  int threads = 1;
+  Progress progress;
+  Results results;
+  std::vector<StageTime> times;
+  std::string started;    ///< local date and time
+  void warn(const std::string &sentence);    ///< into results and log
+  void assume(const std::string &sentence);  ///< same
+};
+
+/// Times a stage from construction to destruction.
+class StageTimer {
+public:
+  StageTimer(Session &session, std::string stage);
+  ~StageTimer();
+  bool cached = false;
+
+private:
+  Session &session;
+  std::string stage;
+  std::chrono::steady_clock::time_point start;
+};
+
+std::string version();  ///< "0.1.0"
+
+/// run.json: versions, BLAS, threads, timings, memory, geometry, passes.
+std::string manifest_json(const Session &session);
+} // namespace mill

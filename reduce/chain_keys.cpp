@@ -1,0 +1,62 @@
+#include "reduce/chain_keys.h"
+#include <algorithm>
+#include <sstream>
+
+namespace mill::reduce {
+namespace {
+/// "frame", "a b" -> frame.a, frame.b
+Keys in_section(const std::string &section, const std::string &names)
+{
+  std::istringstream words(names);
+  Keys keys;
+  for (std::string name; words >> name;)
+    keys.push_back(section + "." + name);
+  return keys;
+}
+
+/// All keys of the lists in order, each once.
+template <class... Lists> Keys join(const Lists &...lists)
+{
+  Keys all;
+  const auto add = [&](const Keys &list) {
+    for (const std::string &key : list)
+      if (std::find(all.begin(), all.end(), key) == all.end())
+        all.push_back(key);
+  };
+  (add(lists), ...);
+  return all;
+}
+}  // namespace
+
+Keys backup_beam_keys()
+{
+  return join(in_section("backup_roll", "barrel_diameter barrel_length neck_diameter bearing_span"),
+              in_section("steel", "youngs_modulus poisson_ratio"));
+}
+
+std::array<Keys, 13> chain_keys(const SpringKeys &s)
+{
+  const Keys beam = backup_beam_keys();
+  const Keys K1 =
+      in_section("frame", "upper_post_stiffness upper_beam_stiffness piston_stiffness upper_packing_stiffness");
+  const Keys K2 = join(in_section("frame", "oil_column_stiffness cylinder_body_stiffness upper_chock_stiffness"),
+                       s.K_Zy_upper, beam);
+  const Keys K6 = join(in_section("frame", "lower_chock_stiffness"), s.K_Zy_lower, beam);
+  const Keys K7 =
+      in_section("frame", "lower_post_stiffness lower_beam_stiffness lower_packing_stiffness load_cell_stiffness");
+
+  const Keys density = in_section("steel", "density");
+  const Keys backup  = join(beam, in_section("backup_roll", "neck_length bearing_mass"), density);
+  const Keys barrel  = in_section("work_roll", "barrel_diameter barrel_length neck_diameter total_length");
+  const Keys work =
+      join(barrel, in_section("work_roll", "bearing_span bearing_mass"), in_section("strip", "width"), density);
+  const Keys M1 = in_section("frame", "upper_post_mass upper_beam_mass upper_packing_mass piston_mass");
+  const Keys M2 = join(backup, in_section("backup_roll", "chock_mass_upper"),
+                       in_section("frame", "cylinder_mass balance_mass"), K1, K2);
+  const Keys M3 = join(work, in_section("work_roll", "chock_mass_upper"), s.K3, K1, K2);
+  const Keys M4 = join(work, in_section("work_roll", "chock_mass_lower"), s.K5, K7, K6);
+  const Keys M5 = join(backup, in_section("backup_roll", "chock_mass_lower"), K7, K6);
+  const Keys M6 = in_section("frame", "lower_post_mass lower_beam_mass load_cell_mass lower_packing_mass");
+  return {M1, M2, M3, M4, M5, M6, K1, K2, s.K3, s.K4, s.K5, K6, K7};
+}
+}  // namespace mill::reduce

@@ -1,0 +1,21 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+namespace mill::reduce {
+/// Keys of the case file, as a Parameter lists them.
+using Keys = std::vector<std::string>;
+
+/// What the springs that other computations bring along were made from.
+struct SpringKeys {
+  Keys K3, K4, K5;
+  Keys K_Zy_upper, K_Zy_lower;
+};
+
+/// Keys behind every number of the chain, M1..M6 and then K1..K7: the terms of theory.md (4.1) and (4.13)-(4.16).
+std::array<Keys, 13> chain_keys(const SpringKeys &springs);
+
+/// Keys behind the stiffness of the backup roll on its bearing centres, (4.8).
+Keys backup_beam_keys();
+}  // namespace mill::reduce
