@@ -1,6 +1,6 @@
 #include "app/contact_stage.h"
 #include "app/condensed_rolls.h"
-#include "core/csv.h"
+#include "app/contact_files.h"
 #include "fem/contact_study.h"
 #include "meshes/contact_mesh_size.h"
 #include "reduce/contact_stiffness.h"
@@ -58,34 +58,19 @@ namespace
     });
   }
 
-  Table curve_table(const ContactCurve &curve)
+  // Both ways of holding the rolls side by side.
+  Table barrel_table(const BarrelProfile &p, const BarrelProfile &held)
   {
-    return {{"load", "approach", "half_width", "peak_pressure", "tangent", "secant", "iterations"},
-            {"N", "m", "m", "Pa", "N/m", "N/m", ""},
-            {curve.load, curve.approach, curve.half_width, curve.peak_pressure, curve.tangent, curve.secant,
-             curve.iterations.cast<double>()}};
-  }
-
-  Table closed_table(const reduce::CylinderPair &pair, const Eigen::VectorXd &loads)
-  {
-    Table table{{"load", "hertz_secant", "hertz_tangent", "foeppl_secant", "half_space_secant", "palmgren_secant"},
-                {"N", "N/m", "N/m", "N/m", "N/m", "N/m"},
-                std::vector<Eigen::VectorXd>(6, loads)};
-    for (Eigen::Index i = 0; i < loads.size(); ++i) {
-      const auto hertz = reduce::line_contact(pair, loads[i]);
-      const auto laws  = reduce::secant_laws(pair, loads[i]);
-      const double row[] = {loads[i], hertz.secant, hertz.tangent, laws.foeppl, laws.half_space, laws.palmgren};
-      for (int c = 0; c < 6; ++c)
-        table.columns[c][i] = row[c];
+    Table table{{"z", "line_load", "approach", "tangent", "half_width", "peak_pressure"},
+                {"m", "N/m", "m", "N/m2", "m", "Pa"},
+                {p.z, p.line_load, p.approach, p.tangent, p.half_width, p.peak_pressure}};
+    for (int c = 1; c < 6; ++c) {
+      table.names.push_back("in_stand_" + table.names[c]);
+      table.units.push_back(table.units[c]);
     }
+    table.columns.insert(table.columns.end(),
+                         {held.line_load, held.approach, held.tangent, held.half_width, held.peak_pressure});
     return table;
-  }
-
-  Table barrel_table(const BarrelProfile &p)
-  {
-    return {{"z", "line_load", "approach", "tangent", "half_width", "peak_pressure"},
-            {"m", "N/m", "m", "N/m2", "m", "Pa"},
-            {p.z, p.line_load, p.approach, p.tangent, p.half_width, p.peak_pressure}};
   }
 
   // Slope at a working load: of the fitted curve, which does not step as nodes come into contact, where the contact is a
@@ -111,17 +96,6 @@ namespace
       if (point.state.active[std::size_t(k) * pair.grid->n_x + pair.grid->n_x - 1])
         return true;
     return false;
-  }
-
-  void write_fields(Session &session, const std::string &file, const CondensedPair &roll, const Material &steel,
-                    const fem::ContactState &state)
-  {
-    const fem::ElasticBody body(roll.coarse_mesh, steel, 2);
-    Eigen::VectorXd pressure     = Eigen::VectorXd::Zero(body.nodes().rows());
-    const std::vector<int> patch = fem::patch_in_grid_order(body);
-    for (std::size_t i = 0; i < patch.size(); ++i)
-      pressure[patch[i]] = state.nodal[Eigen::Index(i)] / roll.coarse->area[Eigen::Index(i)];
-    body.write_vtu(session.out.file(file), roll.coarse->field_squeeze * state.nodal, pressure);
   }
 
   // A contact on both meshes and in both ways of holding the rolls.
@@ -227,6 +201,17 @@ namespace
       const std::string prefix = p == 0 ? "" : stand.passes[p].name + ".";
       session.results.add(prefix + K + ".tangent", tangent);
       session.results.add(prefix + K + ".secant", secant);
+      const auto add_held = [&](const char *what, const double value, const double exact, const double mirrored) {
+        Parameter h      = k;
+        h.method         = "contact FEM, " + stand_reference;
+        h.value          = value;
+        h.error_estimate = std::max(tangent.error_estimate, std::abs(exact / value - 1));
+        h.checks         = {{"rolls squeezed between mirrored contacts", mirrored, "another datum and no bending"}};
+        h.inputs.insert(h.inputs.end(), {"strip.width", "backup_roll.bearing_span"});
+        session.results.add(prefix + K + ".in_stand_" + what, h);
+      };
+      add_held("tangent", held.tangent, held.exact, fine.tangent);
+      add_held("secant", held.secant, held.secant, fine.secant);
     }
 
     const double F    = loads[0];
@@ -251,11 +236,13 @@ namespace
     scalar("half_width", "m", fine.half_width[0], coarse.half_width[0], hertz.half_width, "at mid-length");
     scalar("peak_pressure", "Pa", fine.peak_pressure[0], coarse.peak_pressure[0], hertz.peak_pressure, "at mid-length");
     scalar("approach", "m", point.approach, state2.approach, hertz.approach, mirrored_reference);
-    session.out.write("curves/contact-" + name + ".csv", csv_text(curve_table(out.curve)));
-    session.out.write("curves/contact-" + name + "-in-stand.csv", csv_text(curve_table(stand_curve)));
+    Table table = curve_table(out.curve);
+    table.names.insert(table.names.end(), {"in_stand_approach", "in_stand_tangent", "in_stand_secant"});
+    table.units.insert(table.units.end(), {"m", "N/m", "N/m"});
+    table.columns.insert(table.columns.end(), {stand_curve.approach, stand_curve.tangent, stand_curve.secant});
+    session.out.write("curves/contact-" + name + ".csv", csv_text(table));
     session.out.write("curves/contact-" + name + "-closed.csv", csv_text(closed_table(pair, range)));
-    session.out.write("curves/contact-" + name + "-barrel.csv", csv_text(barrel_table(held)));
-    session.out.write("curves/contact-" + name + "-barrel-mirrored.csv", csv_text(barrel_table(fine)));
+    session.out.write("curves/contact-" + name + "-barrel.csv", csv_text(barrel_table(fine, held)));
     write_fields(session, "fields/contact-" + name + "-backup-roll.vtu", m.backup, stand.steel, state2.state);
     write_fields(session, "fields/contact-" + name + "-work-roll.vtu", m.work, stand.steel, state2.state);
     session.progress.note(fmt::format("contact {}: {} loads, largest complementarity residual {:.1e}", name, range.size(),
@@ -278,67 +265,5 @@ std::map<std::string, SolvedContact> solve_contacts(Session &session, const Four
   out["upper"] = solve_one(session, stand, "upper", "K3", stand.upper_contact, loads);
   out["lower"] = solve_one(session, stand, "lower", "K5", stand.lower_contact, loads);
   return out;
-}
-
-void solve_cylinders(Session &session, const TwoCylinders &spec)
-{
-  const ContactSettings &c = spec.contact;
-  const reduce::CylinderPair metre{spec.upper_diameter, spec.lower_diameter, 1, spec.steel};
-  const auto half_width = [&](const double q) { return reduce::line_contact(metre, q).half_width; };
-  const double smaller  = std::min(spec.upper_diameter, spec.lower_diameter);
-  const auto slab       = [&](const std::string &name, const double diameter) {
-    RollGeometry g;
-    g.radius      = 0.5 * diameter;
-    g.half_length = smaller / 20;
-    auto size     = meshes::slab_contact_size(half_width(c.loads[0]), half_width(c.loads[1]), c.elements_per_half_width);
-    size.end_layer = size.largest_layer = g.half_length;
-    auto pair      = condensed_pair(session, name, g, size, spec.steel, true);
-    return pair;
-  };
-  const CondensedPair upper = slab("upper cylinder", spec.upper_diameter), lower = slab("lower cylinder", spec.lower_diameter);
-  StageTimer timer(session, "contact line");
-  const auto contact = [&](const fem::CondensedRoll &a, const fem::CondensedRoll &b) {
-    auto pair      = fem::make_pair("line", a, fem::held_by_mirror(a), b, fem::held_by_mirror(b), Eigen::VectorXd::Zero(a.n_z));
-    pair.reference = "axis to axis, each cylinder squeezed between two opposite contact lines (Johnson's datum)";
-    return pair;
-  };
-  const auto fine = contact(*upper.fine, *lower.fine), coarse = contact(*upper.coarse, *lower.coarse);
-  const auto range  = fem::log_spaced(c.loads[0], c.loads[1], c.samples);
-  const auto curve  = fem::sweep(fine, range, session.progress);
-  const auto at     = fem::sweep(fine, Eigen::VectorXd::Constant(1, c.at));
-  const auto second = fem::sweep(coarse, Eigen::VectorXd::Constant(1, c.at));
-  const auto point2 = fem::solve_load(coarse, c.at);
-  const auto hertz  = reduce::line_contact(metre, c.at);
-  const auto laws   = reduce::secant_laws(metre, c.at);
-  const auto scalar = [&](const std::string &what, const std::string &unit, const double value, const double other,
-                          std::vector<Check> checks) {
-    Parameter s;
-    s.value          = value;
-    s.unit           = unit;
-    s.method         = "contact FEM, plane strain, " + fine.reference;
-    s.at             = fmt::format("{:.6g} N/mm", c.at / 1e3);
-    s.error_estimate = std::abs(other / value - 1);
-    s.inputs         = {"upper.diameter", "lower.diameter", "steel.youngs_modulus", "steel.poisson_ratio", "contact.line.at",
-                        "contact.line.loads", "contact.line.elements_per_half_width"};
-    s.checks         = std::move(checks);
-    s.checks.push_back({"mesh twice as coarse", other, ""});
-    session.results.add("contact.line." + what, s);
-  };
-  scalar("half_width", "m", at.half_width[0], second.half_width[0], {{"Hertz (3.2)", hertz.half_width, ""}});
-  scalar("peak_pressure", "Pa", at.peak_pressure[0], second.peak_pressure[0], {{"Hertz (3.3)", hertz.peak_pressure, ""}});
-  scalar("approach", "m", at.approach[0], second.approach[0], {{"Johnson, axis to axis (3.4)", hertz.approach, ""}});
-  scalar("tangent", "N/m2", at.tangent[0], second.tangent[0], {{"Johnson, axis to axis (3.5b)", hertz.tangent, ""}});
-  scalar("secant", "N/m2", at.secant[0], second.secant[0],
-         {{"Johnson, axis to axis (3.5a)", hertz.secant, ""}, {"Foeppl (3.8)", laws.foeppl, "another datum"}});
-
-  Table table = curve_table(curve);
-  table.units = {"N/m", "m", "m", "Pa", "N/m2", "N/m2", ""};
-  session.out.write("curves/contact-line.csv", csv_text(table));
-  table       = closed_table(metre, range);
-  table.units = {"N/m", "N/m2", "N/m2", "N/m2", "N/m2", "N/m2"};
-  session.out.write("curves/contact-line-closed.csv", csv_text(table));
-  write_fields(session, "fields/contact-line-upper.vtu", upper, spec.steel, point2.state);
-  write_fields(session, "fields/contact-line-lower.vtu", lower, spec.steel, point2.state);
-  session.progress.note(fmt::format("contact line: {} loads, largest complementarity residual {:.1e}", range.size(), curve.residual));
 }
 } // namespace mill

@@ -19,7 +19,7 @@ struct FactorCost {
 
 /// Supernodal Cholesky factorisation K = L L^T whose last rows belong to a retained set, so that the trailing block of L
 /// is the Cholesky factor of the Schur complement onto it: condensation costs nothing beyond the factorisation.
-/// theory.md (2.3)
+/// theory.md (2.2)
 class CondensingFactor {
 public:
   /// @param K         (n, n) upper triangle, positive definite

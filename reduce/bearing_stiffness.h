@@ -28,8 +28,7 @@ struct BearingState {
 /// @param radial_load  N, > 0, of the whole bearing
 /// @param tilt         rad, of the inner ring; needs `width`, from which the row positions follow
 ///
-/// @throws InputError   load not positive (with clearance no roller would carry, without it the stiffness is
-/// zero);
+/// @throws InputError   load not positive (no roller would carry, or the stiffness would be zero);
 ///                      apex condition not closed by more than 0.5 deg; tilt without width; profile or law unknown
 /// @throws SolverError  no displacement found in 200 steps: NaN among the inputs
 /// Bracketed Newton: the force never falls as the ring moves, so the root is unique and always found.

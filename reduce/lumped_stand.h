@@ -43,8 +43,8 @@ struct LumpedStand {
 /// sum of |d ln value / d ln input| x error over K3, K5 and K_Zy, by central differences of this very chain; NaN
 /// when one of the inputs it depends on states no error, or when it depends on none of them.
 ///
-/// @throws InputError  a spring, length or mass that must be positive is not
-/// Cost: nine evaluations of the chain, together below a millisecond.
+/// @throws InputError  a spring of the load path, the strip width or a work roll dimension is not positive
+/// Cost: ten evaluations of the chain, together some milliseconds.
 LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs);
 
 /// Only the model of lumped_stand().

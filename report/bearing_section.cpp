@@ -19,7 +19,7 @@ std::vector<Mark> working_loads(const Run &run, const std::string &bearing)
       continue;
     for (const std::string &input : result->inputs)
       if (input.rfind("bearing." + bearing, 0) == 0) {
-        const double load = load_in_text(result->at) * 1e-3;
+        const double load = quantity_in_text(result->at, "kN");
         if (!marks.empty() && std::abs(marks.back().x - load) <= 1e-9 * load)
           marks.back().label += ", " + name;
         else

@@ -1,6 +1,8 @@
 #include "report/curves.h"
 #include "report/number.h"
+#include <charconv>
 #include <cmath>
+#include <system_error>
 
 namespace mill::report {
 namespace {
@@ -25,6 +27,7 @@ const KnownUnit known_units[] = {
     {"MPa",         "pressure",       1e6             },
     {"N/m",         "stiffness",      1               },
     {"kN/mm",       "stiffness",      1e6             },
+    {"N/mm",        "stiffness",      1e3             },
     {"N/m\u00b2",   "bedding",        1               },
     {"kN/mm per m", "bedding",        1e6             },
     {"m/N",         "flexibility",    1               },
@@ -53,6 +56,17 @@ double factor_between(const std::string &from, const std::string &to)
   if (!a || !b || std::string(a->dimension) != b->dimension)
     return std::numeric_limits<double>::quiet_NaN();
   return a->si / b->si;
+}
+
+double quantity_in_text(const std::string &text, const std::string &unit)
+{
+  double value   = 0;
+  const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end.ec != std::errc())
+    return std::numeric_limits<double>::quiet_NaN();
+  std::string written(end.ptr, text.data() + text.size());
+  written.erase(0, written.find_first_not_of(' '));
+  return value * factor_between(written.substr(0, written.find_first_of(" ,;")), unit);
 }
 
 Eigen::VectorXd values_of(const Table &table, const Column &column)

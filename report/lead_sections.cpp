@@ -44,8 +44,8 @@ std::string tile(const Result *result, const std::string &label)
       acceleration ? Shown{in_g(result->value, result->unit), "g"} : engineering(result->value, result->unit);
   const std::string number = acceleration ? fixed(shown.value, 2) : significant(shown.value, 4);
   return "<div class=\"tile\"><span>" + escaped(label) + "</span><b>" + number + "</b> " + escaped(shown.unit) +
-         "<small>" + escaped(result->source) + (result->at.empty() ? "" : ", at " + escaped(result->at)) +
-         "</small></div>\n";
+         "<small>" + escaped(short_source(result->source)) +
+         (result->at.empty() ? "" : ", at " + escaped(short_source(result->at))) + "</small></div>\n";
 }
 
 std::string tiles(const Run &run)

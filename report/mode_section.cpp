@@ -104,7 +104,8 @@ std::string horizontal_table(const Table &modes)
       if (shape.size() != frequency.size())
         continue;
       std::string label = name;
-      std::replace(label.begin(), label.end(), '_', ' ');
+      std::replace_if(
+          label.begin(), label.end(), [](const char c) { return c == '_' || c == '-'; }, ' ');
       heading += "<th>" + escaped(label) + " [-]</th>";
       shapes.push_back(shape);
     }

@@ -144,22 +144,4 @@ std::string unit_sign(const std::string &unit)
       text += unit[i];
   return text;
 }
-
-double load_in_text(const std::string &text)
-{
-  double value   = 0;
-  const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end.ec != std::errc())
-    return std::numeric_limits<double>::quiet_NaN();
-  std::string unit(end.ptr, text.data() + text.size());
-  unit.erase(0, unit.find_first_not_of(' '));
-  unit = unit.substr(0, unit.find_first_of(" ,;"));
-  if (unit == "N")
-    return value;
-  if (unit == "kN")
-    return 1e3 * value;
-  if (unit == "MN")
-    return 1e6 * value;
-  return std::numeric_limits<double>::quiet_NaN();
-}
 }  // namespace mill::report

@@ -33,7 +33,4 @@ Shown engineering(double value, const std::string &si_unit);
 
 /// SI unit with proper signs for the page: "m/s2" -> "m/s²", "um" -> "µm", "sqrt(Hz)" -> "√Hz", "1" -> "".
 std::string unit_sign(const std::string &unit);
-
-/// A load written by the program, "976.2 kN", "1.2 MN" or "500 N", in N; NaN when the text does not begin so.
-double load_in_text(const std::string &text);
 }  // namespace mill::report

@@ -1,7 +1,9 @@
 #include "report/run.h"
 #include "core/errors.h"
 #include "core/files.h"
+#include "report/curves.h"
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -162,6 +164,15 @@ void read_tables(const std::string &folder, Run &run)
     }
   }
 }
+
+// A pass whose case states no working load works at the mean of its record.
+void fill_loads(Run &run)
+{
+  for (PassInfo &pass : run.manifest.passes)
+    if (const Table *response = run.table("response/" + pass.slug); response && std::isnan(pass.load))
+      if (const Eigen::VectorXd force = values_of(*response, {"force", "N"}); force.size() > 0)
+        pass.load = force.mean();
+}
 }  // namespace
 
 const Result *Run::find(const std::string &name) const
@@ -192,6 +203,7 @@ Run read_run(const std::string &directory)
   read_manifest((folder / "run.json").string(), run);
   read_tables("curves", run);
   read_tables("response", run);
+  fill_loads(run);
   std::sort(run.remarks.begin(), run.remarks.end());  // the order of a directory is not defined
   return run;
 }

@@ -20,10 +20,10 @@ struct Result {
 };
 
 struct PassInfo {
-  std::string name;           ///< "pass 1"
-  std::string slug;           ///< "pass-1", names response/<slug>.csv
-  double load;                ///< N, working load; NaN: not stored
-  bool synthetic;             ///< the force record is made, not measured
+  std::string name;  ///< "pass 1"
+  std::string slug;  ///< "pass-1", names response/<slug>.csv
+  double load;       ///< N, working load; the mean of the record when the case states none; NaN: neither stored
+  bool synthetic;    ///< the force record is made, not measured
   std::string force_meaning;  ///< measured | disturbance | published
 };
 

@@ -2,6 +2,7 @@
 #include "report/number.h"
 #include "report/sections.h"
 #include "report/svg.h"
+#include "report/tables.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -184,7 +185,8 @@ void name_spring(Svg &svg, const Run &run, const int number, const double x, con
   svg.text(x, y - 1, name + "  " + (spring ? significant(spring->value * 1e-6, 5) + " kN/mm" : "not stored"),
            "t strong");
   if (spring)
-    svg.text(x, y + 14, shortened(spring->source + (spring->at.empty() ? "" : ", at " + spring->at), 300),
+    svg.text(x, y + 14,
+             shortened(short_source(spring->source) + (spring->at.empty() ? "" : ", at " + spring->at), 300),
              "t small");
 }
 
@@ -208,7 +210,7 @@ void draw_chain(Svg &svg, const Run &run, const double x)
     svg.text(x, mass_y(mass) - 2,
              "M" + std::to_string(mass) + "  " + (value ? significant(value->value, 5) + " kg" : "not stored"),
              "t strong", Anchor::middle);
-    svg.text(x, mass_y(mass) + 13, value ? shortened(value->source, box_width - 10) : "", "t small",
+    svg.text(x, mass_y(mass) + 13, value ? shortened(short_source(value->source), box_width - 10) : "", "t small",
              Anchor::middle);
   }
   svg.text(x, height - 8, "mass [kg], stiffness [kN/mm] of the whole stand", "axis", Anchor::middle);

@@ -135,7 +135,8 @@ std::string description_of(const Plot &plot)
 
 const char *class_of(const Pen pen)
 {
-  static const char *const classes[] = {"dark", "warm", "dashed", "dotted", "pale", "chained", "warm-dashed"};
+  static const char *const classes[] = {"dark", "warm",    "dashed",      "dotted",
+                                        "pale", "chained", "warm-dashed", "dark-dashed"};
   return classes[int(pen)];
 }
 

@@ -47,9 +47,9 @@ std::string row_head(const Result &result)
          "</small></th>";
 }
 
-std::string common_cells(const Result &result)
+std::string common_cells(const Result &result, const std::string &source)
 {
-  return "<td class=\"value\">" + value_cell(result) + "</td><td>" + escaped(result.source) + "</td><td>" +
+  return "<td class=\"value\">" + value_cell(result) + "</td><td>" + escaped(source) + "</td><td>" +
          (result.at.empty() ? "\u2013" : unbroken(escaped(result.at))) + "</td><td>" + accuracy_cell(result) +
          "</td>";
 }
@@ -82,6 +82,18 @@ const Check *check_named(const Result &result, const std::string &word)
     if (contains(check.name, word))
       return &check;
   return nullptr;
+}
+
+// What stands beside a number in the short table: its first check, and what was published.
+std::string first_checks(const Result &result)
+{
+  if (result.checks.empty())
+    return "\u2013";
+  const Check *published = check_named(result, "published");
+  std::string cell       = check_text(result, result.checks[0]);
+  if (published && published != &result.checks[0])
+    cell += "<br/>" + check_text(result, *published);
+  return cell;
 }
 
 // Value of another origin and how many times as large this run's is.
@@ -122,6 +134,11 @@ std::string accuracy_cell(const Result &result)
   return "\u2013<small>no independent estimate</small>";
 }
 
+std::string short_source(const std::string &source)
+{
+  return source.substr(0, source.find(','));
+}
+
 std::string short_table(const std::vector<Group> &groups)
 {
   std::string table = "<table class=\"results\"><thead><tr><th>name</th><th>value</th><th>source</th><th>at</th>"
@@ -129,8 +146,8 @@ std::string short_table(const std::vector<Group> &groups)
   for (const Group &group : groups) {
     table += "<tbody><tr class=\"group\"><th colspan=\"6\">" + escaped(group.title) + "</th></tr>\n";
     for (const Result *result : group.results)
-      table += "<tr>" + row_head(*result) + common_cells(*result) + "<td>" +
-               (result->checks.empty() ? "\u2013" : check_text(*result, result->checks[0])) + "</td></tr>\n";
+      table += "<tr>" + row_head(*result) + common_cells(*result, short_source(result->source)) + "<td>" +
+               first_checks(*result) + "</td></tr>\n";
     table += "</tbody>\n";
   }
   return table + "</table>\n";
@@ -142,7 +159,7 @@ std::string full_table(const Run &run)
       "<table class=\"results full\"><thead><tr><th>name</th><th>value</th><th>source</th><th>at</th>"
       "<th>accuracy</th><th>checks (this run deviates by)</th></tr></thead>\n<tbody>\n";
   for (const Result &result : run.results)
-    table += "<tr>" + row_head(result) + common_cells(result) + "<td>" + all_checks(result) +
+    table += "<tr>" + row_head(result) + common_cells(result, result.source) + "<td>" + all_checks(result) +
              folded_inputs(result) + "</td></tr>\n";
   return table + "</tbody></table>\n";
 }

@@ -8,10 +8,14 @@ namespace mill::report {
 /// A value with its unit on the mill floor; a stiffness also in N/m.  HTML.
 std::string value_cell(const Result &result);
 
+/// The source without its details: "computed: contact FEM, plane strain, ..." -> "computed: contact FEM".  The
+/// full table says all of it.
+std::string short_source(const std::string &source);
+
 /// "±0.4 %", or a dash with the reason why there is none.  HTML.
 std::string accuracy_cell(const Result &result);
 
-/// The numbers one looks for first: value, source, load, accuracy, first check with its deviation.
+/// The numbers one looks for first: value, source, load, accuracy, the first check and the published value.
 std::string short_table(const std::vector<Group> &groups);
 
 /// Every result with every check and, folded, its inputs.

@@ -3,6 +3,7 @@ add_library(mill_sample_run STATIC support/sample_results.cpp support/sample_run
 target_link_libraries(mill_sample_run PUBLIC mill_test_support)
 
 mill_test(number_test       LABEL unit LINK mill::report)
+mill_test(curves_test      LABEL unit LINK mill::report)
 mill_test(ticks_test        LABEL unit LINK mill::report)
 mill_test(envelope_test     LABEL unit LINK mill::report)
 mill_test(svg_plot_test     LABEL unit LINK mill::report)

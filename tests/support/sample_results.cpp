@@ -119,25 +119,25 @@ ordered_json two_cylinder_results()
 {
   ordered_json v;
   constexpr double F              = working_load;
-  v["contact.line.half_width"]    = value(half_width(F), "m", "computed: contact FEM", "976.2 kN", 0.004,
+  v["contact.line.half_width"]    = value(half_width(F), "m", "computed: contact FEM", "697.298 N/mm", 0.004,
                                           {
                                               "upper.diameter"
   },
                                           {{"Hertz", ""}}, {half_width(F)});
-  v["contact.line.peak_pressure"] = value(peak_pressure(F), "Pa", "computed: contact FEM", "976.2 kN", 0.004,
+  v["contact.line.peak_pressure"] = value(peak_pressure(F), "Pa", "computed: contact FEM", "697.298 N/mm", 0.004,
                                           {
                                               "upper.diameter"
   },
                                           {{"Hertz", ""}}, {peak_pressure(F)});
-  v["contact.line.approach"]      = value(softer * approach(F), "m", "computed: contact FEM", "976.2 kN", 0.004,
-                                          {
-                                              "upper.diameter"
+  v["contact.line.approach"] = value(softer * approach(F), "m", "computed: contact FEM", "697.298 N/mm", 0.004,
+                                     {
+                                         "upper.diameter"
   },
-                                          {{"Johnson", ""}}, {approach(F)});
+                                     {{"Johnson", ""}}, {approach(F)});
   v["contact.line.tangent"] =
-      value(hertz_tangent(F) / L, "N/m2", "computed: contact FEM", "976.2 kN", 0.004, {"upper.diameter"});
+      value(hertz_tangent(F) / L, "N/m2", "computed: contact FEM", "697.298 N/mm", 0.004, {"upper.diameter"});
   v["contact.line.secant"] =
-      value(hertz_secant(F) / L, "N/m2", "computed: contact FEM", "976.2 kN", 0.004, {"upper.diameter"});
+      value(hertz_secant(F) / L, "N/m2", "computed: contact FEM", "697.298 N/mm", 0.004, {"upper.diameter"});
   return v;
 }
 

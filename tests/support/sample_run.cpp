@@ -52,36 +52,45 @@ void write_contact(const fs::path &curves, const std::string &name, const bool b
 {
   const VectorXd load   = VectorXd::LinSpaced(24, std::log(1e5), std::log(2e6)).array().exp();
   const VectorXd secant = per_load(load, hertz_secant) / softer;
-  write_csv(curves / ("contact-" + name + ".csv"),
-            Csv()
-                .with("load [N]", load)
-                .with("approach [m]", load.cwiseQuotient(secant))
-                .with("half_width [m]", per_load(load, half_width))
-                .with("peak_pressure [Pa]", per_load(load, peak_pressure))
-                .with("tangent [N/m]", per_load(load, hertz_tangent) / softer)
-                .with("secant [N/m]", secant)
-                .with("iterations []", VectorXd::Constant(24, 5)));
+  // Cylinders in plane strain are stored per length, which their units say.
+  const double length   = barrel ? 1 : L;
+  const std::string per = barrel ? "" : "/m", squared = barrel ? "" : "2";
+  const auto curve = [&](const std::string &kind, const double factor) {
+    write_csv(curves / ("contact-" + name + kind + ".csv"),
+              Csv()
+                  .with("load [N" + per + "]", load / length)
+                  .with("approach [m]", factor * load.cwiseQuotient(secant))
+                  .with("half_width [m]", per_load(load, half_width))
+                  .with("peak_pressure [Pa]", per_load(load, peak_pressure))
+                  .with("tangent [N/m" + squared + "]", per_load(load, hertz_tangent) / (factor * softer * length))
+                  .with("secant [N/m" + squared + "]", secant / (factor * length))
+                  .with("iterations []", VectorXd::Constant(24, 5)));
+  };
+  curve("", 1);
+  if (barrel)
+    curve("-in-stand", 1.15);
   write_csv(curves / ("contact-" + name + "-closed.csv"),
             Csv()
-                .with("load [N]", load)
-                .with("hertz_secant [N/m]", per_load(load, hertz_secant))
-                .with("hertz_tangent [N/m]", per_load(load, hertz_tangent))
-                .with("foeppl_secant [N/m]", per_load(load, foeppl_secant))
-                .with("half_space_secant [N/m]", per_load(load, half_space_secant))
-                .with("palmgren_secant [N/m]", per_load(load, palmgren_secant)));
+                .with("load [N" + per + "]", load / length)
+                .with("hertz_secant [N/m" + squared + "]", per_load(load, hertz_secant) / length)
+                .with("hertz_tangent [N/m" + squared + "]", per_load(load, hertz_tangent) / length)
+                .with("foeppl_secant [N/m" + squared + "]", per_load(load, foeppl_secant) / length)
+                .with("half_space_secant [N/m" + squared + "]", per_load(load, half_space_secant) / length)
+                .with("palmgren_secant [N/m" + squared + "]", per_load(load, palmgren_secant) / length));
   if (!barrel)
     return;
   const VectorXd z    = VectorXd::LinSpaced(36, 0, L / 2);
   const VectorXd edge = z.unaryExpr([](const double s) { return 1 + 0.12 * std::exp(-(L / 2 - s) / 0.05); });
   constexpr double F  = working_load;
-  write_csv(curves / ("contact-" + name + "-barrel.csv"),
-            Csv()
-                .with("z [m]", z)
-                .with("line_load [N/m]", F / L * edge)
-                .with("approach [m]", VectorXd::Constant(36, approach(F)))
-                .with("tangent [N/m2]", hertz_tangent(F) / L * edge.cwiseInverse())
-                .with("half_width [m]", half_width(F) * edge.cwiseSqrt())
-                .with("peak_pressure [Pa]", peak_pressure(F) * edge.cwiseSqrt()));
+  for (const std::string kind : {"-barrel", "-barrel-mirrored"})
+    write_csv(curves / ("contact-" + name + kind + ".csv"),
+              Csv()
+                  .with("z [m]", z)
+                  .with("line_load [N/m]", F / L * edge)
+                  .with("approach [m]", VectorXd::Constant(36, approach(F)))
+                  .with("tangent [N/m2]", hertz_tangent(F) / L * edge.cwiseInverse())
+                  .with("half_width [m]", half_width(F) * edge.cwiseSqrt())
+                  .with("peak_pressure [Pa]", peak_pressure(F) * edge.cwiseSqrt()));
 }
 
 void write_bearing(const fs::path &curves, const std::string &name, const double stiffness, const int rollers,

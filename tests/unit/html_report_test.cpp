@@ -167,6 +167,17 @@ TEST(HtmlReport, ComputedSecantIsPlacedAmongTheClosedForms)
   EXPECT_NE(html.find("77\u00a0% of the way from the lowest to the highest"), std::string::npos);
 }
 
+// The same contact per metre of length: 1 kN/mm per m is what is stored as 1e6 N/m2.
+TEST(HtmlReport, CylindersArePerLength)
+{
+  const std::string html = page_of("two-cylinders");
+  EXPECT_NE(html.find("load on the contact [N/mm]"), std::string::npos);
+  EXPECT_NE(html.find("stiffness [kN/mm per m]"), std::string::npos);
+  // 39 404 kN/mm over 1.4 m, Hertz 40 192 over 1.4 m.
+  EXPECT_NE(html.find("28\u202f146</td><td class=\"num\">28\u202f708 (\u22122.0\u00a0%)"), std::string::npos);
+  EXPECT_EQ(html.find("no finite value"), std::string::npos);
+}
+
 TEST(HtmlReport, BannerTellsTheStatus)
 {
   SampleRun sample;

@@ -67,12 +67,3 @@ TEST(Number, EngineeringUnitsOfEveryRow)
     EXPECT_EQ(shown.unit, row.shown_unit);
   }
 }
-
-TEST(Number, LoadInText)
-{
-  EXPECT_TRUE(near(load_in_text("976.2 kN"), 976200, within(1e-14, "one multiplication")));
-  EXPECT_TRUE(near(load_in_text("1.2 MN, pass 1"), 1.2e6, within(1e-14, "one multiplication")));
-  EXPECT_TRUE(near(load_in_text("500 N"), 500, within(1e-14, "no conversion")));
-  EXPECT_TRUE(std::isnan(load_in_text("1000 N/mm")));
-  EXPECT_TRUE(std::isnan(load_in_text("rest")));
-}

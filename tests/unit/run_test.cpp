@@ -44,6 +44,8 @@ TEST(Run, ReadsWhatARunLeaves)
   ASSERT_TRUE(run.table("response/pass-1"));
   EXPECT_EQ(run.table("response/pass-1")->columns.at(0).size(), 4001);
   EXPECT_EQ(run.table("response/pass-3"), nullptr);
+  EXPECT_TRUE(near(run.manifest.passes.at(1).load, 1e3 * run.table("response/pass-2")->column("force")->mean(),
+                   within(1e-14, "a pass without a working load works at the mean of its record")));
   EXPECT_TRUE(run.remarks.empty());
 }
 

@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+
+/// What a run of the built program left behind.
+struct Outcome {
+  int exit_code;
+  std::string out;  ///< standard output
+  std::string err;  ///< standard error
+};
+
+/// Runs `millstand <arguments>` in the given folder.
+Outcome millstand(const std::string &arguments, const std::string &folder = MILLSTAND_SOURCE_DIR);
+
+/// A folder of this test alone, removed at the end of the program.
+std::string scratch(const std::string &name);
