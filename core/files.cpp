@@ -1,5 +1,6 @@
 #include "core/files.h"
 #include "core/errors.h"
+#include <atomic>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
@@ -37,8 +38,9 @@ int write_all(const int file, const std::string &text)
 
 void write_atomically(const std::string &path, const std::string &text)
 {
-  // A rename is atomic only inside one file system, hence a name in the same folder.
-  const std::string temporary = fmt::format("{}.{}.part", path, ::getpid());
+  // A rename is atomic only inside one file system, hence a name in the same folder, of this process and call alone.
+  static std::atomic<unsigned> calls{0};
+  const std::string temporary = fmt::format("{}.{}-{}.part", path, ::getpid(), calls++);
   const int file              = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0)
     cannot_write(path, errno);

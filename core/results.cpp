@@ -11,10 +11,9 @@ ordered_json json_of(const Parameter &parameter)
   ordered_json json{
       {"value",  parameter.value       },
       {"unit",   parameter.unit        },
-      {"source", source_text(parameter)}
+      {"source", source_text(parameter)},
+      {"at",     parameter.at          }
   };
-  if (!parameter.at.empty())
-    json["at"] = parameter.at;
   json["error_estimate"] = parameter.error_estimate;  // NaN, none can be stated, becomes null
   json["inputs"]         = parameter.inputs;
   if (!parameter.checks.empty()) {

@@ -13,7 +13,7 @@ using SymmetricSparse = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 /// What a factorisation will cost, known after the analysis and before any number is computed.
 struct FactorCost {
   double n_nonzeros = 0;  ///< of the factor
-  double n_flops    = 0;
+  double n_flops    = 0;  ///< of the factorisation
   double bytes      = 0;  ///< of the factor
 };
 

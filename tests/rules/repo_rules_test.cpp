@@ -95,7 +95,7 @@ TEST(Layers, OnlyOneFileKnowsTheTomlParser)
 TEST(Headers, DoubleMembersStateTheirUnit)
 {
   // Public data of the hand-over records and stage headers: "double name = 0;  ///< m, ..." on the line itself.
-  const std::regex member(R"(^\s+double\s+[a-z_0-9A-Z]+(\s*=[^;(]*)?(,[^;(]*)?;)");
+  const std::regex member(R"(^  double\s+[a-z_0-9A-Z]+(\s*=[^;()]*)?(,[^;()]*)?;)");
   int seen = 0;
   for (const Source &source : sources({"core", "meshes", "fem", "reduce", "dynamics"})) {
     if (!source.header)

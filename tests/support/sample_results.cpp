@@ -191,7 +191,7 @@ ordered_json sample_manifest(const SampleRun &sample, const std::string &name)
       run["passes"].push_back({
           {"name",          "pass " + std::to_string(i) },
           {"slug",          "pass-" + std::to_string(i) },
-          {"load",          i == 1 ? 976217.5 : 737992.5},
+          {"load",          i == 1 ? ordered_json(976217.5) : ordered_json(nullptr)},
           {"synthetic",     true                        },
           {"force_meaning", "measured"                  }
       });

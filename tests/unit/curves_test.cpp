@@ -11,17 +11,17 @@ TEST(Curves, FactorsOfEveryDimension)
     const char *from, *to;
     double factor;
   } rows[] = {
-      {"N/m",         "kN/mm",          1e-6       },
-      {"N/m",         "N/mm",           1e-3       },
-      {"N/m2",        "kN/mm per m",    1e-6       },
-      {"N",           "kN",             1e-3       },
-      {"Pa",          "MPa",            1e-6       },
-      {"m",           "\u00b5m",        1e6        },
-      {"m/N",         "\u00b5m/MN",     1e12       },
-      {"m/s2",        "g",              1 / 9.80665},
-      {"",            "%",              100        },
-      {"N/sqrt(Hz)",  "N/\u221aHz",     1          },
-      {"kN/sqrt(Hz)", "N/\u221aHz",     1000       },
+      {"N/m",         "kN/mm",       1e-6       },
+      {"N/m",         "N/mm",        1e-3       },
+      {"N/m2",        "kN/mm per m", 1e-6       },
+      {"N",           "kN",          1e-3       },
+      {"Pa",          "MPa",         1e-6       },
+      {"m",           "\u00b5m",     1e6        },
+      {"m/N",         "\u00b5m/MN",  1e12       },
+      {"m/s2",        "g",           1 / 9.80665},
+      {"",            "%",           100        },
+      {"N/sqrt(Hz)",  "N/\u221aHz",  1          },
+      {"kN/sqrt(Hz)", "N/\u221aHz",  1000       },
   };
   for (const auto &row : rows)
     EXPECT_TRUE(near(factor_between(row.from, row.to), row.factor, within(1e-15, "one division"))) << row.from;
@@ -42,9 +42,13 @@ TEST(Curves, QuantityInText)
 // A column in another unit of the same dimension is converted, one of another dimension is not drawn.
 TEST(Curves, TheHeaderDecidesAboutTheUnit)
 {
-  const Table table{{"force", "way"}, {"N", "mm"}, {Eigen::Vector2d(1000, 2000), Eigen::Vector2d(1, 3)}};
+  Table table;
+  table.names   = {"force", "way"};
+  table.units   = {"N", "mm"};
+  table.columns = {Eigen::Vector2d(1000, 2000), Eigen::Vector2d(1, 3)};
   EXPECT_TRUE(near(values_of(table, {"force", "kN"}), Eigen::Vector2d(1, 2), within(1e-15, "one multiplication")));
-  EXPECT_TRUE(near(values_of(table, {"way", "\u00b5m"}), Eigen::Vector2d(1000, 3000), within(1e-15, "one multiplication")));
+  EXPECT_TRUE(near(values_of(table, {"way", "\u00b5m"}), Eigen::Vector2d(1000, 3000),
+                   within(1e-15, "one multiplication")));
   EXPECT_EQ(values_of(table, {"force", "mm"}).size(), 0);
   EXPECT_EQ(values_of(table, {"absent", "mm"}).size(), 0);
   Plot plot;

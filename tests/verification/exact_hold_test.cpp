@@ -124,6 +124,29 @@ TEST(ExactHold, UnevenSamplesAreHonouredExactly)
   }
 }
 
+TEST(ExactHold, ASampleATenthOfTheSpacingLateIsHonoured)
+{
+  // every other sample of a 1 ms record comes 0.1 ms late; on an even 0.1 ms grid the same polyline has no late
+  // ones
+  ForceRecord late = twelve_tones();
+  late.time.conservativeResize(1001);
+  late.force.conservativeResize(1001);
+  late.time = Eigen::ArrayXd::LinSpaced(1001, 0, 1000) * 1e-3;
+  for (Eigen::Index i = 1; i < 1000; i += 2)
+    late.time[i] += 1e-4;
+  ForceRecord even{Eigen::ArrayXd::LinSpaced(10001, 0, 10000) * 1e-4, Eigen::VectorXd(10001), {}};
+  for (Eigen::Index i = 0; i < 1000; ++i) {
+    const Eigen::Index first = 10 * i + i % 2, last = 10 * (i + 1) + (i + 1) % 2;
+    for (Eigen::Index k = first; k <= last; ++k)
+      even.force[k] =
+          late.force[i] + (late.force[i + 1] - late.force[i]) * double(k - first) / double(last - first);
+  }
+  const MillModel model = model_of("R1");
+  EXPECT_LT(largest_difference(mill_response(model, late, 20e3).acceleration,
+                               mill_response(model, even, 20e3).acceleration),
+            1e-10);
+}
+
 TEST(ExactHold, UnevenPathIsTheEvenPath)
 {
   // One sample moved along its line by 2e-6 of the spacing is enough for the uneven path, which makes the
