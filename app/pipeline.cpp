@@ -6,7 +6,8 @@
 #include "core/csv.h"
 #include "core/lumped_model.h"
 #include "reduce/lumped_stand.h"
-#include <Eigen/Core>
+#include <cmath>
+#include <fmt/format.h>
 
 namespace mill
 {
@@ -21,6 +22,15 @@ namespace
     for (int i = 0; i < 4; ++i)
       if (!std::isnan(model.Kzc[i].value))
         session.results.add(prefix + "Kzc" + std::to_string(i + 1), model.Kzc[i]);
+  }
+
+  // Published values of the case beside the computed ones, under the plain name and beside tangent or plastic slope.
+  void set_beside(Session &session, const GivenValues &published)
+  {
+    for (auto &[name, parameter] : session.results.values)
+      for (const auto &[key, value] : published)
+        if (name == key || name == key + ".tangent" || name == key + ".combined")
+          parameter.checks.push_back({"published", value.parameter.value, value.parameter.at});
   }
 
   void write_shapes(Session &session, const reduce::LumpedStand &s)
@@ -87,8 +97,10 @@ namespace
       }
       session.progress.at("passes", double(p + 1) / double(stand.passes.size()));
     }
-    session.assume("modal damping of " + std::to_string(100 * stand.dynamics.modal_damping) + " % in every mode is an assumption; "
-                   "acceleration levels follow about the root of bandwidth over damping");
+    set_beside(session, stand.published);
+    session.assume("modal damping of " + fmt::format("{:g}", 100 * stand.dynamics.modal_damping) +
+                   " % in every mode; acceleration levels of a given force range follow (damping x bandwidth)^(-1/2), so that only "
+                   "this product can be told from measured levels");
   }
 
   void run_lumped(Session &session, Lumped lumped, const Goal goal, const std::string &force_file)

@@ -94,7 +94,7 @@ std::string description(const Row &row)
   return text;
 }
 
-// A value of [given]: a quantity, or a table that keeps where it comes from.
+// A value of [given] or [published]: a quantity, or a table that keeps where it comes from.
 ordered_json given_type()
 {
   const ordered_json text{
@@ -129,7 +129,7 @@ ordered_json closed_object()
 void add_rows(ordered_json &object, const SectionRows &section)
 {
   for (const Row &row : section.rows) {
-    ordered_json type             = section.name == "given" ? given_type() : type_of(row);
+    ordered_json type             = section.name == "given" || section.name == "published" ? given_type() : type_of(row);
     type["description"]           = description(row);
     object["properties"][row.key] = std::move(type);
     if (row.fallback.kind == Fallback::Kind::required)

@@ -145,14 +145,14 @@ std::string given_toml(const Row &row, const Parameter &parameter)
   return text + " }";
 }
 
-GivenValues read_given(const Node &root, const std::string &kind, Reading &reading)
+GivenValues read_given(const Node &root, const std::string &name, const std::string &kind, Reading &reading)
 {
   GivenValues values;
-  const Section given = section_at(root, "given", reading);
+  const Section given = section_at(root, name, reading);
   const auto &rows    = given_rows(kind);
   report_missing(given, rows, reading);
   refuse_unknown_keys(given, rows, {}, reading);
-  reading.echo += "\n[given]\n";
+  reading.echo += "\n[" + name + "]\n";
   for (const Row &row : rows)
     if (const auto value = read_one(row, given, reading)) {
       values[row.key] = *value;

@@ -151,6 +151,7 @@ struct FourHigh {
   ContactSettings upper_contact, lower_contact;  ///< upper: K3, lower: K5
   DynamicsSettings dynamics;
   GivenValues given;
+  GivenValues published;  ///< same names; only shown beside the computed values
 };
 
 /// kind = "lumped": starts at the lumped model.

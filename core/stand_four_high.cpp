@@ -84,7 +84,8 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   stand.upper_contact = read_roll_contact(root, "contact.upper", reading);
   stand.lower_contact = read_roll_contact(root, "contact.lower", reading);
   stand.dynamics      = read_dynamics(root, reading);
-  stand.given         = read_given(root, "four-high", reading);
+  stand.given         = read_given(root, "given", "four-high", reading);
+  stand.published     = read_given(root, "published", "four-high", reading);
   check_four_high(stand, reading);
   return stand;
 }
@@ -92,7 +93,7 @@ FourHigh read_four_high(const Node &root, Reading &reading)
 Lumped read_lumped(const Node &root, Reading &reading)
 {
   Lumped lumped;
-  lumped.given    = read_given(root, "lumped", reading);
+  lumped.given    = read_given(root, "given", "lumped", reading);
   lumped.passes   = read_passes(root, reading);
   lumped.dynamics = read_dynamics(root, reading);
   check_published_force(lumped.dynamics, lumped.given, reading);

@@ -10,7 +10,8 @@ Section section_at(const Node &root, const std::string &name, Reading &reading);
 /// [[pass]]; `root` may have none.
 std::vector<Pass> read_passes(const Node &root, Reading &reading);
 DynamicsSettings read_dynamics(const Node &root, Reading &reading);
-GivenValues read_given(const Node &root, const std::string &kind, Reading &reading);
+/// [given] (replaces computed values) or [published] (stands beside them).
+GivenValues read_given(const Node &root, const std::string &name, const std::string &kind, Reading &reading);
 
 FourHigh read_four_high(const Node &root, Reading &reading);
 Lumped read_lumped(const Node &root, Reading &reading);
