@@ -31,7 +31,7 @@ struct HoldResult {
 /// @param wanted       modal falls back to matrix_exponential when the eigenvectors are so nearly dependent that
 ///                     the modal form would lose more than 1e-9 (repeated poles of a critically damped mode)
 /// @throws SolverError  no equilibrium under the first sample: A is singular
-/// Cost: with samples and outputs on a common grid (any ratio p/q with p <= 16) one step length serves for all;
+/// Cost: with samples and outputs on a common grid one step length serves for all;
 /// modal O(s m) per output.  Otherwise each step has its own length: s/2 complex exponentials (modal) or a matrix
 /// exponential of size s + 2 per step.
 /// theory.md (7.2) to (7.6)

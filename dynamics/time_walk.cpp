@@ -28,7 +28,9 @@ CommonGrid common_grid(const ForceRecord &force, const OutputGrid &grid)
   const double spacing       = (force.time[n_lines] - force.time[0]) / double(n_lines);
   if (!evenly_spaced(force.time, spacing))
     return {};
-  for (Eigen::Index per_sample = 1; per_sample <= 16; ++per_sample) {
+  // A grid finer than 16 times what samples and outputs need costs more than steps of changing length.
+  const double finest = 16 * (1 + grid.step / spacing);
+  for (Eigen::Index per_sample = 1; double(per_sample) * grid.step / spacing < finest + 0.5; ++per_sample) {
     const double steps    = double(per_sample) * grid.step / spacing;
     const auto per_output = Eigen::Index(std::llround(steps));
     // over the whole record the two grids may drift apart by the same millionth of a spacing

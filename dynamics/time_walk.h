@@ -28,7 +28,8 @@ struct CommonGrid {
   Eigen::Index per_output = 0;  ///< -, fine steps between two outputs
 };
 
-/// Finds the common grid when the samples are evenly spaced and spacing / step is a ratio of small numbers.
+/// Finds the common grid when the samples are evenly spaced and spacing / step is a ratio of small numbers: one
+/// that needs at most 16 times as many steps as there are samples and outputs.
 CommonGrid common_grid(const ForceRecord &force, const OutputGrid &grid);
 
 /// Calls visit(const Step &) for every stretch in order; all steps of a common grid have exactly one length.

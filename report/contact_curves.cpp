@@ -4,6 +4,7 @@
 #include "report/svg.h"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mill::report {
 const std::array<ClosedForm, 4> closed_secants{
@@ -16,22 +17,37 @@ const std::array<ClosedForm, 4> closed_secants{
 };
 
 namespace {
+constexpr double not_stored = std::numeric_limits<double>::quiet_NaN();
+
 // Loads of the passes; for two cylinders the load at which the scalar results stand.
 std::vector<WorkingLoad> working_loads(const Run &run, const std::string &contact, const std::string &unit)
 {
   std::vector<WorkingLoad> loads;
   for (const PassInfo &pass : run.manifest.passes)
     if (std::isfinite(pass.load * factor_between("N", unit)))
-      loads.push_back({pass.name, pass.load * factor_between("N", unit)});
+      loads.push_back({pass.name, pass.load * factor_between("N", unit), not_stored, not_stored});
   if (!loads.empty())
     return loads;
   for (const Result &result : run.results)
     if (result.name.rfind("contact." + contact + ".", 0) == 0 && !result.at.empty()) {
       const double load = quantity_in_text(result.at, unit);
       if (std::isfinite(load))
-        return std::vector<WorkingLoad>(1, {result.at, load});
+        return std::vector<WorkingLoad>(1, {result.at, load, not_stored, not_stored});
     }
   return {};
+}
+
+// What results.json holds for this contact and pass: K3 of the first pass, "pass 2.K3" of another one.
+double stored_slope(const Run &run, const ContactCurves &contact, const WorkingLoad &working,
+                    const std::string &slope)
+{
+  const std::string K  = contact.name == "upper"   ? "K3"
+                         : contact.name == "lower" ? "K5"
+                                                   : "contact." + contact.name;
+  const Result *result = run.find(working.name + "." + K + "." + slope);
+  if (!result && working.name == contact.loads.front().name)
+    result = run.find(K + "." + slope);
+  return result ? result->value * factor_between(result->unit, contact.stiffness) : not_stored;
 }
 
 // A stiffness of the table at one load.  The compliance of a line contact is a straight line over ln(load), so it
@@ -42,17 +58,23 @@ double stiffness_at(const ContactCurves &contact, const Table &table, const char
                           values_of(table, {column, contact.stiffness}).cwiseInverse(), load);
 }
 
+// The stored result; without it the curve at the working load.
+double slope_at(const ContactCurves &contact, const WorkingLoad &working, const char *column, const double stored)
+{
+  return std::isfinite(stored) ? stored : stiffness_at(contact, *contact.curve, column, working.load);
+}
+
 // Where the computed secant stands among the four closed forms, load by load.
 struct Band {
   double secant, lowest, highest;
 };
 
-Band band_at(const ContactCurves &contact, const double load)
+Band band_at(const ContactCurves &contact, const WorkingLoad &working)
 {
-  Band band{stiffness_at(contact, *contact.curve, "secant", load), std::numeric_limits<double>::infinity(),
+  Band band{slope_at(contact, working, "secant", working.secant), std::numeric_limits<double>::infinity(),
             -std::numeric_limits<double>::infinity()};
   for (const ClosedForm &form : closed_secants) {
-    const double value = stiffness_at(contact, *contact.closed, form.column, load);
+    const double value = stiffness_at(contact, *contact.closed, form.column, working.load);
     if (std::isfinite(value)) {
       band.lowest  = std::min(band.lowest, value);
       band.highest = std::max(band.highest, value);
@@ -82,6 +104,10 @@ ContactCurves contact_curves(const Run &run, const std::string &name)
     contact.stiffness = "kN/mm per m";
   }
   contact.loads = working_loads(run, name, contact.load);
+  for (WorkingLoad &working : contact.loads) {
+    working.tangent = stored_slope(run, contact, working, "tangent");
+    working.secant  = stored_slope(run, contact, working, "secant");
+  }
   return contact;
 }
 
@@ -91,10 +117,10 @@ std::string band_table(const ContactCurves &contact)
     return "";
   std::string rows;
   for (const WorkingLoad &working : contact.loads) {
-    const Band band = band_at(contact, working.load);
+    const Band band = band_at(contact, working);
     if (!std::isfinite(band.secant) || !(band.lowest <= band.highest))
       continue;
-    const double tangent = stiffness_at(contact, *contact.curve, "tangent", working.load);
+    const double tangent = slope_at(contact, working, "tangent", working.tangent);
     const double hertz   = stiffness_at(contact, *contact.closed, "hertz_tangent", working.load);
     rows += "<tr><th scope=\"row\">" + escaped(working.name) + "</th><td class=\"num\">" +
             significant(working.load, 4) + "</td><td class=\"num\">" + significant(tangent, 5) +

@@ -8,7 +8,10 @@
 namespace mill::report {
 struct WorkingLoad {
   std::string name;
-  double load;  ///< in the unit of ContactCurves::load
+  double load;     ///< in the unit of ContactCurves::load
+  double tangent;  ///< in the unit of ContactCurves::stiffness, from results.json; NaN: not there, the curve has
+                   ///< to do
+  double secant;   ///< likewise
 };
 
 /// The stored curves of one contact and the units in which they are shown.  Rolls have a load and a stiffness;

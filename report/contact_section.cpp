@@ -102,7 +102,8 @@ void one_contact(Page &page, const Run &run, const std::string &name)
       {load_approach(contact), stiffness_over_load(contact)},
       "Left: how far the two roll axes come together under the load; the dots are the solved loads, the "
       "circles the working loads. Right: the two slopes of that curve. The <b>tangent</b> is what a vibrating "
-      "mill feels, the <b>secant</b> what screwing down feels; both grow only with the logarithm of the load." +
+      "mill feels, the <b>secant</b> what screwing down feels; both grow only with the logarithm of the load. "
+      "Small steps of a computed tangent are rows of the mesh that come into contact." +
           std::string(contact.in_stand
                           ? " This run squeezes each roll evenly between two contacts, as the closed forms "
                             "do; dashed, the rolls are held as in the stand and bend as well."

@@ -42,7 +42,7 @@ std::string tile(const Result *result, const std::string &label)
   const bool acceleration = result->name.find("_g.") != std::string::npos;
   const Shown shown =
       acceleration ? Shown{in_g(result->value, result->unit), "g"} : engineering(result->value, result->unit);
-  const std::string number = acceleration ? fixed(shown.value, 2) : significant(shown.value, 4);
+  const std::string number = acceleration ? g_text(shown.value) : significant(shown.value, 4);
   return "<div class=\"tile\"><span>" + escaped(label) + "</span><b>" + number + "</b> " + escaped(shown.unit) +
          "<small>" + escaped(short_source(result->source)) +
          (result->at.empty() ? "" : ", at " + escaped(short_source(result->at))) + "</small></div>\n";

@@ -170,15 +170,17 @@ Layout layout_of(const Plot &plot)
   double widest      = 0;
   for (const std::string &label : at.y_ticks.labels)
     widest = std::max(widest, text_width(label, plot_font));
-  at.left       = 34 + widest;
+  at.left    = 34 + widest;
+  at.x_ticks = ticks_of(plot.x, x, at.right - at.left, 75);
+  if (!at.x_ticks.labels.empty())  // the last label may stand at the very end of the axis
+    at.right = std::min(at.right, plot.width - 2 - text_width(at.x_ticks.labels.back(), plot_font) / 2);
   at.to_x       = {plot.x.scale, x, at.left, at.right};
   at.flags      = arrange(plot.marks, at.to_x, plot.width);
   int flag_rows = 0;
   for (const Flag &flag : at.flags)
     flag_rows = std::max(flag_rows, flag.row + 1);
-  at.top     = below + flag_rows * plot_mark_row + (flag_rows ? 4 : 0);
-  at.to_y    = {plot.y.scale, y, at.bottom, at.top};
-  at.x_ticks = ticks_of(plot.x, x, at.right - at.left, 75);
+  at.top  = below + flag_rows * plot_mark_row + (flag_rows ? 4 : 0);
+  at.to_y = {plot.y.scale, y, at.bottom, at.top};
   return at;
 }
 }  // namespace mill::report

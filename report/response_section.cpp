@@ -105,7 +105,7 @@ std::string around_the_peak(const Table &table)
   plot.y      = {"acceleration", "g"};
   add_line(plot, table, {"time", "s"}, {"upper_work_roll", "g"}, "upper work roll", Pen::dark);
   add_line(plot, table, {"time", "s"}, {"lower_work_roll", "g"}, "lower work roll", Pen::warm);
-  plot.points.push_back({time[peak], upper[peak], fixed(upper[peak], 2) + " g"});
+  plot.points.push_back({time[peak], upper[peak], g_text(upper[peak]) + " g"});
   for (Line &line : plot.lines) {  // only the samples of the window: the rest would be cut away anyway
     const auto first = std::lower_bound(line.x.begin(), line.x.end(), plot.x.low) - line.x.begin();
     const auto end   = std::upper_bound(line.x.begin(), line.x.end(), plot.x.high) - line.x.begin();
@@ -139,8 +139,10 @@ std::string spectrum(const Run &run, const Table &table, const std::string &titl
   }
   plot.x.low = 5;  // below, a record of some seconds has no resolution worth showing
   for (int i = 1; i <= 6; ++i)
-    if (const Result *f = run.find("f" + std::to_string(i)))
+    if (const Result *f = run.find("f" + std::to_string(i))) {
       plot.marks.push_back({f->value, "f" + std::to_string(i)});
+      plot.x.high = 4 * f->value;  // further up the chain has nothing to answer with
+    }
   return svg_plot(plot);
 }
 
@@ -167,7 +169,8 @@ void one_pass(Page &page, const Run &run, const PassInfo &pass)
                      "amplitude density", "g/\u221aHz")
     },
         "Spectra of " + escaped(pass.name) +
-            " with the natural frequencies of the chain marked. A peak of the acceleration at a mark where the "
+            " with the natural frequencies of the chain marked, up to four times the highest. A peak of the "
+            "acceleration at a mark where the "
             "force has none is a resonance of the stand; where the force spectrum ends, so does what this "
             "record can say.");
   else

@@ -92,9 +92,11 @@ void read_results(const std::string &path, Run &run)
 {
   const Json json = parsed(path);
   try {
-    run.case_name   = json.at("case").get<std::string>();
-    run.status      = json.at("status").get<std::string>();
-    run.warnings    = texts_at(json, "warnings");
+    run.case_name = json.at("case").get<std::string>();
+    run.status    = json.at("status").get<std::string>();
+    for (const std::string &warning : texts_at(json, "warnings"))  // two passes may give the same one
+      if (std::find(run.warnings.begin(), run.warnings.end(), warning) == run.warnings.end())
+        run.warnings.push_back(warning);
     run.assumptions = texts_at(json, "assumptions");
     for (const auto &[name, entry] : json.at("values").items())
       run.results.push_back(result_of(name, entry));

@@ -22,6 +22,7 @@ void record_section(Page &page, const Run &run);  ///< program, versions, timing
 std::string stand_sketch(const Run &run);
 
 /// A zoomable chart of a history for the screen: data of a script element that page.js turns into a chart.
+/// Empty when the build found no plotting library: the static drawing then stands alone.
 /// @param group   charts of one group zoom together
 /// @param y_axis  "acceleration [g]"
 /// @param limit   half the height of the chart around zero; 0: from the data

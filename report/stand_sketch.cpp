@@ -9,7 +9,7 @@
 
 namespace mill::report {
 namespace {
-constexpr double top = 46, pitch = 92, box_width = 190, box_height = 38;  // px, the chain
+constexpr double top = 46, pitch = 92, box_width = 250, box_height = 38;  // px, the chain
 constexpr double height = top + 6 * pitch + 2 * 50 + 20;
 
 // Lengths of the drawing in px from lengths of the stand in m.
@@ -242,6 +242,20 @@ std::string stand_sketch(const Run &run)
   return svg.str();
 }
 
+namespace {
+// With the whole force imposed the bite's own spring and damper are already in it.
+std::string how_the_bite_acts(const Run &run)
+{
+  for (const PassInfo &pass : run.manifest.passes)
+    if (pass.force_meaning != "measured")
+      return "";
+  return run.manifest.passes.empty()
+             ? ""
+             : " K4 and C do not act in this run: its force is the whole force of the bite, "
+               "which holds their reaction.";
+}
+}  // namespace
+
 void stand_section(Page &page, const Run &run)
 {
   if (!has_chain(run))
@@ -252,6 +266,7 @@ void stand_section(Page &page, const Run &run)
       std::string(has_geometry(run) ? "The rolls to scale and the chain that stands for them. " : "The chain. ") +
           "Every mass moves vertically, every spring is that of both sides together; beside each number its "
           "source. Kzc is one bearing of each roll in kN/mm and acts horizontally." +
+          how_the_bite_acts(run) +
           (has_geometry(run) ? "" : " The rolls are not drawn: this run stored no geometry."));
 }
 }  // namespace mill::report

@@ -119,8 +119,9 @@ void draw_points(Svg &svg, const Plot &plot, const Layout &at)
       continue;
     const double x = at.to_x(point.x), y = at.to_y(point.y);
     svg.circle(x, y, 5, "point");
+    const bool low = y + 18 > at.bottom;
     if (x + 10 + text_width(point.label, plot_font) < at.right)
-      svg.text(x + 9, y + 14, point.label, "flag halo");
+      svg.text(x + 9, low ? y - 4 : y + 14, point.label, "flag halo");
     else
       svg.text(x - 9, y - 8, point.label, "flag halo", Anchor::end);
   }

@@ -17,9 +17,15 @@ bool is_share(const Result &result)
   return result.unit == "1" && contains(result.name, "share");
 }
 
-std::string with_unit(const Shown &shown, const int digits)
+// Five digits; six where they stand before the point, as in published tables of stiffnesses.
+std::string table_number(const double value)
 {
-  return significant(shown.value, digits) + (shown.unit.empty() ? "" : "\u00a0" + escaped(shown.unit));
+  return significant(value, std::abs(value) >= 1e5 ? 6 : 5);
+}
+
+std::string with_unit(const Shown &shown)
+{
+  return table_number(shown.value) + (shown.unit.empty() ? "" : "\u00a0" + escaped(shown.unit));
 }
 
 // In the unit in which the result itself is shown, so that the two can be compared at a glance.
@@ -28,8 +34,8 @@ std::string check_text(const Result &result, const Check &check)
   const Shown own    = engineering(result.value, result.unit);
   const double scale = result.value != 0 ? own.value / result.value : 1;
   std::string text   = escaped(check.name) + ": ";
-  text += std::isfinite(scale) ? with_unit({check.value * scale, own.unit}, 5)
-                               : with_unit(engineering(check.value, result.unit), 5);
+  text += std::isfinite(scale) ? with_unit({check.value * scale, own.unit})
+                               : with_unit(engineering(check.value, result.unit));
   if (std::isfinite(result.value) && check.value != 0)
     text += " <span class=\"deviation\">(" + percent(result.value / check.value - 1) + ")</span>";
   return text;
@@ -102,7 +108,7 @@ std::string compared_cells(const Result &result, const std::string &word)
   const Check *check = check_named(result, word);
   if (!check)
     return "<td class=\"num\">\u2013</td><td class=\"num\">\u2013</td>";
-  return "<td class=\"num\">" + fixed(in_g(check->value, result.unit), 2) + "</td><td class=\"num\">" +
+  return "<td class=\"num\">" + g_text(in_g(check->value, result.unit)) + "</td><td class=\"num\">" +
          fixed(result.value / check->value, 2) + "</td>";
 }
 }  // namespace
@@ -114,7 +120,7 @@ std::string value_cell(const Result &result)
   if (is_share(result))
     return "<b>" + fixed(100 * result.value, 1) + "</b>\u00a0%";
   const Shown shown = engineering(result.value, result.unit);
-  std::string cell  = "<b>" + significant(shown.value, 5) + "</b>";
+  std::string cell  = "<b>" + table_number(shown.value) + "</b>";
   if (!shown.unit.empty())
     cell += "\u00a0" + escaped(shown.unit);
   if (result.unit == "N/m")
@@ -175,6 +181,11 @@ double in_g(const double value, const std::string &unit)
   return unit == "m/s2" ? value / standard_gravity : value;
 }
 
+std::string g_text(const double value)
+{
+  return std::abs(value) < 0.1 ? significant(value, 2) : fixed(value, 2);
+}
+
 std::string peak_table(const Run &run)
 {
   std::string rows;
@@ -186,9 +197,9 @@ std::string peak_table(const Run &run)
         continue;
       rows += "<tr><th scope=\"row\">" + escaped(pass.name) +
               (pass.synthetic ? " <small>synthetic force</small>" : "") + "</th><td>" + roll +
-              "</td><td class=\"num\"><b>" + fixed(in_g(peak->value, peak->unit), 2) +
-              "</b></td><td class=\"num\">" + (rms ? fixed(in_g(rms->value, rms->unit), 3) : "\u2013") + "</td>" +
-              compared_cells(*peak, "published") + compared_cells(*peak, "measured") + "</tr>\n";
+              "</td><td class=\"num\"><b>" + g_text(in_g(peak->value, peak->unit)) +
+              "</b></td><td class=\"num\">" + (rms ? significant(in_g(rms->value, rms->unit), 3) : "\u2013") +
+              "</td>" + compared_cells(*peak, "published") + compared_cells(*peak, "measured") + "</tr>\n";
     }
   if (rows.empty())
     return "";

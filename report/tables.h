@@ -30,4 +30,7 @@ const Result *pass_value(const Run &run, const PassInfo &pass, const std::string
 
 /// A peak or rms value in g whatever its stored unit.
 double in_g(double value, const std::string &unit);
+
+/// An acceleration in g as text: two decimals, below 0.1 g two significant digits.
+std::string g_text(double value);
 }  // namespace mill::report

@@ -1,3 +1,4 @@
+#include "report/embedded.h"
 #include "report/envelope.h"
 #include "report/sections.h"
 #include "report/svg.h"
@@ -36,7 +37,7 @@ std::string zoom_chart(const std::string &group, const std::string &y_axis, cons
                        const Eigen::VectorXd &time,
                        const std::vector<std::pair<std::string, Eigen::VectorXd>> &series)
 {
-  if (time.size() < 2 || series.empty())
+  if (!*embedded::dygraphs_js || time.size() < 2 || series.empty())
     return "";
   const Eigen::Index drawn = std::min<Eigen::Index>(time.size(), 2 * zoom_intervals);
   const double step        = (time[time.size() - 1] - time[0]) / double(drawn - 1);

@@ -134,10 +134,10 @@ ordered_json two_cylinder_results()
                                          "upper.diameter"
   },
                                      {{"Johnson", ""}}, {approach(F)});
-  v["contact.line.tangent"] =
-      value(hertz_tangent(F) / L, "N/m2", "computed: contact FEM", "697.298 N/mm", 0.004, {"upper.diameter"});
-  v["contact.line.secant"] =
-      value(hertz_secant(F) / L, "N/m2", "computed: contact FEM", "697.298 N/mm", 0.004, {"upper.diameter"});
+  v["contact.line.tangent"]  = value(hertz_tangent(F) / (softer * L), "N/m2", "computed: contact FEM",
+                                     "697.298 N/mm", 0.004, {"upper.diameter"});
+  v["contact.line.secant"] = value(hertz_secant(F) / (softer * L), "N/m2", "computed: contact FEM", "697.298 N/mm",
+                                   0.004, {"upper.diameter"});
   return v;
 }
 
@@ -189,11 +189,11 @@ ordered_json sample_manifest(const SampleRun &sample, const std::string &name)
   if (sample.kind != "two-cylinders")
     for (int i = 1; i <= 2; ++i)
       run["passes"].push_back({
-          {"name",          "pass " + std::to_string(i) },
-          {"slug",          "pass-" + std::to_string(i) },
+          {"name",          "pass " + std::to_string(i)                            },
+          {"slug",          "pass-" + std::to_string(i)                            },
           {"load",          i == 1 ? ordered_json(976217.5) : ordered_json(nullptr)},
-          {"synthetic",     true                        },
-          {"force_meaning", "measured"                  }
+          {"synthetic",     true                                                   },
+          {"force_meaning", "measured"                                             }
       });
   return run;
 }
