@@ -5,66 +5,63 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace mill
+namespace mill {
+namespace {
+// The same bearing by the other published law of one roller: the spread of the two is how well the law is known.
+RollerBearing by_the_other_law(RollerBearing bearing)
 {
-namespace
+  bearing.roller_law = bearing.roller_law == "iso" ? "palmgren" : "iso";
+  return bearing;
+}
+
+std::string law_name(const RollerBearing &bearing)
 {
-  // The same bearing by the other published law of one roller: the spread of the two is how well the law is known.
-  RollerBearing by_the_other_law(RollerBearing bearing)
-  {
-    bearing.roller_law = bearing.roller_law == "iso" ? "palmgren" : "iso";
-    return bearing;
-  }
+  return bearing.roller_law == "iso" ? "ISO/TS 16281 laminae" : "Palmgren, two contacts in series";
+}
 
-  std::string law_name(const RollerBearing &bearing)
-  {
-    return bearing.roller_law == "iso" ? "ISO/TS 16281 laminae" : "Palmgren, two contacts in series";
-  }
+double load_on_one(const Roll &roll, const double assumed)
+{
+  return std::isnan(roll.bearing_load) ? assumed : roll.bearing_load;
+}
 
-  double load_on_one(const Roll &roll, const double assumed)
-  {
-    return std::isnan(roll.bearing_load) ? assumed : roll.bearing_load;
-  }
+std::vector<std::string> inputs_of(const RollerBearing &bearing, const std::string &roll)
+{
+  std::vector<std::string> keys{roll + ".bearing", roll + ".bearing_load"};
+  for (const char *key : {"rows", "rollers_per_row", "roller_length", "roller_diameter", "cup_angle",
+                          "radial_clearance", "profile", "roller_law", "slices"})
+    keys.push_back("bearing." + bearing.name + "." + key);
+  return keys;
+}
 
-  std::vector<std::string> inputs_of(const RollerBearing &bearing, const std::string &roll)
-  {
-    std::vector<std::string> keys{roll + ".bearing", roll + ".bearing_load"};
-    for (const char *key : {"rows", "rollers_per_row", "roller_length", "roller_diameter", "cup_angle", "radial_clearance",
-                            "profile", "roller_law", "slices"})
-      keys.push_back("bearing." + bearing.name + "." + key);
-    return keys;
+void write_curves(Session &session, const RollerBearing &bearing, const reduce::BearingState &at)
+{
+  constexpr int n = 24;
+  std::vector<double> loads;
+  for (int i = 0; i < n; ++i)
+    loads.push_back(at.load * std::pow(100., double(i) / (n - 1) - 0.6));
+  const auto states = reduce::bearing_curve(bearing, loads);
+  Eigen::MatrixXd values(n, 5);
+  for (int i = 0; i < n; ++i) {
+    const auto &s = states[i];
+    values.row(i) << s.load, s.displacement, s.secant, s.tangent, double(s.loaded_rollers.sum());
   }
-
-  void write_curves(Session &session, const RollerBearing &bearing, const reduce::BearingState &at)
-  {
-    constexpr int n = 24;
-    std::vector<double> loads;
-    for (int i = 0; i < n; ++i)
-      loads.push_back(at.load * std::pow(100., double(i) / (n - 1) - 0.6));
-    const auto states = reduce::bearing_curve(bearing, loads);
-    Table curve{{"load", "displacement", "secant", "tangent", "loaded_rollers"},
-                {"N", "m", "N/m", "N/m", ""},
-                std::vector<Eigen::VectorXd>(5, Eigen::VectorXd(n))};
-    for (int i = 0; i < n; ++i) {
-      const double row[] = {states[i].load, states[i].displacement, states[i].secant, states[i].tangent,
-                            double(states[i].loaded_rollers.sum())};
-      for (int c = 0; c < 5; ++c)
-        curve.columns[c][i] = row[c];
-    }
-    const auto rows = at.row_share.size();
-    Table shares{{"row", "share"}, {"", ""}, {Eigen::VectorXd::LinSpaced(rows, 1, double(rows)), at.row_share}};
-    Table rollers{{"angle"}, {"rad"}, {at.azimuth}};
-    for (Eigen::Index r = 0; r < rows; ++r) {
-      rollers.names.push_back("row" + std::to_string(r + 1));
-      rollers.units.push_back("N");
-      rollers.columns.push_back(at.roller_load.row(r).transpose());
-    }
-    const std::string stem = "curves/bearing-" + slug(bearing.name);
-    session.out.write(stem + ".csv", csv_text(curve));
-    session.out.write(stem + "-rows.csv", csv_text(shares));
-    session.out.write(stem + "-rollers.csv", csv_text(rollers));
-  }
-} // namespace
+  Table curve;
+  curve.add("load", "N", values.col(0))
+      .add("displacement", "m", values.col(1))
+      .add("secant", "N/m", values.col(2));
+  curve.add("tangent", "N/m", values.col(3)).add("loaded_rollers", "", values.col(4));
+  const auto rows = at.row_share.size();
+  Table shares, rollers;
+  shares.add("row", "", Eigen::VectorXd::LinSpaced(rows, 1, double(rows))).add("share", "", at.row_share);
+  rollers.add("angle", "rad", at.azimuth);
+  for (Eigen::Index r = 0; r < rows; ++r)
+    rollers.add("row" + std::to_string(r + 1), "N", at.roller_load.row(r).transpose());
+  const std::string stem = "curves/bearing-" + slug(bearing.name);
+  session.out.write(stem + ".csv", csv_text(curve));
+  session.out.write(stem + "-rows.csv", csv_text(shares));
+  session.out.write(stem + "-rollers.csv", csv_text(rollers));
+}
+}  // namespace
 
 StandBearings solve_bearings(Session &session, const FourHigh &stand, const double F, const bool write)
 {
@@ -74,10 +71,12 @@ StandBearings solve_bearings(Session &session, const FourHigh &stand, const doub
     const char *section;
     double assumed_load;
   };
-  const Seat places[] = {{"Kzc1", &stand.backup_roll, "backup_roll", F / 2},
-                          {"Kzc2", &stand.work_roll, "work_roll", F / 20},
-                          {"Kzc3", &stand.work_roll, "work_roll", F / 20},
-                          {"Kzc4", &stand.backup_roll, "backup_roll", F / 2}};
+  const Seat places[] = {
+      {"Kzc1", &stand.backup_roll, "backup_roll", F / 2 },
+      {"Kzc2", &stand.work_roll,   "work_roll",   F / 20},
+      {"Kzc3", &stand.work_roll,   "work_roll",   F / 20},
+      {"Kzc4", &stand.backup_roll, "backup_roll", F / 2 }
+  };
   StageTimer timer(session, "bearings");
   StandBearings out;
   for (int i = 0; i < 4; ++i) {
@@ -87,15 +86,17 @@ StandBearings solve_bearings(Session &session, const FourHigh &stand, const doub
     const auto at                = reduce::solve_bearing(bearing, load);
     const auto other             = reduce::solve_bearing(by_the_other_law(bearing), load);
     Parameter k;
-    k.unit           = "N/m";
-    k.method         = law_name(bearing) + ", rigid rings";
-    k.at             = in_kN(load) + " on one bearing";
-    k.inputs         = inputs_of(bearing, p.section);
-    Parameter tangent = k;
+    k.unit                 = "N/m";
+    k.method               = law_name(bearing) + ", rigid rings";
+    k.at                   = in_kN(load) + " on one bearing";
+    k.inputs               = inputs_of(bearing, p.section);
+    Parameter tangent      = k;
     tangent.value          = at.tangent;
     tangent.error_estimate = std::abs(other.tangent / at.tangent - 1);
-    tangent.checks         = {{law_name(by_the_other_law(bearing)), other.tangent, "another law of one roller"}};
-    out.Kzc[i]             = tangent;
+    tangent.checks         = {
+                {law_name(by_the_other_law(bearing)), other.tangent, "another law of one roller"}
+    };
+    out.Kzc[i] = tangent;
     if (i == 0) {
       out.K_Zy        = tangent;
       out.K_Zy.value  = 2 * tangent.value;
@@ -112,7 +113,9 @@ StandBearings solve_bearings(Session &session, const FourHigh &stand, const doub
       s.value          = value;
       s.unit           = unit;
       s.error_estimate = std::abs(second / value - 1);
-      s.checks         = {{law_name(by_the_other_law(bearing)), second, "another law of one roller"}};
+      s.checks         = {
+                  {law_name(by_the_other_law(bearing)), second, "another law of one roller"}
+      };
       session.results.add(name + "." + what, s);
     };
     add("secant", at.secant, other.secant, "N/m");
@@ -129,4 +132,4 @@ StandBearings solve_bearings(Session &session, const FourHigh &stand, const doub
   }
   return out;
 }
-} // namespace mill
+}  // namespace mill

@@ -5,34 +5,35 @@
 #include "meshes/gmsh_session.h"
 #include <CLI/CLI.hpp>
 
-namespace mill
+namespace mill {
+namespace {
+std::string version_text()
 {
-namespace
+  return "millstand " + version() + "\ndeal.II " + fem::library_version() + ", Gmsh " + meshes::library_version() +
+         ", BLAS " + blas_in_use() +
+         "\nLicence: GPL-3.0-or-later; so is every binary, since Debian's deal.II links Gmsh and others.";
+}
+
+void add_output(CLI::App *verb, CommandLine &c, const char *what)
 {
-  std::string version_text()
-  {
-    return "millstand " + version() + "\ndeal.II " + fem::library_version() + ", Gmsh " + meshes::library_version() + ", BLAS " +
-           blas_in_use() + "\nLicence: GPL-3.0-or-later; so is every binary, since Debian's deal.II links Gmsh and others.";
-  }
+  verb->add_option("-o,--output", c.output, what);
+}
 
-  void add_output(CLI::App *verb, CommandLine &c, const char *what)
-  {
-    verb->add_option("-o,--output", c.output, what);
-  }
-
-  void add_common(CLI::App *verb, CommandLine &c)
-  {
-    add_output(verb, c, "folder of the results (default out/<case name>)");
-    verb->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
-    verb->add_flag("--fresh", c.fresh, "compute everything anew, ignore the cache");
-    verb->add_flag("-q,--quiet", c.quiet, "no progress, no table");
-    verb->add_flag("-v,--verbose", c.verbose, "say what is reused and computed");
-    verb->add_option("--log", c.log, "log file (besides DIR/millstand.log)");
-    verb->add_option("--cache", c.cache, "folder of condensed rolls (default: the user's cache folder)");
-    verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::PositiveNumber);
-    verb->add_option("--set", c.sets, "override section.key=value, repeatable")->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  }
-} // namespace
+void add_common(CLI::App *verb, CommandLine &c)
+{
+  add_output(verb, c, "folder of the results (default out/<case name>)");
+  verb->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
+  verb->add_flag("--fresh", c.fresh, "compute everything anew, ignore the cache");
+  verb->add_flag("-q,--quiet", c.quiet, "no progress, no table");
+  verb->add_flag("-v,--verbose", c.verbose, "say what is reused and computed");
+  verb->add_option("--log", c.log, "log file (besides DIR/millstand.log)");
+  verb->add_option("--cache", c.cache, "folder of condensed rolls (default: the user's cache folder)");
+  verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::PositiveNumber);
+  verb->add_option("--set", c.sets, "override section.key=value, repeatable")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+}  // namespace
 
 std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &exit_code)
 {
@@ -48,13 +49,17 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
 
   auto *check = app.add_subcommand("check", "list every input error of a case, compute nothing");
   check->add_option("CASE", c.target, "case file")->required();
-  check->add_option("--set", c.sets, "override section.key=value, repeatable")->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  check->add_option("--set", c.sets, "override section.key=value, repeatable")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 
-  const std::pair<const char *, const char *> chain[] = {{"run", "the whole chain and the report"},
-                                                         {"stiffness", "K3, K4, K5, Kzc with their curves"},
-                                                         {"masses", "equivalent masses with their shapes"},
-                                                         {"modes", "natural frequencies, shapes, energy shares"},
-                                                         {"simulate", "drive the lumped model with the recorded force"}};
+  const std::pair<const char *, const char *> chain[] = {
+      {"run",       "the whole chain and the report"                },
+      {"stiffness", "K3, K4, K5, Kzc with their curves"             },
+      {"masses",    "equivalent masses with their shapes"           },
+      {"modes",     "natural frequencies, shapes, energy shares"    },
+      {"simulate",  "drive the lumped model with the recorded force"}
+  };
   for (const auto &[verb, what] : chain) {
     auto *command = app.add_subcommand(verb, what);
     command->add_option("CASE", c.target, "case file")->required();
@@ -76,4 +81,4 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   c.verb = app.get_subcommands().front()->get_name();
   return c;
 }
-} // namespace mill
+}  // namespace mill

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace mill
-{
+namespace mill {
 /// What the user asked for.
 struct CommandLine {
   std::string verb;               ///< "run", "check", ...
@@ -15,10 +14,10 @@ struct CommandLine {
   std::string cache;              ///< --cache; empty: the user's cache folder
   std::vector<std::string> sets;  ///< --set section.key=value
   bool force_overwrite = false, fresh = false, quiet = false, verbose = false;
-  int threads = 0;                ///< 0: all
+  int threads = 0;  ///< 0: all
 };
 
-/// Parses the command line.  Nothing is returned when it was --help or --version; `exit_code` is then what main returns
-/// (2 for a wrong command line, whose message has been printed).
+/// Parses the command line.  Nothing is returned when it was --help or --version; `exit_code` is then what main
+/// returns (2 for a wrong command line, whose message has been printed).
 std::optional<CommandLine> parse_command_line(int argc, char **argv, int &exit_code);
-} // namespace mill
+}  // namespace mill

@@ -19,153 +19,167 @@
 
 namespace fs = std::filesystem;
 
-namespace mill
+namespace mill {
+namespace {
+std::string manifest_path;
+
+// Condensed rolls outlive a result folder, so that another load or crown of the same rolls finds them.
+std::string cache_folder(const CommandLine &command, const OutputDir &out)
 {
-namespace
+  if (!command.cache.empty())
+    return command.cache;
+  if (const char *base = std::getenv("XDG_CACHE_HOME"); base && *base)
+    return std::string(base) + "/millstand";
+  if (const char *home = std::getenv("HOME"); home && *home)
+    return std::string(home) + "/.cache/millstand";
+  return out.file("cache");
+}
+
+std::string now()
 {
-  std::string manifest_path;
+  const std::time_t t = std::time(nullptr);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", std::localtime(&t));
+  return text;
+}
 
-  // Condensed rolls outlive a result folder, so that another load or crown of the same rolls finds them.
-  std::string cache_folder(const CommandLine &command, const OutputDir &out)
-  {
-    if (!command.cache.empty())
-      return command.cache;
-    if (const char *base = std::getenv("XDG_CACHE_HOME"); base && *base)
-      return std::string(base) + "/millstand";
-    if (const char *home = std::getenv("HOME"); home && *home)
-      return std::string(home) + "/.cache/millstand";
-    return out.file("cache");
-  }
+std::shared_ptr<spdlog::logger> make_log(const CommandLine &command, const OutputDir &out)
+{
+  std::vector<spdlog::sink_ptr> sinks;
+  for (const std::string &file : {out.file("millstand.log"), command.log})
+    if (!file.empty())
+      try {
+        sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_mt>(file, true));
+      } catch (const spdlog::spdlog_ex &e) {
+        throw InputError("the log " + file + " cannot be written: " + e.what());
+      }
+  if (command.verbose)
+    sinks.push_back(std::make_shared<spdlog::sinks::stderr_sink_mt>());
+  auto log = std::make_shared<spdlog::logger>("millstand", sinks.begin(), sinks.end());
+  log->set_pattern("%Y-%m-%d %H:%M:%S.%e %v");
+  log->flush_on(spdlog::level::info);
+  return log;
+}
 
-  std::string now()
-  {
-    const std::time_t t = std::time(nullptr);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", std::localtime(&t));
-    return text;
-  }
-
-  std::shared_ptr<spdlog::logger> make_log(const CommandLine &command, const OutputDir &out)
-  {
-    std::vector<spdlog::sink_ptr> sinks;
-    for (const std::string &file : {out.file("millstand.log"), command.log})
-      if (!file.empty())
-        try {
-          sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_mt>(file, true));
-        } catch (const spdlog::spdlog_ex &e) {
-          throw InputError("the log " + file + " cannot be written: " + e.what());
-        }
-    if (command.verbose)
-      sinks.push_back(std::make_shared<spdlog::sinks::stderr_sink_mt>());
-    auto log = std::make_shared<spdlog::logger>("millstand", sinks.begin(), sinks.end());
-    log->set_pattern("%Y-%m-%d %H:%M:%S.%e %v");
-    log->flush_on(spdlog::level::info);
-    return log;
-  }
-
-  // Share of the time that each stage of a cold run takes, for the time left.
-  std::vector<std::pair<std::string, double>> expected_stages(const Case &c)
-  {
-    if (std::holds_alternative<FourHigh>(c.spec))
-      return {{"condensation", 1}, {"condensation", 10}, {"condensation", 1}, {"condensation", 8},
-              {"contact upper", 2}, {"contact lower", 2}, {"passes", 4}};
-    if (std::holds_alternative<TwoCylinders>(c.spec))
-      return {{"condensation", 1}, {"condensation", 3}, {"condensation", 1}, {"condensation", 3}, {"contact line", 1}};
-    return {{"passes", 1}};
-  }
-
-  std::string engineering(const Parameter &p)
-  {
-    if (p.unit == "N/m")
-      return fmt::format("{:.5g} kN/mm", p.value / 1e6);
-    if (p.unit == "N/m2")
-      return fmt::format("{:.6g} N/mm per mm", p.value / 1e6);
-    if (p.unit == "m")
-      return fmt::format("{:.5g} mm", 1e3 * p.value);
-    if (p.unit == "Pa")
-      return fmt::format("{:.5g} MPa", p.value / 1e6);
-    if (p.unit == "N")
-      return fmt::format("{:.6g} kN", p.value / 1e3);
-    return fmt::format("{:.6g} {}", p.value, p.unit == "1" ? "" : p.unit);
-  }
-
-  void print_table(const Results &results)
-  {
-    fmt::print("{:<34} {:>22} {:>9}  {}\n", "result", "value", "error", "at");
-    for (const auto &[name, p] : results.values)
-      fmt::print("{:<34} {:>22} {:>9}  {}\n", name, engineering(p),
-                 std::isnan(p.error_estimate) ? "-" : fmt::format("{:.2g} %", 100 * p.error_estimate), p.at);
-    for (const std::string &warning : results.warnings)
-      fmt::print("warning: {}\n", warning);
-  }
-
-  Goal goal_of(const std::string &verb)
-  {
-    if (verb == "stiffness")
-      return Goal::stiffness;
-    if (verb == "masses")
-      return Goal::masses;
-    return verb == "modes" ? Goal::modes : Goal::simulate;
-  }
-
-  int run_chain(const CommandLine &command)
-  {
-    const Case the_case = read_case(command.target, command.sets);
-    const OutputDir out(command.output.empty() ? "out/" + the_case.name : command.output, the_case, command.force_overwrite);
-    const auto log = make_log(command, out);
-    console::ProgressBar bar(expected_stages(the_case), command.quiet);
-    Session session{the_case, out, cache_folder(command, out), command.fresh};
-    session.threads       = command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
-    session.started       = now();
-    session.progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
-    session.progress.log  = [&](const std::string &line) { log->info(line); };
-    set_blas_threads(session.threads);
-    fem::set_assembly_threads(session.threads);
-    log->info("millstand {} {} {}", version(), command.verb, command.target);
-    log->info("BLAS {}", blas_in_use());
-    if (is_reference_blas(blas_in_use()))
-      session.warn("the BLAS in use is the reference one (" + blas_in_use() +
-                   "), 6 to 20 times slower than OpenBLAS; install libopenblas0-openmp");
-
-    manifest_path = out.file("run.json");
-    out.write("resolved.toml", the_case.resolved);
-    out.write("run.json", manifest_json(session));
-    const auto store = [&](const std::string &status) {
-      out.write("results.json", results_json(session.results, the_case.name, status));
-      out.write("run.json", manifest_json(session));
-      StageTimer timer(session, "report");
-      out.write("report.html", report::html_report(out.path()));
+// Share of the time that each stage of a cold run takes, for the time left.
+std::vector<std::pair<std::string, double>> expected_stages(const Case &c)
+{
+  if (std::holds_alternative<FourHigh>(c.spec))
+    return {
+        {"condensation",  1 },
+        {"condensation",  10},
+        {"condensation",  1 },
+        {"condensation",  8 },
+        {"contact upper", 2 },
+        {"contact lower", 2 },
+        {"passes",        4 }
     };
-    try {
-      run_stages(session, goal_of(command.verb), command.force);
-    } catch (const SolverError &e) {
-      bar.finish();
-      session.warn(e.report.what);
-      store("failed: " + e.report.what);
-      throw;
-    }
-    bar.finish();
-    store(session.results.warnings.empty() ? "ok" : "warnings");
-    if (!command.quiet) {
-      print_table(session.results);
-      fmt::print("report: {}\n", out.file("report.html"));
-    }
-    return 0;
-  }
+  if (std::holds_alternative<TwoCylinders>(c.spec))
+    return {
+        {"condensation", 1},
+        {"condensation", 3},
+        {"condensation", 1},
+        {"condensation", 3},
+        {"contact line", 1}
+    };
+  return {
+      {"passes", 1}
+  };
+}
 
-  int write_template(const CommandLine &command)
-  {
-    const std::string text = template_of(command.target);
-    if (command.output.empty()) {
-      std::cout << text;
-      return 0;
-    }
-    if (fs::exists(command.output) && !command.force_overwrite)
-      throw InputError("the file " + command.output + " exists; choose another with -o, or give --force-overwrite");
-    write_atomically(command.output, text);
+std::string engineering(const Parameter &p)
+{
+  if (p.unit == "N/m")
+    return fmt::format("{:.5g} kN/mm", p.value / 1e6);
+  if (p.unit == "N/m2")
+    return fmt::format("{:.6g} N/mm per mm", p.value / 1e6);
+  if (p.unit == "m")
+    return fmt::format("{:.5g} mm", 1e3 * p.value);
+  if (p.unit == "Pa")
+    return fmt::format("{:.5g} MPa", p.value / 1e6);
+  if (p.unit == "N")
+    return fmt::format("{:.6g} kN", p.value / 1e3);
+  return fmt::format("{:.6g} {}", p.value, p.unit == "1" ? "" : p.unit);
+}
+
+void print_table(const Results &results)
+{
+  fmt::print("{:<34} {:>22} {:>9}  {}\n", "result", "value", "error", "at");
+  for (const auto &[name, p] : results.values)
+    fmt::print("{:<34} {:>22} {:>9}  {}\n", name, engineering(p),
+               std::isnan(p.error_estimate) ? "-" : fmt::format("{:.2g} %", 100 * p.error_estimate), p.at);
+  for (const std::string &warning : results.warnings)
+    fmt::print("warning: {}\n", warning);
+}
+
+Goal goal_of(const std::string &verb)
+{
+  if (verb == "stiffness")
+    return Goal::stiffness;
+  if (verb == "masses")
+    return Goal::masses;
+  return verb == "modes" ? Goal::modes : Goal::simulate;
+}
+
+int run_chain(const CommandLine &command)
+{
+  const Case the_case = read_case(command.target, command.sets);
+  const OutputDir out(command.output.empty() ? "out/" + the_case.name : command.output, the_case,
+                      command.force_overwrite);
+  const auto log = make_log(command, out);
+  console::ProgressBar bar(expected_stages(the_case), command.quiet);
+  Session session{the_case, out, cache_folder(command, out), command.fresh};
+  session.threads = command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
+  session.started = now();
+  session.progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
+  session.progress.log  = [&](const std::string &line) { log->info(line); };
+  set_blas_threads(session.threads);
+  fem::set_assembly_threads(session.threads);
+  log->info("millstand {} {} {}", version(), command.verb, command.target);
+  log->info("BLAS {}", blas_in_use());
+  if (is_reference_blas(blas_in_use()))
+    session.warn("the BLAS in use is the reference one (" + blas_in_use() +
+                 "), 6 to 20 times slower than OpenBLAS; install libopenblas0-openmp");
+
+  manifest_path = out.file("run.json");
+  out.write("resolved.toml", the_case.resolved);
+  out.write("run.json", manifest_json(session));
+  const auto store = [&](const std::string &status) {
+    out.write("results.json", results_json(session.results, the_case.name, status));
+    out.write("run.json", manifest_json(session));
+    StageTimer timer(session, "report");
+    out.write("report.html", report::html_report(out.path()));
+  };
+  try {
+    run_stages(session, goal_of(command.verb), command.force);
+  } catch (const SolverError &e) {
+    bar.finish();
+    session.warn(e.report.what);
+    store("failed: " + e.report.what);
+    throw;
+  }
+  bar.finish();
+  store(session.results.warnings.empty() ? "ok" : "warnings");
+  if (!command.quiet) {
+    print_table(session.results);
+    fmt::print("report: {}\n", out.file("report.html"));
+  }
+  return 0;
+}
+
+int write_template(const CommandLine &command)
+{
+  const std::string text = template_of(command.target);
+  if (command.output.empty()) {
+    std::cout << text;
     return 0;
   }
-} // namespace
+  if (fs::exists(command.output) && !command.force_overwrite)
+    throw InputError("the file " + command.output + " exists; choose another with -o, or give --force-overwrite");
+  write_atomically(command.output, text);
+  return 0;
+}
+}  // namespace
 
 const std::string &current_manifest()
 {
@@ -192,4 +206,4 @@ int carry_out(const CommandLine &command)
   }
   return run_chain(command);
 }
-} // namespace mill
+}  // namespace mill

@@ -9,74 +9,72 @@
 
 namespace fs = std::filesystem;
 
-namespace mill
+namespace mill {
+namespace {
+// Raised by hand when meshing or condensation changes what it computes.
+constexpr const char *stage_version = "condensation 1";
+
+std::string key_of(const RollGeometry &g, const meshes::RollMeshSize &s, const Material &m, const bool slab,
+                   const bool fields)
 {
-namespace
+  const auto &c = s.section;
+  return hash_of(fmt::format("{} {} {} | {} {} {} {} {} {} | {} {} {} {} {} {} {} {} {} {} | {} {} | {} {}",
+                             stage_version, fem::library_version(), meshes::library_version(), g.radius,
+                             g.half_length, g.neck_radius, g.neck_length, g.seat_centre, g.contact_half_length,
+                             c.first_element, c.growth, c.patch_elements, c.depth_elements, c.depth_growth,
+                             c.far_growth, c.sector_elements, s.end_layer, s.layer_growth, s.largest_layer,
+                             m.youngs_modulus, m.poisson_ratio, slab, fields));
+}
+
+double free_memory()
 {
-  // Raised by hand when meshing or condensation changes what it computes.
-  constexpr const char *stage_version = "condensation 1";
+  return 0.8 * double(sysconf(_SC_AVPHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
+}
 
-  std::string key_of(const RollGeometry &g, const meshes::RollMeshSize &s, const Material &m, const bool slab,
-                     const bool fields)
-  {
-    const auto &c = s.section;
-    return hash_of(fmt::format("{} {} {} | {} {} {} {} {} {} | {} {} {} {} {} {} {} {} {} {} | {} {} | {} {}", stage_version,
-                               fem::library_version(), meshes::library_version(), g.radius, g.half_length, g.neck_radius,
-                               g.neck_length, g.seat_centre, g.contact_half_length, c.first_element, c.growth,
-                               c.patch_elements, c.depth_elements, c.depth_growth, c.far_growth, c.sector_elements,
-                               s.end_layer, s.layer_growth, s.largest_layer, m.youngs_modulus, m.poisson_ratio, slab,
-                               fields));
-  }
+struct OneRoll {
+  std::shared_ptr<const fem::CondensedRoll> roll;
+  MeshFile mesh;  // only filled when it was asked to keep it
+};
 
-  double free_memory()
-  {
-    return 0.8 * double(sysconf(_SC_AVPHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
-  }
-
-  struct OneRoll {
-    std::shared_ptr<const fem::CondensedRoll> roll;
-    MeshFile mesh;  // only filled when it was asked to keep it
-  };
-
-  OneRoll condensed(Session &session, const std::string &name, const RollGeometry &geometry,
-                    const meshes::RollMeshSize &size, const Material &steel, const bool slab, const bool companion)
-  {
-    StageTimer timer(session, "condensation, " + name + (companion ? ", coarse mesh" : ""));
-    const std::string key       = key_of(geometry, size, steel, slab, companion);
-    const std::string file      = session.cache + "/roll-" + key + ".bin";
-    const std::string mesh_file = session.cache + "/roll-" + key + ".msh";
-    fs::create_directories(session.cache);
-    OneRoll out;
-    std::string note;
-    auto stored = session.fresh ? std::nullopt : fem::load_roll(file, key, &note);
-    if (!note.empty())
-      session.progress.note(note);
-    if (stored && (!companion || fs::exists(mesh_file))) {
-      session.progress.note(name + ": condensed roll taken from " + file);
-      timer.cached = true;
-      out.roll     = std::make_shared<const fem::CondensedRoll>(std::move(*stored));
-      out.mesh     = meshes::known_mesh(mesh_file, geometry);
-      return out;
-    }
-    // A name of its own per process: two runs may mesh the same roll at once.
-    const std::string own = companion ? mesh_file : fmt::format("{}.{}", mesh_file, ::getpid());
-    const MeshFile mesh   = meshes::mesh_roll(name, geometry, size, own);
-    const fem::ElasticBody body(mesh, steel, 2);
-    fem::CondenseOptions options;
-    options.slab        = slab;
-    options.keep_fields = companion;
-    options.memory      = free_memory();
-    auto roll           = fem::condense(body, geometry, options, session.progress);
-    session.progress.note(fmt::format("{}: {} elements, {} unknowns, {} retained, factor {:.0f} MB", name, mesh.n_cells,
-                                      roll.n_unknowns, roll.area.size(), roll.factor_bytes / 1e6));
-    fem::save_roll(file, key, roll);
-    if (!companion)
-      fs::remove(own);
-    out.roll = std::make_shared<const fem::CondensedRoll>(std::move(roll));
-    out.mesh = mesh;
+OneRoll condensed(Session &session, const std::string &name, const RollGeometry &geometry,
+                  const meshes::RollMeshSize &size, const Material &steel, const bool slab, const bool companion)
+{
+  StageTimer timer(session, "condensation, " + name + (companion ? ", coarse mesh" : ""));
+  const std::string key       = key_of(geometry, size, steel, slab, companion);
+  const std::string file      = session.cache + "/roll-" + key + ".bin";
+  const std::string mesh_file = session.cache + "/roll-" + key + ".msh";
+  fs::create_directories(session.cache);
+  OneRoll out;
+  std::string note;
+  auto stored = session.fresh ? std::nullopt : fem::load_roll(file, key, &note);
+  if (!note.empty())
+    session.progress.note(note);
+  if (stored && (!companion || fs::exists(mesh_file))) {
+    session.progress.note(name + ": condensed roll taken from " + file);
+    timer.cached = true;
+    out.roll     = std::make_shared<const fem::CondensedRoll>(std::move(*stored));
+    out.mesh     = meshes::known_mesh(mesh_file, geometry);
     return out;
   }
-} // namespace
+  // A name of its own per process: two runs may mesh the same roll at once.
+  const std::string own = companion ? mesh_file : fmt::format("{}.{}", mesh_file, ::getpid());
+  const MeshFile mesh   = meshes::mesh_roll(name, geometry, size, own);
+  const fem::ElasticBody body(mesh, steel, 2);
+  fem::CondenseOptions options;
+  options.slab        = slab;
+  options.keep_fields = companion;
+  options.memory      = free_memory();
+  auto roll           = fem::condense(body, geometry, options, session.progress);
+  session.progress.note(fmt::format("{}: {} elements, {} unknowns, {} retained, factor {:.0f} MB", name,
+                                    mesh.n_cells, roll.n_unknowns, roll.area.size(), roll.factor_bytes / 1e6));
+  fem::save_roll(file, key, roll);
+  if (!companion)
+    fs::remove(own);
+  out.roll = std::make_shared<const fem::CondensedRoll>(std::move(roll));
+  out.mesh = mesh;
+  return out;
+}
+}  // namespace
 
 CondensedPair condensed_pair(Session &session, const std::string &name, const RollGeometry &geometry,
                              const meshes::RollMeshSize &size, const Material &steel, const bool slab)
@@ -88,4 +86,4 @@ CondensedPair condensed_pair(Session &session, const std::string &name, const Ro
   pair.fine         = condensed(session, name, geometry, size, steel, slab, false).roll;
   return pair;
 }
-} // namespace mill
+}  // namespace mill

@@ -5,8 +5,7 @@
 #include <memory>
 #include <string>
 
-namespace mill
-{
+namespace mill {
 /// A roll condensed on the wanted mesh and on one about twice as coarse, which tells the discretisation error and
 /// carries the displacement fields for ParaView.
 struct CondensedPair {
@@ -18,4 +17,4 @@ struct CondensedPair {
 /// @param name  as the user calls the roll: "backup roll"
 CondensedPair condensed_pair(Session &session, const std::string &name, const RollGeometry &geometry,
                              const meshes::RollMeshSize &size, const Material &steel, bool slab);
-} // namespace mill
+}  // namespace mill

@@ -5,14 +5,13 @@
 #include <unistd.h>
 #include <vector>
 
-namespace mill::console
-{
+namespace mill::console {
 struct ProgressBar::State {
   std::vector<std::pair<std::string, double>> stages;
   bool quiet, terminal;
-  double done = 0;            // share of the whole, never falls
-  int last_percent = -1;
-  std::size_t stage_at = 0;   // how far in the list of stages
+  double done                                 = 0;  // share of the whole, never falls
+  int last_percent                            = -1;
+  std::size_t stage_at                        = 0;  // how far in the list of stages
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
@@ -47,9 +46,11 @@ void ProgressBar::show(const std::string &stage, const double fraction)
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - s.start;
   const int percent                           = int(100 * s.done);
   if (s.terminal) {
-    const int filled       = int(30 * s.done);
-    const std::string left = s.done > 0.02 ? fmt::format("{:.0f} s left", elapsed.count() * (1 - s.done) / s.done) : "";
-    fmt::print(stderr, "\r\033[K[{}{}] {:3} %  {}  {}", std::string(filled, '#'), std::string(30 - filled, '.'), percent, stage, left);
+    const int filled = int(30 * s.done);
+    const std::string left =
+        s.done > 0.02 ? fmt::format("{:.0f} s left", elapsed.count() * (1 - s.done) / s.done) : "";
+    fmt::print(stderr, "\r\033[K[{}{}] {:3} %  {}  {}", std::string(filled, '#'), std::string(30 - filled, '.'),
+               percent, stage, left);
     std::fflush(stderr);
   } else if (percent / 10 > s.last_percent / 10 || s.last_percent < 0) {
     fmt::print(stderr, "{:3} %  {}\n", percent, stage);
@@ -75,7 +76,11 @@ void show(const SolverError &error)
   fmt::print(stderr, "{}\n", r.what);
   if (!r.where.empty())
     fmt::print(stderr, "  {}\n", r.where);
-  for (const auto &[name, text] : {std::pair{"usual cause", r.cause}, std::pair{"change", r.remedy}, std::pair{"kept", r.kept}})
+  for (const auto &[name, text] : {
+           std::pair{"usual cause", r.cause },
+           std::pair{"change",      r.remedy},
+           std::pair{"kept",        r.kept  }
+  })
     if (!text.empty())
       fmt::print(stderr, "  {:<12}  {}\n", name, text);
 }
@@ -85,4 +90,4 @@ void show_bug(const std::exception &error, const std::string &manifest)
   fmt::print(stderr, "millstand failed on its own account: {}\n", error.what());
   fmt::print(stderr, "please report this with the case file{}\n", manifest.empty() ? "" : " and " + manifest);
 }
-} // namespace mill::console
+}  // namespace mill::console

@@ -4,8 +4,7 @@
 #include <memory>
 #include <string>
 
-namespace mill::console
-{
+namespace mill::console {
 /// What the user sees while a run works: a bar with stage and time left on a terminal, percent lines elsewhere.
 class ProgressBar {
 public:
@@ -24,4 +23,4 @@ void show(const InputError &error);
 void show(const SolverError &error);
 /// @param manifest  path of run.json, empty when there is none
 void show_bug(const std::exception &error, const std::string &manifest);
-} // namespace mill::console
+}  // namespace mill::console

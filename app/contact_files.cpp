@@ -1,28 +1,40 @@
 #include "app/contact_files.h"
 #include "fem/elastic_body.h"
 
-namespace mill
+namespace mill {
+Table curve_table(const ContactCurve &curve, const std::string &force, const std::string &stiffness)
 {
-Table curve_table(const ContactCurve &curve)
-{
-  return {{"load", "approach", "half_width", "peak_pressure", "tangent", "secant", "iterations"},
-          {"N", "m", "m", "Pa", "N/m", "N/m", ""},
-          {curve.load, curve.approach, curve.half_width, curve.peak_pressure, curve.tangent, curve.secant,
-           curve.iterations.cast<double>()}};
+  Table table;
+  table.add("load", force, curve.load).add("approach", "m", curve.approach);
+  table.add("half_width", "m", curve.half_width).add("peak_pressure", "Pa", curve.peak_pressure);
+  table.add("tangent", stiffness, curve.tangent).add("secant", stiffness, curve.secant);
+  table.add("iterations", "", curve.iterations.cast<double>());
+  return table;
 }
 
-Table closed_table(const reduce::CylinderPair &pair, const Eigen::VectorXd &loads)
+Table closed_table(const reduce::CylinderPair &pair, const Eigen::VectorXd &loads, const std::string &force,
+                   const std::string &stiffness)
 {
-  Table table{{"load", "hertz_secant", "hertz_tangent", "foeppl_secant", "half_space_secant", "palmgren_secant"},
-              {"N", "N/m", "N/m", "N/m", "N/m", "N/m"},
-              std::vector<Eigen::VectorXd>(6, loads)};
+  Eigen::MatrixXd values(loads.size(), 5);
   for (Eigen::Index i = 0; i < loads.size(); ++i) {
     const auto hertz = reduce::line_contact(pair, loads[i]);
     const auto laws  = reduce::secant_laws(pair, loads[i]);
-    const double row[] = {loads[i], hertz.secant, hertz.tangent, laws.foeppl, laws.half_space, laws.palmgren};
-    for (int c = 0; c < 6; ++c)
-      table.columns[c][i] = row[c];
+    values.row(i) << hertz.secant, hertz.tangent, laws.foeppl, laws.half_space, laws.palmgren;
   }
+  Table table;
+  table.add("load", force, loads);
+  const char *names[] = {"hertz_secant", "hertz_tangent", "foeppl_secant", "half_space_secant", "palmgren_secant"};
+  for (int c = 0; c < 5; ++c)
+    table.add(names[c], stiffness, values.col(c));
+  return table;
+}
+
+Table barrel_table(const BarrelProfile &p)
+{
+  Table table;
+  table.add("z", "m", p.z).add("line_load", "N/m", p.line_load).add("approach", "m", p.approach);
+  table.add("tangent", "N/m2", p.tangent).add("half_width", "m", p.half_width);
+  table.add("peak_pressure", "Pa", p.peak_pressure);
   return table;
 }
 
@@ -36,4 +48,4 @@ void write_fields(Session &session, const std::string &file, const CondensedPair
     pressure[patch[i]] = state.nodal[Eigen::Index(i)] / roll.coarse->area[Eigen::Index(i)];
   body.write_vtu(session.out.file(file), roll.coarse->field_squeeze * state.nodal, pressure);
 }
-} // namespace mill
+}  // namespace mill

@@ -5,13 +5,16 @@
 #include "fem/contact_solver.h"
 #include "reduce/line_contact.h"
 
-namespace mill
-{
-/// What both kinds of contact store.
-Table curve_table(const ContactCurve &curve);
-Table closed_table(const reduce::CylinderPair &pair, const Eigen::VectorXd &loads);
+namespace mill {
+/// What both kinds of contact store.  `force` and `stiffness` are the units: "N" and "N/m", or "N/m" and "N/m2"
+/// where everything is per metre of length.
+Table curve_table(const ContactCurve &curve, const std::string &force, const std::string &stiffness);
+Table closed_table(const reduce::CylinderPair &pair, const Eigen::VectorXd &loads, const std::string &force,
+                   const std::string &stiffness);
+
+Table barrel_table(const BarrelProfile &profile);
 
 /// Displacement, stress and contact pressure on the companion mesh as VTU, mirrored state.
 void write_fields(Session &session, const std::string &file, const CondensedPair &roll, const Material &steel,
                   const fem::ContactState &state);
-} // namespace mill
+}  // namespace mill

@@ -6,13 +6,12 @@
 #include <string>
 #include <vector>
 
-namespace mill
-{
+namespace mill {
 /// One contact of the stand, solved: its curve and the stiffness at every working load.
 struct SolvedContact {
-  ContactCurve curve;                ///< each roll squeezed between mirrored contacts: datum of the closed forms
-  std::vector<Parameter> tangent;    ///< (passes) N/m
-  std::vector<Parameter> secant;     ///< (passes) N/m
+  ContactCurve curve;              ///< each roll squeezed between mirrored contacts: datum of the closed forms
+  std::vector<Parameter> tangent;  ///< (passes) N/m
+  std::vector<Parameter> secant;   ///< (passes) N/m
 };
 
 /// Solves the roll contacts upper (K3) and lower (K5) by finite elements at the working loads, writes
@@ -26,4 +25,4 @@ void solve_cylinders(Session &session, const TwoCylinders &pair);
 
 /// "976.2 kN"
 std::string in_kN(double load);
-} // namespace mill
+}  // namespace mill

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace mill
-{
+namespace mill {
 void solve_cylinders(Session &session, const TwoCylinders &spec)
 {
   const ContactSettings &c = spec.contact;
@@ -18,15 +17,18 @@ void solve_cylinders(Session &session, const TwoCylinders &spec)
     RollGeometry g;
     g.radius      = 0.5 * diameter;
     g.half_length = smaller / 20;
-    auto size     = meshes::slab_contact_size(half_width(c.loads[0]), half_width(c.loads[1]), c.elements_per_half_width);
+    auto size =
+        meshes::slab_contact_size(half_width(c.loads[0]), half_width(c.loads[1]), c.elements_per_half_width);
     size.end_layer = size.largest_layer = g.half_length;
-    auto pair      = condensed_pair(session, name, g, size, spec.steel, true);
+    auto pair                           = condensed_pair(session, name, g, size, spec.steel, true);
     return pair;
   };
-  const CondensedPair upper = slab("upper cylinder", spec.upper_diameter), lower = slab("lower cylinder", spec.lower_diameter);
+  const CondensedPair upper = slab("upper cylinder", spec.upper_diameter),
+                      lower = slab("lower cylinder", spec.lower_diameter);
   StageTimer timer(session, "contact line");
   const auto contact = [&](const fem::CondensedRoll &a, const fem::CondensedRoll &b) {
-    auto pair      = fem::make_pair("line", a, fem::held_by_mirror(a), b, fem::held_by_mirror(b), Eigen::VectorXd::Zero(a.n_z));
+    auto pair =
+        fem::make_pair("line", a, fem::held_by_mirror(a), b, fem::held_by_mirror(b), Eigen::VectorXd::Zero(a.n_z));
     pair.reference = "axis to axis, each cylinder squeezed between two opposite contact lines (Johnson's datum)";
     return pair;
   };
@@ -46,27 +48,44 @@ void solve_cylinders(Session &session, const TwoCylinders &spec)
     s.method         = "contact FEM, plane strain, " + fine.reference;
     s.at             = fmt::format("{:.6g} N/mm", c.at / 1e3);
     s.error_estimate = std::abs(other / value - 1);
-    s.inputs         = {"upper.diameter", "lower.diameter", "steel.youngs_modulus", "steel.poisson_ratio", "contact.line.at",
-                        "contact.line.loads", "contact.line.elements_per_half_width"};
+    s.inputs         = {"upper.diameter",
+                        "lower.diameter",
+                        "steel.youngs_modulus",
+                        "steel.poisson_ratio",
+                        "contact.line.at",
+                        "contact.line.loads",
+                        "contact.line.elements_per_half_width"};
     s.checks         = std::move(checks);
     s.checks.push_back({"mesh twice as coarse", other, ""});
     session.results.add("contact.line." + what, s);
   };
-  scalar("half_width", "m", at.half_width[0], second.half_width[0], {{"Hertz (3.2)", hertz.half_width, ""}});
-  scalar("peak_pressure", "Pa", at.peak_pressure[0], second.peak_pressure[0], {{"Hertz (3.3)", hertz.peak_pressure, ""}});
-  scalar("approach", "m", at.approach[0], second.approach[0], {{"Johnson, axis to axis (3.4)", hertz.approach, ""}});
-  scalar("tangent", "N/m2", at.tangent[0], second.tangent[0], {{"Johnson, axis to axis (3.5b)", hertz.tangent, ""}});
+  scalar("half_width", "m", at.half_width[0], second.half_width[0],
+         {
+             {"Hertz (3.2)", hertz.half_width, ""}
+  });
+  scalar("peak_pressure", "Pa", at.peak_pressure[0], second.peak_pressure[0],
+         {
+             {"Hertz (3.3)", hertz.peak_pressure, ""}
+  });
+  scalar("approach", "m", at.approach[0], second.approach[0],
+         {
+             {"Johnson, axis to axis (3.4)", hertz.approach, ""}
+  });
+  scalar("tangent", "N/m2", at.tangent[0], second.tangent[0],
+         {
+             {"Johnson, axis to axis (3.5b)", hertz.tangent, ""}
+  });
   scalar("secant", "N/m2", at.secant[0], second.secant[0],
-         {{"Johnson, axis to axis (3.5a)", hertz.secant, ""}, {"Foeppl (3.8)", laws.foeppl, "another datum"}});
+         {
+             {"Johnson, axis to axis (3.5a)", hertz.secant, ""             },
+             {"Foeppl (3.8)",                 laws.foeppl,  "another datum"}
+  });
 
-  Table table = curve_table(curve);
-  table.units = {"N/m", "m", "m", "Pa", "N/m2", "N/m2", ""};
-  session.out.write("curves/contact-line.csv", csv_text(table));
-  table       = closed_table(metre, range);
-  table.units = {"N/m", "N/m2", "N/m2", "N/m2", "N/m2", "N/m2"};
-  session.out.write("curves/contact-line-closed.csv", csv_text(table));
+  session.out.write("curves/contact-line.csv", csv_text(curve_table(curve, "N/m", "N/m2")));
+  session.out.write("curves/contact-line-closed.csv", csv_text(closed_table(metre, range, "N/m", "N/m2")));
   write_fields(session, "fields/contact-line-upper.vtu", upper, spec.steel, point2.state);
   write_fields(session, "fields/contact-line-lower.vtu", lower, spec.steel, point2.state);
-  session.progress.note(fmt::format("contact line: {} loads, largest complementarity residual {:.1e}", range.size(), curve.residual));
+  session.progress.note(fmt::format("contact line: {} loads, largest complementarity residual {:.1e}",
+                                    range.size(), curve.residual));
 }
-} // namespace mill
+}  // namespace mill

@@ -9,42 +9,40 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace mill
+namespace mill {
+namespace {
+std::vector<std::string> inputs_of(const LumpedModel &model)
 {
-namespace
+  std::vector<std::string> keys;
+  const auto add = [&](const Parameter &parameter) {
+    for (const std::string &key : parameter.inputs)
+      if (std::find(keys.begin(), keys.end(), key) == keys.end())
+        keys.push_back(key);
+  };
+  std::for_each(model.M.begin(), model.M.end(), add);
+  std::for_each(model.K.begin(), model.K.end(), add);
+  return keys;
+}
+
+// Relative error of each frequency: half the strain-energy share of a spring, and half the kinetic share of a
+// mass, is how the frequency follows it.  NaN counts as unknown and is left out.
+double frequency_error(const dynamics::Modes &modes, const Eigen::Index mode, const LumpedModel &model)
 {
-  std::vector<std::string> inputs_of(const LumpedModel &model)
-  {
-    std::vector<std::string> keys;
-    const auto add = [&](const Parameter &parameter) {
-      for (const std::string &key : parameter.inputs)
-        if (std::find(keys.begin(), keys.end(), key) == keys.end())
-          keys.push_back(key);
-    };
-    std::for_each(model.M.begin(), model.M.end(), add);
-    std::for_each(model.K.begin(), model.K.end(), add);
-    return keys;
-  }
+  double sum = 0;
+  for (int j = 0; j < 7; ++j)
+    if (!std::isnan(model.K[j].error_estimate))
+      sum += 0.5 * modes.strain_share(mode, j) * model.K[j].error_estimate;
+  for (int j = 0; j < 6; ++j)
+    if (!std::isnan(model.M[j].error_estimate))
+      sum += 0.5 * modes.kinetic_share(mode, j) * model.M[j].error_estimate;
+  return sum;
+}
 
-  // Relative error of each frequency: half the strain-energy share of a spring, and half the kinetic share of a mass, is
-  // how the frequency follows it.  NaN counts as unknown and is left out.
-  double frequency_error(const dynamics::Modes &modes, const Eigen::Index mode, const LumpedModel &model)
-  {
-    double sum = 0;
-    for (int j = 0; j < 7; ++j)
-      if (!std::isnan(model.K[j].error_estimate))
-        sum += 0.5 * modes.strain_share(mode, j) * model.K[j].error_estimate;
-    for (int j = 0; j < 6; ++j)
-      if (!std::isnan(model.M[j].error_estimate))
-        sum += 0.5 * modes.kinetic_share(mode, j) * model.M[j].error_estimate;
-    return sum;
-  }
-
-  double in_g(const double acceleration)
-  {
-    return acceleration / dynamics::standard_gravity;
-  }
-} // namespace
+double in_g(const double acceleration)
+{
+  return acceleration / dynamics::standard_gravity;
+}
+}  // namespace
 
 ForceRecord force_of(const Pass &pass)
 {
@@ -59,33 +57,30 @@ ForceRecord force_of(const Pass &pass)
   return dynamics::synthetic_force(noise);
 }
 
-void add_modes(Session &session, const LumpedModel &model, const DynamicsSettings &settings, const double chock_seat,
-               const std::array<double, 2> chock_mass)
+void add_modes(Session &session, const LumpedModel &model, const DynamicsSettings &settings,
+               const double chock_seat, const std::array<double, 2> chock_mass)
 {
   StageTimer timer(session, "modes");
   const auto chain = dynamics::mill_model(model, settings);
   const auto modes = dynamics::modes(chain);
   const auto poles = dynamics::poles(chain);
   const auto n     = modes.frequency.size();
-  Table table{{"mode", "frequency", "damping"}, {"", "Hz", ""}, {Eigen::VectorXd::LinSpaced(n, 1, double(n)), modes.frequency,
-                                                               Eigen::VectorXd::Constant(n, settings.modal_damping)}};
+  Table table;
+  table.add("mode", "", Eigen::VectorXd::LinSpaced(n, 1, double(n)))
+      .add("frequency", "Hz", modes.frequency)
+      .add("damping", "", Eigen::VectorXd::Constant(n, settings.modal_damping));
   // Poles come in ascending frequency like the modes; with real poles among them they are no longer one to one.
   if (Eigen::Index(poles.size()) == n)
     for (Eigen::Index i = 0; i < n; ++i)
       table.columns[2][i] = poles[std::size_t(i)].damping;
-  const auto column = [&](const std::string &name, const Eigen::VectorXd &values) {
-    table.names.push_back(name);
-    table.units.push_back("");
-    table.columns.push_back(values);
-  };
   for (Eigen::Index j = 0; j < n; ++j) {
     Eigen::VectorXd y(n);
     for (Eigen::Index i = 0; i < n; ++i)
       y[i] = modes.shape(j, i) / modes.shape.col(i).cwiseAbs().maxCoeff();
-    column("y" + std::to_string(j + 1), y);
+    table.add("y" + std::to_string(j + 1), "", y);
   }
   for (std::size_t s = 0; s < chain.springs.size(); ++s)
-    column("energy_" + chain.springs[s].name, modes.strain_share.col(Eigen::Index(s)));
+    table.add("energy_" + chain.springs[s].name, "", modes.strain_share.col(Eigen::Index(s)));
   session.out.write("curves/modes.csv", csv_text(table));
   for (Eigen::Index i = 0; i < n; ++i) {
     Parameter f;
@@ -102,25 +97,28 @@ void add_modes(Session &session, const LumpedModel &model, const DynamicsSetting
       const double b = spring.to == dynamics::ground ? 0 : modes.shape(spring.to, i);
       strain += spring.stiffness * (a - b) * (a - b);
     }
-    f.checks = {{"Rayleigh quotient of the shape, spring by spring", std::sqrt(strain) / (2 * M_PI), ""}};
+    f.checks = {
+        {"Rayleigh quotient of the shape, spring by spring", std::sqrt(strain) / (2 * M_PI), ""}
+    };
     session.results.add("f" + std::to_string(i + 1), f);
   }
 
   dynamics::ChockSeats seats;
-  seats.stiffness  = {chock_seat, chock_seat};
-  seats.chock_mass = chock_mass;
+  seats.stiffness       = {chock_seat, chock_seat};
+  seats.chock_mass      = chock_mass;
   const auto horizontal = dynamics::horizontal_model(model, seats);
   if (horizontal.M.size() == 0)
     return;
   const auto sideways = dynamics::modes(horizontal);
-  Table plane{{"mode", "frequency"}, {"", "Hz"}, {Eigen::VectorXd::LinSpaced(horizontal.M.size(), 1, double(horizontal.M.size())), sideways.frequency}};
-  for (Eigen::Index j = 0; j < horizontal.M.size(); ++j) {
-    plane.names.push_back(slug(horizontal.labels[std::size_t(j)]));
-    plane.units.push_back("");
-    Eigen::VectorXd x(horizontal.M.size());
+  const auto n_plane  = horizontal.M.size();
+  Table plane;
+  plane.add("mode", "", Eigen::VectorXd::LinSpaced(n_plane, 1, double(n_plane)))
+      .add("frequency", "Hz", sideways.frequency);
+  for (Eigen::Index j = 0; j < n_plane; ++j) {
+    Eigen::VectorXd x(n_plane);
     for (Eigen::Index i = 0; i < x.size(); ++i)
       x[i] = sideways.shape(j, i) / sideways.shape.col(i).cwiseAbs().maxCoeff();
-    plane.columns.push_back(x);
+    plane.add(slug(horizontal.labels[std::size_t(j)]), "", x);
   }
   session.out.write("curves/modes-horizontal.csv", csv_text(plane));
   for (Eigen::Index i = 0; i < sideways.frequency.size(); ++i) {
@@ -131,8 +129,8 @@ void add_modes(Session &session, const LumpedModel &model, const DynamicsSetting
     f.unit   = "Hz";
     f.method = "rolls on their bearings, " + horizontal.labels[std::size_t(mover)] +
                (std::isnan(chock_seat) ? ", chock seats rigid" : "");
-    f.at     = model.at;
-    f.inputs = inputs_of(model);
+    f.at         = model.at;
+    f.inputs     = inputs_of(model);
     double worst = 0;
     for (const Parameter &k : model.Kzc)
       if (!std::isnan(k.error_estimate))
@@ -141,7 +139,8 @@ void add_modes(Session &session, const LumpedModel &model, const DynamicsSetting
     session.results.add("fh" + std::to_string(i + 1), f);
   }
   if (std::isnan(chock_seat))
-    session.assume("the seats of the work-roll chocks in the housing are rigid (frame.chock_to_housing_stiffness is not given); "
+    session.assume("the seats of the work-roll chocks in the housing are rigid (frame.chock_to_housing_stiffness "
+                   "is not given); "
                    "a seat softer than the bearing lowers the horizontal frequencies");
 }
 
@@ -167,18 +166,18 @@ void simulate_pass(Session &session, const LumpedModel &model, const DynamicsSet
   const Eigen::VectorXd lower = response.acceleration.col(dynamics::lower_work_roll);
   // Half the output rate sees less of the peaks: how much is the sampling error of a peak.
   const auto coarse = dynamics::mill_response(chain, force, 0.5 * settings.output_rate);
-  const auto add    = [&](const std::string &what, const std::string &roll, const double value, const double second,
+  const auto add = [&](const std::string &what, const std::string &roll, const double value, const double second,
                        std::vector<Check> checks) {
     Parameter p;
     p.value          = value;
     p.unit           = "g";
     p.method         = "six-mass chain, exact first-order hold, force " + settings.force_meaning;
     p.at             = fmt::format("{:.1f} kN mean, {:.3f} kN peak to peak", statistics.mean / 1e3,
-                       (statistics.largest - statistics.smallest) / 1e3);
+                                   (statistics.largest - statistics.smallest) / 1e3);
     p.error_estimate = std::abs(second / value - 1);
     p.inputs         = inputs_of(model);
     p.inputs.insert(p.inputs.end(), {"pass.force", "dynamics.modal_damping", "dynamics.force_meaning"});
-    p.checks         = std::move(checks);
+    p.checks = std::move(checks);
     session.results.add(pass.name + "." + what + "." + roll, p);
   };
   std::vector<Check> measured_rms[2], measured_peak[2];
@@ -186,18 +185,18 @@ void simulate_pass(Session &session, const LumpedModel &model, const DynamicsSet
     const auto measured = read_measured(pass.measured_file);
     for (const std::string &note : measured.notes)
       session.warn(pass.name + ", measured: " + note);
-    const auto beside = dynamics::compare(response, measured);
-    const std::string span = fmt::format("{:.3g} .. {:.3g} s", beside.begin, beside.end);
+    const auto beside                       = dynamics::compare(response, measured);
+    const std::string span                  = fmt::format("{:.3g} .. {:.3g} s", beside.begin, beside.end);
     const dynamics::RollComparison *rolls[] = {&beside.upper_work_roll, &beside.lower_work_roll};
     for (int r = 0; r < 2; ++r) {
       measured_peak[r].push_back({"measured", in_g(rolls[r]->measured.peak), span});
       measured_rms[r].push_back({"measured", in_g(rolls[r]->measured.rms), span});
     }
-    session.out.write(file + "-measured.csv",
-                      csv_text({{"time", "upper_work_roll", "lower_work_roll"},
-                                {"s", "g", "g"},
-                                {measured.time, measured.upper_work_roll / dynamics::standard_gravity,
-                                 measured.lower_work_roll / dynamics::standard_gravity}}));
+    Table record;
+    record.add("time", "s", measured.time)
+        .add("upper_work_roll", "g", measured.upper_work_roll / dynamics::standard_gravity)
+        .add("lower_work_roll", "g", measured.lower_work_roll / dynamics::standard_gravity);
+    session.out.write(file + "-measured.csv", csv_text(record));
   }
   const Eigen::VectorXd *rolls[] = {&upper, &lower};
   const int columns[]            = {dynamics::upper_work_roll, dynamics::lower_work_roll};
@@ -212,22 +211,26 @@ void simulate_pass(Session &session, const LumpedModel &model, const DynamicsSet
     add("rms_g", names[r], in_g(fine.rms), in_g(half.rms), measured_rms[r]);
   }
 
-  session.out.write(file + ".csv",
-                    csv_text({{"time", "force", "upper_work_roll", "lower_work_roll", "load_cell"},
-                              {"s", "kN", "g", "g", "kN"},
-                              {response.time, response.force / 1e3, upper / dynamics::standard_gravity,
-                               lower / dynamics::standard_gravity, response.load_cell / 1e3}}));
+  Table history;
+  history.add("time", "s", response.time)
+      .add("force", "kN", response.force / 1e3)
+      .add("upper_work_roll", "g", upper / dynamics::standard_gravity)
+      .add("lower_work_roll", "g", lower / dynamics::standard_gravity)
+      .add("load_cell", "kN", response.load_cell / 1e3);
+  session.out.write(file + ".csv", csv_text(history));
   const auto spectrum_f = dynamics::amplitude_spectral_density(response.force, settings.output_rate);
   const auto spectrum_u = dynamics::amplitude_spectral_density(upper, settings.output_rate);
   const auto spectrum_l = dynamics::amplitude_spectral_density(lower, settings.output_rate);
-  session.out.write(file + "-spectrum.csv",
-                    csv_text({{"frequency", "force", "upper_work_roll", "lower_work_roll"},
-                              {"Hz", "N/sqrt(Hz)", "g/sqrt(Hz)", "g/sqrt(Hz)"},
-                              {spectrum_f.frequency, spectrum_f.density, spectrum_u.density / dynamics::standard_gravity,
-                               spectrum_l.density / dynamics::standard_gravity}}));
-  session.progress.note(fmt::format("{}: spectra of {} segments of {} samples, {} window", pass.name, spectrum_f.n_segments,
-                                    spectrum_f.segment_length, spectrum_f.window));
+  Table spectrum;
+  spectrum.add("frequency", "Hz", spectrum_f.frequency)
+      .add("force", "N/sqrt(Hz)", spectrum_f.density)
+      .add("upper_work_roll", "g/sqrt(Hz)", spectrum_u.density / dynamics::standard_gravity)
+      .add("lower_work_roll", "g/sqrt(Hz)", spectrum_l.density / dynamics::standard_gravity);
+  session.out.write(file + "-spectrum.csv", csv_text(spectrum));
+  session.progress.note(fmt::format("{}: spectra of {} segments of {} samples, {} window", pass.name,
+                                    spectrum_f.n_segments, spectrum_f.segment_length, spectrum_f.window));
   if (pass.synthetic || pass.force_file.empty())
-    session.assume(pass.name + ": the force record is synthetic, noise in the stated range; its spectrum is assumed");
+    session.assume(pass.name +
+                   ": the force record is synthetic, noise in the stated range; its spectrum is assumed");
 }
-} // namespace mill
+}  // namespace mill

@@ -4,8 +4,7 @@
 #include "core/records.h"
 #include "core/stand.h"
 
-namespace mill
-{
+namespace mill {
 /// Force record of a pass: its file, or the synthetic noise its keys describe.
 ForceRecord force_of(const Pass &pass);
 
@@ -13,7 +12,8 @@ ForceRecord force_of(const Pass &pass);
 void add_modes(Session &session, const LumpedModel &model, const DynamicsSettings &settings, double chock_seat,
                std::array<double, 2> chock_mass);
 
-/// Drives the model with the force of a pass: response/<pass>*.csv, peaks and rms beside published and measured ones.
+/// Drives the model with the force of a pass: response/<pass>*.csv, peaks and rms beside published and measured
+/// ones.
 void simulate_pass(Session &session, const LumpedModel &model, const DynamicsSettings &settings, const Pass &pass,
                    const ForceRecord &force);
-} // namespace mill
+}  // namespace mill

@@ -7,20 +7,18 @@
 
 namespace fs = std::filesystem;
 
-namespace mill
+namespace mill {
+namespace {
+// Name of the case a folder belongs to; empty when it is no folder of a run.
+std::string owner_of(const std::string &directory)
 {
-namespace
-{
-  // Name of the case a folder belongs to; empty when it is no folder of a run.
-  std::string owner_of(const std::string &directory)
-  {
-    const std::string manifest = directory + "/run.json";
-    if (!fs::exists(manifest))
-      return "";
-    const auto json = nlohmann::json::parse(read_text(manifest), nullptr, false);
-    return json.is_object() ? json.value("case", "") : "";
-  }
-} // namespace
+  const std::string manifest = directory + "/run.json";
+  if (!fs::exists(manifest))
+    return "";
+  const auto json = nlohmann::json::parse(read_text(manifest), nullptr, false);
+  return json.is_object() ? json.value("case", "") : "";
+}
+}  // namespace
 
 OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite) : directory(std::move(path))
 {
@@ -39,7 +37,8 @@ OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite) : d
   for (const char *part : {"", "/curves", "/response", "/fields"}) {
     fs::create_directories(directory + part, error);
     if (error)
-      throw InputError("the folder " + directory + part + " cannot be made: " + error.message() + "; choose another with -o");
+      throw InputError("the folder " + directory + part + " cannot be made: " + error.message() +
+                       "; choose another with -o");
   }
 }
 
@@ -70,4 +69,4 @@ std::string slug(const std::string &name)
     out.pop_back();
   return out.empty() ? "pass" : out;
 }
-} // namespace mill
+}  // namespace mill

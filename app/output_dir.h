@@ -2,13 +2,13 @@
 #include "core/stand.h"
 #include <string>
 
-namespace mill
-{
+namespace mill {
 /// Folder of a run.  Nothing of another case is overwritten by surprise, every file is written aside and renamed.
 class OutputDir {
 public:
   /// Creates DIR, curves/, response/ and fields/.
-  /// @throws InputError  the folder holds files of another case or of no run (unless `overwrite`), or cannot be written
+  /// @throws InputError  the folder holds files of another case or of no run (unless `overwrite`), or cannot be
+  /// written
   OutputDir(std::string path, const Case &of, bool overwrite);
 
   const std::string &path() const;
@@ -21,4 +21,4 @@ private:
 
 /// "pass 1" -> "pass-1": letters, digits and dashes, for file names.
 std::string slug(const std::string &name);
-} // namespace mill
+}  // namespace mill

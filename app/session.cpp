@@ -8,8 +8,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace mill
-{
+namespace mill {
 using json = nlohmann::ordered_json;
 
 void Session::warn(const std::string &sentence)
@@ -42,57 +41,66 @@ std::string version()
   return MILLSTAND_VERSION;
 }
 
-namespace
+namespace {
+json geometry_of(const FourHigh &stand)
 {
-  json geometry_of(const FourHigh &stand)
-  {
-    return {{"work_roll_diameter", stand.work_roll.barrel_diameter},
-            {"work_roll_length", stand.work_roll.barrel_length},
-            {"work_neck_diameter", stand.work_roll.neck_diameter},
-            {"work_total_length", stand.work_roll.barrel_length + 2 * stand.work_roll.neck_length},
-            {"work_bearing_span", stand.work_roll.bearing_span},
-            {"backup_diameter", stand.backup_roll.barrel_diameter},
-            {"backup_length", stand.backup_roll.barrel_length},
-            {"backup_neck_diameter", stand.backup_roll.neck_diameter},
-            {"backup_neck_length", stand.backup_roll.neck_length},
-            {"backup_bearing_span", stand.backup_roll.bearing_span},
-            {"strip_width", stand.strip.width},
-            {"entry_thickness", stand.strip.entry_thickness},
-            {"exit_thickness", stand.strip.exit_thickness}};
-  }
+  return {
+      {"work_roll_diameter",   stand.work_roll.barrel_diameter                                },
+      {"work_roll_length",     stand.work_roll.barrel_length                                  },
+      {"work_neck_diameter",   stand.work_roll.neck_diameter                                  },
+      {"work_total_length",    stand.work_roll.barrel_length + 2 * stand.work_roll.neck_length},
+      {"work_bearing_span",    stand.work_roll.bearing_span                                   },
+      {"backup_diameter",      stand.backup_roll.barrel_diameter                              },
+      {"backup_length",        stand.backup_roll.barrel_length                                },
+      {"backup_neck_diameter", stand.backup_roll.neck_diameter                                },
+      {"backup_neck_length",   stand.backup_roll.neck_length                                  },
+      {"backup_bearing_span",  stand.backup_roll.bearing_span                                 },
+      {"strip_width",          stand.strip.width                                              },
+      {"entry_thickness",      stand.strip.entry_thickness                                    },
+      {"exit_thickness",       stand.strip.exit_thickness                                     }
+  };
+}
 
-  void add_passes(json &manifest, const std::vector<Pass> &passes, const std::string &force_meaning)
-  {
-    for (const Pass &pass : passes)
-      manifest["passes"].push_back({{"name", pass.name},
-                                    {"slug", slug(pass.name)},
-                                    {"load", std::isnan(pass.load) ? json(nullptr) : json(pass.load)},
-                                    {"synthetic", pass.synthetic},
-                                    {"force_meaning", force_meaning}});
-  }
-} // namespace
+void add_passes(json &manifest, const std::vector<Pass> &passes, const std::string &force_meaning)
+{
+  for (const Pass &pass : passes)
+    manifest["passes"].push_back({
+        {"name",          pass.name                                              },
+        {"slug",          slug(pass.name)                                        },
+        {"load",          std::isnan(pass.load) ? json(nullptr) : json(pass.load)},
+        {"synthetic",     pass.synthetic                                         },
+        {"force_meaning", force_meaning                                          }
+    });
+}
+}  // namespace
 
 std::string manifest_json(const Session &session)
 {
   const Case &c = session.the_case;
-  json manifest{{"program", "millstand"},
-                {"version", version()},
-                {"case", c.name},
-                {"case_path", c.path},
-                {"kind", c.kind},
-                {"title", c.title},
-                {"run_id", hash_of(version() + c.resolved)},
-                {"date", session.started},
-                {"threads", session.threads},
-                {"blas", blas_in_use()},
-                {"versions",
-                 {{"deal.II", fem::library_version()},
-                  {"Gmsh", meshes::library_version()},
-                  {"Eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
-                                std::to_string(EIGEN_MINOR_VERSION)},
-                  {"compiler", __VERSION__}}}};
+  json manifest{
+      {"program",   "millstand"                    },
+      {"version",   version()                      },
+      {"case",      c.name                         },
+      {"case_path", c.path                         },
+      {"kind",      c.kind                         },
+      {"title",     c.title                        },
+      {"run_id",    hash_of(version() + c.resolved)},
+      {"date",      session.started                },
+      {"threads",   session.threads                },
+      {"blas",      blas_in_use()                  },
+      {"versions",
+       {{"deal.II", fem::library_version()},
+        {"Gmsh", meshes::library_version()},
+        {"Eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+                      std::to_string(EIGEN_MINOR_VERSION)},
+        {"compiler", __VERSION__}}                 }
+  };
   for (const StageTime &time : session.times)
-    manifest["timings"].push_back({{"stage", time.stage}, {"seconds", time.seconds}, {"cached", time.cached}});
+    manifest["timings"].push_back({
+        {"stage",   time.stage  },
+        {"seconds", time.seconds},
+        {"cached",  time.cached }
+    });
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   manifest["peak_memory"] = 1024. * double(usage.ru_maxrss);
@@ -103,7 +111,10 @@ std::string manifest_json(const Session &session)
   if (const auto *lumped = std::get_if<Lumped>(&c.spec))
     add_passes(manifest, lumped->passes, lumped->dynamics.force_meaning);
   if (const auto *pair = std::get_if<TwoCylinders>(&c.spec))
-    manifest["geometry"] = {{"upper_diameter", pair->upper_diameter}, {"lower_diameter", pair->lower_diameter}};
+    manifest["geometry"] = {
+        {"upper_diameter", pair->upper_diameter},
+        {"lower_diameter", pair->lower_diameter}
+    };
   return manifest.dump(2) + "\n";
 }
-} // namespace mill
+}  // namespace mill

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace mill
-{
+namespace mill {
 /// Time of one stage of a run.
 struct StageTime {
   std::string stage;
@@ -20,13 +19,13 @@ struct StageTime {
 struct Session {
   const Case &the_case;
   const OutputDir &out;
-  std::string cache;      ///< folder of condensed rolls
-  bool fresh  = false;    ///< ignore what the cache holds
+  std::string cache;    ///< folder of condensed rolls
+  bool fresh  = false;  ///< ignore what the cache holds
   int threads = 1;
   Progress progress;
   Results results;
   std::vector<StageTime> times;
-  std::string started;    ///< local date and time
+  std::string started;                       ///< local date and time
   void warn(const std::string &sentence);    ///< into results and log
   void assume(const std::string &sentence);  ///< same
 };
@@ -48,4 +47,4 @@ std::string version();  ///< "0.1.0"
 
 /// run.json: versions, BLAS, threads, timings, memory, geometry, passes.
 std::string manifest_json(const Session &session);
-} // namespace mill
+}  // namespace mill

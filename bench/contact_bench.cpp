@@ -10,7 +10,9 @@ int main()
 {
   using namespace mill;
   const auto now     = [] { return std::chrono::steady_clock::now(); };
-  const auto seconds = [](const auto from, const auto to) { return std::chrono::duration<double>(to - from).count(); };
+  const auto seconds = [](const auto from, const auto to) {
+    return std::chrono::duration<double>(to - from).count();
+  };
   const Material steel{210e9, 0.3, 7700};
   const auto b     = [](const double q) { return closed_form::line_contact(q, 0.4, 1.3, 210e9, 0.3).half_width; };
   const auto start = now();
@@ -20,12 +22,13 @@ int main()
   const auto pair  = slab_pair(upper, lower);
   const auto curve = fem::sweep(pair, fem::log_spaced(200e3, 5000e3, 24));
   const auto swept = now();
-  const auto full  = fem::solve_full_contact(*upper.body, *lower.body, pair.problem.initial_gap, curve.approach[12], true);
-  const auto done  = now();
+  const auto full =
+      fem::solve_full_contact(*upper.body, *lower.body, pair.problem.initial_gap, curve.approach[12], true);
+  const auto done = now();
   std::printf("{\"mesh_and_condense_s\": %.4f, \"sweep_24_loads_s\": %.5f, \"full_model_one_load_s\": %.4f,\n"
               " \"sweep_over_condensation\": %.4f, \"full_one_load_over_condensed_one_load\": %.1f,\n"
               " \"force_difference\": %.2e, \"unknowns\": [%d, %d]}\n",
-              seconds(start, ready), seconds(ready, swept), seconds(swept, done), seconds(ready, swept) / seconds(start, ready),
-              seconds(swept, done) / (seconds(ready, swept) / 24), full.force / (curve.load[12] / pair.multiplicity) - 1,
-              upper.roll.n_unknowns, lower.roll.n_unknowns);
+              seconds(start, ready), seconds(ready, swept), seconds(swept, done),
+              seconds(ready, swept) / seconds(start, ready), seconds(swept, done) / (seconds(ready, swept) / 24),
+              full.force / (curve.load[12] / pair.multiplicity) - 1, upper.roll.n_unknowns, lower.roll.n_unknowns);
 }

@@ -217,6 +217,14 @@ std::vector<std::string> notes_of(const Sheet &sheet)
 }
 }  // namespace
 
+Table &Table::add(std::string name, std::string unit, Eigen::VectorXd values)
+{
+  names.push_back(std::move(name));
+  units.push_back(std::move(unit));
+  columns.push_back(std::move(values));
+  return *this;
+}
+
 const Eigen::VectorXd *Table::column(const std::string &name) const
 {
   for (std::size_t i = 0; i < names.size(); ++i)

@@ -12,53 +12,51 @@ extern "C" {
 void dpotri_(const char *uplo, const int *n, double *a, const int *lda, int *info);
 }
 
-namespace mill
+namespace mill {
+namespace {
+// Node graph of the unknowns that are not retained, and METIS' order of it.
+std::vector<int> nested_dissection(const SymmetricSparse &K, const std::vector<int> &node_of,
+                                   const std::vector<char> &is_retained)
 {
-namespace
-{
-  // Node graph of the unknowns that are not retained, and METIS' order of it.
-  std::vector<int> nested_dissection(const SymmetricSparse &K, const std::vector<int> &node_of,
-                                     const std::vector<char> &is_retained)
-  {
-    const int n_nodes = node_of.empty() ? 0 : 1 + *std::max_element(node_of.begin(), node_of.end());
-    std::vector<int> vertex(n_nodes, -1), node_of_vertex;
-    for (std::size_t i = 0; i < node_of.size(); ++i)
-      if (!is_retained[i] && vertex[node_of[i]] < 0) {
-        vertex[node_of[i]] = int(node_of_vertex.size());
-        node_of_vertex.push_back(node_of[i]);
-      }
-    std::vector<std::vector<int>> neighbours(node_of_vertex.size());
-    for (int j = 0; j < K.outerSize(); ++j) {
-      if (is_retained[j])
+  const int n_nodes = node_of.empty() ? 0 : 1 + *std::max_element(node_of.begin(), node_of.end());
+  std::vector<int> vertex(n_nodes, -1), node_of_vertex;
+  for (std::size_t i = 0; i < node_of.size(); ++i)
+    if (!is_retained[i] && vertex[node_of[i]] < 0) {
+      vertex[node_of[i]] = int(node_of_vertex.size());
+      node_of_vertex.push_back(node_of[i]);
+    }
+  std::vector<std::vector<int>> neighbours(node_of_vertex.size());
+  for (int j = 0; j < K.outerSize(); ++j) {
+    if (is_retained[j])
+      continue;
+    for (SymmetricSparse::InnerIterator it(K, j); it; ++it) {
+      const int a = vertex[node_of[it.row()]], b = vertex[node_of[j]];
+      if (is_retained[it.row()] || a == b)
         continue;
-      for (SymmetricSparse::InnerIterator it(K, j); it; ++it) {
-        const int a = vertex[node_of[it.row()]], b = vertex[node_of[j]];
-        if (is_retained[it.row()] || a == b)
-          continue;
-        neighbours[a].push_back(b);
-        neighbours[b].push_back(a);
-      }
+      neighbours[a].push_back(b);
+      neighbours[b].push_back(a);
     }
-    idx_t n = idx_t(node_of_vertex.size());
-    std::vector<idx_t> start{0}, adjacent;
-    for (auto &list : neighbours) {
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
-      adjacent.insert(adjacent.end(), list.begin(), list.end());
-      start.push_back(idx_t(adjacent.size()));
-    }
-    std::vector<idx_t> order(n), inverse(n);
-    idx_t options[METIS_NOPTIONS];
-    METIS_SetDefaultOptions(options);
-    options[METIS_OPTION_SEED] = 1;  // results must not depend on the clock
-    if (n > 0)
-      METIS_NodeND(&n, start.data(), adjacent.data(), nullptr, options, order.data(), inverse.data());
-    std::vector<int> nodes(n);
-    for (idx_t i = 0; i < n; ++i)
-      nodes[i] = node_of_vertex[order[i]];
-    return nodes;
   }
-} // namespace
+  idx_t n = idx_t(node_of_vertex.size());
+  std::vector<idx_t> start{0}, adjacent;
+  for (auto &list : neighbours) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    adjacent.insert(adjacent.end(), list.begin(), list.end());
+    start.push_back(idx_t(adjacent.size()));
+  }
+  std::vector<idx_t> order(n), inverse(n);
+  idx_t options[METIS_NOPTIONS];
+  METIS_SetDefaultOptions(options);
+  options[METIS_OPTION_SEED] = 1;  // results must not depend on the clock
+  if (n > 0)
+    METIS_NodeND(&n, start.data(), adjacent.data(), nullptr, options, order.data(), inverse.data());
+  std::vector<int> nodes(n);
+  for (idx_t i = 0; i < n; ++i)
+    nodes[i] = node_of_vertex[order[i]];
+  return nodes;
+}
+}  // namespace
 
 struct CondensingFactor::Implementation {
   mutable cholmod_common common;
@@ -69,11 +67,11 @@ struct CondensingFactor::Implementation {
   Implementation()
   {
     cholmod_l_start(&common);
-    common.print      = 0;
-    common.supernodal = CHOLMOD_SUPERNODAL;
-    common.nmethods   = 1;
+    common.print              = 0;
+    common.supernodal         = CHOLMOD_SUPERNODAL;
+    common.nmethods           = 1;
     common.method[0].ordering = CHOLMOD_GIVEN;
-    common.postorder  = true;
+    common.postorder          = true;
   }
   ~Implementation()
   {
@@ -99,7 +97,8 @@ CondensingFactor::CondensingFactor(const SymmetricSparse &K, const std::vector<i
     place[nodes[i]] = int(i);
   std::vector<SuiteSparse_long> order(n);
   std::iota(order.begin(), order.end(), 0);
-  order.erase(std::remove_if(order.begin(), order.end(), [&](const auto i) { return is_retained[i]; }), order.end());
+  order.erase(std::remove_if(order.begin(), order.end(), [&](const auto i) { return is_retained[i]; }),
+              order.end());
   std::stable_sort(order.begin(), order.end(),
                    [&](const auto a, const auto b) { return place[node_of[a]] < place[node_of[b]]; });
   order.insert(order.end(), retained.begin(), retained.end());
@@ -118,13 +117,13 @@ CondensingFactor::CondensingFactor(const SymmetricSparse &K, const std::vector<i
   A.xtype         = CHOLMOD_REAL;
   A.dtype         = CHOLMOD_DOUBLE;
   A.sorted = A.packed = 1;
-  self->L = cholmod_l_analyze_p(&A, order.data(), nullptr, 0, &self->common);
-  self->cost = {self->common.lnz, self->common.fl, 8. * double(self->L->xsize)};
+  self->L             = cholmod_l_analyze_p(&A, order.data(), nullptr, 0, &self->common);
+  self->cost          = {self->common.lnz, self->common.fl, 8. * double(self->L->xsize)};
   if (available > 0 && self->cost.bytes > available)
-    throw SolverError({"the factor of " + std::to_string(n) + " unknowns needs " +
-                           std::to_string(int(self->cost.bytes / 1e6)) + " MB, " +
-                           std::to_string(int(available / 1e6)) + " MB are available",
-                       "", "a finer mesh than this machine can hold", "lower contact.*.elements_per_half_width", ""});
+    throw SolverError(
+        {"the factor of " + std::to_string(n) + " unknowns needs " + std::to_string(int(self->cost.bytes / 1e6)) +
+             " MB, " + std::to_string(int(available / 1e6)) + " MB are available",
+         "", "a finer mesh than this machine can hold", "lower contact.*.elements_per_half_width", ""});
   // Postordering may renumber columns; the retained unknowns must still be the last, in their order.
   const auto *perm = static_cast<const SuiteSparse_long *>(self->L->Perm);
   for (int i = 0; i < m; ++i)
@@ -134,7 +133,8 @@ CondensingFactor::CondensingFactor(const SymmetricSparse &K, const std::vector<i
   if (self->common.status != CHOLMOD_OK || self->L->minor < std::size_t(n))
     throw SolverError({"a stiffness matrix of " + std::to_string(n) + " unknowns is not positive definite",
                        "the factorisation stopped at unknown " + std::to_string(self->L->minor),
-                       "a body that is not held, or an inverted element", "check the supports and the geometry", ""});
+                       "a body that is not held, or an inverted element", "check the supports and the geometry",
+                       ""});
 }
 
 CondensingFactor::~CondensingFactor()                            = default;
@@ -147,12 +147,12 @@ const FactorCost &CondensingFactor::cost() const
 
 Eigen::MatrixXd CondensingFactor::schur_factor() const
 {
-  const auto *L       = self->L;
-  const auto *super   = static_cast<const SuiteSparse_long *>(L->super);
-  const auto *row_ptr = static_cast<const SuiteSparse_long *>(L->pi);
-  const auto *val_ptr = static_cast<const SuiteSparse_long *>(L->px);
-  const auto *rows    = static_cast<const SuiteSparse_long *>(L->s);
-  const auto *values  = static_cast<const double *>(L->x);
+  const auto *L                = self->L;
+  const auto *super            = static_cast<const SuiteSparse_long *>(L->super);
+  const auto *row_ptr          = static_cast<const SuiteSparse_long *>(L->pi);
+  const auto *val_ptr          = static_cast<const SuiteSparse_long *>(L->px);
+  const auto *rows             = static_cast<const SuiteSparse_long *>(L->s);
+  const auto *values           = static_cast<const double *>(L->x);
   const SuiteSparse_long first = self->n - self->m;
   Eigen::MatrixXd out          = Eigen::MatrixXd::Zero(self->m, self->m);
   for (std::size_t k = 0; k < L->nsuper; ++k) {
@@ -167,12 +167,12 @@ Eigen::MatrixXd CondensingFactor::schur_factor() const
 Eigen::MatrixXd CondensingFactor::solve(const Eigen::MatrixXd &B) const
 {
   cholmod_dense b{};
-  b.nrow = b.d = B.rows();
-  b.ncol       = B.cols();
-  b.nzmax      = B.size();
-  b.x          = const_cast<double *>(B.data());
-  b.xtype      = CHOLMOD_REAL;
-  b.dtype      = CHOLMOD_DOUBLE;
+  b.nrow = b.d      = B.rows();
+  b.ncol            = B.cols();
+  b.nzmax           = B.size();
+  b.x               = const_cast<double *>(B.data());
+  b.xtype           = CHOLMOD_REAL;
+  b.dtype           = CHOLMOD_DOUBLE;
   cholmod_dense *x  = cholmod_l_solve(CHOLMOD_A, self->L, &b, &self->common);
   Eigen::MatrixXd X = Eigen::Map<Eigen::MatrixXd>(static_cast<double *>(x->x), B.rows(), B.cols());
   cholmod_l_free_dense(&x, &self->common);
@@ -196,7 +196,8 @@ std::string blas_in_use()
   if (!dgemm || !dladdr(dgemm, &info) || !info.dli_fname)
     return "unknown";
   std::error_code error;
-  const auto real = std::filesystem::canonical(info.dli_fname, error);  // Debian reaches the flavours through links
+  const auto real =
+      std::filesystem::canonical(info.dli_fname, error);  // Debian reaches the flavours through links
   return error ? info.dli_fname : real.string();
 }
 
@@ -210,4 +211,4 @@ void set_blas_threads(const int n)
 {
   omp_set_num_threads(n);  // the openmp flavour of OpenBLAS and CHOLMOD share this pool
 }
-} // namespace mill
+}  // namespace mill

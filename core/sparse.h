@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace mill
-{
+namespace mill {
 /// Symmetric positive definite matrix, upper triangle stored, columns compressed.
 using SymmetricSparse = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
@@ -17,13 +16,14 @@ struct FactorCost {
   double bytes      = 0;  ///< of the factor
 };
 
-/// Supernodal Cholesky factorisation K = L L^T whose last rows belong to a retained set, so that the trailing block of L
-/// is the Cholesky factor of the Schur complement onto it: condensation costs nothing beyond the factorisation.
-/// theory.md (2.2)
+/// Supernodal Cholesky factorisation K = L L^T whose last rows belong to a retained set, so that the trailing
+/// block of L is the Cholesky factor of the Schur complement onto it: condensation costs nothing beyond the
+/// factorisation. theory.md (2.2)
 class CondensingFactor {
 public:
   /// @param K         (n, n) upper triangle, positive definite
-  /// @param node_of   (n) node each unknown belongs to; METIS orders the graph of nodes, which is three times smaller
+  /// @param node_of   (n) node each unknown belongs to; METIS orders the graph of nodes, which is three times
+  /// smaller
   /// @param retained  (m) unknowns to keep, in the order wanted in schur_factor(); may be empty
   /// @param available bytes the factor may take; 0: do not check
   /// @throws SolverError  predicted memory above `available` (before factorising), or K not positive definite
@@ -52,4 +52,4 @@ std::string blas_in_use();
 bool is_reference_blas(const std::string &path);
 /// Threads the BLAS may use; no effect on the reference BLAS.
 void set_blas_threads(int n);
-} // namespace mill
+}  // namespace mill

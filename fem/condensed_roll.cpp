@@ -4,71 +4,69 @@
 #include <cmath>
 #include <numeric>
 
-namespace mill::fem
-{
-namespace
-{
-  // Stiffness without the held unknowns, and the way back.
-  struct Free {
-    SymmetricSparse K;
-    std::vector<int> place;    // of each unknown of the body in K, -1: held
-    std::vector<int> unknown;  // of each row of K
-    std::vector<int> node;     // of each row of K
-  };
+namespace mill::fem {
+namespace {
+// Stiffness without the held unknowns, and the way back.
+struct Free {
+  SymmetricSparse K;
+  std::vector<int> place;    // of each unknown of the body in K, -1: held
+  std::vector<int> unknown;  // of each row of K
+  std::vector<int> node;     // of each row of K
+};
 
-  Free free_unknowns(const ElasticBody &body, const std::vector<char> &held)
-  {
-    const SymmetricSparse &A = body.stiffness();
-    Free f;
-    f.place.assign(A.rows(), -1);
-    for (int i = 0; i < A.rows(); ++i)
-      if (!held[i]) {
-        f.place[i] = int(f.unknown.size());
-        f.unknown.push_back(i);
-        f.node.push_back(i / 3);
-      }
-    const int n = int(f.unknown.size());
-    std::vector<int> start(n + 1, 0), rows;
-    std::vector<double> values;
-    rows.reserve(A.nonZeros());
-    values.reserve(A.nonZeros());
-    for (int j = 0; j < n; ++j) {
-      for (SymmetricSparse::InnerIterator it(A, f.unknown[j]); it; ++it)
-        if (f.place[it.row()] >= 0) {
-          rows.push_back(f.place[it.row()]);
-          values.push_back(it.value());
-        }
-      start[j + 1] = int(rows.size());
+Free free_unknowns(const ElasticBody &body, const std::vector<char> &held)
+{
+  const SymmetricSparse &A = body.stiffness();
+  Free f;
+  f.place.assign(A.rows(), -1);
+  for (int i = 0; i < A.rows(); ++i)
+    if (!held[i]) {
+      f.place[i] = int(f.unknown.size());
+      f.unknown.push_back(i);
+      f.node.push_back(i / 3);
     }
-    f.K = Eigen::Map<SymmetricSparse>(n, n, int(rows.size()), start.data(), rows.data(), values.data());
-    return f;
+  const int n = int(f.unknown.size());
+  std::vector<int> start(n + 1, 0), rows;
+  std::vector<double> values;
+  rows.reserve(A.nonZeros());
+  values.reserve(A.nonZeros());
+  for (int j = 0; j < n; ++j) {
+    for (SymmetricSparse::InnerIterator it(A, f.unknown[j]); it; ++it)
+      if (f.place[it.row()] >= 0) {
+        rows.push_back(f.place[it.row()]);
+        values.push_back(it.value());
+      }
+    start[j + 1] = int(rows.size());
   }
+  f.K = Eigen::Map<SymmetricSparse>(n, n, int(rows.size()), start.data(), rows.data(), values.data());
+  return f;
+}
 
-  // Bearing load over the seat: cosine-squared along the neck, so that no edge falls between nodes.
-  double seat_pressure(const double z, const void *context)
-  {
-    const auto &g      = *static_cast<const RollGeometry *>(context);
-    const double width = std::min(0.5 * g.neck_length, g.half_length + g.neck_length - g.seat_centre);
-    const double s     = (z - g.seat_centre) / width;
-    return std::abs(s) < 1 ? std::pow(std::cos(0.5 * M_PI * s), 2) : 0;
-  }
+// Bearing load over the seat: cosine-squared along the neck, so that no edge falls between nodes.
+double seat_pressure(const double z, const void *context)
+{
+  const auto &g      = *static_cast<const RollGeometry *>(context);
+  const double width = std::min(0.5 * g.neck_length, g.half_length + g.neck_length - g.seat_centre);
+  const double s     = (z - g.seat_centre) / width;
+  return std::abs(s) < 1 ? std::pow(std::cos(0.5 * M_PI * s), 2) : 0;
+}
 
-  void read_grid(const ElasticBody &body, const std::vector<int> &patch, CondensedRoll &roll)
-  {
-    const auto &p      = body.nodes();
-    const double small = 1e-7 * roll.geometry.radius;
-    roll.n_x           = 0;
-    while (roll.n_x < int(patch.size()) && std::abs(p(patch[roll.n_x], 2) - p(patch[0], 2)) <= small)
-      ++roll.n_x;
-    roll.n_z = int(patch.size()) / roll.n_x;
-    roll.x.resize(roll.n_x);
-    roll.z.resize(roll.n_z);
-    for (int i = 0; i < roll.n_x; ++i)
-      roll.x[i] = p(patch[i], 0);
-    for (int k = 0; k < roll.n_z; ++k)
-      roll.z[k] = p(patch[k * roll.n_x], 2);
-  }
-} // namespace
+void read_grid(const ElasticBody &body, const std::vector<int> &patch, CondensedRoll &roll)
+{
+  const auto &p      = body.nodes();
+  const double small = 1e-7 * roll.geometry.radius;
+  roll.n_x           = 0;
+  while (roll.n_x < int(patch.size()) && std::abs(p(patch[roll.n_x], 2) - p(patch[0], 2)) <= small)
+    ++roll.n_x;
+  roll.n_z = int(patch.size()) / roll.n_x;
+  roll.x.resize(roll.n_x);
+  roll.z.resize(roll.n_z);
+  for (int i = 0; i < roll.n_x; ++i)
+    roll.x[i] = p(patch[i], 0);
+  for (int k = 0; k < roll.n_z; ++k)
+    roll.z[k] = p(patch[k * roll.n_x], 2);
+}
+}  // namespace
 
 // Symmetry planes x = 0 and z = 0, and the parity about y = 0.
 std::vector<char> held_unknowns(const ElasticBody &body, const bool squeeze, const bool slab)
@@ -99,7 +97,8 @@ std::vector<int> patch_in_grid_order(const ElasticBody &body)
   double reach           = 0;
   for (const int node : patch)
     reach = std::max(reach, p(node, 1));
-  const double small = 1e-7 * reach;  // stations of one layer agree to rounding, layers are micrometres thick at least
+  const double small =
+      1e-7 * reach;  // stations of one layer agree to rounding, layers are micrometres thick at least
   std::sort(patch.begin(), patch.end(), [&](const int a, const int b) {
     return std::abs(p(a, 2) - p(b, 2)) > small ? p(a, 2) < p(b, 2) : p(a, 0) < p(b, 0);
   });
@@ -113,8 +112,8 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
   roll.geometry                = geometry;
   const std::vector<int> patch = patch_in_grid_order(body);
   read_grid(body, patch, roll);
-  const int n                  = int(patch.size());
-  const Eigen::VectorXd area   = body.face_weights("contact");
+  const int n                = int(patch.size());
+  const Eigen::VectorXd area = body.face_weights("contact");
   roll.area.resize(n);
   for (int i = 0; i < n; ++i)
     roll.area[i] = area[patch[i]];
@@ -130,10 +129,10 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
     for (const int node : patch)
       retained.push_back(f.place[3 * node + 1]);
     const CondensingFactor factor(f.K, f.node, retained, options.memory);
-    const Eigen::MatrixXd C = inverse_from_factor(factor.schur_factor());
-    roll.n_unknowns         = int(f.unknown.size());
-    roll.factor_bytes       = factor.cost().bytes;
-    roll.factor_flops       = factor.cost().n_flops;
+    const Eigen::MatrixXd C                   = inverse_from_factor(factor.schur_factor());
+    roll.n_unknowns                           = int(f.unknown.size());
+    roll.factor_bytes                         = factor.cost().bytes;
+    roll.factor_flops                         = factor.cost().n_flops;
     (squeeze ? roll.squeeze : roll.translate) = C.bottomRightCorner(n, n);
     if (!squeeze) {
       // The pinned axis node is the first; it does not move.
@@ -201,7 +200,8 @@ HeldRoll held_by_necks(const CondensedRoll &roll)
 HeldRoll held_by_strip(const CondensedRoll &roll, const double strip_width)
 {
   // The strip presses the other generator, uniformly over its width and over the width of the patch.
-  const Eigen::VectorXd share = axial_weights(roll.z, 0.5 * strip_width), whole = axial_weights(roll.z, roll.z[roll.n_z - 1]);
+  const Eigen::VectorXd share = axial_weights(roll.z, 0.5 * strip_width),
+                        whole = axial_weights(roll.z, roll.z[roll.n_z - 1]);
   Eigen::VectorXd strip       = roll.area;
   for (int k = 0; k < roll.n_z; ++k)
     strip.segment(k * roll.n_x, roll.n_x) *= share[k] / whole[k];
@@ -215,4 +215,4 @@ HeldRoll held_by_mirror(const CondensedRoll &roll)
   const auto n = roll.squeeze.rows(), n_axis = std::max<Eigen::Index>(1, roll.axis_z.size());
   return {roll.squeeze, Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(n_axis, n), Eigen::VectorXd::Zero(n_axis)};
 }
-} // namespace mill::fem
+}  // namespace mill::fem

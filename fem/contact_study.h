@@ -6,12 +6,11 @@
 #include <string>
 #include <vector>
 
-namespace mill::fem
-{
+namespace mill::fem {
 /// Two condensed rolls facing each other along one contact line.
 struct ContactPair {
-  std::string name;              ///< "upper", "lower", "line"
-  std::string reference;         ///< datum of the approach, one sentence
+  std::string name;                     ///< "upper", "lower", "line"
+  std::string reference;                ///< datum of the approach, one sentence
   const CondensedRoll *grid = nullptr;  ///< either roll: stations of the patch and of the axis
   ContactProblem problem;
   Eigen::MatrixXd axis;          ///< (n_a, n) m/N, sum of both: axes moving away from the contact
@@ -21,8 +20,8 @@ struct ContactPair {
   double axial_mirror = 2;       ///< -, line load over (force per station / axial weight): both sides of x = 0
 };
 
-/// Distance of the two undeformed surfaces at (x, z), from the analytic profiles and never from facets: radii and the
-/// drops of the two profiles (m on the radius, positive: smaller roll), shifted so that the smallest is zero.
+/// Distance of the two undeformed surfaces at (x, z), from the analytic profiles and never from facets: radii and
+/// the drops of the two profiles (m on the radius, positive: smaller roll), shifted so that the smallest is zero.
 Eigen::VectorXd profile_gap(const CondensedRoll &grid, double first_radius, double second_radius,
                             const Eigen::VectorXd &drop);
 
@@ -49,4 +48,4 @@ BarrelProfile barrel_profile(const ContactPair &pair, const ContactPoint &point)
 
 /// n loads from low to high, equally spaced in their logarithm.
 Eigen::VectorXd log_spaced(double low, double high, int n);
-} // namespace mill::fem
+}  // namespace mill::fem

@@ -18,8 +18,7 @@
 #include <map>
 #include <set>
 
-namespace mill::fem
-{
+namespace mill::fem {
 using namespace dealii;
 
 struct ElasticBody::Implementation {
@@ -43,8 +42,7 @@ struct ElasticBody::Implementation {
   void read();
   void collect_nodes();
   void assemble();
-  template <class Weight>
-  Eigen::VectorXd face_integral(const std::string &group, const Weight &weight) const;
+  template <class Weight> Eigen::VectorXd face_integral(const std::string &group, const Weight &weight) const;
 };
 
 void ElasticBody::Implementation::read()
@@ -85,7 +83,8 @@ void ElasticBody::Implementation::collect_nodes()
   std::sort(axis.begin(), axis.end(), [&](const int a, const int b) { return nodes(a, 2) < nodes(b, 2); });
 }
 
-// K_ab = integral of lambda grad_a (x) grad_b + mu grad_b (x) grad_a + mu (grad_a . grad_b) I          theory.md (1.2)
+// K_ab = integral of lambda grad_a (x) grad_b + mu grad_b (x) grad_a + mu (grad_a . grad_b) I          theory.md
+// (1.2)
 void ElasticBody::Implementation::assemble()
 {
   const double E = material.youngs_modulus, nu = material.poisson_ratio;
@@ -153,8 +152,9 @@ void ElasticBody::Implementation::assemble()
           const double dot = mu * w * gradient.col(a).dot(gradient.col(b));
           for (int d = 0; d < 3; ++d)
             for (int c = 0; c < 3; ++c)
-              copy.matrix(3 * a + c, 3 * b + d) += w * (lambda * gradient(c, a) * gradient(d, b) +
-                                                        mu * gradient(d, a) * gradient(c, b)) + (c == d ? dot : 0);
+              copy.matrix(3 * a + c, 3 * b + d) +=
+                  w * (lambda * gradient(c, a) * gradient(d, b) + mu * gradient(d, a) * gradient(c, b)) +
+                  (c == d ? dot : 0);
         }
     }
   };
@@ -276,15 +276,25 @@ void ElasticBody::write_vtu(const std::string &path, const Eigen::VectorXd &disp
       ++count[index[q]];
     }
   }
-  const std::vector<std::string> names{"displacement_x_m", "displacement_y_m", "displacement_z_m", "stress_xx_Pa",
-                                       "stress_yy_Pa", "stress_zz_Pa", "stress_xy_Pa", "stress_xz_Pa", "stress_yz_Pa",
-                                       "von_mises_Pa", "contact_pressure_Pa"};
+  const std::vector<std::string> names{"displacement_x_m", "displacement_y_m",   "displacement_z_m",
+                                       "stress_xx_Pa",     "stress_yy_Pa",       "stress_zz_Pa",
+                                       "stress_xy_Pa",     "stress_xz_Pa",       "stress_yz_Pa",
+                                       "von_mises_Pa",     "contact_pressure_Pa"};
   std::vector<Vector<double>> fields(names.size(), Vector<double>(n_nodes));
   for (int i = 0; i < n_nodes; ++i) {
     const Eigen::Matrix3d s = sum[i] / std::max(1, count[i]);
     const Eigen::Matrix3d d = s - s.trace() / 3 * Eigen::Matrix3d::Identity();
-    const double values[]   = {displacement[3 * i], displacement[3 * i + 1], displacement[3 * i + 2], s(0, 0), s(1, 1),
-                               s(2, 2), s(0, 1), s(0, 2), s(1, 2), std::sqrt(1.5 * d.squaredNorm()), pressure[i]};
+    const double values[]   = {displacement[3 * i],
+                               displacement[3 * i + 1],
+                               displacement[3 * i + 2],
+                               s(0, 0),
+                               s(1, 1),
+                               s(2, 2),
+                               s(0, 1),
+                               s(0, 2),
+                               s(1, 2),
+                               std::sqrt(1.5 * d.squaredNorm()),
+                               pressure[i]};
     for (std::size_t f = 0; f < names.size(); ++f)
       fields[f][i] = values[f];
   }
@@ -300,4 +310,4 @@ void ElasticBody::write_vtu(const std::string &path, const Eigen::VectorXd &disp
   }
   std::filesystem::rename(aside, path);
 }
-} // namespace mill::fem
+}  // namespace mill::fem

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace mill::fem
-{
+namespace mill::fem {
 /// Linear elastic body on a mesh: nodes of the chosen degree, stiffness, boundary groups.  Unknown 3 n + c is the
 /// displacement of node n in direction c.  theory.md 1
 class ElasticBody {
@@ -24,9 +23,10 @@ public:
   const SymmetricSparse &stiffness() const;
   const Eigen::Matrix<double, Eigen::Dynamic, 3> &nodes() const;  ///< (N, 3) m
   const std::vector<int> &group(const std::string &name) const;   ///< nodes of a boundary group, ascending
-  const std::vector<int> &axis() const;                 ///< nodes on x = y = 0, by ascending z
+  const std::vector<int> &axis() const;                           ///< nodes on x = y = 0, by ascending z
 
-  /// (N) m2: integral of each node's shape function over a group; sums to its area.  For pressure from nodal forces.
+  /// (N) m2: integral of each node's shape function over a group; sums to its area.  For pressure from nodal
+  /// forces.
   Eigen::VectorXd face_weights(const std::string &group) const;
   /// (N) integral of shape function times weight(z) over a group: nodal shares of a distributed load.
   Eigen::VectorXd face_load(const std::string &group, double (*weight)(double z, const void *context),
@@ -36,7 +36,8 @@ public:
   /// Displacement, stress (xx yy zz xy xz yz, von Mises) and a nodal scalar as VTU for ParaView.
   /// @param displacement (3N) m
   /// @param pressure     (N) Pa, contact pressure, zero off the contact
-  void write_vtu(const std::string &path, const Eigen::VectorXd &displacement, const Eigen::VectorXd &pressure) const;
+  void write_vtu(const std::string &path, const Eigen::VectorXd &displacement,
+                 const Eigen::VectorXd &pressure) const;
 
 private:
   struct Implementation;
@@ -47,4 +48,4 @@ std::string library_version();  ///< of deal.II, "9.4.1"
 
 /// Threads that assembly may use.
 void set_assembly_threads(int n);
-} // namespace mill::fem
+}  // namespace mill::fem

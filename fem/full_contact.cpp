@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mill::fem
-{
+namespace mill::fem {
 FullContact solve_full_contact(const ElasticBody &first, const ElasticBody &second, const Eigen::VectorXd &gap,
                                const double q, const bool slab)
 {
-  // Unknowns of both bodies one after the other.  An active pair is tied by  u_second = -u_first - (q - gap), where u is
-  // the displacement along y of each body's own frame, the contact being its highest point.
+  // Unknowns of both bodies one after the other.  An active pair is tied by  u_second = -u_first - (q - gap),
+  // where u is the displacement along y of each body's own frame, the contact being its highest point.
   const ElasticBody *bodies[2] = {&first, &second};
   const int n_first            = int(first.stiffness().rows());
   const int n_all              = n_first + int(second.stiffness().rows());
@@ -87,4 +86,4 @@ FullContact solve_full_contact(const ElasticBody &first, const ElasticBody &seco
   }
   throw SolverError({"full contact: no active set found", "", "", "", ""});
 }
-} // namespace mill::fem
+}  // namespace mill::fem

@@ -5,88 +5,84 @@
 #include <fstream>
 #include <sstream>
 
-namespace mill::fem
-{
-namespace
-{
-  constexpr char magic[] = "millstand condensed roll 1\n";
+namespace mill::fem {
+namespace {
+constexpr char magic[] = "millstand condensed roll 1\n";
 
-  // The same list of members is run through in both directions.
-  template <class Archive>
-  void members(Archive &a, CondensedRoll &r)
+// The same list of members is run through in both directions.
+template <class Archive> void members(Archive &a, CondensedRoll &r)
+{
+  RollGeometry &g = r.geometry;
+  for (double *value : {&g.radius, &g.half_length, &g.neck_radius, &g.neck_length, &g.seat_centre,
+                        &g.contact_half_length, &r.factor_bytes, &r.factor_flops})
+    a.number(*value);
+  for (int *value : {&r.n_x, &r.n_z, &r.n_unknowns})
+    a.count(*value);
+  for (Eigen::VectorXd *v : {&r.x, &r.z, &r.area, &r.axis_z, &r.seat_patch, &r.seat_axis})
+    a.array(*v);
+  for (Eigen::MatrixXd *m : {&r.squeeze, &r.translate, &r.axis, &r.field_squeeze, &r.field_translate})
+    a.array(*m);
+}
+
+struct Writer {
+  std::string bytes;
+  void raw(const void *data, const std::size_t size)
   {
-    RollGeometry &g = r.geometry;
-    for (double *value : {&g.radius, &g.half_length, &g.neck_radius, &g.neck_length, &g.seat_centre,
-                          &g.contact_half_length, &r.factor_bytes, &r.factor_flops})
-      a.number(*value);
-    for (int *value : {&r.n_x, &r.n_z, &r.n_unknowns})
-      a.count(*value);
-    for (Eigen::VectorXd *v : {&r.x, &r.z, &r.area, &r.axis_z, &r.seat_patch, &r.seat_axis})
-      a.array(*v);
-    for (Eigen::MatrixXd *m : {&r.squeeze, &r.translate, &r.axis, &r.field_squeeze, &r.field_translate})
-      a.array(*m);
+    bytes.append(static_cast<const char *>(data), size);
   }
+  void number(const double &value)
+  {
+    raw(&value, sizeof value);
+  }
+  void count(const int &value)
+  {
+    const double exact = value;
+    raw(&exact, sizeof exact);
+  }
+  template <class Array> void array(const Array &array)
+  {
+    count(int(array.rows()));
+    count(int(array.cols()));
+    raw(array.data(), sizeof(double) * std::size_t(array.size()));
+  }
+};
 
-  struct Writer {
-    std::string bytes;
-    void raw(const void *data, const std::size_t size)
-    {
-      bytes.append(static_cast<const char *>(data), size);
-    }
-    void number(const double &value)
-    {
-      raw(&value, sizeof value);
-    }
-    void count(const int &value)
-    {
-      const double exact = value;
-      raw(&exact, sizeof exact);
-    }
-    template <class Array>
-    void array(const Array &array)
-    {
-      count(int(array.rows()));
-      count(int(array.cols()));
-      raw(array.data(), sizeof(double) * std::size_t(array.size()));
-    }
-  };
-
-  struct Reader {
-    const std::string &bytes;
-    std::size_t at = 0;
-    bool good      = true;
-    void raw(void *data, const std::size_t size)
-    {
-      good = good && size <= bytes.size() - at;
-      if (!good)
-        return;
-      std::memcpy(data, bytes.data() + at, size);
-      at += size;
-    }
-    void number(double &value)
-    {
-      raw(&value, sizeof value);
-    }
-    void count(int &value)
-    {
-      double exact = 0;
-      raw(&exact, sizeof exact);
-      value = int(exact);
-    }
-    template <class Array>
-    void array(Array &array)
-    {
-      int rows = 0, cols = 0;
-      count(rows);
-      count(cols);
-      good = good && rows >= 0 && cols >= 0 && std::size_t(rows) * std::size_t(cols) <= bytes.size() / sizeof(double);
-      if (!good)
-        return;
-      array.resize(rows, cols);
-      raw(array.data(), sizeof(double) * std::size_t(array.size()));
-    }
-  };
-} // namespace
+struct Reader {
+  const std::string &bytes;
+  std::size_t at = 0;
+  bool good      = true;
+  void raw(void *data, const std::size_t size)
+  {
+    good = good && size <= bytes.size() - at;
+    if (!good)
+      return;
+    std::memcpy(data, bytes.data() + at, size);
+    at += size;
+  }
+  void number(double &value)
+  {
+    raw(&value, sizeof value);
+  }
+  void count(int &value)
+  {
+    double exact = 0;
+    raw(&exact, sizeof exact);
+    value = int(exact);
+  }
+  template <class Array> void array(Array &array)
+  {
+    int rows = 0, cols = 0;
+    count(rows);
+    count(cols);
+    good =
+        good && rows >= 0 && cols >= 0 && std::size_t(rows) * std::size_t(cols) <= bytes.size() / sizeof(double);
+    if (!good)
+      return;
+    array.resize(rows, cols);
+    raw(array.data(), sizeof(double) * std::size_t(array.size()));
+  }
+};
+}  // namespace
 
 void save_roll(const std::string &path, const std::string &key, const CondensedRoll &roll)
 {
@@ -121,4 +117,4 @@ std::optional<CondensedRoll> load_roll(const std::string &path, const std::strin
     return damaged("it is incomplete");
   return roll;
 }
-} // namespace mill::fem
+}  // namespace mill::fem

@@ -3,12 +3,13 @@
 #include <optional>
 #include <string>
 
-namespace mill::fem
-{
-/// Stores a condensed roll under the hash of everything it depends on: written aside and renamed, with a checksum of the
-/// numbers, so that a killed run or a second process leaves a whole file or none.
+namespace mill::fem {
+/// Stores a condensed roll under the hash of everything it depends on: written aside and renamed, with a checksum
+/// of the numbers, so that a killed run or a second process leaves a whole file or none.
 void save_roll(const std::string &path, const std::string &key, const CondensedRoll &roll);
 
-/// The stored roll, or nothing when there is none, when it belongs to another key, or when it is damaged (`note` says so).
-std::optional<CondensedRoll> load_roll(const std::string &path, const std::string &key, std::string *note = nullptr);
-} // namespace mill::fem
+/// The stored roll, or nothing when there is none, when it belongs to another key, or when it is damaged (`note`
+/// says so).
+std::optional<CondensedRoll> load_roll(const std::string &path, const std::string &key,
+                                       std::string *note = nullptr);
+}  // namespace mill::fem

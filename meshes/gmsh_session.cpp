@@ -1,11 +1,11 @@
 #include "meshes/gmsh_session.h"
 #include <gmsh.h>
 
-namespace mill::meshes
-{
+namespace mill::meshes {
 GmshSession::GmshSession()
 {
-  gmsh::initialize(0, nullptr, false);  // false: do not read the user's Gmsh options, results must not depend on them
+  gmsh::initialize(0, nullptr,
+                   false);  // false: do not read the user's Gmsh options, results must not depend on them
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::option::setNumber("General.NumThreads", 1);
   gmsh::option::setNumber("Geometry.Tolerance", 1e-11);  // m; patches have elements of some um on rolls of some m
@@ -23,4 +23,4 @@ GmshSession::~GmshSession()
 {
   gmsh::finalize();
 }
-} // namespace mill::meshes
+}  // namespace mill::meshes

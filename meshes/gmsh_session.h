@@ -1,8 +1,7 @@
 #pragma once
 #include <string>
 
-namespace mill::meshes
-{
+namespace mill::meshes {
 std::string library_version();  ///< of Gmsh, "4.8.4"
 
 /// Gmsh is one global state: a session owns it from construction to destruction.  Silent; one model.
@@ -10,7 +9,7 @@ class GmshSession {
 public:
   GmshSession();
   ~GmshSession();
-  GmshSession(const GmshSession &) = delete;
+  GmshSession(const GmshSession &)            = delete;
   GmshSession &operator=(const GmshSession &) = delete;
 };
-} // namespace mill::meshes
+}  // namespace mill::meshes

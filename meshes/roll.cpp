@@ -8,76 +8,76 @@
 #include <gmsh.h>
 #include <unistd.h>
 
-namespace mill::meshes
+namespace mill::meshes {
+namespace {
+namespace geo = gmsh::model::geo;
+
+const std::vector<std::string> group_names{"contact", "symmetry.x", "symmetry.y", "symmetry.z",
+                                           "barrel",  "neck",       "shoulder",   "end"};
+
+// Volumes between z = z0 and the sum of the layers above it, from the given surfaces; returns the surfaces on top.
+std::vector<int> extrude(const std::vector<int> &surfaces, const std::vector<double> &layers)
 {
-namespace
+  gmsh::vectorpair from, to;
+  for (const int surface : surfaces)
+    from.push_back({2, surface});
+  double length = 0;
+  std::vector<double> heights;
+  for (const double layer : layers)
+    heights.push_back(length += layer);
+  for (double &height : heights)
+    height /= length;
+  geo::extrude(from, 0, 0, length, to, std::vector<int>(layers.size(), 1), heights, true);
+  // Gmsh lists, per surface, the one on top, the volume, then the sides.
+  std::vector<int> top;
+  for (std::size_t i = 0; i + 1 < to.size(); ++i)
+    if (to[i].first == 2 && to[i + 1].first == 3)
+      top.push_back(to[i].second);
+  return top;
+}
+
+// The group a boundary surface belongs to, from its bounding box; empty for a surface inside the body.
+std::string group_of(const int surface, const RollGeometry &g, const double patch)
 {
-  namespace geo = gmsh::model::geo;
+  std::vector<int> volumes, curves;
+  gmsh::model::getAdjacencies(2, surface, volumes, curves);
+  if (volumes.size() != 1)
+    return "";
+  double x0, y0, z0, x1, y1, z1;
+  gmsh::model::getBoundingBox(2, surface, x0, y0, z0, x1, y1, z1);
+  const double small = 1e-6 * patch;  // boxes of the built-in kernel are exact up to Geometry.Tolerance
+  if (x1 < small)
+    return "symmetry.x";
+  if (y1 < small)
+    return "symmetry.y";
+  if (z1 < small)
+    return "symmetry.z";
+  if (z1 - z0 < small)
+    return z0 > g.half_length + small || g.neck_length == 0 ? "end" : "shoulder";
+  if (z0 > g.half_length - small)
+    return "neck";
+  const double facing = g.contact_half_length > 0 ? g.contact_half_length : g.half_length;
+  return x1 < patch * (1 + 1e-6) && x0 < small && z1 < facing + small ? "contact" : "barrel";
+}
 
-  const std::vector<std::string> group_names{"contact", "symmetry.x", "symmetry.y", "symmetry.z",
-                                             "barrel",  "neck",       "shoulder",   "end"};
-
-  // Volumes between z = z0 and the sum of the layers above it, from the given surfaces; returns the surfaces on top.
-  std::vector<int> extrude(const std::vector<int> &surfaces, const std::vector<double> &layers)
-  {
-    gmsh::vectorpair from, to;
-    for (const int surface : surfaces)
-      from.push_back({2, surface});
-    double length = 0;
-    std::vector<double> heights;
-    for (const double layer : layers)
-      heights.push_back(length += layer);
-    for (double &height : heights)
-      height /= length;
-    geo::extrude(from, 0, 0, length, to, std::vector<int>(layers.size(), 1), heights, true);
-    // Gmsh lists, per surface, the one on top, the volume, then the sides.
-    std::vector<int> top;
-    for (std::size_t i = 0; i + 1 < to.size(); ++i)
-      if (to[i].first == 2 && to[i + 1].first == 3)
-        top.push_back(to[i].second);
-    return top;
+// Smallest over all elements of the smallest corner Jacobian over the largest: 1 for a brick, <= 0 when inverted.
+double smallest_jacobian(const int hexahedron)
+{
+  const std::vector<double> corners{-1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1,
+                                    -1, -1, 1,  1, -1, 1,  1, 1, 1,  -1, 1, 1};
+  std::vector<double> jacobians, determinants, coordinates;
+  gmsh::model::mesh::getJacobians(hexahedron, corners, jacobians, determinants, coordinates);
+  double smallest = 1;
+  for (std::size_t i = 0; i < determinants.size(); i += 8) {
+    const auto [low, high] = std::minmax_element(determinants.begin() + i, determinants.begin() + i + 8);
+    smallest               = std::min(smallest, *high > 0 ? *low / *high : -1.);
   }
+  return smallest;
+}
+}  // namespace
 
-  // The group a boundary surface belongs to, from its bounding box; empty for a surface inside the body.
-  std::string group_of(const int surface, const RollGeometry &g, const double patch)
-  {
-    std::vector<int> volumes, curves;
-    gmsh::model::getAdjacencies(2, surface, volumes, curves);
-    if (volumes.size() != 1)
-      return "";
-    double x0, y0, z0, x1, y1, z1;
-    gmsh::model::getBoundingBox(2, surface, x0, y0, z0, x1, y1, z1);
-    const double small = 1e-6 * patch;  // boxes of the built-in kernel are exact up to Geometry.Tolerance
-    if (x1 < small)
-      return "symmetry.x";
-    if (y1 < small)
-      return "symmetry.y";
-    if (z1 < small)
-      return "symmetry.z";
-    if (z1 - z0 < small)
-      return z0 > g.half_length + small || g.neck_length == 0 ? "end" : "shoulder";
-    if (z0 > g.half_length - small)
-      return "neck";
-    const double facing = g.contact_half_length > 0 ? g.contact_half_length : g.half_length;
-    return x1 < patch * (1 + 1e-6) && x0 < small && z1 < facing + small ? "contact" : "barrel";
-  }
-
-  // Smallest over all elements of the smallest corner Jacobian over the largest: 1 for a brick, <= 0 when inverted.
-  double smallest_jacobian(const int hexahedron)
-  {
-    const std::vector<double> corners{-1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1};
-    std::vector<double> jacobians, determinants, coordinates;
-    gmsh::model::mesh::getJacobians(hexahedron, corners, jacobians, determinants, coordinates);
-    double smallest = 1;
-    for (std::size_t i = 0; i < determinants.size(); i += 8) {
-      const auto [low, high] = std::minmax_element(determinants.begin() + i, determinants.begin() + i + 8);
-      smallest               = std::min(smallest, *high > 0 ? *low / *high : -1.);
-    }
-    return smallest;
-  }
-} // namespace
-
-std::vector<double> graded_layers(const double length, const double end_layer, const double growth, const double largest)
+std::vector<double> graded_layers(const double length, const double end_layer, const double growth,
+                                  const double largest)
 {
   std::vector<double> layers;
   double sum = 0;
@@ -86,7 +86,7 @@ std::vector<double> graded_layers(const double length, const double end_layer, c
     sum += h;
   }
   // The last layer rarely fits: share the misfit among the thick ones, so that the thin ones keep their size.
-  double movable = 0;
+  double movable     = 0;
   const double limit = 0.25 * layers.back();
   for (const double h : layers)
     movable += h >= limit ? h : 0;
@@ -112,9 +112,9 @@ MeshFile mesh_roll(const std::string &name, const RollGeometry &geometry, const 
                    const std::string &path)
 {
   const GmshSession session;
-  SectionSize section = size.section;
-  section.radius      = geometry.radius;
-  section.core_radius = geometry.neck_radius > 0 ? geometry.neck_radius : 0.6 * geometry.radius;
+  SectionSize section            = size.section;
+  section.radius                 = geometry.radius;
+  section.core_radius            = geometry.neck_radius > 0 ? geometry.neck_radius : 0.6 * geometry.radius;
   const SectionSurfaces surfaces = add_section(section);
 
   // Layers are thin where the contact ends: at the barrel end, or where the shorter barrel ends.
@@ -165,7 +165,8 @@ MeshFile mesh_roll(const std::string &name, const RollGeometry &geometry, const 
     throw SolverError({"mesh of the " + name + " failed its quality check",
                        kinds.size() != 1 ? "it has other elements than hexahedra" : "an element is inverted",
                        "a diameter, neck and contact half width that do not fit into one section",
-                       "check the diameters and lengths of the " + name + " and contact.*.elements_per_half_width", ""});
+                       "check the diameters and lengths of the " + name + " and contact.*.elements_per_half_width",
+                       ""});
   std::sort(nodes.begin(), nodes.end());
   mesh.n_nodes            = int(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
   mesh.n_cells            = int(elements.size());
@@ -176,4 +177,4 @@ MeshFile mesh_roll(const std::string &name, const RollGeometry &geometry, const 
   std::filesystem::rename(aside, path);
   return mesh;
 }
-} // namespace mill::meshes
+}  // namespace mill::meshes

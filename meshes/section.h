@@ -3,21 +3,21 @@
 #include <utility>
 #include <vector>
 
-namespace mill::meshes
-{
+namespace mill::meshes {
 /// Sizes of the quarter section of a roll: contact point at (0, radius), symmetry lines x = 0 and y = 0.
 /// A fine box of quadrilaterals under the contact, one ring of 3:1 templates around it, then a grid that grows
-/// geometrically towards the core, so that the number of elements depends on the logarithm of radius / element only.
+/// geometrically towards the core, so that the number of elements depends on the logarithm of radius / element
+/// only.
 struct SectionSize {
-  double radius        = 0;    ///< m
-  double core_radius   = 0;    ///< m, circle that is kept as a mesh line (the neck)
-  double first_element = 0;    ///< m, element width at the contact line
-  double growth        = 1;    ///< -, ratio of neighbouring elements along the patch, 1: equal
-  int patch_elements   = 12;   ///< along the patch, multiple of 3
-  int depth_elements   = 6;    ///< below the patch, multiple of 3
-  double depth_growth  = 1.25; ///< -, ratio of neighbouring elements into the depth
-  double far_growth    = 1.5;  ///< -, ratio of neighbouring elements outside the box
-  int sector_elements  = 3;    ///< along the far quarter of the outer circle and of the core
+  double radius        = 0;     ///< m
+  double core_radius   = 0;     ///< m, circle that is kept as a mesh line (the neck)
+  double first_element = 0;     ///< m, element width at the contact line
+  double growth        = 1;     ///< -, ratio of neighbouring elements along the patch, 1: equal
+  int patch_elements   = 12;    ///< along the patch, multiple of 3
+  int depth_elements   = 6;     ///< below the patch, multiple of 3
+  double depth_growth  = 1.25;  ///< -, ratio of neighbouring elements into the depth
+  double far_growth    = 1.5;   ///< -, ratio of neighbouring elements outside the box
+  int sector_elements  = 3;     ///< along the far quarter of the outer circle and of the core
 };
 
 /// Half width of the patch: sum of its elements.
@@ -26,10 +26,10 @@ double patch_half_width(const SectionSize &size);
 /// Fewest elements, multiple of 3, whose patch reaches half_width.
 int patch_elements_for(double first_element, double growth, double half_width);
 
-/// Surfaces of the section in the current Gmsh model (built-in kernel, synchronised by the caller): all quadrilateral,
-/// transfinite, conforming.  core: inside core_radius; rim: between core_radius and radius.
+/// Surfaces of the section in the current Gmsh model (built-in kernel, synchronised by the caller): all
+/// quadrilateral, transfinite, conforming.  core: inside core_radius; rim: between core_radius and radius.
 struct SectionSurfaces {
   std::vector<int> core, rim;
 };
 SectionSurfaces add_section(const SectionSize &size);
-} // namespace mill::meshes
+}  // namespace mill::meshes

@@ -13,7 +13,7 @@ struct SpringKeys {
   Keys K_Zy_upper, K_Zy_lower;
 };
 
-/// Keys behind every number of the chain, M1..M6 and then K1..K7: the terms of theory.md (4.1) and (4.13)-(4.16).
+/// Keys behind every number of the chain, M1..M6 and then K1..K7: the terms of theory.md (4.1a) and (4.13)-(4.16).
 std::array<Keys, 13> chain_keys(const SpringKeys &springs);
 
 /// Keys behind the stiffness of the backup roll on its bearing centres, (4.8).

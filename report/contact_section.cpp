@@ -1,6 +1,7 @@
 #include "report/contact_curves.h"
 #include "report/curves.h"
 #include "report/names.h"
+#include "report/number.h"
 #include "report/sections.h"
 #include "report/svg_plot.h"
 #include <cmath>
@@ -91,6 +92,38 @@ std::string band_caption(const bool plane_strain)
                 "and stiffness per length change.");
 }
 
+// Why the secant lies where it does in the band: what belongs to the section and what to the barrel ends.
+std::string why_in_band(const Run &run, const std::string &name)
+{
+  const Result *secant = run.find((name == "lower" ? "K5" : "K3") + std::string(".secant"));
+  if (!secant)
+    return "";
+  double closed = 0, section = 0, held = 0;
+  for (const Check &check : secant->checks) {
+    if (check.name.rfind("Johnson", 0) == 0)
+      closed = check.value;
+    if (check.name.rfind("mid-length section", 0) == 0)
+      section = check.value;
+    if (check.name.rfind("rolls held as in the stand", 0) == 0)
+      held = check.value;
+  }
+  if (closed <= 0 || section <= 0)
+    return "";
+  const auto off = [](const double ratio) { return percent(ratio - 1); };
+  return "Why there: against Johnson's infinitely long rolls the section at mid-length, taken over the whole "
+         "length, has " +
+         off(section / closed) +
+         ", since a roll that is free to stretch along its axis is not quite in plane strain; barrel ends and "
+         "necks "
+         "add " +
+         off(secant->value / section) + "; together " + off(secant->value / closed) + "." +
+         (held > 0
+              ? " Held as in the stand the same pair has " + off(held / secant->value) +
+                    " against this: the backup roll is balanced by shear from its necks and not by an opposite "
+                    "contact, both rolls bend, and the strip is narrower than the barrel."
+              : "");
+}
+
 void one_contact(Page &page, const Run &run, const std::string &name)
 {
   const std::string path      = "curves/contact-" + name;
@@ -110,8 +143,11 @@ void one_contact(Page &page, const Run &run, const std::string &name)
                           : ""));
   if (!contact.closed)
     page.absent("Closed forms beside the contact curve are", path + "-closed.csv");
-  else if (const std::string table = band_table(contact); !table.empty())
+  else if (const std::string table = band_table(contact); !table.empty()) {
     page.table(table, band_caption(name == "line"));
+    if (const std::string why = why_in_band(run, name); !why.empty())
+      page.paragraph(why);
+  }
   const Table *mirrored = run.table(path + "-barrel-mirrored");
   if (const Table *barrel = run.table(path + "-barrel"))
     page.figure(

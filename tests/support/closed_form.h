@@ -2,10 +2,9 @@
 #include <cmath>
 
 /// Closed forms written apart from the product, for tests.
-namespace closed_form
-{
-/// Two long cylinders, same material, each loaded diametrically: Johnson, Contact Mechanics (1985), eq. 4.43-4.45, 5.57.
-/// Per metre of length: q N/m, lengths m, stresses Pa, tangent N/m2.
+namespace closed_form {
+/// Two long cylinders, same material, each loaded diametrically: Johnson, Contact Mechanics (1985),
+/// eq. 4.43-4.45, 5.57. Per metre of length: q N/m, lengths m, stresses Pa, tangent N/m2.
 struct Line {
   double half_width, peak_pressure, approach, tangent;
 };
@@ -20,4 +19,4 @@ inline Line line_contact(const double q, const double D1, const double D2, const
   const double slope = 2 * (1 - nu * nu) / (M_PI * E) * (std::log(4 * R1 / b) + std::log(4 * R2 / b) - 2);
   return {b, 2 * q / (M_PI * b), body(R1) + body(R2), 1 / slope};
 }
-} // namespace closed_form
+}  // namespace closed_form

@@ -4,8 +4,7 @@
 #include <cstdio>
 #include <vector>
 
-namespace
-{
+namespace {
 struct Use {
   double share;  // deviation over tolerance, 1 = just passed
   std::string what;
@@ -32,7 +31,7 @@ std::string digits(const double value)
   std::snprintf(text, sizeof text, "%.12g", value);
   return text;
 }
-} // namespace
+}  // namespace
 
 Tolerance within(const double relative, std::string why, const double scale)
 {

@@ -8,8 +8,7 @@
 
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 struct Scratch {
   fs::path path = fs::temp_directory_path() / ("millstand-test-" + std::to_string(getpid()));
   Scratch()
@@ -35,7 +34,7 @@ std::string text_of(const fs::path &file)
   text << std::ifstream(file).rdbuf();
   return text.str();
 }
-} // namespace
+}  // namespace
 
 std::string scratch(const std::string &name)
 {
@@ -46,8 +45,8 @@ std::string scratch(const std::string &name)
 Outcome millstand(const std::string &arguments, const std::string &folder)
 {
   const fs::path out = base() / "stdout", err = base() / "stderr";
-  const std::string command = "cd '" + folder + "' && '" MILLSTAND_PROGRAM "' " + arguments + " >'" + out.string() + "' 2>'" +
-                              err.string() + "' </dev/null";
+  const std::string command = "cd '" + folder + "' && '" MILLSTAND_PROGRAM "' " + arguments + " >'" +
+                              out.string() + "' 2>'" + err.string() + "' </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(out), text_of(err)};
 }

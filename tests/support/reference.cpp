@@ -6,7 +6,8 @@ nlohmann::json reference(const std::string &entry, const std::string &file)
 {
   static std::map<std::string, nlohmann::json> read;
   if (!read.count(file))
-    read[file] = nlohmann::json::parse(std::ifstream(std::string(MILLSTAND_SOURCE_DIR "/tests/reference/") + file + ".json"));
+    read[file] = nlohmann::json::parse(
+        std::ifstream(std::string(MILLSTAND_SOURCE_DIR "/tests/reference/") + file + ".json"));
   return read[file].at("entries").at(entry).at("value");
 }
 

@@ -4,11 +4,11 @@
 
 using namespace mill;
 
-namespace
-{
+namespace {
 std::string mesh_path(const std::string &name)
 {
-  return (std::filesystem::temp_directory_path() / ("millstand-" + std::to_string(getpid()) + "-" + name + ".msh")).string();
+  return (std::filesystem::temp_directory_path() / ("millstand-" + std::to_string(getpid()) + "-" + name + ".msh"))
+      .string();
 }
 
 MeshedBody finish(MeshFile mesh, const Material &steel, const fem::CondenseOptions &options)
@@ -18,7 +18,7 @@ MeshedBody finish(MeshFile mesh, const Material &steel, const fem::CondenseOptio
   std::filesystem::remove(mesh.path);
   return out;
 }
-} // namespace
+}  // namespace
 
 MeshedBody meshed_slab(const std::string &name, const double diameter, const double smallest, const double largest,
                        const int per_half_width, const double thickness, const Material &steel)

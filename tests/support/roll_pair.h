@@ -11,10 +11,11 @@ struct MeshedBody {
   mill::fem::CondensedRoll roll;
 };
 
-MeshedBody meshed_slab(const std::string &name, double diameter, double smallest_half_width, double largest_half_width,
-                       int per_half_width, double thickness, const mill::Material &steel);
-MeshedBody meshed_roll(const std::string &name, const mill::RollGeometry &geometry, const mill::meshes::RollMeshSize &size,
+MeshedBody meshed_slab(const std::string &name, double diameter, double smallest_half_width,
+                       double largest_half_width, int per_half_width, double thickness,
                        const mill::Material &steel);
+MeshedBody meshed_roll(const std::string &name, const mill::RollGeometry &geometry,
+                       const mill::meshes::RollMeshSize &size, const mill::Material &steel);
 
 /// Two slabs squeezed between mirrored contacts, per metre of length.
 mill::fem::ContactPair slab_pair(const MeshedBody &first, const MeshedBody &second);

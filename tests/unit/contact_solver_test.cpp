@@ -5,8 +5,7 @@
 
 using namespace mill::fem;
 
-namespace
-{
+namespace {
 // Positive definite operator with the decay of an elastic surface and a bowl-shaped gap.
 ContactProblem bowl(const int n, const unsigned seed)
 {
@@ -25,7 +24,7 @@ ContactProblem bowl(const int n, const unsigned seed)
   p.initial_gap.array() -= p.initial_gap.minCoeff();
   return p;
 }
-} // namespace
+}  // namespace
 
 TEST(ContactSolver, SatisfiesTheComplementarityConditions)
 {
@@ -66,15 +65,16 @@ TEST(ContactSolver, TangentIsTheDerivative)
   const auto s        = solve_contact(p, 2.);
   const double step   = 1e-6;
   const double higher = solve_contact(p, 2. + step, s.active).q, lower = solve_contact(p, 2. - step, s.active).q;
-  EXPECT_TRUE(near(s.d_q, (higher - lower) / (2 * step), within(1e-8, "linear inside one active set, rounding / step")));
+  EXPECT_TRUE(
+      near(s.d_q, (higher - lower) / (2 * step), within(1e-8, "linear inside one active set, rounding / step")));
   EXPECT_TRUE(near(s.d_nodal.sum(), 1., within(1e-13, "the derivative carries the whole force")));
 }
 
 TEST(ContactSolver, FullContactIsAPlainLinearSolve)
 {
-  auto p        = bowl(12, 5);
+  auto p = bowl(12, 5);
   p.initial_gap.setZero();
-  const auto s  = solve_contact(p, 3.);
+  const auto s               = solve_contact(p, 3.);
   const Eigen::VectorXd unit = p.C.llt().solve(Eigen::VectorXd::Ones(12));
   EXPECT_EQ(std::count(s.active.begin(), s.active.end(), 1), 12);
   EXPECT_TRUE(near(s.nodal, 3. * unit / unit.sum(), within(1e-12, "support is constant: a flat punch")));

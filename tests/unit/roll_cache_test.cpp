@@ -1,5 +1,5 @@
-#include "fem/roll_cache.h"
 #include "core/files.h"
+#include "fem/roll_cache.h"
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <random>
@@ -8,9 +8,9 @@
 
 using namespace mill;
 
-namespace
-{
-const std::string folder = (std::filesystem::temp_directory_path() / ("millstand-cache-" + std::to_string(getpid()))).string();
+namespace {
+const std::string folder =
+    (std::filesystem::temp_directory_path() / ("millstand-cache-" + std::to_string(getpid()))).string();
 
 fem::CondensedRoll some_roll(const double number)
 {
@@ -22,7 +22,7 @@ fem::CondensedRoll some_roll(const double number)
   roll.translate = Eigen::MatrixXd::Identity(6, 6);
   return roll;
 }
-} // namespace
+}  // namespace
 
 class RollCache : public testing::Test {
   void SetUp() override

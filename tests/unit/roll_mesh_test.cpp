@@ -6,8 +6,7 @@
 
 using namespace mill;
 
-namespace
-{
+namespace {
 const Material steel{210e9, 0.28, 7700};
 const RollGeometry backup{0.725, 0.7, 0.475, 0.95, 1.225, 0};
 
@@ -21,7 +20,7 @@ MeshFile mesh_of(const RollGeometry &geometry, const meshes::RollMeshSize &size)
   const std::string path = (std::filesystem::temp_directory_path() / "millstand-roll-mesh-test.msh").string();
   return meshes::mesh_roll("backup roll", geometry, size, path);
 }
-} // namespace
+}  // namespace
 
 TEST(GradedLayers, FillTheLengthAndGrowFromTheEnd)
 {
@@ -59,13 +58,15 @@ TEST(RollMesh, VolumeAndAreasAreThoseOfTheDrawing)
   const fem::ElasticBody body(mesh, steel, 2);
   const double eighth = M_PI / 4;
   // A parabola through three points of an arc of 45 degrees encloses 0.78 permille less than the circle.
-  const std::string chord = "the coarsest arc, 45 degrees, as a parabola: 7.8e-4 of its sector, less for the finer rim";
+  const std::string chord =
+      "the coarsest arc, 45 degrees, as a parabola: 7.8e-4 of its sector, less for the finer rim";
   EXPECT_TRUE(near(body.volume(), eighth * (0.725 * 0.725 * 0.7 + 0.475 * 0.475 * 0.95), within(5e-4, chord)));
   EXPECT_TRUE(near(body.face_weights("neck").sum(), 2 * eighth * 0.475 * 0.95, within(5e-4, chord)));
-  EXPECT_TRUE(near(body.face_weights("barrel").sum() + body.face_weights("contact").sum(), 2 * eighth * 0.725 * 0.7,
-                   within(5e-4, chord)));
+  EXPECT_TRUE(near(body.face_weights("barrel").sum() + body.face_weights("contact").sum(),
+                   2 * eighth * 0.725 * 0.7, within(5e-4, chord)));
   EXPECT_TRUE(near(body.face_weights("contact").sum(), 0.7 * mesh.contact_half_width, within(1e-5, "flat patch")));
-  EXPECT_TRUE(near(body.face_weights("shoulder").sum(), eighth * (0.725 * 0.725 - 0.475 * 0.475), within(8e-4, chord)));
+  EXPECT_TRUE(
+      near(body.face_weights("shoulder").sum(), eighth * (0.725 * 0.725 - 0.475 * 0.475), within(8e-4, chord)));
   EXPECT_GT(mesh.smallest_jacobian, 0.2);
   for (const int node : body.group("contact"))
     EXPECT_TRUE(near(std::hypot(body.nodes()(node, 0), body.nodes()(node, 1)), 0.725,
@@ -76,12 +77,13 @@ TEST(RollMesh, StiffnessKnowsRigidMotionAndUniformStrain)
 {
   const auto mesh = mesh_of(backup, coarse());
   const fem::ElasticBody body(mesh, steel, 2);
-  const auto K    = body.stiffness().selfadjointView<Eigen::Upper>();
-  const auto &p   = body.nodes();
-  const int n     = int(p.rows());
+  const auto K  = body.stiffness().selfadjointView<Eigen::Upper>();
+  const auto &p = body.nodes();
+  const int n   = int(p.rows());
   Eigen::VectorXd rigid(3 * n), stretch(3 * n);
   for (int i = 0; i < n; ++i) {
-    rigid.segment<3>(3 * i)   = Eigen::Vector3d(0.3 - 0.2 * p(i, 1), 0.1 + 0.2 * p(i, 0) - 0.4 * p(i, 2), 0.4 * p(i, 1));
+    rigid.segment<3>(3 * i) =
+        Eigen::Vector3d(0.3 - 0.2 * p(i, 1), 0.1 + 0.2 * p(i, 0) - 0.4 * p(i, 2), 0.4 * p(i, 1));
     stretch.segment<3>(3 * i) = Eigen::Vector3d(-0.28 * p(i, 0), -0.28 * p(i, 1), p(i, 2));
   }
   const Eigen::VectorXd force = K * stretch;
@@ -108,7 +110,8 @@ TEST(RollMesh, MirrorOfTheContactLineIsTheShorterBarrel)
   for (const int node : body.group("contact"))
     reach = std::max(reach, body.nodes()(node, 2));
   EXPECT_TRUE(near(reach, 0.7, within(1e-12, "patch ends where the other barrel ends")));
-  EXPECT_TRUE(near(body.volume(), M_PI / 4 * (0.725 * 0.725 * 0.9 + 0.475 * 0.475 * 0.95), within(5e-4, "arcs of 45 degrees as parabolas")));
+  EXPECT_TRUE(near(body.volume(), M_PI / 4 * (0.725 * 0.725 * 0.9 + 0.475 * 0.475 * 0.95),
+                   within(5e-4, "arcs of 45 degrees as parabolas")));
 }
 
 TEST(RollMesh, ImpossibleSectionNamesTheRoll)

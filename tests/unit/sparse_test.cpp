@@ -1,13 +1,12 @@
-#include "core/sparse.h"
 #include "core/errors.h"
+#include "core/sparse.h"
 #include "tests/support/near.h"
 #include <Eigen/Dense>
 #include <random>
 
 using namespace mill;
 
-namespace
-{
+namespace {
 // A box of springs, three unknowns a node: positive definite, sparse, connected.
 struct Box {
   SymmetricSparse K;
@@ -48,7 +47,7 @@ Box box(const int nx, const int ny, const int nz)
     b.node.push_back(i / 3);
   return b;
 }
-} // namespace
+}  // namespace
 
 TEST(CondensingFactor, TrailingBlockIsTheFactorOfTheSchurComplement)
 {
@@ -69,7 +68,10 @@ TEST(CondensingFactor, SolvesWithAndWithoutRetainedUnknowns)
 {
   const Box b             = box(5, 5, 4);
   const Eigen::MatrixXd B = Eigen::MatrixXd::Random(b.dense.rows(), 3);
-  for (const std::vector<int> &kept : {std::vector<int>{}, std::vector<int>{17, 2, 150}}) {
+  for (const std::vector<int> &kept : {
+           std::vector<int>{   },
+           std::vector<int>{ 17, 2, 150}
+  }) {
     const Eigen::MatrixXd X = CondensingFactor(b.K, b.node, kept).solve(B);
     EXPECT_LT((b.dense * X - B).norm(), 1e-11 * B.norm()) << "a direct solve, condition about 1e3";
   }
@@ -77,8 +79,8 @@ TEST(CondensingFactor, SolvesWithAndWithoutRetainedUnknowns)
 
 TEST(CondensingFactor, RefusesWhatIsNotHeld)
 {
-  Box b                          = box(3, 3, 3);
-  b.K.coeffRef(80, 80)           = -1;
+  Box b                = box(3, 3, 3);
+  b.K.coeffRef(80, 80) = -1;
   EXPECT_THROW(CondensingFactor(b.K, b.node, {3}), SolverError);
 }
 

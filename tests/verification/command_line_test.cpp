@@ -10,8 +10,7 @@
 // The program as a user meets it.
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 nlohmann::json json_of(const std::string &file)
 {
   return nlohmann::json::parse(std::ifstream(file));
@@ -23,9 +22,10 @@ double value(const nlohmann::json &results, const std::string &name)
 }
 
 // A stand that is quick to condense: the demo case on a coarse mesh.
-const std::string coarse = " --set contact.upper.elements_per_half_width=2 --set contact.lower.elements_per_half_width=2"
-                           " --set dynamics.output_rate='5 kHz' --cache " +
-                           scratch("cache");
+const std::string coarse =
+    " --set contact.upper.elements_per_half_width=2 --set contact.lower.elements_per_half_width=2"
+    " --set dynamics.output_rate='5 kHz' --cache " +
+    scratch("cache");
 
 std::string run_demo(const std::string &out, const std::string &more = "")
 {
@@ -33,7 +33,7 @@ std::string run_demo(const std::string &out, const std::string &more = "")
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   return out;
 }
-} // namespace
+}  // namespace
 
 TEST(Run, TwoCylindersMeetTheClosedForm)
 {
@@ -43,23 +43,26 @@ TEST(Run, TwoCylindersMeetTheClosedForm)
   const auto results = json_of(out + "/results.json");
   EXPECT_EQ(results["status"], "ok");
   // Johnson (1985), R 200/650 mm, E 210 GPa, nu 0.3, 1000 N/mm.
-  EXPECT_TRUE(near(value(results, "contact.line.half_width"), 1.2991e-3, within(0.01, "half width, issue's own bound")));
+  EXPECT_TRUE(
+      near(value(results, "contact.line.half_width"), 1.2991e-3, within(0.01, "half width, issue's own bound")));
   EXPECT_TRUE(near(value(results, "contact.line.peak_pressure"), 490.05e6, within(0.01, "peak pressure, same")));
-  EXPECT_TRUE(near(value(results, "contact.line.approach"), 35.931e-6, within(0.003, "energy converges with (h/b)^2")));
-  EXPECT_TRUE(near(value(results, "contact.line.tangent"), 30146e6, within(0.01, "edge known to one of 16 nodes")));
-  for (const char *file : {"resolved.toml", "results.json", "run.json", "millstand.log", "report.html", "curves/contact-line.csv",
-                           "fields/contact-line-upper.vtu"})
+  EXPECT_TRUE(
+      near(value(results, "contact.line.approach"), 35.931e-6, within(0.003, "energy converges with (h/b)^2")));
+  EXPECT_TRUE(
+      near(value(results, "contact.line.tangent"), 30146e6, within(0.01, "edge known to one of 16 nodes")));
+  for (const char *file : {"resolved.toml", "results.json", "run.json", "millstand.log", "report.html",
+                           "curves/contact-line.csv", "fields/contact-line-upper.vtu"})
     EXPECT_GT(fs::file_size(out + "/" + file), 0u) << file;
 }
 
 TEST(Run, DemoStandLeavesEveryPromisedFileAndName)
 {
   const std::string out = run_demo(scratch("demo"));
-  for (const char *file :
-       {"resolved.toml", "results.json", "run.json", "millstand.log", "report.html", "lumped_model.toml",
-        "curves/contact-upper.csv", "curves/contact-upper-barrel.csv", "curves/contact-lower.csv", "curves/bearing-trb.csv",
-        "curves/bearing-trb-rows.csv", "curves/shape-work-roll.csv", "curves/shape-backup-roll.csv", "curves/modes.csv",
-        "response/pass-1.csv", "response/pass-2.csv", "fields/contact-upper-work-roll.vtu"})
+  for (const char *file : {"resolved.toml", "results.json", "run.json", "millstand.log", "report.html",
+                           "lumped_model.toml", "curves/contact-upper.csv", "curves/contact-upper-barrel.csv",
+                           "curves/contact-lower.csv", "curves/bearing-trb.csv", "curves/bearing-trb-rows.csv",
+                           "curves/shape-work-roll.csv", "curves/shape-backup-roll.csv", "curves/modes.csv",
+                           "response/pass-1.csv", "response/pass-2.csv", "fields/contact-upper-work-roll.vtu"})
     EXPECT_TRUE(fs::exists(out + "/" + file)) << file;
   const auto results = json_of(out + "/results.json");
   std::vector<std::string> names;
@@ -69,17 +72,18 @@ TEST(Run, DemoStandLeavesEveryPromisedFileAndName)
     names.insert(names.end(), {"M" + std::to_string(i), "f" + std::to_string(i)});
   for (int i = 1; i <= 4; ++i) {
     const std::string Kzc = "Kzc" + std::to_string(i);
-    names.insert(names.end(), {Kzc, Kzc + ".tangent", Kzc + ".secant", Kzc + ".roller_secant", Kzc + ".row1_share", Kzc + ".row4_share",
-                               "fh" + std::to_string(i)});
+    names.insert(names.end(), {Kzc, Kzc + ".tangent", Kzc + ".secant", Kzc + ".roller_secant", Kzc + ".row1_share",
+                               Kzc + ".row4_share", "fh" + std::to_string(i)});
   }
   for (const char *contact : {"upper", "lower"})
     for (const char *what : {"half_width", "peak_pressure", "approach"})
       names.push_back("contact." + std::string(contact) + "." + what);
   for (const char *pass : {"pass 1", "pass 2"})
-    for (const char *what : {"peak_g.upper_work_roll", "peak_g.lower_work_roll", "rms_g.upper_work_roll", "rms_g.lower_work_roll"})
+    for (const char *what :
+         {"peak_g.upper_work_roll", "peak_g.lower_work_roll", "rms_g.upper_work_roll", "rms_g.lower_work_roll"})
       names.push_back(std::string(pass) + "." + what);
-  names.insert(names.end(), {"K3.tangent", "K3.secant", "K5.tangent", "K5.secant", "pass 2.K3.tangent", "K4.plastic_slope",
-                             "K4.flattening", "K4.combined"});
+  names.insert(names.end(), {"K3.tangent", "K3.secant", "K5.tangent", "K5.secant", "pass 2.K3.tangent",
+                             "K4.plastic_slope", "K4.flattening", "K4.combined"});
   for (const std::string &name : names) {
     ASSERT_TRUE(results["values"].contains(name)) << name;
     const auto &entry = results["values"][name];
@@ -87,13 +91,16 @@ TEST(Run, DemoStandLeavesEveryPromisedFileAndName)
     for (const char *key : {"unit", "source", "at", "error_estimate", "inputs"})
       EXPECT_TRUE(entry.contains(key)) << name << "." << key;
   }
-  // Closed-form chain of the stand, with K3 from the finite elements; published equations, tolerances of their inputs.
+  // Closed-form chain of the stand, with K3 from the finite elements; published equations, tolerances of their
+  // inputs.
   EXPECT_TRUE(near(value(results, "K1"), 6.31412e9, within(2e-6, "springs in series, six digits printed")));
   EXPECT_TRUE(near(value(results, "K7"), 6.88067e9, within(2e-6, "springs in series, six digits printed")));
-  EXPECT_TRUE(near(value(results, "K2"), 1.02333e10, within(2e-5, "bearing load is the mean of the record, 0.02 % off the mid value")));
+  EXPECT_TRUE(near(value(results, "K2"), 1.02333e10,
+                   within(2e-5, "bearing load is the mean of the record, 0.02 % off the mid value")));
   EXPECT_TRUE(near(value(results, "M2"), 59725.0, within(1e-5, "same")));
   EXPECT_TRUE(near(value(results, "M5"), 42315.97, within(1e-5, "same")));
-  EXPECT_TRUE(near(value(results, "M3"), 1875.25, within(2e-3, "K3 of a coarse mesh enters the shape of the work roll")));
+  EXPECT_TRUE(
+      near(value(results, "M3"), 1875.25, within(2e-3, "K3 of a coarse mesh enters the shape of the work roll")));
   EXPECT_TRUE(near(value(results, "K3.tangent"), 4.0192e10, within(0.05, "barrel ends, coarse mesh")));
   EXPECT_GT(value(results, "K3.secant"), 3.400e10) << "band of the closed forms";
   EXPECT_LT(value(results, "K3.secant"), 3.7208e10) << "band of the closed forms";
@@ -105,7 +112,7 @@ TEST(Run, ResolvedCaseAndCacheGiveTheSameBytes)
   const std::string again = run_demo(scratch("again"));
   EXPECT_EQ(mill::read_text(first + "/results.json"), mill::read_text(again + "/results.json"));
   const std::string out = scratch("resolved");
-  const auto outcome    = millstand("run " + first + "/resolved.toml -q -o " + out + " --cache " + scratch("cache"));
+  const auto outcome = millstand("run " + first + "/resolved.toml -q -o " + out + " --cache " + scratch("cache"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   auto a = json_of(first + "/results.json"), b = json_of(out + "/results.json");
   EXPECT_EQ(a["values"], b["values"]);
@@ -125,8 +132,9 @@ TEST(Run, ForeignFolderIsNotTouched)
   std::ofstream(out + "/thesis.txt") << "mine";
   const auto refused = millstand("run cases/two-cylinders.toml -o " + out);
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_EQ(refused.err, "error: the folder " + out +
-                             " holds files that no run wrote; choose another with -o, or give --force-overwrite\n");
+  EXPECT_EQ(refused.err,
+            "error: the folder " + out +
+                " holds files that no run wrote; choose another with -o, or give --force-overwrite\n");
   EXPECT_EQ(std::distance(fs::directory_iterator(out), fs::directory_iterator()), 1);
 
   const std::string other = scratch("other-case");
@@ -134,8 +142,10 @@ TEST(Run, ForeignFolderIsNotTouched)
   const std::string before = mill::read_text(other + "/results.json");
   const auto second        = millstand("run cases/two-cylinders.toml -o " + other);
   EXPECT_EQ(second.exit_code, 2);
-  EXPECT_EQ(second.err, "error: the folder " + other +
-                            " holds the results of the case 'published-1400'; choose another with -o, or give --force-overwrite\n");
+  EXPECT_EQ(
+      second.err,
+      "error: the folder " + other +
+          " holds the results of the case 'published-1400'; choose another with -o, or give --force-overwrite\n");
   EXPECT_EQ(mill::read_text(other + "/results.json"), before);
 }
 
@@ -148,18 +158,20 @@ TEST(Run, OutputThatCannotBeWrittenIsSaidSo)
   EXPECT_EQ(outcome.err, "error: " + blocked + " is a file, not a folder; choose another with -o\n");
   const auto below = millstand("modes cases/published-1400.toml -q -o " + blocked + "/out");
   EXPECT_EQ(below.exit_code, 2);
-  EXPECT_NE(below.err.find("cannot be made: Not a directory; choose another with -o"), std::string::npos) << below.err;
+  EXPECT_NE(below.err.find("cannot be made: Not a directory; choose another with -o"), std::string::npos)
+      << below.err;
 }
 
 TEST(Run, KilledRunLeavesNoHalfFileAndTheNextOneFinishes)
 {
   const std::string out = scratch("killed"), cache = scratch("killed-cache");
   for (const double after : {0.3, 0.8, 1.5}) {
-    millstand("run cases/two-cylinders.toml -q -o " + out + " --cache " + cache + " & sleep " + std::to_string(after) +
-              "; kill -9 $!");
+    millstand("run cases/two-cylinders.toml -q -o " + out + " --cache " + cache + " & sleep " +
+              std::to_string(after) + "; kill -9 $!");
     for (const char *file : {"results.json", "run.json"})
       if (fs::exists(out + "/" + file))
-        EXPECT_FALSE(nlohmann::json::parse(std::ifstream(out + "/" + file), nullptr, false).is_discarded()) << file;
+        EXPECT_FALSE(nlohmann::json::parse(std::ifstream(out + "/" + file), nullptr, false).is_discarded())
+            << file;
   }
   const auto outcome = millstand("run cases/two-cylinders.toml -q -o " + out + " --cache " + cache);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -171,9 +183,11 @@ TEST(Run, WorkingLoadOutsideTheSweepNamesTheKey)
   const auto outcome = millstand("run cases/four-high-1400.toml -q -o " + scratch("outside") + coarse +
                                  " --set 'contact.upper.loads=[\"100 kN\", \"500 kN\"]'");
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("contact.upper.loads = 100.0 kN .. 500.0 kN does not hold the working load of 976.0 kN; a curve is "
-                             "never extrapolated, widen the range"),
-            std::string::npos)
+  EXPECT_NE(
+      outcome.err.find(
+          "contact.upper.loads = 100.0 kN .. 500.0 kN does not hold the working load of 976.0 kN; a curve is "
+          "never extrapolated, widen the range"),
+      std::string::npos)
       << outcome.err;
 }
 
@@ -183,7 +197,8 @@ TEST(New, TemplatesRunAsTheyAre)
   for (const char *kind : {"two-cylinders", "lumped"}) {
     const std::string file = folder + "/" + kind + ".toml";
     ASSERT_EQ(millstand(std::string("new ") + kind + " -o " + file).exit_code, 0);
-    const auto outcome = millstand("run " + file + " -q -o " + folder + "/out-" + kind + " --cache " + scratch("cache"));
+    const auto outcome =
+        millstand("run " + file + " -q -o " + folder + "/out-" + kind + " --cache " + scratch("cache"));
     EXPECT_EQ(outcome.exit_code, 0) << kind << ": " << outcome.err;
   }
   const std::string file = folder + "/four-high.toml";

@@ -3,11 +3,11 @@
 #include "tests/support/near.h"
 #include "tests/support/roll_pair.h"
 
-// Two long rolls as plane-strain slabs, each squeezed between two opposite contacts: the state of Johnson's closed form.
+// Two long rolls as plane-strain slabs, each squeezed between two opposite contacts: the state of Johnson's closed
+// form.
 using namespace mill;
 
-namespace
-{
+namespace {
 struct Pair {
   double D1, D2, E, nu;
 };
@@ -20,7 +20,7 @@ struct Slabs {
 Slabs slabs(const Pair &p, const double low, const double high, const int per_half_width)
 {
   const double thickness = p.D1 / 20;
-  const auto b           = [&](const double q) { return closed_form::line_contact(q, p.D1, p.D2, p.E, p.nu).half_width; };
+  const auto b = [&](const double q) { return closed_form::line_contact(q, p.D1, p.D2, p.E, p.nu).half_width; };
   const Material steel{p.E, p.nu, 7700};
   Slabs s{meshed_slab("upper", p.D1, b(low), b(high), per_half_width, thickness, steel),
           meshed_slab("lower", p.D2, b(low), b(high), per_half_width, thickness, steel),
@@ -30,23 +30,31 @@ Slabs slabs(const Pair &p, const double low, const double high, const int per_ha
 }
 
 const Pair rolls{0.400, 1.300, 210e9, 0.3};
-} // namespace
+}  // namespace
 
 TEST(LineContactFem, MeetsTheClosedFormOverTheSweep)
 {
-  // Rolls, a small roller on a large one, and equal cylinders of soft material: the method must not know the table.
-  const std::vector<Pair> pairs{rolls, {0.420, 1.450, 210e9, 0.28}, {0.050, 0.900, 206e9, 0.3}, {0.6, 0.6, 70e9, 0.33}};
+  // Rolls, a small roller on a large one, and equal cylinders of soft material: the method must not know the
+  // table.
+  const std::vector<Pair> pairs{
+      rolls, {0.420, 1.450, 210e9, 0.28},
+       {0.050, 0.900, 206e9, 0.3 },
+       {0.6,   0.6,   70e9,  0.33}
+  };
   for (const Pair &p : pairs) {
     const double low = 200e3 * p.E / 210e9, high = 5000e3 * p.E / 210e9;
     const auto s     = slabs(p, low, high, 8);
     const auto curve = fem::sweep(s.contact, fem::log_spaced(low, high, 20));
     for (int i = 0; i < 20; ++i) {
       const auto exact = closed_form::line_contact(curve.load[i], p.D1, p.D2, p.E, p.nu);
-      EXPECT_TRUE(near(curve.half_width[i], exact.half_width, within(0.01, "fitted through 8 elements per half width")));
+      EXPECT_TRUE(
+          near(curve.half_width[i], exact.half_width, within(0.01, "fitted through 8 elements per half width")));
       EXPECT_TRUE(near(curve.peak_pressure[i], exact.peak_pressure, within(0.01, "fitted through 8 elements")));
-      EXPECT_TRUE(near(curve.approach[i], exact.approach, within(0.003, "energy converges with the square of h/b")));
-      EXPECT_TRUE(near(curve.tangent[i], exact.tangent,
-                       within(0.01, "edge known to one node of 16: d ln b^2 = 2/16 of ln(16 R1 R2/b^2) - 2, half either way")));
+      EXPECT_TRUE(
+          near(curve.approach[i], exact.approach, within(0.003, "energy converges with the square of h/b")));
+      EXPECT_TRUE(near(
+          curve.tangent[i], exact.tangent,
+          within(0.01, "edge known to one node of 16: d ln b^2 = 2/16 of ln(16 R1 R2/b^2) - 2, half either way")));
       EXPECT_LE(curve.iterations[i], i ? 8 : 12);
     }
     EXPECT_LE(curve.residual, 1e-12);
@@ -63,7 +71,8 @@ TEST(LineContactFem, ApproachConverges)
     EXPECT_LT(error, 0.7 * previous) << n << " elements per half width";
     previous = error;
   }
-  EXPECT_LT(previous, 5e-4) << "half-space closed form itself is good to (b/R)^2 = 4e-5, mesh away from the contact to 3e-4";
+  EXPECT_LT(previous, 5e-4)
+      << "half-space closed form itself is good to (b/R)^2 = 4e-5, mesh away from the contact to 3e-4";
 }
 
 TEST(LineContactFem, TangentIsTheSlopeOfItsOwnCurve)
@@ -80,10 +89,12 @@ TEST(LineContactFem, TangentIsTheSlopeOfItsOwnCurve)
 
 TEST(LineContactFem, CondensedEqualsFullModelOnTheSameMesh)
 {
-  const auto s   = slabs(rolls, 1000e3, 1000e3, 3);
-  const auto at  = fem::solve_load(s.contact, 1000e3);
-  const auto all = fem::solve_full_contact(*s.upper.body, *s.lower.body, s.contact.problem.initial_gap, at.approach, true);
-  EXPECT_TRUE(near(all.force, at.state.force, within(1e-8, "same equations by two ways, conditioning 1e7 x rounding")));
+  const auto s  = slabs(rolls, 1000e3, 1000e3, 3);
+  const auto at = fem::solve_load(s.contact, 1000e3);
+  const auto all =
+      fem::solve_full_contact(*s.upper.body, *s.lower.body, s.contact.problem.initial_gap, at.approach, true);
+  EXPECT_TRUE(
+      near(all.force, at.state.force, within(1e-8, "same equations by two ways, conditioning 1e7 x rounding")));
   for (Eigen::Index i = 0; i < all.nodal.size(); ++i)
     EXPECT_TRUE(near(all.nodal[i], at.state.nodal[i], within(1e-8, "same equations", all.nodal.maxCoeff())));
 }

@@ -1,0 +1,22 @@
+#pragma once
+#include "app/condensed_rolls.h"
+#include "fem/contact_study.h"
+#include "reduce/line_contact.h"
+
+namespace mill {
+/// One roll contact of a stand, ready to be solved at any load.
+struct ContactModel {
+  CondensedPair backup, work;
+  reduce::CylinderPair closed_form;  ///< the same two rolls, infinitely long, for the contact length
+  fem::ContactPair mirrored;  ///< each roll squeezed between two opposite contacts: datum of the closed forms
+  fem::ContactPair in_stand;  ///< backup roll on its bearings, work roll on the strip
+  fem::ContactPair coarse;    ///< as mirrored, on the companion mesh
+};
+
+/// Meshes and condenses the two rolls for loads up to `largest_load`; widens the patch until no load reaches its
+/// edge.
+/// @param name  "upper" or "lower"
+/// @throws SolverError  no patch is wide enough: a crown that leaves a point contact
+ContactModel contact_model(Session &session, const FourHigh &stand, const std::string &name,
+                           const ContactSettings &settings, double largest_load);
+}  // namespace mill
