@@ -110,16 +110,15 @@ TEST(Headers, DoubleMembersStateTheirUnit)
     bool hidden = false, body = false;  // private data; the body of an inline function
     for (std::size_t i = 0; i < source.lines.size(); ++i) {
       const std::string &line = source.lines[i];
-      body = line == \"{\" || (body && line != \"}\");
-      hidden = line.find(\"private:\") != std::string::npos || (hidden && line.find("
-    };
-    ") == std::string::npos);
-        if (hidden || body || !std::regex_search(line, member)) continue;
-    ++seen;
-    EXPECT_NE(line.find("///<"), std::string::npos) << source.name << ":" << i + 1 << ": " << line;
+      body                    = line == "{" || (body && line != "}");
+      hidden = line.find("private:") != std::string::npos || (hidden && line.find("};") == std::string::npos);
+      if (hidden || body || !std::regex_search(line, member))
+        continue;
+      ++seen;
+      EXPECT_NE(line.find("///<"), std::string::npos) << source.name << ":" << i + 1 << ": " << line;
+    }
   }
-}
-EXPECT_GT(seen, 100) << "the pattern no longer finds the members";
+  EXPECT_GT(seen, 100) << "the pattern no longer finds the members";
 }
 
 TEST(Headers, AreGuardedAndOpenNoNamespace)
