@@ -211,13 +211,7 @@ void simulate_pass(Session &session, const LumpedModel &model, const DynamicsSet
     add("rms_g", names[r], in_g(fine.rms), in_g(half.rms), measured_rms[r]);
   }
 
-  Table history;
-  history.add("time", "s", response.time)
-      .add("force", "kN", response.force / 1e3)
-      .add("upper_work_roll", "g", upper / dynamics::standard_gravity)
-      .add("lower_work_roll", "g", lower / dynamics::standard_gravity)
-      .add("load_cell", "kN", response.load_cell / 1e3);
-  session.out.write(file + ".csv", csv_text(history));
+  session.out.write(file + ".csv", csv_text(dynamics::response_table(response)));
   const auto spectrum_f = dynamics::amplitude_spectral_density(response.force, settings.output_rate);
   const auto spectrum_u = dynamics::amplitude_spectral_density(upper, settings.output_rate);
   const auto spectrum_l = dynamics::amplitude_spectral_density(lower, settings.output_rate);

@@ -129,8 +129,8 @@ ordered_json closed_object()
 void add_rows(ordered_json &object, const SectionRows &section)
 {
   for (const Row &row : section.rows) {
-    ordered_json type             = section.name == "given" || section.name == "published" ? given_type() : type_of(row);
-    type["description"]           = description(row);
+    ordered_json type   = section.name == "given" || section.name == "published" ? given_type() : type_of(row);
+    type["description"] = description(row);
     object["properties"][row.key] = std::move(type);
     if (row.fallback.kind == Fallback::Kind::required)
       object["required"].push_back(row.key);

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace mill
-{
+namespace mill {
 /// Where something stands in a text file.  Lines and columns count from 1; line 0 means "no place in a file"
 /// (an override given with --set has file = "--set section.key=value").
 struct Place {
@@ -17,8 +16,8 @@ bool operator<(const Place &a, const Place &b);
 /// One mistake of the user, ready to be shown.
 struct Problem {
   Place place;
-  std::string message;          ///< one sentence: key, value with unit, what is allowed, what to change
-  std::vector<Place> related;   ///< the other places of a contradiction
+  std::string message;         ///< one sentence: key, value with unit, what is allowed, what to change
+  std::vector<Place> related;  ///< the other places of a contradiction
 };
 
 /// A mistake of the user: exit code 2.  Holds every problem of a case, sorted by place.
@@ -47,4 +46,4 @@ public:
 /// A problem as text: "file:line:column: error: message", the line with its neighbour above, and a caret.
 /// The lines are read from the file again; without a readable file only the first line is given.
 std::string render(const Problem &problem, const std::string &severity = "error");
-} // namespace mill
+}  // namespace mill

@@ -38,7 +38,8 @@ int write_all(const int file, const std::string &text)
 
 void write_atomically(const std::string &path, const std::string &text)
 {
-  // A rename is atomic only inside one file system, hence a name in the same folder, of this process and call alone.
+  // A rename is atomic only inside one file system, hence a name in the same folder, of this process and call
+  // alone.
   static std::atomic<unsigned> calls{0};
   const std::string temporary = fmt::format("{}.{}-{}.part", path, ::getpid(), calls++);
   const int file              = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);

@@ -1,9 +1,9 @@
 #pragma once
 #include <string>
 
-namespace mill
-{
-/// Writes beside the target and renames, so that an interrupted run leaves the old file or the new one, never half.
+namespace mill {
+/// Writes beside the target and renames, so that an interrupted run leaves the old file or the new one, never
+/// half.
 /// @throws InputError when the folder cannot be written, with the path and the system's reason
 void write_atomically(const std::string &path, const std::string &text);
 
@@ -12,4 +12,4 @@ std::string read_text(const std::string &path);
 
 /// 64-bit FNV-1a as 16 hex digits: names caches and notices changes, not for security.
 std::string hash_of(const std::string &bytes);
-} // namespace mill
+}  // namespace mill

@@ -196,11 +196,12 @@ std::string input_reference()
     for (const SectionRows &section : sections_of(kind))
       text += section_reference(section);
   }
-  return text + "\nA value of `[given]` or `[published]` is a quantity or a table that keeps where it comes from:\n"
-                "`K3 = { value = \"4.02e10 N/m\", source = \"computed: contact FEM\", at = \"976.2 kN\", "
-                "error_estimate = 0.01,\n"
-                "inputs = [\"work_roll.barrel_diameter\"] }`. `source` is `given`, `published`, `measured`, "
-                "`assumed` or `computed`,\n"
-                "the last two followed by a colon and the reason or method; `method` may be written separately.\n";
+  return text +
+         "\nA value of `[given]` or `[published]` is a quantity or a table that keeps where it comes from:\n"
+         "`K3 = { value = \"4.02e10 N/m\", source = \"computed: contact FEM\", at = \"976.2 kN\", "
+         "error_estimate = 0.01,\n"
+         "inputs = [\"work_roll.barrel_diameter\"] }`. `source` is `given`, `published`, `measured`, "
+         "`assumed` or `computed`,\n"
+         "the last two followed by a colon and the reason or method; `method` may be written separately.\n";
 }
 }  // namespace mill

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace mill
-{
+namespace mill {
 /// Where a number comes from.  Computed and published values differ by factors here, so they never mix unseen.
 enum class Source {
   computed,   ///< by this program, method named
@@ -17,9 +16,9 @@ const char *name_of(Source source);
 
 /// A second opinion that stands beside a number: a closed form, a standard, a published or measured value.
 struct Check {
-  std::string name;   ///< "Hertz line contact, axis to axis (3.5b)"
-  double value = 0;   ///< in the unit of the number it stands beside
-  std::string note;   ///< why it may differ; may be empty
+  std::string name;  ///< "Hertz line contact, axis to axis (3.5b)"
+  double value = 0;  ///< in the unit of the number it stands beside
+  std::string note;  ///< why it may differ; may be empty
 };
 
 /// One number with its proof.  Everything the program reports is made of these.
@@ -36,4 +35,4 @@ struct Parameter {
 
 /// "computed: contact FEM", "given", "assumed: F/20"
 std::string source_text(const Parameter &parameter);
-} // namespace mill
+}  // namespace mill

@@ -2,8 +2,7 @@
 #include <functional>
 #include <string>
 
-namespace mill
-{
+namespace mill {
 /// How library code tells the outside what it is doing; it never prints.  Both members may be empty.
 struct Progress {
   std::function<void(const std::string &stage, double fraction)> step;  ///< fraction of this stage, 0..1
@@ -19,4 +18,4 @@ struct Progress {
       log(line);
   }
 };
-} // namespace mill
+}  // namespace mill

@@ -3,39 +3,38 @@
 #include <string>
 #include <vector>
 
-// What one stage hands to the next: plain structs, SI.  Files of these are written by app/ (curves/*.csv) and read by
-// report/.
-namespace mill
-{
+// What one stage hands to the next: plain structs, SI.  Files of these are written by app/ (curves/*.csv) and read
+// by report/.
+namespace mill {
 /// Load-approach curve of one contact, n samples in increasing load.
 struct ContactCurve {
-  std::string name;             ///< "upper", "lower", "line"
-  std::string reference;        ///< datum of the approach, one sentence
-  Eigen::VectorXd load;         ///< (n) N, total over the contact length
-  Eigen::VectorXd approach;     ///< (n) m, distance the two roll axes come together, mean over the barrel
-  Eigen::VectorXd half_width;   ///< (n) m, at mid-length
+  std::string name;               ///< "upper", "lower", "line"
+  std::string reference;          ///< datum of the approach, one sentence
+  Eigen::VectorXd load;           ///< (n) N, total over the contact length
+  Eigen::VectorXd approach;       ///< (n) m, distance the two roll axes come together, mean over the barrel
+  Eigen::VectorXd half_width;     ///< (n) m, at mid-length
   Eigen::VectorXd peak_pressure;  ///< (n) Pa, at mid-length
-  Eigen::VectorXd tangent;      ///< (n) N/m, dF/d(approach), exact for the active set
-  Eigen::VectorXd secant;       ///< (n) N/m, F/approach
-  Eigen::VectorXi iterations;   ///< (n) active-set iterations
-  double residual = 0;          ///< -, largest relative complementarity residual of the sweep
+  Eigen::VectorXd tangent;        ///< (n) N/m, dF/d(approach), exact for the active set
+  Eigen::VectorXd secant;         ///< (n) N/m, F/approach
+  Eigen::VectorXi iterations;     ///< (n) active-set iterations
+  double residual = 0;            ///< -, largest relative complementarity residual of the sweep
 };
 
 /// Distribution along the barrel at one load, m stations from mid-length to the barrel end.
 struct BarrelProfile {
-  double load = 0;              ///< N
-  Eigen::VectorXd z;            ///< (m) m, from mid-length
-  Eigen::VectorXd line_load;    ///< (m) N/m
-  Eigen::VectorXd approach;     ///< (m) m, axis to axis at this section
-  Eigen::VectorXd tangent;      ///< (m) N/m2, d(line load)/d(local approach)
-  Eigen::VectorXd half_width;   ///< (m) m
+  double load = 0;                ///< N
+  Eigen::VectorXd z;              ///< (m) m, from mid-length
+  Eigen::VectorXd line_load;      ///< (m) N/m
+  Eigen::VectorXd approach;       ///< (m) m, axis to axis at this section
+  Eigen::VectorXd tangent;        ///< (m) N/m2, d(line load)/d(local approach)
+  Eigen::VectorXd half_width;     ///< (m) m
   Eigen::VectorXd peak_pressure;  ///< (m) Pa
 };
 
 /// Force record of a pass.
 struct ForceRecord {
-  Eigen::VectorXd time;   ///< (n) s, increasing
-  Eigen::VectorXd force;  ///< (n) N
+  Eigen::VectorXd time;            ///< (n) s, increasing
+  Eigen::VectorXd force;           ///< (n) N
   std::vector<std::string> notes;  ///< what was repaired on reading, one sentence each, for the report
 };
 
@@ -46,4 +45,4 @@ struct MeasuredRecord {
   Eigen::VectorXd lower_work_roll;  ///< (n) m/s2
   std::vector<std::string> notes;
 };
-} // namespace mill
+}  // namespace mill

@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace mill
-{
+namespace mill {
 /// All scalar results of a run in the order they were computed.  Names are those of the product's contract.
 struct Results {
   std::vector<std::pair<std::string, Parameter>> values;
@@ -18,4 +17,4 @@ struct Results {
 
 /// results.json, schema 1: 17 digits, UTF-8, '\n'; NaN is written as null.
 std::string results_json(const Results &results, const std::string &case_name, const std::string &status);
-} // namespace mill
+}  // namespace mill

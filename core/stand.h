@@ -10,8 +10,7 @@
 #include <variant>
 #include <vector>
 
-namespace mill
-{
+namespace mill {
 constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 /// Elastic solid.
@@ -23,113 +22,118 @@ struct Material {
 
 /// A roll as drawn.  Work roll and backup roll are the same struct; the case file names their lengths differently.
 struct Roll {
-  double barrel_diameter  = 0;  ///< m, ground diameter of the barrel
-  double barrel_length    = 0;  ///< m
-  double neck_diameter    = 0;  ///< m
-  double neck_length      = 0;  ///< m, each side, from the barrel end to the end of the roll
-  double bearing_span     = 0;  ///< m, between the centres of the two bearings
-  double crown            = 0;  ///< m, diameter at mid-length minus diameter at the barrel end (parabola)
+  double barrel_diameter = 0;  ///< m, ground diameter of the barrel
+  double barrel_length   = 0;  ///< m
+  double neck_diameter   = 0;  ///< m
+  double neck_length     = 0;  ///< m, each side, from the barrel end to the end of the roll
+  double bearing_span    = 0;  ///< m, between the centres of the two bearings
+  double crown           = 0;  ///< m, diameter at mid-length minus diameter at the barrel end (parabola)
   std::vector<std::array<double, 2>> crown_table;  ///< m, (z, diameter difference to the nominal); replaces crown
-  std::string bearing;           ///< name of a [bearing.*]
-  double bearing_mass     = 0;  ///< kg, per side
-  double chock_mass_upper = 0;  ///< kg, per side, in the upper half of the stand
-  double chock_mass_lower = 0;  ///< kg, per side, in the lower half
-  double bearing_load = not_given;  ///< N, radial load of one bearing; absent: F/2 (backup), F/20 assumed (work roll)
+  std::string bearing;                             ///< name of a [bearing.*]
+  double bearing_mass     = 0;                     ///< kg, per side
+  double chock_mass_upper = 0;                     ///< kg, per side, in the upper half of the stand
+  double chock_mass_lower = 0;                     ///< kg, per side, in the lower half
+  double bearing_load =
+      not_given;  ///< N, radial load of one bearing; absent: F/2 (backup), F/20 assumed (work roll)
 };
 
 /// Roller bearing from what a catalogue gives.  Radial bearings have both angles zero.
 struct RollerBearing {
-  std::string name;                     ///< the * of [bearing.*]
-  std::string type;                     ///< "four-row tapered" | "four-row cylindrical"
-  double bore             = not_given;  ///< m
-  double outside_diameter = not_given;  ///< m
-  double width            = not_given;  ///< m
-  double pitch_diameter   = not_given;  ///< m, at mid-roller; absent: mean of bore and outside diameter
-  int rows                = 4;
-  int rollers_per_row     = 0;
-  double roller_length    = 0;          ///< m, effective
-  double roller_diameter  = not_given;  ///< m, mean
-  double roller_cone_angle = 0;         ///< rad, included
-  double cup_angle        = 0;          ///< rad, contact angle on the outer ring
-  double radial_clearance = 0;          ///< m, diametral
-  std::string profile     = "none";     ///< none | iso | log | crown
-  double crown_drop       = not_given;  ///< m, drop of the roller end for profile = crown
-  std::string roller_law  = "iso";      ///< iso | palmgren
-  int slices              = 41;         ///< laminae per roller
+  std::string name;                      ///< the * of [bearing.*]
+  std::string type;                      ///< "four-row tapered" | "four-row cylindrical"
+  double bore              = not_given;  ///< m
+  double outside_diameter  = not_given;  ///< m
+  double width             = not_given;  ///< m
+  double pitch_diameter    = not_given;  ///< m, at mid-roller; absent: mean of bore and outside diameter
+  int rows                 = 4;
+  int rollers_per_row      = 0;
+  double roller_length     = 0;          ///< m, effective
+  double roller_diameter   = not_given;  ///< m, mean
+  double roller_cone_angle = 0;          ///< rad, included
+  double cup_angle         = 0;          ///< rad, contact angle on the outer ring
+  double radial_clearance  = 0;          ///< m, diametral
+  std::string profile      = "none";     ///< none | iso | log | crown
+  double crown_drop        = not_given;  ///< m, drop of the roller end for profile = crown
+  std::string roller_law   = "iso";      ///< iso | palmgren
+  int slices               = 41;         ///< laminae per roller
 };
 
 /// Frame, screw-down and chocks: masses already reduced to the moving point, stiffnesses of the whole stand.
 struct Frame {
-  double upper_post_mass = 0, upper_beam_mass = 0, upper_packing_mass = 0, piston_mass = 0;    ///< kg
-  double cylinder_mass = 0;  ///< kg, per side
-  double balance_mass  = 0;  ///< kg, total
+  double upper_post_mass = 0, upper_beam_mass = 0, upper_packing_mass = 0, piston_mass = 0;     ///< kg
+  double cylinder_mass   = 0;                                                                   ///< kg, per side
+  double balance_mass    = 0;                                                                   ///< kg, total
   double lower_post_mass = 0, lower_beam_mass = 0, load_cell_mass = 0, lower_packing_mass = 0;  ///< kg
   double upper_post_stiffness = 0, upper_beam_stiffness = 0, piston_stiffness = 0;              ///< N/m
   double upper_packing_stiffness = 0, oil_column_stiffness = 0, cylinder_body_stiffness = 0;    ///< N/m
   double upper_chock_stiffness = 0, lower_chock_stiffness = 0;                                  ///< N/m
   double lower_post_stiffness = 0, lower_beam_stiffness = 0, lower_packing_stiffness = 0;       ///< N/m
-  double load_cell_stiffness        = not_given;  ///< N/m, absent: rigid
-  double chock_to_housing_stiffness = not_given;  ///< N/m, Kx of each work roll, both sides together; absent: rigid
+  double load_cell_stiffness = not_given;  ///< N/m, absent: rigid
+  double chock_to_housing_stiffness =
+      not_given;  ///< N/m, Kx of each work roll, both sides together; absent: rigid
 };
 
 /// Plane-strain flow stress k_f(eps) with eps = ln(h0/h) unless the law says otherwise.  theory.md 8
 struct FlowStress {
   std::string law = "constant";  ///< constant | swift | ludwik | voce | power | reduction-power | table
-  double k    = 0;               ///< Pa, the constant, or the factor of the law
-  double eps0 = 0;               ///< -
-  double n    = 0;               ///< -
-  double k0   = 0;               ///< Pa, initial value of ludwik and voce
+  double k        = 0;           ///< Pa, the constant, or the factor of the law
+  double eps0     = 0;           ///< -
+  double n        = 0;           ///< -
+  double k0       = 0;           ///< Pa, initial value of ludwik and voce
   std::vector<std::array<double, 2>> table;  ///< (strain -, stress Pa)
 };
 
 /// Strip in the bite.
 struct Strip {
-  double width           = 0;  ///< m
-  double entry_thickness = 0;  ///< m
-  double exit_thickness  = 0;  ///< m
-  double entry_tension   = 0;  ///< Pa, back tension, positive in tension
-  double exit_tension    = 0;  ///< Pa, front tension
+  double width             = 0;          ///< m
+  double entry_thickness   = 0;          ///< m
+  double exit_thickness    = 0;          ///< m
+  double entry_tension     = 0;          ///< Pa, back tension, positive in tension
+  double exit_tension      = 0;          ///< Pa, front tension
   double initial_thickness = not_given;  ///< m, reference of the strain; absent: entry thickness
   FlowStress flow_stress;
-  double friction        = 0;  ///< -, Coulomb
+  double friction = 0;  ///< -, Coulomb
 };
 
 /// One pass: a recorded rolling force, and what was measured with it.
 struct Pass {
-  std::string name;                     ///< unique, names the response file
-  std::string force_file;               ///< path as usable from the working directory
-  std::string measured_file;            ///< same; empty: none
-  Place place;                          ///< of the [[pass]] header
-  Place force_place, measured_place;    ///< of the two path values
-  double entry_thickness = not_given;   ///< m, absent: that of [strip]
-  double exit_thickness  = not_given;   ///< m
-  std::array<double, 2> published_peak_g = {not_given, not_given};  ///< g, upper and lower work roll, a published model's
-  std::array<double, 2> measured_peak_g  = {not_given, not_given};  ///< g, a measurement of which only peaks are known
-  bool synthetic = false;               ///< the force record is made, not measured; said wherever it appears
-  double load    = not_given;           ///< N, working load; absent: mean of the force record
-  std::array<double, 2> synthetic_range = {not_given, not_given};  ///< N, without a file: white noise in this range
-  double synthetic_duration  = 10;      ///< s
-  double synthetic_bandwidth = 1000;    ///< Hz
-  int synthetic_seed         = 1;
+  std::string name;                                    ///< unique, names the response file
+  std::string force_file;                              ///< path as usable from the working directory
+  std::string measured_file;                           ///< same; empty: none
+  Place place;                                         ///< of the [[pass]] header
+  Place force_place, measured_place;                   ///< of the two path values
+  double entry_thickness                 = not_given;  ///< m, absent: that of [strip]
+  double exit_thickness                  = not_given;  ///< m
+  std::array<double, 2> published_peak_g = {not_given,
+                                            not_given};  ///< g, upper and lower work roll, a published model's
+  std::array<double, 2> measured_peak_g  = {not_given,
+                                            not_given};  ///< g, a measurement of which only peaks are known
+  bool synthetic = false;      ///< the force record is made, not measured; said wherever it appears
+  double load    = not_given;  ///< N, working load; absent: mean of the force record
+  std::array<double, 2> synthetic_range = {not_given,
+                                           not_given};  ///< N, without a file: white noise in this range
+  double synthetic_duration             = 10;           ///< s
+  double synthetic_bandwidth            = 1000;         ///< Hz
+  int synthetic_seed                    = 1;
 };
 
 /// How one contact line is solved.
 struct ContactSettings {
   std::array<double, 2> loads = {not_given, not_given};  ///< N (four-high), N/m (two-cylinders): swept range
   int samples                 = 24;                      ///< loads in the sweep, logarithmically spaced
-  int elements_per_half_width = 8;                       ///< quadratic elements per Hertz half width of the largest load
-  double length               = not_given;               ///< m, two-cylinders: plane strain over this length
-  double at                   = not_given;               ///< N/m, two-cylinders: load of the scalar results
-  Place loads_place, elements_place;                     ///< for messages
+  int elements_per_half_width = 8;          ///< quadratic elements per Hertz half width of the largest load
+  double length               = not_given;  ///< m, two-cylinders: plane strain over this length
+  double at                   = not_given;  ///< N/m, two-cylinders: load of the scalar results
+  Place loads_place, elements_place;        ///< for messages
 };
 
 /// Settings of the lumped model's runs.
 struct DynamicsSettings {
-  double modal_damping      = 0.01;        ///< -, ratio of critical, every mode
-  std::string force_meaning = "measured";  ///< measured | disturbance | published
-  double output_rate        = 20e3;        ///< Hz
-  std::string frame         = "open";      ///< open | closed
-  std::string mass_reference = "mid";      ///< mid | mean: reference displacement of M2..M5
+  double modal_damping       = 0.01;        ///< -, ratio of critical, every mode
+  std::string force_meaning  = "measured";  ///< measured | disturbance | published
+  double output_rate         = 20e3;        ///< Hz
+  std::string frame          = "open";      ///< open | closed
+  std::string mass_reference = "mid";       ///< mid | mean: reference displacement of M2..M5
   Place force_meaning_place;
 };
 
@@ -171,13 +175,14 @@ struct TwoCylinders {
 
 /// A case file, read and checked.  SI inside.
 struct Case {
-  std::string path;    ///< of the file as given by the user
-  std::string name;    ///< stem of the file name
-  std::string kind;    ///< four-high | lumped | two-cylinders
+  std::string path;  ///< of the file as given by the user
+  std::string name;  ///< stem of the file name
+  std::string kind;  ///< four-high | lumped | two-cylinders
   std::string title;
   std::variant<FourHigh, Lumped, TwoCylinders> spec;
-  std::string resolved;                 ///< text of resolved.toml
-  std::map<std::string, Place> places;  ///< "work_roll.barrel_diameter" -> where its value stands; defaults are absent
+  std::string resolved;  ///< text of resolved.toml
+  std::map<std::string, Place>
+      places;  ///< "work_roll.barrel_diameter" -> where its value stands; defaults are absent
 };
 
 /// Bearing by name; the reader has checked that it exists.
@@ -186,4 +191,4 @@ const RollerBearing &bearing_of(const FourHigh &stand, const std::string &name);
 /// Reads, checks and converts a case.  `sets` are overrides "section.key=value" that go through the same rows.
 /// @throws InputError with every problem of the case in one go, sorted by place
 Case read_case(const std::string &path, const std::vector<std::string> &sets = {});
-} // namespace mill
+}  // namespace mill

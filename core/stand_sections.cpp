@@ -130,8 +130,8 @@ std::vector<SectionRows> sections_of(const std::string &kind)
       {"contact.lower",     Repeat::once,  false, "contact of the lower rolls, K5",                       rows_of(roll_contact_rows())},
       dynamics,
       given,
-      {"published",         Repeat::once,  false, "published or measured values to stand beside the computed ones; nothing is replaced",
-        given_rows(kind)                                                                                                               }
+      {"published",         Repeat::once,  false,
+        "published or measured values to stand beside the computed ones; nothing is replaced",             given_rows(kind)            }
   };
 }
 }  // namespace mill

@@ -1,5 +1,5 @@
 #include "dynamics/bite.h"
-#include <Eigen/Eigenvalues>
+#include "core/gauss.h"
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -21,23 +21,6 @@ double real(const double value)
 double real(const Complex &value)
 {
   return value.real();
-}
-
-struct GaussRule {
-  Eigen::VectorXd node, weight;  ///< on -1..1
-};
-
-/// Golub and Welsch: nodes are the eigenvalues of the Jacobi matrix of the Legendre polynomials.
-const GaussRule &gauss_legendre()
-{
-  static const GaussRule rule = [] {
-    Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(n_gauss, n_gauss);
-    for (int i = 1; i < n_gauss; ++i)
-      jacobi(i, i - 1) = jacobi(i - 1, i) = i / std::sqrt(4.0 * i * i - 1);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(jacobi);
-    return GaussRule{modes.eigenvalues(), 2 * modes.eigenvectors().row(0).array().square().transpose()};
-  }();
-  return rule;
 }
 
 template <class... Parts> std::string sentence(const Parts &...parts)
@@ -186,7 +169,7 @@ template <class T> T force(const Slab &slab, const Arc<T> &a)
 {
   using std::cos;
   using std::sqrt;
-  const GaussRule &rule = gauss_legendre();
+  static const GaussRule rule = gauss_legendre(n_gauss);
   T sum(0);
   for (const bool entry_side : {false, true}) {
     const T from = entry_side ? a.neutral_angle : T(0), to = entry_side ? a.entry_angle : a.neutral_angle;

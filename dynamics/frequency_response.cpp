@@ -1,9 +1,9 @@
 #include "dynamics/frequency_response.h"
+#include "dynamics/matrix_exponential.h"
 #include "dynamics/state_space.h"
 #include <Eigen/LU>
 #include <cmath>
 #include <complex>
-#include <unsupported/Eigen/MatrixFunctions>
 
 namespace mill::dynamics {
 FrequencyResponse frequency_response(const MillModel &model, const Eigen::VectorXd &frequency)
@@ -27,7 +27,7 @@ Eigen::VectorXd largest_response(const MillModel &model, const double half_range
 {
   const StateSpace system = state_space(model);
   const Eigen::Index n    = model.M.size();
-  const Eigen::MatrixXd E = (system.A / rate).exp();
+  const Eigen::MatrixXd E = matrix_exponential(system.A / rate);
   const Eigen::MatrixXd C = system.C.topRows(n);
   // Release from the equilibrium under 1 N: the unit step seen from its other end.  Acceleration jumps by D first.
   Eigen::VectorXd x      = equilibrium(system, 1);

@@ -1,4 +1,5 @@
 #include "dynamics/time_integration.h"
+#include "dynamics/matrix_exponential.h"
 #include "dynamics/time_walk.h"
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -8,7 +9,6 @@
 #include <cmath>
 #include <complex>
 #include <optional>
-#include <unsupported/Eigen/MatrixFunctions>
 
 namespace mill::dynamics {
 namespace {
@@ -29,7 +29,7 @@ public:
     G.topLeftCorner(s, s)   = h * system_.A;
     G.col(s).head(s)        = h * system_.B;
     G(s, s + 1)             = 1;
-    const Eigen::MatrixXd E = G.exp();
+    const Eigen::MatrixXd E = matrix_exponential(G);
     E11_                    = E.topLeftCorner(s, s);
     E12_                    = E.col(s).head(s);
     E13_                    = E.col(s + 1).head(s);

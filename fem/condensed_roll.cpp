@@ -110,6 +110,7 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
 {
   CondensedRoll roll;
   roll.geometry                = geometry;
+  roll.degree                  = body.degree();
   const std::vector<int> patch = patch_in_grid_order(body);
   read_grid(body, patch, roll);
   const int n                = int(patch.size());
@@ -175,18 +176,19 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
   return roll;
 }
 
-Eigen::VectorXd axial_weights(const Eigen::VectorXd &z, const double length)
+Eigen::VectorXd axial_weights(const Eigen::VectorXd &z, const double length, const int degree)
 {
   Eigen::VectorXd w      = Eigen::VectorXd::Zero(z.size());
   const double gauss[]   = {0.5 - 0.5 * std::sqrt(0.6), 0.5, 0.5 + 0.5 * std::sqrt(0.6)};
   const double weights[] = {5. / 18, 8. / 18, 5. / 18};
-  for (Eigen::Index k = 0; k + 2 < z.size(); k += 2) {
-    const double h = z[k + 2] - z[k], part = std::min(1., std::max(0., (length - z[k]) / h));
+  for (Eigen::Index k = 0; k + degree < z.size(); k += degree) {
+    const double h = z[k + degree] - z[k], part = std::min(1., std::max(0., (length - z[k]) / h));
     for (int g = 0; g < 3; ++g) {
       const double s = part * gauss[g], dz = part * weights[g] * h;
-      w[k] += dz * (1 - s) * (1 - 2 * s);
-      w[k + 1] += dz * 4 * s * (1 - s);
-      w[k + 2] += dz * s * (2 * s - 1);
+      if (degree == 1)
+        w.segment<2>(k) += dz * Eigen::Vector2d(1 - s, s);
+      else
+        w.segment<3>(k) += dz * Eigen::Vector3d((1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1));
     }
   }
   return w;
@@ -200,8 +202,8 @@ HeldRoll held_by_necks(const CondensedRoll &roll)
 HeldRoll held_by_strip(const CondensedRoll &roll, const double strip_width)
 {
   // The strip presses the other generator, uniformly over its width and over the width of the patch.
-  const Eigen::VectorXd share = axial_weights(roll.z, 0.5 * strip_width),
-                        whole = axial_weights(roll.z, roll.z[roll.n_z - 1]);
+  const Eigen::VectorXd share = axial_weights(roll.z, 0.5 * strip_width, roll.degree),
+                        whole = axial_weights(roll.z, roll.z[roll.n_z - 1], roll.degree);
   Eigen::VectorXd strip       = roll.area;
   for (int k = 0; k < roll.n_z; ++k)
     strip.segment(k * roll.n_x, roll.n_x) *= share[k] / whole[k];

@@ -25,6 +25,7 @@ struct CondensedRoll {
   Eigen::VectorXd seat_axis;   ///< (n_a) m/N, of the axis under it
   Eigen::MatrixXd field_squeeze,
       field_translate;                        ///< (3N, n) m/N, whole displacement field; empty unless asked for
+  int degree          = 2;                    ///< of the elements
   int n_unknowns      = 0;                    ///< of the eighth, both parities about the same
   double factor_bytes = 0, factor_flops = 0;  ///< of one parity
 };
@@ -58,6 +59,6 @@ HeldRoll held_by_strip(const CondensedRoll &roll,
                        double strip_width);          ///< work roll: strip on the other generator
 HeldRoll held_by_mirror(const CondensedRoll &roll);  ///< the same contact on the other generator
 
-/// (n_z) m: integral of the axial shape functions from 0 to `length`, quadratic stations; sums to length.
-Eigen::VectorXd axial_weights(const Eigen::VectorXd &z, double length);
+/// (n_z) m: integral of the axial shape functions of the given degree (1 or 2) from 0 to `length`; sums to length.
+Eigen::VectorXd axial_weights(const Eigen::VectorXd &z, double length, int degree);
 }  // namespace mill::fem

@@ -74,7 +74,7 @@ ContactPair make_pair(const std::string &name, const CondensedRoll &first, const
     // Both axes have the stations of the patch; what lies beyond the contact does not count.
     pair.axis         = a.axis.topRows(first.n_z) + b.axis.topRows(first.n_z);
     pair.axis_support = a.axis_support.head(first.n_z) + b.axis_support.head(first.n_z);
-    pair.mean         = axial_weights(first.z, length) / length;
+    pair.mean         = axial_weights(first.z, length, first.degree) / length;
   }
   return pair;
 }
@@ -132,7 +132,7 @@ BarrelProfile barrel_profile(const ContactPair &pair, const ContactPoint &point)
 {
   const CondensedRoll &grid    = *pair.grid;
   const double force           = point.load / pair.multiplicity;
-  const Eigen::VectorXd w      = axial_weights(grid.z, grid.z[grid.n_z - 1]);
+  const Eigen::VectorXd w      = axial_weights(grid.z, grid.z[grid.n_z - 1], grid.degree);
   const Eigen::VectorXd away   = axis_motion(pair, point.state.nodal, force);
   const Eigen::VectorXd d_away = axis_motion(pair, point.state.d_nodal, 1);
   BarrelProfile out;

@@ -224,6 +224,10 @@ const std::vector<int> &ElasticBody::axis() const
 {
   return self->axis;
 }
+int ElasticBody::degree() const
+{
+  return int(self->fe.degree);
+}
 double ElasticBody::volume() const
 {
   stiffness();

@@ -31,6 +31,7 @@ public:
   /// (N) integral of shape function times weight(z) over a group: nodal shares of a distributed load.
   Eigen::VectorXd face_load(const std::string &group, double (*weight)(double z, const void *context),
                             const void *context) const;
+  int degree() const;
   double volume() const;  ///< m3, by the quadrature of the assembly
 
   /// Displacement, stress (xx yy zz xy xz yz, von Mises) and a nodal scalar as VTU for ParaView.

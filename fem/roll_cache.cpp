@@ -16,7 +16,7 @@ template <class Archive> void members(Archive &a, CondensedRoll &r)
   for (double *value : {&g.radius, &g.half_length, &g.neck_radius, &g.neck_length, &g.seat_centre,
                         &g.contact_half_length, &r.factor_bytes, &r.factor_flops})
     a.number(*value);
-  for (int *value : {&r.n_x, &r.n_z, &r.n_unknowns})
+  for (int *value : {&r.n_x, &r.n_z, &r.degree, &r.n_unknowns})
     a.count(*value);
   for (Eigen::VectorXd *v : {&r.x, &r.z, &r.area, &r.axis_z, &r.seat_patch, &r.seat_axis})
     a.array(*v);

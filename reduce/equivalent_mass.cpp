@@ -1,25 +1,11 @@
 #include "reduce/equivalent_mass.h"
-#include <Eigen/Eigenvalues>
+#include "core/gauss.h"
 #include <algorithm>
 #include <cmath>
 
 namespace mill::reduce {
 namespace {
 constexpr int n_gauss = 40;
-
-struct GaussRule {
-  Eigen::VectorXd node, weight;  ///< on -1..1
-};
-
-/// Golub and Welsch: nodes are the eigenvalues of the Jacobi matrix of the Legendre polynomials.
-GaussRule gauss_legendre(const int n)
-{
-  Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(n, n);
-  for (int i = 1; i < n; ++i)
-    jacobi(i, i - 1) = jacobi(i - 1, i) = i / std::sqrt(4.0 * i * i - 1);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(jacobi);
-  return {modes.eigenvalues(), 2 * modes.eigenvectors().row(0).array().square().transpose()};
-}
 
 double integral(const std::function<double(double)> &f, const double from, const double to)
 {

@@ -11,9 +11,9 @@ std::string mesh_path(const std::string &name)
       .string();
 }
 
-MeshedBody finish(MeshFile mesh, const Material &steel, const fem::CondenseOptions &options)
+MeshedBody finish(MeshFile mesh, const Material &steel, const fem::CondenseOptions &options, const int degree = 2)
 {
-  MeshedBody out{mesh, std::make_shared<fem::ElasticBody>(mesh, steel, 2), {}};
+  MeshedBody out{mesh, std::make_shared<fem::ElasticBody>(mesh, steel, degree), {}};
   out.roll = fem::condense(*out.body, mesh.geometry, options);
   std::filesystem::remove(mesh.path);
   return out;
@@ -21,7 +21,7 @@ MeshedBody finish(MeshFile mesh, const Material &steel, const fem::CondenseOptio
 }  // namespace
 
 MeshedBody meshed_slab(const std::string &name, const double diameter, const double smallest, const double largest,
-                       const int per_half_width, const double thickness, const Material &steel)
+                       const int per_half_width, const double thickness, const Material &steel, const int degree)
 {
   RollGeometry geometry;
   geometry.radius      = diameter / 2;
@@ -30,7 +30,7 @@ MeshedBody meshed_slab(const std::string &name, const double diameter, const dou
   size.end_layer = size.largest_layer = geometry.half_length;
   fem::CondenseOptions options;
   options.slab = true;
-  return finish(meshes::mesh_roll(name, geometry, size, mesh_path(name)), steel, options);
+  return finish(meshes::mesh_roll(name, geometry, size, mesh_path(name)), steel, options, degree);
 }
 
 MeshedBody meshed_roll(const std::string &name, const RollGeometry &geometry, const meshes::RollMeshSize &size,

@@ -13,7 +13,7 @@ struct MeshedBody {
 
 MeshedBody meshed_slab(const std::string &name, double diameter, double smallest_half_width,
                        double largest_half_width, int per_half_width, double thickness,
-                       const mill::Material &steel);
+                       const mill::Material &steel, int degree = 2);
 MeshedBody meshed_roll(const std::string &name, const mill::RollGeometry &geometry,
                        const mill::meshes::RollMeshSize &size, const mill::Material &steel);
 

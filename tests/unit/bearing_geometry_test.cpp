@@ -1,4 +1,5 @@
 #include "reduce/bearing_geometry.h"
+#include "tests/support/demo_bearing.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include <cmath>
@@ -9,21 +10,6 @@ using namespace mill::reduce;
 namespace {
 constexpr double degree = M_PI / 180;
 
-RollerBearing tapered()
-{
-  RollerBearing b;
-  b.name              = "trb";
-  b.type              = "four-row tapered";
-  b.bore              = 0.2667;
-  b.outside_diameter  = 0.3556;
-  b.width             = 0.230188;
-  b.rollers_per_row   = 39;
-  b.roller_length     = 0.0334;
-  b.roller_diameter   = 0.0215;
-  b.roller_cone_angle = 2.5 * degree;
-  b.cup_angle         = 19.66 * degree;
-  return b;
-}
 }  // namespace
 
 TEST(BearingGeometry, ApexClosesAtTheReferenceAngles)
@@ -54,7 +40,7 @@ TEST(BearingGeometry, ApexClosesAtTheReferenceAngles)
 
 TEST(BearingGeometry, RefusesAnAngleThatDoesNotClose)
 {
-  RollerBearing b = tapered();
+  RollerBearing b = demo_bearing();
   EXPECT_NO_THROW(require_closed_apex(b));
   b.cup_angle = 20 * degree;  // half a degree is what a catalogue knows
   EXPECT_NO_THROW(require_closed_apex(b));
@@ -78,7 +64,7 @@ TEST(BearingGeometry, RefusesAConeWithoutAnyApex)
 
 TEST(BearingGeometry, CylindricalBearingNeedsNoApex)
 {
-  RollerBearing b     = tapered();
+  RollerBearing b     = demo_bearing();
   b.roller_cone_angle = b.cup_angle = 0;
   EXPECT_NO_THROW(require_closed_apex(b));
 }
@@ -86,8 +72,8 @@ TEST(BearingGeometry, CylindricalBearingNeedsNoApex)
 TEST(BearingGeometry, RowsAndRollersAreSpreadEvenly)
 {
   const Eigen::Vector4d rows(-86.3205e-3, -28.7735e-3, 28.7735e-3, 86.3205e-3);  // pitch 230.188 mm / 4
-  EXPECT_TRUE(near(row_positions(tapered()), rows, within(1e-12, "division")));
-  const Eigen::VectorXd azimuth = roller_azimuths(tapered());
+  EXPECT_TRUE(near(row_positions(demo_bearing()), rows, within(1e-12, "division")));
+  const Eigen::VectorXd azimuth = roller_azimuths(demo_bearing());
   EXPECT_EQ(azimuth.size(), 39);
   EXPECT_EQ(azimuth[0], 0);
   EXPECT_TRUE(near(azimuth[38], 2 * M_PI * 38 / 39, within(1e-14, "division")));

@@ -1,4 +1,5 @@
 #include "dynamics/bite.h"
+#include "tests/support/demo_pass.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include <cmath>
@@ -7,21 +8,6 @@ using namespace mill;
 using namespace mill::dynamics;
 
 namespace {
-/// Pass of the demo stand: 8 -> 5 mm, k 28 MPa, mu 0.2, 1 m wide, work roll 420 mm.
-RollBite demo_pass()
-{
-  RollBite bite;
-  bite.roll_radius           = 0.210;
-  bite.roll                  = {2.1e11, 0.28, 7700};
-  bite.strip.width           = 1.0;
-  bite.strip.entry_thickness = 8e-3;
-  bite.strip.exit_thickness  = 5e-3;
-  bite.strip.flow_stress.k   = 28e6;
-  bite.strip.friction        = 0.2;
-  bite.flattening            = false;
-  return bite;
-}
-
 RollBite constant_pass(const double R_mm, const double h1_mm, const double h2_mm, const double k_MPa,
                        const double mu)
 {

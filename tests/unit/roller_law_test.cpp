@@ -1,4 +1,5 @@
 #include "reduce/roller_law.h"
+#include "tests/support/demo_bearing.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include <cmath>
@@ -11,15 +12,9 @@ constexpr double per_mm = 2154.4346900318843;  // 1000^(10/9): N/mm^(10/9) in N/
 
 RollerBearing bearing(const std::string &law, const std::string &profile = "none")
 {
-  RollerBearing b;
-  b.name            = "trb";
-  b.type            = "four-row tapered";
-  b.pitch_diameter  = 0.31115;
-  b.rollers_per_row = 39;
-  b.roller_length   = 0.0334;
-  b.roller_diameter = 0.0215;
-  b.roller_law      = law;
-  b.profile         = profile;
+  RollerBearing b = demo_bearing();
+  b.roller_law    = law;
+  b.profile       = profile;
   return b;
 }
 }  // namespace

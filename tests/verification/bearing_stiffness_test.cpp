@@ -1,4 +1,5 @@
 #include "reduce/bearing_stiffness.h"
+#include "tests/support/demo_bearing.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include <cmath>
@@ -11,19 +12,9 @@ constexpr double degree = M_PI / 180;
 
 RollerBearing tapered(const std::string &law, const double cup_angle_deg, const double clearance = 0)
 {
-  RollerBearing b;
-  b.name              = "trb";
-  b.type              = "four-row tapered";
-  b.bore              = 0.2667;
-  b.outside_diameter  = 0.3556;
-  b.width             = 0.230188;
-  b.rollers_per_row   = 39;
-  b.roller_length     = 0.0334;
-  b.roller_diameter   = 0.0215;
-  b.roller_cone_angle = 2.5 * degree;
-  b.cup_angle         = cup_angle_deg * degree;
-  b.radial_clearance  = clearance;
-  b.roller_law        = law;
+  RollerBearing b    = demo_bearing(cup_angle_deg);
+  b.radial_clearance = clearance;
+  b.roller_law       = law;
   return b;
 }
 

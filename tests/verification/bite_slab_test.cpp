@@ -1,6 +1,7 @@
 // The closed pressure hill against the slab equation it comes from, integrated step by step here.
 #include "core/errors.h"
 #include "dynamics/bite.h"
+#include "tests/support/demo_pass.h"
 #include "tests/support/near.h"
 #include <cmath>
 #include <functional>
@@ -58,20 +59,6 @@ SlabSolution integrate(const RollBite &bite, const double R, const Equation equa
     (branch(0, p_exit, x, 1).first < branch(x_e, p_entry, x, -1).first ? low : high) = x;
   }
   return {branch(0, p_exit, low, 1).second + branch(x_e, p_entry, low, -1).second, low};
-}
-
-RollBite demo_pass()
-{
-  RollBite bite;
-  bite.roll_radius           = 0.210;
-  bite.roll                  = {2.1e11, 0.28, 7700};
-  bite.strip.width           = 1.0;
-  bite.strip.entry_thickness = 8e-3;
-  bite.strip.exit_thickness  = 5e-3;
-  bite.strip.flow_stress.k   = 28e6;
-  bite.strip.friction        = 0.2;
-  bite.flattening            = false;
-  return bite;
 }
 
 RollBite cold_pass()

@@ -17,13 +17,13 @@ struct Slabs {
   fem::ContactPair contact;
 };
 
-Slabs slabs(const Pair &p, const double low, const double high, const int per_half_width)
+Slabs slabs(const Pair &p, const double low, const double high, const int per_half_width, const int degree = 2)
 {
   const double thickness = p.D1 / 20;
   const auto b = [&](const double q) { return closed_form::line_contact(q, p.D1, p.D2, p.E, p.nu).half_width; };
   const Material steel{p.E, p.nu, 7700};
-  Slabs s{meshed_slab("upper", p.D1, b(low), b(high), per_half_width, thickness, steel),
-          meshed_slab("lower", p.D2, b(low), b(high), per_half_width, thickness, steel),
+  Slabs s{meshed_slab("upper", p.D1, b(low), b(high), per_half_width, thickness, steel, degree),
+          meshed_slab("lower", p.D2, b(low), b(high), per_half_width, thickness, steel, degree),
           {}};
   s.contact = slab_pair(s.upper, s.lower);
   return s;
@@ -73,6 +73,20 @@ TEST(LineContactFem, ApproachConverges)
   }
   EXPECT_LT(previous, 5e-4)
       << "half-space closed form itself is good to (b/R)^2 = 4e-5, mesh away from the contact to 3e-4";
+}
+
+TEST(LineContactFem, TrilinearElementsConvergeToTheSameAnswer)
+{
+  const auto exact = closed_form::line_contact(1000e3, rolls.D1, rolls.D2, rolls.E, rolls.nu);
+  double previous  = 1;
+  for (const int n : {3, 6, 12}) {
+    const auto s       = slabs(rolls, 1000e3, 1000e3, n, 1);
+    const double error = std::abs(fem::solve_load(s.contact, 1000e3).approach / exact.approach - 1);
+    EXPECT_LT(error, previous) << n << " elements per half width";
+    previous = error;
+  }
+  // The far grid is the same in all three: that of quadratic elements, coarse for linear ones.
+  EXPECT_LT(previous, 0.05) << "twelve linear elements per half width";
 }
 
 TEST(LineContactFem, TangentIsTheSlopeOfItsOwnCurve)

@@ -84,7 +84,7 @@ TEST(RollPair, ForceBalancesAndLineLoadSumsUp)
   for (const auto &pair : {mirrored(r), in_stand(r, 1.0), in_stand(r, 1.4)}) {
     const auto at      = fem::solve_load(pair, F1);
     const auto profile = fem::barrel_profile(pair, at);
-    const auto w       = fem::axial_weights(profile.z, 0.7);
+    const auto w       = fem::axial_weights(profile.z, 0.7, 2);
     EXPECT_TRUE(near(2 * w.dot(profile.line_load), F1, within(1e-10, "equilibrium")));
     EXPECT_LE(at.state.residual, 1e-12);
     const auto above = fem::solve_load(pair, F1 * (1 + 1e-7), at.state.active);
