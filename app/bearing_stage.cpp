@@ -33,7 +33,7 @@ std::vector<std::string> inputs_of(const RollerBearing &bearing, const std::stri
   return keys;
 }
 
-void write_curves(Session &session, const RollerBearing &bearing, const reduce::BearingState &at)
+void write_curves(RunContext &run, const RollerBearing &bearing, const reduce::BearingState &at)
 {
   constexpr int n = 24;
   std::vector<double> loads;
@@ -57,13 +57,13 @@ void write_curves(Session &session, const RollerBearing &bearing, const reduce::
   for (Eigen::Index r = 0; r < rows; ++r)
     rollers.add("row" + std::to_string(r + 1), "N", at.roller_load.row(r).transpose());
   const std::string stem = "curves/bearing-" + slug(bearing.name);
-  session.out.write(stem + ".csv", csv_text(curve));
-  session.out.write(stem + "-rows.csv", csv_text(shares));
-  session.out.write(stem + "-rollers.csv", csv_text(rollers));
+  run.out.write(stem + ".csv", csv_text(curve));
+  run.out.write(stem + "-rows.csv", csv_text(shares));
+  run.out.write(stem + "-rollers.csv", csv_text(rollers));
 }
 }  // namespace
 
-StandBearings solve_bearings(Session &session, const FourHigh &stand, const double F, const bool write)
+StandBearings solve_bearings(RunContext &run, const FourHigh &stand, const double F, const bool write)
 {
   struct Seat {
     const char *name;
@@ -77,7 +77,7 @@ StandBearings solve_bearings(Session &session, const FourHigh &stand, const doub
       {"Kzc3", &stand.work_roll,   "work_roll",   F / 20},
       {"Kzc4", &stand.backup_roll, "backup_roll", F / 2 }
   };
-  StageTimer timer(session, "bearings");
+  StageTimer timer(run, "bearings");
   StandBearings out;
   for (int i = 0; i < 4; ++i) {
     const Seat &p                = places[i];
@@ -107,7 +107,7 @@ StandBearings solve_bearings(Session &session, const FourHigh &stand, const doub
     if (!write)
       continue;
     const std::string name = p.name;
-    session.results.add(name + ".tangent", tangent);
+    run.results.add(name + ".tangent", tangent);
     const auto add = [&](const std::string &what, const double value, const double second, const char *unit) {
       Parameter s      = k;
       s.value          = value;
@@ -116,18 +116,18 @@ StandBearings solve_bearings(Session &session, const FourHigh &stand, const doub
       s.checks         = {
                   {law_name(by_the_other_law(bearing)), second, "another law of one roller"}
       };
-      session.results.add(name + "." + what, s);
+      run.results.add(name + "." + what, s);
     };
     add("secant", at.secant, other.secant, "N/m");
     add("roller_secant", at.roller_secant, other.roller_secant, "N/m");
     for (Eigen::Index r = 0; r < at.row_share.size(); ++r)
       add("row" + std::to_string(r + 1) + "_share", at.row_share[r], other.row_share[r], "1");
     if (i < 2) {
-      write_curves(session, bearing, at);
+      write_curves(run, bearing, at);
       if (std::isnan(p.roll->bearing_load))
-        session.assume(std::string(p.section) + ".bearing_load is not given: " +
-                       (i == 0 ? "half the rolling force, shared by two bearings"
-                               : "a twentieth of the rolling force on each bearing, for balance and bending"));
+        run.assume(std::string(p.section) + ".bearing_load is not given: " +
+                   (i == 0 ? "half the rolling force, shared by two bearings"
+                           : "a twentieth of the rolling force on each bearing, for balance and bending"));
     }
   }
   return out;

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/session.h"
+#include "app/run_context.h"
 #include "core/stand.h"
 #include <array>
 
@@ -13,5 +13,5 @@ struct StandBearings {
 
 /// Solves the bearings of the stand at the loads that a rolling force puts on them.
 /// @param write  true: add Kzc1..4.* to the results and write curves/bearing-*.csv
-StandBearings solve_bearings(Session &session, const FourHigh &stand, double rolling_force, bool write);
+StandBearings solve_bearings(RunContext &run, const FourHigh &stand, double rolling_force, bool write);
 }  // namespace mill

@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 namespace mill {
-Parameter solve_bite_stiffness(Session &session, const FourHigh &stand, const Pass &pass, const double force,
+Parameter solve_bite_stiffness(RunContext &run, const FourHigh &stand, const Pass &pass, const double force,
                                const bool write)
 {
-  StageTimer timer(session, "bite, " + pass.name);
+  StageTimer timer(run, "bite, " + pass.name);
   dynamics::RollBite bite;
   bite.strip = stand.strip;
   if (!std::isnan(pass.entry_thickness))
@@ -57,18 +57,18 @@ Parameter solve_bite_stiffness(Session &session, const FourHigh &stand, const Pa
   bite_force.checks         = {
               {"mean of the recorded force", force, ""}
   };
-  session.results.add("bite." + pass.name + ".force", bite_force);
+  run.results.add("bite." + pass.name + ".force", bite_force);
   if (write) {
-    session.results.add("K4.plastic_slope", slope);
-    session.results.add("K4.flattening", flat);
-    session.results.add("K4.combined", combined);
+    run.results.add("K4.plastic_slope", slope);
+    run.results.add("K4.flattening", flat);
+    run.results.add("K4.combined", combined);
     Table arc;
     arc.add("x", "m", state.position).add("pressure", "Pa", state.pressure).add("thickness", "m", state.thickness);
-    session.out.write("curves/bite.csv", csv_text(arc));
+    run.out.write("curves/bite.csv", csv_text(arc));
     for (const std::string &note : state.notes)
-      session.warn("bite: " + note);
-    session.assume("strip.flow_stress and strip.friction give the slab model's force of " + in_kN(state.force) +
-                   " beside " + in_kN(force) + " recorded");
+      run.warn("bite: " + note);
+    run.assume("strip.flow_stress and strip.friction give the slab model's force of " + in_kN(state.force) +
+               " beside " + in_kN(force) + " recorded");
   }
   return combined;
 }

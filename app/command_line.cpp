@@ -1,8 +1,8 @@
 #include "app/command_line.h"
-#include "app/session.h"
+#include "app/run_context.h"
 #include "core/sparse.h"
 #include "fem/elastic_body.h"
-#include "meshes/gmsh_session.h"
+#include "meshes/gmsh_scope.h"
 #include <CLI/CLI.hpp>
 
 namespace mill {

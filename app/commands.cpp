@@ -128,40 +128,40 @@ int run_chain(const CommandLine &command)
                       command.force_overwrite);
   const auto log = make_log(command, out);
   console::ProgressBar bar(expected_stages(the_case), command.quiet);
-  Session session{the_case, out, cache_folder(command, out), command.fresh};
-  session.threads = command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
-  session.started = now();
-  session.progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
-  session.progress.log  = [&](const std::string &line) { log->info(line); };
-  set_blas_threads(session.threads);
-  fem::set_assembly_threads(session.threads);
+  RunContext run{the_case, out, cache_folder(command, out), command.fresh};
+  run.threads = command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
+  run.started = now();
+  run.progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
+  run.progress.log  = [&](const std::string &line) { log->info(line); };
+  set_blas_threads(run.threads);
+  fem::set_assembly_threads(run.threads);
   log->info("millstand {} {} {}", version(), command.verb, command.target);
   log->info("BLAS {}", blas_in_use());
   if (is_reference_blas(blas_in_use()))
-    session.warn("the BLAS in use is the reference one (" + blas_in_use() +
-                 "), 6 to 20 times slower than OpenBLAS; install libopenblas0-openmp");
+    run.warn("the BLAS in use is the reference one (" + blas_in_use() +
+             "), 6 to 20 times slower than OpenBLAS; install libopenblas0-openmp");
 
   manifest_path = out.file("run.json");
   out.write("resolved.toml", the_case.resolved);
-  out.write("run.json", manifest_json(session));
+  out.write("run.json", manifest_json(run));
   const auto store = [&](const std::string &status) {
-    out.write("results.json", results_json(session.results, the_case.name, status));
-    out.write("run.json", manifest_json(session));
-    StageTimer timer(session, "report");
+    out.write("results.json", results_json(run.results, the_case.name, status));
+    out.write("run.json", manifest_json(run));
+    StageTimer timer(run, "report");
     out.write("report.html", report::html_report(out.path()));
   };
   try {
-    run_stages(session, goal_of(command.verb), command.force);
+    run_stages(run, goal_of(command.verb), command.force);
   } catch (const SolverError &e) {
     bar.finish();
-    session.warn(e.report.what);
+    run.warn(e.report.what);
     store("failed: " + e.report.what);
     throw;
   }
   bar.finish();
-  store(session.results.warnings.empty() ? "ok" : "warnings");
+  store(run.results.warnings.empty() ? "ok" : "warnings");
   if (!command.quiet) {
-    print_table(session.results);
+    print_table(run.results);
     fmt::print("report: {}\n", out.file("report.html"));
   }
   return 0;

@@ -2,7 +2,7 @@
 #include "core/files.h"
 #include "fem/roll_cache.h"
 #include "meshes/contact_mesh_size.h"
-#include "meshes/gmsh_session.h"
+#include "meshes/gmsh_scope.h"
 #include <filesystem>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -36,21 +36,21 @@ struct OneRoll {
   MeshFile mesh;  // only filled when it was asked to keep it
 };
 
-OneRoll condensed(Session &session, const std::string &name, const RollGeometry &geometry,
+OneRoll condensed(RunContext &run, const std::string &name, const RollGeometry &geometry,
                   const meshes::RollMeshSize &size, const Material &steel, const bool slab, const bool companion)
 {
-  StageTimer timer(session, "condensation, " + name + (companion ? ", coarse mesh" : ""));
+  StageTimer timer(run, "condensation, " + name + (companion ? ", coarse mesh" : ""));
   const std::string key       = key_of(geometry, size, steel, slab, companion);
-  const std::string file      = session.cache + "/roll-" + key + ".bin";
-  const std::string mesh_file = session.cache + "/roll-" + key + ".msh";
-  fs::create_directories(session.cache);
+  const std::string file      = run.cache + "/roll-" + key + ".bin";
+  const std::string mesh_file = run.cache + "/roll-" + key + ".msh";
+  fs::create_directories(run.cache);
   OneRoll out;
   std::string note;
-  auto stored = session.fresh ? std::nullopt : fem::load_roll(file, key, &note);
+  auto stored = run.fresh ? std::nullopt : fem::load_roll(file, key, &note);
   if (!note.empty())
-    session.progress.note(note);
+    run.progress.note(note);
   if (stored && (!companion || fs::exists(mesh_file))) {
-    session.progress.note(name + ": condensed roll taken from " + file);
+    run.progress.note(name + ": condensed roll taken from " + file);
     timer.cached = true;
     out.roll     = std::make_shared<const fem::CondensedRoll>(std::move(*stored));
     out.mesh     = meshes::known_mesh(mesh_file, geometry);
@@ -64,9 +64,9 @@ OneRoll condensed(Session &session, const std::string &name, const RollGeometry 
   options.slab        = slab;
   options.keep_fields = companion;
   options.memory      = free_memory();
-  auto roll           = fem::condense(body, geometry, options, session.progress);
-  session.progress.note(fmt::format("{}: {} elements, {} unknowns, {} retained, factor {:.0f} MB", name,
-                                    mesh.n_cells, roll.n_unknowns, roll.area.size(), roll.factor_bytes / 1e6));
+  auto roll           = fem::condense(body, geometry, options, run.progress);
+  run.progress.note(fmt::format("{}: {} elements, {} unknowns, {} retained, factor {:.0f} MB", name, mesh.n_cells,
+                                roll.n_unknowns, roll.area.size(), roll.factor_bytes / 1e6));
   fem::save_roll(file, key, roll);
   if (!companion)
     fs::remove(own);
@@ -76,14 +76,14 @@ OneRoll condensed(Session &session, const std::string &name, const RollGeometry 
 }
 }  // namespace
 
-CondensedPair condensed_pair(Session &session, const std::string &name, const RollGeometry &geometry,
+CondensedPair condensed_pair(RunContext &run, const std::string &name, const RollGeometry &geometry,
                              const meshes::RollMeshSize &size, const Material &steel, const bool slab)
 {
   CondensedPair pair;
-  const auto coarse = condensed(session, name, geometry, meshes::coarsened(size), steel, slab, true);
+  const auto coarse = condensed(run, name, geometry, meshes::coarsened(size), steel, slab, true);
   pair.coarse       = coarse.roll;
   pair.coarse_mesh  = coarse.mesh;
-  pair.fine         = condensed(session, name, geometry, size, steel, slab, false).roll;
+  pair.fine         = condensed(run, name, geometry, size, steel, slab, false).roll;
   return pair;
 }
 }  // namespace mill

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/session.h"
+#include "app/run_context.h"
 #include "fem/condensed_roll.h"
 #include "meshes/roll.h"
 #include <memory>
@@ -15,6 +15,6 @@ struct CondensedPair {
 
 /// Meshes and condenses a roll, or takes both from the cache; the key is everything the result depends on.
 /// @param name  as the user calls the roll: "backup roll"
-CondensedPair condensed_pair(Session &session, const std::string &name, const RollGeometry &geometry,
+CondensedPair condensed_pair(RunContext &run, const std::string &name, const RollGeometry &geometry,
                              const meshes::RollMeshSize &size, const Material &steel, bool slab);
 }  // namespace mill

@@ -38,7 +38,7 @@ Table barrel_table(const BarrelProfile &p)
   return table;
 }
 
-void write_fields(Session &session, const std::string &file, const CondensedPair &roll, const Material &steel,
+void write_fields(RunContext &run, const std::string &file, const CondensedPair &roll, const Material &steel,
                   const fem::ContactState &state)
 {
   const fem::ElasticBody body(roll.coarse_mesh, steel, 2);
@@ -46,6 +46,6 @@ void write_fields(Session &session, const std::string &file, const CondensedPair
   const std::vector<int> patch = fem::patch_in_grid_order(body);
   for (std::size_t i = 0; i < patch.size(); ++i)
     pressure[patch[i]] = state.nodal[Eigen::Index(i)] / roll.coarse->area[Eigen::Index(i)];
-  body.write_vtu(session.out.file(file), roll.coarse->field_squeeze * state.nodal, pressure);
+  body.write_vtu(run.out.file(file), roll.coarse->field_squeeze * state.nodal, pressure);
 }
 }  // namespace mill

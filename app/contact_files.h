@@ -15,6 +15,6 @@ Table closed_table(const reduce::CylinderPair &pair, const Eigen::VectorXd &load
 Table barrel_table(const BarrelProfile &profile);
 
 /// Displacement, stress and contact pressure on the companion mesh as VTU, mirrored state.
-void write_fields(Session &session, const std::string &file, const CondensedPair &roll, const Material &steel,
+void write_fields(RunContext &run, const std::string &file, const CondensedPair &roll, const Material &steel,
                   const fem::ContactState &state);
 }  // namespace mill

@@ -79,7 +79,7 @@ void make_pairs(ContactModel &m, const std::string &name, const FourHigh &stand)
 }
 }  // namespace
 
-ContactModel contact_model(Session &session, const FourHigh &stand, const std::string &name,
+ContactModel contact_model(RunContext &run, const FourHigh &stand, const std::string &name,
                            const ContactSettings &settings, const double largest_load)
 {
   const double facing = std::min(stand.work_roll.barrel_length, stand.backup_roll.barrel_length);
@@ -90,12 +90,12 @@ ContactModel contact_model(Session &session, const FourHigh &stand, const std::s
   for (double reach = 1.5; reach < 12; reach *= 1.5) {
     const auto size = meshes::roll_contact_size(b, settings.elements_per_half_width, reach);
     m.backup =
-        condensed_pair(session, "backup roll", geometry_of(stand.backup_roll, facing), size, stand.steel, false);
-    m.work = condensed_pair(session, "work roll", geometry_of(stand.work_roll, facing), size, stand.steel, false);
+        condensed_pair(run, "backup roll", geometry_of(stand.backup_roll, facing), size, stand.steel, false);
+    m.work = condensed_pair(run, "work roll", geometry_of(stand.work_roll, facing), size, stand.steel, false);
     make_pairs(m, name, stand);
     if (!reaches_patch_edge(m.mirrored, largest_load) && !reaches_patch_edge(m.in_stand, largest_load))
       return m;
-    session.progress.note("contact " + name + ": the contact reaches the edge of its patch, meshing a wider one");
+    run.progress.note("contact " + name + ": the contact reaches the edge of its patch, meshing a wider one");
   }
   throw SolverError({"contact " + name + ": the contact is wider than any patch tried",
                      fmt::format("12 times the Hertz half width of {:.3f} mm at {}", 1e3 * b, in_kN(largest_load)),

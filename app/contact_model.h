@@ -17,6 +17,6 @@ struct ContactModel {
 /// edge.
 /// @param name  "upper" or "lower"
 /// @throws SolverError  no patch is wide enough: a crown that leaves a point contact
-ContactModel contact_model(Session &session, const FourHigh &stand, const std::string &name,
+ContactModel contact_model(RunContext &run, const FourHigh &stand, const std::string &name,
                            const ContactSettings &settings, double largest_load);
 }  // namespace mill

@@ -84,7 +84,7 @@ Parameter blank(const Study &s, const std::string &unit, const double load, cons
 }
 
 // K.tangent, K.secant and their values with the rolls held as in the stand, at one working load.
-std::array<Parameter, 2> add_stiffness(Session &session, const Study &s, const std::string &prefix, const double F)
+std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const std::string &prefix, const double F)
 {
   const auto fine             = slope_at(s.model.mirrored, s.mirrored, F);
   const auto coarse           = slope_at(s.model.coarse, s.coarse, F);
@@ -114,8 +114,8 @@ std::array<Parameter, 2> add_stiffness(Session &session, const Study &s, const s
                            "what is left of the difference belongs to the barrel ends"});
   secant.checks.push_back({"mesh twice as coarse", coarse.secant, ""});
   secant.checks.push_back({"rolls held as in the stand", held.secant, held_note});
-  session.results.add(prefix + s.K + ".tangent", tangent);
-  session.results.add(prefix + s.K + ".secant", secant);
+  run.results.add(prefix + s.K + ".tangent", tangent);
+  run.results.add(prefix + s.K + ".secant", secant);
 
   const auto add_held = [&](const char *what, const double value, const double exact, const Parameter &mirrored) {
     Parameter h      = blank(s, "N/m", F, s.in_stand.reference);
@@ -124,7 +124,7 @@ std::array<Parameter, 2> add_stiffness(Session &session, const Study &s, const s
     h.checks.push_back(
         {"rolls squeezed between mirrored contacts", mirrored.value, "another datum and no bending"});
     h.inputs.insert(h.inputs.end(), {"strip.width", "backup_roll.bearing_span"});
-    session.results.add(prefix + s.K + ".in_stand_" + what, h);
+    run.results.add(prefix + s.K + ".in_stand_" + what, h);
   };
   add_held("tangent", held.tangent, held.exact, tangent);
   add_held("secant", held.secant, held.secant, secant);
@@ -132,7 +132,7 @@ std::array<Parameter, 2> add_stiffness(Session &session, const Study &s, const s
 }
 
 // Half width, peak pressure and approach at mid-length, and the files of one working load.
-void add_section(Session &session, const Study &s, const FourHigh &stand, const double F)
+void add_section(RunContext &run, const Study &s, const FourHigh &stand, const double F)
 {
   const auto point  = fem::solve_load(s.model.mirrored, F);
   const auto point2 = fem::solve_load(s.model.coarse, F);
@@ -149,44 +149,43 @@ void add_section(Session &session, const Study &s, const FourHigh &stand, const 
     p.error_estimate = std::max(std::abs(second / value - 1), what == "approach" ? 0. : misfit);
     p.checks.push_back({"Hertz line contact", closed, ""});
     p.checks.push_back({"mesh twice as coarse", second, ""});
-    session.results.add("contact." + s.name + "." + what, p);
+    run.results.add("contact." + s.name + "." + what, p);
   };
   add("half_width", "m", fine.half_width[0], coarse.half_width[0], hertz.half_width, "at mid-length");
   add("peak_pressure", "Pa", fine.peak_pressure[0], coarse.peak_pressure[0], hertz.peak_pressure, "at mid-length");
   add("approach", "m", point.approach, point2.approach, hertz.approach, s.mirrored.reference);
 
-  session.out.write("curves/contact-" + s.name + "-barrel.csv", csv_text(barrel_table(held)));
-  session.out.write("curves/contact-" + s.name + "-barrel-mirrored.csv", csv_text(barrel_table(fine)));
-  write_fields(session, "fields/contact-" + s.name + "-backup-roll.vtu", s.model.backup, stand.steel,
-               point2.state);
-  write_fields(session, "fields/contact-" + s.name + "-work-roll.vtu", s.model.work, stand.steel, point2.state);
+  run.out.write("curves/contact-" + s.name + "-barrel.csv", csv_text(barrel_table(held)));
+  run.out.write("curves/contact-" + s.name + "-barrel-mirrored.csv", csv_text(barrel_table(fine)));
+  write_fields(run, "fields/contact-" + s.name + "-backup-roll.vtu", s.model.backup, stand.steel, point2.state);
+  write_fields(run, "fields/contact-" + s.name + "-work-roll.vtu", s.model.work, stand.steel, point2.state);
 }
 
-SolvedContact solve_one(Session &session, const FourHigh &stand, const std::string &name, const std::string &K,
+SolvedContact solve_one(RunContext &run, const FourHigh &stand, const std::string &name, const std::string &K,
                         const ContactSettings &settings, const std::vector<double> &loads)
 {
   const auto [low, high] = swept_range(name, settings, loads);
-  Study s{name, K, contact_model(session, stand, name, settings, high), {}, {}, {}};
-  StageTimer timer(session, "contact " + name);
+  Study s{name, K, contact_model(run, stand, name, settings, high), {}, {}, {}};
+  StageTimer timer(run, "contact " + name);
   const auto range = fem::log_spaced(low, high, settings.samples);
-  s.mirrored       = fem::sweep(s.model.mirrored, range, session.progress);
-  s.in_stand       = fem::sweep(s.model.in_stand, range, session.progress);
-  s.coarse         = fem::sweep(s.model.coarse, range, session.progress);
+  s.mirrored       = fem::sweep(s.model.mirrored, range, run.progress);
+  s.in_stand       = fem::sweep(s.model.in_stand, range, run.progress);
+  s.coarse         = fem::sweep(s.model.coarse, range, run.progress);
 
   SolvedContact out;
   out.curve = s.mirrored;
   for (std::size_t p = 0; p < loads.size(); ++p) {
-    const auto [tangent, secant] = add_stiffness(session, s, p == 0 ? "" : stand.passes[p].name + ".", loads[p]);
+    const auto [tangent, secant] = add_stiffness(run, s, p == 0 ? "" : stand.passes[p].name + ".", loads[p]);
     out.tangent.push_back(tangent);
     out.secant.push_back(secant);
   }
-  add_section(session, s, stand, loads[0]);
-  session.out.write("curves/contact-" + name + ".csv", csv_text(curve_table(s.mirrored, "N", "N/m")));
-  session.out.write("curves/contact-" + name + "-in-stand.csv", csv_text(curve_table(s.in_stand, "N", "N/m")));
-  session.out.write("curves/contact-" + name + "-closed.csv",
-                    csv_text(closed_table(s.model.closed_form, range, "N", "N/m")));
-  session.progress.note(fmt::format("contact {}: {} loads, largest complementarity residual {:.1e}", name,
-                                    range.size(), s.mirrored.residual));
+  add_section(run, s, stand, loads[0]);
+  run.out.write("curves/contact-" + name + ".csv", csv_text(curve_table(s.mirrored, "N", "N/m")));
+  run.out.write("curves/contact-" + name + "-in-stand.csv", csv_text(curve_table(s.in_stand, "N", "N/m")));
+  run.out.write("curves/contact-" + name + "-closed.csv",
+                csv_text(closed_table(s.model.closed_form, range, "N", "N/m")));
+  run.progress.note(fmt::format("contact {}: {} loads, largest complementarity residual {:.1e}", name,
+                                range.size(), s.mirrored.residual));
   return out;
 }
 }  // namespace
@@ -196,7 +195,7 @@ std::string in_kN(const double load)
   return fmt::format("{:.1f} kN", load / 1e3);
 }
 
-std::map<std::string, SolvedContact> solve_contacts(Session &session, const FourHigh &stand,
+std::map<std::string, SolvedContact> solve_contacts(RunContext &run, const FourHigh &stand,
                                                     const std::vector<double> &loads)
 {
   for (const auto &[name, roll] : {
@@ -204,11 +203,11 @@ std::map<std::string, SolvedContact> solve_contacts(Session &session, const Four
            std::pair{"backup_roll", &stand.backup_roll}
   })
     if (is_one_sided(*roll))
-      session.warn(std::string(name) +
-                   ".crown_table differs between the two sides; the contact uses the mean of both");
+      run.warn(std::string(name) +
+               ".crown_table differs between the two sides; the contact uses the mean of both");
   std::map<std::string, SolvedContact> out;
-  out["upper"] = solve_one(session, stand, "upper", "K3", stand.upper_contact, loads);
-  out["lower"] = solve_one(session, stand, "lower", "K5", stand.lower_contact, loads);
+  out["upper"] = solve_one(run, stand, "upper", "K3", stand.upper_contact, loads);
+  out["lower"] = solve_one(run, stand, "lower", "K5", stand.lower_contact, loads);
   return out;
 }
 }  // namespace mill

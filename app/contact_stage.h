@@ -1,5 +1,5 @@
 #pragma once
-#include "app/session.h"
+#include "app/run_context.h"
 #include "core/records.h"
 #include "core/stand.h"
 #include <map>
@@ -17,11 +17,11 @@ struct SolvedContact {
 /// Solves the roll contacts upper (K3) and lower (K5) by finite elements at the working loads, writes
 /// curves/contact-*.csv and fields/*.vtu, and adds K3.*, K5.* and contact.*.* to the results.
 /// @param loads  (passes) N, working loads
-std::map<std::string, SolvedContact> solve_contacts(Session &session, const FourHigh &stand,
+std::map<std::string, SolvedContact> solve_contacts(RunContext &run, const FourHigh &stand,
                                                     const std::vector<double> &loads);
 
 /// The same for kind = "two-cylinders": contact.line.*.
-void solve_cylinders(Session &session, const TwoCylinders &pair);
+void solve_cylinders(RunContext &run, const TwoCylinders &pair);
 
 /// "976.2 kN"
 std::string in_kN(double load);

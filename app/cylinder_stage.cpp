@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 namespace mill {
-void solve_cylinders(Session &session, const TwoCylinders &spec)
+void solve_cylinders(RunContext &run, const TwoCylinders &spec)
 {
   const ContactSettings &c = spec.contact;
   const reduce::CylinderPair metre{spec.upper_diameter, spec.lower_diameter, 1, spec.steel};
@@ -21,12 +21,12 @@ void solve_cylinders(Session &session, const TwoCylinders &spec)
     auto size =
         meshes::slab_contact_size(half_width(c.loads[0]), half_width(c.loads[1]), c.elements_per_half_width);
     size.end_layer = size.largest_layer = g.half_length;
-    auto pair                           = condensed_pair(session, name, g, size, spec.steel, true);
+    auto pair                           = condensed_pair(run, name, g, size, spec.steel, true);
     return pair;
   };
   const CondensedPair upper = slab("upper cylinder", spec.upper_diameter),
                       lower = slab("lower cylinder", spec.lower_diameter);
-  StageTimer timer(session, "contact line");
+  StageTimer timer(run, "contact line");
   const auto contact = [&](const fem::CondensedRoll &a, const fem::CondensedRoll &b) {
     auto pair =
         fem::make_pair("line", a, fem::held_by_mirror(a), b, fem::held_by_mirror(b), Eigen::VectorXd::Zero(a.n_z));
@@ -35,7 +35,7 @@ void solve_cylinders(Session &session, const TwoCylinders &spec)
   };
   const auto fine = contact(*upper.fine, *lower.fine), coarse = contact(*upper.coarse, *lower.coarse);
   const auto range  = fem::log_spaced(c.loads[0], c.loads[1], c.samples);
-  const auto curve  = fem::sweep(fine, range, session.progress);
+  const auto curve  = fem::sweep(fine, range, run.progress);
   const auto at     = fem::sweep(fine, Eigen::VectorXd::Constant(1, c.at));
   const auto second = fem::sweep(coarse, Eigen::VectorXd::Constant(1, c.at));
   const auto point2 = fem::solve_load(coarse, c.at);
@@ -63,7 +63,7 @@ void solve_cylinders(Session &session, const TwoCylinders &spec)
                 "contact.line.elements_per_half_width"};
     s.checks = std::move(checks);
     s.checks.push_back({"mesh twice as coarse", other, ""});
-    session.results.add("contact.line." + what, s);
+    run.results.add("contact.line." + what, s);
   };
   scalar("half_width", "m", at.half_width[0], second.half_width[0],
          {
@@ -87,11 +87,11 @@ void solve_cylinders(Session &session, const TwoCylinders &spec)
              {"Foeppl (3.8)",                 laws.foeppl,  "another datum"}
   });
 
-  session.out.write("curves/contact-line.csv", csv_text(curve_table(curve, "N/m", "N/m2")));
-  session.out.write("curves/contact-line-closed.csv", csv_text(closed_table(metre, range, "N/m", "N/m2")));
-  write_fields(session, "fields/contact-line-upper.vtu", upper, spec.steel, point2.state);
-  write_fields(session, "fields/contact-line-lower.vtu", lower, spec.steel, point2.state);
-  session.progress.note(fmt::format("contact line: {} loads, largest complementarity residual {:.1e}",
-                                    range.size(), curve.residual));
+  run.out.write("curves/contact-line.csv", csv_text(curve_table(curve, "N/m", "N/m2")));
+  run.out.write("curves/contact-line-closed.csv", csv_text(closed_table(metre, range, "N/m", "N/m2")));
+  write_fields(run, "fields/contact-line-upper.vtu", upper, spec.steel, point2.state);
+  write_fields(run, "fields/contact-line-lower.vtu", lower, spec.steel, point2.state);
+  run.progress.note(fmt::format("contact line: {} loads, largest complementarity residual {:.1e}", range.size(),
+                                curve.residual));
 }
 }  // namespace mill

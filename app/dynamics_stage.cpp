@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace mill {
 namespace {
@@ -24,18 +25,23 @@ std::vector<std::string> inputs_of(const LumpedModel &model)
   return keys;
 }
 
-// Relative error of each frequency: half the strain-energy share of a spring, and half the kinetic share of a
-// mass, is how the frequency follows it.  NaN counts as unknown and is left out.
+// Relative error of a frequency from the errors that springs and masses state: half the strain-energy share of a
+// spring, and half the kinetic share of a mass, is how the frequency follows it.  NaN when none states any.
 double frequency_error(const dynamics::Modes &modes, const Eigen::Index mode, const LumpedModel &model)
 {
-  double sum = 0;
+  double sum     = 0;
+  bool stated    = false;
+  const auto add = [&](const Parameter &parameter, const double share) {
+    if (std::isnan(parameter.error_estimate))
+      return;
+    sum += 0.5 * share * parameter.error_estimate;
+    stated = true;
+  };
   for (int j = 0; j < 7; ++j)
-    if (!std::isnan(model.K[j].error_estimate))
-      sum += 0.5 * modes.strain_share(mode, j) * model.K[j].error_estimate;
+    add(model.K[j], modes.strain_share(mode, j));
   for (int j = 0; j < 6; ++j)
-    if (!std::isnan(model.M[j].error_estimate))
-      sum += 0.5 * modes.kinetic_share(mode, j) * model.M[j].error_estimate;
-  return sum;
+    add(model.M[j], modes.kinetic_share(mode, j));
+  return stated ? sum : std::numeric_limits<double>::quiet_NaN();
 }
 
 double in_g(const double acceleration)
@@ -57,10 +63,10 @@ ForceRecord force_of(const Pass &pass)
   return dynamics::synthetic_force(noise);
 }
 
-void add_modes(Session &session, const LumpedModel &model, const DynamicsSettings &settings,
+void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings,
                const double chock_seat, const std::array<double, 2> chock_mass)
 {
-  StageTimer timer(session, "modes");
+  StageTimer timer(run, "modes");
   const auto chain = dynamics::mill_model(model, settings);
   const auto modes = dynamics::modes(chain);
   const auto poles = dynamics::poles(chain);
@@ -81,7 +87,7 @@ void add_modes(Session &session, const LumpedModel &model, const DynamicsSetting
   }
   for (std::size_t s = 0; s < chain.springs.size(); ++s)
     table.add("energy_" + chain.springs[s].name, "", modes.strain_share.col(Eigen::Index(s)));
-  session.out.write("curves/modes.csv", csv_text(table));
+  run.out.write("curves/modes.csv", csv_text(table));
   for (Eigen::Index i = 0; i < n; ++i) {
     Parameter f;
     f.value          = modes.frequency[i];
@@ -100,7 +106,7 @@ void add_modes(Session &session, const LumpedModel &model, const DynamicsSetting
     f.checks = {
         {"Rayleigh quotient of the shape, spring by spring", std::sqrt(strain) / (2 * M_PI), ""}
     };
-    session.results.add("f" + std::to_string(i + 1), f);
+    run.results.add("f" + std::to_string(i + 1), f);
   }
 
   dynamics::ChockSeats seats;
@@ -120,7 +126,7 @@ void add_modes(Session &session, const LumpedModel &model, const DynamicsSetting
       x[i] = sideways.shape(j, i) / sideways.shape.col(i).cwiseAbs().maxCoeff();
     plane.add(slug(horizontal.labels[std::size_t(j)]), "", x);
   }
-  session.out.write("curves/modes-horizontal.csv", csv_text(plane));
+  run.out.write("curves/modes-horizontal.csv", csv_text(plane));
   for (Eigen::Index i = 0; i < sideways.frequency.size(); ++i) {
     Eigen::Index mover = 0;
     sideways.kinetic_share.row(i).maxCoeff(&mover);
@@ -136,31 +142,31 @@ void add_modes(Session &session, const LumpedModel &model, const DynamicsSetting
       if (!std::isnan(k.error_estimate))
         worst = std::max(worst, 0.5 * k.error_estimate);
     f.error_estimate = worst > 0 ? worst : std::numeric_limits<double>::quiet_NaN();
-    session.results.add("fh" + std::to_string(i + 1), f);
+    run.results.add("fh" + std::to_string(i + 1), f);
   }
   if (std::isnan(chock_seat))
-    session.assume("the seats of the work-roll chocks in the housing are rigid (frame.chock_to_housing_stiffness "
-                   "is not given); "
-                   "a seat softer than the bearing lowers the horizontal frequencies");
+    run.assume("the seats of the work-roll chocks in the housing are rigid (frame.chock_to_housing_stiffness "
+               "is not given); "
+               "a seat softer than the bearing lowers the horizontal frequencies");
 }
 
-void simulate_pass(Session &session, const LumpedModel &model, const DynamicsSettings &settings, const Pass &pass,
+void simulate_pass(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings, const Pass &pass,
                    const ForceRecord &force)
 {
-  StageTimer timer(session, "response, " + pass.name);
+  StageTimer timer(run, "response, " + pass.name);
   const std::string file = "response/" + slug(pass.name);
   const auto chain       = dynamics::mill_model(model, settings);
   const double highest   = dynamics::modes(chain).frequency.maxCoeff();
   const auto statistics  = dynamics::force_statistics(force);
   for (const std::string &note : force.notes)
-    session.warn(pass.name + ": " + note);
-  session.warn(dynamics::bandwidth_warning(statistics, highest).empty()
-                   ? ""
-                   : pass.name + ": " + dynamics::bandwidth_warning(statistics, highest));
-  session.warn(dynamics::output_rate_warning(settings.output_rate, highest));
+    run.warn(pass.name + ": " + note);
+  run.warn(dynamics::bandwidth_warning(statistics, highest).empty()
+               ? ""
+               : pass.name + ": " + dynamics::bandwidth_warning(statistics, highest));
+  run.warn(dynamics::output_rate_warning(settings.output_rate, highest));
   const auto response = dynamics::mill_response(chain, force, settings.output_rate);
   if (!response.note.empty())
-    session.warn(pass.name + ": " + response.note);
+    run.warn(pass.name + ": " + response.note);
 
   const Eigen::VectorXd upper = response.acceleration.col(dynamics::upper_work_roll);
   const Eigen::VectorXd lower = response.acceleration.col(dynamics::lower_work_roll);
@@ -178,13 +184,13 @@ void simulate_pass(Session &session, const LumpedModel &model, const DynamicsSet
     p.inputs         = inputs_of(model);
     p.inputs.insert(p.inputs.end(), {"pass.force", "dynamics.modal_damping", "dynamics.force_meaning"});
     p.checks = std::move(checks);
-    session.results.add(pass.name + "." + what + "." + roll, p);
+    run.results.add(pass.name + "." + what + "." + roll, p);
   };
   std::vector<Check> measured_rms[2], measured_peak[2];
   if (!pass.measured_file.empty()) {
     const auto measured = read_measured(pass.measured_file);
     for (const std::string &note : measured.notes)
-      session.warn(pass.name + ", measured: " + note);
+      run.warn(pass.name + ", measured: " + note);
     const auto beside                       = dynamics::compare(response, measured);
     const std::string span                  = fmt::format("{:.3g} .. {:.3g} s", beside.begin, beside.end);
     const dynamics::RollComparison *rolls[] = {&beside.upper_work_roll, &beside.lower_work_roll};
@@ -196,7 +202,7 @@ void simulate_pass(Session &session, const LumpedModel &model, const DynamicsSet
     record.add("time", "s", measured.time)
         .add("upper_work_roll", "g", measured.upper_work_roll / dynamics::standard_gravity)
         .add("lower_work_roll", "g", measured.lower_work_roll / dynamics::standard_gravity);
-    session.out.write(file + "-measured.csv", csv_text(record));
+    run.out.write(file + "-measured.csv", csv_text(record));
   }
   const Eigen::VectorXd *rolls[] = {&upper, &lower};
   const int columns[]            = {dynamics::upper_work_roll, dynamics::lower_work_roll};
@@ -211,7 +217,7 @@ void simulate_pass(Session &session, const LumpedModel &model, const DynamicsSet
     add("rms_g", names[r], in_g(fine.rms), in_g(half.rms), measured_rms[r]);
   }
 
-  session.out.write(file + ".csv", csv_text(dynamics::response_table(response)));
+  run.out.write(file + ".csv", csv_text(dynamics::response_table(response)));
   const auto spectrum_f = dynamics::amplitude_spectral_density(response.force, settings.output_rate);
   const auto spectrum_u = dynamics::amplitude_spectral_density(upper, settings.output_rate);
   const auto spectrum_l = dynamics::amplitude_spectral_density(lower, settings.output_rate);
@@ -220,11 +226,10 @@ void simulate_pass(Session &session, const LumpedModel &model, const DynamicsSet
       .add("force", "N/sqrt(Hz)", spectrum_f.density)
       .add("upper_work_roll", "g/sqrt(Hz)", spectrum_u.density / dynamics::standard_gravity)
       .add("lower_work_roll", "g/sqrt(Hz)", spectrum_l.density / dynamics::standard_gravity);
-  session.out.write(file + "-spectrum.csv", csv_text(spectrum));
-  session.progress.note(fmt::format("{}: spectra of {} segments of {} samples, {} window", pass.name,
-                                    spectrum_f.n_segments, spectrum_f.segment_length, spectrum_f.window));
+  run.out.write(file + "-spectrum.csv", csv_text(spectrum));
+  run.progress.note(fmt::format("{}: spectra of {} segments of {} samples, {} window", pass.name,
+                                spectrum_f.n_segments, spectrum_f.segment_length, spectrum_f.window));
   if (pass.synthetic || pass.force_file.empty())
-    session.assume(pass.name +
-                   ": the force record is synthetic, noise in the stated range; its spectrum is assumed");
+    run.assume(pass.name + ": the force record is synthetic, noise in the stated range; its spectrum is assumed");
 }
 }  // namespace mill

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/session.h"
+#include "app/run_context.h"
 #include "core/lumped_model.h"
 #include "core/records.h"
 #include "core/stand.h"
@@ -9,11 +9,11 @@ namespace mill {
 ForceRecord force_of(const Pass &pass);
 
 /// Natural frequencies and shapes: f1.., fh1.. and curves/modes*.csv.
-void add_modes(Session &session, const LumpedModel &model, const DynamicsSettings &settings, double chock_seat,
+void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings, double chock_seat,
                std::array<double, 2> chock_mass);
 
 /// Drives the model with the force of a pass: response/<pass>*.csv, peaks and rms beside published and measured
 /// ones.
-void simulate_pass(Session &session, const LumpedModel &model, const DynamicsSettings &settings, const Pass &pass,
+void simulate_pass(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings, const Pass &pass,
                    const ForceRecord &force);
 }  // namespace mill

@@ -11,35 +11,35 @@
 
 namespace mill {
 namespace {
-void add_model(Session &session, const LumpedModel &model, const std::string &prefix)
+void add_model(RunContext &run, const LumpedModel &model, const std::string &prefix)
 {
   for (int i = 0; i < 6; ++i)
-    session.results.add(prefix + "M" + std::to_string(i + 1), model.M[i]);
+    run.results.add(prefix + "M" + std::to_string(i + 1), model.M[i]);
   for (int i = 0; i < 7; ++i)
-    session.results.add(prefix + "K" + std::to_string(i + 1), model.K[i]);
+    run.results.add(prefix + "K" + std::to_string(i + 1), model.K[i]);
   for (int i = 0; i < 4; ++i)
     if (!std::isnan(model.Kzc[i].value))
-      session.results.add(prefix + "Kzc" + std::to_string(i + 1), model.Kzc[i]);
+      run.results.add(prefix + "Kzc" + std::to_string(i + 1), model.Kzc[i]);
 }
 
 // Published values of the case beside the computed ones, under the plain name and beside tangent or plastic slope.
-void set_beside(Session &session, const GivenValues &published)
+void set_beside(RunContext &run, const GivenValues &published)
 {
-  for (auto &[name, parameter] : session.results.values)
+  for (auto &[name, parameter] : run.results.values)
     for (const auto &[key, value] : published)
       if (name == key || name == key + ".tangent" || name == key + ".combined")
         parameter.checks.push_back({"published", value.parameter.value, value.parameter.at});
 }
 
-void write_shapes(Session &session, const reduce::LumpedStand &s)
+void write_shapes(RunContext &run, const reduce::LumpedStand &s)
 {
   Table work, backup;
   work.add("x", "m", s.f1_upper.x).add("f1_upper", "m/N", s.f1_upper.value);
   work.add("f1_lower", "m/N", s.f1_lower.value);
   backup.add("x", "m", s.f2_upper.x).add("f2_upper", "m/N", s.f2_upper.value);
   backup.add("f2_lower", "m/N", s.f2_lower.value);
-  session.out.write("curves/shape-work-roll.csv", csv_text(work));
-  session.out.write("curves/shape-backup-roll.csv", csv_text(backup));
+  run.out.write("curves/shape-work-roll.csv", csv_text(work));
+  run.out.write("curves/shape-backup-roll.csv", csv_text(backup));
 }
 
 // Mean of the record, or the load that stands for it.
@@ -53,7 +53,7 @@ bool has_force(const Pass &pass)
   return !pass.force_file.empty() || !std::isnan(pass.synthetic_range[0]);
 }
 
-void run_four_high(Session &session, FourHigh stand, const Goal goal, const std::string &force_file)
+void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::string &force_file)
 {
   std::vector<ForceRecord> forces(stand.passes.size());
   std::vector<double> loads;
@@ -64,12 +64,12 @@ void run_four_high(Session &session, FourHigh stand, const Goal goal, const std:
       forces[p] = force_of(stand.passes[p]);
     loads.push_back(working_load(stand.passes[p], forces[p]));
   }
-  const auto contacts = solve_contacts(session, stand, loads);
+  const auto contacts = solve_contacts(run, stand, loads);
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
     const Pass &pass    = stand.passes[p];
     const bool first    = p == 0;
-    const auto bearings = solve_bearings(session, stand, loads[p], first);
-    const Parameter K4  = solve_bite_stiffness(session, stand, pass, loads[p], first);
+    const auto bearings = solve_bearings(run, stand, loads[p], first);
+    const Parameter K4  = solve_bite_stiffness(run, stand, pass, loads[p], first);
     reduce::ChainInputs in;
     in.K3         = contacts.at("upper").tangent[p];
     in.K5         = contacts.at("lower").tangent[p];
@@ -78,38 +78,38 @@ void run_four_high(Session &session, FourHigh stand, const Goal goal, const std:
     in.Kzc                        = bearings.Kzc;
     in.at                         = in_kN(loads[p]);
     const auto chain              = reduce::lumped_stand(stand, in);
-    add_model(session, chain.model, first ? "" : pass.name + ".");
+    add_model(run, chain.model, first ? "" : pass.name + ".");
     if (first) {
-      session.results.add("K_ZW", chain.K_ZW);
-      session.results.add("K_Zy", chain.K_Zy_upper);
-      write_shapes(session, chain);
-      session.out.write("lumped_model.toml", lumped_model_toml(chain.model, session.the_case, session.out.path()));
+      run.results.add("K_ZW", chain.K_ZW);
+      run.results.add("K_Zy", chain.K_Zy_upper);
+      write_shapes(run, chain);
+      run.out.write("lumped_model.toml", lumped_model_toml(chain.model, run.the_case, run.out.path()));
     }
     if (goal >= Goal::modes && first)
-      add_modes(session, chain.model, stand.dynamics, stand.frame.chock_to_housing_stiffness,
+      add_modes(run, chain.model, stand.dynamics, stand.frame.chock_to_housing_stiffness,
                 {2 * stand.work_roll.chock_mass_upper, 2 * stand.work_roll.chock_mass_lower});
     if (goal >= Goal::simulate) {
       if (has_force(pass))
-        simulate_pass(session, chain.model, stand.dynamics, pass, forces[p]);
+        simulate_pass(run, chain.model, stand.dynamics, pass, forces[p]);
       else
-        session.warn(pass.name + " has a load but no force record: nothing was simulated for it");
+        run.warn(pass.name + " has a load but no force record: nothing was simulated for it");
     }
-    session.progress.at("passes", double(p + 1) / double(stand.passes.size()));
+    run.progress.at("passes", double(p + 1) / double(stand.passes.size()));
   }
-  set_beside(session, stand.published);
-  session.assume("modal damping of " + fmt::format("{:g}", 100 * stand.dynamics.modal_damping) +
-                 " % in every mode; acceleration levels of a given force range follow (damping x "
-                 "bandwidth)^(-1/2), so that only "
-                 "this product can be told from measured levels");
+  set_beside(run, stand.published);
+  run.assume("modal damping of " + fmt::format("{:g}", 100 * stand.dynamics.modal_damping) +
+             " % in every mode; acceleration levels of a given force range follow (damping x "
+             "bandwidth)^(-1/2), so that only "
+             "this product can be told from measured levels");
 }
 
-void run_lumped(Session &session, Lumped lumped, const Goal goal, const std::string &force_file)
+void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::string &force_file)
 {
-  const LumpedModel model = lumped_model_of(session.the_case);
-  add_model(session, model, "");
-  session.out.write("lumped_model.toml", lumped_model_toml(model, session.the_case, session.out.path()));
+  const LumpedModel model = lumped_model_of(run.the_case);
+  add_model(run, model, "");
+  run.out.write("lumped_model.toml", lumped_model_toml(model, run.the_case, run.out.path()));
   if (goal >= Goal::modes)
-    add_modes(session, model, lumped.dynamics, not_given, {0, 0});
+    add_modes(run, model, lumped.dynamics, not_given, {0, 0});
   if (goal < Goal::simulate)
     return;
   for (std::size_t p = 0; p < lumped.passes.size(); ++p) {
@@ -117,19 +117,19 @@ void run_lumped(Session &session, Lumped lumped, const Goal goal, const std::str
     if (!force_file.empty())
       pass.force_file = force_file;
     if (has_force(pass))
-      simulate_pass(session, model, lumped.dynamics, pass, force_of(pass));
-    session.progress.at("passes", double(p + 1) / double(lumped.passes.size()));
+      simulate_pass(run, model, lumped.dynamics, pass, force_of(pass));
+    run.progress.at("passes", double(p + 1) / double(lumped.passes.size()));
   }
 }
 }  // namespace
 
-void run_stages(Session &session, const Goal goal, const std::string &force_file)
+void run_stages(RunContext &run, const Goal goal, const std::string &force_file)
 {
-  if (const auto *stand = std::get_if<FourHigh>(&session.the_case.spec))
-    run_four_high(session, *stand, goal, force_file);
-  else if (const auto *lumped = std::get_if<Lumped>(&session.the_case.spec))
-    run_lumped(session, *lumped, goal, force_file);
+  if (const auto *stand = std::get_if<FourHigh>(&run.the_case.spec))
+    run_four_high(run, *stand, goal, force_file);
+  else if (const auto *lumped = std::get_if<Lumped>(&run.the_case.spec))
+    run_lumped(run, *lumped, goal, force_file);
   else
-    solve_cylinders(session, std::get<TwoCylinders>(session.the_case.spec));
+    solve_cylinders(run, std::get<TwoCylinders>(run.the_case.spec));
 }
 }  // namespace mill

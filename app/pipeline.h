@@ -1,12 +1,12 @@
 #pragma once
-#include "app/session.h"
+#include "app/run_context.h"
 
 namespace mill {
 /// How far a run goes; each goal needs the ones above it.
 enum class Goal { stiffness, masses, modes, simulate };
 
-/// The stages of a case in order, up to the goal.  Results, curves and the lumped model are in the session's
+/// The stages of a case in order, up to the goal.  Results, curves and the lumped model are in the run's
 /// folder afterwards.
 /// @param force_file  replaces the force record of every pass (simulate --force); empty: none
-void run_stages(Session &session, Goal goal, const std::string &force_file = "");
+void run_stages(RunContext &run, Goal goal, const std::string &force_file = "");
 }  // namespace mill

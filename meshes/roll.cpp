@@ -1,6 +1,6 @@
 #include "meshes/roll.h"
 #include "core/errors.h"
-#include "meshes/gmsh_session.h"
+#include "meshes/gmsh_scope.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -111,7 +111,7 @@ MeshFile known_mesh(const std::string &path, const RollGeometry &geometry)
 MeshFile mesh_roll(const std::string &name, const RollGeometry &geometry, const RollMeshSize &size,
                    const std::string &path)
 {
-  const GmshSession session;
+  const GmshScope gmsh_is_open;
   SectionSize section            = size.section;
   section.radius                 = geometry.radius;
   section.core_radius            = geometry.neck_radius > 0 ? geometry.neck_radius : 0.6 * geometry.radius;

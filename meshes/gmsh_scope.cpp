@@ -1,8 +1,8 @@
-#include "meshes/gmsh_session.h"
+#include "meshes/gmsh_scope.h"
 #include <gmsh.h>
 
 namespace mill::meshes {
-GmshSession::GmshSession()
+GmshScope::GmshScope()
 {
   gmsh::initialize(0, nullptr,
                    false);  // false: do not read the user's Gmsh options, results must not depend on them
@@ -19,7 +19,7 @@ std::string library_version()
   return GMSH_API_VERSION;
 }
 
-GmshSession::~GmshSession()
+GmshScope::~GmshScope()
 {
   gmsh::finalize();
 }

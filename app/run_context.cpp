@@ -1,9 +1,11 @@
-#include "app/session.h"
+#include "app/run_context.h"
 #include "core/files.h"
 #include "core/sparse.h"
 #include "fem/elastic_body.h"
-#include "meshes/gmsh_session.h"
+#include "meshes/gmsh_scope.h"
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -11,29 +13,30 @@
 namespace mill {
 using json = nlohmann::ordered_json;
 
-void Session::warn(const std::string &sentence)
+void RunContext::warn(const std::string &sentence)
 {
-  if (sentence.empty())
+  const auto &said = results.warnings;
+  if (sentence.empty() || std::find(said.begin(), said.end(), sentence) != said.end())
     return;
   results.warnings.push_back(sentence);
   progress.note("warning: " + sentence);
 }
 
-void Session::assume(const std::string &sentence)
+void RunContext::assume(const std::string &sentence)
 {
   results.assumptions.push_back(sentence);
   progress.note("assumed: " + sentence);
 }
 
-StageTimer::StageTimer(Session &s, std::string name)
-    : session(s), stage(std::move(name)), start(std::chrono::steady_clock::now())
+StageTimer::StageTimer(RunContext &s, std::string name)
+    : run(s), stage(std::move(name)), start(std::chrono::steady_clock::now())
 {
 }
 
 StageTimer::~StageTimer()
 {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  session.times.push_back({stage, elapsed.count(), cached});
+  run.times.push_back({stage, elapsed.count(), cached});
 }
 
 std::string version()
@@ -74,9 +77,9 @@ void add_passes(json &manifest, const std::vector<Pass> &passes, const std::stri
 }
 }  // namespace
 
-std::string manifest_json(const Session &session)
+std::string manifest_json(const RunContext &run)
 {
-  const Case &c = session.the_case;
+  const Case &c = run.the_case;
   json manifest{
       {"program",   "millstand"                    },
       {"version",   version()                      },
@@ -85,8 +88,8 @@ std::string manifest_json(const Session &session)
       {"kind",      c.kind                         },
       {"title",     c.title                        },
       {"run_id",    hash_of(version() + c.resolved)},
-      {"date",      session.started                },
-      {"threads",   session.threads                },
+      {"date",      run.started                    },
+      {"threads",   run.threads                    },
       {"blas",      blas_in_use()                  },
       {"versions",
        {{"deal.II", fem::library_version()},
@@ -95,7 +98,7 @@ std::string manifest_json(const Session &session)
                       std::to_string(EIGEN_MINOR_VERSION)},
         {"compiler", __VERSION__}}                 }
   };
-  for (const StageTime &time : session.times)
+  for (const StageTime &time : run.times)
     manifest["timings"].push_back({
         {"stage",   time.stage  },
         {"seconds", time.seconds},

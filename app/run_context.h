@@ -16,7 +16,7 @@ struct StageTime {
 };
 
 /// What the stages of one run share.
-struct Session {
+struct RunContext {
   const Case &the_case;
   const OutputDir &out;
   std::string cache;    ///< folder of condensed rolls
@@ -33,12 +33,12 @@ struct Session {
 /// Times a stage from construction to destruction.
 class StageTimer {
 public:
-  StageTimer(Session &session, std::string stage);
+  StageTimer(RunContext &run, std::string stage);
   ~StageTimer();
   bool cached = false;
 
 private:
-  Session &session;
+  RunContext &run;
   std::string stage;
   std::chrono::steady_clock::time_point start;
 };
@@ -46,5 +46,5 @@ private:
 std::string version();  ///< "0.1.0"
 
 /// run.json: versions, BLAS, threads, timings, memory, geometry, passes.
-std::string manifest_json(const Session &session);
+std::string manifest_json(const RunContext &run);
 }  // namespace mill

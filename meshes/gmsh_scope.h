@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+
+namespace mill::meshes {
+std::string library_version();  ///< of Gmsh, "4.8.4"
+
+/// Gmsh is one global state: this scope owns it from construction to destruction.  Silent; one model.
+class GmshScope {
+public:
+  GmshScope();
+  ~GmshScope();
+  GmshScope(const GmshScope &)            = delete;
+  GmshScope &operator=(const GmshScope &) = delete;
+};
+}  // namespace mill::meshes
