@@ -28,7 +28,7 @@ void add_common(CLI::App *verb, CommandLine &c)
   verb->add_flag("-v,--verbose", c.verbose, "say what is reused and computed");
   verb->add_option("--log", c.log, "log file (besides DIR/millstand.log)");
   verb->add_option("--cache", c.cache, "folder of condensed rolls (default: the user's cache folder)");
-  verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::PositiveNumber);
+  verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
   verb->add_option("--set", c.sets, "override section.key=value, repeatable")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

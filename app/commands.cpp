@@ -32,7 +32,7 @@ std::string cache_folder(const CommandLine &command, const OutputDir &out)
     return std::string(base) + "/millstand";
   if (const char *home = std::getenv("HOME"); home && *home)
     return std::string(home) + "/.cache/millstand";
-  return out.file("cache");
+  return out.path() + "/cache";
 }
 
 std::string now()
@@ -121,14 +121,32 @@ Goal goal_of(const std::string &verb)
   return verb == "modes" ? Goal::modes : Goal::simulate;
 }
 
+// A verb that the kind of the case cannot answer.
+void require_fitting(const std::string &verb, const Case &the_case)
+{
+  const bool cylinders = std::holds_alternative<TwoCylinders>(the_case.spec);
+  const bool lumped    = std::holds_alternative<Lumped>(the_case.spec);
+  if ((cylinders && verb != "run" && verb != "stiffness") || (lumped && (verb == "stiffness" || verb == "masses")))
+    throw InputError("millstand " + verb + " has nothing to compute for kind = \"" + the_case.kind + "\" (" +
+                     the_case.path + "); use millstand run");
+}
+
 int run_chain(const CommandLine &command)
 {
   const Case the_case = read_case(command.target, command.sets);
+  check_file_names(the_case);
+  require_fitting(command.verb, the_case);
   const OutputDir out(command.output.empty() ? "out/" + the_case.name : command.output, the_case,
                       command.force_overwrite);
   const auto log = make_log(command, out);
   console::ProgressBar bar(expected_stages(the_case), command.quiet);
   RunContext run{the_case, out, cache_folder(command, out), command.fresh};
+  std::error_code cache_error;
+  if (fs::create_directories(run.cache, cache_error); cache_error) {
+    run.warn("the cache folder " + run.cache + " cannot be made (" + cache_error.message() +
+             "); nothing is kept for the next run");
+    run.cache = out.staging();
+  }
   run.threads = command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
   run.started = now();
   run.progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
@@ -141,14 +159,15 @@ int run_chain(const CommandLine &command)
     run.warn("the BLAS in use is the reference one (" + blas_in_use() +
              "), 6 to 20 times slower than OpenBLAS; install libopenblas0-openmp");
 
-  manifest_path = out.file("run.json");
+  manifest_path = out.path() + "/run.json";
   out.write("resolved.toml", the_case.resolved);
   out.write("run.json", manifest_json(run));
   const auto store = [&](const std::string &status) {
     out.write("results.json", results_json(run.results, the_case.name, status));
     out.write("run.json", manifest_json(run));
     StageTimer timer(run, "report");
-    out.write("report.html", report::html_report(out.path()));
+    out.write("report.html", report::html_report(out.staging()));
+    out.publish();
   };
   try {
     run_stages(run, goal_of(command.verb), command.force);
@@ -162,7 +181,7 @@ int run_chain(const CommandLine &command)
   store(run.results.warnings.empty() ? "ok" : "warnings");
   if (!command.quiet) {
     print_table(run.results);
-    fmt::print("report: {}\n", out.file("report.html"));
+    fmt::print("report: {}/report.html\n", out.path());
   }
   return 0;
 }
@@ -181,9 +200,9 @@ int write_template(const CommandLine &command)
 }
 }  // namespace
 
-const std::string &current_manifest()
+std::string current_manifest()
 {
-  return manifest_path;
+  return fs::exists(manifest_path) ? manifest_path : "";
 }
 
 int carry_out(const CommandLine &command)
@@ -192,6 +211,7 @@ int carry_out(const CommandLine &command)
     return write_template(command);
   if (command.verb == "check") {
     const Case the_case = read_case(command.target, command.sets);
+    check_file_names(the_case);
     fmt::print("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, the_case.title);
     return 0;
   }

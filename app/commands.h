@@ -7,5 +7,5 @@ namespace mill {
 int carry_out(const CommandLine &command);
 
 /// Path of run.json of the run that was under way, for the message about our own bug; empty when none.
-const std::string &current_manifest();
+std::string current_manifest();
 }  // namespace mill

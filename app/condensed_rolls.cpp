@@ -43,7 +43,6 @@ OneRoll condensed(RunContext &run, const std::string &name, const RollGeometry &
   const std::string key       = key_of(geometry, size, steel, slab, companion);
   const std::string file      = run.cache + "/roll-" + key + ".bin";
   const std::string mesh_file = run.cache + "/roll-" + key + ".msh";
-  fs::create_directories(run.cache);
   OneRoll out;
   std::string note;
   auto stored = run.fresh ? std::nullopt : fem::load_roll(file, key, &note);
@@ -64,10 +63,20 @@ OneRoll condensed(RunContext &run, const std::string &name, const RollGeometry &
   options.slab        = slab;
   options.keep_fields = companion;
   options.memory      = free_memory();
-  auto roll           = fem::condense(body, geometry, options, run.progress);
+  fem::CondensedRoll roll;
+  try {
+    roll = fem::condense(body, geometry, options, run.progress);
+  } catch (SolverError &e) {
+    e.report.what = name + ": " + e.report.what;
+    throw;
+  }
   run.progress.note(fmt::format("{}: {} elements, {} unknowns, {} retained, factor {:.0f} MB", name, mesh.n_cells,
                                 roll.n_unknowns, roll.area.size(), roll.factor_bytes / 1e6));
-  fem::save_roll(file, key, roll);
+  try {
+    fem::save_roll(file, key, roll);
+  } catch (const InputError &e) {
+    run.warn(std::string("a condensed roll could not be kept for the next run: ") + e.what());  // but it is good
+  }
   if (!companion)
     fs::remove(own);
   out.roll = std::make_shared<const fem::CondensedRoll>(std::move(roll));

@@ -128,6 +128,17 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
   };
   add_held("tangent", held.tangent, held.exact, tangent);
   add_held("secant", held.secant, held.secant, secant);
+  const double difference = held.tangent / fine.tangent - 1;
+  const std::string said =
+      fmt::format("{}{}.tangent is that of rolls squeezed between mirrored contacts, the spring that stands in "
+                  "series with the bending of the backup roll; held as in the stand the same pair has {:+.1f} %",
+                  prefix, s.K, 100 * difference);
+  if (std::abs(difference) > 0.05)
+    run.warn(said);
+  else if (prefix.empty())
+    run.assume(said);
+  if (middle.half_width[0] == 0)
+    run.warn(fmt::format("contact {}: at {} the rolls do not touch at mid-length", s.name, in_kN(F)));
   return {tangent, secant};
 }
 

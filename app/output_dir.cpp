@@ -2,8 +2,12 @@
 #include "core/errors.h"
 #include "core/files.h"
 #include <cctype>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -18,14 +22,47 @@ std::string owner_of(const std::string &directory)
   const auto json = nlohmann::json::parse(read_text(manifest), nullptr, false);
   return json.is_object() ? json.value("case", "") : "";
 }
+
+// Everything a run may leave at the top of its folder.
+const char *const files[]   = {"resolved.toml", "results.json",  "lumped_model.toml",
+                               "run.json",      "millstand.log", "report.html"};
+const char *const folders[] = {"curves", "response", "fields"};
+
+bool is_staging(const fs::path &entry)
+{
+  return entry.filename().string().rfind(".run-", 0) == 0;
+}
+
+// Nothing but what an interrupted run left behind.
+bool is_free(const std::string &directory)
+{
+  std::error_code error;
+  for (const auto &entry : fs::directory_iterator(directory, error))
+    if (!is_staging(entry.path()) && entry.path().filename() != "cache")
+      return false;
+  return true;
+}
+
+// Staging folders of runs that are no longer alive.
+void remove_leftovers(const std::string &directory)
+{
+  std::error_code error;
+  for (const auto &entry : fs::directory_iterator(directory, error))
+    if (is_staging(entry.path())) {
+      const int pid = std::atoi(entry.path().filename().string().substr(5).c_str());
+      if (pid > 0 && ::kill(pid, 0) != 0)
+        fs::remove_all(entry.path(), error);
+    }
+}
 }  // namespace
 
-OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite) : directory(std::move(path))
+OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite)
+    : directory(std::move(path)), staged(directory + "/.run-" + std::to_string(::getpid()))
 {
   std::error_code error;
   if (fs::exists(directory, error) && !fs::is_directory(directory, error))
     throw InputError(directory + " is a file, not a folder; choose another with -o");
-  if (fs::exists(directory, error) && !fs::is_empty(directory, error) && !overwrite) {
+  if (fs::exists(directory, error) && !is_free(directory) && !overwrite) {
     const std::string owner = owner_of(directory);
     if (owner.empty())
       throw InputError("the folder " + directory +
@@ -34,12 +71,19 @@ OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite) : d
       throw InputError("the folder " + directory + " holds the results of the case '" + owner +
                        "'; choose another with -o, or give --force-overwrite");
   }
+  remove_leftovers(directory);
   for (const char *part : {"", "/curves", "/response", "/fields"}) {
-    fs::create_directories(directory + part, error);
+    fs::create_directories(staged + part, error);
     if (error)
-      throw InputError("the folder " + directory + part + " cannot be made: " + error.message() +
+      throw InputError("the folder " + directory + " cannot be made: " + error.message() +
                        "; choose another with -o");
   }
+}
+
+OutputDir::~OutputDir()
+{
+  std::error_code ignored;
+  fs::remove_all(staged, ignored);
 }
 
 const std::string &OutputDir::path() const
@@ -47,14 +91,47 @@ const std::string &OutputDir::path() const
   return directory;
 }
 
+const std::string &OutputDir::staging() const
+{
+  return staged;
+}
+
 std::string OutputDir::file(const std::string &name) const
 {
-  return directory + "/" + name;
+  return staged + "/" + name;
 }
 
 void OutputDir::write(const std::string &name, const std::string &text) const
 {
   write_atomically(file(name), text);
+}
+
+void OutputDir::publish() const
+{
+  std::error_code error;
+  const auto fail = [&](const std::string &name) {
+    throw InputError(directory + "/" + name + " cannot be written: " + error.message() +
+                     "; choose another folder with -o");
+  };
+  for (const char *folder : folders) {
+    const std::string target = directory + "/" + folder, old = staged + "/." + folder;
+    if (fs::exists(target, error))
+      fs::rename(target, old, error);
+    if (!error && !fs::is_empty(file(folder), error))
+      fs::rename(file(folder), target, error);
+    if (error)
+      fail(folder);
+    fs::remove_all(old, error);
+  }
+  for (const char *name : files) {
+    const std::string target = directory + "/" + name;
+    if (fs::exists(file(name), error))
+      fs::rename(file(name), target, error);
+    else
+      fs::remove(target, error);
+    if (error)
+      fail(name);
+  }
 }
 
 std::string slug(const std::string &name)
@@ -68,5 +145,33 @@ std::string slug(const std::string &name)
   while (!out.empty() && out.back() == '-')
     out.pop_back();
   return out.empty() ? "pass" : out;
+}
+
+void check_file_names(const Case &the_case)
+{
+  std::vector<Pass> passes;
+  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
+    passes = stand->passes;
+  if (const auto *lumped = std::get_if<Lumped>(&the_case.spec))
+    passes = lumped->passes;
+  std::map<std::string, Pass> written;  // file name -> pass that writes it
+  std::vector<Problem> problems;
+  for (const Pass &pass : passes) {
+    if (pass.name.size() > 100)
+      problems.push_back(
+          {pass.place, "pass.name is longer than 100 characters; it names the files of the pass", {}});
+    for (const char *ending : {"", "-spectrum", "-measured"}) {
+      const std::string file = "response/" + slug(pass.name) + ending + ".csv";
+      if (const auto other = written.find(file); other != written.end())
+        problems.push_back({pass.place,
+                            "pass.name = \"" + pass.name + "\" and \"" + other->second.name + "\" both write " +
+                                file + "; rename one of them",
+                            {other->second.place}});
+      else
+        written[file] = pass;
+    }
+  }
+  if (!problems.empty())
+    throw InputError(problems);
 }
 }  // namespace mill

@@ -3,22 +3,36 @@
 #include <string>
 
 namespace mill {
-/// Folder of a run.  Nothing of another case is overwritten by surprise, every file is written aside and renamed.
+/// Folder of a run.  Nothing of another case is overwritten by surprise, and what a folder shows belongs to one
+/// run: files are written into a staging folder inside it and take the place of the earlier ones together, in
+/// publish().
 class OutputDir {
 public:
-  /// Creates DIR, curves/, response/ and fields/.
+  /// Creates the folder and its staging folder with curves/, response/ and fields/.
   /// @throws InputError  the folder holds files of another case or of no run (unless `overwrite`), or cannot be
   /// written
   OutputDir(std::string path, const Case &of, bool overwrite);
+  /// Removes what was staged and not published: the earlier results stay as they were.
+  ~OutputDir();
+  OutputDir(const OutputDir &)            = delete;
+  OutputDir &operator=(const OutputDir &) = delete;
 
-  const std::string &path() const;
-  std::string file(const std::string &name) const;  ///< full path of a file in the folder
+  const std::string &path() const;                  ///< of the folder
+  const std::string &staging() const;               ///< where files are until they are published
+  std::string file(const std::string &name) const;  ///< path of a staged file
   void write(const std::string &name, const std::string &text) const;
 
+  /// Puts the staged files in the place of those of the earlier run; what that run wrote and this one did not is
+  /// removed.
+  void publish() const;
+
 private:
-  std::string directory;
+  std::string directory, staged;
 };
 
 /// "pass 1" -> "pass-1": letters, digits and dashes, for file names.
 std::string slug(const std::string &name);
+
+/// @throws InputError  two passes whose names lead to the same file names, or a name too long for one
+void check_file_names(const Case &the_case);
 }  // namespace mill

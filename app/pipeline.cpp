@@ -63,6 +63,11 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
     if (has_force(stand.passes[p]))
       forces[p] = force_of(stand.passes[p]);
     loads.push_back(working_load(stand.passes[p], forces[p]));
+    if (forces[p].force.size() > 0 && std::abs(loads[p] / forces[p].force.mean() - 1) > 0.05)
+      run.warn(
+          fmt::format("{}: pass.load is {}, the mean of its force record {}; stiffnesses belong to the first, "
+                      "accelerations to the second",
+                      stand.passes[p].name, in_kN(loads[p]), in_kN(forces[p].force.mean())));
   }
   const auto contacts = solve_contacts(run, stand, loads);
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
@@ -97,6 +102,9 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
     run.progress.at("passes", double(p + 1) / double(stand.passes.size()));
   }
   set_beside(run, stand.published);
+  if (stand.passes.size() > 1)
+    run.assume("lumped_model.toml holds the model at the load of " + stand.passes[0].name +
+               "; here every pass has its own");
   run.assume("modal damping of " + fmt::format("{:g}", 100 * stand.dynamics.modal_damping) +
              " % in every mode; acceleration levels of a given force range follow (damping x "
              "bandwidth)^(-1/2), so that only "

@@ -137,8 +137,9 @@ double number_of(const Cell &cell, const std::string &name, Sheet &sheet)
       text[comma]         = '.';
       sheet.decimal_comma = true;
     }
-  double number = 0;
-  if (!parse_number(text, number))
+  double number            = 0;
+  constexpr double largest = 1e15;  // nothing a mill records reaches this in any unit
+  if (!parse_number(text, number) || std::abs(number) > largest)
     throw InputError(sheet.place(cell),
                      fmt::format("'{}' in column '{}' is not a finite number", cell.text, name));
   return number;

@@ -289,7 +289,7 @@ const std::vector<Field<ContactSettings>> &roll_contact_rows()
       {"samples",                 &T::samples, "count", {5, 1000},     24, "24",                       "loads in the sweep, logarithmically spaced"},
       {"elements_per_half_width",
        &T::elements_per_half_width,
-       "count",                                         {1, 64},
+       "count",                                         {2, 64},
        8,                                                                  "8",
        "quadratic elements per Hertz half width at the largest load"                                                                               },
   };
@@ -306,7 +306,7 @@ const std::vector<Field<ContactSettings>> &line_contact_rows()
       {"samples",                 &T::samples, "count", {5, 1000},      24,       "24",                           "loads in the sweep, logarithmically spaced"},
       {"elements_per_half_width",
        &T::elements_per_half_width,
-       "count",                                         {1, 64},
+       "count",                                         {2, 64},
        8,                                                                         "8",
        "quadratic elements per Hertz half width at the largest load"                                                                                          },
   };

@@ -162,11 +162,13 @@ MeshFile mesh_roll(const std::string &name, const RollGeometry &geometry, const 
   gmsh::model::mesh::getElementTypes(kinds, 3);
   mesh.smallest_jacobian = elements.empty() ? -1 : smallest_jacobian(hexahedron);
   if (kinds.size() != 1 || mesh.smallest_jacobian <= 0)
-    throw SolverError({"mesh of the " + name + " failed its quality check",
-                       kinds.size() != 1 ? "it has other elements than hexahedra" : "an element is inverted",
-                       "a diameter, neck and contact half width that do not fit into one section",
-                       "check the diameters and lengths of the " + name + " and contact.*.elements_per_half_width",
-                       ""});
+    throw SolverError(
+        {"mesh of the " + name + " failed its quality check",
+         kinds.size() != 1 ? "it has other elements than hexahedra" : "an element is inverted",
+         "a diameter, neck and contact half width that do not fit into one section",
+         "check the diameters and lengths of the " + name +
+             " (a neck of almost the barrel's diameter leaves no room) and contact.*.elements_per_half_width",
+         ""});
   std::sort(nodes.begin(), nodes.end());
   mesh.n_nodes            = int(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
   mesh.n_cells            = int(elements.size());

@@ -174,17 +174,19 @@ SectionSurfaces add_section(const SectionSize &s)
                  ring_right[j + 1], out.rim);
 
   // Growing grid: from the ring to the core circle and along the outer circle.
-  const Point n0 = sketch.point(0, r), n1 = at_angle(r, 45), n2 = sketch.point(r, 0);
-  const Point c1 = at_angle(R, 60), c2 = sketch.point(R, 0);
+  // The straight line from the ring to the core circle must not cut it: on a thick neck it ends nearer to the top.
+  const double theta = std::min(45., 0.8 * std::acos(r / R) * 180 / M_PI);  // degrees from the contact plane
+  const Point n0 = sketch.point(0, r), n1 = at_angle(r, theta), n2 = sketch.point(r, 0);
+  const Point c1 = at_angle(R, 4. / 3 * theta), c2 = sketch.point(R, 0);
   const Point p1     = ring_below.back();
   const double reach = R - Y - r;
   const int n_far =
       std::max(2, int(std::ceil(std::log1p(reach * (s.far_growth - 1) / t) / std::log(s.far_growth))));
   const auto ratio = [&](const double length) { return ratio_filling(length, t, n_far); };
-  const int m = nx / 3, k = ny / 3, ns = s.sector_elements;
+  const int m = nx / 3, k = ny / 3, ns = int(std::ceil(s.sector_elements * (90 - theta) / 45));
   const int left   = sketch.line(ring_below[0], n0, n_far, ratio(reach));
   const int middle = sketch.line(p1, n1, n_far, ratio(std::hypot(n1.x - p1.x, n1.y - p1.y)));
-  const int rim    = sketch.arc(q1, centre, c1, n_far, ratio(R * (M_PI / 3 - std::asin(X / R))));
+  const int rim = sketch.arc(q1, centre, c1, n_far, ratio(R * (4. / 3 * theta * M_PI / 180 - std::asin(X / R))));
   const int core_a = sketch.arc(n0, centre, n1, m);
   const int core_b = sketch.arc(n1, centre, n2, ns);
   const int spoke  = sketch.line(n1, c1, k);
@@ -208,7 +210,7 @@ SectionSurfaces add_section(const SectionSize &s)
       sketch.block({spoke, sketch.arc(c1, centre, c2, ns), sketch.line(c2, n2, k), -core_b}, {n1, c1, c2, n2}));
 
   // Core: a square with two blocks around it, so that no element has a straight angle.
-  const Point a = sketch.point(0, 0.5 * r), b = sketch.point(0.42 * r, 0.42 * r), d = sketch.point(0.5 * r, 0);
+  const Point a = sketch.point(0, 0.5 * r), b = at_angle(0.6 * r, theta), d = sketch.point(0.5 * r, 0);
   const int around = std::max(1, ns / 2);
   const int a_b = sketch.line(a, b, m), b_d = sketch.line(b, d, ns);
   const int b_n1 = sketch.line(b, n1, around);

@@ -114,6 +114,20 @@ TEST(RollMesh, MirrorOfTheContactLineIsTheShorterBarrel)
                    within(5e-4, "arcs of 45 degrees as parabolas")));
 }
 
+TEST(RollMesh, NecksOfAnyUsualSizeAreMeshed)
+{
+  for (const double ratio : {0.3, 0.5, 0.66, 0.76, 0.82, 0.88, 0.93}) {
+    RollGeometry g  = backup;
+    g.neck_radius   = ratio * g.radius;
+    const auto mesh = mesh_of(g, coarse());
+    EXPECT_GT(mesh.smallest_jacobian, 0.05) << "neck/barrel " << ratio;
+    const fem::ElasticBody body(mesh, steel, 2);
+    const double exact = M_PI / 4 * (g.radius * g.radius * 0.7 + g.neck_radius * g.neck_radius * 0.95);
+    EXPECT_TRUE(near(body.volume(), exact, within(1e-3, "arcs of up to 45 degrees as parabolas")));
+    EXPECT_NO_THROW(fem::condense(body, g, {})) << "neck/barrel " << ratio;
+  }
+}
+
 TEST(RollMesh, ImpossibleSectionNamesTheRoll)
 {
   RollGeometry tight = backup;

@@ -210,6 +210,47 @@ TEST(New, TemplatesRunAsTheyAre)
   EXPECT_EQ(twice.err, "error: the file " + file + " exists; choose another with -o, or give --force-overwrite\n");
 }
 
+TEST(Run, StaleResultsDoNotStayAndAFailedRunChangesNothing)
+{
+  const std::string out = scratch("stale");
+  ASSERT_EQ(millstand("run cases/published-1400.toml -q -o " + out).exit_code, 0);
+  const std::string before = mill::read_text(out + "/resolved.toml") + mill::read_text(out + "/results.json");
+  const std::string record = scratch("records") + "/short.csv";
+  std::ofstream(record) << "time [s],force [kN]\n0,976\n0.00004,977\n";
+  const auto refused = millstand("simulate cases/published-1400.toml -q -o " + out +
+                                 " --set 'given.K1=1e3 kN/mm' --force " + record);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(
+      refused.err.find(
+          "pass 1: the force record lasts 4e-05 s, which is 0.8 samples at dynamics.output_rate = 20 kHz; at "
+          "least 16 are needed, give a longer record or a higher rate"),
+      std::string::npos)
+      << refused.err;
+  EXPECT_EQ(mill::read_text(out + "/resolved.toml") + mill::read_text(out + "/results.json"), before);
+  ASSERT_EQ(millstand("modes cases/published-1400.toml -q -o " + out).exit_code, 0);
+  EXPECT_FALSE(fs::exists(out + "/response/pass-1.csv")) << "histories of the earlier run";
+  for (const auto &entry : fs::directory_iterator(out))
+    EXPECT_NE(entry.path().filename().string().substr(0, 5), ".run-");
+}
+
+TEST(Run, PassesThatShareAFileNameAreRefused)
+{
+  const auto outcome = millstand("check cases/published-1400.toml --set pass.1.name=Pass-1");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(
+      outcome.err.find("pass.name = \"Pass-1\" and \"pass 1\" both write response/pass-1.csv; rename one of them"),
+      std::string::npos)
+      << outcome.err;
+}
+
+TEST(Run, VerbThatDoesNotFitTheKindIsRefused)
+{
+  const auto outcome = millstand("modes cases/two-cylinders.toml");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err, "error: millstand modes has nothing to compute for kind = \"two-cylinders\" "
+                         "(cases/two-cylinders.toml); use millstand run\n");
+}
+
 TEST(CommandLine, HelpVersionAndMistakes)
 {
   EXPECT_EQ(millstand("--help").exit_code, 0);
