@@ -60,6 +60,12 @@ ForceRecord force_of(const Pass &pass)
   noise.bandwidth = pass.synthetic_bandwidth;
   noise.rate      = 10 * pass.synthetic_bandwidth;
   noise.seed      = std::uint64_t(pass.synthetic_seed);
+  if (noise.duration * noise.rate > 2e7)
+    throw InputError(
+        pass.place,
+        fmt::format("{}: synthetic_duration x synthetic_bandwidth asks for {:.3g} samples (ten per period "
+                    "of the bandwidth); at most 2e7 are made, lower one of them",
+                    pass.name, noise.duration * noise.rate));
   return dynamics::synthetic_force(noise);
 }
 
