@@ -117,8 +117,13 @@ void OutputDir::publish() const
     const std::string target = directory + "/" + folder, old = staged + "/." + folder;
     if (fs::exists(target, error))
       fs::rename(target, old, error);
-    if (!error && !fs::is_empty(file(folder), error))
+    if (!error && !fs::is_empty(file(folder), error)) {
       fs::rename(file(folder), target, error);
+      if (error) {  // another run of the same case published in between: the last one stays
+        fs::remove_all(target, error);
+        fs::rename(file(folder), target, error);
+      }
+    }
     if (error)
       fail(folder);
     fs::remove_all(old, error);

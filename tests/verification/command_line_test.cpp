@@ -233,6 +233,17 @@ TEST(Run, StaleResultsDoNotStayAndAFailedRunChangesNothing)
     EXPECT_NE(entry.path().filename().string().substr(0, 5), ".run-");
 }
 
+TEST(Run, TwoAtOnceLeaveWholeResults)
+{
+  const std::string out = scratch("twice"), one = "modes cases/published-1400.toml -q -o " + out;
+  for (int trial = 0; trial < 3; ++trial) {
+    const auto second = millstand(one + " & '" MILLSTAND_PROGRAM "' " + one + "; code=$?; wait $! && exit $code");
+    EXPECT_EQ(second.exit_code, 0) << second.err;
+    EXPECT_EQ(json_of(out + "/results.json")["status"], "ok");
+    EXPECT_TRUE(fs::exists(out + "/curves/modes.csv"));
+  }
+}
+
 TEST(Run, PassesThatShareAFileNameAreRefused)
 {
   const auto outcome = millstand("check cases/published-1400.toml --set pass.1.name=Pass-1");
