@@ -45,7 +45,7 @@ OneRoll condensed(RunContext &run, const std::string &name, const RollGeometry &
   const std::string mesh_file = run.cache + "/roll-" + key + ".msh";
   OneRoll out;
   std::string note;
-  auto stored = run.fresh ? std::nullopt : fem::load_roll(file, key, &note);
+  auto stored = run.fresh && !run.made.count(key) ? std::nullopt : fem::load_roll(file, key, &note);
   if (!note.empty())
     run.progress.note(note);
   if (stored && (!companion || fs::exists(mesh_file))) {
@@ -74,6 +74,7 @@ OneRoll condensed(RunContext &run, const std::string &name, const RollGeometry &
                                 roll.n_unknowns, roll.area.size(), roll.factor_bytes / 1e6));
   try {
     fem::save_roll(file, key, roll);
+    run.made.insert(key);
   } catch (const InputError &e) {
     run.warn(std::string("a condensed roll could not be kept for the next run: ") + e.what());  // but it is good
   }

@@ -4,6 +4,7 @@
 #include "core/results.h"
 #include "core/stand.h"
 #include <chrono>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,9 @@ struct StageTime {
 struct RunContext {
   const Case &the_case;
   const OutputDir &out;
-  std::string cache;    ///< folder of condensed rolls
-  bool fresh  = false;  ///< ignore what the cache holds
+  std::string cache;           ///< folder of condensed rolls
+  bool fresh = false;          ///< ignore what the cache holds
+  std::set<std::string> made;  ///< keys of what this run condensed: --fresh does not do it twice
   int threads = 1;
   Progress progress;
   Results results;
