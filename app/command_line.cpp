@@ -68,6 +68,13 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
       command->add_option("--force", c.force, "force record that replaces those of the passes (CSV)");
   }
 
+  auto *verify = app.add_subcommand("verify", "run the verification manual: result, reference, tolerance");
+  verify->add_option("NAME", c.names, "cases to run (default: all)");
+  verify->add_flag("--list", c.list, "list the cases, run nothing");
+  verify->add_option("--markdown", c.markdown, "write the manual as a page, after running all cases");
+  verify->add_flag("-q,--quiet", c.quiet, "no progress, no table of a case that passes");
+  verify->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
+
   auto *report = app.add_subcommand("report", "write DIR/report.html again from the stored results");
   report->add_option("DIR", c.target, "folder of a run")->required();
 

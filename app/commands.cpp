@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/pipeline.h"
+#include "app/verify_command.h"
 #include "core/files.h"
 #include "core/input_reference.h"
 #include "core/sparse.h"
@@ -215,6 +216,8 @@ int carry_out(const CommandLine &command)
     fmt::print("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, the_case.title);
     return 0;
   }
+  if (command.verb == "verify")
+    return verify_command({command.names, command.list, command.quiet, command.markdown, command.threads});
   if (command.verb == "schema") {
     std::cout << case_schema();
     return 0;

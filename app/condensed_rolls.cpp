@@ -12,18 +12,18 @@ namespace fs = std::filesystem;
 namespace mill {
 namespace {
 // Raised by hand when meshing or condensation changes what it computes.
-constexpr const char *stage_version = "condensation 1";
+constexpr const char *stage_version = "condensation 2";
 
-std::string key_of(const RollGeometry &g, const meshes::RollMeshSize &s, const Material &m, const bool slab,
-                   const bool fields)
+std::string key_of(const RollGeometry &g, const meshes::RollMeshSize &s, const Material &m,
+                   const fem::CondenseOptions &o)
 {
   const auto &c = s.section;
-  return hash_of(fmt::format("{} {} {} | {} {} {} {} {} {} | {} {} {} {} {} {} {} {} {} {} | {} {} | {} {}",
-                             stage_version, fem::library_version(), meshes::library_version(), g.radius,
-                             g.half_length, g.neck_radius, g.neck_length, g.seat_centre, g.contact_half_length,
-                             c.first_element, c.growth, c.patch_elements, c.depth_elements, c.depth_growth,
-                             c.far_growth, c.sector_elements, s.end_layer, s.layer_growth, s.largest_layer,
-                             m.youngs_modulus, m.poisson_ratio, slab, fields));
+  return hash_of(fmt::format(
+      "{} {} {} | {} {} {} {} {} {} | {} {} {} {} {} {} {} {} {} {} | {} {} | {} {} {} {} {}", stage_version,
+      fem::library_version(), meshes::library_version(), g.radius, g.half_length, g.neck_radius, g.neck_length,
+      g.seat_centre, g.contact_half_length, c.first_element, c.growth, c.patch_elements, c.depth_elements,
+      c.depth_growth, c.far_growth, c.sector_elements, s.end_layer, s.layer_growth, s.largest_layer,
+      m.youngs_modulus, m.poisson_ratio, s.break_at, o.slab, o.both_sides, o.tractions, o.keep_fields));
 }
 
 double free_memory()
@@ -37,10 +37,17 @@ struct OneRoll {
 };
 
 OneRoll condensed(RunContext &run, const std::string &name, const RollGeometry &geometry,
-                  const meshes::RollMeshSize &size, const Material &steel, const bool slab, const bool companion)
+                  const meshes::RollMeshSize &size, const Material &steel, const CondenseWish &wanted,
+                  const bool companion)
 {
   StageTimer timer(run, "condensation, " + name + (companion ? ", coarse mesh" : ""));
-  const std::string key       = key_of(geometry, size, steel, slab, companion);
+  fem::CondenseOptions options;
+  options.slab                = wanted.slab;
+  options.both_sides          = !wanted.slab && (wanted.both_sides || companion);
+  options.tractions           = wanted.tractions && companion;
+  options.keep_fields         = companion;
+  options.memory              = free_memory();
+  const std::string key       = key_of(geometry, size, steel, options);
   const std::string file      = run.cache + "/roll-" + key + ".bin";
   const std::string mesh_file = run.cache + "/roll-" + key + ".msh";
   OneRoll out;
@@ -59,10 +66,6 @@ OneRoll condensed(RunContext &run, const std::string &name, const RollGeometry &
   const std::string own = companion ? mesh_file : fmt::format("{}.{}", mesh_file, ::getpid());
   const MeshFile mesh   = meshes::mesh_roll(name, geometry, size, own);
   const fem::ElasticBody body(mesh, steel, 2);
-  fem::CondenseOptions options;
-  options.slab        = slab;
-  options.keep_fields = companion;
-  options.memory      = free_memory();
   fem::CondensedRoll roll;
   try {
     roll = fem::condense(body, geometry, options, run.progress);
@@ -71,7 +74,7 @@ OneRoll condensed(RunContext &run, const std::string &name, const RollGeometry &
     throw;
   }
   run.progress.note(fmt::format("{}: {} elements, {} unknowns, {} retained, factor {:.0f} MB", name, mesh.n_cells,
-                                roll.n_unknowns, roll.area.size(), roll.factor_bytes / 1e6));
+                                roll.n_unknowns, roll.grid.area.size(), roll.factor_bytes / 1e6));
   try {
     fem::save_roll(file, key, roll);
     run.made.insert(key);
@@ -87,13 +90,13 @@ OneRoll condensed(RunContext &run, const std::string &name, const RollGeometry &
 }  // namespace
 
 CondensedPair condensed_pair(RunContext &run, const std::string &name, const RollGeometry &geometry,
-                             const meshes::RollMeshSize &size, const Material &steel, const bool slab)
+                             const meshes::RollMeshSize &size, const Material &steel, const CondenseWish &wanted)
 {
   CondensedPair pair;
-  const auto coarse = condensed(run, name, geometry, meshes::coarsened(size), steel, slab, true);
+  const auto coarse = condensed(run, name, geometry, meshes::coarsened(size), steel, wanted, true);
   pair.coarse       = coarse.roll;
   pair.coarse_mesh  = coarse.mesh;
-  pair.fine         = condensed(run, name, geometry, size, steel, slab, false).roll;
+  pair.fine         = condensed(run, name, geometry, size, steel, wanted, false).roll;
   return pair;
 }
 }  // namespace mill

@@ -13,8 +13,16 @@ struct CondensedPair {
   MeshFile coarse_mesh;
 };
 
+/// What the contact needs of a roll beside the loads that are the same on both sides.
+struct CondenseWish {
+  bool slab = false;  ///< plane strain
+  bool both_sides =
+      false;  ///< loads that differ between the sides, on the wanted mesh; the coarse one always has them
+  bool tractions = false;  ///< friction, on the coarse mesh
+};
+
 /// Meshes and condenses a roll, or takes both from the cache; the key is everything the result depends on.
 /// @param name  as the user calls the roll: "backup roll"
 CondensedPair condensed_pair(RunContext &run, const std::string &name, const RollGeometry &geometry,
-                             const meshes::RollMeshSize &size, const Material &steel, bool slab);
+                             const meshes::RollMeshSize &size, const Material &steel, const CondenseWish &wanted);
 }  // namespace mill

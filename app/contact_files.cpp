@@ -1,5 +1,6 @@
 #include "app/contact_files.h"
 #include "fem/elastic_body.h"
+#include <array>
 
 namespace mill {
 Table curve_table(const ContactCurve &curve, const std::string &force, const std::string &stiffness)
@@ -38,14 +39,40 @@ Table barrel_table(const BarrelProfile &p)
   return table;
 }
 
+namespace {
+// Forces of the side z >= 0 and of the side z <= 0 as those of the even and the odd parity.
+std::array<Eigen::VectorXd, 2> fold(const fem::PatchGrid &grid, const Eigen::VectorXd &nodal)
+{
+  const Eigen::Index n = grid.x.size() * grid.z.size();
+  if (nodal.size() == n)
+    return {nodal, Eigen::VectorXd()};
+  std::array<Eigen::VectorXd, 2> parts{Eigen::VectorXd(n), Eigen::VectorXd(n)};
+  for (int k = 0; k < grid.n_z; ++k)
+    for (int i = 0; i < grid.n_x; ++i) {
+      const double right         = nodal[(grid.n_z - 1 + k) * grid.n_x + i],
+                   left          = nodal[(grid.n_z - 1 - k) * grid.n_x + i];
+      parts[0][k * grid.n_x + i] = k == 0 ? 0.5 * right : 0.5 * (right + left);
+      parts[1][k * grid.n_x + i] = k == 0 ? 0 : 0.5 * (right - left);
+    }
+  return parts;
+}
+}  // namespace
+
 void write_fields(RunContext &run, const std::string &file, const CondensedPair &roll, const Material &steel,
-                  const fem::ContactState &state)
+                  const contact::State &state)
 {
   const fem::ElasticBody body(roll.coarse_mesh, steel, 2);
+  const auto &grid             = roll.coarse->grid;
+  const auto [even, odd]       = fold(grid, state.nodal);
   Eigen::VectorXd pressure     = Eigen::VectorXd::Zero(body.nodes().rows());
   const std::vector<int> patch = fem::patch_in_grid_order(body);
-  for (std::size_t i = 0; i < patch.size(); ++i)
-    pressure[patch[i]] = state.nodal[Eigen::Index(i)] / roll.coarse->area[Eigen::Index(i)];
-  body.write_vtu(run.out.file(file), roll.coarse->field_squeeze * state.nodal, pressure);
+  for (std::size_t i = 0; i < patch.size(); ++i) {
+    const auto node    = Eigen::Index(i);
+    pressure[patch[i]] = (even[node] + (odd.size() > 0 ? odd[node] : 0)) / grid.area[node];
+  }
+  Eigen::VectorXd displacement = roll.coarse->squeeze.field * even;
+  if (odd.size() > 0)
+    displacement += roll.coarse->squeeze_odd.field * odd;
+  body.write_vtu(run.out.file(file), displacement, pressure);
 }
 }  // namespace mill

@@ -1,8 +1,8 @@
 #pragma once
 #include "app/condensed_rolls.h"
+#include "contact/problem.h"
 #include "core/csv.h"
 #include "core/records.h"
-#include "fem/contact_solver.h"
 #include "reduce/line_contact.h"
 
 namespace mill {
@@ -16,5 +16,5 @@ Table barrel_table(const BarrelProfile &profile);
 
 /// Displacement, stress and contact pressure on the companion mesh as VTU, mirrored state.
 void write_fields(RunContext &run, const std::string &file, const CondensedPair &roll, const Material &steel,
-                  const fem::ContactState &state);
+                  const contact::State &state);
 }  // namespace mill

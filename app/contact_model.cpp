@@ -1,13 +1,14 @@
 #include "app/contact_model.h"
 #include "app/contact_stage.h"
 #include "meshes/contact_mesh_size.h"
+#include "reduce/roll_profile.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
 namespace mill {
 namespace {
-RollGeometry geometry_of(const Roll &roll, const double facing)
+RollGeometry geometry_of(const Roll &roll, const double reach)
 {
   RollGeometry g;
   g.radius              = 0.5 * roll.barrel_diameter;
@@ -15,84 +16,113 @@ RollGeometry geometry_of(const Roll &roll, const double facing)
   g.neck_radius         = 0.5 * roll.neck_diameter;
   g.neck_length         = roll.neck_length;
   g.seat_centre         = 0.5 * roll.bearing_span;
-  g.contact_half_length = 0.5 * facing;
+  g.contact_half_length = reach;
   return g;
 }
 
-double table_at(const std::vector<std::array<double, 2>> &table, const double z)
+// What both rolls lack in radius at z of the stand, and what crossed axes add.  The lower work roll is the upper
+// one turned end for end and shifted the other way.
+double drop_at(const FourHigh &stand, const ContactSettings &settings, const double side, const double z)
 {
-  if (z <= table.front()[0])
-    return table.front()[1];
-  for (std::size_t i = 1; i < table.size(); ++i)
-    if (z <= table[i][0]) {
-      const double t = (z - table[i - 1][0]) / (table[i][0] - table[i - 1][0]);
-      return table[i - 1][1] + t * (table[i][1] - table[i - 1][1]);
-    }
-  return table.back()[1];
+  const double between = 0.5 * (stand.work_roll.barrel_diameter + stand.backup_roll.barrel_diameter);
+  return reduce::radius_drop(stand.backup_roll, z) +
+         reduce::radius_drop(stand.work_roll, side * z - stand.work_roll.axial_shift) +
+         reduce::crossing_gap(between, settings.cross_angle, settings.axis_offset, z);
 }
 
-// How much the radius is smaller than at mid-length; of a table the mean of both halves of the barrel.
-double radius_drop(const Roll &roll, const double z)
+Eigen::VectorXd profile_drop(const FourHigh &stand, const ContactSettings &settings, const double side,
+                             const Eigen::VectorXd &z)
 {
-  if (roll.crown_table.empty())
-    return 0.5 * roll.crown * std::pow(2 * z / roll.barrel_length, 2);
-  const auto diameter = [&](const double s) {
-    return 0.5 * (table_at(roll.crown_table, s) + table_at(roll.crown_table, -s));
-  };
-  return 0.5 * (diameter(0) - diameter(z));
-}
-
-Eigen::VectorXd profile_drop(const FourHigh &stand, const fem::CondensedRoll &grid)
-{
-  Eigen::VectorXd drop(grid.n_z);
-  for (int k = 0; k < grid.n_z; ++k)
-    drop[k] = radius_drop(stand.backup_roll, grid.z[k]) + radius_drop(stand.work_roll, grid.z[k]);
-  return drop;
+  return z.unaryExpr([&](const double at) { return drop_at(stand, settings, side, at); });
 }
 
 bool reaches_patch_edge(const fem::ContactPair &pair, const double load)
 {
   const auto point = fem::solve_load(pair, load);
-  for (int k = 0; k < pair.grid->n_z; ++k)
-    if (point.state.active[std::size_t(k) * pair.grid->n_x + pair.grid->n_x - 1])
+  for (int k = 0; k < pair.grid.n_z; ++k)
+    if (point.state.active[std::size_t(k) * pair.grid.n_x + pair.grid.n_x - 1])
       return true;
   return false;
 }
 
-void make_pairs(ContactModel &m, const std::string &name, const FourHigh &stand)
+void make_pairs(ContactModel &m, const std::string &name, const FourHigh &stand, const ContactSettings &settings)
 {
-  const auto mirrored = [&](const fem::CondensedRoll &backup, const fem::CondensedRoll &work) {
-    auto pair      = fem::make_pair(name, backup, fem::held_by_mirror(backup), work, fem::held_by_mirror(work),
-                                    profile_drop(stand, backup));
+  const double side = name == "lower" ? -1 : 1, shift = side * stand.work_roll.axial_shift;
+  const auto pair_of = [&](const fem::CondensedRoll &backup, const fem::HeldRoll &a,
+                           const fem::CondensedRoll &work, const fem::HeldRoll &b) {
+    auto pair = shift == 0
+                    ? fem::make_pair(name, backup, a, work, b, profile_drop(stand, settings, side, a.grid.z))
+                    : fem::make_pair(
+                          name, backup, a, work, b,
+                          [&](const double z) { return drop_at(stand, settings, side, z); }, shift);
+    if (!std::isnan(settings.tilt))
+      pair.tilt = settings.tilt;
+    pair.load_offset = settings.load_offset;
+    return pair;
+  };
+  const auto mirrored = [&](const fem::CondensedRoll &backup, const fem::CondensedRoll &work,
+                            const fem::Extent extent) {
+    auto pair      = pair_of(backup, fem::held_by_mirror(backup, extent), work, fem::held_by_mirror(work, extent));
     pair.reference = "axis to axis, mean over the contact length, each roll squeezed between two opposite contact "
                      "lines (Johnson's datum)";
     return pair;
   };
-  const auto &backup = *m.backup.fine;
-  const auto &work   = *m.work.fine;
-  m.mirrored         = mirrored(backup, work);
-  m.coarse           = mirrored(*m.backup.coarse, *m.work.coarse);
-  m.in_stand         = fem::make_pair(name, backup, fem::held_by_necks(backup), work,
-                                      fem::held_by_strip(work, stand.strip.width), profile_drop(stand, backup));
+  const auto &backup  = *m.backup.fine;
+  const auto &work    = *m.work.fine;
+  m.mirrored          = mirrored(backup, work, m.extent);
+  m.coarse            = mirrored(*m.backup.coarse, *m.work.coarse, m.extent);
+  m.coarse_whole      = mirrored(*m.backup.coarse, *m.work.coarse, fem::Extent::whole);
+  const auto on_strip = fem::held_by_strip(work, stand.strip.width, m.extent, -shift);
+  m.in_stand          = pair_of(backup, fem::held_by_necks(backup, m.extent), work, on_strip);
+  const auto &bending = stand.work_roll.bending_force;
+  if (bending[0] != 0 || bending[1] != 0)
+    fem::bend(m.in_stand, on_strip, bending[0], bending[1]);
   m.in_stand.reference =
       "axis to axis, mean over the contact length, backup roll on its bearings, work roll on the strip";
 }
 }  // namespace
 
+Eigen::VectorXd even_drop(const FourHigh &stand, const ContactSettings &settings, const Eigen::VectorXd &z)
+{
+  return 0.5 * (profile_drop(stand, settings, 1, z) + profile_drop(stand, settings, 1, -z));
+}
+
+bool is_one_sided(const FourHigh &stand, const ContactSettings &settings)
+{
+  const auto &bending = stand.work_roll.bending_force;
+  return stand.work_roll.axial_shift != 0 || reduce::is_one_sided(stand.work_roll) ||
+         reduce::is_one_sided(stand.backup_roll) || (!std::isnan(settings.tilt) && settings.tilt != 0) ||
+         (!std::isnan(settings.load_offset) && settings.load_offset != 0) || bending[0] != bending[1] ||
+         (settings.cross_angle != 0 && settings.axis_offset != 0);
+}
+
 ContactModel contact_model(RunContext &run, const FourHigh &stand, const std::string &name,
                            const ContactSettings &settings, const double largest_load)
 {
-  const double facing = std::min(stand.work_roll.barrel_length, stand.backup_roll.barrel_length);
+  // Part of the stand in which the barrels face each other; the mirror image for the lower rolls.
+  const double shift = stand.work_roll.axial_shift, L_work = 0.5 * stand.work_roll.barrel_length,
+               L_backup = 0.5 * stand.backup_roll.barrel_length;
+  const double low = std::max(-L_backup, shift - L_work), high = std::min(L_backup, shift + L_work);
+  const double facing = high - low;
   ContactModel m;
+  m.extent       = is_one_sided(stand, settings) ? fem::Extent::whole : fem::Extent::quarter;
   m.closed_form  = {stand.work_roll.barrel_diameter, stand.backup_roll.barrel_diameter, facing, stand.steel};
   const double b = reduce::line_contact(m.closed_form, largest_load).half_width;
+  CondenseWish wanted;
+  wanted.both_sides = m.extent == fem::Extent::whole;
+  wanted.tractions  = !std::isnan(settings.friction);
   // Crown, bending and a narrow strip gather the load, so the contact may be wider than that of a uniform load.
   for (double reach = 1.5; reach < 12; reach *= 1.5) {
-    const auto size = meshes::roll_contact_size(b, settings.elements_per_half_width, reach);
-    m.backup =
-        condensed_pair(run, "backup roll", geometry_of(stand.backup_roll, facing), size, stand.steel, false);
-    m.work = condensed_pair(run, "work roll", geometry_of(stand.work_roll, facing), size, stand.steel, false);
-    make_pairs(m, name, stand);
+    const auto size      = meshes::roll_contact_size(b, settings.elements_per_half_width, reach);
+    const auto condensed = [&](const char *roll_name, const Roll &roll, const double from, const double to) {
+      auto own     = size;
+      own.break_at = std::abs(from + to) > 1e-9 ? std::min(std::abs(from), std::abs(to)) : 0;
+      return condensed_pair(run, roll_name, geometry_of(roll, std::max(std::abs(from), std::abs(to))), own,
+                            stand.steel, wanted);
+    };
+    m.backup = condensed("backup roll", stand.backup_roll, low, high);
+    m.work   = condensed("work roll", stand.work_roll, low - shift, high - shift);
+    make_pairs(m, name, stand, settings);
     if (!reaches_patch_edge(m.mirrored, largest_load) && !reaches_patch_edge(m.in_stand, largest_load))
       return m;
     run.progress.note("contact " + name + ": the contact reaches the edge of its patch, meshing a wider one");

@@ -8,10 +8,18 @@ namespace mill {
 struct ContactModel {
   CondensedPair backup, work;
   reduce::CylinderPair closed_form;  ///< the same two rolls, infinitely long, for the contact length
-  fem::ContactPair mirrored;  ///< each roll squeezed between two opposite contacts: datum of the closed forms
-  fem::ContactPair in_stand;  ///< backup roll on its bearings, work roll on the strip
-  fem::ContactPair coarse;    ///< as mirrored, on the companion mesh
+  fem::ContactPair mirrored;      ///< each roll squeezed between two opposite contacts: datum of the closed forms
+  fem::ContactPair in_stand;      ///< backup roll on its bearings, work roll on the strip
+  fem::ContactPair coarse;        ///< as mirrored, on the companion mesh
+  fem::ContactPair coarse_whole;  ///< the same over both sides: for the joint stiffness
+  fem::Extent extent = fem::Extent::quarter;
 };
+
+/// (n) m, profiles of both rolls at z, the mean of both sides.
+Eigen::VectorXd even_drop(const FourHigh &stand, const ContactSettings &settings, const Eigen::VectorXd &z);
+
+/// True when the two sides of mid-length carry different loads.
+bool is_one_sided(const FourHigh &stand, const ContactSettings &settings);
 
 /// Meshes and condenses the two rolls for loads up to `largest_load`; widens the patch until no load reaches its
 /// edge.

@@ -1,4 +1,5 @@
 #include "app/contact_stage.h"
+#include "app/contact_details.h"
 #include "app/contact_files.h"
 #include "app/contact_model.h"
 #include "reduce/contact_stiffness.h"
@@ -15,16 +16,6 @@ struct Study {
   ContactModel model;
   ContactCurve mirrored, in_stand, coarse;
 };
-
-bool is_one_sided(const Roll &roll)
-{
-  const auto &table = roll.crown_table;
-  return std::any_of(table.begin(), table.end(), [&](const auto &row) {
-    return std::none_of(table.begin(), table.end(), [&](const auto &other) {
-      return std::abs(other[0] + row[0]) < 1e-9 && std::abs(other[1] - row[1]) < 1e-7;
-    });
-  });
-}
 
 // Swept range: that of the case, or a decade below the smallest and twice the largest working load.
 std::array<double, 2> swept_range(const std::string &name, const ContactSettings &settings,
@@ -46,18 +37,20 @@ std::array<double, 2> swept_range(const std::string &name, const ContactSettings
 // Slope of the fitted curve, which does not step as nodes come into contact, where the contact is a line contact;
 // else the exact slope of the active set.
 struct Slope {
-  double tangent, secant, exact;
+  double tangent, secant, exact, curvature;
 };
 Slope slope_at(const fem::ContactPair &pair, const ContactCurve &curve, const double load)
 {
   const auto point = fem::solve_load(pair, load);
-  double tangent   = point.tangent;
+  double tangent = point.tangent, curvature = not_given;
   try {
-    tangent = reduce::contact_stiffness(curve, load).tangent;
+    const auto fit = reduce::contact_stiffness(curve, load);
+    tangent        = fit.tangent;
+    curvature      = fit.curvature;
   } catch (const SolverError &) {
     // No line contact: a crown is being closed, or only the ends touch.
   }
-  return {tangent, load / point.approach, point.tangent};
+  return {tangent, load / point.approach, point.tangent, curvature};
 }
 
 Parameter blank(const Study &s, const std::string &unit, const double load, const std::string &reference)
@@ -92,7 +85,8 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
   const auto hertz            = reduce::line_contact(s.model.closed_form, F);
   const auto laws             = reduce::secant_laws(s.model.closed_form, F);
   const auto middle           = fem::barrel_profile(s.model.mirrored, fem::solve_load(s.model.mirrored, F));
-  const double section_secant = s.model.closed_form.length * middle.line_load[0] / middle.approach[0];
+  const auto mid              = fem::middle_station(s.model.mirrored.grid);
+  const double section_secant = s.model.closed_form.length * middle.line_load[mid] / middle.approach[mid];
   const std::string held_note = "bending, strip width, backup roll balanced by shear";
 
   Parameter tangent = blank(s, "N/m", F, s.mirrored.reference);
@@ -117,6 +111,19 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
   run.results.add(prefix + s.K + ".tangent", tangent);
   run.results.add(prefix + s.K + ".secant", secant);
 
+  if (!std::isnan(fine.curvature) && !std::isnan(coarse.curvature)) {
+    // Of a line contact the tangent compliance falls by A/F per newton (3.5b).
+    const double A_over_L =
+        1 / hertz.secant - 1 / hertz.tangent;  // (3.5a) and (3.5b) differ by one in the bracket
+    Parameter curvature      = blank(s, "N/m2", F, s.mirrored.reference);
+    curvature.value          = fine.curvature;
+    curvature.error_estimate = std::abs(coarse.curvature / fine.curvature - 1);
+    curvature.checks.push_back(
+        {"Hertz line contact, K^3 A/(F L)", std::pow(hertz.tangent, 3) * A_over_L / F, "no barrel ends"});
+    curvature.checks.push_back({"mesh twice as coarse", coarse.curvature, ""});
+    run.results.add(prefix + s.K + ".curvature", curvature);
+  }
+
   const auto add_held = [&](const char *what, const double value, const double exact, const Parameter &mirrored) {
     Parameter h      = blank(s, "N/m", F, s.in_stand.reference);
     h.value          = value;
@@ -137,7 +144,7 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
     run.warn(said);
   else if (prefix.empty())
     run.assume(said);
-  if (middle.half_width[0] == 0)
+  if (middle.half_width[mid] == 0)
     run.warn(fmt::format("contact {}: at {} the rolls do not touch at mid-length", s.name, in_kN(F)));
   return {tangent, secant};
 }
@@ -151,8 +158,10 @@ void add_section(RunContext &run, const Study &s, const FourHigh &stand, const d
   const auto coarse = fem::barrel_profile(s.model.coarse, point2);
   const auto held   = fem::barrel_profile(s.model.in_stand, fem::solve_load(s.model.in_stand, F));
   const auto hertz  = reduce::line_contact(s.model.closed_form, F);
+  const auto mid = fem::middle_station(s.model.mirrored.grid), mid2 = fem::middle_station(s.model.coarse.grid);
   // Half width and peak are fitted apart (1.4); a parabola of them must carry the line load again.
-  const double misfit = std::abs(0.5 * M_PI * fine.half_width[0] * fine.peak_pressure[0] / fine.line_load[0] - 1);
+  const double misfit =
+      std::abs(0.5 * M_PI * fine.half_width[mid] * fine.peak_pressure[mid] / fine.line_load[mid] - 1);
   const auto add = [&](const std::string &what, const std::string &unit, const double value, const double second,
                        const double closed, const std::string &reference) {
     Parameter p      = blank(s, unit, F, reference);
@@ -162,8 +171,9 @@ void add_section(RunContext &run, const Study &s, const FourHigh &stand, const d
     p.checks.push_back({"mesh twice as coarse", second, ""});
     run.results.add("contact." + s.name + "." + what, p);
   };
-  add("half_width", "m", fine.half_width[0], coarse.half_width[0], hertz.half_width, "at mid-length");
-  add("peak_pressure", "Pa", fine.peak_pressure[0], coarse.peak_pressure[0], hertz.peak_pressure, "at mid-length");
+  add("half_width", "m", fine.half_width[mid], coarse.half_width[mid2], hertz.half_width, "at mid-length");
+  add("peak_pressure", "Pa", fine.peak_pressure[mid], coarse.peak_pressure[mid2], hertz.peak_pressure,
+      "at mid-length");
   add("approach", "m", point.approach, point2.approach, hertz.approach, s.mirrored.reference);
 
   run.out.write("curves/contact-" + s.name + "-barrel.csv", csv_text(barrel_table(held)));
@@ -177,6 +187,8 @@ SolvedContact solve_one(RunContext &run, const FourHigh &stand, const std::strin
 {
   const auto [low, high] = swept_range(name, settings, loads);
   Study s{name, K, contact_model(run, stand, name, settings, high), {}, {}, {}};
+  for (const double load : loads)
+    require_resolved(s.model, name, settings, load);
   StageTimer timer(run, "contact " + name);
   const auto range = fem::log_spaced(low, high, settings.samples);
   s.mirrored       = fem::sweep(s.model.mirrored, range, run.progress);
@@ -191,6 +203,7 @@ SolvedContact solve_one(RunContext &run, const FourHigh &stand, const std::strin
     out.secant.push_back(secant);
   }
   add_section(run, s, stand, loads[0]);
+  add_contact_details(run, s.model, name, K, stand, settings, loads[0], out.tangent[0].error_estimate);
   run.out.write("curves/contact-" + name + ".csv", csv_text(curve_table(s.mirrored, "N", "N/m")));
   run.out.write("curves/contact-" + name + "-in-stand.csv", csv_text(curve_table(s.in_stand, "N", "N/m")));
   run.out.write("curves/contact-" + name + "-closed.csv",
@@ -209,13 +222,6 @@ std::string in_kN(const double load)
 std::map<std::string, SolvedContact> solve_contacts(RunContext &run, const FourHigh &stand,
                                                     const std::vector<double> &loads)
 {
-  for (const auto &[name, roll] : {
-           std::pair{"work_roll",   &stand.work_roll  },
-           std::pair{"backup_roll", &stand.backup_roll}
-  })
-    if (is_one_sided(*roll))
-      run.warn(std::string(name) +
-               ".crown_table differs between the two sides; the contact uses the mean of both");
   std::map<std::string, SolvedContact> out;
   out["upper"] = solve_one(run, stand, "upper", "K3", stand.upper_contact, loads);
   out["lower"] = solve_one(run, stand, "lower", "K5", stand.lower_contact, loads);

@@ -21,15 +21,15 @@ void solve_cylinders(RunContext &run, const TwoCylinders &spec)
     auto size =
         meshes::slab_contact_size(half_width(c.loads[0]), half_width(c.loads[1]), c.elements_per_half_width);
     size.end_layer = size.largest_layer = g.half_length;
-    auto pair                           = condensed_pair(run, name, g, size, spec.steel, true);
+    auto pair                           = condensed_pair(run, name, g, size, spec.steel, {true, false, false});
     return pair;
   };
   const CondensedPair upper = slab("upper cylinder", spec.upper_diameter),
                       lower = slab("lower cylinder", spec.lower_diameter);
   StageTimer timer(run, "contact line");
   const auto contact = [&](const fem::CondensedRoll &a, const fem::CondensedRoll &b) {
-    auto pair =
-        fem::make_pair("line", a, fem::held_by_mirror(a), b, fem::held_by_mirror(b), Eigen::VectorXd::Zero(a.n_z));
+    auto pair      = fem::make_pair("line", a, fem::held_by_mirror(a), b, fem::held_by_mirror(b),
+                                    Eigen::VectorXd::Zero(a.grid.n_z));
     pair.reference = "axis to axis, each cylinder squeezed between two opposite contact lines (Johnson's datum)";
     return pair;
   };

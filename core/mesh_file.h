@@ -18,6 +18,8 @@ struct RollGeometry {
 struct MeshFile {
   std::string path;
   std::string hash;  ///< of the inputs and the code version that made it
+  double unit =
+      1;  ///< m, of the coordinates on disk: a roll is meshed as one of radius 1, so that its size is exact
   RollGeometry geometry;
   int n_cells               = 0;
   int n_nodes               = 0;      ///< corner nodes

@@ -15,9 +15,10 @@ constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 /// Elastic solid.
 struct Material {
-  double youngs_modulus = 210e9;  ///< Pa
-  double poisson_ratio  = 0.28;   ///< -
-  double density        = 7700;   ///< kg/m3
+  double youngs_modulus = 210e9;      ///< Pa
+  double poisson_ratio  = 0.28;       ///< -
+  double density        = 7700;       ///< kg/m3
+  double yield_stress   = not_given;  ///< Pa, of the rolls' surface
 };
 
 /// A roll as drawn.  Work roll and backup roll are the same struct; the case file names their lengths differently.
@@ -29,10 +30,17 @@ struct Roll {
   double bearing_span    = 0;  ///< m, between the centres of the two bearings
   double crown           = 0;  ///< m, diameter at mid-length minus diameter at the barrel end (parabola)
   std::vector<std::array<double, 2>> crown_table;  ///< m, (z, diameter difference to the nominal); replaces crown
-  std::string bearing;                             ///< name of a [bearing.*]
-  double bearing_mass     = 0;                     ///< kg, per side
-  double chock_mass_upper = 0;                     ///< kg, per side, in the upper half of the stand
-  double chock_mass_lower = 0;                     ///< kg, per side, in the lower half
+  std::vector<std::array<double, 2>> crown_polynomial;  ///< (power -, m on the diameter), in 2 z / barrel_length
+  double thermal_crown = 0;                             ///< m, on the diameter, as crown
+  std::vector<std::array<double, 2>> thermal_crown_table;  ///< m, as crown_table
+  double end_chamfer_length           = 0;                 ///< m
+  double end_chamfer_depth            = 0;                 ///< m, on the radius
+  double axial_shift                  = 0;                 ///< m, upper work roll towards z > 0
+  std::array<double, 2> bending_force = {0, 0};  ///< N, chocks at z > 0 and z < 0, towards the backup roll
+  std::string bearing;                           ///< name of a [bearing.*]
+  double bearing_mass     = 0;                   ///< kg, per side
+  double chock_mass_upper = 0;                   ///< kg, per side, in the upper half of the stand
+  double chock_mass_lower = 0;                   ///< kg, per side, in the lower half
   double bearing_load =
       not_given;  ///< N, radial load of one bearing; absent: F/2 (backup), F/20 assumed (work roll)
 };
@@ -124,6 +132,12 @@ struct ContactSettings {
   int elements_per_half_width = 8;          ///< quadratic elements per Hertz half width of the largest load
   double length               = not_given;  ///< m, two-cylinders: plane strain over this length
   double at                   = not_given;  ///< N/m, two-cylinders: load of the scalar results
+  double tilt                 = not_given;  ///< rad, of the axes in the plane of the load, closing at z > 0
+  double load_offset          = not_given;  ///< m, of the resultant from mid-length
+  double cross_angle          = 0;          ///< rad, of the axes in the plane of contact
+  double axis_offset          = 0;          ///< m, across the plane of the load
+  double friction             = not_given;  ///< -, Coulomb; absent: frictionless
+  double path_trim            = 0.1;        ///< -, share of the path left out at each end for the plateau
   Place loads_place, elements_place;        ///< for messages
 };
 

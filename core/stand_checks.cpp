@@ -41,17 +41,35 @@ void check_roll(const std::string &name, const Roll &roll, Reading &reading)
                fmt::format("puts the bearing centres inside the barrel, which is {} long",
                            millimetres(roll.barrel_length)),
                {key("barrel_length")});
-  if (!roll.crown_table.empty() && reading.places.count(key("crown")))
-    contradict(reading, key("crown"), "stands beside a crown_table; give one of the two", {key("crown_table")});
-  if (reading.usable({key("crown_table"), key("barrel_length")}) && !roll.crown_table.empty()) {
-    const double reach = std::max(-roll.crown_table.front()[0], roll.crown_table.back()[0]);
-    // one part in 1e9 for the rounding of the units
-    if (reach > roll.barrel_length / 2 * (1 + 1e-9))
-      contradict(reading, key("crown_table"),
-                 fmt::format("reaches {} from mid-length; the barrel ends at {}", millimetres(reach),
-                             millimetres(roll.barrel_length / 2)),
-                 {key("barrel_length")});
-  }
+  const auto given = [&](const char *k) { return reading.places.count(key(k)) > 0; };
+  for (const auto &[one, other] :
+       {std::pair("crown", "crown_table"), std::pair("crown", "crown_polynomial"),
+        std::pair("crown_table", "crown_polynomial"), std::pair("thermal_crown", "thermal_crown_table")})
+    if (given(one) && given(other))
+      contradict(reading, key(one), fmt::format("stands beside a {}; give one of the two", other), {key(other)});
+  for (const auto &[name_of, table] :
+       {std::pair("crown_table", &roll.crown_table), std::pair("thermal_crown_table", &roll.thermal_crown_table)})
+    if (reading.usable({key(name_of), key("barrel_length")}) && !table->empty()) {
+      const double reach = std::max(-table->front()[0], table->back()[0]);
+      // one part in 1e9 for the rounding of the units
+      if (reach > roll.barrel_length / 2 * (1 + 1e-9))
+        contradict(reading, key(name_of),
+                   fmt::format("reaches {} from mid-length; the barrel ends at {}", millimetres(reach),
+                               millimetres(roll.barrel_length / 2)),
+                   {key("barrel_length")});
+    }
+  if (reading.usable({key("crown_polynomial")}))
+    for (const auto &term : roll.crown_polynomial)
+      if (term[0] != std::floor(term[0]) || term[0] < 1 || term[0] > 12) {
+        contradict(reading, key("crown_polynomial"), "needs whole powers from 1 to 12 in its first column", {});
+        break;
+      }
+  if (reading.usable({key("end_chamfer_length"), key("barrel_length")}) &&
+      roll.end_chamfer_length > roll.barrel_length / 2)
+    contradict(reading, key("end_chamfer_length"), "is longer than half the barrel", {key("barrel_length")});
+  if (reading.usable({key("end_chamfer_length"), key("end_chamfer_depth")}) && roll.end_chamfer_depth > 0 &&
+      roll.end_chamfer_length == 0)
+    contradict(reading, key("end_chamfer_depth"), "needs an end_chamfer_length over which the radius falls", {});
 }
 
 void check_bearing_name(const std::string &roll, const std::string &bearing, const FourHigh &stand,
@@ -265,6 +283,10 @@ void check_passes(const std::vector<Pass> &passes, Reading &reading)
 void check_contact(const std::string &section, const ContactSettings &contact, Reading &reading)
 {
   const std::string loads = section + ".loads", at = section + ".at";
+  if (reading.usable({section + ".tilt", section + ".load_offset"}) && !std::isnan(contact.tilt) &&
+      !std::isnan(contact.load_offset))
+    contradict(reading, section + ".tilt", "stands beside a load_offset; the one follows from the other",
+               {section + ".load_offset"});
   if (!reading.usable({loads}) || std::isnan(contact.loads[0]))
     return;
   if (!(contact.loads[0] < contact.loads[1]))
@@ -294,6 +316,20 @@ void check_four_high(const FourHigh &stand, Reading &reading)
   check_bearing_name("work_roll", stand.work_roll.bearing, stand, reading);
   check_bearing_name("backup_roll", stand.backup_roll.bearing, stand, reading);
   check_strip(stand, reading);
+  const double facing = std::min(stand.work_roll.barrel_length, stand.backup_roll.barrel_length);
+  if (reading.usable({"work_roll.axial_shift", "work_roll.barrel_length", "backup_roll.barrel_length"}) &&
+      std::abs(stand.work_roll.axial_shift) > 0.4 * facing)
+    contradict(reading, "work_roll.axial_shift",
+               "leaves little of the barrels facing each other; at most 0.4 of the shorter one",
+               {"work_roll.barrel_length", "backup_roll.barrel_length"});
+  for (const auto &[name, contact] :
+       {std::pair("contact.upper", &stand.upper_contact), std::pair("contact.lower", &stand.lower_contact)})
+    if (const std::string key = std::string(name) + ".load_offset";
+        reading.usable({key, "work_roll.barrel_length", "backup_roll.barrel_length"}) &&
+        std::abs(contact->load_offset) >= 0.5 * facing)
+      contradict(reading, key,
+                 fmt::format("puts the force beside the contact, which ends at {}", millimetres(0.5 * facing)),
+                 {"work_roll.barrel_length", "backup_roll.barrel_length"});
   if (stand.passes.empty() && reading.usable({"pass"}))
     reading.add(Place{reading.file}, "there is no [[pass]]; the working load of every stiffness comes from one");
   for (std::size_t i = 0; i < stand.passes.size(); ++i) {

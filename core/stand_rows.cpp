@@ -7,6 +7,34 @@ namespace {
 constexpr Range any{};
 constexpr Range stand_stiffness{1, 1e7};  // kN/mm, from a soft spring to far beyond a solid block of steel
 constexpr Range part_mass{0, 5e5};        // kg
+
+// The profile of the barrel, the same keys for work and backup roll.  z counts from mid-length, positive towards
+// the drive side.
+template <class T> void add_profile_rows(std::vector<Field<T>> &rows)
+{
+  const auto add = [&](const char *key, Member<T> member, const char *form, Range range, Fallback fallback,
+                       const char *example, const char *meaning) {
+    rows.push_back({key, member, form, range, fallback, example, meaning});
+  };
+  add("crown", &T::crown, "um", {-2000, 2000}, 0, "0 um",
+      "diameter at mid-length minus diameter at the barrel end, parabola between");
+  add("crown_table", &T::crown_table, "mm, um", {-5000, 5000}, absent,
+      R"([["-700 mm", "0 um"], ["700 mm", "0 um"]])",
+      "position from mid-length and diameter minus nominal, instead of crown");
+  add("crown_polynomial", &T::crown_polynomial, "1, um", {-5000, 5000}, absent, R"([[1, "0 um"], [3, "0 um"]])",
+      "powers and coefficients of the diameter minus nominal in 2 z / barrel_length, instead of crown; odd powers "
+      "make a CVC profile");
+  add("thermal_crown", &T::thermal_crown, "um", {-2000, 2000}, 0, "0 um",
+      "growth of the diameter by heat at mid-length against the barrel end, parabola between; adds to the ground "
+      "crown");
+  add("thermal_crown_table", &T::thermal_crown_table, "mm, um", {-5000, 5000}, absent,
+      R"([["-700 mm", "0 um"], ["700 mm", "0 um"]])",
+      "position from mid-length and growth of the diameter by heat, instead of thermal_crown");
+  add("end_chamfer_length", &T::end_chamfer_length, "mm", {0, 1000}, 0, "0 mm",
+      "length of the relief at each barrel end");
+  add("end_chamfer_depth", &T::end_chamfer_depth, "um", {0, 5000}, 0, "0 um",
+      "how much the radius has fallen at the barrel end, straight over end_chamfer_length");
+}
 }  // namespace
 
 const std::vector<Field<CaseHead>> &head_rows()
@@ -26,91 +54,95 @@ const std::vector<Field<Material>> &steel_rows()
       {"youngs_modulus", &T::youngs_modulus, "GPa",   {1, 1000},    210,  "210 GPa",    "Young's modulus of every solid"},
       {"poisson_ratio",  &T::poisson_ratio,  "1",     {0, 0.49},    0.28, "0.28",       "Poisson's ratio"               },
       {"density",        &T::density,        "kg/m3", {500, 25000}, 7700, "7700 kg/m3", "density"                       },
+      {"yield_stress",
+       &T::yield_stress,
+       "MPa",                                         {1, 10000},
+       absent,                                                            "1500 MPa",
+       "yield stress of the rolls; when given, pressures beyond the elastic range are warned of"                        },
   };
   return rows;
 }
 
 const std::vector<Field<WorkRollInput>> &work_roll_rows()
 {
-  using T = WorkRollInput;
-  static const std::vector<Field<T>> rows{
-      {"barrel_diameter",
-       &T::barrel_diameter,
-       "mm",                                             {200, 2500},
-       required,                                                                   "420 mm",
-       "ground diameter of the barrel"                                                                                                                     },
-      {"barrel_length",    &T::barrel_length,    "mm",   {300, 6000},    required, "1400 mm",                                      "length of the barrel"  },
-      {"neck_diameter",    &T::neck_diameter,    "mm",   {50, 2500},     required, "266.7 mm",                                     "diameter of both necks"},
-      {"total_length",     &T::total_length,     "mm",   {300, 12000},   required, "2320 mm",                                      "over both necks"       },
-      {"bearing_span",
-       &T::bearing_span,
-       "mm",                                             {300, 12000},
-       required,                                                                   "2000 mm",
-       "between the centres of the two bearings"                                                                                                           },
-      {"crown",
-       &T::crown,
-       "um",                                             {-2000, 2000},
-       0,                                                                          "0 um",
-       "diameter at mid-length minus diameter at the barrel end, parabola between"                                                                         },
-      {"crown_table",
-       &T::crown_table,
-       "mm, um",                                         {-5000, 5000},
-       absent,                                                                     R"([["-700 mm", "0 um"], ["700 mm", "0 um"]])",
-       "position from mid-length and diameter minus nominal, instead of crown"                                                                             },
-      {"bearing",          &T::bearing,          "text", any,            required, "trb",                                          "name of a [bearing.*]" },
-      {"bearing_mass",     &T::bearing_mass,     "kg",   part_mass,      required, "90 kg",                                        "bearing set, per side" },
-      {"chock_mass_upper", &T::chock_mass_upper, "kg",   part_mass,      required, "0 kg",                                         "upper chock, per side" },
-      {"chock_mass_lower", &T::chock_mass_lower, "kg",   part_mass,      required, "880 kg",                                       "lower chock, per side" },
-      {"bearing_load",
-       &T::bearing_load,
-       "kN",                                             {0.001, 50000},
-       absent,                                                                     "48.8 kN",
-       "radial load of one bearing; when absent F/20 is assumed and reported as an assumption"                                                             },
-  };
+  using T                                 = WorkRollInput;
+  static const std::vector<Field<T>> rows = [] {
+    std::vector<Field<T>> all{
+        {"barrel_diameter",
+         &T::barrel_diameter,
+         "mm",                                             {200, 2500},
+         required,                                                                    "420 mm",
+         "ground diameter of the barrel"                                                                                             },
+        {"barrel_length",    &T::barrel_length,    "mm",   {300, 6000},     required, "1400 mm",             "length of the barrel"  },
+        {"neck_diameter",    &T::neck_diameter,    "mm",   {50, 2500},      required, "266.7 mm",            "diameter of both necks"},
+        {"total_length",     &T::total_length,     "mm",   {300, 12000},    required, "2320 mm",             "over both necks"       },
+        {"bearing_span",
+         &T::bearing_span,
+         "mm",                                             {300, 12000},
+         required,                                                                    "2000 mm",
+         "between the centres of the two bearings"                                                                                   },
+        {"bearing",          &T::bearing,          "text", any,             required, "trb",                 "name of a [bearing.*]" },
+        {"bearing_mass",     &T::bearing_mass,     "kg",   part_mass,       required, "90 kg",               "bearing set, per side" },
+        {"chock_mass_upper", &T::chock_mass_upper, "kg",   part_mass,       required, "0 kg",                "upper chock, per side" },
+        {"chock_mass_lower", &T::chock_mass_lower, "kg",   part_mass,       required, "880 kg",              "lower chock, per side" },
+        {"axial_shift",
+         &T::axial_shift,
+         "mm",                                             {-1000, 1000},
+         0,                                                                           "0 mm",
+         "of the upper work roll against the backup roll, towards the drive side; the lower work roll goes the "
+         "other way"                                                                                                                 },
+        {"bending_force",
+         &T::bending_force,
+         "kN",                                             {-10000, 10000},
+         absent,                                                                      R"(["0 kN", "0 kN"])",
+         "on the chocks of drive and operator side, positive towards the backup roll"                                                },
+        {"bearing_load",
+         &T::bearing_load,
+         "kN",                                             {0.001, 50000},
+         absent,                                                                      "48.8 kN",
+         "radial load of one bearing; when absent F/20 is assumed and reported as an assumption"                                     },
+    };
+    add_profile_rows(all);
+    return all;
+  }();
   return rows;
 }
 
 const std::vector<Field<Roll>> &backup_roll_rows()
 {
-  using T = Roll;
-  static const std::vector<Field<T>> rows{
-      {"barrel_diameter",
-       &T::barrel_diameter,
-       "mm",                                             {200, 2500},
-       required,                                                                   "1450 mm",
-       "ground diameter of the barrel"                                                                                                                     },
-      {"barrel_length",    &T::barrel_length,    "mm",   {300, 6000},    required, "1400 mm",                                      "length of the barrel"  },
-      {"neck_diameter",    &T::neck_diameter,    "mm",   {50, 2500},     required, "950 mm",                                       "diameter of both necks"},
-      {"neck_length",
-       &T::neck_length,
-       "mm",                                             {50, 5000},
-       required,                                                                   "950 mm",
-       "each side, from the barrel end to the end of the roll"                                                                                             },
-      {"bearing_span",
-       &T::bearing_span,
-       "mm",                                             {300, 12000},
-       required,                                                                   "2450 mm",
-       "between the centres of the two bearings"                                                                                                           },
-      {"crown",
-       &T::crown,
-       "um",                                             {-2000, 2000},
-       0,                                                                          "0 um",
-       "diameter at mid-length minus diameter at the barrel end, parabola between"                                                                         },
-      {"crown_table",
-       &T::crown_table,
-       "mm, um",                                         {-5000, 5000},
-       absent,                                                                     R"([["-700 mm", "0 um"], ["700 mm", "0 um"]])",
-       "position from mid-length and diameter minus nominal, instead of crown"                                                                             },
-      {"bearing",          &T::bearing,          "text", any,            required, "crb",                                          "name of a [bearing.*]" },
-      {"bearing_mass",     &T::bearing_mass,     "kg",   part_mass,      required, "1500 kg",                                      "bearing, per side"     },
-      {"chock_mass_upper", &T::chock_mass_upper, "kg",   part_mass,      required, "10900 kg",                                     "upper chock, per side" },
-      {"chock_mass_lower", &T::chock_mass_lower, "kg",   part_mass,      required, "9800 kg",                                      "lower chock, per side" },
-      {"bearing_load",
-       &T::bearing_load,
-       "kN",                                             {0.001, 50000},
-       absent,                                                                     "488 kN",
-       "radial load of one bearing; when absent half the rolling force"                                                                                    },
-  };
+  using T                                 = Roll;
+  static const std::vector<Field<T>> rows = [] {
+    std::vector<Field<T>> all{
+        {"barrel_diameter",
+         &T::barrel_diameter,
+         "mm",                                             {200, 2500},
+         required,                                                                   "1450 mm",
+         "ground diameter of the barrel"                                                                                 },
+        {"barrel_length",    &T::barrel_length,    "mm",   {300, 6000},    required, "1400 mm",  "length of the barrel"  },
+        {"neck_diameter",    &T::neck_diameter,    "mm",   {50, 2500},     required, "950 mm",   "diameter of both necks"},
+        {"neck_length",
+         &T::neck_length,
+         "mm",                                             {50, 5000},
+         required,                                                                   "950 mm",
+         "each side, from the barrel end to the end of the roll"                                                         },
+        {"bearing_span",
+         &T::bearing_span,
+         "mm",                                             {300, 12000},
+         required,                                                                   "2450 mm",
+         "between the centres of the two bearings"                                                                       },
+        {"bearing",          &T::bearing,          "text", any,            required, "crb",      "name of a [bearing.*]" },
+        {"bearing_mass",     &T::bearing_mass,     "kg",   part_mass,      required, "1500 kg",  "bearing, per side"     },
+        {"chock_mass_upper", &T::chock_mass_upper, "kg",   part_mass,      required, "10900 kg", "upper chock, per side" },
+        {"chock_mass_lower", &T::chock_mass_lower, "kg",   part_mass,      required, "9800 kg",  "lower chock, per side" },
+        {"bearing_load",
+         &T::bearing_load,
+         "kN",                                             {0.001, 50000},
+         absent,                                                                     "488 kN",
+         "radial load of one bearing; when absent half the rolling force"                                                },
+    };
+    add_profile_rows(all);
+    return all;
+  }();
   return rows;
 }
 
@@ -292,6 +324,36 @@ const std::vector<Field<ContactSettings>> &roll_contact_rows()
        "count",                                         {2, 64},
        8,                                                                  "8",
        "quadratic elements per Hertz half width at the largest load"                                                                               },
+      {"tilt",
+       &T::tilt,
+       "mrad",                                          {-50, 50},
+       absent,                                                             "0 mrad",
+       "angle of the two axes in the plane of the load, closing on the drive side"                                                                 },
+      {"load_offset",
+       &T::load_offset,
+       "mm",                                            {-5000, 5000},
+       absent,                                                             "0 mm",
+       "position of the resultant force from mid-length, towards the drive side; instead of tilt"                                                  },
+      {"cross_angle",
+       &T::cross_angle,
+       "deg",                                           {-5, 5},
+       0,                                                                  "0 deg",
+       "angle of the two axes in the plane of contact"                                                                                             },
+      {"axis_offset",
+       &T::axis_offset,
+       "mm",                                            {-500, 500},
+       0,                                                                  "0 mm",
+       "distance of the two axes across the plane of the load"                                                                                     },
+      {"friction",
+       &T::friction,
+       "1",                                             {0, 2},
+       absent,                                                             "0.2",
+       "Coulomb friction between the rolls; when given its effect on the stiffness is computed"                                                    },
+      {"path_trim",
+       &T::path_trim,
+       "%",                                             {0, 45},
+       10,                                                                 "10 %",
+       "share of the contact path left out at each end for the plateau value (.path_plateau)"                                                      },
   };
   return rows;
 }

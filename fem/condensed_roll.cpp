@@ -16,7 +16,7 @@ struct Free {
 
 Free free_unknowns(const ElasticBody &body, const std::vector<char> &held)
 {
-  const SymmetricSparse &A = body.stiffness();
+  const SymmetricSparse &A = body.unit_stiffness();
   Free f;
   f.place.assign(A.rows(), -1);
   for (int i = 0; i < A.rows(); ++i)
@@ -55,38 +55,44 @@ void read_grid(const ElasticBody &body, const std::vector<int> &patch, Condensed
 {
   const auto &p      = body.nodes();
   const double small = 1e-7 * roll.geometry.radius;
-  roll.n_x           = 0;
-  while (roll.n_x < int(patch.size()) && std::abs(p(patch[roll.n_x], 2) - p(patch[0], 2)) <= small)
-    ++roll.n_x;
-  roll.n_z = int(patch.size()) / roll.n_x;
-  roll.x.resize(roll.n_x);
-  roll.z.resize(roll.n_z);
-  for (int i = 0; i < roll.n_x; ++i)
-    roll.x[i] = p(patch[i], 0);
-  for (int k = 0; k < roll.n_z; ++k)
-    roll.z[k] = p(patch[k * roll.n_x], 2);
+  PatchGrid &grid    = roll.grid;
+  grid.degree        = body.degree();
+  grid.n_x           = 0;
+  while (grid.n_x < int(patch.size()) && std::abs(p(patch[grid.n_x], 2) - p(patch[0], 2)) <= small)
+    ++grid.n_x;
+  grid.n_z = int(patch.size()) / grid.n_x;
+  grid.x.resize(grid.n_x);
+  grid.z.resize(grid.n_z);
+  for (int i = 0; i < grid.n_x; ++i)
+    grid.x[i] = p(patch[i], 0);
+  for (int k = 0; k < grid.n_z; ++k)
+    grid.z[k] = p(patch[k * grid.n_x], 2);
+  const Eigen::VectorXd area = body.face_weights("contact");
+  grid.area.resize(Eigen::Index(patch.size()));
+  for (std::size_t i = 0; i < patch.size(); ++i)
+    grid.area[Eigen::Index(i)] = area[patch[i]];
 }
 }  // namespace
 
-// Symmetry planes x = 0 and z = 0, and the parity about y = 0.
-std::vector<char> held_unknowns(const ElasticBody &body, const bool squeeze, const bool slab)
+std::vector<char> held_unknowns(const ElasticBody &body, const Parity &parity, const bool slab)
 {
-  std::vector<char> held(body.stiffness().rows(), 0);
-  const auto hold = [&](const char *group, const int direction) {
+  std::vector<char> held(3 * body.nodes().rows(), 0);
+  const auto hold = [&](const char *group, const std::vector<int> &directions) {
     for (const int node : body.group(group))
-      held[3 * node + direction] = 1;
+      for (const int direction : directions)
+        held[3 * node + direction] = 1;
   };
-  hold("symmetry.x", 0);
-  hold("symmetry.z", 2);
+  hold("symmetry.x", {0});
   if (slab)
-    hold("end", 2);
-  if (squeeze)
-    hold("symmetry.y", 1);
-  else {
-    hold("symmetry.y", 0);
-    hold("symmetry.y", 2);
-    held[3 * body.axis().front() + 1] = 1;  // rigid motion along y: pinned, carried by the approach
-  }
+    hold("end", {2});
+  hold("symmetry.y", parity.squeeze ? std::vector<int>{1} : std::vector<int>{0, 2});
+  hold("symmetry.z", parity.odd ? std::vector<int>{0, 1} : std::vector<int>{2});
+  // What stays free: translation along y, rotation about x, or (squeezed one way on each side) translation along
+  // z.
+  if (parity.squeeze && parity.odd)
+    held[3 * body.axis().front() + 2] = 1;
+  else if (!parity.squeeze)
+    held[3 * (parity.odd ? body.axis().back() : body.axis().front()) + 1] = 1;
   return held;
 }
 
@@ -105,86 +111,132 @@ std::vector<int> patch_in_grid_order(const ElasticBody &body)
   return patch;
 }
 
+namespace {
+// Places of the retained unknowns in the reduced matrix: axis along y, then the patch by component.
+struct Retained {
+  std::vector<int> all;
+  std::vector<int> axis_row;   // of each axis node among the retained, -1: held
+  std::vector<int> patch_row;  // of each of the n or 3n patch unknowns among the retained, -1: held
+};
+
+Retained choose(const Free &f, const std::vector<int> &axis, const std::vector<int> &patch, const bool tractions)
+{
+  Retained r;
+  const auto keep = [&](const int node, const int direction) {
+    const int place = f.place[3 * node + direction];
+    if (place < 0)
+      return -1;
+    r.all.push_back(place);
+    return int(r.all.size()) - 1;
+  };
+  for (const int node : axis)
+    r.axis_row.push_back(keep(node, 1));
+  for (const int direction : tractions ? std::vector<int>{1, 0, 2} : std::vector<int>{1})
+    for (const int node : patch)
+      r.patch_row.push_back(keep(node, direction));
+  return r;
+}
+
+// Rows and columns of C, zero where an unknown is held; the normal counts towards the axis, against y.
+Eigen::MatrixXd block(const Eigen::MatrixXd &C, const std::vector<int> &rows, const std::vector<int> &cols)
+{
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(Eigen::Index(rows.size()), Eigen::Index(cols.size()));
+  for (std::size_t j = 0; j < cols.size(); ++j)
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (rows[i] >= 0 && cols[j] >= 0)
+        out(Eigen::Index(i), Eigen::Index(j)) = C(rows[i], cols[j]);
+  return out;
+}
+}  // namespace
+
 CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, const CondenseOptions &options,
                        const Progress &progress)
 {
   CondensedRoll roll;
   roll.geometry                = geometry;
-  roll.degree                  = body.degree();
   const std::vector<int> patch = patch_in_grid_order(body);
   read_grid(body, patch, roll);
-  const int n                = int(patch.size());
-  const Eigen::VectorXd area = body.face_weights("contact");
-  roll.area.resize(n);
-  for (int i = 0; i < n; ++i)
-    roll.area[i] = area[patch[i]];
+  const int n = int(patch.size());
 
-  const auto solve_parity = [&](const bool squeeze) {
-    const Free f                = free_unknowns(body, held_unknowns(body, squeeze, options.slab));
-    const std::vector<int> axis = squeeze ? std::vector<int>() : body.axis();
-    std::vector<int> retained;
-    for (const int node : axis)
-      if (f.place[3 * node + 1] >= 0)
-        retained.push_back(f.place[3 * node + 1]);
-    const int n_axis = int(retained.size());
-    for (const int node : patch)
-      retained.push_back(f.place[3 * node + 1]);
-    const CondensingFactor factor(f.K, f.node, retained, options.memory);
-    const Eigen::MatrixXd C                   = inverse_from_factor(factor.schur_factor());
-    roll.n_unknowns                           = int(f.unknown.size());
-    roll.factor_bytes                         = factor.cost().bytes;
-    roll.factor_flops                         = factor.cost().n_flops;
-    (squeeze ? roll.squeeze : roll.translate) = C.bottomRightCorner(n, n);
-    if (!squeeze) {
-      // The pinned axis node is the first; it does not move.
-      const int n_all = int(axis.size());
-      roll.axis_z.resize(n_all);
-      for (int k = 0; k < n_all; ++k)
-        roll.axis_z[k] = body.nodes()(axis[k], 2);
-      roll.axis.setZero(n_all, n);
-      roll.axis.bottomRows(n_axis) = C.topRightCorner(n_axis, n);
-      const Eigen::VectorXd seat   = body.face_load("neck", seat_pressure, &geometry);
-      Eigen::VectorXd load         = Eigen::VectorXd::Zero(roll.n_unknowns);
+  const auto solve_parity = [&](const Parity &parity) {
+    ParityFlexibility out;
+    const Free f        = free_unknowns(body, held_unknowns(body, parity, options.slab));
+    const auto axis     = parity.squeeze ? std::vector<int>() : body.axis();
+    const bool traction = options.tractions && parity.squeeze;
+    const Retained kept = choose(f, axis, patch, traction);
+    const CondensingFactor factor(f.K, f.node, kept.all, options.memory);
+    const Eigen::MatrixXd C = inverse_from_factor(factor.schur_factor()) / body.stiffness_unit();
+    roll.n_unknowns         = int(f.unknown.size());
+    roll.factor_bytes       = factor.cost().bytes;
+    roll.factor_flops       = factor.cost().n_flops;
+    const std::vector<int> normal(kept.patch_row.begin(), kept.patch_row.begin() + n);
+    out.patch = block(C, normal, normal);
+    if (traction) {
+      out.traction = block(C, kept.patch_row, kept.patch_row);
+      out.traction.topRows(n) *= -1;
+      out.traction.leftCols(n) *= -1;
+    }
+    if (!parity.squeeze) {
+      roll.axis_z.resize(Eigen::Index(axis.size()));
+      for (std::size_t k = 0; k < axis.size(); ++k)
+        roll.axis_z[Eigen::Index(k)] = body.nodes()(axis[k], 2);
+      out.axis                   = block(C, kept.axis_row, normal);
+      const Eigen::VectorXd seat = body.face_load("neck", seat_pressure, &geometry);
+      roll.seat_lever            = seat.dot(body.nodes().col(2)) / seat.sum();
+      Eigen::VectorXd load       = Eigen::VectorXd::Zero(roll.n_unknowns);
       for (int i = 0; i < seat.size(); ++i)
         if (f.place[3 * i + 1] >= 0)
           load[f.place[3 * i + 1]] = seat[i] / seat.sum();
-      const Eigen::VectorXd u = factor.solve(load);
-      roll.seat_patch.resize(n);
-      for (int i = 0; i < n; ++i)
-        roll.seat_patch[i] = u[f.place[3 * patch[i] + 1]];
-      roll.seat_axis.setZero(n_all);
-      for (int k = 0; k < n_all; ++k)
-        if (const int i = f.place[3 * axis[k] + 1]; i >= 0)
-          roll.seat_axis[k] = u[i];
+      const Eigen::VectorXd u = factor.solve(load) / body.stiffness_unit();
+      const auto along_y      = [&](const std::vector<int> &nodes) {
+        Eigen::VectorXd v = Eigen::VectorXd::Zero(Eigen::Index(nodes.size()));
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+          if (const int i = f.place[3 * nodes[k] + 1]; i >= 0)
+            v[Eigen::Index(k)] = u[i];
+        return v;
+      };
+      out.seat_patch = along_y(patch);
+      out.seat_axis  = along_y(axis);
     }
-    if (options.keep_fields) {
+    if (options.keep_fields && parity.squeeze) {
       Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(roll.n_unknowns, n);
       for (int i = 0; i < n; ++i)
-        loads(f.place[3 * patch[i] + 1], i) = -1;  // towards the axis is -y
-      const Eigen::MatrixXd u = factor.solve(loads);
-      Eigen::MatrixXd &field  = squeeze ? roll.field_squeeze : roll.field_translate;
-      field.setZero(body.stiffness().rows(), n);
+        if (const int place = f.place[3 * patch[i] + 1]; place >= 0)
+          loads(place, i) = -1;  // towards the axis is -y
+      const Eigen::MatrixXd u = factor.solve(loads) / body.stiffness_unit();
+      out.field.setZero(3 * body.nodes().rows(), n);
       for (int i = 0; i < roll.n_unknowns; ++i)
-        field.row(f.unknown[i]) = u.row(i);
+        out.field.row(f.unknown[i]) = u.row(i);
     }
+    return out;
   };
-  solve_parity(true);
-  progress.at("condensation", options.slab ? 1 : 0.5);
+  const int n_parities = options.slab ? 1 : options.both_sides ? 4 : 2;
+  int done             = 0;
+  const auto solve     = [&](ParityFlexibility &out, const Parity &parity) {
+    out = solve_parity(parity);
+    progress.at("condensation", double(++done) / n_parities);
+  };
+  solve(roll.squeeze, {true, false});
   if (!options.slab)
-    solve_parity(false);
-  progress.at("condensation", 1);
+    solve(roll.translate, {false, false});
+  if (!options.slab && options.both_sides) {
+    solve(roll.squeeze_odd, {true, true});
+    solve(roll.translate_odd, {false, true});
+  }
   return roll;
 }
 
-Eigen::VectorXd axial_weights(const Eigen::VectorXd &z, const double length, const int degree)
+Eigen::VectorXd axial_weights(const Eigen::VectorXd &z, const double from, const double to, const int degree)
 {
   Eigen::VectorXd w      = Eigen::VectorXd::Zero(z.size());
   const double gauss[]   = {0.5 - 0.5 * std::sqrt(0.6), 0.5, 0.5 + 0.5 * std::sqrt(0.6)};
   const double weights[] = {5. / 18, 8. / 18, 5. / 18};
   for (Eigen::Index k = 0; k + degree < z.size(); k += degree) {
-    const double h = z[k + degree] - z[k], part = std::min(1., std::max(0., (length - z[k]) / h));
+    // Part of this element inside the range, in its own coordinate.
+    const double h  = z[k + degree] - z[k];
+    const double s0 = std::clamp((from - z[k]) / h, 0., 1.), s1 = std::clamp((to - z[k]) / h, 0., 1.);
     for (int g = 0; g < 3; ++g) {
-      const double s = part * gauss[g], dz = part * weights[g] * h;
+      const double s = s0 + (s1 - s0) * gauss[g], dz = (s1 - s0) * weights[g] * h;
       if (degree == 1)
         w.segment<2>(k) += dz * Eigen::Vector2d(1 - s, s);
       else
@@ -194,27 +246,8 @@ Eigen::VectorXd axial_weights(const Eigen::VectorXd &z, const double length, con
   return w;
 }
 
-HeldRoll held_by_necks(const CondensedRoll &roll)
+Eigen::VectorXd axial_weights(const Eigen::VectorXd &z, const double length, const int degree)
 {
-  return {0.5 * (roll.squeeze + roll.translate), -0.5 * roll.seat_patch, 0.5 * roll.axis, -0.5 * roll.seat_axis};
-}
-
-HeldRoll held_by_strip(const CondensedRoll &roll, const double strip_width)
-{
-  // The strip presses the other generator, uniformly over its width and over the width of the patch.
-  const Eigen::VectorXd share = axial_weights(roll.z, 0.5 * strip_width, roll.degree),
-                        whole = axial_weights(roll.z, roll.z[roll.n_z - 1], roll.degree);
-  Eigen::VectorXd strip       = roll.area;
-  for (int k = 0; k < roll.n_z; ++k)
-    strip.segment(k * roll.n_x, roll.n_x) *= share[k] / whole[k];
-  strip /= strip.sum();
-  return {0.5 * (roll.squeeze + roll.translate), 0.5 * (roll.squeeze - roll.translate) * strip, 0.5 * roll.axis,
-          -0.5 * roll.axis * strip};
-}
-
-HeldRoll held_by_mirror(const CondensedRoll &roll)
-{
-  const auto n = roll.squeeze.rows(), n_axis = std::max<Eigen::Index>(1, roll.axis_z.size());
-  return {roll.squeeze, Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(n_axis, n), Eigen::VectorXd::Zero(n_axis)};
+  return axial_weights(z, -length, length, degree);
 }
 }  // namespace mill::fem

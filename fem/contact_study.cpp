@@ -1,6 +1,12 @@
 #include "fem/contact_study.h"
+#include "contact/active_set.h"
+#include "contact/mortar.h"
 #include "core/errors.h"
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace mill::fem {
 namespace {
@@ -9,7 +15,7 @@ namespace {
 struct Section {
   double half_width = 0, peak = 0;
 };
-Section fit_section(const CondensedRoll &grid, const ContactState &state, const int station)
+Section fit_section(const PatchGrid &grid, const contact::State &state, const int station)
 {
   std::vector<double> x, p;
   double highest = 0;
@@ -36,14 +42,46 @@ Section fit_section(const CondensedRoll &grid, const ContactState &state, const 
   return slope < 0 && top > 0 ? Section{std::sqrt(-top / slope), std::sqrt(top)} : Section{next, highest};
 }
 
-Eigen::VectorXd axis_motion(const ContactPair &pair, const Eigen::VectorXd &nodal, const double force)
+// Axes moving away from the contact at the stations.
+Eigen::VectorXd axis_motion(const ContactPair &pair, const Eigen::VectorXd &nodal,
+                            const Eigen::VectorXd &resultant)
 {
-  return pair.axis * nodal + force * pair.axis_support;
+  return pair.axis * nodal + pair.axis_support * resultant;
+}
+
+// Stations of both axes that belong to the patch: the first of a quarter, the middle ones of the whole.
+Eigen::MatrixXd patch_rows(const Eigen::MatrixXd &axis, const PatchGrid &grid)
+{
+  return grid.whole ? axis.middleRows((axis.rows() - grid.n_z) / 2, grid.n_z) : axis.topRows(grid.n_z);
+}
+
+// Position along the contact of each node of the patch.
+Eigen::VectorXd node_z(const PatchGrid &grid)
+{
+  Eigen::VectorXd z(grid.n_x * grid.n_z);
+  for (int k = 0; k < grid.n_z; ++k)
+    z.segment(k * grid.n_x, grid.n_x).setConstant(grid.z[k]);
+  return z;
+}
+
+// Weights of mean and mean slope; both motions of a whole contact.
+void drive_whole(ContactPair &pair)
+{
+  const Eigen::VectorXd &w = pair.path, &z = pair.grid.z;
+  pair.mean = w / w.sum();
+  if (!pair.grid.whole)
+    return;
+  pair.multiplicity     = 2;
+  pair.problem.G.col(1) = node_z(pair.grid);
+  // Least squares of a straight line through the stations: mean at z = 0, and slope.
+  const double w0 = w.sum(), w1 = w.dot(z), w2 = w.dot(z.cwiseAbs2()), determinant = w0 * w2 - w1 * w1;
+  pair.mean.resize(z.size(), 2);
+  pair.mean.col(0) = w.cwiseProduct(Eigen::VectorXd((w2 - w1 * z.array()) / determinant));
+  pair.mean.col(1) = w.cwiseProduct(Eigen::VectorXd((w0 * z.array() - w1) / determinant));
 }
 }  // namespace
 
-Eigen::VectorXd profile_gap(const CondensedRoll &grid, const double R1, const double R2,
-                            const Eigen::VectorXd &drop)
+Eigen::VectorXd profile_gap(const PatchGrid &grid, const double R1, const double R2, const Eigen::VectorXd &drop)
 {
   const auto sagitta = [](const double R, const double x) { return x * x / (R + std::sqrt(R * R - x * x)); };
   Eigen::VectorXd gap(grid.n_x * grid.n_z);
@@ -56,39 +94,230 @@ Eigen::VectorXd profile_gap(const CondensedRoll &grid, const double R1, const do
 ContactPair make_pair(const std::string &name, const CondensedRoll &first, const HeldRoll &a,
                       const CondensedRoll &second, const HeldRoll &b, const Eigen::VectorXd &drop)
 {
-  if (first.n_x != second.n_x || first.n_z != second.n_z)
+  if (a.grid.n_x != b.grid.n_x || a.grid.n_z != b.grid.n_z)
     throw std::logic_error("the two rolls of contact " + name + " have different patch grids");
   ContactPair pair;
   pair.name                = name;
-  pair.grid                = &first;
+  pair.grid                = a.grid;
+  pair.drop                = drop;
+  pair.radii_sum           = first.geometry.radius + second.geometry.radius;
+  const int n              = a.grid.n_x * a.grid.n_z;
+  const double length      = a.grid.z[a.grid.n_z - 1];
+  const bool slab          = first.translate.patch.size() == 0;
   pair.problem.C           = a.flexibility + b.flexibility;
-  pair.problem.support     = a.support + b.support;
-  pair.problem.initial_gap = profile_gap(first, first.geometry.radius, second.geometry.radius, drop);
-  const double length      = first.z[first.n_z - 1];
-  if (first.translate.size() == 0) {
+  pair.problem.W           = a.support + b.support;
+  pair.problem.initial_gap = profile_gap(a.grid, first.geometry.radius, second.geometry.radius, drop);
+  pair.problem.G           = Eigen::MatrixXd::Ones(n, a.grid.whole ? 2 : 1);
+  if (slab) {
     pair.multiplicity = 2 / length;  // a slab has no mirror in z: loads per metre of length
-    pair.axis         = Eigen::MatrixXd::Zero(1, pair.problem.C.rows());
-    pair.axis_support = Eigen::VectorXd::Zero(1);
-    pair.mean         = Eigen::VectorXd::Ones(1);
-  } else {
-    // Both axes have the stations of the patch; what lies beyond the contact does not count.
-    pair.axis         = a.axis.topRows(first.n_z) + b.axis.topRows(first.n_z);
-    pair.axis_support = a.axis_support.head(first.n_z) + b.axis_support.head(first.n_z);
-    pair.mean         = axial_weights(first.z, length, first.degree) / length;
+    pair.axis         = Eigen::MatrixXd::Zero(1, n);
+    pair.axis_support = Eigen::MatrixXd::Zero(1, 1);
+    pair.mean         = Eigen::MatrixXd::Ones(1, 1);
+    pair.path         = axial_weights(a.grid.z, length, a.grid.degree);
+    return pair;
   }
+  // Both axes have the stations of the patch; what lies beyond the contact does not count.
+  pair.axis         = patch_rows(a.axis, a.grid) + patch_rows(b.axis, b.grid);
+  pair.axis_support = patch_rows(a.axis_support, a.grid) + patch_rows(b.axis_support, b.grid);
+  pair.path         = axial_weights(a.grid.z, length, a.grid.degree);
+  drive_whole(pair);
   return pair;
 }
 
-ContactPoint solve_load(const ContactPair &pair, const double load, const std::vector<char> &start)
+namespace {
+// Stations as a line along z, the body on its left.
+Surface station_line(const PatchGrid &grid, const double shift, const bool forward)
+{
+  Surface line;
+  const int n = grid.n_z, per_face = grid.degree + 1;
+  line.points = Eigen::MatrixXd::Zero(n, 2);
+  for (int k = 0; k < n; ++k) {
+    line.points(k, 0) = grid.z[k] + shift;
+    line.node.push_back(k);
+  }
+  line.faces.resize((n - 1) / grid.degree, per_face);
+  for (int f = 0; f < line.faces.rows(); ++f)
+    for (int i = 0; i < per_face; ++i)
+      line.faces(f, i) = f * grid.degree + (forward ? i : per_face - 1 - i);
+  return line;
+}
+
+// (T x 1) A for a matrix whose rows run over stations and, within, over `width` nodes.
+Eigen::MatrixXd along_stations(const contact::Coupling::Sparse &T, const Eigen::MatrixXd &A, const int width)
+{
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(T.rows() * width, A.cols());
+  for (int j = 0; j < T.outerSize(); ++j)
+    for (contact::Coupling::Sparse::InnerIterator it(T, j); it; ++it)
+      out.middleRows(j * width, width) += it.value() * A.middleRows(it.col() * width, width);
+  return out;
+}
+
+Eigen::MatrixXd congruent(const contact::Coupling::Sparse &T, const Eigen::MatrixXd &C, const int width)
+{
+  return along_stations(T, along_stations(T, C, width).transpose(), width);
+}
+}  // namespace
+
+ContactPair make_pair(const std::string &name, const CondensedRoll &first, const HeldRoll &a,
+                      const CondensedRoll &second, const HeldRoll &b, const std::function<double(double)> &drop,
+                      const double shift)
+{
+  if (!a.grid.whole || !b.grid.whole || a.grid.n_x != b.grid.n_x)
+    throw std::logic_error("shifted rolls of contact " + name + " must both be whole, with the same nodes across");
+  contact::CouplingOptions options;
+  options.reach   = 1e-3 * first.geometry.radius;
+  const auto link = contact::couple(station_line(a.grid, 0, true), station_line(b.grid, shift, false), options);
+  const int n_x = a.grid.n_x, n_z = int(link.node.size());
+  ContactPair pair;
+  pair.name      = name;
+  pair.radii_sum = first.geometry.radius + second.geometry.radius;
+  pair.path      = link.weight;
+  pair.grid      = a.grid;
+  pair.grid.n_z  = n_z;
+  pair.grid.z.resize(n_z);
+  pair.grid.area.resize(n_x * n_z);
+  pair.drop.resize(n_z);
+  const Eigen::VectorXd whole = axial_weights(a.grid.z, a.grid.z[a.grid.n_z - 1], a.grid.degree);
+  Eigen::VectorXd profile(link.points.rows());
+  for (Eigen::Index q = 0; q < profile.size(); ++q)
+    profile[q] = drop(link.points(q, 0));
+  for (int k = 0; k < n_z; ++k) {
+    const int station = link.node[std::size_t(k)];
+    pair.grid.z[k]    = a.grid.z[station];
+    pair.grid.area.segment(k * n_x, n_x) =
+        a.grid.area.segment(station * n_x, n_x) * link.weight[k] / whole[station];
+    pair.drop[k] = drop(pair.grid.z[k]);
+  }
+  pair.problem.initial_gap =
+      profile_gap(pair.grid, first.geometry.radius, second.geometry.radius, link.mean * profile);
+  pair.problem.C = congruent(link.slave, a.flexibility, n_x) + congruent(link.master, b.flexibility, n_x);
+  // Moments of the second roll count about its own mid-length.
+  Eigen::Matrix2d moved;
+  moved << 1, 0, -shift, 1;
+  pair.problem.W =
+      along_stations(link.slave, a.support, n_x) + along_stations(link.master, b.support * moved, n_x);
+  // Multipliers act on each roll by the transposed coupling, and its axis counts at the stations of the pair.
+  const auto axis_of = [&](const contact::Coupling::Sparse &T, const Eigen::MatrixXd &axis) {
+    return along_stations(T, along_stations(T, axis.transpose(), n_x).transpose(), 1);
+  };
+  pair.axis = axis_of(link.slave, patch_rows(a.axis, a.grid)) + axis_of(link.master, patch_rows(b.axis, b.grid));
+  pair.axis_support = along_stations(link.slave, patch_rows(a.axis_support, a.grid), 1) +
+                      along_stations(link.master, patch_rows(b.axis_support, b.grid) * moved, 1);
+  pair.transfer  = link.master;
+  pair.problem.G = Eigen::MatrixXd::Ones(n_x * n_z, 2);
+  drive_whole(pair);
+  return pair;
+}
+
+void bend(ContactPair &pair, const HeldRoll &roll, const double right, const double left)
+{
+  // Forces of the model are those on x >= 0, of a quarter also on z >= 0.
+  Eigen::VectorXd forces(roll.bend.cols());
+  if (pair.grid.whole)
+    forces << 0.5 * right, 0.5 * left;
+  else
+    forces << 0.25 * (right + left);
+  const bool shifted = pair.transfer.size() > 0;
+  pair.problem.initial_gap +=
+      shifted ? Eigen::VectorXd(along_stations(pair.transfer, roll.bend * forces, pair.grid.n_x))
+              : roll.bend * forces;
+  pair.problem.initial_gap.array() -= pair.problem.initial_gap.minCoeff();
+  pair.axis_bend = patch_rows(roll.axis_bend, roll.grid) * forces;
+  if (shifted)
+    pair.axis_bend = along_stations(pair.transfer, pair.axis_bend, 1);
+  pair.axis_bend.array() -= pair.mean.col(0).dot(pair.axis_bend);
+}
+
+namespace {
+struct Axes {
+  Eigen::VectorXd motion;      // (k) mean approach and tilt of the axes
+  Eigen::MatrixXd compliance;  // (k, k) by resultants of the model
+};
+
+Axes axes_of(const ContactPair &pair, const contact::State &s)
+{
+  Axes axes;
+  axes.motion     = s.motion - pair.mean.transpose() * axis_motion(pair, s.nodal, s.resultant);
+  axes.compliance = s.compliance - pair.mean.transpose() * (pair.axis * s.d_nodal + pair.axis_support);
+  return axes;
+}
+
+// The whole with a tilt of the axes: the moment that produces it, by Newton's method on a piecewise linear
+// function.
+contact::State solve_tilted(const ContactPair &pair, contact::ActiveSet &solver, const double force,
+                            const std::vector<char> &start)
+{
+  contact::Drive drive{
+      Eigen::Vector2d(force, 0), {0, 0}
+  };
+  if (pair.axis.isZero(0) && pair.axis_support.isZero(0)) {
+    drive.value[1]  = pair.tilt;
+    drive.by_motion = {0, 1};
+    return solver.solve(drive, start);
+  }
+  contact::State s   = solver.solve(drive, start);
+  const double reach = pair.grid.z.cwiseAbs().maxCoeff();
+  for (int step = 0; step < 40; ++step) {
+    const Axes axes    = axes_of(pair, s);
+    const double error = pair.tilt - axes.motion[1];
+    if (std::abs(error) * reach <= 1e-13 * std::abs(axes.motion[0]))
+      return s;
+    // Within the kern: a moment beyond it lifts one side off and turns the rolls without bound.
+    const double change = error / axes.compliance(1, 1), limit = 0.3 * reach * force;
+    drive.value[1] += std::clamp(change, -limit, limit);
+    drive.value[1] = std::clamp(drive.value[1], -0.95 * reach * force, 0.95 * reach * force);
+    s              = solver.solve(drive, s.active);
+  }
+  throw SolverError({"contact " + pair.name + ": no moment gives the tilt asked for", "after 40 steps",
+                     "a tilt that the load cannot close on this barrel",
+                     "lower contact." + pair.name + ".tilt, or give load_offset instead", ""});
+}
+
+ContactPoint solve_with(const ContactPair &pair, contact::ActiveSet &solver, const double load,
+                        const std::vector<char> &start)
 {
   ContactPoint point;
   const double force = load / pair.multiplicity;
   point.load         = load;
-  point.state        = solve_contact(pair.problem, force, start);
-  point.approach     = point.state.q - pair.mean.dot(axis_motion(pair, point.state.nodal, force));
-  const double slope = point.state.d_q - pair.mean.dot(axis_motion(pair, point.state.d_nodal, 1));
-  point.tangent      = pair.multiplicity / slope;
+  const bool whole = pair.grid.whole, offset = !std::isnan(pair.load_offset);
+  if (!whole)
+    point.state = solver.solve({Eigen::VectorXd::Constant(1, force), {}}, start);
+  else if (offset)
+    point.state = solver.solve({Eigen::Vector2d(force, force * pair.load_offset), {}}, start);
+  else
+    point.state = solve_tilted(pair, solver, force, start);
+  const Axes axes  = axes_of(pair, point.state);
+  point.approach   = axes.motion[0];
+  point.compliance = axes.compliance / pair.multiplicity;
+  if (whole) {
+    point.tilt   = axes.motion[1];
+    point.moment = pair.multiplicity * point.state.resultant[1];
+  }
+  const auto &c = point.compliance;
+  if (!whole)
+    point.tangent = 1 / c(0, 0);
+  else if (offset)
+    point.tangent = 1 / (c(0, 0) + c(0, 1) * pair.load_offset);
+  else
+    point.tangent = c(1, 1) / (c(0, 0) * c(1, 1) - c(0, 1) * c(1, 0));
   return point;
+}
+
+// d(state)/d(force) with what else is imposed held: change of the resultants per newton of the model.
+Eigen::VectorXd along_the_load(const ContactPair &pair, const ContactPoint &point)
+{
+  if (!pair.grid.whole)
+    return Eigen::VectorXd::Ones(1);
+  if (!std::isnan(pair.load_offset))
+    return Eigen::Vector2d(1, pair.load_offset);
+  return Eigen::Vector2d(1, -point.compliance(1, 0) / point.compliance(1, 1));
+}
+}  // namespace
+
+ContactPoint solve_load(const ContactPair &pair, const double load, const std::vector<char> &start)
+{
+  contact::ActiveSet solver(pair.problem);
+  return solve_with(pair, solver, load, start);
 }
 
 ContactCurve sweep(const ContactPair &pair, const Eigen::VectorXd &loads, const Progress &progress)
@@ -102,11 +331,13 @@ ContactCurve sweep(const ContactPair &pair, const Eigen::VectorXd &loads, const 
        {&curve.approach, &curve.half_width, &curve.peak_pressure, &curve.tangent, &curve.secant})
     column->resize(n);
   curve.iterations.resize(n);
+  const int middle = middle_station(pair.grid);
+  contact::ActiveSet solver(pair.problem);
   std::vector<char> active;
   for (Eigen::Index i = 0; i < n; ++i) {
     ContactPoint point;
     try {
-      point = solve_load(pair, loads[i], active);
+      point = solve_with(pair, solver, loads[i], active);
     } catch (const SolverError &e) {
       auto report = e.report;
       report.what = "contact " + pair.name + ": no convergence at load step " + std::to_string(i + 1) + " of " +
@@ -115,7 +346,7 @@ ContactCurve sweep(const ContactPair &pair, const Eigen::VectorXd &loads, const 
       throw SolverError(report);
     }
     active                 = point.state.active;
-    const Section section  = fit_section(*pair.grid, point.state, 0);
+    const Section section  = fit_section(pair.grid, point.state, middle);
     curve.approach[i]      = point.approach;
     curve.tangent[i]       = point.tangent;
     curve.secant[i]        = loads[i] / point.approach;
@@ -128,13 +359,25 @@ ContactCurve sweep(const ContactPair &pair, const Eigen::VectorXd &loads, const 
   return curve;
 }
 
+int middle_station(const PatchGrid &grid)
+{
+  if (!grid.whole)
+    return 0;
+  Eigen::Index middle;
+  (grid.z.array() - 0.5 * (grid.z[0] + grid.z[grid.n_z - 1])).abs().minCoeff(&middle);
+  return int(middle);
+}
+
 BarrelProfile barrel_profile(const ContactPair &pair, const ContactPoint &point)
 {
-  const CondensedRoll &grid    = *pair.grid;
-  const double force           = point.load / pair.multiplicity;
-  const Eigen::VectorXd w      = axial_weights(grid.z, grid.z[grid.n_z - 1], grid.degree);
-  const Eigen::VectorXd away   = axis_motion(pair, point.state.nodal, force);
-  const Eigen::VectorXd d_away = axis_motion(pair, point.state.d_nodal, 1);
+  const PatchGrid &grid          = pair.grid;
+  const Eigen::VectorXd &w       = pair.path;
+  const Eigen::VectorXd along    = along_the_load(pair, point);
+  const Eigen::VectorXd d_nodal  = point.state.d_nodal * along;
+  const Eigen::VectorXd d_motion = point.state.compliance * along;
+  const Eigen::VectorXd away     = axis_motion(pair, point.state.nodal, point.state.resultant),
+                        d_away   = axis_motion(pair, d_nodal, along);
+  const auto at = [](const Eigen::VectorXd &v, const int k) { return v.size() > k ? v[k] : 0; };  // a slab has one
   BarrelProfile out;
   out.load = point.load;
   out.z    = grid.z;
@@ -144,13 +387,81 @@ BarrelProfile barrel_profile(const ContactPair &pair, const ContactPoint &point)
   for (int k = 0; k < grid.n_z; ++k) {
     const auto row        = Eigen::seqN(k * grid.n_x, grid.n_x);
     const Section section = fit_section(grid, point.state, k);
-    const double motion   = away.size() == grid.n_z ? away[k] : 0;
-    const double d_motion = d_away.size() == grid.n_z ? d_away[k] : 0;
+    const double tilt     = grid.whole ? point.state.motion[1] * grid.z[k] : 0;
+    const double turn     = grid.whole ? d_motion[1] * grid.z[k] : 0;
     out.line_load[k]      = pair.axial_mirror * point.state.nodal(row).sum() / w[k];
-    out.approach[k]       = point.state.q - motion;
-    out.tangent[k]    = pair.axial_mirror * point.state.d_nodal(row).sum() / w[k] / (point.state.d_q - d_motion);
-    out.half_width[k] = section.half_width;
-    out.peak_pressure[k] = section.peak;
+    out.approach[k]       = point.state.motion[0] + tilt - at(away, k) - at(pair.axis_bend, k);
+    out.tangent[k]        = pair.axial_mirror * d_nodal(row).sum() / w[k] / (d_motion[0] + turn - at(d_away, k));
+    out.half_width[k]     = section.half_width;
+    out.peak_pressure[k]  = section.peak;
+  }
+  return out;
+}
+
+Eigen::MatrixXd pressure_map(const ContactPair &pair, const ContactPoint &point)
+{
+  const PatchGrid &g = pair.grid;
+  Eigen::MatrixXd p(g.n_z, 2 * g.n_x - 1);
+  for (int k = 0; k < g.n_z; ++k)
+    for (int i = 0; i < p.cols(); ++i) {
+      const int node = k * g.n_x + std::abs(i - (g.n_x - 1));
+      p(k, i)        = point.state.nodal[node] / g.area[node];
+    }
+  return p;
+}
+
+Eigen::Matrix<double, 6, 6> joint_stiffness(const ContactPair &pair, const ContactPoint &point)
+{
+  const PatchGrid &g = pair.grid;
+  if (!g.whole || !pair.axis.isZero(0))
+    throw std::logic_error("a joint stiffness needs the whole contact between axes that stay straight");
+  // Closing of the gap by a motion of the second roll along y (towards the first), along z (by the slope of the
+  // profiles), and about x.
+  Eigen::VectorXd slope(g.n_z);
+  for (int k = 0; k < g.n_z; ++k) {
+    const int a = std::max(0, k - 1), b = std::min(g.n_z - 1, k + 1);
+    slope[k] = (pair.drop[b] - pair.drop[a]) / (g.z[b] - g.z[a]);
+  }
+  Eigen::MatrixXd closing(g.n_x * g.n_z, 3);
+  for (int k = 0; k < g.n_z; ++k)
+    closing.middleRows(k * g.n_x, g.n_x).rowwise() = Eigen::RowVector3d(1, slope[k], g.z[k]);
+  std::vector<int> active;
+  for (std::size_t i = 0; i < point.state.active.size(); ++i)
+    if (point.state.active[i])
+      active.push_back(int(i));
+  const Eigen::MatrixXd G = closing(active, Eigen::all);
+  const Eigen::Matrix3d K = pair.multiplicity * G.transpose() * pair.problem.C(active, active).llt().solve(G);
+  const double second     = pair.multiplicity * point.state.nodal.dot(node_z(g).cwiseAbs2());  // integral of q z^2
+  Eigen::Matrix<double, 6, 6> joint = Eigen::Matrix<double, 6, 6>::Zero();
+  const std::array<int, 3> place{1, 2, 3};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      joint(place[i], place[j]) = K(i, j);
+  joint(0, 0) = -point.load / pair.radii_sum;
+  joint(4, 4) = -second / pair.radii_sum;
+  joint(0, 4) = joint(4, 0) = -point.moment / pair.radii_sum;
+  return joint;
+}
+
+PathPlateau path_plateau(const ContactPair &pair, const ContactPoint &point, const double trim)
+{
+  const PatchGrid &g       = pair.grid;
+  const auto profile       = barrel_profile(pair, point);
+  const Eigen::VectorXd &w = pair.path;
+  const double centre      = g.whole ? 0.5 * (g.z[0] + g.z[g.n_z - 1]) : 0;
+  const double inside      = (g.z[g.n_z - 1] - centre) * (1 - 2 * trim);
+  PathPlateau out{0, 0, 0};
+  for (int k = 0; k < g.n_z; ++k)
+    if (std::abs(g.z[k] - centre) <= inside * (1 + 1e-9) && profile.approach[k] > 0) {
+      // A station on the plane of symmetry of a quarter stands for both sides.
+      const double length = (!g.whole && k == 0 ? 2 : 1) * w[k];
+      out.mean += profile.line_load[k] * length / profile.approach[k];
+      out.tributary_length += length;
+      ++out.stations;
+    }
+  if (out.stations > 0) {
+    out.mean /= out.stations;
+    out.tributary_length /= out.stations;
   }
   return out;
 }

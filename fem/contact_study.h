@@ -1,41 +1,69 @@
 #pragma once
+#include "contact/problem.h"
 #include "core/progress.h"
 #include "core/records.h"
-#include "fem/condensed_roll.h"
-#include "fem/contact_solver.h"
+#include "fem/held_roll.h"
+#include <Eigen/SparseCore>
+#include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace mill::fem {
 /// Two condensed rolls facing each other along one contact line.
 struct ContactPair {
-  std::string name;                     ///< "upper", "lower", "line"
-  std::string reference;                ///< datum of the approach, one sentence
-  const CondensedRoll *grid = nullptr;  ///< either roll: stations of the patch and of the axis
-  ContactProblem problem;
-  Eigen::MatrixXd axis;          ///< (n_a, n) m/N, sum of both: axes moving away from the contact
-  Eigen::VectorXd axis_support;  ///< (n_a) m/N
-  Eigen::VectorXd mean;          ///< (n_a) -, weights of the mean over the contact length, sum 1
-  double multiplicity = 4;       ///< total force over the sum of nodal forces; slabs: per metre, 2 / thickness
-  double axial_mirror = 2;       ///< -, line load over (force per station / axial weight): both sides of x = 0
+  std::string name;       ///< "upper", "lower", "line"
+  std::string reference;  ///< datum of the approach, one sentence
+  PatchGrid grid;         ///< stations of the patch; a quarter of the contact, or a half of it (grid.whole)
+  /// One motion (approach) for a quarter, two (approach, and tilt about mid-length) for the whole.
+  contact::Problem problem;
+  Eigen::MatrixXd axis;          ///< (n_s, n) m/N, sum of both: axes moving away from the contact at the stations
+  Eigen::MatrixXd axis_support;  ///< (n_s, k)
+  Eigen::VectorXd axis_bend;     ///< (n_s) m, by the forces on the chocks, mean free
+  Eigen::VectorXd path;          ///< (n_s) m, contact length that belongs to each station
+  Eigen::MatrixXd mean;          ///< (n_s, k) weights of mean and mean slope over the contact length
+  Eigen::VectorXd drop;          ///< (n_s) m, sum of the profiles
+  Eigen::SparseMatrix<double, Eigen::RowMajor>
+      transfer;             ///< (n_s, stations of the second roll), shifted rolls only
+  double radii_sum    = 0;  ///< m, distance of the axes
+  double multiplicity = 4;  ///< -, total force over the sum of nodal forces; slabs: 1/m, per metre, 2 / thickness
+  double axial_mirror = 2;  ///< -, line load over (force per station / axial weight): both sides of x = 0
+  /// What is imposed besides the force, for the whole: the tilt of the axes (rad), or where the force stands (m).
+  double tilt        = 0;                                         ///< rad, used when load_offset is not given
+  double load_offset = std::numeric_limits<double>::quiet_NaN();  ///< m
 };
 
 /// Distance of the two undeformed surfaces at (x, z), from the analytic profiles and never from facets: radii and
 /// the drops of the two profiles (m on the radius, positive: smaller roll), shifted so that the smallest is zero.
-Eigen::VectorXd profile_gap(const CondensedRoll &grid, double first_radius, double second_radius,
+Eigen::VectorXd profile_gap(const PatchGrid &grid, double first_radius, double second_radius,
                             const Eigen::VectorXd &drop);
 
-/// Puts a pair together.  The rolls must share their patch grid.  For two slabs every load is per metre of length.
-/// @param drop (n_z) m, sum of the two profiles' drops at the stations
+/// Puts a pair together.  The patches must have the same grid.  For two slabs every load is per metre of length.
+/// @param drop (n_z) m, sum of the two profiles' drops at the stations of the held rolls
 ContactPair make_pair(const std::string &name, const CondensedRoll &first, const HeldRoll &first_held,
                       const CondensedRoll &second, const HeldRoll &second_held, const Eigen::VectorXd &drop);
 
+/// The same for rolls shifted along each other: the middle of the second roll lies at `shift` (m) in the frame of
+/// the first.  Both are whole; the axial grids need not match and are coupled by multipliers on the stations of
+/// the first (contact/mortar.h).  Moments count about mid-length of the first roll.
+/// @param drop   m, sum of the two profiles' drops, at z in the frame of the first roll
+ContactPair make_pair(const std::string &name, const CondensedRoll &first, const HeldRoll &first_held,
+                      const CondensedRoll &second, const HeldRoll &second_held,
+                      const std::function<double(double)> &drop, double shift);
+
+/// Adds roll bending: forces (N) on the chocks at z > 0 and z < 0 of a roll held by the strip, positive towards
+/// the contact.  On a quarter both sides carry the mean.
+void bend(ContactPair &pair, const HeldRoll &roll, double right, double left);
+
 /// One solved load.
 struct ContactPoint {
-  ContactState state;
-  double load;      ///< N, total
-  double approach;  ///< m, axis to axis, mean over the contact length
-  double tangent;   ///< N/m, exact dF/d(approach)
+  contact::State state;
+  double load;                 ///< N, total
+  double approach;             ///< m, axis to axis, mean over the contact length
+  double tangent;              ///< N/m, exact dF/d(approach), with what else is imposed held
+  double tilt   = 0;           ///< rad, of the axes, closing at z > 0
+  double moment = 0;           ///< N m, of the contact force about mid-length
+  Eigen::MatrixXd compliance;  ///< (k, k) d(approach, tilt)/d(force, moment), total: m/N, 1/N, 1/(N m)
 };
 ContactPoint solve_load(const ContactPair &pair, double load, const std::vector<char> &start = {});
 
@@ -43,8 +71,31 @@ ContactPoint solve_load(const ContactPair &pair, double load, const std::vector<
 /// @throws SolverError  names the load and how many steps are good
 ContactCurve sweep(const ContactPair &pair, const Eigen::VectorXd &loads, const Progress &progress = {});
 
+/// Station at mid-length.
+int middle_station(const PatchGrid &grid);
+
 /// Distribution along the contact line at one load.
 BarrelProfile barrel_profile(const ContactPair &pair, const ContactPoint &point);
+
+/// Pressure over the patch at one load, (n_z, 2 n_x - 1) Pa, both sides of the contact line.
+Eigen::MatrixXd pressure_map(const ContactPair &pair, const ContactPoint &point);
+
+/// Tangent stiffness of the joint between the two axes, (6, 6) N/m, N, N m: relative motion of the second roll
+/// against the first at mid-length along x, y, z and about x, y, z (y closes the contact, z is the axis).
+/// Frictionless: what remains along x and about y is the geometric term of the force, a rotation about z meets
+/// nothing.  theory.md (2.14)
+/// Needs a pair of the whole whose axes stay straight (held_by_mirror).
+Eigen::Matrix<double, 6, 6> joint_stiffness(const ContactPair &pair, const ContactPoint &point);
+
+/// Mean over the trimmed path of nodal force over nodal relative displacement, as published stiffnesses were
+/// evaluated: force of a station (sum over the width) over its approach.  theory.md (2.15)
+struct PathPlateau {
+  double mean;              ///< N/m
+  double tributary_length;  ///< m, mean length that belongs to a station
+  int stations;             ///< how many remain after trimming
+};
+/// @param trim  share of the contact length left out at each end
+PathPlateau path_plateau(const ContactPair &pair, const ContactPoint &point, double trim);
 
 /// n loads from low to high, equally spaced in their logarithm.
 Eigen::VectorXd log_spaced(double low, double high, int n);

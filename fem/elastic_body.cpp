@@ -10,6 +10,7 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_in.h>
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/numerics/data_out.h>
@@ -32,7 +33,8 @@ struct ElasticBody::Implementation {
   FE_Q<3> fe;  // scalar: one unknown per node and direction keeps the graph of nodes at hand
   DoFHandler<3> dofs;
   MappingQ<3> mapping;
-  SymmetricSparse stiffness;
+  SymmetricSparse stiffness;   // in units of stiffness_unit()
+  SymmetricSparse in_newtons;  // empty until asked for
   Eigen::Matrix<double, Eigen::Dynamic, 3> nodes;
   std::map<std::string, std::vector<int>> groups;
   std::vector<int> axis;
@@ -71,7 +73,7 @@ void ElasticBody::Implementation::collect_nodes()
   nodes.resize(Eigen::Index(points.size()), 3);
   for (std::size_t i = 0; i < points.size(); ++i)
     for (int c = 0; c < 3; ++c)
-      nodes(Eigen::Index(i), c) = points[i][c];
+      nodes(Eigen::Index(i), c) = mesh.unit * points[i][c];
   for (const auto &[name, id] : mesh.groups) {
     const IndexSet set = DoFTools::extract_boundary_dofs(dofs, ComponentMask(), {types::boundary_id(id)});
     groups[name].assign(set.begin(), set.end());
@@ -87,8 +89,9 @@ void ElasticBody::Implementation::collect_nodes()
 // (1.2)
 void ElasticBody::Implementation::assemble()
 {
-  const double E = material.youngs_modulus, nu = material.poisson_ratio;
-  const double lambda = E * nu / ((1 + nu) * (1 - 2 * nu)), mu = E / (2 * (1 + nu));
+  // In units of the mesh and of E; scaled at the end.
+  const double nu     = material.poisson_ratio;
+  const double lambda = nu / ((1 + nu) * (1 - 2 * nu)), mu = 1 / (2 * (1 + nu));
   const QGauss<3> quadrature(fe.degree + 1);
   const int n = int(fe.n_dofs_per_cell());
 
@@ -175,6 +178,7 @@ void ElasticBody::Implementation::assemble()
   };
   assembled = true;
   WorkStream::run(dofs.begin_active(), dofs.end(), local, add, Scratch(mapping, fe, quadrature), Copy());
+  volume *= std::pow(mesh.unit, 3);
 }
 
 template <class Weight>
@@ -192,9 +196,10 @@ Eigen::VectorXd ElasticBody::Implementation::face_integral(const std::string &gr
         cell->get_dof_indices(index);
         for (const unsigned q : v.quadrature_point_indices())
           for (unsigned a = 0; a < index.size(); ++a)
-            out[Eigen::Index(index[a])] += v.shape_value(a, q) * weight(v.quadrature_point(q)) * v.JxW(q);
+            out[Eigen::Index(index[a])] +=
+                v.shape_value(a, q) * weight(mesh.unit * v.quadrature_point(q)[2]) * v.JxW(q);
       }
-  return out;
+  return out * std::pow(mesh.unit, 2);
 }
 
 ElasticBody::ElasticBody(const MeshFile &mesh, const Material &material, const int degree)
@@ -206,11 +211,21 @@ ElasticBody::ElasticBody(const MeshFile &mesh, const Material &material, const i
 ElasticBody::~ElasticBody()                       = default;
 ElasticBody::ElasticBody(ElasticBody &&) noexcept = default;
 
-const SymmetricSparse &ElasticBody::stiffness() const
+const SymmetricSparse &ElasticBody::unit_stiffness() const
 {
   if (!self->assembled)
     self->assemble();
   return self->stiffness;
+}
+double ElasticBody::stiffness_unit() const
+{
+  return self->material.youngs_modulus * self->mesh.unit;
+}
+const SymmetricSparse &ElasticBody::stiffness() const
+{
+  if (self->in_newtons.size() == 0)
+    self->in_newtons = unit_stiffness() * stiffness_unit();
+  return self->in_newtons;
 }
 const Eigen::Matrix<double, Eigen::Dynamic, 3> &ElasticBody::nodes() const
 {
@@ -219,6 +234,37 @@ const Eigen::Matrix<double, Eigen::Dynamic, 3> &ElasticBody::nodes() const
 const std::vector<int> &ElasticBody::group(const std::string &name) const
 {
   return self->groups.at(name);
+}
+Surface ElasticBody::surface(const std::string &group) const
+{
+  // Unknowns of a face come corners first, then sides x = 0, x = 1, y = 0, y = 1, then the middle.
+  const std::vector<int> lexicographic =
+      degree() == 1 ? std::vector<int>{0, 1, 2, 3} : std::vector<int>{0, 6, 1, 4, 8, 5, 2, 7, 3};
+  const int per_face = int(lexicographic.size()), side = degree() + 1, id = self->mesh.groups.at(group);
+  Surface out;
+  out.node = self->groups.at(group);
+  out.points.resize(Eigen::Index(out.node.size()), 3);
+  std::map<int, int> place;
+  for (std::size_t i = 0; i < out.node.size(); ++i) {
+    out.points.row(Eigen::Index(i)) = self->nodes.row(out.node[i]);
+    place[out.node[i]]              = int(i);
+  }
+  std::vector<int> faces;
+  std::vector<types::global_dof_index> index(per_face);
+  for (const auto &cell : self->dofs.active_cell_iterators())
+    for (const auto f : cell->face_indices()) {
+      if (!cell->at_boundary(f) || int(cell->face(f)->boundary_id()) != id)
+        continue;
+      const auto face = cell->face(f);
+      face->get_dof_indices(index);
+      const auto first = face->vertex(1) - face->vertex(0), second = face->vertex(2) - face->vertex(0);
+      const bool outward = cross_product_3d(first, second) * (face->center() - cell->center()) > 0;
+      for (int k = 0; k < per_face; ++k)  // otherwise the two parameters change places
+        faces.push_back(place.at(int(index[lexicographic[outward ? k : (k % side) * side + k / side]])));
+    }
+  out.faces = Eigen::Map<Eigen::Matrix<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+      faces.data(), Eigen::Index(faces.size()) / per_face, per_face);
+  return out;
 }
 const std::vector<int> &ElasticBody::axis() const
 {
@@ -230,17 +276,17 @@ int ElasticBody::degree() const
 }
 double ElasticBody::volume() const
 {
-  stiffness();
+  unit_stiffness();
   return self->volume;
 }
 Eigen::VectorXd ElasticBody::face_weights(const std::string &group) const
 {
-  return self->face_integral(group, [](const dealii::Point<3> &) { return 1.; });
+  return self->face_integral(group, [](double) { return 1.; });
 }
 Eigen::VectorXd ElasticBody::face_load(const std::string &group, double (*weight)(double, const void *),
                                        const void *context) const
 {
-  return self->face_integral(group, [&](const dealii::Point<3> &p) { return weight(p[2], context); });
+  return self->face_integral(group, [&](const double z) { return weight(z, context); });
 }
 
 std::string library_version()
@@ -274,7 +320,8 @@ void ElasticBody::write_vtu(const std::string &path, const Eigen::VectorXd &disp
       for (unsigned a = 0; a < index.size(); ++a)
         for (int c = 0; c < 3; ++c)
           for (int d = 0; d < 3; ++d)
-            gradient(c, d) += displacement[3 * Eigen::Index(index[a]) + c] * v.shape_grad(a, q)[d];
+            gradient(c, d) +=
+                displacement[3 * Eigen::Index(index[a]) + c] * v.shape_grad(a, q)[d] / self->mesh.unit;
       const Eigen::Matrix3d strain = 0.5 * (gradient + gradient.transpose());
       sum[index[q]] += lambda * strain.trace() * Eigen::Matrix3d::Identity() + 2 * mu * strain;
       ++count[index[q]];
@@ -306,7 +353,9 @@ void ElasticBody::write_vtu(const std::string &path, const Eigen::VectorXd &disp
   out.attach_dof_handler(self->dofs);
   for (std::size_t f = 0; f < names.size(); ++f)
     out.add_data_vector(fields[f], names[f]);
+  GridTools::scale(self->mesh.unit, self->triangulation);  // pictures are in metres
   out.build_patches(self->mapping, self->fe.degree, DataOut<3>::curved_boundary);
+  GridTools::scale(1 / self->mesh.unit, self->triangulation);
   const std::string aside = path + ".part";
   {
     std::ofstream file(aside);

@@ -2,6 +2,7 @@
 #include "core/mesh_file.h"
 #include "core/sparse.h"
 #include "core/stand.h"
+#include "core/surface.h"
 #include <Eigen/Core>
 #include <memory>
 #include <string>
@@ -19,10 +20,16 @@ public:
   ~ElasticBody();
   ElasticBody(ElasticBody &&) noexcept;
 
-  /// (3N, 3N) N/m, upper triangle; assembled when first asked for, about 0.1 ms per quadratic element and thread.
-  const SymmetricSparse &stiffness() const;
+  /// (3N, 3N) upper triangle, in units of stiffness_unit(): of a body as large as its mesh on disk and of modulus
+  /// one, so that rounding is the same whatever size, unit or modulus the body is given in.  Assembled when first
+  /// asked for, about 0.1 ms per quadratic element and thread.
+  const SymmetricSparse &unit_stiffness() const;
+  double stiffness_unit() const;  ///< N/m
+  const SymmetricSparse &
+  stiffness() const;  ///< (3N, 3N) N/m, upper triangle; a second matrix, made when first asked for
   const Eigen::Matrix<double, Eigen::Dynamic, 3> &nodes() const;  ///< (N, 3) m
   const std::vector<int> &group(const std::string &name) const;   ///< nodes of a boundary group, ascending
+  Surface surface(const std::string &group) const;                ///< faces of a boundary group, outward
   const std::vector<int> &axis() const;                           ///< nodes on x = y = 0, by ascending z
 
   /// (N) m2: integral of each node's shape function over a group; sums to its area.  For pressure from nodal

@@ -7,21 +7,29 @@
 
 namespace mill::fem {
 namespace {
-constexpr char magic[] = "millstand condensed roll 1\n";
+constexpr char magic[] = "millstand condensed roll 2\n";
 
 // The same list of members is run through in both directions.
+template <class Archive> void members(Archive &a, ParityFlexibility &p)
+{
+  for (Eigen::MatrixXd *m : {&p.patch, &p.traction, &p.axis, &p.field})
+    a.array(*m);
+  for (Eigen::VectorXd *v : {&p.seat_patch, &p.seat_axis})
+    a.array(*v);
+}
+
 template <class Archive> void members(Archive &a, CondensedRoll &r)
 {
   RollGeometry &g = r.geometry;
   for (double *value : {&g.radius, &g.half_length, &g.neck_radius, &g.neck_length, &g.seat_centre,
-                        &g.contact_half_length, &r.factor_bytes, &r.factor_flops})
+                        &g.contact_half_length, &r.seat_lever, &r.factor_bytes, &r.factor_flops})
     a.number(*value);
-  for (int *value : {&r.n_x, &r.n_z, &r.degree, &r.n_unknowns})
+  for (int *value : {&r.grid.n_x, &r.grid.n_z, &r.grid.degree, &r.n_unknowns})
     a.count(*value);
-  for (Eigen::VectorXd *v : {&r.x, &r.z, &r.area, &r.axis_z, &r.seat_patch, &r.seat_axis})
+  for (Eigen::VectorXd *v : {&r.grid.x, &r.grid.z, &r.grid.area, &r.axis_z})
     a.array(*v);
-  for (Eigen::MatrixXd *m : {&r.squeeze, &r.translate, &r.axis, &r.field_squeeze, &r.field_translate})
-    a.array(*m);
+  for (ParityFlexibility *p : {&r.squeeze, &r.translate, &r.squeeze_odd, &r.translate_odd})
+    members(a, *p);
 }
 
 struct Writer {

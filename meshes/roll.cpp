@@ -102,15 +102,36 @@ MeshFile known_mesh(const std::string &path, const RollGeometry &geometry)
   MeshFile mesh;
   mesh.path     = path;
   mesh.geometry = geometry;
+  mesh.unit     = geometry.radius;
   for (std::size_t i = 0; i < group_names.size(); ++i)
     if (geometry.neck_length > 0 || (group_names[i] != "neck" && group_names[i] != "shoulder"))
       mesh.groups[group_names[i]] = int(i) + 1;
   return mesh;
 }
 
-MeshFile mesh_roll(const std::string &name, const RollGeometry &geometry, const RollMeshSize &size,
+namespace {
+// Lengths in units of the radius.  Rounding then is the same whatever unit or size the roll is given in.
+RollGeometry by_radius(RollGeometry g)
+{
+  for (double *length : {&g.half_length, &g.neck_radius, &g.neck_length, &g.seat_centre, &g.contact_half_length})
+    *length /= g.radius;
+  g.radius = 1;
+  return g;
+}
+
+RollMeshSize by_radius(RollMeshSize size, const double radius)
+{
+  for (double *length : {&size.section.first_element, &size.end_layer, &size.largest_layer, &size.break_at})
+    *length /= radius;
+  return size;
+}
+}  // namespace
+
+MeshFile mesh_roll(const std::string &name, const RollGeometry &in_metres, const RollMeshSize &size_in_metres,
                    const std::string &path)
 {
+  const RollGeometry geometry = by_radius(in_metres);
+  const RollMeshSize size     = by_radius(size_in_metres, in_metres.radius);
   const GmshScope gmsh_is_open;
   SectionSize section            = size.section;
   section.radius                 = geometry.radius;
@@ -119,9 +140,18 @@ MeshFile mesh_roll(const std::string &name, const RollGeometry &geometry, const 
 
   // Layers are thin where the contact ends: at the barrel end, or where the shorter barrel ends.
   const double facing = geometry.contact_half_length > 0 ? geometry.contact_half_length : geometry.half_length;
-  auto layers         = graded_layers(facing, size.end_layer, size.layer_growth, size.largest_layer);
-  auto rim            = extrude(surfaces.rim, layers);
-  auto shoulder       = extrude(surfaces.core, layers);
+  const auto graded   = [&](const double length) {
+    return graded_layers(length, size.end_layer, size.layer_growth, size.largest_layer);
+  };
+  auto layers = graded(facing);
+  if (size.break_at > 0 && size.break_at < facing) {
+    layers          = graded(size.break_at);
+    const auto half = graded(0.5 * (facing - size.break_at));
+    layers.insert(layers.end(), half.rbegin(), half.rend());
+    layers.insert(layers.end(), half.begin(), half.end());
+  }
+  auto rim      = extrude(surfaces.rim, layers);
+  auto shoulder = extrude(surfaces.core, layers);
   if (geometry.half_length - facing > 1e-9) {
     layers = graded_layers(geometry.half_length - facing, size.end_layer, size.layer_growth, size.largest_layer);
     std::reverse(layers.begin(), layers.end());
@@ -136,7 +166,7 @@ MeshFile mesh_roll(const std::string &name, const RollGeometry &geometry, const 
   }
   geo::synchronize();
 
-  MeshFile mesh = known_mesh(path, geometry);
+  MeshFile mesh = known_mesh(path, in_metres);
   gmsh::vectorpair volumes, faces;
   gmsh::model::getEntities(volumes, 3);
   gmsh::model::getEntities(faces, 2);
@@ -172,8 +202,8 @@ MeshFile mesh_roll(const std::string &name, const RollGeometry &geometry, const 
   std::sort(nodes.begin(), nodes.end());
   mesh.n_nodes            = int(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
   mesh.n_cells            = int(elements.size());
-  mesh.contact_element    = section.first_element;
-  mesh.contact_half_width = patch_half_width(section);
+  mesh.contact_element    = size_in_metres.section.first_element;
+  mesh.contact_half_width = patch_half_width(section) * in_metres.radius;
   const std::string aside = path + "." + std::to_string(::getpid()) + ".msh";  // Gmsh goes by the ending
   gmsh::write(aside);
   std::filesystem::rename(aside, path);

@@ -11,6 +11,8 @@ struct RollMeshSize {
   double end_layer     = 0;    ///< m, thickness of the last layer at the barrel end
   double layer_growth  = 2;    ///< -, ratio of neighbouring layers towards mid-length
   double largest_layer = 0.1;  ///< m
+  double break_at = 0;  ///< m, z of a further station with thin layers to both sides, where the other barrel of a
+                        ///< shifted pair ends; 0: none
 };
 
 /// Heights of the layers between z = 0 and z = length, thinnest at z = length, growing towards z = 0.

@@ -59,6 +59,7 @@ std::vector<Eigen::Index> by_distance(const ContactCurve &curve, const double lo
 struct LogFit {
   double c0;     ///< m/N, approach/F at the working load
   double c1;     ///< m/N, slope of approach/F over ln F there
+  double c2;     ///< m/N, quadratic term
   double error;  ///< -
 };
 
@@ -81,7 +82,7 @@ LogFit fit_line_contact(const ContactCurve &curve, const double load)
     weight[i] = std::pow(1 - std::pow(std::abs(u) / reach, 3), 1.5);  // square root of the tricube weight
   }
   const Eigen::Vector3d c = (weight.asDiagonal() * form).colPivHouseholderQr().solve(weight.cwiseProduct(ratio));
-  return {c[0], c[1], ((form * c - ratio).array() / ratio.array()).abs().maxCoeff()};
+  return {c[0], c[1], c[2], ((form * c - ratio).array() / ratio.array()).abs().maxCoeff()};
 }
 }  // namespace
 
@@ -101,6 +102,7 @@ ContactStiffness contact_stiffness(const ContactCurve &curve, const double worki
   }
   return {1 / (fit.c0 + fit.c1),  // tangent, (3.7): d(approach)/dF = c0 + c1 at u = 0
           1 / fit.c0,             // secant
+          -(fit.c1 + 2 * fit.c2) / (working_load * std::pow(fit.c0 + fit.c1, 3)),  // (3.7a)
           working_load, fit.error};
 }
 }  // namespace mill::reduce

@@ -6,6 +6,7 @@ namespace mill::reduce {
 struct ContactStiffness {
   double tangent;       ///< N/m, dF/d(approach) at the working load: what a vibrating mill feels
   double secant;        ///< N/m, F/approach at the working load: what screwing down feels
+  double curvature;     ///< N/m2, d2F/d(approach)2 at the working load
   double working_load;  ///< N, total over the contact length
   double fit_error;     ///< -, largest |fitted - computed approach| / approach over the samples used
 };

@@ -1,7 +1,6 @@
 add_library(mill_fem_test_support STATIC support/roll_pair.cpp)
 target_link_libraries(mill_fem_test_support PUBLIC mill::meshes mill::fem mill_options)
 
-mill_test(contact_solver_test LABEL unit LINK mill::fem)
 mill_test(roll_cache_test LABEL unit LINK mill::fem)
 mill_test(sparse_test LABEL unit LINK mill::sparse)
 mill_test(roll_mesh_test LABEL unit LINK mill_fem_test_support)

@@ -42,6 +42,6 @@ MeshedBody meshed_roll(const std::string &name, const RollGeometry &geometry, co
 fem::ContactPair slab_pair(const MeshedBody &first, const MeshedBody &second)
 {
   auto pair = fem::make_pair("line", first.roll, fem::held_by_mirror(first.roll), second.roll,
-                             fem::held_by_mirror(second.roll), Eigen::VectorXd::Zero(first.roll.n_z));
+                             fem::held_by_mirror(second.roll), Eigen::VectorXd::Zero(first.roll.grid.n_z));
   return pair;
 }

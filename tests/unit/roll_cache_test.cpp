@@ -16,10 +16,10 @@ fem::CondensedRoll some_roll(const double number)
 {
   fem::CondensedRoll roll;
   roll.geometry.radius = number;
-  roll.n_x = 2, roll.n_z = 3, roll.n_unknowns = 12345;
-  roll.x         = Eigen::VectorXd::LinSpaced(2, 0, number);
-  roll.squeeze   = Eigen::MatrixXd::Constant(6, 6, number);
-  roll.translate = Eigen::MatrixXd::Identity(6, 6);
+  roll.grid.n_x = 2, roll.grid.n_z = 3, roll.n_unknowns = 12345;
+  roll.grid.x = Eigen::VectorXd::LinSpaced(2, 0, number);
+  roll.squeeze.patch   = Eigen::MatrixXd::Constant(6, 6, number);
+  roll.translate.patch = Eigen::MatrixXd::Identity(6, 6);
   return roll;
 }
 }  // namespace
@@ -41,9 +41,9 @@ TEST_F(RollCache, GivesBackEveryBit)
   fem::save_roll(folder + "/a", "key", roll);
   const auto back = fem::load_roll(folder + "/a", "key");
   ASSERT_TRUE(back);
-  EXPECT_EQ(back->squeeze, roll.squeeze);
-  EXPECT_EQ(back->translate, roll.translate);
-  EXPECT_EQ(back->x, roll.x);
+  EXPECT_EQ(back->squeeze.patch, roll.squeeze.patch);
+  EXPECT_EQ(back->translate.patch, roll.translate.patch);
+  EXPECT_EQ(back->grid.x, roll.grid.x);
   EXPECT_EQ(back->geometry.radius, roll.geometry.radius);
   EXPECT_EQ(back->n_unknowns, 12345);
 }

@@ -35,13 +35,13 @@ const Rolls &shared_rolls()
 fem::ContactPair mirrored(const Rolls &r)
 {
   return fem::make_pair("upper", r.backup_roll.roll, fem::held_by_mirror(r.backup_roll.roll), r.work_roll.roll,
-                        fem::held_by_mirror(r.work_roll.roll), Eigen::VectorXd::Zero(r.work_roll.roll.n_z));
+                        fem::held_by_mirror(r.work_roll.roll), Eigen::VectorXd::Zero(r.work_roll.roll.grid.n_z));
 }
 
 fem::ContactPair in_stand(const Rolls &r, const double strip)
 {
   return fem::make_pair("upper", r.backup_roll.roll, fem::held_by_necks(r.backup_roll.roll), r.work_roll.roll,
-                        fem::held_by_strip(r.work_roll.roll, strip), Eigen::VectorXd::Zero(r.work_roll.roll.n_z));
+                        fem::held_by_strip(r.work_roll.roll, strip), Eigen::VectorXd::Zero(r.work_roll.roll.grid.n_z));
 }
 }  // namespace
 
@@ -110,7 +110,7 @@ TEST(RollPair, BackupRollBendsLikeAStepBeam)
   // Timoshenko theory with the same uniform load: bending and shear of a roll as thick as it is long.
   const auto &roll        = shared_rolls().backup_roll.roll;
   const auto held         = fem::held_by_necks(roll);
-  Eigen::VectorXd uniform = roll.area / roll.area.sum();
+  Eigen::VectorXd uniform = roll.grid.area / roll.grid.area.sum();
   const Eigen::VectorXd v = held.axis * uniform + held.axis_support;  // m per N on a quarter
   int centre              = 0;
   for (int k = 0; k < roll.axis_z.size(); ++k)
@@ -126,7 +126,7 @@ TEST(RollPair, CrownOpensTheEndsAndAMachinedHollowTheMiddle)
 {
   const auto &r     = shared_rolls();
   const auto gap_of = [&](const double crown) {
-    const Eigen::VectorXd z = r.work_roll.roll.z;
+    const Eigen::VectorXd z = r.work_roll.roll.grid.z;
     return Eigen::VectorXd(0.5 * crown * (z / 0.7).array().square());
   };
   const auto pair = [&](const double crown) {

@@ -1,0 +1,185 @@
+#include "app/contact_details.h"
+#include "app/contact_stage.h"
+#include "core/csv.h"
+#include "fem/frictional_pair.h"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+Parameter computed(const std::string &unit, const double value, const double error, const double load,
+                   const std::string &method)
+{
+  Parameter p;
+  p.value          = value;
+  p.unit           = unit;
+  p.method         = method;
+  p.at             = in_kN(load);
+  p.error_estimate = error;
+  p.inputs         = {"steel.youngs_modulus",      "steel.poisson_ratio", "work_roll.barrel_diameter",
+                      "work_roll.barrel_length",   "work_roll.crown",     "backup_roll.barrel_diameter",
+                      "backup_roll.barrel_length", "backup_roll.crown"};
+  return p;
+}
+
+// Length over which the rolls touch, and a word about it where it is not the whole barrel.
+void add_contact_length(RunContext &run, const ContactModel &m, const std::string &name, const double load)
+{
+  const auto at = [&](const fem::ContactPair &pair) {
+    const auto profile      = fem::barrel_profile(pair, fem::solve_load(pair, load));
+    double length           = 0;
+    for (Eigen::Index k = 0; k < pair.path.size(); ++k)
+      length += profile.line_load[k] > 0 ? (pair.grid.whole ? 1 : 2) * pair.path[k] : 0;
+    const bool middle = profile.line_load[fem::middle_station(pair.grid)] > 0;
+    return std::pair{length, middle};
+  };
+  const auto [length, middle] = at(m.in_stand);
+  const auto [coarse, same]   = at(m.coarse);
+  const double whole          = m.closed_form.length;
+  // One station more or less is what a mesh can tell.
+  Parameter p = computed("m", length, std::max(std::abs(coarse - at(m.mirrored).first) / whole, 1e-3), load,
+                         "contact FEM, stations that carry load, held as in the stand");
+  p.checks.push_back({"length over which the barrels face each other", whole, ""});
+  run.results.add("contact." + name + ".contact_length", p);
+  if (!middle)
+    run.warn(
+        fmt::format("contact {}: at {} the rolls touch at the barrel ends only, over {:.0f} of {:.0f} mm: the "
+                    "approach does not close the hollow between them; stiffness and half width at mid-length "
+                    "mean little",
+                    name, in_kN(load), 1e3 * length, 1e3 * whole));
+  else if (length < 0.98 * whole)
+    run.warn(
+        fmt::format("contact {}: at {} the rolls touch over {:.0f} of {:.0f} mm: the approach does not close the "
+                    "crown",
+                    name, in_kN(load), 1e3 * length, 1e3 * whole));
+}
+
+void add_path_plateau(RunContext &run, const ContactModel &m, const std::string &K,
+                      const ContactSettings &settings, const double load)
+{
+  const auto point  = fem::solve_load(m.mirrored, load);
+  const auto path   = fem::path_plateau(m.mirrored, point, settings.path_trim);
+  const auto second = fem::path_plateau(m.coarse, fem::solve_load(m.coarse, load), settings.path_trim);
+  if (path.stations == 0)
+    return;
+  const double scaled = second.mean * path.tributary_length / second.tributary_length;
+  Parameter p =
+      computed("N/m", path.mean, std::abs(scaled / path.mean - 1), load,
+               fmt::format("mean of nodal force (summed over the width) over nodal relative "
+                           "displacement, {} stations of {:.1f} mm on average, {:.0f} % of the path left "
+                           "out at each end",
+                           path.stations, 1e3 * path.tributary_length, 100 * settings.path_trim));
+  p.checks.push_back({"secant of the contact for the same length",
+                      load / point.approach * path.tributary_length / m.closed_form.length,
+                      "the plateau grows with the length that belongs to a node: no property of the contact"});
+  p.checks.push_back({"mesh twice as coarse, for the same length", scaled, ""});
+  run.results.add(K + ".path_plateau", p);
+}
+
+void add_joint(RunContext &run, const ContactModel &m, const std::string &name, const double load,
+               const double mesh_error)
+{
+  // On the companion mesh, which always has both sides.
+  const auto point  = fem::solve_load(m.coarse_whole, load);
+  const auto joint  = fem::joint_stiffness(m.coarse_whole, point);
+  const double L    = m.closed_form.length;
+  const auto hertz  = reduce::line_contact(m.closed_form, load);
+  const double axes = m.coarse_whole.radii_sum;
+  const std::string method =
+      "contact FEM on the companion mesh, frictionless, " + m.coarse_whole.reference + ", theory.md (2.14)";
+  const auto add = [&](const char *what, const char *unit, const double value, const char *check,
+                       const double beside) {
+    Parameter p = computed(unit, value, mesh_error, load, method);
+    p.checks.push_back({check, beside, "uniform load, no barrel ends"});
+    run.results.add("contact." + name + ".joint." + what, p);
+  };
+  add("yy", "N/m", joint(1, 1), "Hertz line contact (3.5b)", hertz.tangent);
+  add("rx_rx", "N m", joint(3, 3), "the same spread over the length, K L^2/12", hertz.tangent * L * L / 12);
+  add("xx", "N/m", joint(0, 0), "geometric term of the force, -F over the distance of the axes", -load / axes);
+  add("ry_ry", "N m", joint(4, 4), "geometric term of a uniform load, -F L^2/12 over it",
+      -load * L * L / 12 / axes);
+  if (joint(2, 2) != 0)
+    add("zz", "N/m", joint(2, 2), "straight profiles", 0);
+  if (m.extent == fem::Extent::whole) {
+    add("y_rx", "N", joint(1, 3), "the same on both sides", 0);
+    add("y_z", "N/m", joint(1, 2), "straight profiles", 0);
+  }
+}
+
+// Tangent with Coulomb friction against the same mesh without.
+void add_friction(RunContext &run, const FourHigh &stand, const ContactModel &m, const std::string &name,
+                  const std::string &K, const ContactSettings &settings, const double load,
+                  const double mesh_error)
+{
+  const auto &backup  = *m.backup.coarse;
+  const auto &work    = *m.work.coarse;
+  const auto quarter  = fem::make_pair(name, backup, fem::held_by_mirror(backup), work, fem::held_by_mirror(work),
+                                       even_drop(stand, settings, backup.grid.z));
+  constexpr int steps = 10;
+  const auto free     = fem::solve_load(quarter, load);
+  const auto rubbing  = fem::load_with_friction(quarter, backup, work, settings.friction, load, steps);
+  const auto twice    = fem::load_with_friction(quarter, backup, work, settings.friction, load, 2 * steps);
+  Parameter p =
+      computed("N/m", rubbing.tangent, mesh_error + std::abs(twice.tangent / rubbing.tangent - 1), load,
+               fmt::format("contact FEM on the companion mesh, Coulomb friction {:g}, loaded from zero in "
+                           "{} equal steps, {:.0f} % of the touching nodes slip",
+                           settings.friction, steps, 100 * rubbing.slipping));
+  p.inputs.push_back("contact." + name + ".friction");
+  p.checks.push_back({"same mesh without friction", free.tangent, "equal materials: nearly uncoupled"});
+  p.checks.push_back({"twice as many load steps", twice.tangent, "the load path matters"});
+  run.results.add(K + ".friction_tangent", p);
+}
+
+void write_pressure_map(RunContext &run, const fem::ContactPair &pair, const std::string &name, const double load)
+{
+  const Eigen::MatrixXd p = fem::pressure_map(pair, fem::solve_load(pair, load));
+  const auto &g           = pair.grid;
+  Eigen::VectorXd z(p.size()), x(p.size()), value(p.size());
+  Eigen::Index row = 0;
+  for (int k = 0; k < g.n_z; ++k)
+    for (int i = 0; i < p.cols(); ++i, ++row) {
+      z[row]     = g.z[k];
+      x[row]     = (i < g.n_x - 1 ? -1 : 1) * g.x[std::abs(i - (g.n_x - 1))];
+      value[row] = p(k, i);
+    }
+  Table table;
+  table.add("z", "m", z).add("x", "m", x).add("pressure", "Pa", value);
+  run.out.write("curves/contact-" + name + "-pressure.csv", csv_text(table));
+}
+}  // namespace
+
+void require_resolved(const ContactModel &m, const std::string &name, const ContactSettings &settings,
+                      const double load)
+{
+  const auto &grid     = m.mirrored.grid;
+  const double element = grid.x[grid.degree] - grid.x[0];
+  const double b       = reduce::line_contact(m.closed_form, load).half_width;
+  if (b >= 2 * element)
+    return;
+  throw InputError(
+      settings.elements_place,
+      fmt::format("contact.{}.elements_per_half_width = {} makes elements of {:.3f} mm for the largest "
+                  "load; at the working load of {} the contact is only {:.3f} mm to each side and needs "
+                  "elements of {:.3f} mm: take {} or more, or narrow contact.{}.loads",
+                  name, settings.elements_per_half_width, 1e3 * element, in_kN(load), 1e3 * b, 1e3 * b / 2,
+                  int(std::ceil(settings.elements_per_half_width * 2 * element / b)), name));
+}
+
+void add_contact_details(RunContext &run, const ContactModel &model, const std::string &name, const std::string &K,
+                         const FourHigh &stand, const ContactSettings &settings, const double load,
+                         const double mesh_error)
+{
+  add_contact_length(run, model, name, load);
+  add_path_plateau(run, model, K, settings, load);
+  add_joint(run, model, name, load, mesh_error);
+  if (!std::isnan(settings.friction))
+    add_friction(run, stand, model, name, K, settings, load, mesh_error);
+  write_pressure_map(run, model.in_stand, name, load);
+  const double peak = fem::pressure_map(model.in_stand, fem::solve_load(model.in_stand, load)).maxCoeff();
+  if (peak > 5 * stand.steel.yield_stress)
+    run.warn(
+        fmt::format("contact {}: the largest pressure of {:.0f} MPa at {} is above five times steel.yield_stress "
+                    "= {:.0f} MPa: small elastic strain does not hold there",
+                    name, 1e-6 * peak, in_kN(load), 1e-6 * stand.steel.yield_stress));
+}
+}  // namespace mill

@@ -1,0 +1,16 @@
+#pragma once
+#include "app/contact_model.h"
+
+namespace mill {
+/// What one working load of a contact gives beyond its stiffness: the length in contact, the published way of
+/// evaluating (K.path_plateau), the joint stiffness between the axes, the pressure map
+/// (curves/contact-<name>-pressure.csv), and warnings about what the model does not hold for.
+/// @param mesh_error  -, relative difference of the tangent between the two meshes
+void add_contact_details(RunContext &run, const ContactModel &model, const std::string &name, const std::string &K,
+                         const FourHigh &stand, const ContactSettings &settings, double load, double mesh_error);
+
+/// The mesh must resolve the contact at this load.
+/// @throws InputError  fewer than two elements over the half width; says how many elements would do
+void require_resolved(const ContactModel &model, const std::string &name, const ContactSettings &settings,
+                      double load);
+}  // namespace mill

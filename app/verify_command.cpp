@@ -1,0 +1,61 @@
+#include "app/verify_command.h"
+#include "app/console.h"
+#include "core/errors.h"
+#include "core/files.h"
+#include "core/sparse.h"
+#include "fem/elastic_body.h"
+#include "verify/manual.h"
+#include <algorithm>
+#include <fmt/format.h>
+#include <thread>
+
+namespace mill {
+namespace {
+// The page shows the whole manual or none of it: half a page would hide what was not run.
+void require_whole_manual(const VerifyOptions &options)
+{
+  if (!options.markdown.empty() && (!options.names.empty() || options.list))
+    throw InputError("--markdown writes the page of the whole manual; leave out the names and --list");
+}
+
+void print_now(const std::string &text)
+{
+  fmt::print("{}", text);
+  std::fflush(stdout);
+}
+}  // namespace
+
+int verify_command(const VerifyOptions &options)
+{
+  require_whole_manual(options);
+  const auto cases = verify::select(verify::all_cases(), options.names);
+  if (options.list) {
+    print_now(verify::list_text(cases));
+    return 0;
+  }
+  const int threads =
+      options.threads > 0 ? options.threads : int(std::max(1u, std::thread::hardware_concurrency()));
+  set_blas_threads(threads);
+  fem::set_assembly_threads(threads);
+
+  std::vector<std::pair<std::string, double>> stages;
+  for (const verify::Case &c : cases)
+    stages.push_back({c.name, 1});
+  console::ProgressBar bar(stages, options.quiet);
+  std::vector<verify::Outcome> outcomes;
+  for (const verify::Case &c : cases) {
+    bar.show(c.name, 0);
+    outcomes.push_back(verify::run(c));
+    bar.show(c.name, 1);
+    if (!options.quiet || !passes(outcomes.back())) {
+      bar.finish();
+      print_now(verify::outcome_text(outcomes.back()) + "\n");
+    }
+  }
+  bar.finish();
+  print_now(verify::summary_text(outcomes) + "\n");
+  if (!options.markdown.empty())
+    write_atomically(options.markdown, verify::manual_page(outcomes));
+  return std::all_of(outcomes.begin(), outcomes.end(), [](const verify::Outcome &o) { return passes(o); }) ? 0 : 3;
+}
+}  // namespace mill

@@ -1,0 +1,35 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+// Dense contact mechanics: no mesh, no finite element.  theory.md 2
+namespace mill::contact {
+/// Frictionless unilateral contact of condensed bodies driven by k relative motions.  theory.md (2.6)
+///     gap = initial_gap + C nodal + W resultant - G motion >= 0
+///     nodal >= 0 ,   nodal . gap = 0 ,   G^T nodal = resultant
+struct Problem {
+  Eigen::MatrixXd C;            ///< (n, n) m/N, symmetric, positive definite
+  Eigen::MatrixXd G;            ///< (n, k) closing of the gap per unit of each motion (1 for m, a lever for rad)
+  Eigen::MatrixXd W;            ///< (n, k) gap opened by what balances a unit of each resultant; empty: zero
+  Eigen::VectorXd initial_gap;  ///< (n) m
+};
+
+/// What is imposed on each of the k modes: its resultant (N, N m) or its motion (m, rad).
+struct Drive {
+  Eigen::VectorXd value;        ///< (k)
+  std::vector<char> by_motion;  ///< (k) 1: the value is a motion; empty: all are resultants
+};
+
+struct State {
+  Eigen::VectorXd motion;      ///< (k) m, rad
+  Eigen::VectorXd resultant;   ///< (k) N, N m
+  Eigen::VectorXd nodal;       ///< (n) N, >= 0
+  Eigen::VectorXd gap;         ///< (n) m, >= 0
+  Eigen::MatrixXd compliance;  ///< (k, k) d motion / d resultant, active set held: exact; infinite where stiffness is singular
+  Eigen::MatrixXd stiffness;   ///< (k, k) d resultant / d motion, active set held: exact; 0 without contact
+  Eigen::MatrixXd d_nodal;     ///< (n, k) d nodal / d resultant, active set held
+  std::vector<char> active;    ///< (n)
+  int iterations  = 0;
+  double residual = 0;  ///< -, largest violation of the four conditions, relative
+};
+}  // namespace mill::contact
