@@ -26,8 +26,8 @@ Parameter computed(const std::string &unit, const double value, const double err
 void add_contact_length(RunContext &run, const ContactModel &m, const std::string &name, const double load)
 {
   const auto at = [&](const fem::ContactPair &pair) {
-    const auto profile      = fem::barrel_profile(pair, fem::solve_load(pair, load));
-    double length           = 0;
+    const auto profile = fem::barrel_profile(pair, fem::solve_load(pair, load));
+    double length      = 0;
     for (Eigen::Index k = 0; k < pair.path.size(); ++k)
       length += profile.line_load[k] > 0 ? (pair.grid.whole ? 1 : 2) * pair.path[k] : 0;
     const bool middle = profile.line_load[fem::middle_station(pair.grid)] > 0;

@@ -30,12 +30,6 @@ double drop_at(const FourHigh &stand, const ContactSettings &settings, const dou
          reduce::crossing_gap(between, settings.cross_angle, settings.axis_offset, z);
 }
 
-Eigen::VectorXd profile_drop(const FourHigh &stand, const ContactSettings &settings, const double side,
-                             const Eigen::VectorXd &z)
-{
-  return z.unaryExpr([&](const double at) { return drop_at(stand, settings, side, at); });
-}
-
 bool reaches_patch_edge(const fem::ContactPair &pair, const double load)
 {
   const auto point = fem::solve_load(pair, load);
@@ -81,6 +75,12 @@ void make_pairs(ContactModel &m, const std::string &name, const FourHigh &stand,
       "axis to axis, mean over the contact length, backup roll on its bearings, work roll on the strip";
 }
 }  // namespace
+
+Eigen::VectorXd profile_drop(const FourHigh &stand, const ContactSettings &settings, const double side,
+                             const Eigen::VectorXd &z)
+{
+  return z.unaryExpr([&](const double at) { return drop_at(stand, settings, side, at); });
+}
 
 Eigen::VectorXd even_drop(const FourHigh &stand, const ContactSettings &settings, const Eigen::VectorXd &z)
 {

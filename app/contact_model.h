@@ -15,7 +15,12 @@ struct ContactModel {
   fem::Extent extent = fem::Extent::quarter;
 };
 
-/// (n) m, profiles of both rolls at z, the mean of both sides.
+/// (n) m, how much both rolls lack in radius at z of the stand, and what crossed axes add.
+/// @param side  1: upper contact, -1: lower
+Eigen::VectorXd profile_drop(const FourHigh &stand, const ContactSettings &settings, double side,
+                             const Eigen::VectorXd &z);
+
+/// (n) m, the same of the upper contact, the mean of both sides.
 Eigen::VectorXd even_drop(const FourHigh &stand, const ContactSettings &settings, const Eigen::VectorXd &z);
 
 /// True when the two sides of mid-length carry different loads.

@@ -2,6 +2,7 @@
 #include "app/contact_details.h"
 #include "app/contact_files.h"
 #include "app/contact_model.h"
+#include "app/second_engine.h"
 #include "reduce/contact_stiffness.h"
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,7 @@ struct Study {
   std::string K;     // "K3"
   ContactModel model;
   ContactCurve mirrored, in_stand, coarse;
+  std::optional<SecondEngine> second;
 };
 
 // Swept range: that of the case, or a decade below the smallest and twice the largest working load.
@@ -51,6 +53,26 @@ Slope slope_at(const fem::ContactPair &pair, const ContactCurve &curve, const do
     // No line contact: a crown is being closed, or only the ends touch.
   }
   return {tangent, load / point.approach, point.tangent, curvature};
+}
+
+// Tangent, secant and curvature of a curve at one load, where it is that of a line contact.
+std::array<double, 3> slope_of(const ContactCurve &curve, const double load)
+{
+  try {
+    const auto fit = reduce::contact_stiffness(curve, load);
+    return {fit.tangent, fit.secant, fit.curvature};
+  } catch (const SolverError &) {
+    return {not_given, not_given, not_given};  // a crown is being closed
+  }
+}
+
+// A second opinion widens the error estimate to the spread.
+void beside(Parameter &p, const std::string &who, const double value)
+{
+  if (std::isnan(value))
+    return;
+  p.checks.push_back({who, value, ""});
+  p.error_estimate = std::max(p.error_estimate, std::abs(value / p.value - 1));
 }
 
 Parameter blank(const Study &s, const std::string &unit, const double load, const std::string &reference)
@@ -108,33 +130,44 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
                            "what is left of the difference belongs to the barrel ends"});
   secant.checks.push_back({"mesh twice as coarse", coarse.secant, ""});
   secant.checks.push_back({"rolls held as in the stand", held.secant, held_note});
+  double curvature2 = coarse.curvature;
+  if (s.second) {
+    const auto [t2, s2, c2] = slope_of(s.second->mirrored, F);
+    curvature2              = c2;
+    beside(tangent, "second engine, Fourier series", t2);
+    beside(secant, "second engine, Fourier series", s2);
+  }
   run.results.add(prefix + s.K + ".tangent", tangent);
   run.results.add(prefix + s.K + ".secant", secant);
 
-  if (!std::isnan(fine.curvature) && !std::isnan(coarse.curvature)) {
+  if (!std::isnan(fine.curvature) && !std::isnan(curvature2)) {
     // Of a line contact the tangent compliance falls by A/F per newton (3.5b).
     const double A_over_L =
         1 / hertz.secant - 1 / hertz.tangent;  // (3.5a) and (3.5b) differ by one in the bracket
     Parameter curvature      = blank(s, "N/m2", F, s.mirrored.reference);
     curvature.value          = fine.curvature;
-    curvature.error_estimate = std::abs(coarse.curvature / fine.curvature - 1);
+    curvature.error_estimate = std::abs(curvature2 / fine.curvature - 1);
     curvature.checks.push_back(
         {"Hertz line contact, K^3 A/(F L)", std::pow(hertz.tangent, 3) * A_over_L / F, "no barrel ends"});
-    curvature.checks.push_back({"mesh twice as coarse", coarse.curvature, ""});
+    curvature.checks.push_back(
+        {s.second ? "second engine, Fourier series" : "mesh twice as coarse", curvature2, ""});
     run.results.add(prefix + s.K + ".curvature", curvature);
   }
 
-  const auto add_held = [&](const char *what, const double value, const double exact, const Parameter &mirrored) {
+  const auto held2    = s.second ? slope_of(s.second->in_stand, F) : std::array<double, 3>{not_given, not_given};
+  const auto add_held = [&](const char *what, const double value, const double exact, const double other,
+                            const Parameter &mirrored) {
     Parameter h      = blank(s, "N/m", F, s.in_stand.reference);
     h.value          = value;
     h.error_estimate = std::max(mirrored.error_estimate, std::abs(exact / value - 1));
     h.checks.push_back(
         {"rolls squeezed between mirrored contacts", mirrored.value, "another datum and no bending"});
+    beside(h, "second engine, Fourier series", other);
     h.inputs.insert(h.inputs.end(), {"strip.width", "backup_roll.bearing_span"});
     run.results.add(prefix + s.K + ".in_stand_" + what, h);
   };
-  add_held("tangent", held.tangent, held.exact, tangent);
-  add_held("secant", held.secant, held.secant, secant);
+  add_held("tangent", held.tangent, held.exact, held2[0], tangent);
+  add_held("secant", held.secant, held.secant, held2[1], secant);
   const double difference = held.tangent / fine.tangent - 1;
   const std::string said =
       fmt::format("{}{}.tangent is that of rolls squeezed between mirrored contacts, the spring that stands in "
@@ -163,18 +196,32 @@ void add_section(RunContext &run, const Study &s, const FourHigh &stand, const d
   const double misfit =
       std::abs(0.5 * M_PI * fine.half_width[mid] * fine.peak_pressure[mid] / fine.line_load[mid] - 1);
   const auto add = [&](const std::string &what, const std::string &unit, const double value, const double second,
-                       const double closed, const std::string &reference) {
+                       const double other, const double closed, const std::string &reference) {
     Parameter p      = blank(s, unit, F, reference);
     p.value          = value;
     p.error_estimate = std::max(std::abs(second / value - 1), what == "approach" ? 0. : misfit);
     p.checks.push_back({"Hertz line contact", closed, ""});
     p.checks.push_back({"mesh twice as coarse", second, ""});
+    beside(p, "second engine, Fourier series", other);
     run.results.add("contact." + s.name + "." + what, p);
   };
-  add("half_width", "m", fine.half_width[mid], coarse.half_width[mid2], hertz.half_width, "at mid-length");
-  add("peak_pressure", "Pa", fine.peak_pressure[mid], coarse.peak_pressure[mid2], hertz.peak_pressure,
-      "at mid-length");
-  add("approach", "m", point.approach, point2.approach, hertz.approach, s.mirrored.reference);
+  const auto at_middle = [&](const Eigen::VectorXd &values) {
+    return s.second ? values[s.model.mirrored.grid.whole ? values.size() / 2 : 0] : not_given;
+  };
+  const BarrelProfile other = s.second ? s.second->mirrored_at : BarrelProfile();
+  add("half_width", "m", fine.half_width[mid], coarse.half_width[mid2], at_middle(other.half_width),
+      hertz.half_width, "at mid-length");
+  add("peak_pressure", "Pa", fine.peak_pressure[mid], coarse.peak_pressure[mid2], at_middle(other.peak_pressure),
+      hertz.peak_pressure, "at mid-length");
+  add("approach", "m", point.approach, point2.approach,
+      s.second ? F / slope_of(s.second->mirrored, F)[1] : not_given, hertz.approach, s.mirrored.reference);
+  if (s.second) {
+    add_line_load_spread(run, s.name, held, s.second->in_stand_at);
+    run.out.write("curves/contact-" + s.name + "-barrel-second.csv",
+                  csv_text(barrel_table(s.second->in_stand_at)));
+    run.out.write("curves/contact-" + s.name + "-second.csv",
+                  csv_text(curve_table(s.second->mirrored, "N", "N/m")));
+  }
 
   run.out.write("curves/contact-" + s.name + "-barrel.csv", csv_text(barrel_table(held)));
   run.out.write("curves/contact-" + s.name + "-barrel-mirrored.csv", csv_text(barrel_table(fine)));
@@ -194,6 +241,8 @@ SolvedContact solve_one(RunContext &run, const FourHigh &stand, const std::strin
   s.mirrored       = fem::sweep(s.model.mirrored, range, run.progress);
   s.in_stand       = fem::sweep(s.model.in_stand, range, run.progress);
   s.coarse         = fem::sweep(s.model.coarse, range, run.progress);
+
+  s.second = solve_again(run, stand, s.model, name, settings, range, loads[0]);
 
   SolvedContact out;
   out.curve = s.mirrored;

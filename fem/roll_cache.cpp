@@ -32,8 +32,43 @@ template <class Archive> void members(Archive &a, CondensedRoll &r)
     members(a, *p);
 }
 
+template <class Archive> void members(Archive &a, HarmonicResponse &h)
+{
+  int orders = int(h.surface.size());
+  a.count(orders);
+  if (orders < 0 || orders > 100000)
+    return a.fail();
+  h.surface.resize(std::size_t(orders));
+  for (Eigen::MatrixXd &m : h.surface)
+    a.array(m);
+  a.array(h.axis);
+  for (Eigen::VectorXd *v : {&h.seat_surface, &h.seat_axis})
+    a.array(*v);
+}
+
+template <class Archive> void members(Archive &a, FourierRoll &r)
+{
+  RollGeometry &g = r.geometry;
+  for (double *value :
+       {&g.radius, &g.half_length, &g.neck_radius, &g.neck_length, &g.seat_centre, &g.contact_half_length,
+        &r.material.youngs_modulus, &r.material.poisson_ratio, &r.material.density, &r.half_width, &r.seat_lever})
+    a.number(*value);
+  a.count(r.n_unknowns);
+  a.array(r.edge);
+  Eigen::VectorXd orders(Eigen::Index(r.order.size()));
+  for (Eigen::Index i = 0; i < orders.size(); ++i)
+    orders[i] = r.order[std::size_t(i)];
+  a.array(orders);
+  r.order.resize(std::size_t(orders.size()));
+  for (Eigen::Index i = 0; i < orders.size(); ++i)
+    r.order[std::size_t(i)] = int(orders[i]);
+  members(a, r.even);
+  members(a, r.odd);
+}
+
 struct Writer {
   std::string bytes;
+  void fail() {}
   void raw(const void *data, const std::size_t size)
   {
     bytes.append(static_cast<const char *>(data), size);
@@ -59,6 +94,10 @@ struct Reader {
   const std::string &bytes;
   std::size_t at = 0;
   bool good      = true;
+  void fail()
+  {
+    good = false;
+  }
   void raw(void *data, const std::size_t size)
   {
     good = good && size <= bytes.size() - at;
@@ -90,16 +129,14 @@ struct Reader {
     raw(array.data(), sizeof(double) * std::size_t(array.size()));
   }
 };
-}  // namespace
-
-void save_roll(const std::string &path, const std::string &key, const CondensedRoll &roll)
+template <class Roll> void save(const std::string &path, const std::string &key, const Roll &roll)
 {
   Writer writer;
-  members(writer, const_cast<CondensedRoll &>(roll));  // only read: Writer takes constant references
+  members(writer, const_cast<Roll &>(roll));  // only read: Writer takes constant references
   write_atomically(path, magic + key + "\n" + hash_of(writer.bytes) + "\n" + writer.bytes);
 }
 
-std::optional<CondensedRoll> load_roll(const std::string &path, const std::string &key, std::string *note)
+template <class Roll> std::optional<Roll> load(const std::string &path, const std::string &key, std::string *note)
 {
   if (!std::filesystem::exists(path))
     return {};
@@ -118,11 +155,29 @@ std::optional<CondensedRoll> load_roll(const std::string &path, const std::strin
   const std::string bytes = text.substr(sum_end + 1);
   if (hash_of(bytes) != text.substr(key_end + 1, sum_end - key_end - 1))
     return damaged("its checksum is wrong");
-  CondensedRoll roll;
+  Roll roll;
   Reader reader{bytes};
   members(reader, roll);
   if (!reader.good || reader.at != bytes.size())
     return damaged("it is incomplete");
   return roll;
+}
+}  // namespace
+
+void save_roll(const std::string &path, const std::string &key, const CondensedRoll &roll)
+{
+  save(path, key, roll);
+}
+void save_roll(const std::string &path, const std::string &key, const FourierRoll &roll)
+{
+  save(path, key, roll);
+}
+std::optional<CondensedRoll> load_roll(const std::string &path, const std::string &key, std::string *note)
+{
+  return load<CondensedRoll>(path, key, note);
+}
+std::optional<FourierRoll> load_fourier_roll(const std::string &path, const std::string &key, std::string *note)
+{
+  return load<FourierRoll>(path, key, note);
 }
 }  // namespace mill::fem

@@ -97,8 +97,14 @@ std::string place_in(const Band &band)
 ContactCurves contact_curves(const Run &run, const std::string &name)
 {
   const std::string path = "curves/contact-" + name;
-  ContactCurves contact{
-      name, run.table(path), run.table(path + "-in-stand"), run.table(path + "-closed"), "kN", "kN/mm", {}};
+  ContactCurves contact{name,
+                        run.table(path),
+                        run.table(path + "-in-stand"),
+                        run.table(path + "-second"),
+                        run.table(path + "-closed"),
+                        "kN",
+                        "kN/mm",
+                        {}};
   if (values_of(*contact.curve, {"load", "N"}).size() == 0) {
     contact.load      = "N/mm";
     contact.stiffness = "kN/mm per m";

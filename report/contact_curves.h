@@ -20,6 +20,7 @@ struct ContactCurves {
   std::string name;
   const Table *curve;     ///< load-approach curve, each roll squeezed between two opposite contacts
   const Table *in_stand;  ///< the same with the rolls held as in the stand; nullptr when not stored
+  const Table *second;    ///< as curve, by the second engine; nullptr when not stored
   const Table *closed;    ///< closed forms at the same loads; nullptr when not stored
   std::string load;       ///< "kN" or "N/mm"
   std::string stiffness;  ///< "kN/mm" or "kN/mm per m"

@@ -1,5 +1,6 @@
 #include "report/contact_curves.h"
 #include "report/curves.h"
+#include "report/heat_map.h"
 #include "report/names.h"
 #include "report/number.h"
 #include "report/sections.h"
@@ -30,6 +31,8 @@ std::string load_approach(const ContactCurves &contact)
   if (contact.in_stand)
     add_line(plot, *contact.in_stand, {"approach", "\u00b5m"}, {"load", contact.load}, "held as in the stand",
              Pen::dark_dashed);
+  if (contact.second)
+    add_line(plot, *contact.second, {"approach", "\u00b5m"}, {"load", contact.load}, "second engine", Pen::pale);
   if (contact.closed)
     for (const ClosedForm &form : closed_secants)
       if (Line line = closed_approach(contact, form); line.x.size() > 0)
@@ -54,6 +57,7 @@ std::string stiffness_over_load(const ContactCurves &contact)
   };
   add(contact.curve, "tangent", "tangent, this run", Pen::dark, true);
   add(contact.in_stand, "tangent", "tangent, held as in the stand", Pen::dark_dashed);
+  add(contact.second, "tangent", "tangent, second engine", Pen::pale);
   add(contact.closed, "hertz_tangent", "tangent, Hertz", Pen::warm);
   add(contact.curve, "secant", "secant, this run", Pen::dashed, true);
   for (const ClosedForm &form : closed_secants)
@@ -63,8 +67,8 @@ std::string stiffness_over_load(const ContactCurves &contact)
   return svg_plot(plot);
 }
 
-std::string along_barrel(const Table &barrel, const Table *mirrored, const char *column, const char *quantity,
-                         const char *unit)
+std::string along_barrel(const Table &barrel, const Table *mirrored, const Table *second, const char *column,
+                         const char *quantity, const char *unit)
 {
   Plot plot;
   plot.title  = quantity;
@@ -76,6 +80,8 @@ std::string along_barrel(const Table &barrel, const Table *mirrored, const char 
   add_line(plot, barrel, {"z", "mm"}, {column, unit}, mirrored ? "as in the stand" : "", Pen::dark, true);
   if (mirrored)
     add_line(plot, *mirrored, {"z", "mm"}, {column, unit}, "squeezed evenly", Pen::warm);
+  if (second)
+    add_line(plot, *second, {"z", "mm"}, {column, unit}, "as in the stand, second engine", Pen::dashed);
   return svg_plot(plot);
 }
 
@@ -124,6 +130,33 @@ std::string why_in_band(const Run &run, const std::string &name)
               : "");
 }
 
+// Pressure over the patch, written station by station.
+std::string pressure_map(const Table &table, const std::string &title)
+{
+  const Eigen::VectorXd z = values_of(table, {"z", "mm"}), x = values_of(table, {"x", "mm"}),
+                        p = values_of(table, {"pressure", "MPa"});
+  Eigen::Index across     = 0;
+  while (across < z.size() && z[across] == z[0])
+    ++across;
+  if (across == 0 || z.size() % across != 0 || x.size() != z.size() || p.size() != z.size())
+    return "";
+  HeatMap map;
+  map.title                = title;
+  map.x                    = {"distance from mid-length", "mm"};
+  map.y                    = {"distance from the contact line", "mm"};
+  map.quantity             = "pressure";
+  map.unit                 = "MPa";
+  const Eigen::Index along = z.size() / across;
+  map.at_x.resize(along);
+  map.value.resize(along, across);
+  for (Eigen::Index k = 0; k < along; ++k) {
+    map.at_x[k]      = z[k * across];
+    map.value.row(k) = p.segment(k * across, across).transpose();
+  }
+  map.at_y = x.head(across);
+  return heat_map(map);
+}
+
 void one_contact(Page &page, const Run &run, const std::string &name)
 {
   const std::string path      = "curves/contact-" + name;
@@ -149,20 +182,32 @@ void one_contact(Page &page, const Run &run, const std::string &name)
       page.paragraph(why);
   }
   const Table *mirrored = run.table(path + "-barrel-mirrored");
+  const Table *second   = run.table(path + "-barrel-second");
   if (const Table *barrel = run.table(path + "-barrel"))
     page.figure(
-        {along_barrel(*barrel, mirrored, "line_load", "line load q", "kN/mm"),
-         along_barrel(*barrel, mirrored, "tangent", "tangent per length k", "kN/mm per m"),
-         along_barrel(*barrel, mirrored, "peak_pressure", "peak pressure p\u2080", "MPa")},
-        "Along the barrel, from mid-length to its end: load per length, stiffness per length and largest "
-        "pressure. A flat line is what a plane-strain formula assumes; what it does towards the right is the "
-        "effect of the barrel end and of the crown." +
+        {along_barrel(*barrel, mirrored, second, "line_load", "line load q", "kN/mm"),
+         along_barrel(*barrel, mirrored, second, "tangent", "tangent per length k", "kN/mm per m"),
+         along_barrel(*barrel, mirrored, second, "peak_pressure", "peak pressure p\u2080", "MPa")},
+        "Along the barrel: load per length, stiffness per length and largest pressure; from mid-length when both "
+        "sides carry the same. A flat line is what a plane-strain formula assumes; what it does towards the end "
+        "is "
+        "the effect of the barrel end and of the crown. The very last point belongs to a sharp edge, where the "
+        "pressure is singular." +
             std::string(mirrored
                             ? " Held as in the stand, the rolls also bend; squeezed evenly between two opposite "
                               "contacts, they do not."
-                            : ""));
+                            : "") +
+            std::string(
+                second ? " The second engine, a Fourier series around the roll, shares neither mesh nor solver "
+                         "with the first: where the lines lie on one another, both are right."
+                       : ""));
   else if (name != "line")
     page.absent("The distribution along the barrel is", path + "-barrel.csv");
+  if (const Table *map = run.table(path + "-pressure"))
+    page.figure(
+        {pressure_map(*map, "Contact pressure")},
+        "Pressure over the contact patch, rolls held as in the stand; across, the picture is stretched several "
+        "hundred times. The width shows how far the crown is closed and where an edge carries.");
 }
 
 void bite(Page &page, const Table &table)
@@ -186,7 +231,8 @@ void bite(Page &page, const Table &table)
 
 void contact_section(Page &page, const Run &run)
 {
-  const auto contacts = names_of_curves(run, "contact", {"closed", "barrel", "barrel-mirrored", "in-stand"});
+  const auto contacts = names_of_curves(
+      run, "contact", {"closed", "barrel", "barrel-mirrored", "barrel-second", "in-stand", "second", "pressure"});
   if (contacts.empty() && run.manifest.kind == "lumped")
     return;
   page.section("contact", "Roll contact");
