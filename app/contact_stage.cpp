@@ -229,21 +229,48 @@ void add_section(RunContext &run, const Study &s, const FourHigh &stand, const d
   write_fields(run, "fields/contact-" + s.name + "-work-roll.vtu", s.model.work, stand.steel, point2.state);
 }
 
-SolvedContact solve_one(RunContext &run, const FourHigh &stand, const std::string &name, const std::string &K,
-                        const ContactSettings &settings, const std::vector<double> &loads)
+Study study_of(RunContext &run, const FourHigh &stand, const std::string &name, const std::string &K,
+               const ContactSettings &settings, const std::vector<double> &loads)
 {
   const auto [low, high] = swept_range(name, settings, loads);
-  Study s{name, K, contact_model(run, stand, name, settings, high), {}, {}, {}};
-  for (const double load : loads)
-    require_resolved(s.model, name, settings, load);
+  Study s{name, K, contact_model(run, stand, name, settings, high), {}, {}, {}, {}};
   StageTimer timer(run, "contact " + name);
   const auto range = fem::log_spaced(low, high, settings.samples);
   s.mirrored       = fem::sweep(s.model.mirrored, range, run.progress);
   s.in_stand       = fem::sweep(s.model.in_stand, range, run.progress);
   s.coarse         = fem::sweep(s.model.coarse, range, run.progress);
+  s.second         = solve_again(run, stand, s.model, name, settings, range, loads[0]);
+  return s;
+}
 
-  s.second = solve_again(run, stand, s.model, name, settings, range, loads[0]);
+// Upper and lower rolls are the same pair under the same load: solved once.
+bool same_contact(const FourHigh &stand)
+{
+  const auto &a = stand.upper_contact, &b = stand.lower_contact;
+  const auto equal = [](const double x, const double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  return !is_one_sided(stand, a) && equal(a.loads[0], b.loads[0]) && equal(a.loads[1], b.loads[1]) &&
+         a.samples == b.samples && a.elements_per_half_width == b.elements_per_half_width &&
+         equal(a.tilt, b.tilt) && equal(a.load_offset, b.load_offset) && a.cross_angle == b.cross_angle &&
+         a.axis_offset == b.axis_offset && equal(a.friction, b.friction);
+}
 
+Study renamed(Study s, const std::string &name, const std::string &K)
+{
+  s.name = name;
+  s.K    = K;
+  for (std::string *label : {&s.mirrored.name, &s.in_stand.name, &s.coarse.name, &s.model.mirrored.name,
+                             &s.model.in_stand.name, &s.model.coarse.name, &s.model.coarse_whole.name})
+    *label = name;
+  return s;
+}
+
+SolvedContact report_study(RunContext &run, const FourHigh &stand, const Study &s, const ContactSettings &settings,
+                           const std::vector<double> &loads)
+{
+  const std::string &name = s.name, &K = s.K;
+  const auto &range = s.mirrored.load;
+  for (const double load : loads)
+    require_resolved(s.model, name, settings, load);
   SolvedContact out;
   out.curve = s.mirrored;
   for (std::size_t p = 0; p < loads.size(); ++p) {
@@ -272,8 +299,11 @@ std::map<std::string, SolvedContact> solve_contacts(RunContext &run, const FourH
                                                     const std::vector<double> &loads)
 {
   std::map<std::string, SolvedContact> out;
-  out["upper"] = solve_one(run, stand, "upper", "K3", stand.upper_contact, loads);
-  out["lower"] = solve_one(run, stand, "lower", "K5", stand.lower_contact, loads);
+  const Study upper = study_of(run, stand, "upper", "K3", stand.upper_contact, loads);
+  const Study lower = same_contact(stand) ? renamed(upper, "lower", "K5")
+                                          : study_of(run, stand, "lower", "K5", stand.lower_contact, loads);
+  out["upper"]      = report_study(run, stand, upper, stand.upper_contact, loads);
+  out["lower"]      = report_study(run, stand, lower, stand.lower_contact, loads);
   return out;
 }
 }  // namespace mill

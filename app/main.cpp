@@ -1,6 +1,8 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/console.h"
+#include <stdexcept>
+#include <string>
 
 int main(int argc, char **argv)
 {
@@ -17,6 +19,9 @@ int main(int argc, char **argv)
   } catch (const SolverError &e) {
     console::show(e);
     return 3;
+  } catch (const std::string &message) {  // what Gmsh throws
+    console::show_bug(std::runtime_error("Gmsh: " + message), current_manifest());
+    return 1;
   } catch (const std::exception &e) {
     console::show_bug(e, current_manifest());
     return 1;

@@ -1,9 +1,9 @@
 #include "contact/active_set.h"
 #include "contact/active_factor.h"
 #include "contact/coarse_problem.h"
-#include "contact/set_by_continuation.h"
 #include "contact/mode_equations.h"
 #include "contact/reachable.h"
+#include "contact/set_by_continuation.h"
 #include "core/errors.h"
 #include <algorithm>
 #include <cmath>
@@ -128,6 +128,14 @@ void add_smallest(std::vector<int> from, const Eigen::VectorXd &value, const std
   const auto end = from.begin() + std::ptrdiff_t(std::min(count, from.size()));
   std::partial_sort(from.begin(), end, from.end(), [&](const int a, const int b) { return value[a] < value[b]; });
   to.insert(to.end(), from.begin(), end);
+}
+
+[[noreturn]] void undetermined(const std::vector<int> &imposed)
+{
+  throw SolverError({"contact: the free motions are not determined",
+                     std::to_string(imposed.size()) + " free motions, and not as many nodes that can hold them",
+                     "fewer nodes than free motions, or a line of action on the very edge of the contact",
+                     "impose the tilt as a motion, or move the line of action inwards", ""});
 }
 
 [[noreturn]] void unreachable(const Support &support, const ScaledModes &modes, const std::vector<int> &imposed,
@@ -383,9 +391,10 @@ struct ActiveSet::Implementation {
       if (support.relative_missing > 1e-10)
         unreachable(support, modes, imposed, drive);
     }
-    if (!start.empty() && start != factor.indicator())
+    const bool given = std::any_of(start.begin(), start.end(), [](const char a) { return a != 0; });
+    if (given && start != factor.indicator())
       begin_with(start);
-    else if (start.empty() && !warm)
+    else if (!given && !(start.empty() && warm))
       cold_start(drive);
     warm = false;  // until this solve has ended well
 
@@ -420,7 +429,11 @@ struct ActiveSet::Implementation {
         if (followed)
           break;
         followed = true;
-        factor.reset(set_by_continuation(p, modes, drive));
+        try {
+          factor.reset(set_by_continuation(p, modes, drive));
+        } catch (const SolverError &) {
+          undetermined(imposed);
+        }
       }
     }
     throw SolverError({"contact: no active set found", "it alternates after 60 iterations",

@@ -31,7 +31,8 @@ public:
   /// @param start  (n) a set to begin with; empty: the set of the last solve, or a cold start if there was none
   /// @throws InputError   drive of another size, NaN
   /// @throws SolverError  the resultants need tension; their line of action lies outside the contact; all motions
-  ///                      are free and nothing presses; C not positive definite
+  ///                      are free and nothing presses; too few nodes to hold a free motion; C not positive
+  ///                      definite
   /// All motions imposed and no node touching is a state: nodal 0, stiffness 0, compliance infinite.  A resultant
   /// of zero on a single mode that only closes: the bodies just touch.
   /// Cost: per iteration one product with C and about a^2 m, a active nodes, m in doubt; a cold start a^3 / 3

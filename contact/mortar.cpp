@@ -16,8 +16,8 @@ struct Multipliers {
   bool dual = false;    // biorthogonal to the shape functions over the covered part
 };
 
-// psi = A phi with  A M = D ,  M = integral phi phi^T ,  D = diag(integral phi):  biorthogonal, sum one. theory.md
-// 12
+// psi = A phi with  A M = D ,  M = integral phi phi^T ,  D = diag(integral phi):  biorthogonal, sum one.
+// theory.md 12
 Multipliers multipliers(const FaceRule &rule, const bool whole)
 {
   const Eigen::VectorXd D = rule.slave.transpose() * rule.weight;
@@ -79,11 +79,18 @@ Coupling collect(const Surface &slave, const Eigen::Index n_master, const std::v
           on_slave.emplace_back(row, slave.faces(f, l), S(k, l));
         else if (k == l)
           on_slave.emplace_back(row, row, wp.col(k).sum());
-      for (Eigen::Index q = 0; q < rule.weight.size(); ++q) {
+      for (Eigen::Index q = 0; q < rule.weight.size(); ++q)
         mean.emplace_back(row, int(n_points + q), wp(q, k));
-        for (Eigen::Index l = 0; l < rule.master.cols(); ++l)
-          on_master.emplace_back(row, rule.master_node(q, l), wp(q, k) * rule.master(q, l));
-      }
+    }
+    // Points on one master face stand together: one small product for each run of them.
+    for (Eigen::Index from = 0, to; from < rule.weight.size() && rule.master.cols() > 0; from = to) {
+      for (to = from + 1; to < rule.weight.size() && rule.master_node.row(to) == rule.master_node.row(from); ++to)
+        ;
+      const Eigen::MatrixXd M =
+          wp.middleRows(from, to - from).transpose() * rule.master.middleRows(from, to - from);
+      for (Eigen::Index k = 0; k < M.rows(); ++k)
+        for (Eigen::Index l = 0; l < M.cols(); ++l)
+          on_master.emplace_back(slave.faces(f, k), rule.master_node(from, l), M(k, l));
     }
     out.points.middleRows(n_points, rule.weight.size()) = rule.points;
     out.gap.segment(n_points, rule.weight.size())       = rule.gap;

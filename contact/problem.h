@@ -25,7 +25,7 @@ struct State {
   Eigen::VectorXd resultant;   ///< (k) N, N m
   Eigen::VectorXd nodal;       ///< (n) N, >= 0
   Eigen::VectorXd gap;         ///< (n) m, >= 0
-  Eigen::MatrixXd compliance;  ///< (k, k) d motion / d resultant, active set held: exact; infinite where stiffness is singular
+  Eigen::MatrixXd compliance;  ///< (k, k) d motion / d resultant, active set held: exact; infinite if undetermined
   Eigen::MatrixXd stiffness;   ///< (k, k) d resultant / d motion, active set held: exact; 0 without contact
   Eigen::MatrixXd d_nodal;     ///< (n, k) d nodal / d resultant, active set held
   std::vector<char> active;    ///< (n)

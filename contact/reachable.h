@@ -6,7 +6,7 @@ namespace mill::contact {
 /// Forces that press and have given resultants.
 struct Support {
   std::vector<int> nodes;       ///< (a) at most as many as there are resultants
-  Eigen::VectorXd force;        ///< (a) > 0
+  Eigen::VectorXd force;        ///< > 0, of the first nodes; nodes behind them carry nothing
   Eigen::VectorXd missing;      ///< (k) resultant - G^T force: no pressing forces come closer
   double relative_missing = 0;  ///< -, |missing| / |resultant|
 };

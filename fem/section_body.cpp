@@ -328,6 +328,31 @@ Surface SectionBody::surface(const std::string &group) const
   return out;
 }
 
+void SectionBody::each_cell(
+    const std::function<void(const std::vector<int> &nodes, const std::vector<CellPoint> &points)> &visit) const
+{
+  FEValues<2> v(self->mapping, self->fe, QGauss<2>(self->fe.degree + 1),
+                update_gradients | update_quadrature_points | update_JxW_values);
+  const unsigned n_local = self->fe.n_dofs_per_cell();
+  std::vector<types::global_dof_index> index(n_local);
+  std::vector<int> nodes(n_local);
+  CellPoint empty;
+  empty.gradient.resize(n_local, 2);
+  std::vector<CellPoint> points(v.n_quadrature_points, empty);
+  for (const auto &cell : self->dofs.active_cell_iterators()) {
+    v.reinit(cell);
+    cell->get_dof_indices(index);
+    std::copy(index.begin(), index.end(), nodes.begin());
+    for (const unsigned q : v.quadrature_point_indices()) {
+      points[q].weight =
+          v.JxW(q) * (self->section == Section::axisymmetric ? 2 * M_PI * v.quadrature_point(q)[0] : 1);
+      for (unsigned a = 0; a < n_local; ++a)
+        points[q].gradient.row(a) << v.shape_grad(a, q)[0], v.shape_grad(a, q)[1];
+    }
+    visit(nodes, points);
+  }
+}
+
 double SectionBody::measure() const
 {
   FEValues<2> v(self->mapping, self->fe, QGauss<2>(self->fe.degree + 1),

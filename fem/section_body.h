@@ -4,6 +4,7 @@
 #include "core/stand.h"
 #include "core/surface.h"
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +20,12 @@ struct Circle {
   std::string group;
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< m
   double radius          = 0;                        ///< m, corners of the group are moved onto it
+};
+
+/// A quadrature point of a cell of n nodes.
+struct CellPoint {
+  Eigen::Matrix<double, Eigen::Dynamic, 2> gradient;  ///< (n, 2) 1/m, of the nodes' shape functions
+  double weight;                                      ///< m2; m3 on the whole circumference of a body of revolution
 };
 
 /// Linear elastic body in a plane or meridian section: quadrilaterals of degree 1 or 2.  theory.md 11
@@ -51,6 +58,9 @@ public:
   Surface surface(const std::string &group) const;
   int degree() const;
   Section section() const;
+  /// Quadrature of the stiffness, cell by cell: visit(nodes of the cell, its points).
+  void each_cell(
+      const std::function<void(const std::vector<int> &nodes, const std::vector<CellPoint> &points)> &visit) const;
   /// m2: area of the section; m3: volume of the solid of revolution.
   double measure() const;
 

@@ -110,11 +110,20 @@ MeshFile known_mesh(const std::string &path, const RollGeometry &geometry)
 }
 
 namespace {
+// A ratio of lengths to 2^-40 of itself, so that one drawing gives one mesh, bit by bit, in metres and in
+// millimetres.
+double rounded(const double ratio)
+{
+  int exponent          = 0;
+  const double mantissa = std::frexp(ratio, &exponent);
+  return std::ldexp(std::round(std::ldexp(mantissa, 40)), exponent - 40);
+}
+
 // Lengths in units of the radius.  Rounding then is the same whatever unit or size the roll is given in.
 RollGeometry by_radius(RollGeometry g)
 {
   for (double *length : {&g.half_length, &g.neck_radius, &g.neck_length, &g.seat_centre, &g.contact_half_length})
-    *length /= g.radius;
+    *length = rounded(*length / g.radius);
   g.radius = 1;
   return g;
 }
@@ -122,7 +131,7 @@ RollGeometry by_radius(RollGeometry g)
 RollMeshSize by_radius(RollMeshSize size, const double radius)
 {
   for (double *length : {&size.section.first_element, &size.end_layer, &size.largest_layer, &size.break_at})
-    *length /= radius;
+    *length = rounded(*length / radius);
   return size;
 }
 }  // namespace

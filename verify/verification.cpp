@@ -1,0 +1,31 @@
+#include "verify/verification.h"
+#include <cmath>
+
+namespace mill::verify {
+bool passes(const Check &c)
+{
+  switch (c.judged) {
+  case Judged::relative:
+    return std::abs(c.result - c.reference) <= c.tolerance * std::abs(c.reference);
+  case Judged::absolute:
+    return std::abs(c.result - c.reference) <= c.tolerance;
+  case Judged::at_least:
+    return c.result >= c.reference;
+  case Judged::at_most:
+    return c.result <= c.reference;
+  case Judged::reported:
+    return true;
+  }
+  return false;
+}
+
+std::vector<Case> all_cases()
+{
+  std::vector<Case> all;
+  for (const auto family :
+       {closed_forms, half_space_cases, section_cases, solid_cases, friction_cases, roll_cases})
+    for (Case &c : family())
+      all.push_back(std::move(c));
+  return all;
+}
+}  // namespace mill::verify

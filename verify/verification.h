@@ -1,0 +1,45 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+// The verification manual: problems with a known answer, run by name.
+namespace mill::verify {
+/// How a result is judged against its reference.
+enum class Judged {
+  relative,  ///< |result - reference| <= tolerance |reference|
+  absolute,  ///< |result - reference| <= tolerance
+  at_least,  ///< result >= reference
+  at_most,   ///< result <= reference
+  reported   ///< printed beside the reference, not judged
+};
+
+struct Check {
+  std::string quantity;  ///< "peak pressure"
+  std::string unit;      ///< as printed: "MPa", "um", "-"
+  double result, reference, tolerance;
+  Judged judged = Judged::relative;
+};
+bool passes(const Check &check);
+
+/// One page of the manual.
+struct Case {
+  std::string name;              ///< "cgs1-small"
+  std::string kind;              ///< "unit", "verification", "benchmark"
+  std::string problem;           ///< what is solved, with which method and how many unknowns; one or two sentences
+  std::string source;            ///< of the reference
+  std::string tolerance_reason;  ///< why this tolerance and no other
+  std::function<std::vector<Check>()> run;
+};
+
+/// All cases, in the order of the manual.
+std::vector<Case> all_cases();
+
+// One function per family, each in a file of its name.
+std::vector<Case> closed_forms();     ///< formulas and kernels in isolation
+std::vector<Case> half_space_cases(); ///< boundary elements on the half space
+std::vector<Case> section_cases();    ///< plane strain and axisymmetric bodies
+std::vector<Case> solid_cases();      ///< three-dimensional bodies
+std::vector<Case> friction_cases();   ///< Coulomb contact
+std::vector<Case> roll_cases();       ///< rolls, identities, engines, scaling
+}  // namespace mill::verify
