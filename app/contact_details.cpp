@@ -148,21 +148,23 @@ void write_pressure_map(RunContext &run, const fem::ContactPair &pair, const std
 }
 }  // namespace
 
-void require_resolved(const ContactModel &m, const std::string &name, const ContactSettings &settings,
-                      const double load)
+void require_resolved(RunContext &run, const ContactModel &m, const std::string &name,
+                      const ContactSettings &settings, const double load)
 {
   const auto &grid     = m.mirrored.grid;
   const double element = grid.x[grid.degree] - grid.x[0];
   const double b       = reduce::line_contact(m.closed_form, load).half_width;
   if (b >= 2 * element)
     return;
-  throw InputError(
-      settings.elements_place,
-      fmt::format("contact.{}.elements_per_half_width = {} makes elements of {:.3f} mm for the largest "
-                  "load; at the working load of {} the contact is only {:.3f} mm to each side and needs "
-                  "elements of {:.3f} mm: take {} or more, or narrow contact.{}.loads",
-                  name, settings.elements_per_half_width, 1e3 * element, in_kN(load), 1e3 * b, 1e3 * b / 2,
-                  int(std::ceil(settings.elements_per_half_width * 2 * element / b)), name));
+  const std::string said = fmt::format(
+      "contact.{}.elements_per_half_width = {} makes elements of {:.3f} mm for the largest load; at the "
+      "working load of {} the contact is only {:.3f} mm to each side and needs elements of {:.3f} mm: take "
+      "{} or more, or narrow contact.{}.loads",
+      name, settings.elements_per_half_width, 1e3 * element, in_kN(load), 1e3 * b, 1e3 * b / 2,
+      int(std::ceil(settings.elements_per_half_width * 2 * element / b)), name);
+  if (b < element)
+    throw InputError(settings.elements_place, said);
+  run.warn(said);
 }
 
 void add_contact_details(RunContext &run, const ContactModel &model, const std::string &name, const std::string &K,

@@ -9,8 +9,8 @@ namespace mill {
 void add_contact_details(RunContext &run, const ContactModel &model, const std::string &name, const std::string &K,
                          const FourHigh &stand, const ContactSettings &settings, double load, double mesh_error);
 
-/// The mesh must resolve the contact at this load.
-/// @throws InputError  fewer than two elements over the half width; says how many elements would do
-void require_resolved(const ContactModel &model, const std::string &name, const ContactSettings &settings,
-                      double load);
+/// The mesh must resolve the contact at this load; below two elements over the half width the run warns.
+/// @throws InputError  not even one element over the half width; says how many elements would do
+void require_resolved(RunContext &run, const ContactModel &model, const std::string &name,
+                      const ContactSettings &settings, double load);
 }  // namespace mill

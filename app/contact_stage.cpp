@@ -270,7 +270,7 @@ SolvedContact report_study(RunContext &run, const FourHigh &stand, const Study &
   const std::string &name = s.name, &K = s.K;
   const auto &range = s.mirrored.load;
   for (const double load : loads)
-    require_resolved(s.model, name, settings, load);
+    require_resolved(run, s.model, name, settings, load);
   SolvedContact out;
   out.curve = s.mirrored;
   for (std::size_t p = 0; p < loads.size(); ++p) {

@@ -1,12 +1,14 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/fast_blas.h"
 #include <stdexcept>
 #include <string>
 
 int main(int argc, char **argv)
 {
   using namespace mill;
+  use_fast_blas(argv);
   int exit_code      = 0;
   const auto command = parse_command_line(argc, argv, exit_code);
   if (!command)

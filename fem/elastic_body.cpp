@@ -274,6 +274,31 @@ int ElasticBody::degree() const
 {
   return int(self->fe.degree);
 }
+void ElasticBody::each_cell(
+    const std::function<void(const std::vector<int> &nodes, const std::vector<SolidPoint> &points)> &visit) const
+{
+  FEValues<3> v(self->mapping, self->fe, QGauss<3>(self->fe.degree + 1), update_gradients | update_JxW_values);
+  const double unit      = self->mesh.unit;
+  const unsigned n_local = self->fe.n_dofs_per_cell();
+  std::vector<types::global_dof_index> index(n_local);
+  std::vector<int> nodes(n_local);
+  SolidPoint empty;
+  empty.gradient.resize(3, n_local);
+  std::vector<SolidPoint> points(v.n_quadrature_points, empty);
+  for (const auto &cell : self->dofs.active_cell_iterators()) {
+    v.reinit(cell);
+    cell->get_dof_indices(index);
+    std::copy(index.begin(), index.end(), nodes.begin());
+    for (const unsigned q : v.quadrature_point_indices()) {
+      points[q].weight = v.JxW(q) * std::pow(unit, 3);
+      for (unsigned a = 0; a < n_local; ++a)
+        for (int c = 0; c < 3; ++c)
+          points[q].gradient(c, a) = v.shape_grad(a, q)[c] / unit;
+    }
+    visit(nodes, points);
+  }
+}
+
 double ElasticBody::volume() const
 {
   unit_stiffness();

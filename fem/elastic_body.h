@@ -4,11 +4,18 @@
 #include "core/stand.h"
 #include "core/surface.h"
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace mill::fem {
+/// A quadrature point of a cell of n nodes.
+struct SolidPoint {
+  Eigen::Matrix<double, 3, Eigen::Dynamic> gradient;  ///< (3, n) 1/m, of the nodes' shape functions
+  double weight;                                      ///< m3
+};
+
 /// Linear elastic body on a mesh: nodes of the chosen degree, stiffness, boundary groups.  Unknown 3 n + c is the
 /// displacement of node n in direction c.  theory.md 1
 class ElasticBody {
@@ -39,6 +46,9 @@ public:
   Eigen::VectorXd face_load(const std::string &group, double (*weight)(double z, const void *context),
                             const void *context) const;
   int degree() const;
+  /// Quadrature of the stiffness, cell by cell: visit(nodes of the cell, its points).
+  void each_cell(
+      const std::function<void(const std::vector<int> &nodes, const std::vector<SolidPoint> &points)> &visit) const;
   double volume() const;  ///< m3, by the quadrature of the assembly
 
   /// Displacement, stress (xx yy zz xy xz yz, von Mises) and a nodal scalar as VTU for ParaView.

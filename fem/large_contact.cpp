@@ -65,7 +65,8 @@ LargeContact press_together(const LargeBody &slave, const LargeBody &master, con
     PairOptions options;
     options.slave_load.force    = -on_slave.force;
     options.master_load.force   = -on_master.force;
-    const VectorXd place = master.shift - Eigen::Vector2d(0, out.descent);
+    VectorXd place = master.shift;
+    place[1] -= out.descent;
     const auto pair      = pair_with_friction({&first, slave.turn, slave.shift}, {&second, master.turn, place},
                                               {descent}, 0, options);
     const Eigen::Index n = pair.coupling.weight.size();

@@ -81,7 +81,7 @@ std::vector<double> graded_layers(const double length, const double end_layer, c
 {
   std::vector<double> layers;
   double sum = 0;
-  for (double h = std::min(end_layer, length); sum < length * (1 - 1e-12); h = std::min(h * growth, largest)) {
+  for (double h = std::min(end_layer, length); sum < length * (1 - 1e-9); h = std::min(h * growth, largest)) {
     layers.push_back(h);
     sum += h;
   }

@@ -23,7 +23,7 @@ std::vector<Case> all_cases()
 {
   std::vector<Case> all;
   for (const auto family :
-       {closed_forms, half_space_cases, section_cases, solid_cases, friction_cases, roll_cases})
+       {closed_forms, half_space_cases, section_cases, solid_cases, friction_cases, nonlinear_cases, roll_cases})
     for (Case &c : family())
       all.push_back(std::move(c));
   return all;

@@ -41,5 +41,6 @@ std::vector<Case> half_space_cases(); ///< boundary elements on the half space
 std::vector<Case> section_cases();    ///< plane strain and axisymmetric bodies
 std::vector<Case> solid_cases();      ///< three-dimensional bodies
 std::vector<Case> friction_cases();   ///< Coulomb contact
+std::vector<Case> nonlinear_cases();  ///< large displacements, plasticity
 std::vector<Case> roll_cases();       ///< rolls, identities, engines, scaling
 }  // namespace mill::verify
