@@ -217,15 +217,20 @@ void bend(ContactPair &pair, const HeldRoll &roll, const double right, const dou
     forces << 0.5 * right, 0.5 * left;
   else
     forces << 0.25 * (right + left);
-  const bool shifted = pair.transfer.size() > 0;
-  pair.problem.initial_gap +=
-      shifted ? Eigen::VectorXd(along_stations(pair.transfer, roll.bend * forces, pair.grid.n_x))
-              : roll.bend * forces;
+  const bool shifted    = pair.transfer.size() > 0;
+  Eigen::VectorXd patch = roll.bend * forces;
+  Eigen::VectorXd axis  = patch_rows(roll.axis_bend, roll.grid) * forces;
+  if (shifted) {
+    patch = along_stations(pair.transfer, patch, pair.grid.n_x);
+    axis  = along_stations(pair.transfer, axis, 1);
+  }
+  // Approach and tilt are those of the bent axes: their mean motion belongs to the frames, not to the gap.
+  const Eigen::VectorXd motion = pair.mean.transpose() * axis;
+  pair.problem.initial_gap += patch - pair.problem.G * motion;
   pair.problem.initial_gap.array() -= pair.problem.initial_gap.minCoeff();
-  pair.axis_bend = patch_rows(roll.axis_bend, roll.grid) * forces;
-  if (shifted)
-    pair.axis_bend = along_stations(pair.transfer, pair.axis_bend, 1);
-  pair.axis_bend.array() -= pair.mean.col(0).dot(pair.axis_bend);
+  pair.axis_bend = axis.array() - motion[0];
+  if (pair.grid.whole)
+    pair.axis_bend -= motion[1] * pair.grid.z;
 }
 
 namespace {

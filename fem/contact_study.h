@@ -19,7 +19,7 @@ struct ContactPair {
   contact::Problem problem;
   Eigen::MatrixXd axis;          ///< (n_s, n) m/N, sum of both: axes moving away from the contact at the stations
   Eigen::MatrixXd axis_support;  ///< (n_s, k)
-  Eigen::VectorXd axis_bend;     ///< (n_s) m, by the forces on the chocks, mean free
+  Eigen::VectorXd axis_bend;     ///< (n_s) m, by the forces on the chocks, without mean and slope
   Eigen::VectorXd path;          ///< (n_s) m, contact length that belongs to each station
   Eigen::MatrixXd mean;          ///< (n_s, k) weights of mean and mean slope over the contact length
   Eigen::VectorXd drop;          ///< (n_s) m, sum of the profiles

@@ -56,8 +56,9 @@ LargeStress large_stress(const Material &material, const ElasticLaw law, const M
   // Stress and strain turn alike: in principal axes shear has the modulus (S1 - S2)/(c1 - c2), or its limit.
   Matrix3d D              = Matrix3d::Zero();
   D.topLeftCorner<2, 2>() = p.dS;
-  D(2, 2) = std::abs(c[0] - c[1]) > 1e-6 ? (p.S[0] - p.S[1]) / (c[0] - c[1]) : 0.5 * (p.dS(0, 0) - p.dS(0, 1));
-  const Matrix2d &N = eigen.eigenvectors();
+  D(2, 2)                 = std::abs(c[0] - c[1]) > 1e-6 ? (p.S[0] - p.S[1]) / (c[0] - c[1])
+                                                         : 0.25 * (p.dS(0, 0) - p.dS(0, 1) + p.dS(1, 1) - p.dS(1, 0));
+  const Matrix2d &N       = eigen.eigenvectors();
   Matrix3d R;  // strains (xx, yy, 2 xy) to principal axes
   for (int i = 0; i < 2; ++i)
     R.row(i) << N(0, i) * N(0, i), N(1, i) * N(1, i), N(0, i) * N(1, i);

@@ -1,3 +1,4 @@
+mill_test(roll_profile_test LABEL unit LINK mill::reduce)
 mill_test(line_contact_test       LABEL unit         LINK mill::reduce)
 mill_test(contact_stiffness_test  LABEL unit         LINK mill::reduce)
 mill_test(roller_law_test         LABEL unit         LINK mill::reduce)
