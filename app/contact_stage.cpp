@@ -6,6 +6,7 @@
 #include "reduce/contact_stiffness.h"
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace mill {
@@ -17,6 +18,7 @@ struct Study {
   ContactModel model;
   ContactCurve mirrored, in_stand, coarse;
   std::optional<SecondEngine> second;
+  std::string twin;  // contact that is the same one, already written
 };
 
 // Swept range: that of the case, or a decade below the smallest and twice the largest working load.
@@ -225,21 +227,30 @@ void add_section(RunContext &run, const Study &s, const FourHigh &stand, const d
 
   run.out.write("curves/contact-" + s.name + "-barrel.csv", csv_text(barrel_table(held)));
   run.out.write("curves/contact-" + s.name + "-barrel-mirrored.csv", csv_text(barrel_table(fine)));
-  write_fields(run, "fields/contact-" + s.name + "-backup-roll.vtu", s.model.backup, stand.steel, point2.state);
-  write_fields(run, "fields/contact-" + s.name + "-work-roll.vtu", s.model.work, stand.steel, point2.state);
+  for (const auto &[which, roll] :
+       {std::pair("-backup-roll.vtu", &s.model.backup), std::pair("-work-roll.vtu", &s.model.work)}) {
+    const std::string file = "fields/contact-" + s.name + which;
+    if (s.twin.empty())
+      write_fields(run, file, *roll, stand.steel, point2.state);
+    else
+      std::filesystem::copy_file(run.out.file("fields/contact-" + s.twin + which), run.out.file(file),
+                                 std::filesystem::copy_options::overwrite_existing);
+  }
 }
 
 Study study_of(RunContext &run, const FourHigh &stand, const std::string &name, const std::string &K,
                const ContactSettings &settings, const std::vector<double> &loads)
 {
   const auto [low, high] = swept_range(name, settings, loads);
-  Study s{name, K, contact_model(run, stand, name, settings, high), {}, {}, {}, {}};
+  Study s{name, K, contact_model(run, stand, name, settings, high), {}, {}, {}, {}, {}};
   StageTimer timer(run, "contact " + name);
   const auto range = fem::log_spaced(low, high, settings.samples);
   s.mirrored       = fem::sweep(s.model.mirrored, range, run.progress);
   s.in_stand       = fem::sweep(s.model.in_stand, range, run.progress);
   s.coarse         = fem::sweep(s.model.coarse, range, run.progress);
-  s.second         = solve_again(run, stand, s.model, name, settings, range, loads[0]);
+  // The second curve is smooth, every other load does; the largest is the last of both.
+  const auto every_other = fem::log_spaced(low, high, std::max(8, (settings.samples + 1) / 2));
+  s.second               = solve_again(run, stand, s.model, name, settings, every_other, loads[0]);
   return s;
 }
 
@@ -256,6 +267,7 @@ bool same_contact(const FourHigh &stand)
 
 Study renamed(Study s, const std::string &name, const std::string &K)
 {
+  s.twin = s.name;
   s.name = name;
   s.K    = K;
   for (std::string *label : {&s.mirrored.name, &s.in_stand.name, &s.coarse.name, &s.model.mirrored.name,

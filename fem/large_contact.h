@@ -1,5 +1,4 @@
 #pragma once
-#include "contact/problem.h"
 #include "fem/large_section.h"
 #include <Eigen/Core>
 #include <string>

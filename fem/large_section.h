@@ -10,7 +10,7 @@ namespace mill::fem {
 enum class ElasticLaw {
   hencky,               ///< Kirchhoff stress linear in the logarithmic strain
   st_venant_kirchhoff,  ///< second Piola-Kirchhoff stress linear in Green's strain; softens under compression
-  neo_hooke             ///< mu (C - 3)/2 - mu ln J + lambda (ln J)^2 / 2; stiffens under compression
+  neo_hooke             ///< mu (tr C - 3)/2 - mu ln J + lambda (ln J)^2 / 2; stiffens under compression
 };
 
 /// Second Piola-Kirchhoff stress and its derivative with respect to Green's strain, in the plane.

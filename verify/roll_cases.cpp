@@ -277,6 +277,36 @@ std::vector<Check> tangent_difference()
   return checks;
 }
 
+// ---- complementarity ------------------------------------------------------------------------------------------
+
+std::vector<Check> complementarity()
+{
+  fem::CondenseOptions options;
+  options.both_sides = true;
+  const auto size    = coarse_size(small_work, 4e5);
+  const auto backup  = roll_model("backup", small_backup, size, steel, options),
+             work    = roll_model("work", small_work, size, steel, options);
+  const auto loads   = fem::log_spaced(1e4, 4e5, 20);
+  std::vector<Check> checks;
+  for (const double crown : {0., 40e-6, -40e-6, 400e-6})
+    for (const auto extent : {fem::Extent::quarter, fem::Extent::whole}) {
+      const auto a               = fem::held_by_necks(backup.roll, extent);
+      const Eigen::VectorXd drop = 0.5 * crown * (a.grid.z / 0.4).array().square();
+      const auto pair =
+          fem::make_pair("rolls", backup.roll, a, work.roll, fem::held_by_strip(work.roll, 0.5, extent), drop);
+      const auto curve        = fem::sweep(pair, loads);
+      const std::string where = fmt::format("crown {:.0f} um, {}", 1e6 * crown,
+                                            extent == fem::Extent::whole ? "both sides" : "a quarter");
+      checks.push_back({where + ": residual", "-", curve.residual, 1e-12, 0, Judged::at_most});
+      checks.push_back(
+          {where + ": iterations of the first load", "-", double(curve.iterations[0]), 8, 0, Judged::at_most});
+      checks.push_back({where + ": iterations of the others", "-",
+                        double(curve.iterations.tail(curve.iterations.size() - 1).maxCoeff()), 3, 0,
+                        Judged::at_most});
+    }
+  return checks;
+}
+
 // ---- scale-invariance -----------------------------------------------------------------------------------------
 
 struct Scaled {
@@ -440,6 +470,11 @@ std::vector<Case> roll_cases()
        "the "
        "central difference of the program's own curve; residual of every solve.",                              "identity, theory.md 2.4",                                                 "a step of 1e-7 of the load keeps seven digits of a difference",
        tangent_difference                                                                                                                                                                                                                                                    },
+      {"complementarity",    "verification",
+       "Two rolls with necks, straight, crowned, hollow and with a crown that stays open: 20 loads each, residual "
+       "of all "
+       "conditions and iterations of the active set.",                                                         "Signorini's conditions, theory.md 9",                                     "rounding; iterations as wanted of a solver without tolerance",
+       complementarity                                                                                                                                                                                                                                                       },
       {"scale-invariance",   "verification",
        "The same pair of rolls written in metres and in millimetres, and ten times as large.",                 "dimensional analysis",                                                    "rounding, conditioning about 1e5 of the contact problem",       scale_invariance  },
       {"engine-agreement",   "verification",

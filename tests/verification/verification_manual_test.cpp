@@ -72,6 +72,11 @@ TEST(Manual, FrictionCases)
   expect_passes(friction_cases());
 }
 
+TEST(Manual, NonlinearCases)
+{
+  expect_passes(nonlinear_cases());
+}
+
 TEST(Manual, RollCases)
 {
   expect_passes(roll_cases());
