@@ -73,6 +73,8 @@ void make_pairs(ContactModel &m, const std::string &name, const FourHigh &stand,
     fem::bend(m.in_stand, on_strip, bending[0], bending[1]);
   m.in_stand.reference =
       "axis to axis, mean over the contact length, backup roll on its bearings, work roll on the strip";
+  if (bending[0] != 0 || bending[1] != 0)
+    m.in_stand.reference += ", from the first touch of the bent rolls";
 }
 }  // namespace
 

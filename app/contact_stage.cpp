@@ -57,14 +57,20 @@ Slope slope_at(const fem::ContactPair &pair, const ContactCurve &curve, const do
   return {tangent, load / point.approach, point.tangent, curvature};
 }
 
-// Tangent, secant and curvature of a curve at one load, where it is that of a line contact.
+// Tangent, secant and curvature of a curve at one load.
 std::array<double, 3> slope_of(const ContactCurve &curve, const double load)
 {
   try {
     const auto fit = reduce::contact_stiffness(curve, load);
     return {fit.tangent, fit.secant, fit.curvature};
   } catch (const SolverError &) {
-    return {not_given, not_given, not_given};  // a crown is being closed
+    // A crown is being closed: straight between the samples, over the logarithm of the load.
+    Eigen::Index i = 0;
+    while (i + 2 < curve.load.size() && curve.load[i + 1] < load)
+      ++i;
+    const double t = std::log(load / curve.load[i]) / std::log(curve.load[i + 1] / curve.load[i]);
+    const auto at  = [&](const Eigen::VectorXd &v) { return v[i] + t * (v[i + 1] - v[i]); };
+    return {at(curve.tangent), at(curve.secant), not_given};
   }
 }
 
@@ -291,7 +297,8 @@ SolvedContact report_study(RunContext &run, const FourHigh &stand, const Study &
     out.secant.push_back(secant);
   }
   add_section(run, s, stand, loads[0]);
-  add_contact_details(run, s.model, name, K, stand, settings, loads[0], out.tangent[0].error_estimate);
+  add_contact_details(run, s.model, name, K, stand, settings, loads[0], out.tangent[0].error_estimate,
+                      out.tangent[0].value);
   run.out.write("curves/contact-" + name + ".csv", csv_text(curve_table(s.mirrored, "N", "N/m")));
   run.out.write("curves/contact-" + name + "-in-stand.csv", csv_text(curve_table(s.in_stand, "N", "N/m")));
   run.out.write("curves/contact-" + name + "-closed.csv",

@@ -1,6 +1,7 @@
 #include "app/second_engine.h"
 #include "app/contact_stage.h"
 #include "core/files.h"
+#include "fem/contact_study.h"
 #include "fem/fourier_contact.h"
 #include "fem/roll_cache.h"
 #include "meshes/gmsh_scope.h"
@@ -53,6 +54,28 @@ fem::FourierRoll fourier_roll(RunContext &run, const std::string &name, const Ro
   }
   return roll;
 }
+// The approach as the first engine counts it: from the first touch, and under a force off the middle at the force.
+ContactCurve counted_from_touch(const fem::FourierPair &pair, ContactCurve curve, const fem::FourierDrive &drive)
+{
+  if (!pair.whole)
+    return curve;
+  const double touch  = fem::touching_approach(pair.z, pair.drop, drive.tilt, drive.load_offset);
+  const auto at_force = [&](const double load) {
+    const auto point = fem::solve_load(pair, load, drive);
+    return point.approach + drive.load_offset * point.tilt;
+  };
+  for (Eigen::Index i = 0; i < curve.load.size(); ++i) {
+    const double F = curve.load[i];
+    if (!std::isnan(drive.load_offset)) {
+      constexpr double step = 1e-3;
+      curve.approach[i]     = at_force(F);
+      curve.tangent[i]      = 2 * step * F / (at_force(F * (1 + step)) - at_force(F * (1 - step)));
+    }
+    curve.approach[i] -= touch;
+    curve.secant[i] = F / curve.approach[i];
+  }
+  return curve;
+}
 }  // namespace
 
 std::optional<SecondEngine> solve_again(RunContext &run, const FourHigh &stand, const ContactModel &model,
@@ -91,8 +114,8 @@ std::optional<SecondEngine> solve_again(RunContext &run, const FourHigh &stand, 
   const auto in_stand = fem::fourier_pair(name, backup, {fem::RollSupport::necks, 0}, work,
                                           {fem::RollSupport::strip, stand.strip.width}, drop);
   SecondEngine second;
-  second.mirrored    = fem::sweep(mirrored, loads, drive, run.progress);
-  second.in_stand    = fem::sweep(in_stand, loads, drive, run.progress);
+  second.mirrored    = counted_from_touch(mirrored, fem::sweep(mirrored, loads, drive, run.progress), drive);
+  second.in_stand    = counted_from_touch(in_stand, fem::sweep(in_stand, loads, drive, run.progress), drive);
   second.mirrored_at = fem::barrel_profile(mirrored, fem::solve_load(mirrored, working_load, drive));
   second.in_stand_at = fem::barrel_profile(in_stand, fem::solve_load(in_stand, working_load, drive));
   return second;
@@ -129,7 +152,7 @@ void add_line_load_spread(RunContext &run, const std::string &name, const Barrel
   p.method = "largest difference of the line load between the two engines over the largest line load, held as in "
              "the stand, nine half widths at each end of the contact left out";
   p.at     = in_kN(first.load);
-  p.inputs         = {"contact." + name + ".loads", "contact." + name + ".elements_per_half_width"};
+  p.inputs = {"contact." + name + ".loads", "contact." + name + ".elements_per_half_width"};
   p.checks.push_back({"two engines that agree", 0, "meshes, elements and treatment of the contact differ"});
   run.results.add("contact." + name + ".line_load_spread", p);
 }

@@ -109,8 +109,10 @@ std::optional<std::array<double, 2>> two(const Item &item, const std::array<std:
 
 std::optional<Value> table(const Item &item)
 {
-  if (item.node.kind != Node::Kind::array || item.node.items.size() < 2)
-    return item.refuse(fmt::format("is no list of two pairs or more; {}", needed(item.row)));
+  const bool terms = item.row.key == "crown_polynomial";  // one term is a polynomial, one point is no table
+  if (item.node.kind != Node::Kind::array || item.node.items.size() < (terms ? 1 : 2))
+    return item.refuse(
+        fmt::format("is no list of {} or more; {}", terms ? "one pair" : "two pairs", needed(item.row)));
   std::vector<std::array<double, 2>> pairs;
   for (std::size_t i = 0; i < item.node.items.size(); ++i) {
     const Item one{item.row, item.node.items[i], fmt::format("{}[{}]", item.key, i), item.reading};

@@ -58,7 +58,7 @@ const std::vector<Field<Material>> &steel_rows()
        &T::yield_stress,
        "MPa",                                         {1, 10000},
        absent,                                                            "1500 MPa",
-       "yield stress of the rolls; when given, pressures beyond the elastic range are warned of"                        },
+       "yield stress of the rolls; when given, pressures above five times it are warned of"                             },
   };
   return rows;
 }

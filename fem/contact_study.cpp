@@ -228,9 +228,6 @@ void bend(ContactPair &pair, const HeldRoll &roll, const double right, const dou
   const Eigen::VectorXd motion = pair.mean.transpose() * axis;
   pair.problem.initial_gap += patch - pair.problem.G * motion;
   pair.problem.initial_gap.array() -= pair.problem.initial_gap.minCoeff();
-  pair.axis_bend = axis.array() - motion[0];
-  if (pair.grid.whole)
-    pair.axis_bend -= motion[1] * pair.grid.z;
 }
 
 namespace {
@@ -247,8 +244,8 @@ Axes axes_of(const ContactPair &pair, const contact::State &s)
   return axes;
 }
 
-// The whole with a tilt of the axes: the moment that produces it, by Newton's method on a piecewise linear
-// function.
+// The whole with a tilt of the axes: the moment that produces it.  The tilt grows with the moment, so the root of
+// a monotone piecewise linear function: Newton's method inside a bracket.
 contact::State solve_tilted(const ContactPair &pair, contact::ActiveSet &solver, const double force,
                             const std::vector<char> &start)
 {
@@ -260,22 +257,39 @@ contact::State solve_tilted(const ContactPair &pair, contact::ActiveSet &solver,
     drive.by_motion = {0, 1};
     return solver.solve(drive, start);
   }
-  contact::State s   = solver.solve(drive, start);
-  const double reach = pair.grid.z.cwiseAbs().maxCoeff();
-  for (int step = 0; step < 40; ++step) {
+  const Eigen::VectorXd &z = pair.grid.z;
+  double low               = force * z[0] * (1 - 1e-6),
+         high              = force * z[z.size() - 1] * (1 - 1e-6);  // line of action on the contact
+  contact::State s         = solver.solve(drive, start);
+  const double reach       = z.cwiseAbs().maxCoeff();
+  for (int step = 0; step < 100; ++step) {
     const Axes axes    = axes_of(pair, s);
     const double error = pair.tilt - axes.motion[1];
-    if (std::abs(error) * reach <= 1e-13 * std::abs(axes.motion[0]))
+    const double scale = std::abs(axes.motion[0]) + std::abs(pair.tilt) * reach;
+    if (std::abs(error) * reach <= 1e-13 * scale || high - low <= 1e-14 * force * reach)
       return s;
-    // Within the kern: a moment beyond it lifts one side off and turns the rolls without bound.
-    const double change = error / axes.compliance(1, 1), limit = 0.3 * reach * force;
-    drive.value[1] += std::clamp(change, -limit, limit);
-    drive.value[1] = std::clamp(drive.value[1], -0.95 * reach * force, 0.95 * reach * force);
-    s              = solver.solve(drive, s.active);
+    (error > 0 ? low : high) = drive.value[1];
+    const double newton      = drive.value[1] + error / axes.compliance(1, 1);
+    drive.value[1]           = newton > low && newton < high ? newton : 0.5 * (low + high);
+    s                        = solver.solve(drive, s.active);
   }
-  throw SolverError({"contact " + pair.name + ": no moment gives the tilt asked for", "after 40 steps",
-                     "a tilt that the load cannot close on this barrel",
-                     "lower contact." + pair.name + ".tilt, or give load_offset instead", ""});
+  throw SolverError({"contact " + pair.name + ": no moment gives the tilt asked for", "after 100 steps",
+                     "a tilt that stands the rolls on their edge", "lower contact." + pair.name + ".tilt", ""});
+}
+
+// Gap of the undeformed rolls at the stations, on the contact line.
+Eigen::VectorXd gap_along(const ContactPair &pair)
+{
+  Eigen::VectorXd gap(pair.grid.n_z);
+  for (int k = 0; k < pair.grid.n_z; ++k)
+    gap[k] = pair.problem.initial_gap[k * pair.grid.n_x];
+  return gap;
+}
+
+// Largest approach without contact, at the place where approach is counted.
+double approach_at_touch(const ContactPair &pair)
+{
+  return pair.grid.whole ? touching_approach(pair.grid.z, gap_along(pair), pair.tilt, pair.load_offset) : 0;
 }
 
 ContactPoint solve_with(const ContactPair &pair, contact::ActiveSet &solver, const double load,
@@ -291,8 +305,11 @@ ContactPoint solve_with(const ContactPair &pair, contact::ActiveSet &solver, con
     point.state = solver.solve({Eigen::Vector2d(force, force * pair.load_offset), {}}, start);
   else
     point.state = solve_tilted(pair, solver, force, start);
-  const Axes axes  = axes_of(pair, point.state);
-  point.approach   = axes.motion[0];
+  const Axes axes = axes_of(pair, point.state);
+  // Under a force off the middle the approach is that of the place where it acts, so that force times approach is
+  // work.
+  point.approach =
+      axes.motion[0] + (whole && offset ? pair.load_offset * axes.motion[1] : 0) - approach_at_touch(pair);
   point.compliance = axes.compliance / pair.multiplicity;
   if (whole) {
     point.tilt   = axes.motion[1];
@@ -302,7 +319,8 @@ ContactPoint solve_with(const ContactPair &pair, contact::ActiveSet &solver, con
   if (!whole)
     point.tangent = 1 / c(0, 0);
   else if (offset)
-    point.tangent = 1 / (c(0, 0) + c(0, 1) * pair.load_offset);
+    point.tangent =
+        1 / (c(0, 0) + (c(0, 1) + c(1, 0)) * pair.load_offset + c(1, 1) * std::pow(pair.load_offset, 2));
   else
     point.tangent = c(1, 1) / (c(0, 0) * c(1, 1) - c(0, 1) * c(1, 0));
   return point;
@@ -395,7 +413,7 @@ BarrelProfile barrel_profile(const ContactPair &pair, const ContactPoint &point)
     const double tilt     = grid.whole ? point.state.motion[1] * grid.z[k] : 0;
     const double turn     = grid.whole ? d_motion[1] * grid.z[k] : 0;
     out.line_load[k]      = pair.axial_mirror * point.state.nodal(row).sum() / w[k];
-    out.approach[k]       = point.state.motion[0] + tilt - at(away, k) - at(pair.axis_bend, k);
+    out.approach[k]       = point.state.motion[0] + tilt - at(away, k);
     out.tangent[k]        = pair.axial_mirror * d_nodal(row).sum() / w[k] / (d_motion[0] + turn - at(d_away, k));
     out.half_width[k]     = section.half_width;
     out.peak_pressure[k]  = section.peak;
@@ -469,6 +487,21 @@ PathPlateau path_plateau(const ContactPair &pair, const ContactPoint &point, con
     out.tributary_length /= out.stations;
   }
   return out;
+}
+
+double touching_approach(const Eigen::VectorXd &z, const Eigen::VectorXd &gap, const double tilt,
+                         const double offset)
+{
+  if (std::isnan(offset))
+    return (gap - tilt * z).minCoeff();
+  // Free to tilt: the rolls come to rest on the lower convex hull of the gap.
+  double hull = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < z.size() && z[i] <= offset; ++i)
+    for (Eigen::Index j = z.size() - 1; j >= 0 && z[j] >= offset; --j) {
+      const double t = j == i ? 0 : (offset - z[i]) / (z[j] - z[i]);
+      hull           = std::min(hull, gap[i] + t * (gap[j] - gap[i]));
+    }
+  return hull;
 }
 
 Eigen::VectorXd log_spaced(const double low, const double high, const int n)

@@ -19,7 +19,6 @@ struct ContactPair {
   contact::Problem problem;
   Eigen::MatrixXd axis;          ///< (n_s, n) m/N, sum of both: axes moving away from the contact at the stations
   Eigen::MatrixXd axis_support;  ///< (n_s, k)
-  Eigen::VectorXd axis_bend;     ///< (n_s) m, by the forces on the chocks, without mean and slope
   Eigen::VectorXd path;          ///< (n_s) m, contact length that belongs to each station
   Eigen::MatrixXd mean;          ///< (n_s, k) weights of mean and mean slope over the contact length
   Eigen::VectorXd drop;          ///< (n_s) m, sum of the profiles
@@ -58,14 +57,20 @@ void bend(ContactPair &pair, const HeldRoll &roll, double right, double left);
 /// One solved load.
 struct ContactPoint {
   contact::State state;
-  double load;                 ///< N, total
-  double approach;             ///< m, axis to axis, mean over the contact length
-  double tangent;              ///< N/m, exact dF/d(approach), with what else is imposed held
-  double tilt   = 0;           ///< rad, of the axes, closing at z > 0
-  double moment = 0;           ///< N m, of the contact force about mid-length
+  double load;        ///< N, total
+  double approach;    ///< m, axis to axis from the first touch; mean over the contact length; under load_offset at
+                      ///< the force
+  double tangent;     ///< N/m, exact dF/d(approach), with what else is imposed held
+  double tilt   = 0;  ///< rad, of the axes, closing at z > 0
+  double moment = 0;  ///< N m, of the contact force about mid-length
   Eigen::MatrixXd compliance;  ///< (k, k) d(approach, tilt)/d(force, moment), total: m/N, 1/N, 1/(N m)
 };
 ContactPoint solve_load(const ContactPair &pair, double load, const std::vector<char> &start = {});
+
+/// Approach (m) at which the undeformed rolls begin to touch: with their axes held at `tilt` (rad), counted at z =
+/// 0; or, when `offset` (m) is given, free to tilt under a force there and counted there.
+/// @param z, gap  (n) m, increasing stations and gap of the rolls there
+double touching_approach(const Eigen::VectorXd &z, const Eigen::VectorXd &gap, double tilt, double offset);
 
 /// Load-approach curve; each load starts from the active set of the one before.
 /// @throws SolverError  names the load and how many steps are good

@@ -258,9 +258,15 @@ TEST(FourierRoll, AgreesWithTheThreeDimensionalEngineUnderAnOffCentreLoad)
   const auto two    = fem::solve_load(solid, F1);
   const auto pair   = pair_of(stand_rolls(), Held::in_stand, 1.0, 0, true);
   const auto one    = fem::solve_load(pair, F1, {0, 0.05});
-  EXPECT_TRUE(near(one.approach, two.approach, within(3e-3, "meshes of both engines")));
+  // The solid engine counts the approach where the force stands.
+  const auto at_force = [&](const double load) {
+    const auto point = fem::solve_load(pair, load, {0, 0.05});
+    return point.approach + 0.05 * point.tilt;
+  };
+  EXPECT_TRUE(near(at_force(F1), two.approach, within(3e-3, "meshes of both engines")));
   EXPECT_TRUE(near(one.tilt, two.tilt, within(5e-3, "meshes of both engines")));
-  EXPECT_TRUE(near(one.tangent, two.tangent, within(1e-2, "one active set of the solid engine")));
+  EXPECT_TRUE(near(2e-3 * F1 / (at_force(1.001 * F1) - at_force(0.999 * F1)), two.tangent,
+                   within(1e-2, "one active set of the solid engine")));
   const auto profile = fem::barrel_profile(solid, two);
   for (double z = -0.69; z <= 0.69; z += 0.01)
     EXPECT_TRUE(near(interpolated(pair.z, one.line_load, z), interpolated(profile.z, profile.line_load, z),
