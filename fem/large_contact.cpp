@@ -63,9 +63,9 @@ LargeContact press_together(const LargeBody &slave, const LargeBody &master, con
                            second = condensed(master, on_master, deformed(master, out.master));
     // Frictionless: the normal rows of the coupling that has the tangents too.
     PairOptions options;
-    options.slave_load.force    = -on_slave.force;
-    options.master_load.force   = -on_master.force;
-    VectorXd place = master.shift;
+    options.slave_load.force  = -on_slave.force;
+    options.master_load.force = -on_master.force;
+    VectorXd place            = master.shift;
     place[1] -= out.descent;
     const auto pair      = pair_with_friction({&first, slave.turn, slave.shift}, {&second, master.turn, place},
                                               {descent}, 0, options);

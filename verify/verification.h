@@ -36,11 +36,11 @@ struct Case {
 std::vector<Case> all_cases();
 
 // One function per family, each in a file of its name.
-std::vector<Case> closed_forms();     ///< formulas and kernels in isolation
-std::vector<Case> half_space_cases(); ///< boundary elements on the half space
-std::vector<Case> section_cases();    ///< plane strain and axisymmetric bodies
-std::vector<Case> solid_cases();      ///< three-dimensional bodies
-std::vector<Case> friction_cases();   ///< Coulomb contact
-std::vector<Case> nonlinear_cases();  ///< large displacements, plasticity
-std::vector<Case> roll_cases();       ///< rolls, identities, engines, scaling
+std::vector<Case> closed_forms();      ///< formulas and kernels in isolation
+std::vector<Case> half_space_cases();  ///< boundary elements on the half space
+std::vector<Case> section_cases();     ///< plane strain and axisymmetric bodies
+std::vector<Case> solid_cases();       ///< three-dimensional bodies
+std::vector<Case> friction_cases();    ///< Coulomb contact
+std::vector<Case> nonlinear_cases();   ///< large displacements, plasticity
+std::vector<Case> roll_cases();        ///< rolls, identities, engines, scaling
 }  // namespace mill::verify

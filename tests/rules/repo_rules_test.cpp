@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 const fs::path root = MILLSTAND_SOURCE_DIR;
-const std::vector<std::string> stages{"core", "contact", "meshes", "fem", "reduce", "dynamics", "report", "app", "verify"};
+const std::vector<std::string> stages{"core",     "contact", "meshes", "fem",   "reduce",
+                                      "dynamics", "report",  "app",    "verify"};
 
 struct Source {
   std::string name;  // from the root: "fem/contact_solver.h"
