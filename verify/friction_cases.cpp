@@ -16,17 +16,6 @@ using namespace contact;
 constexpr double mm = 1e-3, um = 1e-6, MPa = 1e6, N_per_mm = 1e3;
 const Material steel{210e9, 0.3, 7850};
 
-Check relative(const std::string &quantity, const std::string &unit, const double result, const double reference,
-               const double tolerance)
-{
-  return {quantity, unit, result, reference, tolerance};
-}
-
-Check at_most(const std::string &quantity, const std::string &unit, const double result, const double limit)
-{
-  return {quantity, unit, result, limit, 0, Judged::at_most};
-}
-
 Check at_least(const std::string &quantity, const std::string &unit, const double result, const double limit)
 {
   return {quantity, unit, result, limit, 0, Judged::at_least};

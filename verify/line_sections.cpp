@@ -13,16 +13,6 @@ using fem::Section;
 constexpr double mm = 1e-3, um = 1e-6, MPa = 1e6, N_per_mm = 1e3;
 const Material steel{210e9, 0.3, 7850};
 
-Check relative(const std::string &quantity, const std::string &unit, const double result, const double reference,
-               const double tolerance)
-{
-  return {quantity, unit, result, reference, tolerance};
-}
-Check reported(const std::string &quantity, const std::string &unit, const double result, const double reference)
-{
-  return {quantity, unit, result, reference, 0, Judged::reported};
-}
-
 struct LineLoad {
   double q, b, p0, approach, tangent;  // N/m, m, Pa, m, N/m2: section 8.4 of the acceptance table
 };

@@ -12,11 +12,6 @@ using Eigen::VectorXd;
 
 constexpr double mm = 1e-3, MPa = 1e6, N_per_mm = 1e3;
 
-Check reported(const std::string &quantity, const std::string &unit, const double result, const double reference)
-{
-  return {quantity, unit, result, reference, 0, Judged::reported};
-}
-
 // ---- CGS-1
 struct Cgs1 {
   fem::LargeContact contact;

@@ -17,16 +17,6 @@ using fem::Section;
 
 constexpr double mm = 1e-3, MPa = 1e6, N_per_mm = 1e3;
 
-Check relative(const std::string &quantity, const std::string &unit, const double result, const double reference,
-               const double tolerance)
-{
-  return {quantity, unit, result, reference, tolerance};
-}
-Check reported(const std::string &quantity, const std::string &unit, const double result, const double reference)
-{
-  return {quantity, unit, result, reference, 0, Judged::reported};
-}
-
 // ---- conforming rings
 // Constant and cos 2 theta part of values at the angles of points around the origin, by least squares.
 Vector2d harmonics(const Eigen::MatrixXd &points, const VectorXd &values)

@@ -2,6 +2,22 @@
 #include <cmath>
 
 namespace mill::verify {
+Check relative(const std::string &quantity, const std::string &unit, const double result, const double reference,
+               const double tolerance)
+{
+  return {quantity, unit, result, reference, tolerance};
+}
+
+Check at_most(const std::string &quantity, const std::string &unit, const double result, const double limit)
+{
+  return {quantity, unit, result, limit, 0, Judged::at_most};
+}
+
+Check reported(const std::string &quantity, const std::string &unit, const double result, const double reference)
+{
+  return {quantity, unit, result, reference, 0, Judged::reported};
+}
+
 bool passes(const Check &c)
 {
   switch (c.judged) {

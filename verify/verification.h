@@ -22,6 +22,11 @@ struct Check {
 };
 bool passes(const Check &check);
 
+Check relative(const std::string &quantity, const std::string &unit, double result, double reference,
+               double tolerance);
+Check at_most(const std::string &quantity, const std::string &unit, double result, double limit);
+Check reported(const std::string &quantity, const std::string &unit, double result, double reference);
+
 /// One page of the manual.
 struct Case {
   std::string name;              ///< "cgs1-small"
