@@ -1,6 +1,7 @@
 #include "app/contact_details.h"
 #include "app/contact_stage.h"
 #include "core/csv.h"
+#include "fem/contact_readings.h"
 #include "fem/frictional_pair.h"
 #include <cmath>
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+#include "fem/contact_readings.h"
 #include "fem/contact_study.h"
 #include "fem/fourier_contact.h"
 #include "fem/full_contact.h"

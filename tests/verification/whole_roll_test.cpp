@@ -1,3 +1,4 @@
+#include "fem/contact_readings.h"
 #include "meshes/contact_mesh_size.h"
 #include "tests/support/closed_form.h"
 #include "tests/support/near.h"
