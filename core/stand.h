@@ -1,6 +1,8 @@
 #pragma once
 #include "core/errors.h"
+#include "core/material.h"
 #include "core/parameter.h"
+#include "core/roller_bearing.h"
 #include <array>
 #include <limits>
 #include <map>
@@ -11,16 +13,6 @@
 #include <vector>
 
 namespace mill {
-constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
-
-/// Elastic solid.
-struct Material {
-  double youngs_modulus = 210e9;      ///< Pa
-  double poisson_ratio  = 0.28;       ///< -
-  double density        = 7700;       ///< kg/m3
-  double yield_stress   = not_given;  ///< Pa, of the rolls' surface
-};
-
 /// A roll as drawn.  Work roll and backup roll are the same struct; the case file names their lengths differently.
 struct Roll {
   double barrel_diameter = 0;  ///< m, ground diameter of the barrel
@@ -43,27 +35,6 @@ struct Roll {
   double chock_mass_lower = 0;                   ///< kg, per side, in the lower half
   double bearing_load =
       not_given;  ///< N, radial load of one bearing; absent: F/2 (backup), F/20 assumed (work roll)
-};
-
-/// Roller bearing from what a catalogue gives.  Radial bearings have both angles zero.
-struct RollerBearing {
-  std::string name;                      ///< the * of [bearing.*]
-  std::string type;                      ///< "four-row tapered" | "four-row cylindrical"
-  double bore              = not_given;  ///< m
-  double outside_diameter  = not_given;  ///< m
-  double width             = not_given;  ///< m
-  double pitch_diameter    = not_given;  ///< m, at mid-roller; absent: mean of bore and outside diameter
-  int rows                 = 4;
-  int rollers_per_row      = 0;
-  double roller_length     = 0;          ///< m, effective
-  double roller_diameter   = not_given;  ///< m, mean
-  double roller_cone_angle = 0;          ///< rad, included
-  double cup_angle         = 0;          ///< rad, contact angle on the outer ring
-  double radial_clearance  = 0;          ///< m, diametral
-  std::string profile      = "none";     ///< none | iso | log | crown
-  double crown_drop        = not_given;  ///< m, drop of the roller end for profile = crown
-  std::string roller_law   = "iso";      ///< iso | palmgren
-  int slices               = 41;         ///< laminae per roller
 };
 
 /// Frame, screw-down and chocks: masses already reduced to the moving point, stiffnesses of the whole stand.
