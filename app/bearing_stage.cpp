@@ -1,7 +1,7 @@
 #include "app/bearing_stage.h"
 #include "app/contact_stage.h"
 #include "core/csv.h"
-#include "reduce/bearing_stiffness.h"
+#include "bearing/rigid_rings.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -33,13 +33,13 @@ std::vector<std::string> inputs_of(const RollerBearing &bearing, const std::stri
   return keys;
 }
 
-void write_curves(RunContext &run, const RollerBearing &bearing, const reduce::BearingState &at)
+void write_curves(RunContext &run, const RollerBearing &bearing, const bearing::BearingState &at)
 {
   constexpr int n = 24;
   std::vector<double> loads;
   for (int i = 0; i < n; ++i)
     loads.push_back(at.load * std::pow(100., double(i) / (n - 1) - 0.6));
-  const auto states = reduce::bearing_curve(bearing, loads);
+  const auto states = bearing::bearing_curve(bearing, loads);
   Eigen::MatrixXd values(n, 5);
   for (int i = 0; i < n; ++i) {
     const auto &s = states[i];
@@ -83,8 +83,8 @@ StandBearings solve_bearings(RunContext &run, const FourHigh &stand, const doubl
     const Seat &p                = places[i];
     const RollerBearing &bearing = bearing_of(stand, p.roll->bearing);
     const double load            = load_on_one(*p.roll, p.assumed_load);
-    const auto at                = reduce::solve_bearing(bearing, load);
-    const auto other             = reduce::solve_bearing(by_the_other_law(bearing), load);
+    const auto at                = bearing::solve_bearing(bearing, load);
+    const auto other             = bearing::solve_bearing(by_the_other_law(bearing), load);
     Parameter k;
     k.unit                 = "N/m";
     k.method               = law_name(bearing) + ", rigid rings";

@@ -4,7 +4,8 @@ mill_test(verification_test LABEL unit LINK mill::verify)
 add_executable(verification_manual_test verification/verification_manual_test.cpp)
 target_link_libraries(verification_manual_test PRIVATE mill::verify mill_test_support mill_options)
 target_compile_definitions(verification_manual_test PRIVATE MILLSTAND_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-foreach(family ClosedForms HalfSpaceCases SectionCases SolidCases FrictionCases NonlinearCases RollCases)
+foreach(family ClosedForms HalfSpaceCases SectionCases SolidCases FrictionCases NonlinearCases RollCases
+               BearingCases RollerCases RingCases)
   add_test(NAME manual_${family}
     COMMAND verification_manual_test --gtest_filter=Manual.${family} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   set_tests_properties(manual_${family} PROPERTIES LABELS verification TIMEOUT 300)

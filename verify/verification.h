@@ -48,4 +48,7 @@ std::vector<Case> solid_cases();       ///< three-dimensional bodies
 std::vector<Case> friction_cases();    ///< Coulomb contact
 std::vector<Case> nonlinear_cases();   ///< large displacements, plasticity
 std::vector<Case> roll_cases();        ///< rolls, identities, engines, scaling
+std::vector<Case> bearing_cases();     ///< roller bearings from the law of one roller
+std::vector<Case> roller_cases();      ///< one roller between its raceways by finite elements
+std::vector<Case> ring_cases();        ///< rings, neck and chock
 }  // namespace mill::verify

@@ -2,7 +2,7 @@
 // so agreement with those proves nothing; what is tested is that the same drawing gives the same numbers as the
 // independent program behind the reference.
 #include "reduce/beam_shapes.h"
-#include "reduce/bearing_stiffness.h"
+#include "bearing/rigid_rings.h"
 #include "reduce/line_contact.h"
 #include "reduce/lumped_stand.h"
 #include "tests/support/near.h"
@@ -12,6 +12,7 @@
 
 using namespace mill;
 using namespace mill::reduce;
+using mill::bearing::solve_bearing;
 
 namespace {
 FourHigh demo_stand()

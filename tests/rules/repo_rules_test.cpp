@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 const fs::path root = MILLSTAND_SOURCE_DIR;
-const std::vector<std::string> stages{"core",     "contact", "meshes", "fem",   "reduce",
-                                      "dynamics", "report",  "app",    "verify"};
+const std::vector<std::string> stages{"core",   "contact",  "bearing", "meshes", "fem",
+                                      "reduce", "dynamics", "report",  "app",    "verify"};
 
 struct Source {
   std::string name;  // from the root: "fem/contact_solver.h"
@@ -63,7 +63,8 @@ TEST(Layers, AStageIncludesCoreAndItself)
       for (const std::string &stage : stages)
         if (starts_with(include, stage + "/"))
           EXPECT_TRUE(source.folder == "app" || source.folder == "verify" || stage == "core" ||
-                      stage == source.folder || (source.folder == "fem" && stage == "contact"))
+                      stage == source.folder ||
+                      (source.folder == "fem" && (stage == "contact" || stage == "bearing")))
               << source.name << " includes " << include;
 }
 
@@ -106,7 +107,7 @@ TEST(Headers, DoubleMembersStateTheirUnit)
   // Public data of the hand-over records and stage headers: "double name = 0;  ///< m, ..." on the line itself.
   const std::regex member(R"(^  double\s+[a-z_0-9A-Z]+(\s*=[^;()]*)?(,[^;()]*)?;)");
   int seen = 0;
-  for (const Source &source : sources({"core", "contact", "meshes", "fem", "reduce", "dynamics"})) {
+  for (const Source &source : sources({"core", "contact", "bearing", "meshes", "fem", "reduce", "dynamics"})) {
     if (!source.header)
       continue;
     bool hidden = false, body = false;  // private data; the body of an inline function
@@ -137,7 +138,8 @@ TEST(Headers, AreGuardedAndOpenNoNamespace)
 TEST(Library, NeverPrintsExitsOrReadsTheEnvironment)
 {
   const std::regex forbidden(R"(std::c(out|err)\b|\bgetenv\b|\bstd::exit\b|[^fns]printf\s*\()");
-  for (const Source &source : sources({"core", "meshes", "fem", "reduce", "dynamics", "report"}))
+  for (const Source &source :
+       sources({"core", "contact", "bearing", "meshes", "fem", "reduce", "dynamics", "report"}))
     for (std::size_t i = 0; i < source.lines.size(); ++i)
       EXPECT_FALSE(std::regex_search(source.lines[i], forbidden))
           << source.name << ":" << i + 1 << ": " << source.lines[i];
@@ -192,7 +194,7 @@ TEST(Docs, EquationNumbersThatTheCodeCitesExist)
   const std::string theory = text.str();
   // "theory.md (2.4)" and "(3.5b)" in a line that names theory.md.
   const std::regex number(R"(\((\d+\.\d+[a-d]?)\))");
-  for (const Source &source : sources({"core", "contact", "meshes", "fem", "reduce", "dynamics"}))
+  for (const Source &source : sources({"core", "contact", "bearing", "meshes", "fem", "reduce", "dynamics"}))
     for (std::size_t i = 0; i < source.lines.size(); ++i) {
       const std::string &line = source.lines[i];
       if (line.find("theory.md") == std::string::npos)

@@ -1,11 +1,11 @@
-#include "reduce/bearing_geometry.h"
+#include "bearing/geometry.h"
 #include "tests/support/demo_bearing.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include <cmath>
 
 using namespace mill;
-using namespace mill::reduce;
+using namespace mill::bearing;
 
 namespace {
 constexpr double degree = M_PI / 180;

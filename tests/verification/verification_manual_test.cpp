@@ -81,3 +81,18 @@ TEST(Manual, RollCases)
 {
   expect_passes(roll_cases());
 }
+
+TEST(Manual, BearingCases)
+{
+  expect_passes(bearing_cases());
+}
+
+TEST(Manual, RollerCases)
+{
+  expect_passes(roller_cases());
+}
+
+TEST(Manual, RingCases)
+{
+  expect_passes(ring_cases());
+}

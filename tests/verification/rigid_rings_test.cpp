@@ -1,11 +1,11 @@
-#include "reduce/bearing_stiffness.h"
+#include "bearing/rigid_rings.h"
 #include "tests/support/demo_bearing.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include <cmath>
 
 using namespace mill;
-using namespace mill::reduce;
+using namespace mill::bearing;
 
 namespace {
 constexpr double degree = M_PI / 180;

@@ -1,8 +1,8 @@
-#include "reduce/bearing_geometry.h"
+#include "bearing/geometry.h"
 #include <cmath>
 #include <sstream>
 
-namespace mill::reduce {
+namespace mill::bearing {
 namespace {
 constexpr double degree = M_PI / 180;
 constexpr double angle_tolerance =
@@ -67,4 +67,4 @@ Eigen::VectorXd roller_azimuths(const RollerBearing &b)
   const int Z = b.rollers_per_row;
   return 2 * M_PI / Z * Eigen::VectorXd::LinSpaced(Z, 0, Z - 1);
 }
-}  // namespace mill::reduce
+}  // namespace mill::bearing

@@ -1,9 +1,9 @@
-#include "reduce/roller_law.h"
-#include "reduce/bearing_geometry.h"
+#include "bearing/roller_law.h"
+#include "bearing/geometry.h"
 #include <algorithm>
 #include <cmath>
 
-namespace mill::reduce {
+namespace mill::bearing {
 namespace {
 constexpr double exponent = 10.0 / 9;
 // Bearing steel.  The empirical laws hold for it only, so it is a constant of this file and no input.
@@ -145,4 +145,4 @@ ElasticRoller elastic_roller(const RollerBearing &b, const double load, const do
   const double inside = roller(bi) + roller(bo);
   return {inside + raceway(bi) + raceway(bo), inside, bi, bo, 2 * q / (M_PI * bi), 2 * q / (M_PI * bo)};
 }
-}  // namespace mill::reduce
+}  // namespace mill::bearing

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace mill::reduce {
+namespace mill::bearing {
 /// One radially loaded bearing between rigid rings, at one load.  theory.md 5.4
 struct BearingState {
   double load            = 0;      ///< N, radial, on the line of roller 0
@@ -39,4 +39,4 @@ BearingState solve_bearing(const RollerBearing &bearing, double radial_load, dou
 /// The same over several loads, for a curve.  Errors as solve_bearing.
 std::vector<BearingState> bearing_curve(const RollerBearing &bearing, const std::vector<double> &loads,
                                         double tilt = 0);
-}  // namespace mill::reduce
+}  // namespace mill::bearing

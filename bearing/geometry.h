@@ -2,7 +2,7 @@
 #include "core/stand.h"
 #include <Eigen/Core>
 
-namespace mill::reduce {
+namespace mill::bearing {
 /// Angles with which roller, cup and cone of a tapered row share one apex, so that the rollers roll without slip.
 struct ApexClosure {
   double axis_angle;               ///< rad, of the roller axis, (5.1)
@@ -32,4 +32,4 @@ Eigen::VectorXd row_positions(const RollerBearing &bearing);
 
 /// Azimuth of the rollers of a row (rollers_per_row), rad; roller 0 lies on the line of the load.
 Eigen::VectorXd roller_azimuths(const RollerBearing &bearing);
-}  // namespace mill::reduce
+}  // namespace mill::bearing

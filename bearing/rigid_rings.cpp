@@ -1,10 +1,10 @@
-#include "reduce/bearing_stiffness.h"
-#include "reduce/bearing_geometry.h"
-#include "reduce/roller_law.h"
+#include "bearing/rigid_rings.h"
+#include "bearing/geometry.h"
+#include "bearing/roller_law.h"
 #include <cmath>
 #include <sstream>
 
-namespace mill::reduce {
+namespace mill::bearing {
 namespace {
 /// What stays the same while the ring moves.
 struct RigidRings {
@@ -172,4 +172,4 @@ std::vector<BearingState> bearing_curve(const RollerBearing &bearing, const std:
     curve.push_back(solve_bearing(bearing, load, tilt));
   return curve;
 }
-}  // namespace mill::reduce
+}  // namespace mill::bearing

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace mill::reduce {
+namespace mill::bearing {
 /// Flexibility of rings, neck and chock as the rollers feel it, beyond the piece of raceway that the law of one roller
 /// counts itself.  theory.md 14
 ///
@@ -34,4 +34,4 @@ RingFlexibility stiffer(RingFlexibility rings, double factor);
 
 /// (n, modes): P_a at the positions (n, m, from mid-roller) on a roller of this length (m).
 Eigen::MatrixXd line_modes(const Eigen::VectorXd &position, double length, int modes);
-}  // namespace mill::reduce
+}  // namespace mill::bearing

@@ -2,7 +2,7 @@
 #include "core/stand.h"
 #include <Eigen/Core>
 
-namespace mill::reduce {
+namespace mill::bearing {
 /// Load-approach law of one roller between both raceways, cut into laminae:  q_k = c_s max(0, d_k)^(10/9).
 /// theory.md 5.2
 struct RollerLaw {
@@ -50,4 +50,4 @@ struct ElasticRoller {
 /// @throws InputError  load or depth not positive, roller or pitch diameter missing
 /// Source: K. L. Johnson, Contact Mechanics (1985), chapter 5.
 ElasticRoller elastic_roller(const RollerBearing &bearing, double load, double depth);
-}  // namespace mill::reduce
+}  // namespace mill::bearing
