@@ -1,133 +1,130 @@
 #include "app/bearing_stage.h"
-#include "app/contact_stage.h"
-#include "core/csv.h"
-#include "bearing/rigid_rings.h"
+#include "app/bearing_files.h"
+#include "app/bearing_results.h"
+#include "app/output_dir.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 
 namespace mill {
 namespace {
-// The same bearing by the other published law of one roller: the spread of the two is how well the law is known.
-RollerBearing by_the_other_law(RollerBearing bearing)
+/// One of the four places of a bearing in the stand.
+struct Seat {
+  const char *name;     // of the result
+  const char *section;  // of the case
+  const Roll *roll;
+  const ContactSettings *contact;
+  bool backup;
+};
+
+std::array<Seat, 4> seats_of(const FourHigh &s)
 {
-  bearing.roller_law = bearing.roller_law == "iso" ? "palmgren" : "iso";
-  return bearing;
+  return {
+      {{"Kzc1", "backup_roll", &s.backup_roll, &s.upper_contact, true},
+       {"Kzc2", "work_roll", &s.work_roll, &s.upper_contact, false},
+       {"Kzc3", "work_roll", &s.work_roll, &s.lower_contact, false},
+       {"Kzc4", "backup_roll", &s.backup_roll, &s.lower_contact, true}}
+  };
 }
 
-std::string law_name(const RollerBearing &bearing)
+/// Radial load of one bearing and where it comes from.
+struct SeatLoad {
+  double value;  // N
+  std::string said;
+  bool assumed = false;
+};
+
+// Vertical: half the rolling force on a backup bearing, bending on that of a work roll; across: half of what the
+// offset of the rolls pushes sideways, F e / (R1 + R2).
+SeatLoad load_of(const FourHigh &stand, const Seat &seat, const double F)
 {
-  return bearing.roller_law == "iso" ? "ISO/TS 16281 laminae" : "Palmgren, two contacts in series";
+  if (!std::isnan(seat.roll->bearing_load))
+    return {seat.roll->bearing_load, std::string(seat.section) + ".bearing_load"};
+  const double between = (stand.work_roll.barrel_diameter + stand.backup_roll.barrel_diameter) / 2;
+  const double across  = 0.5 * F * std::abs(seat.contact->axis_offset) / between;
+  const double bending = 0.5 * std::abs(stand.work_roll.bending_force[0] + stand.work_roll.bending_force[1]);
+  const std::string sideways =
+      across > 0 ? fmt::format(" and {:.4g} kN across from the rolls' offset", across / 1e3) : "";
+  if (seat.backup)
+    return {std::hypot((F + 2 * bending) / 2, across),
+            "half the rolling force" + std::string(bending > 0 ? ", bending added" : "") + sideways};
+  if (bending > 0)
+    return {std::hypot(bending, across), "the bending force of its chock" + sideways};
+  return {std::hypot(F / 20, across), "a twentieth of the rolling force for balance and bending" + sideways, true};
 }
 
-double load_on_one(const Roll &roll, const double assumed)
+std::vector<double> around(const double load)
 {
-  return std::isnan(roll.bearing_load) ? assumed : roll.bearing_load;
-}
-
-std::vector<std::string> inputs_of(const RollerBearing &bearing, const std::string &roll)
-{
-  std::vector<std::string> keys{roll + ".bearing", roll + ".bearing_load"};
-  for (const char *key : {"rows", "rollers_per_row", "roller_length", "roller_diameter", "cup_angle",
-                          "radial_clearance", "profile", "roller_law", "slices"})
-    keys.push_back("bearing." + bearing.name + "." + key);
-  return keys;
-}
-
-void write_curves(RunContext &run, const RollerBearing &bearing, const bearing::BearingState &at)
-{
-  constexpr int n = 24;
+  constexpr int n = 20;
   std::vector<double> loads;
   for (int i = 0; i < n; ++i)
-    loads.push_back(at.load * std::pow(100., double(i) / (n - 1) - 0.6));
-  const auto states = bearing::bearing_curve(bearing, loads);
-  Eigen::MatrixXd values(n, 5);
-  for (int i = 0; i < n; ++i) {
-    const auto &s = states[i];
-    values.row(i) << s.load, s.displacement, s.secant, s.tangent, double(s.loaded_rollers.sum());
-  }
-  Table curve;
-  curve.add("load", "N", values.col(0))
-      .add("displacement", "m", values.col(1))
-      .add("secant", "N/m", values.col(2));
-  curve.add("tangent", "N/m", values.col(3)).add("loaded_rollers", "", values.col(4));
-  const auto rows = at.row_share.size();
-  Table shares, rollers;
-  shares.add("row", "", Eigen::VectorXd::LinSpaced(rows, 1, double(rows))).add("share", "", at.row_share);
-  rollers.add("angle", "rad", at.azimuth);
-  for (Eigen::Index r = 0; r < rows; ++r)
-    rollers.add("row" + std::to_string(r + 1), "N", at.roller_load.row(r).transpose());
-  const std::string stem = "curves/bearing-" + slug(bearing.name);
-  run.out.write(stem + ".csv", csv_text(curve));
-  run.out.write(stem + "-rows.csv", csv_text(shares));
-  run.out.write(stem + "-rollers.csv", csv_text(rollers));
+    loads.push_back(load * std::pow(100., double(i) / (n - 1) - 0.6));
+  return loads;
+}
+
+void report_seat(RunContext &run, const Seat &seat, const SeatLoad &load, const BearingStudy &study,
+                 const std::vector<std::string> &inputs)
+{
+  add_bearing_results(run, seat.name, study, inputs);
+  if (std::string(seat.name) != "Kzc1" && std::string(seat.name) != "Kzc2")
+    return;  // the lower half has the same bearings
+  write_bearing(run, study);
+  note_bearing(run, study);
+  if (load.assumed)
+    run.assume(std::string(seat.section) + ".bearing_load is not given: " + load.said);
 }
 }  // namespace
 
-StandBearings solve_bearings(RunContext &run, const FourHigh &stand, const double F, const bool write)
+std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand,
+                                          const std::vector<double> &forces)
 {
-  struct Seat {
-    const char *name;
-    const Roll *roll;
-    const char *section;
-    double assumed_load;
-  };
-  const Seat places[] = {
-      {"Kzc1", &stand.backup_roll, "backup_roll", F / 2 },
-      {"Kzc2", &stand.work_roll,   "work_roll",   F / 20},
-      {"Kzc3", &stand.work_roll,   "work_roll",   F / 20},
-      {"Kzc4", &stand.backup_roll, "backup_roll", F / 2 }
-  };
-  StageTimer timer(run, "bearings");
-  StandBearings out;
-  for (int i = 0; i < 4; ++i) {
-    const Seat &p                = places[i];
-    const RollerBearing &bearing = bearing_of(stand, p.roll->bearing);
-    const double load            = load_on_one(*p.roll, p.assumed_load);
-    const auto at                = bearing::solve_bearing(bearing, load);
-    const auto other             = bearing::solve_bearing(by_the_other_law(bearing), load);
-    Parameter k;
-    k.unit                 = "N/m";
-    k.method               = law_name(bearing) + ", rigid rings";
-    k.at                   = in_kN(load) + " on one bearing";
-    k.inputs               = inputs_of(bearing, p.section);
-    Parameter tangent      = k;
-    tangent.value          = at.tangent;
-    tangent.error_estimate = std::abs(other.tangent / at.tangent - 1);
-    tangent.checks         = {
-                {law_name(by_the_other_law(bearing)), other.tangent, "another law of one roller"}
-    };
-    out.Kzc[i] = tangent;
-    if (i == 0) {
-      out.K_Zy        = tangent;
-      out.K_Zy.value  = 2 * tangent.value;
-      out.K_Zy.method = tangent.method + ", two bearings";
-      for (Check &check : out.K_Zy.checks)
-        check.value *= 2;
+  const auto seats = seats_of(stand);
+  // One mesh per bearing, for the heaviest load that any pass puts on it.
+  std::map<std::string, BearingParts> parts;
+  std::map<std::string, double> largest;
+  const auto question = [&](const Seat &seat, const double load, const bool curve) {
+    BearingQuestion q;
+    q.bearing = bearing_of(stand.bearings, seat.roll->bearing);
+    q.radial  = load;
+    if (curve)
+      q.loads = around(load);
+    if (!seat.backup) {
+      q.published       = stand.published;
+      q.published_total = seat.name;
     }
-    if (!write)
-      continue;
-    const std::string name = p.name;
-    run.results.add(name + ".tangent", tangent);
-    const auto add = [&](const std::string &what, const double value, const double second, const char *unit) {
-      Parameter s      = k;
-      s.value          = value;
-      s.unit           = unit;
-      s.error_estimate = std::abs(second / value - 1);
-      s.checks         = {
-                  {law_name(by_the_other_law(bearing)), second, "another law of one roller"}
-      };
-      run.results.add(name + "." + what, s);
-    };
-    add("secant", at.secant, other.secant, "N/m");
-    add("roller_secant", at.roller_secant, other.roller_secant, "N/m");
-    for (Eigen::Index r = 0; r < at.row_share.size(); ++r)
-      add("row" + std::to_string(r + 1) + "_share", at.row_share[r], other.row_share[r], "1");
-    if (i < 2) {
-      write_curves(run, bearing, at);
-      if (std::isnan(p.roll->bearing_load))
-        run.assume(std::string(p.section) + ".bearing_load is not given: " +
-                   (i == 0 ? "half the rolling force, shared by two bearings"
-                           : "a twentieth of the rolling force on each bearing, for balance and bending"));
+    return q;
+  };
+  for (const Seat &seat : seats)
+    for (const double F : forces) {
+      double &bound = largest[seat.roll->bearing];
+      bound         = std::max(bound, largest_roller_load(question(seat, load_of(stand, seat, F).value, true)));
+    }
+  for (const auto &[name, bound] : largest)
+    parts[name] = bearing_parts(run, bearing_of(stand.bearings, name), bound);
+  std::vector<StandBearings> out(forces.size());
+  for (std::size_t p = 0; p < forces.size(); ++p) {
+    std::map<std::string, BearingStudy> done;  // same bearing, same load
+    for (std::size_t i = 0; i < seats.size(); ++i) {
+      const Seat &seat    = seats[i];
+      const SeatLoad load = load_of(stand, seat, forces[p]);
+      const auto key      = seat.roll->bearing + fmt::format(" {} {}", load.value, seat.backup);
+      if (!done.count(key))
+        done[key] = study_bearing(run, parts.at(seat.roll->bearing), question(seat, load.value, p == 0));
+      const BearingStudy &study = done.at(key);
+      auto inputs               = bearing_inputs(study.question.bearing);
+      inputs.insert(inputs.begin(),
+                    {std::string(seat.section) + ".bearing", std::string(seat.section) + ".bearing_load"});
+      out[p].Kzc[i] = tangent_of(study, inputs);
+      if (i == 0) {
+        out[p].K_Zy        = out[p].Kzc[0];
+        out[p].K_Zy.value  = 2 * out[p].Kzc[0].value;
+        out[p].K_Zy.method = out[p].Kzc[0].method + ", two bearings";
+        for (Check &check : out[p].K_Zy.checks)
+          check.value *= 2;
+      }
+      if (p == 0)
+        report_seat(run, seat, load, study, inputs);
     }
   }
   return out;

@@ -2,6 +2,7 @@
 #include "app/run_context.h"
 #include "core/stand.h"
 #include <array>
+#include <vector>
 
 namespace mill {
 /// Radial stiffness of the roll-neck bearings at one working load.
@@ -11,7 +12,12 @@ struct StandBearings {
   Parameter K_Zy;  ///< N/m, both bearings of one backup roll, tangent
 };
 
-/// Solves the bearings of the stand at the loads that a rolling force puts on them.
-/// @param write  true: add Kzc1..4.* to the results and write curves/bearing-*.csv
-StandBearings solve_bearings(RunContext &run, const FourHigh &stand, double rolling_force, bool write);
+/// Solves the bearings of the stand at the loads that each rolling force puts on them; for the first one Kzc1..4.*
+/// go into the results and curves/bearing-*.csv are written.
+/// @param rolling_forces  N, one per pass
+std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand,
+                                          const std::vector<double> &rolling_forces);
+
+/// The same for kind = "bearing": Kzc.*, curves, and the motion of a mass on the bearing when one is given.
+void solve_bearing_case(RunContext &run, const BearingCase &spec);
 }  // namespace mill

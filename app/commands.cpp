@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/bearing_model.h"
 #include "app/console.h"
 #include "app/pipeline.h"
 #include "app/verify_command.h"
@@ -83,6 +84,13 @@ std::vector<std::pair<std::string, double>> expected_stages(const Case &c)
         {"condensation", 3},
         {"contact line", 1}
     };
+  if (std::holds_alternative<BearingCase>(c.spec))
+    return {
+        {"roller",                                                3 },
+        {"roller",                                                10},
+        {"rings",                                                 20},
+        {"bearing " + std::get<BearingCase>(c.spec).load.bearing, 4 }
+    };
   return {
       {"passes", 1}
   };
@@ -126,8 +134,10 @@ Goal goal_of(const std::string &verb)
 void require_fitting(const std::string &verb, const Case &the_case)
 {
   const bool cylinders = std::holds_alternative<TwoCylinders>(the_case.spec);
+  const bool bearing   = std::holds_alternative<BearingCase>(the_case.spec);
   const bool lumped    = std::holds_alternative<Lumped>(the_case.spec);
-  if ((cylinders && verb != "run" && verb != "stiffness") || (lumped && (verb == "stiffness" || verb == "masses")))
+  if (((cylinders || bearing) && verb != "run" && verb != "stiffness") ||
+      (lumped && (verb == "stiffness" || verb == "masses")))
     throw InputError("millstand " + verb + " has nothing to compute for kind = \"" + the_case.kind + "\" (" +
                      the_case.path + "); use millstand run");
 }
@@ -136,6 +146,7 @@ int run_chain(const CommandLine &command)
 {
   const Case the_case = read_case(command.target, command.sets);
   check_file_names(the_case);
+  check_fits(the_case);
   require_fitting(command.verb, the_case);
   const OutputDir out(command.output.empty() ? "out/" + the_case.name : command.output, the_case,
                       command.force_overwrite);
@@ -213,6 +224,7 @@ int carry_out(const CommandLine &command)
   if (command.verb == "check") {
     const Case the_case = read_case(command.target, command.sets);
     check_file_names(the_case);
+    check_fits(the_case);
     fmt::print("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, the_case.title);
     return 0;
   }

@@ -69,11 +69,12 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
                       "accelerations to the second",
                       stand.passes[p].name, in_kN(loads[p]), in_kN(forces[p].force.mean())));
   }
-  const auto contacts = solve_contacts(run, stand, loads);
+  const auto contacts     = solve_contacts(run, stand, loads);
+  const auto all_bearings = solve_bearings(run, stand, loads);
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
     const Pass &pass    = stand.passes[p];
     const bool first    = p == 0;
-    const auto bearings = solve_bearings(run, stand, loads[p], first);
+    const auto &bearings = all_bearings[p];
     const Parameter K4  = solve_bite_stiffness(run, stand, pass, loads[p], first);
     reduce::ChainInputs in;
     in.K3         = contacts.at("upper").tangent[p];
@@ -137,6 +138,8 @@ void run_stages(RunContext &run, const Goal goal, const std::string &force_file)
     run_four_high(run, *stand, goal, force_file);
   else if (const auto *lumped = std::get_if<Lumped>(&run.the_case.spec))
     run_lumped(run, *lumped, goal, force_file);
+  else if (const auto *bearing = std::get_if<BearingCase>(&run.the_case.spec))
+    solve_bearing_case(run, *bearing);
   else
     solve_cylinders(run, std::get<TwoCylinders>(run.the_case.spec));
 }

@@ -1,4 +1,5 @@
 #include "bearing/rigid_rings.h"
+#include "bearing/clearance.h"
 #include "bearing/geometry.h"
 #include "bearing/roller_law.h"
 #include <cmath>
@@ -10,7 +11,7 @@ namespace {
 struct RigidRings {
   RollerLaw law;
   double cosine;             ///< of the cup contact angle
-  double half_clearance;     ///< m, radial
+  double half_clearance;     ///< m, radial; negative with interference or preload
   double tilt;               ///< rad
   Eigen::VectorXd position;  ///< (rows) m
   Eigen::VectorXd azimuth;   ///< (rollers) rad
@@ -20,8 +21,9 @@ struct RigidRings {
 RigidRings rigid_rings(const RollerBearing &b, const double tilt)
 {
   require_closed_apex(b);
-  RigidRings rings{roller_law(b), std::cos(b.cup_angle), b.radial_clearance / 2,
-                   tilt,          row_positions(b),      roller_azimuths(b),
+  const RollerLaw law = roller_law(b);
+  const double cosine = std::cos(b.cup_angle);
+  RigidRings rings{law,      cosine, -approach_offset(b, law) / cosine, tilt, row_positions(b), roller_azimuths(b),
                    tilt == 0};
   if (!rings.rows_equal && !rings.position.allFinite())
     throw InputError("bearing." + b.name +
@@ -80,8 +82,7 @@ RadialForce bearing_force(const RigidRings &rings, const double displacement)
 /// A displacement at which the bearing carries more than `load`: clearance and profile taken up, then doubled.
 double beyond(const RigidRings &rings, const double load)
 {
-  const double whole  = rings.law.lamina_constant * double(rings.law.position.size());
-  double displacement = std::abs(rings.half_clearance) + std::pow(load / whole, 0.9) / rings.cosine;
+  double displacement = std::abs(rings.half_clearance) + roller_approach(rings.law, load) / rings.cosine;
   for (int i = 0; i < 100; ++i, displacement *= 2)
     if (bearing_force(rings, displacement).force > load)
       return displacement;
@@ -148,8 +149,8 @@ void require_load(const RollerBearing &b, const double load)
     return;
   std::ostringstream text;
   text << "bearing." << b.name << ": radial load " << load / 1e3 << " kN; ";
-  if (b.radial_clearance > 0)
-    text << "with a clearance of " << b.radial_clearance * 1e6
+  if (diametral_clearance(b) > 0 && preloaded_roller(b) == 0)
+    text << "with a clearance of " << diametral_clearance(b) * 1e6
          << " um no roller is loaded without load, so there is no stiffness";
   else
     text << "the stiffness of rollers grows with load from zero, so a positive load is needed";

@@ -1,74 +1,71 @@
 #include "bearing/roller_law.h"
 #include "bearing/geometry.h"
+#include "bearing/roller_profile.h"
 #include <algorithm>
 #include <cmath>
 
 namespace mill::bearing {
 namespace {
+using Eigen::VectorXd;
+
 constexpr double exponent = 10.0 / 9;
-// Bearing steel.  The empirical laws hold for it only, so it is a constant of this file and no input.
-constexpr double E_steel = 206e9, nu_steel = 0.3;
-constexpr double E_plane = E_steel / (2 * (1 - nu_steel * nu_steel));
-// Contact pressure for which the "log" profile gives an even pressure along the roller.
-constexpr double design_pressure = 2e9;
 
-/// Radius of the roller against a raceway; the inner one is convex, the outer one concave.
-double effective_radius(const RollerBearing &b, const bool inner)
+/// Slices and profile, no law yet.
+RollerLaw sliced_roller(const RollerBearing &b)
 {
-  const double D_race = pitch_diameter(b) + (inner ? -b.roller_diameter : b.roller_diameter);
-  return 1 / (2 / b.roller_diameter + (inner ? 2 : -2) / D_race);
+  if (b.slices < 1)
+    throw InputError("bearing." + b.name + ": slices must be at least 1");
+  const int n = b.slices;
+  RollerLaw law;
+  law.slice_length = b.roller_length / n;
+  law.position     = law.slice_length * VectorXd::LinSpaced(n, -(n - 1) / 2.0, (n - 1) / 2.0);
+  law.drop         = 2 * profile_drop(b, law.position);  // once on each raceway
+  return law;
 }
 
-/// Drop of one contact at distance x from the middle of the roller, m.
-double iso_drop(const RollerBearing &b, const double x)
+/// (5.9) and (5.10) for both contacts, per line load, m/(N/m).
+double plane_flexibility(const RollerBearing &b, const double line_load, const RingWalls &depth)
 {
-  const double D = b.roller_diameter, L = b.roller_length;
-  const auto curve = [](double u) { return -std::log(1 - u * u); };
-  if (b.type.find("tapered") != std::string::npos)
-    return 0.00045 * D * curve(2 * x / L);  // (5.6a)
-  if (L <= 2.5 * D)
-    return 0.00035 * D * curve(2 * x / L);  // (5.6b)
-  const double flat = L - 2.5 * D;          // long rollers: cylindrical in the middle, (5.6c)
-  return 0.0005 * D * curve(std::max(0.0, 2 * std::abs(x) - flat) / (2.5 * D));
+  const double load = line_load * b.roller_length;
+  return (elastic_roller(b, load, depth.inner).approach + elastic_roller(b, load, depth.outer).approach) /
+         (2 * line_load);  // each call counts both contacts at one depth, and depth enters by its logarithm
 }
 
-/// Johns-Gohar drop for the line load that gives the design pressure on the inner raceway, (5.7).
-double log_drop(const RollerBearing &b, const double x)
+/// Newton inside a bracket: the load never falls with the approach.
+double bracketed_approach(const RollerLaw &law, const double load)
 {
-  const double R = effective_radius(b, true), L = b.roller_length;
-  const double q          = M_PI * R * design_pressure * design_pressure / E_plane;  // p0 = sqrt(q E'/(pi R))
-  const double half_width = 2 * q / (M_PI * design_pressure);
-  const double u          = 2 * x / L;
-  return q / (M_PI * E_plane) * -std::log(1 - (1 - 0.3033 * 2 * half_width / L) * u * u);
-}
-
-double crown_drop(const RollerBearing &b, const double x)
-{
-  return b.crown_drop * std::pow(2 * x / b.roller_length, 2);  // (5.8): circle of large radius
-}
-
-double drop(const RollerBearing &b, const double x)
-{
-  if (b.profile == "none")
-    return 0;
-  if (b.profile == "crown") {
-    if (!std::isfinite(b.crown_drop))
-      throw InputError(
-          "bearing." + b.name +
-          ": profile = \"crown\" needs crown_drop, the drop at the roller end, for example \"20 um\"");
-    return crown_drop(b, x);
+  double low = 0, high = 1e-6;
+  while (roller_load(law, high, 0).load < load) {
+    low = high;
+    high *= 2;
   }
-  if (b.profile != "iso" && b.profile != "log")
-    throw InputError("bearing." + b.name + ": profile \"" + b.profile +
-                     "\" is not known; none, iso, log or crown");
-  if (!std::isfinite(b.roller_diameter))
-    throw InputError("bearing." + b.name + ": profile = \"" + b.profile + "\" needs roller_diameter");
-  if (b.profile == "log" && !std::isfinite(pitch_diameter(b)))
-    throw InputError("bearing." + b.name +
-                     ": profile = \"log\" needs pitch_diameter, or bore and outside_diameter");
-  return b.profile == "iso" ? iso_drop(b, x) : log_drop(b, x);
+  double d = high;
+  for (int i = 0; i < 200; ++i) {
+    const RollerLoad at           = roller_load(law, d, 0);
+    (at.load > load ? high : low) = d;
+    double next                   = d - (at.load - load) / at.stiffness;
+    if (!(next >= low && next <= high))
+      next = (low + high) / 2;
+    if (std::abs(next - d) <= 1e-14 * high)
+      return next;
+    d = next;
+  }
+  return d;
 }
 }  // namespace
+
+RingWalls ring_walls(const RollerBearing &b)
+{
+  const double D_pw = pitch_diameter(b);
+  const RingWalls walls{(D_pw - b.roller_diameter - b.bore) / 2,
+                        (b.outside_diameter - D_pw - b.roller_diameter) / 2};
+  if (!(walls.inner > 0 && walls.outer > 0))
+    throw InputError(
+        "bearing." + b.name +
+        ": the depth behind the raceways needs bore, outside_diameter and roller_diameter that leave a "
+        "wall on both rings");
+  return walls;
+}
 
 double roller_constant(const std::string &law, const double roller_length)
 {
@@ -83,39 +80,42 @@ double roller_constant(const std::string &law, const double roller_length)
 
 RollerLaw roller_law(const RollerBearing &b)
 {
-  if (b.slices < 1)
-    throw InputError("bearing." + b.name + ": slices must be at least 1");
-  const int n = b.slices;
-  RollerLaw law;
-  law.lamina_constant = roller_constant(b.roller_law, b.roller_length) / n;
-  law.position.resize(n);
-  law.drop.resize(n);
-  for (int k = 0; k < n; ++k) {
-    law.position[k] = ((k + 0.5) / n - 0.5) * b.roller_length;
-    law.drop[k]     = 2 * drop(b, law.position[k]);  // once on each raceway
-  }
+  if (b.roller_law == "fe")
+    throw InputError("bearing." + b.name +
+                     ": roller_law = \"fe\" is computed from a mesh; here iso, palmgren or elastic");
+  if (b.roller_law == "elastic")
+    return elastic_law(b, ring_walls(b));
+  RollerLaw law       = sliced_roller(b);
+  law.lamina_constant = roller_constant(b.roller_law, b.roller_length) / b.slices;
   return law;
+}
+
+RollerLaw elastic_law(const RollerBearing &b, const RingWalls &depth)
+{
+  RollerLaw law   = sliced_roller(b);
+  const double nu = b.poisson_ratio;
+  law.kappa       = 4 * (1 - nu * nu) / (M_PI * b.youngs_modulus);
+  // Any reference gives the same law here, since (5.9) and (5.10) hold at every load; this one is a usual load.
+  law.reference_line_load = 3e5;
+  law.influence           = plane_flexibility(b, law.reference_line_load, depth) / law.slice_length *
+                  Eigen::MatrixXd::Identity(b.slices, b.slices);
+  return with_limits(law);
 }
 
 RollerLoad roller_load(const RollerLaw &law, const double approach, const double tilt)
 {
-  const double slope = std::tan(tilt);
-  RollerLoad sum{0, 0};
-  for (Eigen::Index k = 0; k < law.position.size(); ++k) {
-    const double d = approach + law.position[k] * slope - law.drop[k];  // (5.5)
-    if (d > 0) {
-      const double q = law.lamina_constant * std::pow(d, exponent);
-      sum.load += q;
-      sum.stiffness += exponent * q / d;
-    }
-  }
-  return sum;
+  const auto n        = law.position.size();
+  const VectorXd d    = (approach + std::tan(tilt) * law.position.array()).matrix();  // (5.5)
+  const SliceLoads at = slice_loads(law, d, VectorXd::Ones(n));
+  return {at.load.sum(), at.slope.sum()};
 }
 
 double roller_approach(const RollerLaw &law, const double load)
 {
   if (!(load > 0))
     throw InputError("roller: the load must be positive");
+  if (law.lamina_constant == 0)
+    return bracketed_approach(law, load);
   // Q(d) is convex and grows, so Newton from a point with Q >= load comes down to the root without leaving it.
   double d = law.drop.maxCoeff() + std::pow(load / (law.lamina_constant * double(law.drop.size())), 1 / exponent);
   for (int i = 0; i < 100; ++i) {
@@ -134,8 +134,9 @@ ElasticRoller elastic_roller(const RollerBearing &b, const double load, const do
   if (!(load > 0 && depth > 0 && D > 0 && pitch_diameter(b) > 0))
     throw InputError("bearing." + b.name +
                      ": the elastic check needs a load, a raceway depth, roller_diameter and a pitch diameter");
-  const double q = load / b.roller_length, nu = nu_steel;
-  const double A        = q * (1 - nu * nu) / (M_PI * E_steel);
+  const double q = load / b.roller_length, nu = b.poisson_ratio;
+  const double E_plane  = b.youngs_modulus / (2 * (1 - nu * nu));
+  const double A        = q * (1 - nu * nu) / (M_PI * b.youngs_modulus);
   const auto half_width = [&](bool inner) {
     return std::sqrt(4 * q * effective_radius(b, inner) / (M_PI * E_plane));
   };

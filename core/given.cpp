@@ -87,7 +87,7 @@ std::optional<GivenValue> read_one(const Row &row, const Section &given, Reading
     reading.bad.insert(key);
     return std::nullopt;
   }
-  result.parameter.unit = row.form == "kN/mm" ? "N/m" : row.form;
+  result.parameter.unit = row.form == "kN/mm" || row.form == "N/mm" ? "N/m" : row.form;
   reading.places[key]   = result.place;
   return result;
 }
@@ -149,7 +149,7 @@ GivenValues read_given(const Node &root, const std::string &name, const std::str
 {
   GivenValues values;
   const Section given = section_at(root, name, reading);
-  const auto &rows    = given_rows(kind);
+  const auto &rows    = given_rows(kind, name == "published");
   report_missing(given, rows, reading);
   refuse_unknown_keys(given, rows, {}, reading);
   reading.echo += "\n[" + name + "]\n";

@@ -110,7 +110,17 @@ std::vector<Filled> filled_sections(const std::string &kind, const std::vector<S
 {
   std::vector<Filled> all;
   for (const SectionRows &section : sections) {
-    if (section.name == "bearing") {
+    if (section.name == "bearing" && kind == "bearing") {
+      all.push_back({
+          "[bearing.trb]",
+          &section,
+          {},
+          {"bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile",
+           "chock_width", "chock_height", "chock_length", "chock_support_width"}
+      });
+    } else if (section.name == "load") {
+      all.push_back({"[load]", &section, {}, {"loads"}});
+    } else if (section.name == "bearing") {
       all.push_back({
           "[bearing.trb]",
           &section,
@@ -140,6 +150,7 @@ std::vector<Filled> filled_sections(const std::string &kind, const std::vector<S
     } else if (section.name.empty()) {
       const std::string title = kind == "two-cylinders" ? "two cylinders"
                                 : kind == "lumped"      ? "lumped model"
+                                : kind == "bearing"     ? "four-row tapered roller bearing"
                                                         : "four-high stand";
       all.push_back({
           "", &section, {{"kind", quoted(kind)}, {"title", quoted(title)}},

@@ -7,7 +7,7 @@
 namespace mill {
 namespace {
 // Kinds of the file format that later versions will read.
-const std::vector<std::string> later_kinds{"bearing", "chatter", "cluster"};
+const std::vector<std::string> later_kinds{"chatter", "cluster"};
 
 std::string listed(const std::vector<std::string> &words)
 {
@@ -74,11 +74,11 @@ Section section_at(const Node &root, const std::string &name, Reading &reading)
   return {node, name};
 }
 
-const RollerBearing &bearing_of(const FourHigh &stand, const std::string &name)
+const RollerBearing &bearing_of(const std::vector<RollerBearing> &bearings, const std::string &name)
 {
-  const auto found = std::find_if(stand.bearings.begin(), stand.bearings.end(),
+  const auto found = std::find_if(bearings.begin(), bearings.end(),
                                   [&](const RollerBearing &bearing) { return bearing.name == name; });
-  assert(found != stand.bearings.end() && "the reader has checked that every bearing a roll names exists");
+  assert(found != bearings.end() && "the reader has checked that every bearing that is named exists");
   return *found;
 }
 
@@ -105,6 +105,8 @@ Case read_case(const std::string &path, const std::vector<std::string> &sets)
     result.spec = read_four_high(root, reading);
   else if (head.kind == "lumped")
     result.spec = read_lumped(root, reading);
+  else if (head.kind == "bearing")
+    result.spec = read_bearing_case(root, reading);
   else
     result.spec = read_two_cylinders(root, reading);
   if (!reading.problems.empty())

@@ -6,10 +6,6 @@
 #include <fmt/format.h>
 
 namespace mill {
-namespace {
-constexpr double pi = 3.14159265358979323846;
-
-// Two keys that cannot both be right: the problem stands at the first, the second is shown with it.
 void contradict(Reading &reading, const std::string &key, const std::string &why,
                 const std::vector<std::string> &others)
 {
@@ -30,6 +26,7 @@ std::string degrees(const double angle)
   return fmt::format("{:.2f} deg", from_si(angle, unit("deg")));
 }
 
+namespace {
 // What work roll and backup roll have in common.
 void check_roll(const std::string &name, const Roll &roll, Reading &reading)
 {
@@ -70,51 +67,6 @@ void check_roll(const std::string &name, const Roll &roll, Reading &reading)
   if (reading.usable({key("end_chamfer_length"), key("end_chamfer_depth")}) && roll.end_chamfer_depth > 0 &&
       roll.end_chamfer_length == 0)
     contradict(reading, key("end_chamfer_depth"), "needs an end_chamfer_length over which the radius falls", {});
-}
-
-void check_bearing_name(const std::string &roll, const std::string &bearing, const FourHigh &stand,
-                        Reading &reading)
-{
-  const std::string key = roll + ".bearing";
-  if (!reading.usable({key}))
-    return;
-  std::vector<std::string> names;
-  for (const RollerBearing &known : stand.bearings)
-    names.push_back(known.name);
-  if (std::find(names.begin(), names.end(), bearing) != names.end())
-    return;
-  reading.add(reading.place(key),
-              names.empty() ? fmt::format("{}: there is no section [bearing.{}]", reading.said(key), bearing)
-                            : fmt::format("{}: there is no section [bearing.{}]{}", reading.said(key), bearing,
-                                          suggestion(bearing, names)));
-}
-
-double pitch_diameter(const RollerBearing &bearing)
-{
-  return std::isnan(bearing.pitch_diameter) ? (bearing.bore + bearing.outside_diameter) / 2
-                                            : bearing.pitch_diameter;
-}
-
-// Roller, cup and cone share one apex: sin(alpha_m) = (D_pw/D_we) tan(beta), cup angle alpha_m + beta, with beta
-// half the roller cone.  Half a degree is what catalogues and drawings are good for.
-void check_apex(const std::string &name, const RollerBearing &bearing, Reading &reading)
-{
-  const double beta      = bearing.roller_cone_angle / 2;
-  const double sine      = pitch_diameter(bearing) / bearing.roller_diameter * std::tan(beta);
-  const double tolerance = 0.5 * pi / 180;
-  const double closing   = sine <= 1 ? std::asin(sine) + beta : not_given;
-  if (!(beta > 0) || std::isnan(sine) || std::abs(bearing.cup_angle - closing) <= tolerance)
-    return;
-  const double alpha       = bearing.cup_angle - beta;
-  const auto diameter      = pitch_diameter(bearing) * std::tan(beta) / std::sin(alpha);
-  const auto cone          = 2 * std::atan(std::sin(alpha) * bearing.roller_diameter / pitch_diameter(bearing));
-  const std::string closes = std::isnan(closing) ? "no cup angle closes it"
-                                                 : fmt::format("cup_angle = \"{}\" closes it", degrees(closing));
-  contradict(reading, name + ".cup_angle",
-             fmt::format("leaves roller, cup and cone without a common apex; with a pitch diameter of {} {}, or "
-                         "roller_diameter = \"{}\", or roller_cone_angle = \"{}\"",
-                         millimetres(pitch_diameter(bearing)), closes, millimetres(diameter), degrees(cone)),
-             {name + ".roller_diameter", name + ".roller_cone_angle"});
 }
 
 void check_file(const std::string &key, const std::string &file, Reading &reading)
@@ -212,44 +164,6 @@ void check_backup_roll(const Roll &roll, Reading &reading)
                {"backup_roll.barrel_length", "backup_roll.neck_length"});
 }
 
-void check_bearing(const RollerBearing &bearing, Reading &reading)
-{
-  const std::string name = "bearing." + bearing.name;
-  const auto key         = [&](const char *k) { return name + "." + k; };
-  if (reading.usable({key("bore"), key("outside_diameter")}) && bearing.bore >= bearing.outside_diameter)
-    contradict(reading, key("bore"), "is not smaller than the outside diameter", {key("outside_diameter")});
-  if (reading.usable({key("bore"), key("outside_diameter"), key("pitch_diameter")}) &&
-      (bearing.pitch_diameter <= bearing.bore || bearing.pitch_diameter >= bearing.outside_diameter))
-    contradict(reading, key("pitch_diameter"), "is not between bore and outside diameter",
-               {key("bore"), key("outside_diameter")});
-
-  const bool sizes     = reading.usable({key("bore"), key("outside_diameter"), key("pitch_diameter"),
-                                         key("roller_diameter"), key("rollers_per_row")});
-  const double largest = pi * pitch_diameter(bearing) / bearing.rollers_per_row;
-  if (sizes && bearing.roller_diameter > largest)
-    contradict(reading, key("roller_diameter"),
-               fmt::format("makes {} rollers overlap on the pitch circle of {}; at most {} fit",
-                           bearing.rollers_per_row, millimetres(pitch_diameter(bearing)), millimetres(largest)),
-               {key("rollers_per_row")});
-
-  if (reading.usable({key("type"), key("cup_angle"), key("roller_cone_angle")})) {
-    const bool tapered = bearing.type == "four-row tapered";
-    if (tapered && bearing.cup_angle == 0)
-      contradict(reading, key("type"), "needs a cup_angle above zero", {key("cup_angle")});
-    else if (tapered && sizes)
-      check_apex(name, bearing, reading);
-    if (!tapered && (bearing.cup_angle != 0 || bearing.roller_cone_angle != 0))
-      contradict(reading, key("type"), "has neither a cup_angle nor a roller_cone_angle",
-                 {key("cup_angle"), key("roller_cone_angle")});
-  }
-  if (reading.usable({key("profile"), key("crown_drop")}) && bearing.profile == "crown" &&
-      std::isnan(bearing.crown_drop))
-    contradict(reading, key("profile"), "needs a crown_drop", {});
-  if (reading.usable({key("profile"), key("roller_diameter")}) &&
-      (bearing.profile == "iso" || bearing.profile == "log") && std::isnan(bearing.roller_diameter))
-    contradict(reading, key("profile"), "needs a roller_diameter", {});
-}
-
 void check_passes(const std::vector<Pass> &passes, Reading &reading)
 {
   for (std::size_t i = 0; i < passes.size(); ++i) {
@@ -313,8 +227,8 @@ void check_four_high(const FourHigh &stand, Reading &reading)
       stand.backup_roll.barrel_diameter < stand.work_roll.barrel_diameter)
     contradict(reading, "backup_roll.barrel_diameter", "is smaller than the work roll",
                {"work_roll.barrel_diameter"});
-  check_bearing_name("work_roll", stand.work_roll.bearing, stand, reading);
-  check_bearing_name("backup_roll", stand.backup_roll.bearing, stand, reading);
+  check_bearing_name("work_roll.bearing", stand.work_roll.bearing, stand.bearings, reading);
+  check_bearing_name("backup_roll.bearing", stand.backup_roll.bearing, stand.bearings, reading);
   check_strip(stand, reading);
   const double facing = std::min(stand.work_roll.barrel_length, stand.backup_roll.barrel_length);
   if (reading.usable({"work_roll.axial_shift", "work_roll.barrel_length", "backup_roll.barrel_length"}) &&

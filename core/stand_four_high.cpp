@@ -22,28 +22,6 @@ Roll read_backup_roll(const Node &root, Reading &reading)
   return roll;
 }
 
-std::vector<RollerBearing> read_bearings(const Node &root, Reading &reading)
-{
-  std::vector<RollerBearing> bearings;
-  const Section all = section_at(root, "bearing", reading);
-  if (!all.node)
-    return bearings;  // each roll then says that its bearing does not exist
-  for (const Node::Entry &entry : all.node->entries) {
-    if (entry.value.kind != Node::Kind::table) {
-      reading.add(entry.value.place, fmt::format("bearing.{} = {} is a value; a section [bearing.{}] is needed",
-                                                 entry.key, shown(entry.value), entry.key));
-      continue;
-    }
-    RollerBearing bearing;
-    bearing.name = entry.key;
-    read_and_echo({&entry.value, "bearing." + entry.key}, "[bearing." + key_text(entry.key) + "]", bearing_rows(),
-                  bearing, reading);
-    check_bearing(bearing, reading);
-    bearings.push_back(std::move(bearing));
-  }
-  return bearings;
-}
-
 Strip read_strip(const Node &root, Reading &reading)
 {
   Strip strip;

@@ -1,7 +1,7 @@
 #pragma once
 #include "core/stand_rows.h"
 
-// Reading of the three kinds of case, section by section.
+// Reading of the kinds of case, section by section.
 namespace mill {
 /// Section "contact.upper" below the root; its node is null when it is left out.  A value where a section is
 /// wanted becomes a problem.
@@ -16,11 +16,27 @@ GivenValues read_given(const Node &root, const std::string &name, const std::str
 FourHigh read_four_high(const Node &root, Reading &reading);
 Lumped read_lumped(const Node &root, Reading &reading);
 TwoCylinders read_two_cylinders(const Node &root, Reading &reading);
+BearingCase read_bearing_case(const Node &root, Reading &reading);
+/// All [bearing.*], completed and checked.
+std::vector<RollerBearing> read_bearings(const Node &root, Reading &reading);
+/// Fills in what follows from the rest of a bearing: a member left out of the apex condition, the law and rings that
+/// its drawing allows, sizes of the chock.  Each is noted in `filled`.
+void complete_bearing(RollerBearing &bearing, const Reading &reading);
+
+/// Two keys that cannot both be right: the problem stands at the first, the others are shown with it.
+void contradict(Reading &reading, const std::string &key, const std::string &why,
+                const std::vector<std::string> &others);
+std::string millimetres(double length);  ///< "4.5 mm"
+std::string degrees(double angle);       ///< "19.66 deg"
 
 // Checks between keys.  Each compares only values that were accepted, and names both places.
 void check_work_roll(const WorkRollInput &roll, Reading &reading);
 void check_backup_roll(const Roll &roll, Reading &reading);
 void check_bearing(const RollerBearing &bearing, Reading &reading);
+/// @param key  that names the bearing, "work_roll.bearing"
+void check_bearing_name(const std::string &key, const std::string &bearing,
+                        const std::vector<RollerBearing> &bearings, Reading &reading);
+void check_bearing_load(const BearingCase &spec, Reading &reading);
 void check_passes(const std::vector<Pass> &passes, Reading &reading);
 void check_contact(const std::string &section, const ContactSettings &contact, Reading &reading);
 /// Rolls against each other, bearings that are named, the strip, passes against strip and contacts.

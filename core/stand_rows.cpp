@@ -146,44 +146,6 @@ const std::vector<Field<Roll>> &backup_roll_rows()
   return rows;
 }
 
-const std::vector<Field<RollerBearing>> &bearing_rows()
-{
-  using T = RollerBearing;
-  static const std::vector<Field<T>> rows{
-      {"type",              &T::type,              "four-row tapered | four-row cylindrical", any,          required, "four-row tapered",
-       "decides whether the contact angles take part"                                                                                                                            },
-      {"bore",              &T::bore,              "mm",                                      {20, 2500},   absent,   "266.7 mm",         "bore of the inner ring"               },
-      {"outside_diameter",  &T::outside_diameter,  "mm",                                      {30, 3500},   absent,   "355.6 mm",         "of the outer ring"                    },
-      {"width",             &T::width,             "mm",                                      {5, 3000},    absent,   "230.188 mm",       "over all rows"                        },
-      {"pitch_diameter",
-       &T::pitch_diameter,
-       "mm",                                                                                  {20, 3000},
-       absent,                                                                                                        "311.15 mm",
-       "of the roller set at mid-roller; when absent the mean of bore and outside diameter"                                                                                      },
-      {"rows",              &T::rows,              "count",                                   {1, 8},       4,        "4",                "rows of rollers"                      },
-      {"rollers_per_row",   &T::rollers_per_row,   "count",                                   {3, 300},     required, "39",               "rollers in one row"                   },
-      {"roller_length",     &T::roller_length,     "mm",                                      {1, 1000},    required, "33.4 mm",          "effective length"                     },
-      {"roller_diameter",   &T::roller_diameter,   "mm",                                      {1, 500},     absent,   "21.5 mm",          "mean diameter"                        },
-      {"roller_cone_angle", &T::roller_cone_angle, "deg",                                     {0, 20},      0,        "2.5 deg",          "included angle of the roller"         },
-      {"cup_angle",
-       &T::cup_angle,
-       "deg",                                                                                 {0, 60},
-       0,                                                                                                             "19.66 deg",
-       "contact angle on the outer ring; it closes the apex condition with the roller and the pitch diameter"                                                                    },
-      {"radial_clearance",
-       &T::radial_clearance,
-       "mm",                                                                                  {-1, 5},
-       0,                                                                                                             "0 mm",
-       "diametral clearance in the radial plane, negative for preload"                                                                                                           },
-      {"profile",           &T::profile,           "none | iso | log | crown",                any,          "none",   "iso",              "profile of the roller"                },
-      {"crown_drop",        &T::crown_drop,        "um",                                      {0.01, 2000}, absent,   "20 um",            "drop of the roller end, profile crown"},
-      {"roller_law",        &T::roller_law,        "iso | palmgren",                          any,          "iso",    "iso",
-       "load-deflection law of one roller between two raceways"                                                                                                                  },
-      {"slices",            &T::slices,            "count",                                   {1, 1001},    41,       "41",               "laminae along one roller"             },
-  };
-  return rows;
-}
-
 const std::vector<Field<Frame>> &frame_rows()
 {
   using T = Frame;

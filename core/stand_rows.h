@@ -17,6 +17,12 @@ struct PassInput : Pass {
   std::array<double, 2> measured_peak  = {not_given, not_given};  ///< m/s2
 };
 
+/// [model] of kind = "bearing": what of the loaded bearing's model it says again.
+struct BearingModelInput {
+  std::string roller_law, rings, tilt_lever;
+  int slices = 0;
+};
+
 /// The top of every case file.
 struct CaseHead {
   int schema = 0;
@@ -28,6 +34,9 @@ const std::vector<Field<Material>> &steel_rows();
 const std::vector<Field<WorkRollInput>> &work_roll_rows();
 const std::vector<Field<Roll>> &backup_roll_rows();
 const std::vector<Field<RollerBearing>> &bearing_rows();
+const std::vector<Field<BearingLoad>> &bearing_load_rows();
+const std::vector<Field<BearingModelInput>> &bearing_model_rows();
+const std::vector<Field<BearingExcitation>> &bearing_motion_rows();
 const std::vector<Field<Frame>> &frame_rows();
 const std::vector<Field<Strip>> &strip_rows();
 const std::vector<Field<FlowStress>> &flow_stress_rows();
@@ -39,7 +48,8 @@ const std::vector<Field<TwoCylinders>> &upper_cylinder_rows();
 const std::vector<Field<TwoCylinders>> &lower_cylinder_rows();
 
 /// Rows of [given]; they share a reader of their own because a value may carry its source.
-const std::vector<Row> &given_rows(const std::string &kind);
+/// @param published  of [published], which may hold more than what could replace a computed value
+const std::vector<Row> &given_rows(const std::string &kind, bool published = false);
 
 /// One section of a kind of case, as schema, template and reference need it.
 struct SectionRows {

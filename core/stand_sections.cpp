@@ -1,8 +1,31 @@
 #include "core/stand_rows.h"
+#include <fmt/format.h>
 
 namespace mill {
 namespace {
 // Published values of the 1400 mm four-high stand, doi 10.21203/rs.3.rs-1441429/v1, are the examples of [given].
+Row stiffness_beside(const std::string &key, const char *unit, const Range &range, const char *example,
+                     const std::string &meaning)
+{
+  return {key, Kind::quantity, unit, range, absent, example, meaning};
+}
+
+void add_roller_rows(std::vector<Row> &rows)
+{
+  const char *rollers[] = {"6.78395e5 N/mm", "6.37958e5 N/mm", "6.23286e5 N/mm", "6.47685e5 N/mm"};
+  for (int i = 0; i < 4; ++i)
+    rows.push_back(stiffness_beside(fmt::format("row{}_roller", i + 1), "N/mm", {1, 1e9}, rollers[i],
+                                    fmt::format("stiffness of one roller in row {}", i + 1)));
+}
+
+std::vector<Row> made_bearing_rows()
+{
+  std::vector<Row> rows{
+      stiffness_beside("Kzc", "kN/mm", {0.001, 1e9}, "2.01e4 kN/mm", "radial stiffness of the bearing")};
+  add_roller_rows(rows);
+  return rows;
+}
+
 std::vector<Row> made_given_rows(const bool lumped)
 {
   const char *masses[]       = {"9321.943 kg", "59716.884 kg", "1888.705 kg",
@@ -80,15 +103,21 @@ std::vector<Row> made_given_rows(const bool lumped)
 }
 }  // namespace
 
-const std::vector<Row> &given_rows(const std::string &kind)
+const std::vector<Row> &given_rows(const std::string &kind, const bool published)
 {
-  static const std::vector<Row> lumped = made_given_rows(true), four_high = made_given_rows(false);
-  return kind == "lumped" ? lumped : four_high;
+  static const std::vector<Row> lumped = made_given_rows(true), four_high = made_given_rows(false),
+                                bearing      = made_bearing_rows();
+  static const std::vector<Row> beside_stand = [] {
+    auto rows = made_given_rows(false);
+    add_roller_rows(rows);
+    return rows;
+  }();
+  return kind == "lumped" ? lumped : kind == "bearing" ? bearing : published ? beside_stand : four_high;
 }
 
 const std::vector<std::string> &case_kinds()
 {
-  static const std::vector<std::string> kinds{"four-high", "lumped", "two-cylinders"};
+  static const std::vector<std::string> kinds{"four-high", "lumped", "two-cylinders", "bearing"};
   return kinds;
 }
 
@@ -101,6 +130,7 @@ std::vector<SectionRows> sections_of(const std::string &kind)
                              rows_of(dynamics_rows())};
   const SectionRows pass{"pass", Repeat::list, kind == "four-high",
                          "one pass: its rolling force and what is known of it", rows_of(pass_rows())};
+  const std::vector<Row> &published_rows = given_rows(kind, true);
   const SectionRows given{"given", Repeat::once, kind == "lumped",
                           "values that replace computed ones, each a quantity or { value, source, ... }",
                           given_rows(kind)};
@@ -114,6 +144,17 @@ std::vector<SectionRows> sections_of(const std::string &kind)
     };
   if (kind == "lumped")
     return {head, given, pass, dynamics};
+  if (kind == "bearing")
+    return {
+        head,
+        {"bearing",   Repeat::named, true,  "a roller bearing and its chock",                   rows_of(bearing_rows())      },
+        {"load",      Repeat::once,  true,  "what acts on one of them",                         rows_of(bearing_load_rows()) },
+        {"model",     Repeat::once,  false, "how that one is computed",                         rows_of(bearing_model_rows())},
+        {"dynamics",  Repeat::once,  false, "a mass that swings on the bearing's curve",
+          rows_of(bearing_motion_rows())                                                                                      },
+        {"published", Repeat::once,  false,
+          "published or measured values to stand beside the computed ones; nothing is replaced", given_rows(kind)             }
+    };
   return {
       head,
       steel,
@@ -131,7 +172,7 @@ std::vector<SectionRows> sections_of(const std::string &kind)
       dynamics,
       given,
       {"published",         Repeat::once,  false,
-        "published or measured values to stand beside the computed ones; nothing is replaced",             given_rows(kind)            }
+        "published or measured values to stand beside the computed ones; nothing is replaced",             published_rows              }
   };
 }
 }  // namespace mill

@@ -1,47 +1,12 @@
 #include "fem/condensed_roll.h"
 #include "core/errors.h"
+#include "fem/free_unknowns.h"
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace mill::fem {
 namespace {
-// Stiffness without the held unknowns, and the way back.
-struct Free {
-  SymmetricSparse K;
-  std::vector<int> place;    // of each unknown of the body in K, -1: held
-  std::vector<int> unknown;  // of each row of K
-  std::vector<int> node;     // of each row of K
-};
-
-Free free_unknowns(const ElasticBody &body, const std::vector<char> &held)
-{
-  const SymmetricSparse &A = body.unit_stiffness();
-  Free f;
-  f.place.assign(A.rows(), -1);
-  for (int i = 0; i < A.rows(); ++i)
-    if (!held[i]) {
-      f.place[i] = int(f.unknown.size());
-      f.unknown.push_back(i);
-      f.node.push_back(i / 3);
-    }
-  const int n = int(f.unknown.size());
-  std::vector<int> start(n + 1, 0), rows;
-  std::vector<double> values;
-  rows.reserve(A.nonZeros());
-  values.reserve(A.nonZeros());
-  for (int j = 0; j < n; ++j) {
-    for (SymmetricSparse::InnerIterator it(A, f.unknown[j]); it; ++it)
-      if (f.place[it.row()] >= 0) {
-        rows.push_back(f.place[it.row()]);
-        values.push_back(it.value());
-      }
-    start[j + 1] = int(rows.size());
-  }
-  f.K = Eigen::Map<SymmetricSparse>(n, n, int(rows.size()), start.data(), rows.data(), values.data());
-  return f;
-}
-
 // Bearing load over the seat: cosine-squared along the neck, so that no edge falls between nodes.
 double seat_pressure(const double z, const void *context)
 {
@@ -119,7 +84,8 @@ struct Retained {
   std::vector<int> patch_row;  // of each of the n or 3n patch unknowns among the retained, -1: held
 };
 
-Retained choose(const Free &f, const std::vector<int> &axis, const std::vector<int> &patch, const bool tractions)
+Retained choose(const FreeUnknowns &f, const std::vector<int> &axis, const std::vector<int> &patch,
+                const bool tractions)
 {
   Retained r;
   const auto keep = [&](const int node, const int direction) {
@@ -136,17 +102,6 @@ Retained choose(const Free &f, const std::vector<int> &axis, const std::vector<i
       r.patch_row.push_back(keep(node, direction));
   return r;
 }
-
-// Rows and columns of C, zero where an unknown is held; the normal counts towards the axis, against y.
-Eigen::MatrixXd block(const Eigen::MatrixXd &C, const std::vector<int> &rows, const std::vector<int> &cols)
-{
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(Eigen::Index(rows.size()), Eigen::Index(cols.size()));
-  for (std::size_t j = 0; j < cols.size(); ++j)
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      if (rows[i] >= 0 && cols[j] >= 0)
-        out(Eigen::Index(i), Eigen::Index(j)) = C(rows[i], cols[j]);
-  return out;
-}
 }  // namespace
 
 CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, const CondenseOptions &options,
@@ -160,19 +115,19 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
 
   const auto solve_parity = [&](const Parity &parity) {
     ParityFlexibility out;
-    const Free f        = free_unknowns(body, held_unknowns(body, parity, options.slab));
-    const auto axis     = parity.squeeze ? std::vector<int>() : body.axis();
-    const bool traction = options.tractions && parity.squeeze;
-    const Retained kept = choose(f, axis, patch, traction);
+    const FreeUnknowns f = free_unknowns(body.unit_stiffness(), held_unknowns(body, parity, options.slab));
+    const auto axis      = parity.squeeze ? std::vector<int>() : body.axis();
+    const bool traction  = options.tractions && parity.squeeze;
+    const Retained kept  = choose(f, axis, patch, traction);
     const CondensingFactor factor(f.K, f.node, kept.all, options.memory);
     const Eigen::MatrixXd C = inverse_from_factor(factor.schur_factor()) / body.stiffness_unit();
     roll.n_unknowns         = int(f.unknown.size());
     roll.factor_bytes       = factor.cost().bytes;
     roll.factor_flops       = factor.cost().n_flops;
     const std::vector<int> normal(kept.patch_row.begin(), kept.patch_row.begin() + n);
-    out.patch = block(C, normal, normal);
+    out.patch = rows_and_columns(C, normal, normal);
     if (traction) {
-      out.traction = block(C, kept.patch_row, kept.patch_row);
+      out.traction = rows_and_columns(C, kept.patch_row, kept.patch_row);
       out.traction.topRows(n) *= -1;
       out.traction.leftCols(n) *= -1;
     }
@@ -180,7 +135,9 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
       roll.axis_z.resize(Eigen::Index(axis.size()));
       for (std::size_t k = 0; k < axis.size(); ++k)
         roll.axis_z[Eigen::Index(k)] = body.nodes()(axis[k], 2);
-      out.axis                   = block(C, kept.axis_row, normal);
+      out.axis = rows_and_columns(C, kept.axis_row, normal);
+    }
+    if (!parity.squeeze && geometry.neck_length > 0) {
       const Eigen::VectorXd seat = body.face_load("neck", seat_pressure, &geometry);
       roll.seat_lever            = seat.dot(body.nodes().col(2)) / seat.sum();
       Eigen::VectorXd load       = Eigen::VectorXd::Zero(roll.n_unknowns);

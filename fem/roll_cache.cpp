@@ -66,6 +66,55 @@ template <class Archive> void members(Archive &a, FourierRoll &r)
   members(a, r.odd);
 }
 
+template <class Archive> void members(Archive &a, PatchGrid &grid)
+{
+  for (int *value : {&grid.n_x, &grid.n_z, &grid.degree})
+    a.count(*value);
+  for (Eigen::VectorXd *v : {&grid.x, &grid.z, &grid.area})
+    a.array(*v);
+}
+
+template <class Archive> void members(Archive &a, CondensedRoller &r)
+{
+  RollerSetup &s = r.setup;
+  for (double *value : {&s.diameter, &s.length, &s.contact_length, &s.inner_radius, &s.outer_radius,
+                        &s.inner_depth, &s.outer_depth, &s.land, &s.material.youngs_modulus,
+                        &s.material.poisson_ratio, &s.material.density, &s.largest_load, &s.finest_load,
+                        &s.elements_per_half_width, &s.end_element, &s.largest_element, &r.factor_bytes})
+    a.number(*value);
+  members(a, r.grid);
+  r.grid.whole = true;
+  for (CondensedRoller::Parities *p : {&r.squeeze, &r.translate, &r.inner, &r.outer})
+    for (Eigen::MatrixXd *m : {&p->even, &p->odd})
+      a.array(*m);
+  a.count(r.n_unknowns);
+}
+
+template <class Archive> void members(Archive &a, std::vector<Eigen::MatrixXd> &list)
+{
+  int n = int(list.size());
+  a.count(n);
+  if (n < 0 || n > 100000)
+    return a.fail();
+  list.resize(std::size_t(n));
+  for (Eigen::MatrixXd &m : list)
+    a.array(m);
+}
+
+template <class Archive> void members(Archive &a, RingResult &r)
+{
+  bearing::RingFlexibility &f = r.flexibility;
+  for (int *value : {&f.rows, &f.modes, &f.chock_harmonics, &r.n_section_unknowns, &r.n_chock_unknowns})
+    a.count(*value);
+  members(a, f.inner);
+  members(a, f.outer);
+  a.array(f.chock_cosine);
+  a.array(f.chock_sine);
+  for (double *value : {&r.error_estimate, &r.chock_difference, &r.truncated, &r.indefinite})
+    a.number(*value);
+  a.texts(r.notes);
+}
+
 struct Writer {
   std::string bytes;
   void fail() {}
@@ -81,6 +130,14 @@ struct Writer {
   {
     const double exact = value;
     raw(&exact, sizeof exact);
+  }
+  void texts(const std::vector<std::string> &list)
+  {
+    count(int(list.size()));
+    for (const std::string &text : list) {
+      count(int(text.size()));
+      raw(text.data(), text.size());
+    }
   }
   template <class Array> void array(const Array &array)
   {
@@ -115,6 +172,22 @@ struct Reader {
     double exact = 0;
     raw(&exact, sizeof exact);
     value = int(exact);
+  }
+  void texts(std::vector<std::string> &list)
+  {
+    int n = 0;
+    count(n);
+    good = good && n >= 0 && std::size_t(n) <= bytes.size();
+    list.assign(good ? std::size_t(n) : 0, "");
+    for (std::string &text : list) {
+      int length = 0;
+      count(length);
+      good = good && length >= 0 && std::size_t(length) <= bytes.size() - at;
+      if (!good)
+        return;
+      text = bytes.substr(at, std::size_t(length));
+      at += std::size_t(length);
+    }
   }
   template <class Array> void array(Array &array)
   {
@@ -179,5 +252,21 @@ std::optional<CondensedRoll> load_roll(const std::string &path, const std::strin
 std::optional<FourierRoll> load_fourier_roll(const std::string &path, const std::string &key, std::string *note)
 {
   return load<FourierRoll>(path, key, note);
+}
+void save_roller(const std::string &path, const std::string &key, const CondensedRoller &roller)
+{
+  save(path, key, roller);
+}
+void save_rings(const std::string &path, const std::string &key, const RingResult &rings)
+{
+  save(path, key, rings);
+}
+std::optional<CondensedRoller> load_roller(const std::string &path, const std::string &key, std::string *note)
+{
+  return load<CondensedRoller>(path, key, note);
+}
+std::optional<RingResult> load_rings(const std::string &path, const std::string &key, std::string *note)
+{
+  return load<RingResult>(path, key, note);
 }
 }  // namespace mill::fem

@@ -1,8 +1,8 @@
 #include "report/contact_curves.h"
 #include "report/curves.h"
-#include "report/heat_map.h"
 #include "report/names.h"
 #include "report/number.h"
+#include "report/pressure_map.h"
 #include "report/sections.h"
 #include "report/svg_plot.h"
 #include <cmath>
@@ -134,33 +134,6 @@ std::string why_in_band(const Run &run, const std::string &name)
               : "");
 }
 
-// Pressure over the patch, written station by station.
-std::string pressure_map(const Table &table, const std::string &title)
-{
-  const Eigen::VectorXd z = values_of(table, {"z", "mm"}), x = values_of(table, {"x", "mm"}),
-                        p = values_of(table, {"pressure", "MPa"});
-  Eigen::Index across     = 0;
-  while (across < z.size() && z[across] == z[0])
-    ++across;
-  if (across == 0 || z.size() % across != 0 || x.size() != z.size() || p.size() != z.size())
-    return "";
-  HeatMap map;
-  map.title                = title;
-  map.x                    = {"distance from mid-length", "mm"};
-  map.y                    = {"distance from the contact line", "mm"};
-  map.quantity             = "pressure";
-  map.unit                 = "MPa";
-  const Eigen::Index along = z.size() / across;
-  map.at_x.resize(along);
-  map.value.resize(along, across);
-  for (Eigen::Index k = 0; k < along; ++k) {
-    map.at_x[k]      = z[k * across];
-    map.value.row(k) = p.segment(k * across, across).transpose();
-  }
-  map.at_y = x.head(across);
-  return heat_map(map);
-}
-
 void one_contact(Page &page, const Run &run, const std::string &name)
 {
   const std::string path      = "curves/contact-" + name;
@@ -209,7 +182,7 @@ void one_contact(Page &page, const Run &run, const std::string &name)
     page.absent("The distribution along the barrel is", path + "-barrel.csv");
   if (const Table *map = run.table(path + "-pressure"))
     page.figure(
-        {pressure_map(*map, "Contact pressure")},
+        {pressure_map(*map, "Contact pressure", "distance from mid-length")},
         "Pressure over the contact patch, rolls held as in the stand; across, the picture is stretched several "
         "hundred times. The width shows how far the crown is closed and where an edge carries.");
 }
@@ -237,7 +210,7 @@ void contact_section(Page &page, const Run &run)
 {
   const auto contacts = names_of_curves(
       run, "contact", {"closed", "barrel", "barrel-mirrored", "barrel-second", "in-stand", "second", "pressure"});
-  if (contacts.empty() && run.manifest.kind == "lumped")
+  if (contacts.empty() && (run.manifest.kind == "lumped" || run.manifest.kind == "bearing"))
     return;
   page.section("contact", "Roll contact");
   if (contacts.empty())

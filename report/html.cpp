@@ -19,7 +19,8 @@ std::string scripts()
 
 bool has_chain(const Run &run)
 {
-  return run.manifest.kind != "two-cylinders" && (run.find("M1") || run.table("curves/modes"));
+  return run.manifest.kind != "two-cylinders" && run.manifest.kind != "bearing" &&
+         (run.find("M1") || run.table("curves/modes"));
 }
 
 std::string html_page(const Run &run)

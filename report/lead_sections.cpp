@@ -57,13 +57,45 @@ std::string tiles(const Run &run)
     for (const PassInfo &pass : run.manifest.passes)
       all += tile(pass_value(run, pass, "peak_g.upper_work_roll"), pass.name + ", peak, upper work roll") +
              tile(pass_value(run, pass, "peak_g.lower_work_roll"), pass.name + ", peak, lower work roll");
-  } else
+  } else if (run.manifest.kind == "bearing")
+    all += tile(run.find("Kzc.tangent"), "Kzc, tangent") + tile(run.find("Kzc.secant"), "Kzc, secant") +
+           tile(run.find("Kzc.tangent_across"), "Kzc, tangent across the load") +
+           tile(run.find("Kzc.roller_max"), "heaviest roller") +
+           tile(run.find("Kzc.heaviest_angle"), "its angle from the load line") +
+           tile(run.find("Kzc.motion.peak_force"), "peak force, driven mass");
+  else
     for (const char *aspect : {"tangent", "secant", "approach", "half_width", "peak_pressure"})
       all += tile(run.find(std::string("contact.line.") + aspect),
                   aspect == std::string("half_width")      ? "half width"
                   : aspect == std::string("peak_pressure") ? "peak pressure"
                                                            : aspect);
   return all.empty() ? "" : "<div class=\"tiles\">\n" + all + "</div>\n";
+}
+std::string what_is_in_short(const Run &run)
+{
+  if (has_chain(run))
+    return "What the model runs on. Stiffnesses belong to the whole stand, Kzc to one bearing; a contact counts "
+           "with "
+           "its tangent.";
+  if (run.manifest.kind == "bearing")
+    return "One bearing at its working load; tangents belong to small motions about that state.";
+  return "The contact at its working load, stiffnesses per metre of length.";
+}
+
+std::string what_is_left_out(const Run &run)
+{
+  if (has_chain(run))
+    return "Six masses show the modes of the stack and the contact modes of the work rolls. They cannot show the "
+           "rolls "
+           "rocking on their necks, chocks that move against their roll, or frame modes with several moving "
+           "points. "
+           "The chain is linear and has no feedback from the strip: it rings, but it cannot become unstable.";
+  if (run.manifest.kind == "bearing")
+    return "Raceways and rollers are elastic, smooth and dry: no friction, no oil film, no cage forces, no heat. "
+           "A "
+           "stiffness of rings and chock is that of the bodies described in the case; the housing that holds the "
+           "chock is rigid.";
+  return "The contact is elastic, smooth and free of friction; the cylinders are long, in plane strain.";
 }
 }  // namespace
 
@@ -82,10 +114,7 @@ void summary_section(Page &page, const Run &run)
   page.html(tiles(run));
   if (const auto groups = short_groups(run); !groups.empty())
     page.table(short_table(groups),
-               std::string(has_chain(run)
-                               ? "What the model runs on. Stiffnesses belong to the whole stand, Kzc to one "
-                                 "bearing; a contact counts with its tangent."
-                               : "The contact at its working load, stiffnesses per metre of length.") +
+               what_is_in_short(run) +
                    " The last column is an independent value and how far this run is from it.");
   page.paragraph("Every value with all its checks and inputs: <a href=\"#results\">All results</a>.");
 }
@@ -95,15 +124,7 @@ void limits_section(Page &page, const Run &run)
   page.section("limits", "Assumptions and limits");
   if (!run.assumptions.empty())
     page.html(list_of(run.assumptions));
-  if (has_chain(run))
-    page.paragraph("Six masses show the modes of the stack and the contact modes of the work rolls. They cannot "
-                   "show the rolls "
-                   "rocking on their necks, chocks that move against their roll, or frame modes with several "
-                   "moving points. The "
-                   "chain is linear and has no feedback from the strip: it rings, but it cannot become unstable.");
-  else
-    page.paragraph(
-        "The contact is elastic, smooth and free of friction; the cylinders are long, in plane strain.");
+  page.paragraph(what_is_left_out(run));
   if (!run.remarks.empty())
     page.html("<p>Not in this report:</p>\n" + list_of(run.remarks));
 }

@@ -24,35 +24,54 @@ const Words quantities[] = {
     {"M4",   "lower work roll"                                     },
     {"M5",   "lower backup roll with bearings, chocks"             },
     {"M6",   "lower frame, load cell"                              },
+    {"Kzc",  "the bearing at its load"                             },
     {"Kzc1", "one bearing of the upper backup roll"                },
     {"Kzc2", "one bearing of the upper work roll"                  },
     {"Kzc3", "one bearing of the lower work roll"                  },
     {"Kzc4", "one bearing of the lower backup roll"                },
 };
 const Words aspects[] = {
-    {"tangent",          "tangent dF/d\u03b4"                         },
-    {"secant",           "secant F/\u03b4"                            },
-    {"in_stand_tangent", "tangent with the rolls held as in the stand"},
-    {"in_stand_secant",  "secant with the rolls held as in the stand" },
-    {"path_plateau",     "nodal value on the contact path"            },
-    {"plastic_slope",    "plastic slope of the pass"                  },
-    {"flattening",       "elastic flattening of the rolls"            },
-    {"combined",         "plastic slope and flattening in series"     },
-    {"roller_secant",    "one roller, secant"                         },
-    {"roller_tangent",   "one roller, tangent"                        },
-    {"roller_max",       "most loaded roller"                         },
-    {"loaded_rollers",   "rollers that carry load"                    },
-    {"half_width",       "half width of the contact at mid-length"    },
-    {"peak_pressure",    "largest contact pressure at mid-length"     },
-    {"approach",         "approach of the two roll axes"              },
-    {"line_load",        "load per length"                            },
-    {"force",            "roll force of the slab model"               },
-    {"friction",         "friction in the bite"                       },
-    {"flattened_radius", "radius of the flattened roll"               },
-    {"peak_g",           "largest acceleration"                       },
-    {"rms_g",            "rms acceleration"                           },
-    {"upper_work_roll",  "upper work roll"                            },
-    {"lower_work_roll",  "lower work roll"                            },
+    {"tangent",                "tangent dF/d\u03b4"                                      },
+    {"secant",                 "secant F/\u03b4"                                         },
+    {"tangent_across",         "tangent across the load"                                 },
+    {"axial",                  "axial tangent, other motions held"                       },
+    {"tilting",                "tangent against tilt in the plane of the load"           },
+    {"tilt",                   "tangent against tilt in the plane of the load"           },
+    {"displacement",           "displacement of the inner ring"                          },
+    {"heaviest_angle",         "angle of the heaviest roller from the load line"         },
+    {"rib_max",                "largest force on the rib"                                },
+    {"rollers_times_Z5",       "sum of one roller per row, times Z/5"                    },
+    {"rollers_times_stribeck", "sum of one roller per row, times Z cos\u00b2\u03b1/4.085"},
+    {"load_that_fits_tangent", "load at which the tangent takes the published value"     },
+    {"load_that_fits_secant",  "load at which the secant takes the published value"      },
+    {"motion",                 "a mass on it"                                            },
+    {"frequency",              "natural frequency along the load"                        },
+    {"frequency_across",       "natural frequency across the load"                       },
+    {"peak_acceleration",      "largest acceleration"                                    },
+    {"peak_force",             "largest force of the bearing"                            },
+    {"without_contact",        "share of the time without contact"                       },
+    {"spectrum_peak",          "highest line of the spectrum"                            },
+    {"in_stand_tangent",       "tangent with the rolls held as in the stand"             },
+    {"in_stand_secant",        "secant with the rolls held as in the stand"              },
+    {"path_plateau",           "nodal value on the contact path"                         },
+    {"plastic_slope",          "plastic slope of the pass"                               },
+    {"flattening",             "elastic flattening of the rolls"                         },
+    {"combined",               "plastic slope and flattening in series"                  },
+    {"roller_secant",          "one roller, secant"                                      },
+    {"roller_tangent",         "one roller, tangent"                                     },
+    {"roller_max",             "most loaded roller"                                      },
+    {"loaded_rollers",         "rollers that carry load"                                 },
+    {"half_width",             "half width of the contact at mid-length"                 },
+    {"peak_pressure",          "largest contact pressure at mid-length"                  },
+    {"approach",               "approach of the two roll axes"                           },
+    {"line_load",              "load per length"                                         },
+    {"force",                  "roll force of the slab model"                            },
+    {"friction",               "friction in the bite"                                    },
+    {"flattened_radius",       "radius of the flattened roll"                            },
+    {"peak_g",                 "largest acceleration"                                    },
+    {"rms_g",                  "rms acceleration"                                        },
+    {"upper_work_roll",        "upper work roll"                                         },
+    {"lower_work_roll",        "lower work roll"                                         },
 };
 
 std::vector<std::string> parts_of(const std::string &name)
@@ -76,6 +95,8 @@ std::string words_of(const std::string &part)
       return words.meaning;
   if (part.size() == 10 && part.substr(0, 3) == "row" && part.substr(4) == "_share")
     return std::string("share of row ") + part[3];
+  if (part.size() == 10 && part.substr(0, 3) == "row" && part.substr(4) == "_axial")
+    return std::string("axial force of row ") + part[3];
   return "";
 }
 
@@ -126,6 +147,8 @@ const Result *chain_value(const Run &run, const std::string &name)
 
 std::vector<Group> short_groups(const Run &run)
 {
+  if (run.manifest.kind == "bearing")
+    return bearing_groups(run);
   Group contact{"Contact", {}}, stiffness{"Stiffness", {}}, mass{"Equivalent mass", {}},
       frequency{"Natural frequency", {}};
   if (run.manifest.kind == "two-cylinders" || !chain_value(run, "K1"))

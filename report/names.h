@@ -20,6 +20,10 @@ struct Group {
 /// The numbers of the short table, in the order of the load path; empty groups are left out.
 std::vector<Group> short_groups(const Run &run);
 
+/// The results of one bearing, "Kzc.*", by what they are about: stiffness, rows, rollers, motion.  Empty groups
+/// are left out; a name nobody foresaw is a stiffness.
+std::vector<Group> bearing_groups(const Run &run);
+
 /// "upper" -> "upper contact (K3)".
 std::string contact_title(const std::string &contact);
 

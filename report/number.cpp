@@ -49,12 +49,14 @@ struct Conversion {
   const char *shown;
 };
 const Conversion conversions[] = {
-    {"N/m",   1e-6,                 "kN/mm"      },
-    {"N/m2",  1e-6,                 "kN/mm per m"},
-    {"N s/m", 1e-3,                 "kN s/m"     },
-    {"N",     1e-3,                 "kN"         },
-    {"Pa",    1e-6,                 "MPa"        },
-    {"m/s2",  1 / standard_gravity, "g"          },
+    {"N/m",     1e-6,                 "kN/mm"      },
+    {"N/m2",    1e-6,                 "kN/mm per m"},
+    {"N s/m",   1e-3,                 "kN s/m"     },
+    {"N",       1e-3,                 "kN"         },
+    {"N m",     1e-3,                 "kN m"       },
+    {"N m/rad", 1e-6,                 "kN m/mrad"  },
+    {"Pa",      1e-6,                 "MPa"        },
+    {"m/s2",    1 / standard_gravity, "g"          },
 };
 }  // namespace
 
@@ -120,6 +122,9 @@ Shown engineering(const double value, const std::string &si_unit)
       return {value * 1e6, "\u00b5m"};
     return std::abs(value) < 10 ? Shown{value * 1e3, "mm"} : Shown{value, "m"};
   }
+  if (si_unit == "rad")  // tilts are small, places round a ring are not
+    return std::abs(value) < 0.02 && value != 0 ? Shown{value * 1e3, "mrad"}
+                                                : Shown{value * 57.295779513082321, "\u00b0"};
   return {value, unit_sign(si_unit)};
 }
 

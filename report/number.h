@@ -27,7 +27,8 @@ struct Shown {
   std::string unit;  ///< "" for a pure number
 };
 
-/// From SI to the unit of the mill floor: N/m -> kN/mm, Pa -> MPa, N -> kN, m -> mm or um, m/s2 -> g.
+/// From SI to the unit of the mill floor: N/m -> kN/mm, Pa -> MPa, N -> kN, m -> mm or um, m/s2 -> g,
+/// rad -> degrees or mrad.
 /// Units that are not in the table stay as they are.
 Shown engineering(double value, const std::string &si_unit);
 

@@ -107,6 +107,16 @@ void read_results(const std::string &path, Run &run)
   }
 }
 
+BearingInfo bearing_of(const Json &json)
+{
+  BearingInfo bearing;
+  for (const auto &[key, value] : json.items())
+    if (value.is_number())
+      bearing.size[key] = value.get<double>();
+  bearing.hands = text_at(json, "row_hands");
+  return bearing;
+}
+
 Manifest manifest_of(const Json &json)
 {
   Manifest m;
@@ -129,6 +139,9 @@ Manifest manifest_of(const Json &json)
   for (const auto &[name, length] : geometry.items())
     if (length.is_number())
       m.geometry[name] = length.get<double>();
+  const Json bearings = object_at(json, "bearings");
+  for (const auto &[name, bearing] : bearings.items())
+    m.bearings[name] = bearing_of(bearing);
   for (const Json &pass : list_at(json, "passes"))
     m.passes.push_back({text_at(pass, "name"), text_at(pass, "slug"), number_at(pass, "load"),
                         flag_at(pass, "synthetic"), text_at(pass, "force_meaning")});
@@ -189,6 +202,18 @@ const Table *Run::table(const std::string &path) const
 {
   const auto found = tables.find(path);
   return found == tables.end() ? nullptr : &found->second;
+}
+
+double BearingInfo::operator()(const std::string &key) const
+{
+  const auto found = size.find(key);
+  return found == size.end() ? not_stored : found->second;
+}
+
+BearingInfo Run::bearing(const std::string &name) const
+{
+  const auto found = manifest.bearings.find(name);
+  return found == manifest.bearings.end() ? BearingInfo{} : found->second;
 }
 
 Run read_run(const std::string &directory)

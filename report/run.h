@@ -33,6 +33,14 @@ struct Timing {
   bool cached;     ///< taken over from an earlier run
 };
 
+/// A bearing of the case, as far as the run stored it.
+struct BearingInfo {
+  std::map<std::string, double> size;  ///< m, rad or a count, by the keys of the case: "bore", "cup_angle", "rows"
+  std::string hands;                   ///< "+-+-", axial direction in which each row carries
+
+  double operator()(const std::string &key) const;  ///< NaN when not stored
+};
+
 /// run.json: who, when, with what.
 struct Manifest {
   std::string program, version, case_path, kind, title, run_id, date, hostname, blas;
@@ -40,7 +48,8 @@ struct Manifest {
   double peak_memory = 0;  ///< byte; 0: not stored
   std::vector<std::pair<std::string, std::string>> versions;
   std::vector<Timing> timings;
-  std::map<std::string, double> geometry;  ///< m, "work_roll_diameter", ...
+  std::map<std::string, double> geometry;       ///< m, "work_roll_diameter", ...
+  std::map<std::string, BearingInfo> bearings;  ///< by name
   std::vector<PassInfo> passes;
 };
 
@@ -54,8 +63,9 @@ struct Run {
   std::map<std::string, Table> tables;  ///< by path in the run directory without ending: "curves/modes"
   std::vector<std::string> remarks;     ///< what is missing or could not be read, one sentence each
 
-  const Result *find(const std::string &name) const;  ///< nullptr when absent
-  const Table *table(const std::string &path) const;  ///< nullptr when absent
+  const Result *find(const std::string &name) const;   ///< nullptr when absent
+  const Table *table(const std::string &path) const;   ///< nullptr when absent
+  BearingInfo bearing(const std::string &name) const;  ///< without entries when not stored
 };
 
 /// Reads results.json, run.json and every table in curves/ and response/.  Without run.json, or with a table that

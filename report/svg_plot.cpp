@@ -136,8 +136,8 @@ std::string description_of(const Plot &plot)
 
 const char *class_of(const Pen pen)
 {
-  static const char *const classes[] = {"dark", "warm",    "dashed",      "dotted",
-                                        "pale", "chained", "warm-dashed", "dark-dashed"};
+  static const char *const classes[] = {"dark",    "warm",        "dashed",      "dotted",     "pale",
+                                        "chained", "warm-dashed", "dark-dashed", "pale-dashed"};
   return classes[int(pen)];
 }
 

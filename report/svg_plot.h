@@ -18,7 +18,7 @@ struct Axis {
 };
 
 /// How a line is drawn.  Pens differ in lightness and dash, so that they stay apart on a grey print.
-enum class Pen { dark, warm, dashed, dotted, pale, chained, warm_dashed, dark_dashed };
+enum class Pen { dark, warm, dashed, dotted, pale, chained, warm_dashed, dark_dashed, pale_dashed };
 
 /// One curve; x increasing where it has many points (they are drawn as an envelope).
 struct Line {

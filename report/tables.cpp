@@ -14,7 +14,7 @@ bool contains(std::string text, const std::string &word)
 
 bool is_share(const Result &result)
 {
-  return result.unit == "1" && contains(result.name, "share");
+  return result.unit == "1" && (contains(result.name, "share") || contains(result.name, "without_contact"));
 }
 
 // Five digits; six where they stand before the point, as in published tables of stiffnesses.

@@ -1,8 +1,306 @@
+#include "bearing/ring_sections.h"
+#include "fem/chock_flexibility.h"
+#include "fem/harmonic_body.h"
+#include "fem/ring_flexibility.h"
+#include "meshes/bearing_rings.h"
+#include "meshes/block.h"
+#include "meshes/chock.h"
+#include "verify/annulus.h"
+#include "verify/meshed.h"
 #include "verify/verification.h"
+#include <cmath>
+#include <filesystem>
+#include <unistd.h>
 
 namespace mill::verify {
+namespace {
+constexpr double mm = 1e-3, degree = M_PI / 180;
+const Material steel{206e9, 0.3, 7850};
+
+// The four-row bearing of the demo stand and a chock around it.
+RollerBearing mill_bearing(const std::string &chock)
+{
+  RollerBearing b;
+  b.name                = "mill";
+  b.type                = "four-row tapered";
+  b.bore                = 266.7 * mm;
+  b.outside_diameter    = 355.6 * mm;
+  b.width               = 230.188 * mm;
+  b.rollers_per_row     = 39;
+  b.roller_length       = 33.4 * mm;
+  b.roller_diameter     = 21.5 * mm;
+  b.roller_cone_angle   = 2.5 * degree;
+  b.cup_angle           = 19.66 * degree;
+  b.chock               = chock;
+  b.chock_width         = 600 * mm;
+  b.chock_height        = 560 * mm;
+  b.chock_length        = 260 * mm;
+  b.chock_support_width = 300 * mm;
+  return b;
+}
+
+// Meshes of one bearing in the scratch folder, removed at the end of the scope.
+struct ScratchRings {
+  ScratchRings(const RingSections &sections, const meshes::RingMeshSize &size, const std::string &name)
+      : meshes(meshes::mesh_rings(sections, size, std::filesystem::temp_directory_path().string(),
+                                  "millstand-verify-" + std::to_string(::getpid()) + "-" + name))
+  {
+  }
+  ~ScratchRings()
+  {
+    meshes::remove_meshes(meshes);
+  }
+  ScratchRings(const ScratchRings &) = delete;
+  RingMeshes meshes;
+};
+
+// ---- ring-harmonics, ring-on-rigid-back -----------------------------------------------------------------------
+
+std::vector<Check> ring_harmonics()
+{
+  std::vector<Check> checks;
+  const Annulus thick{100 * mm, 150 * mm, false};
+  const AnnulusByElements by_elements(thick, steel, 24);
+  for (const int m : {0, 2, 3, 8, 20})
+    checks.push_back(relative("inner displacement, harmonic " + std::to_string(m), "nm/MPa",
+                              1e15 * by_elements.displacement(m), 1e15 * inner_displacement(thick, m, steel),
+                              1e-5));
+  // A ring bent without stretching: p R^4 / (E' I (m^2 - 1)^2), its pressure taken at the mean radius.
+  const Annulus thin{99 * mm, 101 * mm, false};
+  const double R = 100 * mm, t = 2 * mm, E = steel.youngs_modulus / (1 - std::pow(steel.poisson_ratio, 2));
+  const double bent = thin.a / R * std::pow(R, 4) / (E * std::pow(t, 3) / 12 * 9);
+  checks.push_back(relative("thin ring, harmonic 2", "um/MPa",
+                            1e12 * AnnulusByElements(thin, steel, 4).displacement(2), 1e12 * bent, 2e-2));
+  return checks;
+}
+
+std::vector<Check> ring_on_rigid_back()
+{
+  std::vector<Check> checks;
+  const Annulus cup{165.8 * mm, 178.6 * mm, true};
+  const AnnulusByElements by_elements(cup, steel, 10);
+  for (const int m : {0, 2, 10, 40})
+    checks.push_back(relative("inner displacement, harmonic " + std::to_string(m), "nm/MPa",
+                              1e15 * by_elements.displacement(m), 1e15 * inner_displacement(cup, m, steel), 1e-4));
+  const int m         = 150;
+  const double half   = 2 * (1 - std::pow(steel.poisson_ratio, 2)) / steel.youngs_modulus * cup.a / m;
+  const double answer = by_elements.displacement(m);
+  checks.push_back(relative("harmonic 150 against the half space", "nm/MPa", 1e15 * answer, 1e15 * half, 1e-2));
+
+  const RingSections sections = bearing::ring_sections(mill_bearing("round"));
+  const ScratchRings scratch(sections, {1, 1}, "decay");
+  fem::RingOptions options;
+  options.last_harmonic = 60;
+  const auto rings      = fem::ring_flexibility(sections, scratch.meshes, nullptr, options).flexibility;
+  for (const auto *side : {&rings.inner, &rings.outer}) {
+    double sum = 0;
+    for (const Eigen::MatrixXd &harmonic : *side)
+      sum += harmonic(0, 0);
+    const std::string name = side == &rings.inner ? "cone on neck" : "cup in housing";
+    checks.push_back(at_most(name + ": harmonic 60 less rigid back, of the sum", "-",
+                             std::abs(side->back()(0, 0)) / sum, 1e-4));
+  }
+  return checks;
+}
+
+// ---- neck-inertia-relief --------------------------------------------------------------------------------------
+
+std::vector<Check> neck_inertia_relief()
+{
+  // A plain solid cylinder under a line load over its whole length: the cone without its raceways.
+  const double radius = 130 * mm, length = 200 * mm;
+  const ScratchFile file("neck");
+  meshes::BlockGrid grid;
+  grid.x              = meshes::even_lines(0, radius, 3);
+  grid.y              = meshes::even_lines(-0.5 * length, 0.5 * length, 4);
+  MeshFile mesh       = meshes::mesh_block(grid, file.path);
+  const int axis      = mesh.groups.at("left");
+  mesh.groups["axis"] = axis;
+  const fem::SectionBody body(mesh, steel, 2, fem::Section::axisymmetric);
+  const fem::HarmonicBody neck(body);
+  RacewayLine line;
+  line.middle                = {radius, 0};
+  line.normal                = {1, 0};
+  line.along                 = {0, 1};
+  const Eigen::MatrixXd load = fem::raceway_loads(body, "right", line, length, 3, -1);
+  const Eigen::MatrixXd even = neck.flexibility(0, load), across = neck.flexibility(1, load);
+  const double closed = (1 - steel.poisson_ratio) / (2 * M_PI * steel.youngs_modulus * length);
+
+  // Body forces along the rigid motions balance themselves; between them and the load nothing may pass either.
+  double rigid = 0;
+  for (const int m : {0, 1}) {
+    const Eigen::MatrixXd R = neck.rigid_motions(m);
+    Eigen::MatrixXd loads(R.rows(), R.cols() + 1);
+    loads << R, load.col(0);
+    for (Eigen::Index n = 0; n < neck.volumes().size(); ++n)
+      loads.block(3 * n, 0, 3, R.cols()) *= neck.volumes()[n] / body.measure();
+    for (Eigen::Index k = 1; k < R.cols(); ++k)
+      loads.col(k) /= radius;
+    const Eigen::MatrixXd C = neck.flexibility(m, loads);
+    rigid = std::max(rigid, C.topRows(R.cols()).cwiseAbs().maxCoeff() / C(C.rows() - 1, C.cols() - 1));
+  }
+  return {relative("even load all around", "nm/kN", 1e12 * even(0, 0), 1e12 * closed, 1e-9),
+          relative("load across, cos(theta)", "nm/kN", 1e12 * across(0, 0), 1e12 * closed, 1e-9),
+          at_most("response to rigid body forces / to the load", "-", rigid, 1e-9),
+          at_most("even load tilts the neck / moves it", "-", std::abs(across(0, 1)) / across(0, 0), 1e-9)};
+}
+
+// ---- chock-round ----------------------------------------------------------------------------------------------
+
+std::vector<Check> chock_round()
+{
+  const RingSections sections = bearing::ring_sections(mill_bearing("round"));
+  const RingSection &cup      = sections.cup;
+  const int n = 8, modes = 3, size = 4 * modes;
+  const ScratchRings fine(sections, {1, 1}, "round");
+  RingSections as_block = sections;  // for the section on the block's mesh lines
+  as_block.housing.kind = Housing::Kind::block;
+  const ScratchRings coarse(as_block, {0.5, 1}, "lines");
+  const ScratchFile file("round-block");
+  const MeshFile block = meshes::mesh_chock(cup, sections.housing, 1, file.path);
+  const auto solid = fem::chock_flexibility(cup, block, meshes::mirrored_rows(cup), sections.material, n, modes);
+
+  const auto by_section = [&](const MeshFile &mesh) {
+    const fem::SectionBody body(mesh, sections.material, 2, fem::Section::axisymmetric);
+    const fem::HarmonicBody harmonic(body);
+    Eigen::MatrixXd loads(harmonic.n_unknowns(), size);
+    for (int r = 0; r < 4; ++r)
+      loads.middleCols(r * modes, modes) = fem::raceway_loads(body, "raceway." + std::to_string(r),
+                                                              cup.raceways[std::size_t(r)], cup.length, modes, 1);
+    std::vector<Eigen::MatrixXd> out;
+    for (int m = 0; m < n; ++m)
+      out.push_back(harmonic.flexibility(m, loads));
+    return out;
+  };
+  const auto exact = by_section(fine.meshes.cup), same_lines = by_section(coarse.meshes.chock_section);
+  std::vector<Check> checks;
+  double mixed = 0;
+  for (int m = 0; m < n; ++m) {
+    const auto cosine = [&](const int k) { return solid.cosine.block(m * size, k * size, size, size); };
+    const Eigen::MatrixXd &reference = exact[std::size_t(m)];
+    const std::string name           = "harmonic " + std::to_string(m);
+    const Eigen::MatrixXd &lines     = same_lines[std::size_t(m)];
+    if (m == 2)
+      checks.push_back(relative(name + ", outer row, even load, block alone", "nm/kN", 1e12 * cosine(m)(0, 0),
+                                1e12 * reference(0, 0), 1e-2));
+    checks.push_back(relative(name + ", outer row, even load", "nm/kN",
+                              1e12 * (cosine(m) + reference - lines)(0, 0), 1e12 * reference(0, 0), 1e-2));
+    const auto corrected = [&](const Eigen::MatrixXd &C) { return (C - lines).norm() / reference.norm(); };
+    double worst         = corrected(cosine(m));
+    if (m > 0)
+      worst = std::max(worst, corrected(solid.sine.block((m - 1) * size, (m - 1) * size, size, size)));
+    checks.push_back(at_most(name + ", all entries", "-", worst, 1e-2));
+    for (int k = 0; k < n; ++k)
+      if (k != m)
+        mixed = std::max(mixed, cosine(k).norm() / reference.norm());
+  }
+  checks.push_back(at_most("between different harmonics", "-", mixed, 1e-6));
+  return checks;
+}
+
+// ---- ring-rigid-limit, ring-mesh ------------------------------------------------------------------------------
+
+std::vector<Check> ring_rigid_limit()
+{
+  RingSections sections = bearing::ring_sections(mill_bearing("block"));
+  const ScratchRings scratch(sections, {0.4, 0.6}, "limit");
+  fem::RingOptions options;
+  options.last_harmonic   = 20;
+  options.chock_harmonics = 3;
+  const auto soft         = fem::ring_flexibility(sections, scratch.meshes, nullptr, options).flexibility;
+  sections.material.youngs_modulus *= 1000;
+  const auto hard    = fem::ring_flexibility(sections, scratch.meshes, nullptr, options).flexibility;
+  const double whole = fem::stribeck_flexibility(soft, 39);
+  double entries     = (1000 * hard.chock_cosine - soft.chock_cosine).norm() / soft.chock_cosine.norm();
+  for (std::size_t m = 0; m < soft.inner.size(); ++m)
+    entries = std::max(entries, (1000 * hard.inner[m] - soft.inner[m]).norm() / soft.inner[0].norm());
+  return {relative("flexibility, modulus x 1000", "nm/MN", 1e15 * fem::stribeck_flexibility(hard, 39),
+                   1e15 * whole / 1000, 1e-8),
+          at_most("all entries x 1000 against the soft ones", "-", entries, 1e-8)};
+}
+
+// Flexibility of the mill bearing's rings under a radial load.
+double whole_flexibility(const std::string &chock, const meshes::RingMeshSize &size, const int last_harmonic)
+{
+  const RingSections sections = bearing::ring_sections(mill_bearing(chock));
+  const ScratchRings scratch(sections, size, chock);
+  fem::RingOptions options;
+  options.last_harmonic = last_harmonic;
+  return fem::stribeck_flexibility(fem::ring_flexibility(sections, scratch.meshes, nullptr, options).flexibility,
+                                   39);
+}
+
+std::vector<Check> ring_mesh()
+{
+  const double rings      = whole_flexibility("round", {0.6, 1}, 60),
+               fine_rings = whole_flexibility("round", {1, 1}, 60);
+  // The block's own part lies in its eight harmonics.
+  const double block      = whole_flexibility("block", {0.4, 0.8}, 10),
+               fine_block = whole_flexibility("block", {0.4, 1}, 10);
+  return {relative("rings and round housing, size 0.6 against 1", "nm/MN", 1e15 * rings, 1e15 * fine_rings, 1e-2),
+          relative("block, size 0.8 against 1", "nm/MN", 1e15 * block, 1e15 * fine_block, 1e-2)};
+}
+}  // namespace
+
 std::vector<Case> ring_cases()
 {
-  return {};
+  const char *const product = "finite elements of this program, one against the other";
+  std::vector<Case> cases;
+  cases.push_back(
+      {"ring-harmonics", "verification",
+       "Annulus of radii 100 and 150 mm in plane strain under the pressure cos(m theta) on its inner side, as a "
+       "meridian section of some 50 quadratic quadrilaterals and one factorisation per harmonic; and a ring 2 mm "
+       "thick at a radius of 100 mm.",
+       "Michell's solution with the Airy functions r^m, r^-m, r^(m+2), r^(2-m) (Lame for m = 0); thin ring: "
+       "Timoshenko, Strength of Materials, bending without stretching",
+       "1e-5: discretisation of quadratic elements at this size; thin ring 2 %: the bending theory neglects terms "
+       "of "
+       "the order thickness over radius",
+       ring_harmonics});
+  cases.push_back({"ring-on-rigid-back", "verification",
+                   "Annulus as thick as the cup of the mill bearing, outer side held, and its short waves against "
+                   "a half space; "
+                   "then cone with neck and cup with round housing of the 266.7 x 355.6 mm bearing less their "
+                   "raceways on a rigid "
+                   "back, quadratic meridian sections of some 7000 unknowns per harmonic.",
+                   "Michell's solution; half space: displacement 2 (1 - nu^2) p R / (E m); the difference must "
+                   "vanish for short "
+                   "waves, which do not reach the back",
+                   "1e-4: discretisation; half space 1 %: waves of 7 mm on a radius of 166 mm; 1e-4 of the sum: "
+                   "the harmonic at "
+                   "which the series may end",
+                   ring_on_rigid_back});
+  cases.push_back(
+      {"neck-inertia-relief", "verification",
+       "Solid cylinder of radius 130 mm without any support under a line load over its whole length, even around "
+       "and "
+       "as cos(theta), the resultant balanced by a body force; 12 quadratic elements.",
+       "polynomial solutions: even, u = (1 - nu) p R / E; across, sigma_x = sigma_y = -p x / R with the body "
+       "force "
+       "p / R, u = (1 - nu) p R / (2 E) against the mean motion; both (1 - nu)/(2 pi E L) per unit line load",
+       "rounding: quadratic elements hold these fields exactly", neck_inertia_relief});
+  cases.push_back(
+      {"chock-round", "verification",
+       "Cup of the mill bearing in a round block held at a radius of 280 mm: a quarter in quadratic hexahedra "
+       "(25000 "
+       "unknowns per parity) against the harmonics of its meridian section, rows with inclined raceways, three "
+       "Legendre polynomials along the rollers.",
+       product,
+       "1 %: 13 degrees per element are 4 elements for the shortest of the eight waves; as in the product, what "
+       "the "
+       "block's coarse mesh lines get wrong in the meridian is taken off with a section on the same lines; "
+       "harmonics "
+       "must not mix, 1e-6",
+       chock_round});
+  cases.push_back({"ring-rigid-limit", "verification",
+                   "Rings, neck and chock of the mill bearing with a thousandfold modulus, coarse meshes.",
+                   "linear elasticity: a thousandth of the flexibility", "rounding of two factorisations",
+                   ring_rigid_limit});
+  cases.push_back({"ring-mesh", "verification",
+                   "Flexibility of rings, neck and housing of the mill bearing under a radial load spread by "
+                   "Stribeck's law, on "
+                   "meshes of 0.6 and 1 (rings) and 0.8 and 1 (block) elements per length.",
+                   product, "1 %: what the results are to be good for", ring_mesh});
+  return cases;
 }
 }  // namespace mill::verify

@@ -1,5 +1,7 @@
 #include "tests/support/sample_results.h"
+#include "tests/support/sample_bearing.h"
 #include "tests/support/sample_line_contact.h"
+#include "tests/support/sample_values.h"
 #include <array>
 #include <cmath>
 #include <vector>
@@ -8,30 +10,6 @@
 namespace {
 using namespace sample;
 using nlohmann::ordered_json;
-
-ordered_json value(const double number, const std::string &unit, const std::string &source,
-                   const std::string &at = "", const double error = NAN,
-                   const std::vector<std::string> &inputs                = {},
-                   const std::vector<std::array<std::string, 2>> &checks = {},
-                   const std::vector<double> &check_values               = {})
-{
-  ordered_json json{
-      {"value",  number},
-      {"unit",   unit  },
-      {"source", source}
-  };
-  if (!at.empty())
-    json["at"] = at;
-  json["error_estimate"] = error;
-  json["inputs"]         = inputs;
-  for (std::size_t i = 0; i < checks.size(); ++i)
-    json["checks"].push_back({
-        {"name",  checks[i][0]   },
-        {"value", check_values[i]},
-        {"note",  checks[i][1]   }
-    });
-  return json;
-}
 
 ordered_json chain_results(const SampleChain &chain)
 {
@@ -186,7 +164,9 @@ ordered_json sample_manifest(const SampleRun &sample, const std::string &name)
         {"exit_thickness",       5e-3  }
     };
   run["passes"] = ordered_json::array();
-  if (sample.kind != "two-cylinders")
+  if (sample.kind == "bearing")
+    run["bearings"] = sample_bearing_dimensions();
+  if (sample.kind == "four-high" || sample.kind == "lumped")
     for (int i = 1; i <= 2; ++i)
       run["passes"].push_back({
           {"name",          "pass " + std::to_string(i)                            },
@@ -202,6 +182,7 @@ std::string sample_name(const SampleRun &sample)
 {
   return sample.kind == "four-high" ? "four-high-1400"
          : sample.kind == "lumped"  ? "published-1400"
+         : sample.kind == "bearing" ? "bearing-266"
                                     : "two-cylinders";
 }
 
@@ -214,6 +195,8 @@ ordered_json sample_results(const SampleRun &sample, const SampleChain &chain)
   };
   if (sample.kind == "two-cylinders")
     results["values"] = two_cylinder_results();
+  else if (sample.kind == "bearing")
+    results["values"] = sample_bearing_results();
   else {
     results["values"] = chain_results(chain);
     add_peaks(results["values"]);

@@ -1,4 +1,6 @@
 #include "tests/support/sample_run.h"
+#include "tests/support/sample_bearing.h"
+#include "tests/support/sample_csv.h"
 #include "tests/support/sample_line_contact.h"
 #include "tests/support/sample_results.h"
 #include <Eigen/Eigenvalues>
@@ -16,31 +18,6 @@ using Eigen::VectorXd;
 using namespace sample;
 namespace fs            = std::filesystem;
 constexpr double fs_out = 20e3;  // Hz
-
-// Columns of a file, one after the other.
-struct Csv {
-  std::vector<std::string> headers;
-  std::vector<VectorXd> columns;
-  Csv &with(const std::string &header, const VectorXd &values)
-  {
-    headers.push_back(header);
-    columns.push_back(values);
-    return *this;
-  }
-};
-
-void write_csv(const fs::path &path, const Csv &csv)
-{
-  fs::create_directories(path.parent_path());
-  std::ofstream file(path);
-  file.precision(9);
-  for (std::size_t c = 0; c < csv.headers.size(); ++c)
-    file << (c ? ", " : "") << csv.headers[c];
-  file << '\n';
-  for (Eigen::Index r = 0; r < csv.columns[0].size(); ++r)
-    for (std::size_t c = 0; c < csv.columns.size(); ++c)
-      file << (c ? "," : "") << csv.columns[c][r] << (c + 1 == csv.columns.size() ? "\n" : "");
-}
 
 VectorXd per_load(const VectorXd &load, double (*law)(double))
 {
@@ -91,30 +68,6 @@ void write_contact(const fs::path &curves, const std::string &name, const bool b
                   .with("tangent [N/m2]", hertz_tangent(F) / L * edge.cwiseInverse())
                   .with("half_width [m]", half_width(F) * edge.cwiseSqrt())
                   .with("peak_pressure [Pa]", peak_pressure(F) * edge.cwiseSqrt()));
-}
-
-void write_bearing(const fs::path &curves, const std::string &name, const double stiffness, const int rollers,
-                   const double tilt)
-{
-  const VectorXd load   = VectorXd::LinSpaced(20, std::log(1e4), std::log(1e6)).array().exp();
-  const VectorXd secant = stiffness * (load / 1e5).array().pow(0.1);
-  write_csv(curves / ("bearing-" + name + ".csv"),
-            Csv()
-                .with("load [N]", load)
-                .with("displacement [m]", load.cwiseQuotient(secant))
-                .with("secant [N/m]", secant)
-                .with("tangent [N/m]", 10.0 / 9 * secant)
-                .with("loaded_rollers []", VectorXd::Constant(20, rollers / 2)));
-  const VectorXd row   = VectorXd::LinSpaced(4, 1, 4);
-  const VectorXd share = 0.25 + tilt * (row.array() - 2.5);
-  write_csv(curves / ("bearing-" + name + "-rows.csv"), Csv().with("row []", row).with("share []", share));
-  const VectorXd angle = VectorXd::LinSpaced(rollers, 0, 2 * pi * (rollers - 1) / rollers);
-  const VectorXd arc =
-      angle.unaryExpr([](const double a) { return std::pow(std::max(0.0, std::cos(a)), 10.0 / 9); });
-  Csv columns = Csv().with("angle [rad]", angle);
-  for (int i = 0; i < 4; ++i)
-    columns.with("row" + std::to_string(i + 1) + " [N]", 4 * 4.08 * 48810.0 * share[i] / (4 * rollers) * arc);
-  write_csv(curves / ("bearing-" + name + "-rollers.csv"), columns);
 }
 
 void write_shapes(const fs::path &curves)
@@ -277,6 +230,8 @@ std::string write_sample_run(const SampleRun &sample)
   const SampleChain chain = chain_of();
   if (sample.kind == "two-cylinders")
     write_contact(curves, "line", false);
+  else if (sample.kind == "bearing")
+    write_whole_bearing(run, sample);
   else {
     write_modes(curves, chain);
     write_response(run, "pass-1", chain, 976217.5, 6639, sample, 1);
@@ -285,8 +240,8 @@ std::string write_sample_run(const SampleRun &sample)
   if (sample.kind == "four-high") {
     write_contact(curves, "upper", true);
     write_contact(curves, "lower", true);
-    write_bearing(curves, "trb", 1.614e10, 39, 0.02);
-    write_bearing(curves, "crb", 4.3e10, 32, 0);
+    write_plain_bearing(run, "trb", 1.614e10, 39, 0.02);
+    write_plain_bearing(run, "crb", 4.3e10, 32, 0);
     write_shapes(curves);
   }
   std::ofstream(run / "results.json") << sample_results(sample, chain).dump(2);

@@ -3,7 +3,7 @@
 
 /// What a sample run directory holds.
 struct SampleRun {
-  std::string kind  = "four-high";  ///< four-high | lumped | two-cylinders
+  std::string kind  = "four-high";  ///< four-high | lumped | two-cylinders | bearing
   std::string title = "1400 four-high, demo stand";
   int samples       = 4001;  ///< of each response, 20 kHz
   bool warnings     = true;

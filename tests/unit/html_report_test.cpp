@@ -128,7 +128,7 @@ TEST_P(EveryKind, ContentsLeadToEverySection)
   EXPECT_GE(n_links, 5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind, testing::Values("four-high", "lumped", "two-cylinders"),
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind, testing::Values("four-high", "lumped", "two-cylinders", "bearing"),
                          [](const auto &kind) {
                            std::string name = kind.param;
                            name.erase(std::remove(name.begin(), name.end(), '-'), name.end());

@@ -76,13 +76,13 @@ TEST_F(Cases, TheDemoStandArrivesInSi)
   EXPECT_EQ(stand.backup_roll.barrel_diameter, 1.450);
   EXPECT_EQ(stand.backup_roll.neck_length, 0.950);
   ASSERT_EQ(stand.bearings.size(), 2u);
-  const RollerBearing &trb = bearing_of(stand, stand.work_roll.bearing);
+  const RollerBearing &trb = bearing_of(stand.bearings, stand.work_roll.bearing);
   EXPECT_EQ(trb.name, "trb");
   EXPECT_EQ(trb.rollers_per_row, 39);
   EXPECT_TRUE(near(trb.cup_angle, 19.66 * deg, within(1e-15, "one factor")));
   EXPECT_EQ(trb.profile, "iso");
-  EXPECT_EQ(bearing_of(stand, "crb").roller_law, "palmgren");
-  EXPECT_TRUE(std::isnan(bearing_of(stand, "crb").bore));
+  EXPECT_EQ(bearing_of(stand.bearings, "crb").roller_law, "palmgren");
+  EXPECT_TRUE(std::isnan(bearing_of(stand.bearings, "crb").bore));
   EXPECT_EQ(stand.frame.upper_beam_stiffness, 7.30e9);
   EXPECT_EQ(stand.frame.oil_column_stiffness, 1.80e10);
   EXPECT_TRUE(std::isnan(stand.frame.chock_to_housing_stiffness));

@@ -1,0 +1,206 @@
+#include "app/bearing_model.h"
+#include "bearing/geometry.h"
+#include "bearing/ring_sections.h"
+#include "bearing/roller_profile.h"
+#include "core/files.h"
+#include "fem/roll_cache.h"
+#include "fem/roller_slices.h"
+#include "meshes/bearing_rings.h"
+#include "meshes/gmsh_scope.h"
+#include "meshes/roller.h"
+#include <cmath>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace mill {
+namespace {
+// Raised by hand when meshing or condensation changes what it computes.
+constexpr const char *roller_version = "roller 1", *rings_version = "rings 1";
+
+std::string file_name(const RunContext &run, const char *what, const std::string &key)
+{
+  return run.cache + "/" + what + "-" + key + ".bin";
+}
+
+// Takes a part from the cache, or makes and keeps it.
+template <class Part, class Load, class Make, class Save>
+Part cached(RunContext &run, const std::string &stage, const std::string &file, const std::string &key,
+            const Load &load, const Make &make, const Save &save)
+{
+  StageTimer timer(run, stage);
+  std::string note;
+  auto stored = run.fresh && !run.made.count(key) ? std::nullopt : load(file, key, &note);
+  if (!note.empty())
+    run.progress.note(note);
+  if (stored) {
+    run.progress.note(stage + ": taken from " + file);
+    timer.cached = true;
+    return std::move(*stored);
+  }
+  Part part = make();
+  try {
+    save(file, key, part);
+    run.made.insert(key);
+  } catch (const InputError &e) {
+    run.warn(stage + " could not be kept for the next run: " + e.what());  // but it is good
+  }
+  return part;
+}
+
+fem::CondensedRoller condensed_roller(RunContext &run, const std::string &name, const RollerSetup &s)
+{
+  const std::string key = hash_of(fmt::format(
+      "{} {} {} | {} {} {} {} {} {} {} {} | {} {} | {} {} {} {} {}", roller_version, fem::library_version(),
+      meshes::library_version(), s.diameter, s.length, s.contact_length, s.inner_radius, s.outer_radius,
+      s.inner_depth, s.outer_depth, s.land, s.material.youngs_modulus, s.material.poisson_ratio, s.largest_load,
+      s.finest_load, s.elements_per_half_width, s.end_element, s.largest_element));
+  const auto make       = [&] {
+    const RollerMeshes meshes = meshes::mesh_roller(s, run.cache, fmt::format("roller-{}-{}", key, ::getpid()));
+    auto roller               = fem::condense_roller(s, meshes, run.progress);
+    meshes::remove_meshes(meshes);
+    return roller;
+  };
+  return cached<fem::CondensedRoller>(run, name, file_name(run, "roller", key), key, fem::load_roller, make,
+                                      fem::save_roller);
+}
+
+std::string ring_key(const RollerBearing &b, const bearing::RacewayDatum &datum)
+{
+  return hash_of(fmt::format("{} {} {} | {} {} {} {} {} {} {} {} {} {} | {} {} | {} {} {} {} {} | {} {} {}",
+                             rings_version, fem::library_version(), meshes::library_version(), b.bore,
+                             b.outside_diameter, b.width, bearing::pitch_diameter(b), b.rows, b.roller_length,
+                             b.roller_diameter, b.roller_cone_angle, b.cup_angle, b.row_hands, b.youngs_modulus,
+                             b.poisson_ratio, b.chock, b.chock_width, b.chock_height, b.chock_length,
+                             b.chock_support_width, datum.depth_inner, datum.depth_outer, datum.land));
+}
+
+fem::RingResult condensed_rings(RunContext &run, const RollerBearing &b, const bearing::RacewayDatum &datum)
+{
+  const std::string key = ring_key(b, datum);
+  const auto make       = [&] {
+    const RingSections sections = bearing::ring_sections(b, datum);
+    meshes::RingMeshSize coarse_size;
+    coarse_size.sections = coarse_size.chock = 0.5;
+    const std::string own                    = fmt::format("rings-{}-{}", key, ::getpid());
+    const RingMeshes fine                    = meshes::mesh_rings(sections, {}, run.cache, own);
+    const RingMeshes coarse = meshes::mesh_rings(sections, coarse_size, run.cache, own + "-coarse");
+    auto result             = fem::ring_flexibility(sections, fine, &coarse, {}, run.progress);
+    meshes::remove_meshes(fine);
+    meshes::remove_meshes(coarse);
+    return result;
+  };
+  return cached<fem::RingResult>(run, "rings and chock of bearing " + b.name, file_name(run, "rings", key), key,
+                                 fem::load_rings, make, fem::save_rings);
+}
+
+RollerSetup setup_of(const RollerBearing &b, const bearing::RingWalls &walls, const double land,
+                     const double largest_load)
+{
+  RollerSetup s;
+  s.diameter       = b.roller_diameter;
+  s.length         = std::isnan(b.roller_total_length) ? b.roller_length : b.roller_total_length;
+  s.contact_length = b.roller_length;
+  s.inner_radius   = (bearing::pitch_diameter(b) - b.roller_diameter) / 2;
+  s.outer_radius   = (bearing::pitch_diameter(b) + b.roller_diameter) / 2;
+  s.inner_depth    = walls.inner;
+  s.outer_depth    = walls.outer;
+  s.land           = land;
+  s.material       = {b.youngs_modulus, b.poisson_ratio, 7850};
+  s.largest_load   = largest_load;
+  return s;
+}
+}  // namespace
+
+double roller_load_bound(const RollerBearing &b, const double radial_load, const double tilt)
+{
+  // Stribeck's number raised to 5 for clearance; a tilt of 0.5 mrad gives one row of four half of the load.
+  const double even  = 5 * radial_load / (b.rows * b.rollers_per_row * std::cos(b.cup_angle));
+  const double bound = even * (tilt == 0 ? 1.5 : 4);
+  return 1e3 * std::exp2(std::ceil(std::log2(std::max(bound, 1e3) / 1e3)));
+}
+
+std::function<double(double)> drop_of(const RollerBearing &b)
+{
+  return [b](const double x) { return bearing::profile_drop(b, Eigen::VectorXd::Constant(1, x))[0]; };
+}
+
+BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double largest_load)
+{
+  BearingParts parts;
+  parts.model.bearing = b;
+  const double land   = 0.1 * b.roller_length;
+  if (b.roller_law == "fe") {
+    const auto walls      = bearing::ring_walls(b);
+    const auto setup      = setup_of(b, walls, land, largest_load);
+    const auto name       = "roller of bearing " + b.name;
+    parts.law_depth_inner = walls.inner;
+    parts.law_depth_outer = walls.outer;
+    parts.coarse          = parts.model;
+    parts.coarse.roller =
+        fem::fe_roller_law(condensed_roller(run, name + ", coarse mesh", coarsened(setup)), b.slices, drop_of(b));
+    parts.roller       = std::make_shared<const fem::CondensedRoller>(condensed_roller(run, name, setup));
+    parts.model.roller = fem::fe_roller_law(*parts.roller, b.slices, drop_of(b));
+  } else
+    parts.model.roller = bearing::roller_law(b);
+  if (b.rings == "elastic") {
+    const auto walls       = bearing::ring_walls(b);
+    const auto rings       = condensed_rings(run, b, {walls.inner, walls.outer, land});
+    parts.model.rings      = rings.flexibility;
+    parts.coarse.rings     = rings.flexibility;
+    parts.ring_error       = rings.error_estimate;
+    parts.chock_difference = rings.chock_difference;
+    parts.notes            = rings.notes;
+  }
+  return parts;
+}
+
+namespace {
+// What presses every roller at rest, between rigid rings and by the standard's law; N.  0: nothing.
+double load_at_rest(RollerBearing b, std::string &key)
+{
+  b.roller_law = "iso";
+  key          = b.preload > 0 ? "preload" : "radial_clearance";
+  if (b.preload > 0)
+    return b.preload / (b.rollers_per_row * std::sin(b.cup_angle));
+  if (b.radial_clearance >= 0)
+    return 0;
+  return bearing::roller_load(bearing::roller_law(b), -b.radial_clearance / 2 * std::cos(b.cup_angle), 0).load;
+}
+
+void check_fit(const Case &the_case, const RollerBearing &b, std::vector<Problem> &problems)
+{
+  if (!std::isfinite(b.roller_diameter) || !std::isfinite(bearing::pitch_diameter(b)))
+    return;
+  std::string key;
+  const double load = load_at_rest(b, key);
+  if (!(load > 0))
+    return;
+  const double pressure = bearing::elastic_roller(b, load, b.roller_diameter / 2).inner_peak_pressure;
+  if (pressure <= b.yield_pressure)
+    return;
+  key              = "bearing." + b.name + "." + key;
+  const auto place = the_case.places.find(key);
+  problems.push_back(
+      {place == the_case.places.end() ? Place{the_case.path} : place->second,
+       fmt::format("{} presses every roller with {:.4g} kN before any load acts, that is {:.0f} MPa on the inner "
+                   "raceway; it yields at {:.0f} MPa (yield_pressure)",
+                   key, load / 1e3, pressure / 1e6, b.yield_pressure / 1e6),
+       {}});
+}
+}  // namespace
+
+void check_fits(const Case &the_case)
+{
+  std::vector<Problem> problems;
+  const auto check = [&](const std::vector<RollerBearing> &bearings) {
+    for (const RollerBearing &b : bearings)
+      check_fit(the_case, b, problems);
+  };
+  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
+    check(stand->bearings);
+  if (const auto *bearing = std::get_if<BearingCase>(&the_case.spec))
+    check(bearing->bearings);
+  if (!problems.empty())
+    throw InputError(std::move(problems));
+}
+}  // namespace mill

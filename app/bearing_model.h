@@ -1,0 +1,38 @@
+#pragma once
+#include "app/run_context.h"
+#include "bearing/assembly.h"
+#include "fem/roller_contact.h"
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mill {
+/// A bearing ready to be loaded: its geometry, the law of its roller and what its rings give way, each with what
+/// it is known to.
+struct BearingParts {
+  bearing::BearingModel model;
+  bearing::BearingModel coarse;                        ///< the same with the roller on a mesh twice as coarse
+  std::shared_ptr<const fem::CondensedRoller> roller;  ///< roller_law = "fe" only
+  double ring_error       = 0;                         ///< -, of the rings' flexibility, coarser mesh
+  double chock_difference = 0;  ///< -, block against round housing where the block's series ends
+  double law_depth_inner = 0, law_depth_outer = 0;  ///< m, of the raceways in the law of one roller
+  std::vector<std::string> notes;                   ///< sentences for the report
+};
+
+/// Largest load, N, that one roller may get under these radial loads, generously and rounded up to a power of two
+/// kN, so that neighbouring cases share a mesh.
+double roller_load_bound(const RollerBearing &bearing, double radial_load, double tilt);
+
+/// Meshes and condenses roller, raceways, rings and chock, or takes them from the cache.
+/// @param largest_load  N, on one roller
+BearingParts bearing_parts(RunContext &run, const RollerBearing &bearing, double largest_load);
+
+/// Profile drop of one contact, m, at x from mid-roller.
+std::function<double(double)> drop_of(const RollerBearing &bearing);
+
+/// Refuses bearings whose preload or negative clearance presses the raceways beyond their yield pressure before any
+/// load acts.
+/// @throws InputError  at the keys, with the pressures
+void check_fits(const Case &the_case);
+}  // namespace mill

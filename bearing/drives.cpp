@@ -1,0 +1,81 @@
+#include "bearing/assembly.h"
+#include "bearing/geometry.h"
+#include <Eigen/LU>
+#include <cmath>
+#include <sstream>
+
+// What is asked of an assembled bearing, and what is read from its states.
+namespace mill::bearing {
+BearingModel rigid_model(const RollerBearing &bearing)
+{
+  BearingModel model;
+  model.bearing = bearing;
+  model.roller  = roller_law(bearing);
+  return model;
+}
+
+RingDrive radial_drive(const double load, const double tilt)
+{
+  RingDrive drive;
+  drive.value << load, 0, 0, 0, tilt;
+  return drive;
+}
+
+std::string drive_text(const RingDrive &drive)
+{
+  static const char *load[5]   = {"F_x", "F_y", "F_z", "M_x", "M_y"};
+  static const char *motion[5] = {"x", "y", "z", "tilt about x", "tilt about y"};
+  std::ostringstream text;
+  const char *between = "";
+  for (std::size_t i = 0; i < 5; ++i) {
+    const double value = drive.value[Index(i)];
+    if (value == 0)
+      continue;
+    text << between;
+    if (drive.by_motion[i])
+      text << motion[i] << " = " << (i < 3 ? value * 1e6 : value * 1e3) << (i < 3 ? " um" : " mrad");
+    else
+      text << load[i] << " = " << value / 1e3 << (i < 3 ? " kN" : " kN m");
+    between = ", ";
+  }
+  return *between ? text.str() : "no load";
+}
+
+double radial_tangent(const AssemblyState &state, const RingDrive &drive)
+{
+  const double radial = state.load.head<2>().norm();
+  if (!(radial > 0))
+    return 0;
+  // x and y always follow the load; with them the components that a load drives.
+  std::vector<Eigen::Index> follow{0, 1};
+  for (std::size_t i = 2; i < 5; ++i)
+    if (!drive.by_motion[i])
+      follow.push_back(Eigen::Index(i));
+  Eigen::VectorXd towards = Eigen::VectorXd::Zero(Eigen::Index(follow.size()));
+  towards.head(2)         = state.load.head<2>() / radial;
+  const Eigen::MatrixXd K = state.tangent(follow, follow);
+  return 1 / towards.dot(K.fullPivLu().solve(towards));
+}
+
+double radial_secant(const AssemblyState &state)
+{
+  const double radial = state.load.head<2>().norm();
+  return radial > 0 ? radial * radial / state.load.head<2>().dot(state.motion.head<2>()) : 0;
+}
+
+CageVariation cage_variation(const BearingModel &model, const RingDrive &drive, const int n)
+{
+  if (n < 1)
+    throw InputError("bearing." + model.bearing.name + ": the variation over a pitch needs at least one angle");
+  const double pitch = 2 * M_PI / model.bearing.rollers_per_row;
+  CageVariation out{pitch / n * Eigen::VectorXd::LinSpaced(n, 0, n - 1), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+  BearingAssembly assembly(model);
+  for (int i = 0; i < n; ++i) {
+    assembly.turn_cage(model.cage_angle + out.angle[i]);
+    const AssemblyState state = assembly.solve(drive);
+    out.tangent[i]            = radial_tangent(state, drive);
+    out.secant[i]             = radial_secant(state);
+  }
+  return out;
+}
+}  // namespace mill::bearing

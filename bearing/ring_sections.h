@@ -1,0 +1,24 @@
+#pragma once
+#include "core/ring_sections.h"
+#include "core/roller_bearing.h"
+
+namespace mill::bearing {
+/// What the law of one roller already counts of the rings.
+struct RacewayDatum {
+  double depth_inner = not_given;  ///< m, of the cone's raceway in the law of one roller; absent: wall at mid-row
+  double depth_outer = not_given;  ///< m, of the cup's; absent: wall at mid-row
+  double land = not_given;  ///< m, straight raceway beyond the line's ends, as the law of one roller has it;
+                            ///< absent: a tenth of the roller length, less where there is no room
+};
+
+/// Meridian sections of cone and cup as drawn, and what the cup sits in.  The raceway's middle lies half a roller
+/// diameter off the pitch circle, perpendicular to the roller's axis; cup and cone are inclined by their own
+/// contact angles (cup_angle and cup_angle - roller_cone_angle).  theory.md 15
+/// @throws InputError  rows overlap or leave the bearing's width; a raceway leaves the ring; a chock smaller than
+/// the
+///                     bearing or with a dimension missing; a land that does not fit; says which and by how much
+RingSections ring_sections(const RollerBearing &bearing, const RacewayDatum &datum = {});
+
+/// m, wall of a ring at mid-row, along the normal of the raceway: the depth that the law of one roller counts.
+double ring_wall(const RingSection &section);
+}  // namespace mill::bearing

@@ -1,0 +1,85 @@
+#include "core/stand_reader.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+// [model] says some keys of the loaded bearing again; saying two things is a contradiction.
+struct Model {
+  std::string bearing;  // that it is about
+  BearingModelInput said;
+};
+
+void apply(const Model &model, RollerBearing &bearing, Reading &reading)
+{
+  const auto one = [&](const char *k, auto &value, const auto &said) {
+    const std::string here = std::string("model.") + k, there = "bearing." + bearing.name + "." + k;
+    if (!reading.places.count(here))
+      return;
+    if (reading.places.count(there) && value != said)
+      contradict(reading, here, "contradicts the same key of the bearing", {there});
+    value                  = said;
+    reading.places[there]  = reading.places.at(here);
+    reading.written[there] = reading.written[here];
+  };
+  one("roller_law", bearing.roller_law, model.said.roller_law);
+  one("rings", bearing.rings, model.said.rings);
+  one("tilt_lever", bearing.tilt_lever, model.said.tilt_lever);
+  one("slices", bearing.slices, model.said.slices);
+}
+
+RollerBearing read_bearing(const Node::Entry &entry, const Model &model, Reading &reading)
+{
+  RollerBearing bearing;
+  bearing.name = entry.key;
+  const Section section{&entry.value, "bearing." + entry.key};
+  read(section, bearing_rows(), bearing, reading);
+  if (bearing.name == model.bearing)
+    apply(model, bearing, reading);
+  complete_bearing(bearing, reading);
+  reading.echo += fmt::format("\n[bearing.{}]\n{}", key_text(entry.key),
+                              resolved_lines(section.name, bearing_rows(), bearing, reading));
+  check_bearing(bearing, reading);
+  return bearing;
+}
+
+std::vector<RollerBearing> read_all(const Node &root, const Model &model, Reading &reading)
+{
+  std::vector<RollerBearing> bearings;
+  const Section all = section_at(root, "bearing", reading);
+  if (!all.node)
+    return bearings;  // whoever names one then says that it does not exist
+  for (const Node::Entry &entry : all.node->entries)
+    if (entry.value.kind == Node::Kind::table)
+      bearings.push_back(read_bearing(entry, model, reading));
+    else
+      reading.add(entry.value.place, fmt::format("bearing.{} = {} is a value; a section [bearing.{}] is needed",
+                                                 entry.key, shown(entry.value), entry.key));
+  return bearings;
+}
+}  // namespace
+
+std::vector<RollerBearing> read_bearings(const Node &root, Reading &reading)
+{
+  return read_all(root, {}, reading);
+}
+
+BearingCase read_bearing_case(const Node &root, Reading &reading)
+{
+  BearingCase spec;
+  read(section_at(root, "load", reading), bearing_load_rows(), spec.load, reading);
+  if (std::isnan(spec.load.loads[0]))
+    spec.load.loads = {0.1 * spec.load.radial, 4 * spec.load.radial};
+  Model model{spec.load.bearing, {}};
+  if (const Section section = section_at(root, "model", reading); section.node)
+    read(section, bearing_model_rows(), model.said, reading);
+  spec.bearings = read_all(root, model, reading);
+  reading.echo += "\n[load]\n" + resolved_lines("load", bearing_load_rows(), spec.load, reading);
+  const Section motion = section_at(root, "dynamics", reading);
+  read_and_echo(motion, motion.header(), bearing_motion_rows(), spec.motion, reading);
+  spec.published = read_given(root, "published", "bearing", reading);
+  check_bearing_load(spec, reading);
+  return spec;
+}
+}  // namespace mill

@@ -1,0 +1,50 @@
+#include "core/roller_setup.h"
+#include "core/errors.h"
+#include <cmath>
+
+namespace mill {
+namespace {
+void require(const RollerSetup &s)
+{
+  if (!(s.diameter > 0 && s.length > 0 && s.inner_depth > 0 && s.outer_depth > 0 && s.largest_load > 0))
+    throw InputError("roller: diameter, length, raceway depths and largest load must be positive");
+  if (s.contact_length > s.length * (1 + 1e-12))
+    throw InputError("roller: the contact is longer than the roller");
+  if (s.inner_radius < 0 || s.outer_radius < 0 || (s.outer_radius > 0 && 2 * s.outer_radius <= s.diameter))
+    throw InputError("roller: the outer raceway must be larger than the roller");
+  if (!(s.elements_per_half_width > 0))
+    throw InputError("roller: elements_per_half_width must be positive");
+}
+}  // namespace
+
+RollerSetup completed(RollerSetup s)
+{
+  require(s);
+  const auto fill = [](double &value, const double fallback) {
+    if (!(value > 0))
+      value = fallback;
+  };
+  fill(s.contact_length, s.length);
+  fill(s.land, 0.5 * s.diameter);
+  fill(s.finest_load, s.largest_load / 30);
+  fill(s.end_element, 0.006 * s.contact_length);
+  fill(s.largest_element, 0.05 * s.contact_length);
+  return s;
+}
+
+RollerSetup coarsened(RollerSetup s)
+{
+  s = completed(s);
+  s.elements_per_half_width *= 0.5;
+  s.end_element *= 2;
+  s.largest_element *= 2;
+  return s;
+}
+
+double line_half_width(const RollerSetup &s, const double raceway_radius, const double line_load)
+{
+  const double nu = s.material.poisson_ratio, E_plane = s.material.youngs_modulus / (2 * (1 - nu * nu)),
+               curvature = 2 / s.diameter + (raceway_radius != 0 ? 1 / raceway_radius : 0);
+  return std::sqrt(4 * std::max(line_load, 0.) / (curvature * M_PI * E_plane));
+}
+}  // namespace mill

@@ -1,0 +1,162 @@
+#include "report/bearing_figures.h"
+#include "report/number.h"
+#include "report/svg.h"
+#include <cmath>
+
+namespace mill::report {
+namespace {
+using Eigen::Vector2d;
+
+// Millimetres of the section to px; z along the axis, r from it, drawn upwards.
+struct Section {
+  double scale, z0, r0;  // px/mm, px of z = 0, px of r = 0
+  Vector2d operator()(const double z, const double r) const
+  {
+    return {z0 + scale * z, r0 - scale * r};
+  }
+};
+
+struct Size {
+  double bore, outside, width, pitch, length, roller, angle, cone;  // mm, rad
+  int rows, rollers;
+};
+
+bool read(const BearingInfo &bearing, Size &size)
+{
+  const auto mm = [&](const char *key) { return 1e3 * bearing(key); };
+  size = {mm("bore"),           mm("outside_diameter"),         mm("width"),          mm("pitch_diameter"),
+          mm("roller_length"),  mm("roller_diameter"),          bearing("cup_angle"), bearing("roller_cone_angle"),
+          int(bearing("rows")), int(bearing("rollers_per_row"))};
+  if (!(size.pitch > 0))
+    size.pitch = 0.5 * (size.bore + size.outside);
+  return size.bore > 0 && size.outside > size.bore && size.width > 0 && size.length > 0 && size.roller > 0 &&
+         size.angle >= 0 && size.cone >= 0 && bearing("rows") > 0 && bearing("rollers_per_row") > 0;
+}
+
+// One row: the roller between the raceways that follow it.  Hand +1 carries towards +z: its contact normal points
+// outwards and to +z, so the small end is there.
+void draw_row(Svg &svg, const Section &at, const Size &s, const double z, const double hand,
+              const double half_pitch)
+{
+  const double axis = s.angle - s.cone / 2;  // of the roller
+  const auto corner = [&](const double along, const double side) {
+    const double radius = s.roller / 2 - along * std::tan(s.cone / 2);  // thinner towards the small end
+    const double dz     = along * std::cos(axis) + side * radius * std::sin(axis);
+    const double dr     = -along * std::sin(axis) + side * radius * std::cos(axis);
+    return Vector2d(z + hand * dz, s.pitch / 2 + dr);
+  };
+  const auto px          = [&](const Vector2d &p) { return at(p[0], p[1]); };
+  const double half      = s.length / 2;
+  const Vector2d big_out = corner(-half, 1), small_out = corner(half, 1), big_in = corner(-half, -1),
+                 small_in = corner(half, -1);
+  // A raceway goes on to the edges of its row.
+  const auto edge = [&](const Vector2d &a, const Vector2d &b, const double to) {
+    return Vector2d(to, a[1] + (b[1] - a[1]) / (b[0] - a[0]) * (to - a[0]));
+  };
+  const double left = z - half_pitch, right = z + half_pitch;
+  svg.polyline({px(edge(big_out, small_out, left)), px(edge(big_out, small_out, right)), at(right, s.outside / 2),
+                at(left, s.outside / 2)},
+               "ring-steel", true);
+  svg.polyline({px(edge(big_in, small_in, left)), px(edge(big_in, small_in, right)), at(right, s.bore / 2),
+                at(left, s.bore / 2)},
+               "ring-steel", true);
+  svg.polyline({px(big_out), px(small_out), px(small_in), px(big_in)}, "roller", true);
+  const Vector2d a = at(z - hand * 0.62 * s.length * std::cos(axis),
+                        s.pitch / 2 + 0.62 * s.length * std::sin(axis)),
+                 b = at(z + hand * 0.62 * s.length * std::cos(axis),
+                        s.pitch / 2 - 0.62 * s.length * std::sin(axis));
+  svg.line(a[0], a[1], b[0], b[1], "centreline");
+}
+
+void draw_dimension(Svg &svg, const double x1, const double x2, const double y, const std::string &label)
+{
+  svg.line(x1, y, x2, y, "dimension");
+  for (const double x : {x1, x2})
+    svg.line(x, y - 4, x, y + 4, "dimension");
+  svg.text((x1 + x2) / 2, y - 5, label, "t halo", Anchor::middle);
+}
+
+std::string along_the_axis(const BearingInfo &bearing, const Size &s)
+{
+  const double tall = 0.5 * (s.outside - s.bore), scale = std::min(540 / s.width, 150 / tall);  // px/mm
+  const double neck = 34, chock = 40;                                                           // px, cut off
+  const Section at{scale, 320, 96 + scale * s.outside / 2};
+  Svg svg(640, 96 + scale * tall + 110, "section along the axis of the bearing, lengths in mm");
+  svg.text(20, 15, "Along the axis", "title");
+  const double left = at.z0 - scale * s.width / 2, right = at.z0 + scale * s.width / 2;
+  const double outer = at(0, s.outside / 2)[1], inner = at(0, s.bore / 2)[1];
+  svg.rect(left - 12, outer - chock, right - left + 24, chock, "steel");
+  svg.text(at.z0, outer - chock / 2 + 4, "chock", "t", Anchor::middle);
+  svg.rect(left - 30, inner, right - left + 60, neck, "steel");
+  svg.text(at.z0, inner + neck / 2 + 4, "roll neck", "t", Anchor::middle);
+  const double pitch = s.width / s.rows;
+  for (int row = 0; row < s.rows; ++row) {
+    const double hand =
+        bearing.hands.empty() || bearing.hands[std::size_t(row) % bearing.hands.size()] == '+' ? 1 : -1;
+    draw_row(svg, at, s, (row + 0.5) * pitch - s.width / 2, hand, pitch / 2);
+    svg.text(at((row + 0.5) * pitch - s.width / 2, 0)[0], outer - chock - 8, "row " + std::to_string(row + 1), "t",
+             Anchor::middle);
+  }
+  draw_dimension(svg, left, right, inner + neck + 24, "width " + significant(s.width, 6));
+  svg.text(left - 6, outer + 4, "\u2300 " + significant(s.outside, 4), "t halo", Anchor::end);
+  svg.text(left - 6, inner + 4, "\u2300 " + significant(s.bore, 4), "t halo", Anchor::end);
+  svg.text(at.z0, inner + neck + 48,
+           std::to_string(s.rows) + " \u00d7 " + std::to_string(s.rollers) + " rollers " +
+               significant(s.length, 4) + " \u00d7 \u2300 " + significant(s.roller, 4) + ", cup angle " +
+               fixed(s.angle * 180 / EIGEN_PI, 2) + "\u00b0",
+           "t", Anchor::middle);
+  svg.text(at.z0, inner + neck + 68, "lengths [mm], to scale", "axis", Anchor::middle);
+  return svg.str();
+}
+
+std::string across_the_axis(const BearingInfo &bearing, const Size &s)
+{
+  const double chock_width  = bearing("chock_width") > 0 ? 1e3 * bearing("chock_width") : 1.7 * s.outside;
+  const double chock_height = bearing("chock_height") > 0 ? 1e3 * bearing("chock_height") : 1.6 * s.outside;
+  const double support =
+      bearing("chock_support_width") > 0 ? 1e3 * bearing("chock_support_width") : 0.5 * chock_width;
+  const double scale = std::min(330 / chock_width, 270 / chock_height), x = 190, y = 40 + scale * chock_height / 2;
+  Svg svg(380, 40 + scale * chock_height + 66, "section across the axis of the bearing, lengths in mm");
+  svg.text(20, 15, "Across the axis", "title");
+  svg.rect(x - scale * chock_width / 2, y - scale * chock_height / 2, scale * chock_width, scale * chock_height,
+           "steel");
+  svg.circle(x, y, scale * s.outside / 2, "ring-steel");
+  svg.circle(x, y, scale * (s.pitch + s.roller) / 2, "bearing");
+  svg.circle(x, y, scale * (s.pitch - s.roller) / 2, "ring-steel");
+  svg.circle(x, y, scale * s.bore / 2, "steel");
+  for (int j = 0; j < s.rollers; ++j) {
+    const double psi = 2 * EIGEN_PI * j / s.rollers, r = scale * s.pitch / 2;
+    svg.circle(x + r * std::sin(psi), y + r * std::cos(psi), scale * s.roller / 2, "roller");
+  }
+  const double bottom = y + scale * chock_height / 2;
+  svg.line(x - scale * support / 2, bottom + 3, x + scale * support / 2, bottom + 3, "spring");
+  for (int i = 0; i < 12; ++i) {
+    const double from = x + scale * support * (i / 12.0 - 0.5);
+    svg.line(from, bottom + 12, from + 9, bottom + 3, "dimension");
+  }
+  svg.line(x, y - 26, x, y + 16, "arrow");
+  svg.polyline(
+      {
+          {x,     y + 26},
+          {x - 6, y + 14},
+          {x + 6, y + 14}
+  },
+      "arrowhead", true);
+  svg.text(x + 10, y - 14, "load", "t halo");
+  svg.text(x, bottom + 28,
+           "chock " + significant(chock_width, 4) + " \u00d7 " + significant(chock_height, 4) + ", carried over " +
+               significant(support, 4),
+           "t", Anchor::middle);
+  svg.text(x, bottom + 48, "lengths [mm], to scale", "axis", Anchor::middle);
+  return svg.str();
+}
+}  // namespace
+
+std::vector<std::string> bearing_sketch(const BearingInfo &bearing)
+{
+  Size size{};
+  if (!read(bearing, size))
+    return {};
+  return {along_the_axis(bearing, size), across_the_axis(bearing, size)};
+}
+}  // namespace mill::report

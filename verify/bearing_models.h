@@ -1,0 +1,20 @@
+#pragma once
+#include "bearing/assembly.h"
+#include "verify/verification.h"
+
+// Bearings of the manual's cases.
+namespace mill::verify {
+/// 266.7 x 355.6 x 230.188 mm, 4 x 39 rollers of 21.5 x 33.4 mm, cup angle 20 deg, ISO law, no clearance, no
+/// crown.
+RollerBearing bearing_266();
+
+/// HH926700, two rows back to back, 14 rollers each, full lever of tilt; preload 100 N.
+bearing::BearingModel bearing_hh926700();
+
+/// Rings, neck and chock by a smooth positive definite rule that takes a quarter off the tangent at 1 MN; rows and
+/// harmonics coupled, the chock not round.
+bearing::RingFlexibility synthetic_rings(int rows, int modes);
+
+/// Cases of the assembled bearing, part of bearing_cases().
+std::vector<Case> assembly_cases();
+}  // namespace mill::verify
