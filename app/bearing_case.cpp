@@ -1,8 +1,10 @@
 #include "app/bearing_files.h"
 #include "app/bearing_results.h"
 #include "app/bearing_stage.h"
+#include "bearing/clearance.h"
 #include "core/csv.h"
 #include "dynamics/bearing_dynamics.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -63,6 +65,14 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
       {
           {"tangent of the assembled bearing", linear, ""}
   });
+  add("frequency_across", "Hz", motion.frequency_across,
+      "small motions across the load, on the interpolated curve",
+      {
+          {"tangent of the assembled bearing across the load",
+           std::sqrt(study.tangent_across / e.mass) / (2 * M_PI),
+           "a bearing in a chock is not the same all round"}
+  });
+  add("spectrum_peak", "Hz", motion.spectrum_peak, "highest line of the acceleration's spectrum");
   add("peak_acceleration", "m/s2", motion.peak_acceleration, "time integration on the bearing's curve");
   add("peak_force", "N", motion.peak_force, "time integration on the bearing's curve");
   add("without_contact", "1", motion.without_contact, "share of the time, from the instants of loss and return");
@@ -82,9 +92,9 @@ void solve_bearing_case(RunContext &run, const BearingCase &spec)
   q.loads           = log_spaced(spec.load.loads, spec.load.samples);
   q.published       = spec.published;
   q.published_total = "Kzc";
-  const auto parts = bearing_parts(run, q.bearing, largest_roller_load(q));
-  const auto study = study_bearing(run, parts, q);
-  auto inputs      = bearing_inputs(q.bearing);
+  const auto parts  = bearing_parts(run, q.bearing, largest_roller_load(q));
+  const auto study  = study_bearing(run, parts, q);
+  auto inputs       = bearing_inputs(q.bearing);
   for (const char *key : {"radial", "axial", "tilt", "cage_angle"})
     inputs.push_back(std::string("load.") + key);
   add_bearing_results(run, "Kzc", study, inputs);

@@ -26,7 +26,7 @@ Table load_table(const BearingStudy &s)
   const auto whole       = [](const AssemblyState &at) { return double(at.loaded_rollers.sum()); };
   const auto row_rollers = [](const AssemblyState &at) { return double(at.loaded_rollers.maxCoeff()); };
   Table t;
-  t.add("load", "N", column(s.curve, n, [](const AssemblyState &at) { return at.load.head<2>().norm(); }))
+  t.add("load", "N", Eigen::Map<const Eigen::VectorXd>(s.question.loads.data(), n))
       .add("displacement", "m", column(s.curve, n, [](const AssemblyState &at) { return at.motion[0]; }))
       .add("secant", "N/m", column(s.curve, n, bearing::radial_secant))
       .add("tangent", "N/m", column(s.curve, n, tangent))
@@ -174,7 +174,7 @@ fem::RollerContactState heaviest_roller(const BearingStudy &s)
 
 Table cage_table(const BearingStudy &s)
 {
-  const auto v = bearing::cage_variation(s.parts.model, s.drive, 8);
+  const auto v = bearing::cage_variation(s.parts.model, s.drive, 16);
   Table t;
   return t.add("angle", "rad", v.angle).add("tangent", "N/m", v.tangent).add("secant", "N/m", v.secant);
 }

@@ -1,4 +1,5 @@
 #include "app/bearing_model.h"
+#include "bearing/clearance.h"
 #include "bearing/geometry.h"
 #include "bearing/ring_sections.h"
 #include "bearing/roller_profile.h"
@@ -66,12 +67,12 @@ fem::CondensedRoller condensed_roller(RunContext &run, const std::string &name, 
 
 std::string ring_key(const RollerBearing &b, const bearing::RacewayDatum &datum)
 {
-  return hash_of(fmt::format("{} {} {} | {} {} {} {} {} {} {} {} {} {} | {} {} | {} {} {} {} {} | {} {} {}",
-                             rings_version, fem::library_version(), meshes::library_version(), b.bore,
-                             b.outside_diameter, b.width, bearing::pitch_diameter(b), b.rows, b.roller_length,
-                             b.roller_diameter, b.roller_cone_angle, b.cup_angle, b.row_hands, b.youngs_modulus,
-                             b.poisson_ratio, b.chock, b.chock_width, b.chock_height, b.chock_length,
-                             b.chock_support_width, datum.depth_inner, datum.depth_outer, datum.land));
+  return hash_of(fmt::format(
+      "{} {} {} | {} {} {} {} {} {} {} {} {} {} | {} {} | {} {} {} {} {} {} | {} {} {}", rings_version,
+      fem::library_version(), meshes::library_version(), b.bore, b.outside_diameter, b.width,
+      bearing::pitch_diameter(b), b.rows, b.roller_length, b.roller_diameter, b.roller_cone_angle, b.cup_angle,
+      b.row_hands, b.youngs_modulus, b.poisson_ratio, b.chock, b.chock_width, b.chock_height, b.chock_length,
+      b.chock_support_width, b.chock_support_gap, datum.depth_inner, datum.depth_outer, datum.land));
 }
 
 fem::RingResult condensed_rings(RunContext &run, const RollerBearing &b, const bearing::RacewayDatum &datum)
@@ -111,6 +112,16 @@ RollerSetup setup_of(const RollerBearing &b, const bearing::RingWalls &walls, co
 }
 }  // namespace
 
+RollerBearing with_row_places(RollerBearing b)
+{
+  if (std::isnan(b.width))
+    b.width = b.rows * b.roller_length;
+  if (std::isnan(bearing::pitch_diameter(b)))
+    b.pitch_diameter =
+        b.rollers_per_row * (std::isnan(b.roller_diameter) ? b.roller_length : b.roller_diameter) / M_PI;
+  return b;
+}
+
 double roller_load_bound(const RollerBearing &b, const double radial_load, const double tilt)
 {
   // Stribeck's number raised to 5 for clearance; a tilt of 0.5 mrad gives one row of four half of the load.
@@ -127,7 +138,7 @@ std::function<double(double)> drop_of(const RollerBearing &b)
 BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double largest_load)
 {
   BearingParts parts;
-  parts.model.bearing = b;
+  parts.model.bearing = with_row_places(b);
   const double land   = 0.1 * b.roller_length;
   if (b.roller_law == "fe") {
     const auto walls      = bearing::ring_walls(b);
@@ -139,9 +150,9 @@ BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double
     parts.coarse.roller =
         fem::fe_roller_law(condensed_roller(run, name + ", coarse mesh", coarsened(setup)), b.slices, drop_of(b));
     parts.roller       = std::make_shared<const fem::CondensedRoller>(condensed_roller(run, name, setup));
-    parts.model.roller = fem::fe_roller_law(*parts.roller, b.slices, drop_of(b));
+    parts.model.roller = bearing::with_limits(fem::fe_roller_law(*parts.roller, b.slices, drop_of(b)));
   } else
-    parts.model.roller = bearing::roller_law(b);
+    parts.model.roller = bearing::with_limits(bearing::roller_law(b));
   if (b.rings == "elastic") {
     const auto walls       = bearing::ring_walls(b);
     const auto rings       = condensed_rings(run, b, {walls.inner, walls.outer, land});
@@ -156,30 +167,26 @@ BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double
 
 namespace {
 // What presses every roller at rest, between rigid rings and by the standard's law; N.  0: nothing.
-double load_at_rest(RollerBearing b, std::string &key)
+double load_at_rest(RollerBearing b)
 {
-  b.roller_law = "iso";
-  key          = b.preload > 0 ? "preload" : "radial_clearance";
-  if (b.preload > 0)
-    return b.preload / (b.rollers_per_row * std::sin(b.cup_angle));
-  if (b.radial_clearance >= 0)
-    return 0;
-  return bearing::roller_load(bearing::roller_law(b), -b.radial_clearance / 2 * std::cos(b.cup_angle), 0).load;
+  b.roller_law         = "iso";
+  const auto law       = bearing::roller_law(b);
+  const double pressed = bearing::approach_offset(b, law);
+  return pressed > 0 ? bearing::roller_load(law, pressed, 0).load : 0;
 }
 
 void check_fit(const Case &the_case, const RollerBearing &b, std::vector<Problem> &problems)
 {
   if (!std::isfinite(b.roller_diameter) || !std::isfinite(bearing::pitch_diameter(b)))
     return;
-  std::string key;
-  const double load = load_at_rest(b, key);
+  const double load = load_at_rest(b);
   if (!(load > 0))
     return;
   const double pressure = bearing::elastic_roller(b, load, b.roller_diameter / 2).inner_peak_pressure;
   if (pressure <= b.yield_pressure)
     return;
-  key              = "bearing." + b.name + "." + key;
-  const auto place = the_case.places.find(key);
+  const std::string key = "bearing." + b.name + (b.preload > 0 ? ".preload" : ".radial_clearance");
+  const auto place      = the_case.places.find(key);
   problems.push_back(
       {place == the_case.places.end() ? Place{the_case.path} : place->second,
        fmt::format("{} presses every roller with {:.4g} kN before any load acts, that is {:.0f} MPa on the inner "

@@ -24,6 +24,10 @@ struct BearingParts {
 /// kN, so that neighbouring cases share a mesh.
 double roller_load_bound(const RollerBearing &bearing, double radial_load, double tilt);
 
+/// The bearing with its rows side by side and its rollers touching where width and pitch diameter are not given:
+/// under a radial load without tilt their places do not matter.
+RollerBearing with_row_places(RollerBearing bearing);
+
 /// Meshes and condenses roller, raceways, rings and chock, or takes them from the cache.
 /// @param largest_load  N, on one roller
 BearingParts bearing_parts(RunContext &run, const RollerBearing &bearing, double largest_load);
@@ -31,8 +35,8 @@ BearingParts bearing_parts(RunContext &run, const RollerBearing &bearing, double
 /// Profile drop of one contact, m, at x from mid-roller.
 std::function<double(double)> drop_of(const RollerBearing &bearing);
 
-/// Refuses bearings whose preload or negative clearance presses the raceways beyond their yield pressure before any
-/// load acts.
+/// Refuses bearings whose preload or negative clearance presses the raceways beyond their yield pressure before
+/// any load acts.
 /// @throws InputError  at the keys, with the pressures
 void check_fits(const Case &the_case);
 }  // namespace mill

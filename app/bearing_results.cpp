@@ -43,8 +43,9 @@ std::vector<std::string> bearing_inputs(const RollerBearing &b)
       "cup_angle", "radial_clearance", "profile",       "roller_law",      "rings",
       "slices"};
   if (b.rings == "elastic")
-    for (const char *key : {"bore", "outside_diameter", "width", "youngs_modulus", "poisson_ratio", "chock",
-                            "chock_width", "chock_height", "chock_length", "chock_support_width"})
+    for (const char *key :
+         {"bore", "outside_diameter", "width", "youngs_modulus", "poisson_ratio", "chock", "chock_width",
+          "chock_height", "chock_length", "chock_support_width", "chock_support_gap"})
       keys.push_back(key);
   for (std::string &key : keys)
     key = "bearing." + b.name + "." + key;
@@ -78,8 +79,9 @@ void add_bearing_results(RunContext &run, const std::string &prefix, const Beari
       ", across the load");
   add("axial", "N/m", s.at.tangent(2, 2), beside(s.standard.tangent(2, 2)), s.error_tangent,
       ", tangent along the axis, all other motions held");
-  add("tilting", "N m", s.at.tangent(4, 4), beside(s.standard.tangent(4, 4)), s.error_tangent,
-      ", tangent against tilt in the plane of the load, all other motions held");
+  if (std::isfinite(s.question.bearing.width))  // else the places of the rows are not known
+    add("tilting", "N m/rad", s.at.tangent(4, 4), beside(s.standard.tangent(4, 4)), s.error_tangent,
+        ", tangent against tilt in the plane of the load, all other motions held");
   Eigen::Index row, roller;
   const double heaviest = s.at.roller_load.maxCoeff(&row, &roller);
   const auto heavy = heaviest_of_rows(s.at), standard = heaviest_of_rows(s.standard);

@@ -1,6 +1,6 @@
 #include "app/bearing_study.h"
-#include <algorithm>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ RollerBearing by_standard(RollerBearing b, const std::string &law)
 
 bearing::BearingModel standard_model(const BearingQuestion &q, const std::string &law)
 {
-  auto model       = bearing::rigid_model(by_standard(q.bearing, law));
+  auto model       = bearing::rigid_model(by_standard(with_row_places(q.bearing), law));
   model.cage_angle = q.cage_angle;
   return model;
 }

@@ -1,4 +1,5 @@
 #include "app/run_context.h"
+#include "bearing/geometry.h"
 #include "core/files.h"
 #include "core/sparse.h"
 #include "fem/elastic_body.h"
@@ -64,6 +65,27 @@ json geometry_of(const FourHigh &stand)
   };
 }
 
+void add_bearings(json &manifest, const std::vector<RollerBearing> &bearings)
+{
+  for (const RollerBearing &b : bearings)
+    manifest["bearings"][b.name] = {
+        {"bore",                b.bore                    },
+        {"outside_diameter",    b.outside_diameter        },
+        {"width",               b.width                   },
+        {"pitch_diameter",      bearing::pitch_diameter(b)},
+        {"rows",                b.rows                    },
+        {"rollers_per_row",     b.rollers_per_row         },
+        {"roller_length",       b.roller_length           },
+        {"roller_diameter",     b.roller_diameter         },
+        {"roller_cone_angle",   b.roller_cone_angle       },
+        {"cup_angle",           b.cup_angle               },
+        {"row_hands",           b.row_hands               },
+        {"chock_width",         b.chock_width             },
+        {"chock_height",        b.chock_height            },
+        {"chock_support_width", b.chock_support_width     }
+    };
+}
+
 void add_passes(json &manifest, const std::vector<Pass> &passes, const std::string &force_meaning)
 {
   for (const Pass &pass : passes)
@@ -109,8 +131,11 @@ std::string manifest_json(const RunContext &run)
   manifest["peak_memory"] = 1024. * double(usage.ru_maxrss);
   if (const auto *stand = std::get_if<FourHigh>(&c.spec)) {
     manifest["geometry"] = geometry_of(*stand);
+    add_bearings(manifest, stand->bearings);
     add_passes(manifest, stand->passes, stand->dynamics.force_meaning);
   }
+  if (const auto *bearing = std::get_if<BearingCase>(&c.spec))
+    add_bearings(manifest, bearing->bearings);
   if (const auto *lumped = std::get_if<Lumped>(&c.spec))
     add_passes(manifest, lumped->passes, lumped->dynamics.force_meaning);
   if (const auto *pair = std::get_if<TwoCylinders>(&c.spec))

@@ -91,9 +91,8 @@ public:
   BearingAssembly(BearingAssembly &&) noexcept;
 
   /// @throws InputError   a drive that is not finite
-  /// @throws SolverError  no roller carries a load that has to be carried; the load has no equilibrium (a row that
-  /// is
-  ///                      pushed out axially); 200 steps.  Says how it stood; the state before is kept.
+  /// @throws SolverError  no roller carries a load that has to be carried; no equilibrium (a row that is pushed
+  ///                      out axially); 200 steps.  Says how it stood; the state before is kept.
   /// Cost per Newton step: rows Z roller laws, and (rank)^3 / 3 for elastic rings, rank at most loaded rollers x
   /// modes.  4 x 39 rollers of 41 slices, 5 steps: 1 ms by a power law, 15 ms with elastic rings, 50 ms with a
   /// line-contact law.

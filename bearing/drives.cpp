@@ -28,7 +28,7 @@ std::string drive_text(const RingDrive &drive)
   std::ostringstream text;
   const char *between = "";
   for (std::size_t i = 0; i < 5; ++i) {
-    const double value = drive.value[Index(i)];
+    const double value = drive.value[Eigen::Index(i)];
     if (value == 0)
       continue;
     text << between;

@@ -171,6 +171,10 @@ void check_rings(const RollerBearing &b, Reading &reading)
                  {key("outside_diameter")});
     if (reading.usable({key("chock_support_width"), key("chock_width")}) && b.chock_support_width > b.chock_width)
       contradict(reading, key("chock_support_width"), "is wider than the chock", {key("chock_width")});
+    if (reading.usable({key("chock_support_gap"), key("chock_support_width")}) &&
+        b.chock_support_gap >= b.chock_support_width)
+      contradict(reading, key("chock_support_gap"), "leaves nothing of the face that carries the chock",
+                 {key("chock_support_width")});
     if (reading.usable({key("chock_length"), key("width")}) && b.chock_length < b.width)
       contradict(reading, key("chock_length"), "is shorter than the bearing in it", {key("width")});
   }

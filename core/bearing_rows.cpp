@@ -124,6 +124,11 @@ const std::vector<Field<RollerBearing>> &bearing_rows()
       {"chock_support_width", &T::chock_support_width, "mm",                                                            chock_size,   absent,   "300 mm",
        "of the face that carries the chock, centred on the line of the load; when absent half the chock's width, "
        "assumed"                                                                                                                                                                                                                                         },
+      {"chock_support_gap",
+       &T::chock_support_gap,
+       "mm",                                                                                                            {0, 6000},
+       0,                                                                                                                                       "0 mm",
+       "middle part of that face which carries nothing: a chock on two feet"                                                                                                                                                                             },
   };
   return rows;
 }

@@ -33,6 +33,7 @@ struct Housing {
   double width         = 0;  ///< m, of the block, across the load
   double height        = 0;  ///< m, of the block, along the load
   double support_width = 0;  ///< m, of the face that carries the block, centred on the load line
+  double support_gap   = 0;  ///< m, middle part of that width which carries nothing: a block on two liners or feet
 };
 
 /// Everything that yields behind the rollers.

@@ -94,9 +94,37 @@ struct RollerContact::Implementation {
                              "give a larger load for the mesh", ""});
   }
 
-  RollerContactState solve(const contact::Drive &drive)
+  // A roller with play everywhere rests somewhere; half way is as good as any place.
+  RollerContactState apart(const double by, const double turn) const
   {
-    const contact::State state = solver.solve(drive);
+    RollerContactState out;
+    out.approach     = by;
+    out.tilt         = turn;
+    out.roller_shift = 0.5 * by;
+    out.roller_tilt  = 0.5 * turn;
+    out.inner = out.outer = side(VectorXd::Zero(grid.area.size()), 0);
+    return out;
+  }
+
+  RollerContactState at(const double by, const double turn)
+  {
+    // Both gaps of a station are least at its middle, and a roller half way between the backs shares them.
+    for (int k = 0; k < grid.n_z; ++k)
+      if (by + turn * grid.z[k] > 2 * solver.problem().initial_gap[k * grid.n_x])
+        return solve(drive(by, turn, true));
+    return apart(by, turn);
+  }
+
+  static contact::Drive drive(const double first, const double turn, const bool by_approach)
+  {
+    return {
+        Eigen::Vector4d(first, turn, 0, 0), std::vector<char>{char(by_approach), 1, 0, 0}
+    };
+  }
+
+  RollerContactState solve(const contact::Drive &imposed)
+  {
+    const contact::State state = solver.solve(imposed);
     require_inside(state);
     RollerContactState out;
     out.approach     = state.motion[approach];
@@ -131,17 +159,13 @@ RollerContact::RollerContact(RollerContact &&) noexcept = default;
 
 RollerContactState RollerContact::solve(const double approach, const double tilt)
 {
-  return self->solve({
-      Eigen::Vector4d(approach, tilt, 0, 0), {1, 1, 0, 0}
-  });
+  return self->at(approach, tilt);
 }
 RollerContactState RollerContact::solve_load(const double load, const double tilt)
 {
   if (!(load > 0))
     throw InputError("roller: the load must be positive");
-  return self->solve({
-      Eigen::Vector4d(0.5 * load, tilt, 0, 0), {0, 1, 0, 0}
-  });
+  return self->solve(Implementation::drive(0.5 * load, tilt, false));
 }
 const contact::Problem &RollerContact::problem() const
 {

@@ -20,6 +20,8 @@ std::vector<double> angles(const Housing &h, const double refinement)
 {
   std::vector<double> corners{0};
   if (h.kind == Housing::Kind::block) {
+    if (h.support_gap > 0)
+      corners.push_back(std::atan2(h.support_gap, h.height));
     if (h.support_width < h.width * (1 - 1e-6))
       corners.push_back(std::atan2(h.support_width, h.height));
     corners.push_back(std::atan2(h.width, h.height));
@@ -94,10 +96,10 @@ MeshFile mesh_chock(const RingSection &cup, const Housing &housing, const double
             cell.push_back(turn * per_angle + corner);
         mesh.cells.push_back(cell);
       }
-  const double half_support = 0.5 * housing.support_width;
-  mesh.group                = [&](const std::vector<int> &corners) -> std::string {
+  const double half_support = 0.5 * housing.support_width, half_gap = 0.5 * housing.support_gap;
+  mesh.group = [&](const std::vector<int> &corners) -> std::string {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    bool inside = true, rim = true;
+    bool inside = true, seat = true, rim = true;
     double lowest = 1e300;
     for (const int c : corners) {
       const auto &p   = mesh.points[std::size_t(c)];
@@ -105,13 +107,16 @@ MeshFile mesh_chock(const RingSection &cup, const Housing &housing, const double
       middle += 0.25 * Eigen::Vector3d(p[0], p[1], p[2]);
       lowest = std::min(lowest, p[0]);
       inside = inside && layer == 0;
+      seat   = seat && layer == section.seat_layer;
       rim    = rim && layer == section.n_layers - 1;
     }
     if (inside)
       return "contact";
+    if (seat)
+      return "neck";
     if (rim && housing.kind == Housing::Kind::round)
       return "barrel";
-    if (rim && lowest > 0.5 * housing.height * (1 - 1e-9) && middle[1] < half_support)
+    if (rim && lowest > 0.5 * housing.height * (1 - 1e-9) && middle[1] < half_support && middle[1] > half_gap)
       return "support";
     if (std::abs(middle[1]) < 1e-9 * cup.seat_radius)
       return "symmetry.y";

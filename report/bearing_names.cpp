@@ -22,8 +22,8 @@ const Place places[] = {
     {"rib_",           "",       2},
     {"",               "",       0},
 };
-const char *const titles[] = {"Stiffness of one bearing", "Rows", "Rollers", "From one roller to the bearing",
-                              "A mass on the bearing"};
+const char *const titles[] = {"Stiffness of one bearing", "Rows",  "Rollers", "From one roller to the bearing",
+                              "A mass on the bearing",    "Others"};
 
 bool fits(const Place &place, const std::string &name)
 {
@@ -40,8 +40,10 @@ std::vector<Group> bearing_groups(const Run &run)
     groups.push_back({title, {}});
   const std::string prefix = "Kzc.";
   for (const Result &result : run.results) {
-    if (result.name.rfind(prefix, 0) != 0)
+    if (result.name.rfind(prefix, 0) != 0) {
+      groups.back().results.push_back(&result);
       continue;
+    }
     const std::string name = result.name.substr(prefix.size());
     const auto *place =
         std::find_if(std::begin(places), std::end(places), [&](const Place &p) { return fits(p, name); });

@@ -118,15 +118,15 @@ std::vector<std::string> roller_polars(const Table &rollers)
   const double size = groups.size() == 1 ? 360 : groups.size() == 2 ? 330 : 245;
   std::vector<std::string> drawings;
   for (const RowGroup &group : groups) {
-    Svg svg(size, size + 22, group.title + ": load of every roller over its angle, roller load in kN");
+    Svg svg(size, size + 32, group.title + ": load of every roller over its angle, roller load in kN");
     svg.text(20, 15, groups.size() == 1 ? "Roller loads, " + group.title : group.title, "title");
-    const Polar polar{size / 2, size / 2 + 14, size / 2 - 44, largest > 0 ? largest : 1};
+    const Polar polar{size / 2, size / 2 + 22, size / 2 - 38, largest > 0 ? largest : 1};
     draw_grid(svg, polar);
     if (group.standard.size() == angle.size())
       draw_row(svg, polar, angle, group.standard, "pale", false);
     draw_row(svg, polar, angle, group.load, "dark", true);
     draw_legend(svg, group.standard.size() == angle.size());
-    svg.text(size / 2, size + 17, "roller load [kN] over angle [\u00b0]", "axis", Anchor::middle);
+    svg.text(size / 2, size + 27, "roller load [kN] over angle [\u00b0]", "axis", Anchor::middle);
     drawings.push_back(svg.str());
   }
   return drawings;
@@ -156,7 +156,7 @@ std::string heaviest_roller_sentence(const Table &rollers)
                               significant(heaviest, 4) + "\u00a0kN and lies ";
   // Two rollers astride of the load line are on it as well.
   if (off <= 0.51 * 2 * EIGEN_PI / double(angle.size()))
-    return "<b>On the load line:</b> " + carries + "below the load, as between rigid rings.";
+    return "<b>On the load line:</b> " + carries + "there, as between rigid rings.";
   return "<b>Off the load line:</b> " + carries + fixed(off * 180 / EIGEN_PI, 1) +
          "\u00b0 off it, while the roller on it carries " + significant(below, 4) +
          "\u00a0kN. The cup bends with its chock and hands the load to both sides: round the ring the load has "

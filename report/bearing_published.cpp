@@ -90,8 +90,8 @@ std::string caption(const Compared &c, const double rollers, const double sum, c
             significant(sum, 5) + "\u00a0kN/mm, times Z/5 = " + fixed(rollers, 0) +
             "/5 = " + fixed(rollers / 5, 1) + " is " + significant(sum * rollers / 5, 5) + "\u00a0kN/mm";
     if (c.total > 0)
-      text += ", the published total of " + significant(c.total, 4) + "\u00a0kN/mm to " +
-              percent(sum * rollers / 5 / c.total - 1);
+      text += ", which is " + percent(sum * rollers / 5 / c.total - 1) + " from the published total of " +
+              significant(c.total, 4) + "\u00a0kN/mm";
     text += ". Five is the usual number for the heaviest roller of a bearing with clearance, "
             "Q<sub>max</sub> = 5F/(iZ); it holds neither contact angle nor clearance of this one.";
   }

@@ -92,8 +92,9 @@ void rollers(Page &page, const Run &run, const std::string &bearing)
     page.figure(
         roller_law_drawings(*law, heaviest),
         "One roller pressed between its raceways, both contacts in series. The contact elements count the "
-        "raceways to the backs of the rings; the standard and Palmgren do not say what they count, and the "
-        "plane-strain form knows no profile of the roller and no end.");
+        "raceways to the backs of the rings; the standard and Palmgren do not say what they count, and in the "
+        "plane-strain form no slice knows of its neighbours. All have the profile of the roller, which makes the "
+        "tangent step where slices or rows of elements come into contact.");
   else if (run.manifest.kind == "bearing")
     page.absent("The laws of one roller are", path_of(bearing, "law") + ".csv");
   if (const Table *tilt = run.table(path_of(bearing, "tilt")))

@@ -49,17 +49,17 @@ void draw_row(Svg &svg, const Section &at, const Size &s, const double z, const 
   const double half      = s.length / 2;
   const Vector2d big_out = corner(-half, 1), small_out = corner(half, 1), big_in = corner(-half, -1),
                  small_in = corner(half, -1);
-  // A raceway goes on to the edges of its row.
-  const auto edge = [&](const Vector2d &a, const Vector2d &b, const double to) {
-    return Vector2d(to, a[1] + (b[1] - a[1]) / (b[0] - a[0]) * (to - a[0]));
+  // A raceway goes on a little beyond its roller; from there to the edge of the row the ring is cylindrical.
+  const double reach = std::min(0.56 * s.length * std::cos(axis), half_pitch);
+  const auto raceway = [&](const Vector2d &big, const Vector2d &small, const double back) {
+    const double slope = (small[1] - big[1]) / (small[0] - big[0]), middle = 0.5 * (small[1] + big[1]);
+    const double left = middle - slope * reach, right = middle + slope * reach;
+    svg.polyline({at(z - half_pitch, back), at(z - half_pitch, left), at(z - reach, left), at(z + reach, right),
+                  at(z + half_pitch, right), at(z + half_pitch, back)},
+                 "ring-steel", true);
   };
-  const double left = z - half_pitch, right = z + half_pitch;
-  svg.polyline({px(edge(big_out, small_out, left)), px(edge(big_out, small_out, right)), at(right, s.outside / 2),
-                at(left, s.outside / 2)},
-               "ring-steel", true);
-  svg.polyline({px(edge(big_in, small_in, left)), px(edge(big_in, small_in, right)), at(right, s.bore / 2),
-                at(left, s.bore / 2)},
-               "ring-steel", true);
+  raceway(big_out, small_out, s.outside / 2);
+  raceway(big_in, small_in, s.bore / 2);
   svg.polyline({px(big_out), px(small_out), px(small_in), px(big_in)}, "roller", true);
   const Vector2d a = at(z - hand * 0.62 * s.length * std::cos(axis),
                         s.pitch / 2 + 0.62 * s.length * std::sin(axis)),

@@ -20,8 +20,8 @@ struct Group {
 /// The numbers of the short table, in the order of the load path; empty groups are left out.
 std::vector<Group> short_groups(const Run &run);
 
-/// The results of one bearing, "Kzc.*", by what they are about: stiffness, rows, rollers, motion.  Empty groups
-/// are left out; a name nobody foresaw is a stiffness.
+/// Every result of a run of one bearing by what it is about: stiffness, rows, rollers, motion, others.  Empty
+/// groups are left out; an unforeseen "Kzc.*" counts as a stiffness.
 std::vector<Group> bearing_groups(const Run &run);
 
 /// "upper" -> "upper contact (K3)".

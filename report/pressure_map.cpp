@@ -1,6 +1,7 @@
 #include "report/pressure_map.h"
 #include "report/curves.h"
 #include "report/heat_map.h"
+#include <algorithm>
 
 namespace mill::report {
 std::string pressure_map(const Table &table, const std::string &title, const std::string &along,
@@ -22,13 +23,20 @@ std::string pressure_map(const Table &table, const std::string &title, const std
   map.width               = width;
   map.height              = height;
   const Eigen::Index rows = z.size() / across;
+  const auto pressure     = p.reshaped(across, rows);  // (across, along)
+  // What nothing touches beside the patch is left out but for a margin.
+  Eigen::Index first = 0, end = across;
+  while (first < across && !(pressure.row(first).maxCoeff() > 0))
+    ++first;
+  while (end > first && !(pressure.row(end - 1).maxCoeff() > 0))
+    --end;
+  first = std::max<Eigen::Index>(0, first - 2);
+  end   = std::min(across, end + 2);
   map.at_x.resize(rows);
-  map.value.resize(rows, across);
-  for (Eigen::Index k = 0; k < rows; ++k) {
-    map.at_x[k]      = z[k * across];
-    map.value.row(k) = p.segment(k * across, across).transpose();
-  }
-  map.at_y = x.head(across);
+  for (Eigen::Index k = 0; k < rows; ++k)
+    map.at_x[k] = z[k * across];
+  map.at_y  = x.segment(first, end - first);
+  map.value = pressure.middleRows(first, end - first).transpose();
   return heat_map(map);
 }
 }  // namespace mill::report

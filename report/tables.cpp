@@ -23,14 +23,21 @@ std::string table_number(const double value)
   return significant(value, std::abs(value) >= 1e5 ? 6 : 5);
 }
 
+// A count stands without decimals.
 std::string with_unit(const Shown &shown)
 {
+  if (shown.unit.empty() && shown.value == std::round(shown.value) && std::abs(shown.value) < 1e6)
+    return fixed(shown.value, 0);
   return table_number(shown.value) + (shown.unit.empty() ? "" : "\u00a0" + escaped(shown.unit));
 }
 
 // In the unit in which the result itself is shown, so that the two can be compared at a glance.
 std::string check_text(const Result &result, const Check &check)
 {
+  if (is_share(result))
+    return escaped(check.name) + ": " + fixed(100 * check.value, 1) + "\u00a0% <span class=\"deviation\">(" +
+           (result.value >= check.value ? "+" : "") + fixed(100 * (result.value - check.value), 1) +
+           " points)</span>";
   const Shown own    = engineering(result.value, result.unit);
   const double scale = result.value != 0 ? own.value / result.value : 1;
   std::string text   = escaped(check.name) + ": ";
@@ -82,6 +89,11 @@ std::string folded_inputs(const Result &result)
   return "<details><summary>" + count + (count == "1" ? " input" : " inputs") + "</summary>" + list + "</details>";
 }
 
+std::string group_head(const Group &group)
+{
+  return "<tr class=\"group\"><th colspan=\"6\">" + escaped(group.title) + "</th></tr>\n";
+}
+
 const Check *check_named(const Result &result, const std::string &word)
 {
   for (const Check &check : result.checks)
@@ -120,9 +132,8 @@ std::string value_cell(const Result &result)
   if (is_share(result))
     return "<b>" + fixed(100 * result.value, 1) + "</b>\u00a0%";
   const Shown shown = engineering(result.value, result.unit);
-  std::string cell  = "<b>" + table_number(shown.value) + "</b>";
-  if (!shown.unit.empty())
-    cell += "\u00a0" + escaped(shown.unit);
+  std::string cell  = shown.unit.empty() ? "<b>" + with_unit(shown) + "</b>"
+                                         : "<b>" + table_number(shown.value) + "</b>\u00a0" + escaped(shown.unit);
   if (result.unit == "N/m")
     cell += "<small>" + significant(result.value, 5) + "\u00a0N/m</small>";
   return cell;
@@ -150,7 +161,7 @@ std::string short_table(const std::vector<Group> &groups)
   std::string table = "<table class=\"results\"><thead><tr><th>name</th><th>value</th><th>source</th><th>at</th>"
                       "<th>accuracy</th><th>beside it (this run deviates by)</th></tr></thead>\n";
   for (const Group &group : groups) {
-    table += "<tbody><tr class=\"group\"><th colspan=\"6\">" + escaped(group.title) + "</th></tr>\n";
+    table += "<tbody>" + group_head(group);
     for (const Result *result : group.results)
       table += "<tr>" + row_head(*result) + common_cells(*result, short_source(result->source)) + "<td>" +
                first_checks(*result) + "</td></tr>\n";
@@ -164,9 +175,19 @@ std::string full_table(const Run &run)
   std::string table =
       "<table class=\"results full\"><thead><tr><th>name</th><th>value</th><th>source</th><th>at</th>"
       "<th>accuracy</th><th>checks (this run deviates by)</th></tr></thead>\n<tbody>\n";
-  for (const Result &result : run.results)
-    table += "<tr>" + row_head(result) + common_cells(result, result.source) + "<td>" + all_checks(result) +
-             folded_inputs(result) + "</td></tr>\n";
+  const auto row = [](const Result &result) {
+    return "<tr>" + row_head(result) + common_cells(result, result.source) + "<td>" + all_checks(result) +
+           folded_inputs(result) + "</td></tr>\n";
+  };
+  if (run.manifest.kind == "bearing")
+    for (const Group &group : bearing_groups(run)) {
+      table += group_head(group);
+      for (const Result *result : group.results)
+        table += row(*result);
+    }
+  else
+    for (const Result &result : run.results)
+      table += row(result);
   return table + "</tbody></table>\n";
 }
 

@@ -38,8 +38,9 @@ bool passes(const Check &c)
 std::vector<Case> all_cases()
 {
   std::vector<Case> all;
-  for (const auto family : {closed_forms, half_space_cases, section_cases, solid_cases, friction_cases,
-                            nonlinear_cases, roll_cases, bearing_cases, roller_cases, ring_cases})
+  for (const auto family :
+       {closed_forms, half_space_cases, section_cases, solid_cases, friction_cases, nonlinear_cases, roll_cases,
+        bearing_cases, roller_cases, ring_cases, bearing_motion_cases})
     for (Case &c : family())
       all.push_back(std::move(c));
   return all;

@@ -41,14 +41,15 @@ struct Case {
 std::vector<Case> all_cases();
 
 // One function per family, each in a file of its name.
-std::vector<Case> closed_forms();      ///< formulas and kernels in isolation
-std::vector<Case> half_space_cases();  ///< boundary elements on the half space
-std::vector<Case> section_cases();     ///< plane strain and axisymmetric bodies
-std::vector<Case> solid_cases();       ///< three-dimensional bodies
-std::vector<Case> friction_cases();    ///< Coulomb contact
-std::vector<Case> nonlinear_cases();   ///< large displacements, plasticity
-std::vector<Case> roll_cases();        ///< rolls, identities, engines, scaling
-std::vector<Case> bearing_cases();     ///< roller bearings from the law of one roller
-std::vector<Case> roller_cases();      ///< one roller between its raceways by finite elements
-std::vector<Case> ring_cases();        ///< rings, neck and chock
+std::vector<Case> closed_forms();          ///< formulas and kernels in isolation
+std::vector<Case> half_space_cases();      ///< boundary elements on the half space
+std::vector<Case> section_cases();         ///< plane strain and axisymmetric bodies
+std::vector<Case> solid_cases();           ///< three-dimensional bodies
+std::vector<Case> friction_cases();        ///< Coulomb contact
+std::vector<Case> nonlinear_cases();       ///< large displacements, plasticity
+std::vector<Case> roll_cases();            ///< rolls, identities, engines, scaling
+std::vector<Case> bearing_cases();         ///< roller bearings from the law of one roller
+std::vector<Case> roller_cases();          ///< one roller between its raceways by finite elements
+std::vector<Case> ring_cases();            ///< rings, neck and chock
+std::vector<Case> bearing_motion_cases();  ///< a mass on a bearing
 }  // namespace mill::verify
