@@ -16,7 +16,7 @@
 namespace mill {
 namespace {
 // Raised by hand when meshing or condensation changes what it computes.
-constexpr const char *roller_version = "roller 1", *rings_version = "rings 1";
+constexpr const char *roller_version = "roller 1", *rings_version = "rings 2";
 
 std::string file_name(const RunContext &run, const char *what, const std::string &key)
 {
@@ -80,18 +80,31 @@ fem::RingResult condensed_rings(RunContext &run, const RollerBearing &b, const b
   const std::string key = ring_key(b, datum);
   const auto make       = [&] {
     const RingSections sections = bearing::ring_sections(b, datum);
-    meshes::RingMeshSize coarse_size;
-    coarse_size.sections = coarse_size.chock = 0.5;
-    const std::string own                    = fmt::format("rings-{}-{}", key, ::getpid());
-    const RingMeshes fine                    = meshes::mesh_rings(sections, {}, run.cache, own);
-    const RingMeshes coarse = meshes::mesh_rings(sections, coarse_size, run.cache, own + "-coarse");
-    auto result             = fem::ring_flexibility(sections, fine, &coarse, {}, run.progress);
+    const std::string own       = fmt::format("rings-{}-{}", key, ::getpid());
+    const RingMeshes fine       = meshes::mesh_rings(sections, {}, run.cache, own);
+    const RingMeshes coarse     = meshes::mesh_rings(sections, meshes::coarsened({}), run.cache, own + "-coarse");
+    auto result                 = fem::ring_flexibility(sections, fine, &coarse, {}, run.progress);
     meshes::remove_meshes(fine);
     meshes::remove_meshes(coarse);
     return result;
   };
   return cached<fem::RingResult>(run, "rings and chock of bearing " + b.name, file_name(run, "rings", key), key,
                                  fem::load_rings, make, fem::save_rings);
+}
+
+// What the law of one roller counts of the rings; the rest is theirs.
+bearing::RacewayDatum datum_of(const RollerBearing &b)
+{
+  const auto walls = bearing::ring_walls(b);
+  return {walls.inner, walls.outer, not_given};
+}
+
+// Straight raceway beyond the rollers' ends, the same for the roller and for the rings; no matter what holds the
+// cup.
+double land_of(RollerBearing b)
+{
+  b.chock = "rigid";
+  return bearing::ring_sections(b, datum_of(b)).cone.land;
 }
 
 RollerSetup setup_of(const RollerBearing &b, const bearing::RingWalls &walls, const double land,
@@ -139,9 +152,9 @@ BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double
 {
   BearingParts parts;
   parts.model.bearing = with_row_places(b);
-  const double land   = 0.1 * b.roller_length;
   if (b.roller_law == "fe") {
     const auto walls      = bearing::ring_walls(b);
+    const double land     = land_of(b);
     const auto setup      = setup_of(b, walls, land, largest_load);
     const auto name       = "roller of bearing " + b.name;
     parts.law_depth_inner = walls.inner;
@@ -154,8 +167,7 @@ BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double
   } else
     parts.model.roller = bearing::with_limits(bearing::roller_law(b));
   if (b.rings == "elastic") {
-    const auto walls       = bearing::ring_walls(b);
-    const auto rings       = condensed_rings(run, b, {walls.inner, walls.outer, land});
+    const auto rings       = condensed_rings(run, b, datum_of(b));
     parts.model.rings      = rings.flexibility;
     parts.coarse.rings     = rings.flexibility;
     parts.ring_error       = rings.error_estimate;

@@ -4,7 +4,7 @@
 
 namespace mill::bearing {
 /// Flexibility of rings, neck and chock as the rollers feel it, beyond the piece of raceway that the law of one roller
-/// counts itself.  theory.md 14
+/// counts itself.  theory.md 15
 ///
 /// Loads and displacements of a roller on its line are along the raceway's normal and described by Legendre
 /// polynomials P_a(2x/L), a < modes.  With N_a = sum_k P_a(x_k) q_k the load density is q(x) = sum_a (2a+1)/L N_a P_a,

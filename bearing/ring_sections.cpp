@@ -139,6 +139,9 @@ Housing housing(const RollerBearing &b)
   if (h.kind == Housing::Kind::block && h.support_width > h.width)
     refuse(b, "chock_support_width = ", h.support_width / mm, " mm is more than the chock_width of ", h.width / mm,
            " mm");
+  if (h.kind == Housing::Kind::block && !(h.support_gap >= 0 && h.support_gap < h.support_width))
+    refuse(b, "chock_support_gap = ", h.support_gap / mm, " mm leaves nothing of the chock_support_width of ",
+           h.support_width / mm, " mm");
   return h;
 }
 }  // namespace

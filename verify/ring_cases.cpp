@@ -263,9 +263,9 @@ std::vector<Check> chock_m_shape()
   const auto solved     = [&] { return bearing::BearingAssembly(model).solve(bearing::radial_drive(load)); };
   const auto rigid      = solved();
   const auto in_block   = [&](const double width, const double gap) {
-    RingSections sections          = bearing::ring_sections(bearing);
-    sections.housing.support_width = width;
-    sections.housing.support_gap   = gap;
+    bearing.chock_support_width = width;
+    bearing.chock_support_gap   = gap;
+    const auto sections         = bearing::ring_sections(bearing);
     const ScratchRings scratch(sections, {0.5, 0.8}, "shape");
     fem::RingOptions options;
     options.last_harmonic = 40;

@@ -20,7 +20,7 @@ std::vector<Case> roller_cases()
        "The approach of the diametral plane and the back is imposed. Quadratic quadrilaterals on grids that do "
        "not "
        "match, condensed onto their patches, exact active set; 23 000 unknowns.",
-       "Loads: a published series on another mesh, quadratic triangles, which does not say how wide its raceway "
+       "Loads: a plane-strain series on quadratic triangles, which does not say how wide its raceway "
        "is; "
        "20 mm to each side returns every digit of it. Half width: Hertz. Closed form: K. L. Johnson, Contact "
        "Mechanics "
@@ -48,7 +48,7 @@ std::vector<Case> roller_cases()
        "b "
        "across the contact. The error of the load is the root mean square over twelve approaches from 6 to 11 um, "
        "against h/b 0.05; up to 40 000 unknowns.",
-       "Itself on the finest mesh, which is compared with the published 291.4 N/mm at 8 um. Order: a contact "
+       "Itself on the finest mesh, which is compared with the 291.4 N/mm at 8 um. Order: a contact "
        "whose edge "
        "falls anywhere in an element is known to a share of h, and the load changes with the square of it",
        "0.3 % at h/b 0.5 is asked for. The order is fitted over the whole series; single errors scatter by the "

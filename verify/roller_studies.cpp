@@ -117,7 +117,7 @@ std::vector<Check> roller_slice_law()
     checks.push_back(
         {"largest deviation of the load, 5..100 kN" + name, "%", 100 * resolved.load, 0.3, 0, Judged::at_most});
     checks.push_back({"largest deviation of the moment / (Q L/2), 5..100 kN" + name, "%", 100 * resolved.moment,
-                      0.35, 0, Judged::at_most});
+                      0.3, 0, Judged::at_most});
     checks.push_back(
         {"largest deviation of the load, 1 and 2 kN" + name, "%", 100 * coarse.load, 1, 0, Judged::at_most});
   }

@@ -122,6 +122,8 @@ TEST(RingSections, RefusesAChockThatDoesNotHoldTheBearing)
   expect_says(message([](auto &b) { b.chock_height = 350 * mm; }), {"600 x 350 mm", "355.6 mm"});
   expect_says(message([](auto &b) { b.chock_support_width = 700 * mm; }),
               {"chock_support_width = 700 mm", "600 mm"});
+  expect_says(message([](auto &b) { b.chock_support_gap = 300 * mm; }),
+              {"chock_support_gap = 300 mm", "leaves nothing"});
   expect_says(message([](auto &b) { b.chock_length = not_given; }), {"elastic rings need chock_length"});
   expect_says(message([](auto &b) { b.chock = "soft"; }), {"\"soft\"", "block, round, rigid"});
 }

@@ -127,9 +127,59 @@ TEST_F(Cases, TwoCylinders)
   EXPECT_EQ(pair.contact.at, 1e6);
 }
 
+TEST_F(Cases, Bearing)
+{
+  const auto spec          = std::get<BearingCase>(read_case("cases/bearing-266.toml").spec);
+  const RollerBearing &trb = bearing_of(spec.bearings, spec.load.bearing);
+  EXPECT_EQ(trb.roller_law, "fe");
+  EXPECT_EQ(trb.rings, "elastic");
+  EXPECT_EQ(trb.row_hands, "+-+-");
+  EXPECT_EQ(spec.load.radial, 1e6);
+  EXPECT_EQ(spec.load.loads[1], 4e6);
+  EXPECT_TRUE(std::isnan(spec.motion.mass));
+  EXPECT_TRUE(same(spec.published.at("row1_roller").parameter.value, 6.78395e8));
+}
+
+// What the drawing of a bearing leaves out follows from the rest, and is said.
+TEST_F(Cases, AMissingMemberOfTheApexConditionIsComputed)
+{
+  const std::string whole = read_text("cases/bearing-266.toml");
+  const auto without      = [&](const std::string &key) {
+    const auto at = whole.find(key + " "), end = whole.find('\n', at);
+    const auto spec =
+        std::get<BearingCase>(read_case(file("b.toml", whole.substr(0, at) + whole.substr(end + 1))).spec);
+    return spec.bearings.at(0);
+  };
+  const double degree = 3.14159265358979323846 / 180;
+  // The given cup angle is rounded to 0.01 deg; the closing values of the drawing's other members are those of the
+  // table in which it closes (D_pw 311.15, D_we 21.5, 2.5 deg: 19.66 deg).
+  const auto rounded = within(6e-4, "a cup angle known to 0.005 deg");
+  EXPECT_TRUE(near(without("cup_angle").cup_angle, 19.66 * degree, rounded));
+  EXPECT_TRUE(near(without("roller_diameter").roller_diameter, 21.5e-3, rounded));
+  EXPECT_TRUE(near(without("roller_cone_angle").roller_cone_angle, 2.5 * degree, rounded));
+  EXPECT_EQ(without("cup_angle").filled.size(), 1u);
+  EXPECT_NE(without("cup_angle").filled[0].find("bearing.trb.cup_angle is not given: 19.66 deg"),
+            std::string::npos);
+  EXPECT_EQ(without("chock_width").filled.at(0),
+            "bearing.trb.chock_width is not given: 604.52 mm assumed, 1.7 outside diameters");
+}
+
+TEST_F(Cases, LawAndRingsFollowTheDrawing)
+{
+  const auto stand = std::get<FourHigh>(read_case("cases/four-high-1400.toml").spec);
+  EXPECT_EQ(bearing_of(stand.bearings, "trb").roller_law, "fe");
+  EXPECT_EQ(bearing_of(stand.bearings, "trb").rings, "elastic");
+  EXPECT_EQ(bearing_of(stand.bearings, "crb").rings, "rigid");
+  const auto plain = read_case("cases/bearing-266.toml", {"model.roller_law=iso", "model.rings=rigid"});
+  const auto &trb  = std::get<BearingCase>(plain.spec).bearings.at(0);
+  EXPECT_EQ(trb.roller_law, "iso");
+  EXPECT_EQ(trb.rings, "rigid");
+}
+
 TEST_F(Cases, TheEchoReadsBackAsTheSameCase)
 {
-  for (const char *path : {"cases/four-high-1400.toml", "cases/published-1400.toml", "cases/two-cylinders.toml"}) {
+  for (const char *path : {"cases/four-high-1400.toml", "cases/published-1400.toml", "cases/two-cylinders.toml",
+                           "cases/bearing-266.toml"}) {
     const Case first = read_case(path);
     const Case again = read_case(file("resolved.toml", first.resolved));
     EXPECT_EQ(values_of(first), values_of(again)) << path;

@@ -1,0 +1,92 @@
+#include "tests/support/near.h"
+#include "tests/support/program.h"
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+// kind = "bearing" as a user meets it.
+namespace fs = std::filesystem;
+
+namespace {
+nlohmann::json run(const std::string &name, const std::string &more)
+{
+  const std::string out = scratch(name);
+  const auto outcome = millstand("stiffness cases/bearing-266.toml -q -o " + out + " --cache " + scratch("cache") +
+                                 " --force-overwrite " + more);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return nlohmann::json::parse(std::ifstream(out + "/results.json"));
+}
+
+double value(const nlohmann::json &results, const std::string &name)
+{
+  return results.at("values").at(name).at("value").get<double>();
+}
+
+}  // namespace
+
+// Rigid rings and the standard's law, reference values of a bearing of 20 deg; here 19.66 deg, K ~ cos^1.9 and
+// Q_max ~ 1/cos of the contact angle.
+TEST(BearingCommand, RigidRingsByTheStandard)
+{
+  const std::string plain = " --set model.roller_law=iso --set model.rings=rigid --set bearing.trb.profile=none";
+  const double cosines    = std::cos(19.66 * M_PI / 180) / std::cos(20 * M_PI / 180);
+  const auto even         = run("standard", plain);
+  const auto table        = within(0.005, "the table's tolerance");
+  EXPECT_TRUE(near(value(even, "Kzc.secant"), 1.957e10 * std::pow(cosines, 1.9), table));
+  EXPECT_TRUE(near(value(even, "Kzc.tangent"), 2.174e10 * std::pow(cosines, 1.9), table));
+  EXPECT_TRUE(near(value(even, "Kzc.roller_max"), 27.86e3 / cosines, table));
+  EXPECT_EQ(value(even, "Kzc.loaded_rollers"), 19);
+  const auto loose = run("loose", plain + " --set bearing.trb.radial_clearance='0.1 mm'");
+  EXPECT_EQ(value(loose, "Kzc.loaded_rollers"), 13);
+  const auto tilted  = run("tilted", plain + " --set load.tilt='0.5 mrad'");
+  const double outer = value(tilted, "Kzc.row4_share");
+  EXPECT_GT(outer, 0.45);
+  EXPECT_LT(outer, 0.52);
+}
+
+// Contact elements of the roller, rings, neck and chock: every promised name and file; softer than between rigid
+// rings, and stiffer per roller than the standard, which counts rings of its own.
+TEST(BearingCommand, ElasticRingsByFiniteElements)
+{
+  const auto results = run("elastic", "--set load.samples=5");
+  for (const char *name : {"tangent", "secant", "roller_secant", "roller_max", "loaded_rollers", "row1_share",
+                           "row2_share", "row3_share", "row4_share", "tangent_across", "axial", "tilting"})
+    EXPECT_TRUE(results.at("values").contains(std::string("Kzc.") + name)) << name;
+  double rigid = 0, iso = 0;
+  for (const auto &check : results.at("values").at("Kzc.tangent").at("checks")) {
+    const auto name = check.at("name").get<std::string>();
+    if (name == "contact FEM of one roller, rigid rings")
+      rigid = check.at("value").get<double>();
+    if (name == "ISO/TS 16281, rigid rings")
+      iso = check.at("value").get<double>();
+  }
+  EXPECT_GT(iso, 0.0);
+  // A roller on rigid backing is 5 to 25 % stiffer than the standard's.
+  EXPECT_GT(rigid / iso, 1.05);
+  EXPECT_LT(rigid / iso, 1.25);
+  EXPECT_LT(value(results, "Kzc.tangent"), 0.9 * iso);
+  EXPECT_GT(value(results, "Kzc.tangent"), 0.3 * iso);
+  double shares = 0;
+  for (int row = 1; row <= 4; ++row)
+    shares += value(results, "Kzc.row" + std::to_string(row) + "_share");
+  EXPECT_TRUE(near(shares, 1, within(1e-9, "equilibrium")));
+  for (const char *file :
+       {"bearing-trb.csv", "bearing-trb-rows.csv", "bearing-trb-rollers.csv", "bearing-trb-law.csv",
+        "bearing-trb-tilt.csv", "bearing-trb-cage.csv", "bearing-trb-tangent.csv", "bearing-trb-published.csv",
+        "bearing-trb-pressure-inner.csv", "bearing-trb-pressure-outer.csv"})
+    EXPECT_GT(fs::file_size(scratch("elastic") + "/curves/" + file), 0u) << file;
+}
+
+// A mass on the curve of the bearing.
+TEST(BearingCommand, DrivenMass)
+{
+  const std::string out = scratch("driven");
+  const auto results =
+      run("driven", "--set model.roller_law=iso --set model.rings=rigid --set dynamics.mass='900 kg'"
+                    " --set dynamics.amplitude='2000 kN' --set dynamics.frequency='150 Hz'");
+  EXPECT_GT(value(results, "Kzc.motion.without_contact"), 0.0) << "twice the load lifts the mass off";
+  const double K = value(results, "Kzc.tangent");
+  EXPECT_TRUE(near(value(results, "Kzc.motion.frequency"), std::sqrt(K / 900) / (2 * M_PI),
+                   within(0.01, "the curve is interpolated between 20 loads, its slope steps with the slices")));
+  EXPECT_GT(fs::file_size(out + "/response/bearing-trb.csv"), 0u);
+}
