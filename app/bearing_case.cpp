@@ -100,6 +100,8 @@ void solve_bearing_case(RunContext &run, const BearingCase &spec)
   add_bearing_results(run, "Kzc", study, inputs);
   note_bearing(run, study);
   write_bearing(run, study);
+  if (q.cage_angle == 0)  // the field is symmetric about the load line
+    write_chock(run, q.bearing, study.at.roller_load);
   drive_mass(run, spec, study);
 }
 }  // namespace mill

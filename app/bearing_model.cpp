@@ -4,12 +4,15 @@
 #include "bearing/ring_sections.h"
 #include "bearing/roller_profile.h"
 #include "core/files.h"
+#include "fem/chock_flexibility.h"
 #include "fem/roll_cache.h"
 #include "fem/roller_slices.h"
 #include "meshes/bearing_rings.h"
+#include "meshes/chock.h"
 #include "meshes/gmsh_scope.h"
 #include "meshes/roller.h"
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -175,6 +178,19 @@ BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double
     parts.notes            = rings.notes;
   }
   return parts;
+}
+
+void write_chock(RunContext &run, const RollerBearing &b, const Eigen::MatrixXd &load)
+{
+  if (b.rings != "elastic" || b.chock == "rigid")
+    return;
+  StageTimer timer(run, "fields of bearing " + b.name);
+  const RingSections sections = bearing::ring_sections(b, datum_of(b));
+  const std::string mesh_file = run.out.file("fields/chock.msh");
+  const MeshFile mesh         = meshes::mesh_chock(sections.cup, sections.housing, 1, mesh_file);
+  fem::write_chock_vtu(run.out.file("fields/bearing-" + slug(b.name) + "-chock.vtu"), sections.cup, mesh,
+                       meshes::mirrored_rows(sections.cup), sections.material, load);
+  std::filesystem::remove(mesh_file);
 }
 
 namespace {

@@ -15,15 +15,16 @@ struct RollerSetup {
   double outer_depth    = 0;  ///< m, of the cup
   double land           = 0;  ///< m, raceway beyond each end of the roller; default: half the roller's diameter
   Material material{206e9, 0.3, 7850};
-  double largest_load = 0;  ///< N, on the roller: the contact stays inside the meshed patch up to here
-  double finest_load  = 0;  ///< N, where the half width is resolved as asked; default: largest_load / 30,
+  double largest_load = 0;  ///< N, on the roller: the contact stays inside the meshed patch up to here; at
+                            ///< most what makes the half width 0.04 diameters, 4.5 GPa in steel
+  double finest_load = 0;   ///< N, where the half width is resolved as asked; default: largest_load / 30,
                             ///< or less so that the half width is 0.006 diameters
   double elements_per_half_width = 1;  ///< -, quadratic elements across the contact
   double end_element             = 0;  ///< m, along the line at its ends; default: 0.006 contact_length
   double largest_element         = 0;  ///< m, along the line; default: 0.05 contact_length
 };
 
-/// With its defaults.
+/// With its defaults and limits.
 /// @throws InputError  sizes that are missing or contradict each other
 RollerSetup completed(RollerSetup setup);
 

@@ -106,12 +106,6 @@ RollerMeshes mesh_roller(const RollerSetup &setup, const std::string &folder, co
   geometry.half_length = 0.5 * s.length;
   if (s.contact_length < s.length * (1 - 1e-9))
     geometry.contact_half_length = 0.5 * s.contact_length;
-  // The circle around the core leaves room for the patch and the ring of coarser elements around it.
-  const double room    = geometry.radius - 2 * patch_half_width(size.section);
-  geometry.neck_radius = std::min(0.6 * geometry.radius, 0.75 * room);
-  if (room < 0.3 * geometry.radius)
-    throw InputError("roller: under its largest load of " + std::to_string(s.largest_load) +
-                     " N the contact is as wide as the roller; check the load, the sizes and the modulus");
   RollerMeshes out;
   out.roller         = mesh_roll(name, geometry, size, file("body"));
   const auto raceway = [&](const double radius, const double depth, const char *what) {

@@ -66,6 +66,11 @@ TEST(RollerSetup, FillsDefaultsAndNamesWhatIsMissing)
   const auto coarse = coarsened(s);
   EXPECT_EQ(coarse.end_element, 2 * filled.end_element);
   EXPECT_EQ(coarse.finest_load, filled.finest_load) << "else coarsening would change what is resolved";
+  RollerSetup crushed  = s;
+  crushed.largest_load = 1e9;
+  const auto limited   = completed(crushed);
+  EXPECT_TRUE(near(line_half_width(limited, -limited.outer_radius, limited.largest_load / limited.contact_length),
+                   0.04 * s.diameter, rounding));
   const auto refused = [&](double RollerSetup::*member, const double value) {
     RollerSetup bad = short_roller();
     bad.*member     = value;
