@@ -82,7 +82,8 @@ void add_bearings(json &manifest, const std::vector<RollerBearing> &bearings)
         {"row_hands",           b.row_hands               },
         {"chock_width",         b.chock_width             },
         {"chock_height",        b.chock_height            },
-        {"chock_support_width", b.chock_support_width     }
+        {"chock_support_width", b.chock_support_width     },
+        {"chock_support_gap",   b.chock_support_gap       }
     };
 }
 

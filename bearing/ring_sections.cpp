@@ -132,7 +132,7 @@ Housing housing(const RollerBearing &b)
   h.width         = b.chock_width;
   h.height        = b.chock_height;
   h.support_width = b.chock_support_width;
-  h.support_gap   = b.chock_support_gap;
+  h.support_gap   = std::isnan(b.chock_support_gap) ? 0 : b.chock_support_gap;
   if (2 * h.radius <= 1.02 * od)
     refuse(b, "a chock of ", b.chock_width / mm, " x ", b.chock_height / mm,
            " mm leaves no wall around an outside diameter of ", od / mm, " mm");

@@ -190,7 +190,7 @@ void check_rings(const RollerBearing &b, Reading &reading)
 void complete_bearing(RollerBearing &b, const Reading &reading)
 {
   const std::string name = "bearing." + b.name;
-  const auto left_out      = [&](const char *k) {
+  const auto left_out    = [&](const char *k) {
     return !reading.places.count(name + "." + k) && reading.usable({name + "." + k});
   };
   const auto fill = [&](double &value, const double filling, const char *k, const std::string &said) {
@@ -226,7 +226,12 @@ void complete_bearing(RollerBearing &b, const Reading &reading)
   size(b.chock_width, 1.7 * b.outside_diameter, "chock_width", "1.7 outside diameters");
   size(b.chock_height, 1.6 * b.outside_diameter, "chock_height", "1.6 outside diameters");
   size(b.chock_length, b.width, "chock_length", "the width of the bearing");
-  size(b.chock_support_width, b.chock_width / 2, "chock_support_width", "half the width of the chock");
+  // A work roll's chock hangs on the bending cylinders at both of its sides.
+  const bool feet = left_out("chock_support_width") && left_out("chock_support_gap");
+  size(b.chock_support_width, b.chock_width, "chock_support_width", "the width of the chock");
+  if (feet)
+    size(b.chock_support_gap, b.chock_width * 2 / 3, "chock_support_gap",
+         "two thirds of its width: two feet, as of a work roll's chock on its bending cylinders");
 }
 
 void check_bearing(const RollerBearing &bearing, Reading &reading)

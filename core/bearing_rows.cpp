@@ -121,14 +121,16 @@ const std::vector<Field<RollerBearing>> &bearing_rows()
        "along the load; when absent 1.6 outside diameters, assumed"                                                                                                                                                                                      },
       {"chock_length",        &T::chock_length,        "mm",                                                            chock_size,   absent,   "260 mm",
        "along the axis; when absent the width of the bearing, assumed"                                                                                                                                                                                   },
-      {"chock_support_width", &T::chock_support_width, "mm",                                                            chock_size,   absent,   "300 mm",
-       "of the face that carries the chock, centred on the line of the load; when absent half the chock's width, "
+      {"chock_support_width", &T::chock_support_width, "mm",                                                            chock_size,   absent,   "600 mm",
+       "of the face that carries the chock, centred on the line of the load; when absent the width of the chock, "
        "assumed"                                                                                                                                                                                                                                         },
       {"chock_support_gap",
        &T::chock_support_gap,
        "mm",                                                                                                            {0, 6000},
-       0,                                                                                                                                       "0 mm",
-       "middle part of that face which carries nothing: a chock on two feet"                                                                                                                                                                             },
+       absent,                                                                                                                                  "400 mm",
+       "middle part of that face, which carries nothing: a chock on two feet; when absent none, or two thirds of "
+       "an "
+       "assumed support"                                                                                                                                                                                                                                 },
   };
   return rows;
 }

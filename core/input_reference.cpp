@@ -114,9 +114,9 @@ std::vector<Filled> filled_sections(const std::string &kind, const std::vector<S
       all.push_back({
           "[bearing.trb]",
           &section,
-          {},
-          {"bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile",
-           "chock_width", "chock_height", "chock_length", "chock_support_width"}
+          {                   },
+          { "bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile",
+                   "chock_width", "chock_height", "chock_length", "chock_support_width", "chock_support_gap"}
       });
     } else if (section.name == "load") {
       all.push_back({"[load]", &section, {}, {"loads"}});

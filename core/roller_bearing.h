@@ -42,7 +42,7 @@ struct RollerBearing {
   double chock_height        = not_given;  ///< m, along the load
   double chock_length        = not_given;  ///< m, along the axis
   double chock_support_width = not_given;  ///< m, of the face that carries the chock, centred on the load line
-  double chock_support_gap   = 0;          ///< m, middle part of that face which carries nothing: two feet
+  double chock_support_gap   = not_given;  ///< m, its middle part, which carries nothing: two feet; absent: none
   std::vector<std::string> filled;         ///< sentences about what was not given and has been filled in
 };
 }  // namespace mill

@@ -115,6 +115,7 @@ std::string across_the_axis(const BearingInfo &bearing, const Size &s)
   const double chock_height = bearing("chock_height") > 0 ? 1e3 * bearing("chock_height") : 1.6 * s.outside;
   const double support =
       bearing("chock_support_width") > 0 ? 1e3 * bearing("chock_support_width") : 0.5 * chock_width;
+  const double gap   = bearing("chock_support_gap") > 0 ? 1e3 * bearing("chock_support_gap") : 0;
   const double scale = std::min(330 / chock_width, 270 / chock_height), x = 190, y = 40 + scale * chock_height / 2;
   Svg svg(380, 40 + scale * chock_height + 66, "section across the axis of the bearing, lengths in mm");
   svg.text(20, 15, "Across the axis", "title");
@@ -129,10 +130,19 @@ std::string across_the_axis(const BearingInfo &bearing, const Size &s)
     svg.circle(x + r * std::sin(psi), y + r * std::cos(psi), scale * s.roller / 2, "roller");
   }
   const double bottom = y + scale * chock_height / 2;
-  svg.line(x - scale * support / 2, bottom + 3, x + scale * support / 2, bottom + 3, "spring");
-  for (int i = 0; i < 12; ++i) {
-    const double from = x + scale * support * (i / 12.0 - 0.5);
-    svg.line(from, bottom + 12, from + 9, bottom + 3, "dimension");
+  // What carries the chock: one face, or two feet.
+  std::vector<std::pair<double, double>> feet{
+      {-support / 2, support / 2}
+  };
+  if (gap > 0 && gap < support)
+    feet = {
+        {-support / 2, -gap / 2   },
+        {gap / 2,      support / 2}
+    };
+  for (const auto &[from, to] : feet) {
+    svg.line(x + scale * from, bottom + 3, x + scale * to, bottom + 3, "spring");
+    for (double at = x + scale * from; at < x + scale * to - 8; at += 24)
+      svg.line(at, bottom + 12, at + 9, bottom + 3, "dimension");
   }
   svg.line(x, y - 26, x, y + 16, "arrow");
   svg.polyline(
@@ -145,7 +155,7 @@ std::string across_the_axis(const BearingInfo &bearing, const Size &s)
   svg.text(x + 10, y - 14, "load", "t halo");
   svg.text(x, bottom + 28,
            "chock " + significant(chock_width, 4) + " \u00d7 " + significant(chock_height, 4) + ", carried over " +
-               significant(support, 4),
+               significant(support, 4) + (gap > 0 ? " but its middle " + significant(gap, 4) : ""),
            "t", Anchor::middle);
   svg.text(x, bottom + 48, "lengths [mm], to scale", "axis", Anchor::middle);
   return svg.str();

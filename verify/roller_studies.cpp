@@ -170,8 +170,9 @@ std::vector<Check> roller_tilt()
                                                 std::abs(other.moment + at.moment) / (at.load * length));
         for (const fem::RollerSide *side : {&at.inner, &at.outer}) {
           const VectorXd force = side->line_load.cwiseProduct(station_length);
-          balance              = std::max(balance, std::abs(force.sum() / at.load - 1) +
-                                                       std::abs(force.dot(roller().grid.z) - at.moment) / (at.load * length));
+          const double moment  = force.dot(roller().grid.z);
+          balance              = std::max(
+                           {balance, std::abs(force.sum() / at.load - 1), std::abs(moment - at.moment) / (at.load * length)});
         }
         residual = std::max({residual, at.residual, other.residual});
       }

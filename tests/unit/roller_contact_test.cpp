@@ -137,8 +137,9 @@ TEST(RollerContact, ImposedLoadAndImposedApproachAreOneState)
 
 TEST(RollerContact, ScalesWithTheModulus)
 {
-  RollerSetup soft                 = short_roller();
-  soft.material                    = {20.6e9, 0.3, 7850};
+  RollerSetup soft = short_roller();
+  soft.material    = {20.6e9, 0.3, 7850};
+  soft.largest_load /= 10;  // the same half widths, the same mesh
   const fem::CondensedRoller other = condensed(soft);
   fem::RollerContact contact(roller(), crown), of_soft(other, crown);
   const auto a = contact.solve(12e-6, 5e-4), b = of_soft.solve(12e-6, 5e-4);
