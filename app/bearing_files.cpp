@@ -189,11 +189,16 @@ Table tangent_table(const BearingStudy &s)
 }
 }  // namespace
 
+void write_load_curve(RunContext &run, const BearingStudy &s)
+{
+  run.out.write("curves/bearing-" + slug(s.question.bearing.name) + ".csv", csv_text(load_table(s)));
+}
+
 void write_bearing(RunContext &run, const BearingStudy &s)
 {
   const std::string stem = "curves/bearing-" + slug(s.question.bearing.name);
   if (!s.curve.states.empty())
-    run.out.write(stem + ".csv", csv_text(load_table(s)));
+    write_load_curve(run, s);
   run.out.write(stem + "-rows.csv", csv_text(row_table(s)));
   run.out.write(stem + "-rollers.csv", csv_text(roller_table(s)));
   run.out.write(stem + "-law.csv", csv_text(law_table(s)));

@@ -1,4 +1,5 @@
 #include "app/bearing_study.h"
+#include "app/bearing_files.h"
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -43,6 +44,22 @@ double deviation_of_slices(const BearingParts &parts, const double load)
   fem::RollerContact contact(*parts.roller, drop_of(parts.model.bearing));
   const auto state = contact.solve_load(load);
   return relative(bearing::roller_load(parts.model.roller, state.approach, 0).load, state.load);
+}
+
+// The state at the working load; without one, the curve as far as it went is left behind.
+bearing::AssemblyState solve_or_keep(RunContext &run, const BearingStudy &s, bearing::BearingAssembly &assembly)
+{
+  try {
+    return assembly.solve(s.drive);
+  } catch (SolverError &e) {
+    if (!s.curve.states.empty()) {
+      write_load_curve(run, s);
+      e.report.kept =
+          fmt::format("{} loads of the curve up to {:.4g} kN, curves/bearing-{}.csv", s.curve.states.size(),
+                      s.question.loads[s.curve.states.size() - 1] / 1e3, slug(s.question.bearing.name));
+    }
+    throw;
+  }
 }
 }  // namespace
 
@@ -110,7 +127,7 @@ BearingStudy study_bearing(RunContext &run, const BearingParts &parts, const Bea
     run.warn(fmt::format("bearing {}: {}; the curve ends at {} of {} loads", q.bearing.name, s.curve.failure->what,
                          s.curve.states.size(), drives.size()));
   run.progress.at("bearing " + q.bearing.name, 0.8);
-  s.at             = assembly.solve(s.drive);
+  s.at             = solve_or_keep(run, s, assembly);
   s.standard       = iso.solve(s.drive);
   s.rigid          = rigid.solve(s.drive);
   s.tangent        = bearing::radial_tangent(s.at, s.drive);

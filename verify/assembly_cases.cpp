@@ -365,7 +365,7 @@ std::vector<Case> assembly_cases()
        "the formula, worked out; reported: K. Kumar (2005), table 3.1", "printed with three digits",
        kumar_convention});
   cases.push_back(
-      {"tangent-difference", "verification",
+      {"bearing-tangent", "verification",
        "Tangent 5 x 5 of six states of the four-row bearing under loads and moments against a central "
        "difference of the loads over imposed motions (step 0.2 nm); with rigid rings and with elastic "
        "rings and chock by a smooth rule (468 unknowns), ISO and elastic law.",

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace mill::verify {
 namespace {
@@ -191,14 +192,18 @@ std::vector<Case> select(const std::vector<Case> &all, const std::vector<std::st
   if (names.empty())
     return all;
   std::vector<std::string> known;
-  for (const Case &c : all)
+  for (const Case &c : all) {
     known.push_back(c.name);
+    if (!c.family.empty() && std::find(known.begin(), known.end(), c.family) == known.end())
+      known.push_back(c.family);
+  }
   std::vector<Case> selected;
   for (const std::string &name : names) {
-    const auto at = std::find(known.begin(), known.end(), name);
-    if (at == known.end())
+    const auto before = selected.size();
+    std::copy_if(all.begin(), all.end(), std::back_inserter(selected),
+                 [&](const Case &c) { return c.name == name || c.family == name; });
+    if (selected.size() == before)
       throw InputError("there is no verification case '" + name + "'" + suggestion(name, known));
-    selected.push_back(all[std::size_t(at - known.begin())]);
   }
   return selected;
 }

@@ -17,7 +17,7 @@ bool passes(const Outcome &outcome);
 /// Runs a case; an exception becomes Outcome::error, so that the others still run.
 Outcome run(const Case &page);
 
-/// Cases of these names in the order of the names; all of them for no name.
+/// Cases of these names, or of these families, in the order of the names; all of them for no name.
 /// @throws InputError  a name that is not there, with the nearest one that is
 std::vector<Case> select(const std::vector<Case> &all, const std::vector<std::string> &names);
 

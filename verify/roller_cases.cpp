@@ -89,6 +89,26 @@ std::vector<Case> roller_cases()
                    "image, balance of the free roller",
                    "Within one set the problem is linear: only rounding remains. 1e-6 is asked for.",
                    roller_tilt});
+  cases.push_back(
+      {"roller-on-ring", "verification",
+       "A cup of 24 mm held on its outside: meshed as such behind one roller, and as the law of the roller "
+       "on a raceway of 12 mm with what the ring gives way beyond it, sum of the harmonics of its meridian "
+       "section. One element per half width of the finest load, 10 and 50 kN.",
+       "Both in one model: contact elements with the thicker raceway, on the same mesh lines",
+       "The two share the error of the contact mesh. What the ring adds is a tenth of the approach; its "
+       "sides are free at four walls in one model and closed in the other, and what reaches the ring is "
+       "described by three polynomials along the roller: a twentieth of a tenth.",
+       roller_on_ring});
+  cases.push_back(
+      {"published-kzc", "benchmark",
+       "Published stiffnesses of the demo bearing: four values printed as those of its rows, and a total. "
+       "Beside them one roller by contact elements with the ISO crown, raceways on rigid backs; the assembled "
+       "bearing stands in the report of its case.",
+       "Preprint doi 10.21203/rs.3.rs-1441429/v1; the exponent of the third row is missing there",
+       "The link is arithmetic: values of one roller in each row times Z/5, the load-distribution number of a "
+       "bearing with clearance; the total is printed with three digits. The publication names no load, so "
+       "nothing else can be judged.",
+       published_rollers});
   return cases;
 }
 }  // namespace mill::verify

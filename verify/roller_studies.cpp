@@ -1,7 +1,11 @@
 #include "verify/roller_studies.h"
+#include "bearing/ring_flexibility.h"
+#include "bearing/ring_sections.h"
 #include "bearing/roller_law.h"
+#include "fem/ring_flexibility.h"
 #include "fem/roller_contact.h"
 #include "fem/roller_slices.h"
+#include "meshes/bearing_rings.h"
 #include "meshes/roller.h"
 #include "verify/roller_sections.h"
 #include <algorithm>
@@ -191,5 +195,82 @@ std::vector<Check> roller_tilt()
       reported("roller's own tilt / tilt of the raceways, 20 kN, ISO crown", "-", tilted.roller_tilt / tilted.tilt,
                0.5),
   };
+}
+
+// Published per-roller stiffnesses of the demo bearing, and what links them with the published total.
+std::vector<Check> published_rollers()
+{
+  const double rows[] = {6.78395e5, 6.37958e5, 6.23286e5, 6.47685e5}, total = 2.01e7, Z = 39,
+               alpha = 19.66 * M_PI / 180;
+  double sum         = 0;
+  for (const double row : rows)
+    sum += row;
+  std::vector<Check> checks{relative("published per-roller values times Z/5", "N/mm", sum * Z / 5, total, 0.005),
+                            reported("the same times Z cos^2(alpha)/4.0847", "N/mm",
+                                     sum * Z * std::pow(std::cos(alpha), 2) / 4.0847, total)};
+  const auto law    = fem::fe_roller_law(roller(), 41, iso_drop);
+  const double at[] = {10 * kN, 20 * kN, 50 * kN};
+  for (const double Q : at) {
+    const double approach = bearing::roller_approach(law, Q);
+    const double tangent  = bearing::roller_load(law, approach, 0).stiffness;
+    checks.push_back(reported(fmt::format("one roller's tangent at {:.0f} kN, mean of the rows beside", Q / kN),
+                              "N/mm", tangent / N_per_mm, sum / 4));
+    checks.push_back(reported(fmt::format("one roller's secant at {:.0f} kN, mean of the rows beside", Q / kN),
+                              "N/mm", Q / approach / N_per_mm, sum / 4));
+  }
+  return checks;
+}
+
+// The superposition of the assembled bearing on one roller: a cup of 24 mm held on its outside, once meshed as
+// such behind the roller, once as the law with 12 mm and what the ring gives way beyond.
+std::vector<Check> roller_on_ring()
+{
+  RollerSetup thin             = demo_roller();
+  thin.elements_per_half_width = 0.8;
+  thin.land                    = 5 * mm;
+  RollerSetup thick            = thin;
+  thick.outer_depth            = 24 * mm;
+  const auto law_roller = condensed(thin), whole_roller = condensed(thick);
+  fem::RollerContact on_12(law_roller), on_24(whole_roller);
+
+  RollerBearing ring;
+  ring.name             = "ring";
+  ring.type             = "four-row cylindrical";
+  ring.rows             = 1;
+  ring.rollers_per_row  = 39;
+  ring.bore             = 2 * (thin.inner_radius - thick.outer_depth);
+  ring.outside_diameter = 2 * (thin.outer_radius + thick.outer_depth);
+  ring.width            = length + 11.2 * mm;  // room for the land
+  ring.pitch_diameter   = thin.inner_radius + thin.outer_radius;
+  ring.roller_length    = length;
+  ring.roller_diameter  = diameter;
+  ring.cup_angle        = 0;
+  ring.chock            = "rigid";
+  const auto sections   = bearing::ring_sections(ring, {12 * mm, 12 * mm, 5 * mm});
+  const auto meshes     = meshes::mesh_rings(sections, {}, std::filesystem::temp_directory_path().string(),
+                                             fmt::format("millstand-verify-{}-ring", ::getpid()));
+  const auto rings      = fem::ring_flexibility(sections, meshes, nullptr).flexibility;
+  meshes::remove_meshes(meshes);
+  MatrixXd beyond = MatrixXd::Zero(rings.modes, rings.modes);
+  for (const MatrixXd &harmonic : rings.outer)
+    beyond += harmonic;  // one roller, at its own place
+  const auto law      = fem::fe_roller_law(law_roller, 41);
+  const MatrixXd even = bearing::line_modes(law.position, length, rings.modes);
+
+  std::vector<Check> checks;
+  for (const double Q : {10 * kN, 50 * kN}) {
+    const double alone = on_12.solve_load(Q).approach, whole = on_24.solve_load(Q).approach;
+    const VectorXd q =
+        bearing::slice_loads(law, VectorXd::Constant(law.position.size(), bearing::roller_approach(law, Q)),
+                             MatrixXd::Zero(law.position.size(), 0))
+            .load;
+    const VectorXd N   = even.transpose() * q;
+    const double added = N.dot(beyond * N) / Q;
+    checks.push_back(relative(fmt::format("approach at {:.0f} kN, law and ring", Q / kN), "um",
+                              (alone + added) / um, whole / um, 0.003));
+    checks.push_back(relative(fmt::format("part of the ring at {:.0f} kN", Q / kN), "um", added / um,
+                              (whole - alone) / um, 0.05));
+  }
+  return checks;
 }
 }  // namespace mill::verify

@@ -38,11 +38,17 @@ bool passes(const Check &c)
 std::vector<Case> all_cases()
 {
   std::vector<Case> all;
-  for (const auto family :
-       {closed_forms, half_space_cases, section_cases, solid_cases, friction_cases, nonlinear_cases, roll_cases,
-        bearing_cases, roller_cases, ring_cases, bearing_motion_cases})
-    for (Case &c : family())
+  const auto add = [&](const std::string &family, std::vector<Case> cases) {
+    for (Case &c : cases) {
+      c.family = family;
       all.push_back(std::move(c));
+    }
+  };
+  for (const auto cases :
+       {closed_forms, half_space_cases, section_cases, solid_cases, friction_cases, nonlinear_cases, roll_cases})
+    add("contact", cases());
+  for (const auto cases : {bearing_cases, roller_cases, ring_cases, bearing_motion_cases})
+    add("bearing", cases());
   return all;
 }
 }  // namespace mill::verify

@@ -35,6 +35,7 @@ struct Case {
   std::string source;            ///< of the reference
   std::string tolerance_reason;  ///< why this tolerance and no other
   std::function<std::vector<Check>()> run;
+  std::string family = "";  ///< "contact" or "bearing": a name for all its cases; set by all_cases
 };
 
 /// All cases, in the order of the manual.
