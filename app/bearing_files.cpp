@@ -2,6 +2,7 @@
 #include "app/bearing_published.h"
 #include "core/csv.h"
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -81,7 +82,9 @@ Table law_table(const BearingStudy &s)
 {
   const RollerBearing &b = s.question.bearing;
   constexpr int n        = 16;
-  const double largest   = 1.5 * s.at.roller_load.maxCoeff();
+  double largest         = 1.5 * s.at.roller_load.maxCoeff();
+  if (s.parts.roller)
+    largest = std::min(largest, largest_contact_load(s.parts));
   Eigen::VectorXd loads(n);
   for (int i = 0; i < n; ++i)
     loads[i] = largest * std::pow(30., double(i) / (n - 1) - 1);
@@ -204,7 +207,12 @@ void write_bearing(RunContext &run, const BearingStudy &s)
   run.out.write(stem + "-law.csv", csv_text(law_table(s)));
   run.out.write(stem + "-tangent.csv", csv_text(tangent_table(s)));
   run.out.write(stem + "-cage.csv", csv_text(cage_table(s)));
-  if (s.parts.roller) {
+  if (s.parts.roller && s.at.roller_load.maxCoeff() > largest_contact_load(s.parts))
+    run.warn(fmt::format(
+        "bearing {}: the heaviest roller carries {:.4g} kN, contact elements are meshed up to {:.4g} kN "
+        "(4.5 GPa at most); its pressure map and its tilt are left out",
+        s.question.bearing.name, s.at.roller_load.maxCoeff() / 1e3, largest_contact_load(s.parts) / 1e3));
+  else if (s.parts.roller) {
     run.out.write(stem + "-tilt.csv", csv_text(tilt_table(s)));
     const auto state = heaviest_roller(s);
     run.out.write(stem + "-pressure-inner.csv", csv_text(pressure_table(s.parts.roller->grid, state.inner)));

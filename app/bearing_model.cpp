@@ -14,12 +14,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace mill {
 namespace {
 // Raised by hand when meshing or condensation changes what it computes.
-constexpr const char *roller_version = "roller 2", *rings_version = "rings 2";
+constexpr const char *roller_version = "roller 2", *rings_version = "rings 3";
 
 std::string file_name(const RunContext &run, const char *what, const std::string &key)
 {
@@ -59,7 +58,7 @@ fem::CondensedRoller condensed_roller(RunContext &run, const std::string &name, 
       s.inner_depth, s.outer_depth, s.land, s.material.youngs_modulus, s.material.poisson_ratio, s.largest_load,
       s.finest_load, s.elements_per_half_width, s.end_element, s.largest_element));
   const auto make       = [&] {
-    const RollerMeshes meshes = meshes::mesh_roller(s, run.cache, fmt::format("roller-{}-{}", key, ::getpid()));
+    const RollerMeshes meshes = meshes::mesh_roller(s, run.out.staging(), "roller-" + key);
     auto roller               = fem::condense_roller(s, meshes, run.progress);
     meshes::remove_meshes(meshes);
     return roller;
@@ -83,10 +82,11 @@ fem::RingResult condensed_rings(RunContext &run, const RollerBearing &b, const b
   const std::string key = ring_key(b, datum);
   const auto make       = [&] {
     const RingSections sections = bearing::ring_sections(b, datum);
-    const std::string own       = fmt::format("rings-{}-{}", key, ::getpid());
-    const RingMeshes fine       = meshes::mesh_rings(sections, {}, run.cache, own);
-    const RingMeshes coarse     = meshes::mesh_rings(sections, meshes::coarsened({}), run.cache, own + "-coarse");
-    auto result                 = fem::ring_flexibility(sections, fine, &coarse, {}, run.progress);
+    const std::string own       = "rings-" + key;
+    const RingMeshes fine       = meshes::mesh_rings(sections, {}, run.out.staging(), own);
+    const RingMeshes coarse =
+        meshes::mesh_rings(sections, meshes::coarsened({}), run.out.staging(), own + "-coarse");
+    auto result = fem::ring_flexibility(sections, fine, &coarse, {}, run.progress);
     meshes::remove_meshes(fine);
     meshes::remove_meshes(coarse);
     return result;
@@ -141,9 +141,16 @@ RollerBearing with_row_places(RollerBearing b)
 double roller_load_bound(const RollerBearing &b, const double radial_load, const double tilt)
 {
   // Stribeck's number raised to 5 for clearance; a tilt of 0.5 mrad gives one row of four half of the load.
-  const double even  = 5 * radial_load / (b.rows * b.rollers_per_row * std::cos(b.cup_angle));
-  const double bound = even * (tilt == 0 ? 1.5 : 4);
-  return 1e3 * std::exp2(std::ceil(std::log2(std::max(bound, 1e3) / 1e3)));
+  const double even = 5 * radial_load / (b.rows * b.rollers_per_row * std::cos(b.cup_angle));
+  // A crowned roller carries little loads on a short line: the patch serves at least a pressure of 1.5 GPa.
+  constexpr double always = 1.5e9;
+  double least            = 1e3;
+  if (std::isfinite(b.roller_diameter) && std::isfinite(bearing::pitch_diameter(b))) {
+    const double modulus = b.youngs_modulus / (2 * (1 - b.poisson_ratio * b.poisson_ratio));
+    least                = M_PI * bearing::effective_radius(b, true) * always * always / modulus * b.roller_length;
+  }
+  const double bound = std::max(even * (tilt == 0 ? 2 : 4), least);
+  return 1e3 * std::exp2(std::ceil(std::log2(bound / 1e3)));
 }
 
 std::function<double(double)> drop_of(const RollerBearing &b)
@@ -180,6 +187,11 @@ BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double
   return parts;
 }
 
+double largest_contact_load(const BearingParts &parts)
+{
+  return parts.roller ? 0.6 * parts.roller->setup.largest_load : 0;
+}
+
 void write_chock(RunContext &run, const RollerBearing &b, const Eigen::MatrixXd &load)
 {
   if (b.rings != "elastic" || b.chock == "rigid")
@@ -203,6 +215,12 @@ double load_at_rest(RollerBearing b)
   return pressed > 0 ? bearing::roller_load(law, pressed, 0).load : 0;
 }
 
+Place place_of(const Case &the_case, const std::string &key)
+{
+  const auto place = the_case.places.find(key);
+  return place == the_case.places.end() ? Place{the_case.path} : place->second;
+}
+
 void check_fit(const Case &the_case, const RollerBearing &b, std::vector<Problem> &problems)
 {
   if (!std::isfinite(b.roller_diameter) || !std::isfinite(bearing::pitch_diameter(b)))
@@ -213,14 +231,37 @@ void check_fit(const Case &the_case, const RollerBearing &b, std::vector<Problem
   const double pressure = bearing::elastic_roller(b, load, b.roller_diameter / 2).inner_peak_pressure;
   if (pressure <= b.yield_pressure)
     return;
-  const std::string key = "bearing." + b.name + (b.preload > 0 ? ".preload" : ".radial_clearance");
-  const auto place      = the_case.places.find(key);
+  // Pressure goes with the root of the roller's load, that with the preload or the interference to the 10/9.
+  const bool preloaded  = b.preload > 0;
+  const double part     = std::pow(b.yield_pressure / pressure, preloaded ? 2 : 1.8);
+  const std::string key = "bearing." + b.name + (preloaded ? ".preload" : ".radial_clearance");
+  const std::string given =
+      preloaded ? fmt::format("{:.4g} kN", b.preload / 1e3) : fmt::format("{:.4g} mm", 1e3 * b.radial_clearance);
+  const std::string most = preloaded ? fmt::format("{:.3g} kN", part * b.preload / 1e3)
+                                     : fmt::format("{:.3g} mm", 1e3 * part * b.radial_clearance);
   problems.push_back(
-      {place == the_case.places.end() ? Place{the_case.path} : place->second,
-       fmt::format("{} presses every roller with {:.4g} kN before any load acts, that is {:.0f} MPa on the inner "
-                   "raceway; it yields at {:.0f} MPa (yield_pressure)",
-                   key, load / 1e3, pressure / 1e6, b.yield_pressure / 1e6),
+      {place_of(the_case, key),
+       fmt::format("{} = \"{}\" presses every roller with {:.4g} kN before any load acts, {:.0f} MPa on the inner "
+                   "raceway; it yields at {:.0f} MPa (yield_pressure), reached at about {}",
+                   key, given, load / 1e3, pressure / 1e6, b.yield_pressure / 1e6, most),
        {}});
+}
+
+// A drawing that cannot be meshed, said before anything is computed.
+void check_drawing(const Case &the_case, const RollerBearing &b, std::vector<Problem> &problems)
+{
+  if (b.rings != "elastic" && b.roller_law != "fe")
+    return;
+  try {
+    if (b.rings == "elastic")
+      bearing::ring_sections(b, datum_of(b));
+    else
+      land_of(b);
+    if (b.profile != "none")
+      drop_of(b)(0);
+  } catch (const InputError &e) {
+    problems.push_back({place_of(the_case, "bearing." + b.name + ".type"), e.problems.at(0).message, {}});
+  }
 }
 }  // namespace
 
@@ -228,8 +269,10 @@ void check_fits(const Case &the_case)
 {
   std::vector<Problem> problems;
   const auto check = [&](const std::vector<RollerBearing> &bearings) {
-    for (const RollerBearing &b : bearings)
+    for (const RollerBearing &b : bearings) {
       check_fit(the_case, b, problems);
+      check_drawing(the_case, b, problems);
+    }
   };
   if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
     check(stand->bearings);

@@ -35,13 +35,17 @@ BearingParts bearing_parts(RunContext &run, const RollerBearing &bearing, double
 /// Profile drop of one contact, m, at x from mid-roller.
 std::function<double(double)> drop_of(const RollerBearing &bearing);
 
+/// Largest load of one roller, N, that its contact elements are meshed for, with room for the ends; beyond it only
+/// the slices speak.
+double largest_contact_load(const BearingParts &parts);
+
 /// Displacement and stress of the chock with its cup under roller loads as VTU; nothing for a cup that is held.
 /// @param load  (rows, Z) N, azimuths from the support
 /// Cost: meshes the chock again, one factorisation: some two seconds.
 void write_chock(RunContext &run, const RollerBearing &bearing, const Eigen::MatrixXd &load);
 
 /// Refuses bearings whose preload or negative clearance presses the raceways beyond their yield pressure before
-/// any load acts.
-/// @throws InputError  at the keys, with the pressures
+/// any load acts, and drawings that leave no rings to mesh.
+/// @throws InputError  at the keys, with the numbers
 void check_fits(const Case &the_case);
 }  // namespace mill

@@ -71,6 +71,16 @@ void report_seat(RunContext &run, const Seat &seat, const SeatLoad &load, const 
     return;  // the lower half has the same bearings
   write_bearing(run, study);
   note_bearing(run, study);
+  run.assume(
+      fmt::format("{}: the horizontal model takes the tangent along the load, {:.4g} kN/mm, as the published "
+                  "model does; where the load is vertical the roll moves across it, where the bearing has {:.4g} "
+                  "kN/mm ({}.tangent_across) and a frequency is lower by up to {:.2g} %",
+                  seat.name, study.tangent / 1e6, study.tangent_across / 1e6, seat.name,
+                  100 * (1 - std::sqrt(std::min(1., study.tangent_across / study.tangent)))));
+  const auto &bending = seat.roll->bending_force;
+  if (!seat.backup && bending[0] != bending[1])
+    run.assume(fmt::format(
+        "work_roll.bending_force differs between the chocks: {} is that of a bearing under the mean", seat.name));
   if (load.assumed)
     run.assume(std::string(seat.section) + ".bearing_load is not given: " + load.said);
 }

@@ -39,7 +39,7 @@ double relative(const double other, const double value)
 // Load that the slices give where the contact elements give `load`, relative.
 double deviation_of_slices(const BearingParts &parts, const double load)
 {
-  if (!parts.roller || !(load > 0))
+  if (!parts.roller || !(load > 0) || load > largest_contact_load(parts))
     return 0;
   fem::RollerContact contact(*parts.roller, drop_of(parts.model.bearing));
   const auto state = contact.solve_load(load);

@@ -96,6 +96,12 @@ void require_inside(const RollerBearing &b, const RingSection &s)
     refuse(b, "the raceway of the ", ring_name(s), " reaches diameter ", 2 * (s.inner ? r - rise : r + rise) / mm,
            " mm, ", s.inner ? "inside the bore of " : "outside the outside diameter of ", 2 * s.seat_radius / mm,
            " mm; check roller_diameter, pitch_diameter, roller_length and cup_angle");
+  // Thinner than a tenth of the roller it is no ring any more, and no mesh follows it.
+  if (wall < 0.1 * b.roller_diameter)
+    refuse(b, "the ", ring_name(s), " has only ", wall / mm,
+           " mm left at the thin end of a raceway, less than a tenth "
+           "of the roller diameter of ",
+           b.roller_diameter / mm, " mm; check roller_diameter, pitch_diameter, roller_length and cup_angle");
 }
 
 // Straight raceway that there is room for beyond the lines' ends, m.

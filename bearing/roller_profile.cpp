@@ -2,6 +2,7 @@
 #include "bearing/geometry.h"
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace mill::bearing {
 namespace {
@@ -75,6 +76,14 @@ double table_drop(const RollerBearing &b, const double x)
   return (1 - s) * low[1] + s * (*next)[1];
 }
 
+std::string fmt_mm(const double length)
+{
+  std::ostringstream text;
+  text.precision(6);
+  text << 1e3 * length << " mm";
+  return text.str();
+}
+
 void require_table(const RollerBearing &b, const double reach)
 {
   const auto &table = b.profile_table;
@@ -84,10 +93,12 @@ void require_table(const RollerBearing &b, const double reach)
     if (!(table[i][0] > table[i - 1][0]))
       throw InputError("bearing." + b.name + ": the x of profile_table must increase");
   // Slices are asked for at their middles, so a table that ends at the effective length always reaches.
-  if (table.back()[0] < reach || (table.front()[0] < 0 && table.front()[0] > -reach))
+  // One part in 1e9 for the rounding of the units.
+  const double needed = reach * (1 - 1e-9);
+  if (table.back()[0] < needed || (table.front()[0] < 0 && table.front()[0] > -needed))
     throw InputError("bearing." + b.name +
                      ": profile_table ends before the roller does; it needs x up to half the roller length, " +
-                     std::to_string(b.roller_length * 500) + " mm");
+                     fmt_mm(b.roller_length / 2));
 }
 
 /// What the profile is made from; throws with the key that is missing.

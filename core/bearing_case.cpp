@@ -18,7 +18,7 @@ void apply(const Model &model, RollerBearing &bearing, Reading &reading)
     if (!reading.places.count(here))
       return;
     if (reading.places.count(there) && value != said)
-      contradict(reading, here, "contradicts the same key of the bearing", {there});
+      contradict(reading, here, "contradicts " + reading.said(there) + "; leave one of the two out", {there});
     value                  = said;
     reading.places[there]  = reading.places.at(here);
     reading.written[there] = reading.written[here];

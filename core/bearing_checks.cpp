@@ -1,4 +1,5 @@
 #include "core/stand_reader.h"
+#include "core/units.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -84,12 +85,18 @@ void check_sizes(const RollerBearing &b, Reading &reading)
           {key("bore"), key("outside_diameter")});
   }
   if (reading.usable({key("roller_length"), key("width"), key("rows"), key("cup_angle")})) {
-    const double along = b.roller_length * std::cos(b.cup_angle);
+    // Rows of opposite hand lean towards each other: their raceways on one ring lie closer than the rows.
+    const bool leaning = b.rows > 1 && b.row_hands.find('+') != std::string::npos &&
+                         b.row_hands.find('-') != std::string::npos && std::isfinite(b.roller_diameter);
+    const double axis = b.cup_angle - b.roller_cone_angle / 2;
+    const double along =
+        b.roller_length * std::cos(b.cup_angle) + (leaning ? b.roller_diameter * std::sin(axis) : 0);
     if (along > b.width / b.rows)
-      contradict(reading, key("roller_length"),
-                 fmt::format("takes {} along the axis; a row has {}, the width of the bearing over {} rows",
-                             millimetres(along), millimetres(b.width / b.rows), b.rows),
-                 {key("width"), key("rows")});
+      contradict(
+          reading, key("roller_length"),
+          fmt::format("takes {} along the axis of a ring; a row has {}, the width of the bearing over {} rows",
+                      millimetres(along), millimetres(b.width / b.rows), b.rows),
+          {key("width"), key("rows")});
   }
   if (reading.usable({key("roller_length"), key("roller_total_length")}) &&
       b.roller_total_length < b.roller_length)
@@ -108,7 +115,7 @@ void check_angles(const RollerBearing &b, Reading &reading)
   else if (is_tapered(b) && reading.usable({key("bore"), key("outside_diameter"), key("pitch_diameter")}))
     check_apex(name, b, reading);
   if (!is_tapered(b) && (b.cup_angle != 0 || b.roller_cone_angle != 0))
-    contradict(reading, key("type"), "has neither a cup_angle nor a roller_cone_angle",
+    contradict(reading, key("type"), "takes neither a cup_angle nor a roller_cone_angle; leave them out",
                {key("cup_angle"), key("roller_cone_angle")});
 }
 
@@ -118,6 +125,16 @@ void check_profile(const RollerBearing &b, Reading &reading)
   if (reading.usable({key("profile"), key("crown_drop")}) &&
       (b.profile == "crown" || b.profile == "three-parameter") && std::isnan(b.crown_drop))
     contradict(reading, key("profile"), "needs a crown_drop", {});
+  for (const char *only : {"crown_drop", "profile_share", "profile_load"})
+    if (reading.places.count(key(only)) && reading.usable({key("profile")})) {
+      const bool logarithm = b.profile == "log" || b.profile == "lundberg" || b.profile == "three-parameter";
+      const bool fits = std::string(only) == "crown_drop" ? b.profile == "crown" || b.profile == "three-parameter"
+                        : std::string(only) == "profile_load" ? logarithm
+                                                              : b.profile == "three-parameter";
+      if (!fits)
+        contradict(reading, key(only), fmt::format("has no effect with profile = \"{}\"; leave it out", b.profile),
+                   {key("profile")});
+    }
   if (reading.usable({key("profile"), key("profile_table")}) && b.profile == "table" && b.profile_table.empty())
     contradict(reading, key("profile"), "needs a profile_table", {});
   if (reading.usable({key("profile"), key("profile_table")}) && b.profile != "table" && !b.profile_table.empty())
@@ -268,6 +285,9 @@ void check_bearing_load(const BearingCase &spec, Reading &reading)
   if (!(loads[1] > loads[0]))
     contradict(reading, "load.loads", "does not increase; the smaller load comes first", {});
   else if (reading.places.count("load.loads") && (spec.load.radial < loads[0] || spec.load.radial > loads[1]))
-    contradict(reading, "load.radial", "is outside the swept range", {"load.loads"});
+    contradict(reading, "load.radial",
+               fmt::format("is outside the swept range {:.5g} kN .. {:.5g} kN; change one of the two",
+                           from_si(loads[0], unit("kN")), from_si(loads[1], unit("kN"))),
+               {"load.loads"});
 }
 }  // namespace mill

@@ -31,7 +31,8 @@ std::vector<double> angles(const Housing &h, const double refinement)
   std::vector<double> out{0};
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const double span = corners[i] - corners[i - 1];
-    const int n       = std::max(1, int(std::lround(span / (M_PI / 14) * refinement)));
+    // Rounded up: an element that spans more bends its straight outer side below the thin wall of the cup.
+    const int n = std::max(1, int(std::ceil(span / (M_PI / 14) * refinement - 0.15)));
     for (int k = 1; k <= n; ++k)
       out.push_back(corners[i - 1] + span * k / n);
   }
