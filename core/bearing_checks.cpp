@@ -125,16 +125,12 @@ void check_profile(const RollerBearing &b, Reading &reading)
   if (reading.usable({key("profile"), key("crown_drop")}) &&
       (b.profile == "crown" || b.profile == "three-parameter") && std::isnan(b.crown_drop))
     contradict(reading, key("profile"), "needs a crown_drop", {});
-  for (const char *only : {"crown_drop", "profile_share", "profile_load"})
-    if (reading.places.count(key(only)) && reading.usable({key("profile")})) {
-      const bool logarithm = b.profile == "log" || b.profile == "lundberg" || b.profile == "three-parameter";
-      const bool fits = std::string(only) == "crown_drop" ? b.profile == "crown" || b.profile == "three-parameter"
-                        : std::string(only) == "profile_load" ? logarithm
-                                                              : b.profile == "three-parameter";
-      if (!fits)
-        contradict(reading, key(only), fmt::format("has no effect with profile = \"{}\"; leave it out", b.profile),
-                   {key("profile")});
-    }
+  const bool logarithm = b.profile == "log" || b.profile == "lundberg" || b.profile == "three-parameter";
+  const bool has_end   = b.profile == "crown" || b.profile == "three-parameter";
+  for (const auto &[only, used] : {std::pair("crown_drop", has_end), std::pair("profile_load", logarithm)})
+    if (!used && reading.places.count(key(only)) && reading.usable({key("profile")}))
+      contradict(reading, key(only), fmt::format("has no effect with profile = \"{}\"; leave it out", b.profile),
+                 {key("profile")});
   if (reading.usable({key("profile"), key("profile_table")}) && b.profile == "table" && b.profile_table.empty())
     contradict(reading, key("profile"), "needs a profile_table", {});
   if (reading.usable({key("profile"), key("profile_table")}) && b.profile != "table" && !b.profile_table.empty())

@@ -77,6 +77,26 @@ TEST(BearingCommand, ElasticRingsByFiniteElements)
     EXPECT_GT(fs::file_size(scratch("elastic") + "/curves/" + file), 0u) << file;
 }
 
+// What only mechanics can tell is said by check, too, at its place.
+TEST(BearingCommand, ChecksFitAndDrawing)
+{
+  const auto said = [](const std::string &set) {
+    const auto outcome = millstand("check cases/bearing-266.toml " + set);
+    EXPECT_EQ(outcome.exit_code, 2) << set;
+    return outcome.err.substr(0, outcome.err.find('\n'));
+  };
+  EXPECT_EQ(said("--set bearing.trb.radial_clearance='-0.9 mm'"),
+            "--set bearing.trb.radial_clearance=-0.9 mm: error: bearing.trb.radial_clearance = \"-0.9 mm\" "
+            "presses every "
+            "roller with 303.7 kN before any load acts, 5722 MPa on the inner raceway; it yields at 4000 MPa "
+            "(yield_pressure), reached at about -0.472 mm");
+  EXPECT_EQ(
+      said("--set bearing.trb.pitch_diameter='300 mm' --set bearing.trb.cup_angle='19 deg'"),
+      "cases/bearing-266.toml:13:21: error: bearing.trb: the cone has only 1.6687 mm left at the thin end of a "
+      "raceway, less than a tenth of the roller diameter of 21.5 mm; check roller_diameter, pitch_diameter, "
+      "roller_length and cup_angle");
+}
+
 // A mass on the curve of the bearing.
 TEST(BearingCommand, DrivenMass)
 {
