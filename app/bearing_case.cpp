@@ -1,4 +1,5 @@
 #include "app/bearing_files.h"
+#include "app/bearing_published.h"
 #include "app/bearing_results.h"
 #include "app/bearing_stage.h"
 #include "bearing/clearance.h"
@@ -98,6 +99,7 @@ void solve_bearing_case(RunContext &run, const BearingCase &spec)
   for (const char *key : {"radial", "axial", "tilt", "cage_angle"})
     inputs.push_back(std::string("load.") + key);
   add_bearing_results(run, "Kzc", study, inputs);
+  add_published_results(run, "Kzc", study, inputs);
   note_bearing(run, study);
   write_bearing(run, study);
   if (q.cage_angle == 0)  // the field is symmetric about the load line

@@ -108,7 +108,6 @@ void add_bearing_results(RunContext &run, const std::string &prefix, const Beari
   if (s.question.bearing.cup_angle > 0)
     add("rib_max", "N", s.at.rib_force.maxCoeff(), beside(s.standard.rib_force.maxCoeff()), s.error_secant,
         ", heaviest roller on the cone's rib");
-  add_published_results(run, prefix, s, inputs);
 }
 
 void note_bearing(RunContext &run, const BearingStudy &s)

@@ -1,5 +1,6 @@
 #include "app/bearing_stage.h"
 #include "app/bearing_files.h"
+#include "app/bearing_published.h"
 #include "app/bearing_results.h"
 #include "app/output_dir.h"
 #include <algorithm>
@@ -69,6 +70,7 @@ void report_seat(RunContext &run, const Seat &seat, const SeatLoad &load, const 
   add_bearing_results(run, seat.name, study, inputs);
   if (std::string(seat.name) != "Kzc1" && std::string(seat.name) != "Kzc2")
     return;  // the lower half has the same bearings
+  add_published_results(run, seat.name, study, inputs);
   write_bearing(run, study);
   note_bearing(run, study);
   run.assume(
