@@ -72,10 +72,10 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
   const auto contacts     = solve_contacts(run, stand, loads);
   const auto all_bearings = solve_bearings(run, stand, loads);
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
-    const Pass &pass    = stand.passes[p];
-    const bool first    = p == 0;
+    const Pass &pass     = stand.passes[p];
+    const bool first     = p == 0;
     const auto &bearings = all_bearings[p];
-    const Parameter K4  = solve_bite_stiffness(run, stand, pass, loads[p], first);
+    const Parameter K4   = solve_bite_stiffness(run, stand, pass, loads[p], first);
     reduce::ChainInputs in;
     in.K3         = contacts.at("upper").tangent[p];
     in.K5         = contacts.at("lower").tangent[p];

@@ -19,8 +19,8 @@ TwoCylinders read_two_cylinders(const Node &root, Reading &reading);
 BearingCase read_bearing_case(const Node &root, Reading &reading);
 /// All [bearing.*], completed and checked.
 std::vector<RollerBearing> read_bearings(const Node &root, Reading &reading);
-/// Fills in what follows from the rest of a bearing: a member left out of the apex condition, the law and rings that
-/// its drawing allows, sizes of the chock.  Each is noted in `filled`.
+/// Fills in what follows from the rest of a bearing: a member left out of the apex condition, the law and rings
+/// that its drawing allows, sizes of the chock.  Each is noted in `filled`.
 void complete_bearing(RollerBearing &bearing, const Reading &reading);
 
 /// Two keys that cannot both be right: the problem stands at the first, the others are shown with it.

@@ -47,8 +47,8 @@ public:
                             const void *context) const;
   int degree() const;
   /// Quadrature of the stiffness, cell by cell: visit(nodes of the cell, its points).
-  void each_cell(
-      const std::function<void(const std::vector<int> &nodes, const std::vector<SolidPoint> &points)> &visit) const;
+  void each_cell(const std::function<void(const std::vector<int> &nodes, const std::vector<SolidPoint> &points)>
+                     &visit) const;
   double volume() const;  ///< m3, by the quadrature of the assembly
 
   /// Displacement, stress (xx yy zz xy xz yz, von Mises) and a nodal scalar as VTU for ParaView.

@@ -25,7 +25,7 @@ struct Circle {
 /// A quadrature point of a cell of n nodes.
 struct CellPoint {
   Eigen::Matrix<double, Eigen::Dynamic, 2> gradient;  ///< (n, 2) 1/m, of the nodes' shape functions
-  double weight;                                      ///< m2; m3 on the whole circumference of a body of revolution
+  double weight;  ///< m2; m3 on the whole circumference of a body of revolution
 };
 
 /// Linear elastic body in a plane or meridian section: quadrilaterals of degree 1 or 2.  theory.md 11

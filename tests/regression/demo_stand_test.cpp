@@ -1,8 +1,8 @@
 // The demo stand as the reference file describes it.  Its masses and frame springs were tuned to published values,
 // so agreement with those proves nothing; what is tested is that the same drawing gives the same numbers as the
 // independent program behind the reference.
-#include "reduce/beam_shapes.h"
 #include "bearing/rigid_rings.h"
+#include "reduce/beam_shapes.h"
 #include "reduce/line_contact.h"
 #include "reduce/lumped_stand.h"
 #include "tests/support/near.h"

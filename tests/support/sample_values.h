@@ -10,10 +10,10 @@ namespace sample {
 /// @param checks  name and note of each, with their values after them
 // clang-format off: lists of lists of different lengths crash clang-format 14 with AlignArrayOfStructures
 inline nlohmann::ordered_json value(const double number, const std::string &unit, const std::string &source,
-                   const std::string &at = "", const double error = NAN,
-                   const std::vector<std::string> &inputs                = {},
-                   const std::vector<std::array<std::string, 2>> &checks = {},
-                   const std::vector<double> &check_values               = {})
+                                    const std::string &at = "", const double error = NAN,
+                                    const std::vector<std::string> &inputs                = {},
+                                    const std::vector<std::array<std::string, 2>> &checks = {},
+                                    const std::vector<double> &check_values               = {})
 {
   nlohmann::ordered_json json{
       {"value",  number},

@@ -40,7 +40,7 @@ template <class T> void expect_struct_defaults(const std::vector<Field<T>> &fiel
   const auto owned = std::make_unique<T>();
   const T &made    = *owned;
   for (const Field<T> &field : fields) {
-    const Row row = row_of(field);
+    const Row row                = row_of(field);
     const bool decided_by_others = row.kind == Kind::choice && row.fallback.kind == Fallback::Kind::absent;
     if (row.fallback.kind != Fallback::Kind::required && !decided_by_others) {
       EXPECT_EQ(toml_of(row, member_value(field, made)), default_toml(row)) << row.key;

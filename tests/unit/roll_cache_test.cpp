@@ -17,7 +17,7 @@ fem::CondensedRoll some_roll(const double number)
   fem::CondensedRoll roll;
   roll.geometry.radius = number;
   roll.grid.n_x = 2, roll.grid.n_z = 3, roll.n_unknowns = 12345;
-  roll.grid.x = Eigen::VectorXd::LinSpaced(2, 0, number);
+  roll.grid.x          = Eigen::VectorXd::LinSpaced(2, 0, number);
   roll.squeeze.patch   = Eigen::MatrixXd::Constant(6, 6, number);
   roll.translate.patch = Eigen::MatrixXd::Identity(6, 6);
   return roll;

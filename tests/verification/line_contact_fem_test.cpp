@@ -107,8 +107,8 @@ TEST(LineContactFem, CondensedEqualsFullModelOnTheSameMesh)
   const auto at = fem::solve_load(s.contact, 1000e3);
   const auto all =
       fem::solve_full_contact(*s.upper.body, *s.lower.body, s.contact.problem.initial_gap, at.approach, true);
-  EXPECT_TRUE(
-      near(all.force, at.state.nodal.sum(), within(1e-8, "same equations by two ways, conditioning 1e7 x rounding")));
+  EXPECT_TRUE(near(all.force, at.state.nodal.sum(),
+                   within(1e-8, "same equations by two ways, conditioning 1e7 x rounding")));
   for (Eigen::Index i = 0; i < all.nodal.size(); ++i)
     EXPECT_TRUE(near(all.nodal[i], at.state.nodal[i], within(1e-8, "same equations", all.nodal.maxCoeff())));
 }

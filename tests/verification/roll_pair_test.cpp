@@ -41,7 +41,8 @@ fem::ContactPair mirrored(const Rolls &r)
 fem::ContactPair in_stand(const Rolls &r, const double strip)
 {
   return fem::make_pair("upper", r.backup_roll.roll, fem::held_by_necks(r.backup_roll.roll), r.work_roll.roll,
-                        fem::held_by_strip(r.work_roll.roll, strip), Eigen::VectorXd::Zero(r.work_roll.roll.grid.n_z));
+                        fem::held_by_strip(r.work_roll.roll, strip),
+                        Eigen::VectorXd::Zero(r.work_roll.roll.grid.n_z));
 }
 }  // namespace
 
