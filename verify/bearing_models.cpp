@@ -7,7 +7,7 @@ namespace {
 constexpr double mm = 1e-3, degree = M_PI / 180;
 }
 
-RollerBearing bearing_266()
+RollerBearing bearing_266(const double cup_angle)
 {
   RollerBearing b;
   b.name              = "trb";
@@ -19,7 +19,7 @@ RollerBearing bearing_266()
   b.roller_length     = 33.4 * mm;
   b.roller_diameter   = 21.5 * mm;
   b.roller_cone_angle = 2.5 * degree;
-  b.cup_angle         = 20 * degree;
+  b.cup_angle         = cup_angle * degree;
   return b;
 }
 

@@ -4,9 +4,9 @@
 
 // Bearings of the manual's cases.
 namespace mill::verify {
-/// 266.7 x 355.6 x 230.188 mm, 4 x 39 rollers of 21.5 x 33.4 mm, cup angle 20 deg, ISO law, no clearance, no
-/// crown.
-RollerBearing bearing_266();
+/// 266.7 x 355.6 x 230.188 mm, 4 x 39 rollers of 21.5 x 33.4 mm, ISO law, no clearance, no crown.
+/// @param cup_angle  deg
+RollerBearing bearing_266(double cup_angle = 20);
 
 /// HH926700, two rows back to back, 14 rollers each, full lever of tilt; preload 100 N.
 bearing::BearingModel bearing_hh926700();

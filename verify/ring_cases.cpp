@@ -7,6 +7,7 @@
 #include "meshes/block.h"
 #include "meshes/chock.h"
 #include "verify/annulus.h"
+#include "verify/bearing_models.h"
 #include "verify/meshed.h"
 #include "verify/verification.h"
 #include <cmath>
@@ -21,17 +22,7 @@ const Material steel{206e9, 0.3, 7850};
 // The four-row bearing of the demo stand and a chock around it.
 RollerBearing mill_bearing(const std::string &chock)
 {
-  RollerBearing b;
-  b.name                = "mill";
-  b.type                = "four-row tapered";
-  b.bore                = 266.7 * mm;
-  b.outside_diameter    = 355.6 * mm;
-  b.width               = 230.188 * mm;
-  b.rollers_per_row     = 39;
-  b.roller_length       = 33.4 * mm;
-  b.roller_diameter     = 21.5 * mm;
-  b.roller_cone_angle   = 2.5 * degree;
-  b.cup_angle           = 19.66 * degree;
+  RollerBearing b       = bearing_266(19.66);
   b.chock               = chock;
   b.chock_width         = 600 * mm;
   b.chock_height        = 560 * mm;

@@ -1,6 +1,7 @@
 #include "bearing/geometry.h"
 #include "bearing/ring_sections.h"
 #include "core/errors.h"
+#include "tests/support/demo_bearing.h"
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -13,16 +14,7 @@ constexpr double mm = 1e-3, degree = M_PI / 180;
 
 RollerBearing mill_bearing()
 {
-  RollerBearing b;
-  b.name                = "trb";
-  b.bore                = 266.7 * mm;
-  b.outside_diameter    = 355.6 * mm;
-  b.width               = 230.188 * mm;
-  b.rollers_per_row     = 39;
-  b.roller_length       = 33.4 * mm;
-  b.roller_diameter     = 21.5 * mm;
-  b.roller_cone_angle   = 2.5 * degree;
-  b.cup_angle           = 19.66 * degree;
+  RollerBearing b       = demo_bearing();
   b.chock_width         = 600 * mm;
   b.chock_height        = 560 * mm;
   b.chock_length        = 260 * mm;

@@ -4,6 +4,7 @@
 #include "fem/ring_flexibility.h"
 #include "meshes/bearing_rings.h"
 #include "meshes/chock.h"
+#include "tests/support/demo_bearing.h"
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -12,21 +13,13 @@
 using namespace mill;
 
 namespace {
-constexpr double mm = 1e-3, degree = M_PI / 180;
+constexpr double mm = 1e-3;
 
 RollerBearing mill_bearing(const std::string &chock, const std::string &hands)
 {
-  RollerBearing b;
-  b.name                = "trb";
-  b.bore                = 266.7 * mm;
-  b.outside_diameter    = 355.6 * mm;
+  RollerBearing b       = demo_bearing();
   b.rows                = int(hands.size());
   b.width               = 57.547 * mm * b.rows;
-  b.rollers_per_row     = 39;
-  b.roller_length       = 33.4 * mm;
-  b.roller_diameter     = 21.5 * mm;
-  b.roller_cone_angle   = 2.5 * degree;
-  b.cup_angle           = 19.66 * degree;
   b.row_hands           = hands;
   b.chock               = chock;
   b.chock_width         = 600 * mm;
