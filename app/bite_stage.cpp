@@ -1,75 +1,112 @@
 #include "app/bite_stage.h"
-#include "app/contact_stage.h"
-#include "core/csv.h"
-#include "dynamics/bite.h"
+#include "app/bite_curves.h"
+#include "app/bite_files.h"
+#include "app/bite_results.h"
+#include "reduce/line_contact.h"
+#include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace mill {
-Parameter solve_bite_stiffness(RunContext &run, const FourHigh &stand, const Pass &pass, const double force,
-                               const bool write)
+namespace {
+// Where the back-up roll carries the work roll, Hertz.
+double backup_half_width(const FourHigh &stand, const double force)
 {
-  StageTimer timer(run, "bite, " + pass.name);
-  dynamics::RollBite bite;
-  bite.strip = stand.strip;
-  if (!std::isnan(pass.entry_thickness))
-    bite.strip.entry_thickness = pass.entry_thickness;
-  if (!std::isnan(pass.exit_thickness))
-    bite.strip.exit_thickness = pass.exit_thickness;
-  bite.roll_radius     = 0.5 * stand.work_roll.barrel_diameter;
-  bite.roll            = stand.steel;
-  const auto state     = dynamics::solve_bite(bite);
-  const auto stiffness = dynamics::bite_stiffness(bite, state);
+  const double length = std::min(stand.work_roll.barrel_length, stand.backup_roll.barrel_length);
+  return reduce::line_contact(
+             {stand.work_roll.barrel_diameter, stand.backup_roll.barrel_diameter, length, stand.steel}, force)
+      .half_width;
+}
 
-  Parameter k;
-  k.unit   = "N/m";
-  k.method = "slab model of Bland and Ford";
-  k.at     = fmt::format("{}, {:.4g} -> {:.4g} mm, {:.1f} kN", pass.name, 1e3 * bite.strip.entry_thickness,
-                         1e3 * bite.strip.exit_thickness, state.force / 1e3);
-  k.inputs = {"strip.width",    "strip.entry_thickness",     "strip.exit_thickness", "strip.flow_stress",
-              "strip.friction", "work_roll.barrel_diameter", "steel.youngs_modulus", "steel.poisson_ratio"};
-  // What is not known about the slab model here: whether R' follows, and how far its force is from the recorded
-  // one.
-  const double following = std::abs(stiffness.plastic_slope_following / stiffness.plastic_slope - 1);
-  const double against   = std::abs(state.force / force - 1);
-  const auto quantity    = [&](const double value, const char *how, std::vector<Check> checks) {
-    Parameter out = k;
-    out.value     = value;
-    out.method += how;
-    out.error_estimate = std::max(following, against);
-    out.checks         = std::move(checks);
-    return out;
-  };
-  const double dh = bite.strip.entry_thickness - bite.strip.exit_thickness;
-  const Parameter slope =
-      quantity(stiffness.plastic_slope, ", -dF/dh at fixed R'",
-               {
-                   {"with R' following",                      stiffness.plastic_slope_following, "quasi-static rolls"},
-                   {"F / reduction, upper rule of thumb",     state.force / dh,                  ""                  },
-                   {"F / (2 reduction), lower rule of thumb", state.force / (2 * dh),            ""                  }
-  });
-  const Parameter flat      = quantity(stiffness.flattening, ", elastic flattening of one roll", {});
-  const Parameter combined  = quantity(stiffness.combined, ", plastic slope in series with both rolls", {});
-  Parameter bite_force      = k;
-  bite_force.unit           = "N";
-  bite_force.value          = state.force;
-  bite_force.error_estimate = against;
-  bite_force.checks         = {
-              {"mean of the recorded force", force, ""}
-  };
-  run.results.add("bite." + pass.name + ".force", bite_force);
-  if (write) {
-    run.results.add("K4.plastic_slope", slope);
-    run.results.add("K4.flattening", flat);
-    run.results.add("K4.combined", combined);
-    Table arc;
-    arc.add("x", "m", state.position).add("pressure", "Pa", state.pressure).add("thickness", "m", state.thickness);
-    run.out.write("curves/bite.csv", csv_text(arc));
-    for (const std::string &note : state.notes)
-      run.warn("bite: " + note);
-    run.assume("strip.flow_stress and strip.friction give the slab model's force of " + in_kN(state.force) +
-               " beside " + in_kN(force) + " recorded");
+// A rigid roll asks the least of the strip; a film's friction is found with the flattened arc only.
+void check_pass(const bite::RollBite &bite, const Pass &pass, std::vector<Problem> &problems)
+{
+  if (bite.strip.friction.law == "film")
+    return;
+  try {
+    bite::solve_slab(bite, {bite::Theory::karman, bite::Arc::rigid});
+  } catch (const InputError &e) {
+    problems.push_back({pass.place, "pass \"" + pass.name + "\": " + e.what(), {}});
   }
-  return combined;
+}
+
+void add_study(RunContext &run, const BiteStudy &study)
+{
+  add_bite_results(run, study);
+  note_bite(run, study);
+  write_bite(run, study);
+}
+}  // namespace
+
+bite::RollBite bite_of(const Strip &strip, const Pass &pass, const double roll_diameter, const Material &roll)
+{
+  bite::RollBite bite;
+  bite.strip     = strip;
+  const auto own = [](double &value, const double of_pass) {
+    if (!std::isnan(of_pass))
+      value = of_pass;
+  };
+  own(bite.strip.entry_thickness, pass.entry_thickness);
+  own(bite.strip.exit_thickness, pass.exit_thickness);
+  own(bite.strip.entry_tension, pass.entry_tension);
+  own(bite.strip.exit_tension, pass.exit_tension);
+  bite.roll_radius = 0.5 * roll_diameter;
+  bite.roll        = roll;
+  bite.roll_speed  = pass.speed;
+  return bite;
+}
+
+void check_bites(const Case &the_case)
+{
+  std::vector<Problem> problems;
+  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
+    for (const Pass &pass : stand->passes)
+      check_pass(bite_of(stand->strip, pass, stand->work_roll.barrel_diameter, stand->steel), pass, problems);
+  if (const auto *bite = std::get_if<BiteCase>(&the_case.spec))
+    for (const Pass &pass : bite->passes)
+      check_pass(bite_of(bite->strip, pass, bite->roll_diameter, bite->steel), pass, problems);
+  if (!problems.empty())
+    throw InputError(std::move(problems));
+}
+
+Parameter solve_bite_stiffness(RunContext &run, const FourHigh &stand, const Pass &pass, const double force,
+                               const bool first)
+{
+  BiteQuestion q;
+  q.bite                  = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
+  q.setup                 = stand.bite;
+  q.pass                  = pass.name;
+  q.force                 = force;
+  q.force_name            = std::isnan(pass.load) ? "the mean of the recorded force" : "the load of the pass";
+  q.roll_key              = "work_roll.barrel_diameter";
+  q.backup_half_width     = backup_half_width(stand, force);
+  const BiteStudy study   = study_bite(run, q);
+  const BiteSpring spring = bite_spring(study);
+  add_study(run, study);
+  if (first) {
+    add_bite_spring(run, spring);
+    write_bite_curves(run, study);
+  }
+  return spring.combined;
+}
+
+void solve_bite_case(RunContext &run, const BiteCase &spec)
+{
+  for (std::size_t p = 0; p < spec.passes.size(); ++p) {
+    BiteQuestion q;
+    q.bite                  = bite_of(spec.strip, spec.passes[p], spec.roll_diameter, spec.steel);
+    q.setup                 = spec.bite;
+    q.pass                  = spec.passes[p].name;
+    q.force                 = spec.passes[p].load;
+    q.force_name            = "the load of the pass";
+    q.roll_key              = "work_roll.diameter";
+    q.curves                = p == 0;
+    const BiteStudy study   = study_bite(run, q);
+    const BiteSpring spring = bite_spring(study);
+    add_study(run, study);
+    if (p == 0) {
+      add_bite_spring(run, spring);
+      write_bite_curves(run, study);
+    }
+  }
 }
 }  // namespace mill

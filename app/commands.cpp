@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/bearing_model.h"
+#include "app/bite_stage.h"
 #include "app/console.h"
 #include "app/pipeline.h"
 #include "app/verify_command.h"
@@ -8,6 +9,7 @@
 #include "core/sparse.h"
 #include "fem/elastic_body.h"
 #include "report/html.h"
+#include "report/names.h"
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -74,6 +76,7 @@ std::vector<std::pair<std::string, double>> expected_stages(const Case &c)
         {"condensation",  8 },
         {"contact upper", 2 },
         {"contact lower", 2 },
+        {"bite, curves",  8 },
         {"passes",        4 }
     };
   if (std::holds_alternative<TwoCylinders>(c.spec))
@@ -90,6 +93,11 @@ std::vector<std::pair<std::string, double>> expected_stages(const Case &c)
         {"roller",                                                10},
         {"rings",                                                 20},
         {"bearing " + std::get<BearingCase>(c.spec).load.bearing, 4 }
+    };
+  if (std::holds_alternative<BiteCase>(c.spec))
+    return {
+        {"bite, finite elements", 3},
+        {"bite, curves",          4}
     };
   return {
       {"passes", 1}
@@ -114,9 +122,12 @@ std::string engineering(const Parameter &p)
 void print_table(const Results &results)
 {
   fmt::print("{:<34} {:>22} {:>9}  {}\n", "result", "value", "error", "at");
-  for (const auto &[name, p] : results.values)
+  for (const auto &[name, p] : results.values) {
+    if (report::is_of_one_model(name))
+      continue;  // side by side in the report
     fmt::print("{:<34} {:>22} {:>9}  {}\n", name, engineering(p),
                std::isnan(p.error_estimate) ? "-" : fmt::format("{:.2g} %", 100 * p.error_estimate), p.at);
+  }
   for (const std::string &warning : results.warnings)
     fmt::print("warning: {}\n", warning);
 }
@@ -136,7 +147,8 @@ void require_fitting(const std::string &verb, const Case &the_case)
   const bool cylinders = std::holds_alternative<TwoCylinders>(the_case.spec);
   const bool bearing   = std::holds_alternative<BearingCase>(the_case.spec);
   const bool lumped    = std::holds_alternative<Lumped>(the_case.spec);
-  if (((cylinders || bearing) && verb != "run" && verb != "stiffness") ||
+  const bool bite      = std::holds_alternative<BiteCase>(the_case.spec);
+  if (((cylinders || bearing || bite) && verb != "run" && verb != "stiffness") ||
       (lumped && (verb == "stiffness" || verb == "masses")))
     throw InputError("millstand " + verb + " has nothing to compute for kind = \"" + the_case.kind + "\" (" +
                      the_case.path + "); use millstand run");
@@ -147,6 +159,7 @@ int run_chain(const CommandLine &command)
   const Case the_case = read_case(command.target, command.sets);
   check_file_names(the_case);
   check_fits(the_case);
+  check_bites(the_case);
   require_fitting(command.verb, the_case);
   const OutputDir out(command.output.empty() ? "out/" + the_case.name : command.output, the_case,
                       command.force_overwrite);
@@ -225,6 +238,7 @@ int carry_out(const CommandLine &command)
     const Case the_case = read_case(command.target, command.sets);
     check_file_names(the_case);
     check_fits(the_case);
+    check_bites(the_case);
     fmt::print("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, the_case.title);
     return 0;
   }

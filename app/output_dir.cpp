@@ -159,6 +159,8 @@ void check_file_names(const Case &the_case)
     passes = stand->passes;
   if (const auto *lumped = std::get_if<Lumped>(&the_case.spec))
     passes = lumped->passes;
+  if (const auto *bite = std::get_if<BiteCase>(&the_case.spec))
+    passes = bite->passes;
   std::map<std::string, Pass> written;  // file name -> pass that writes it
   std::vector<Problem> problems;
   for (const Pass &pass : passes) {

@@ -140,6 +140,8 @@ void run_stages(RunContext &run, const Goal goal, const std::string &force_file)
     run_lumped(run, *lumped, goal, force_file);
   else if (const auto *bearing = std::get_if<BearingCase>(&run.the_case.spec))
     solve_bearing_case(run, *bearing);
+  else if (const auto *bite = std::get_if<BiteCase>(&run.the_case.spec))
+    solve_bite_case(run, *bite);
   else
     solve_cylinders(run, std::get<TwoCylinders>(run.the_case.spec));
 }

@@ -137,6 +137,10 @@ std::string manifest_json(const RunContext &run)
   }
   if (const auto *bearing = std::get_if<BearingCase>(&c.spec))
     add_bearings(manifest, bearing->bearings);
+  if (const auto *bite = std::get_if<BiteCase>(&c.spec))
+    manifest["geometry"] = {
+        {"work_roll_diameter", bite->roll_diameter}
+    };
   if (const auto *lumped = std::get_if<Lumped>(&c.spec))
     add_passes(manifest, lumped->passes, lumped->dynamics.force_meaning);
   if (const auto *pair = std::get_if<TwoCylinders>(&c.spec))

@@ -155,6 +155,14 @@ ordered_json &object_at(ordered_json &root, const std::string &name, const bool 
     if (!properties.contains(part))
       properties[part] = closed_object();
     object = &properties[part];
+    if (!object->contains("properties")) {  // a key that may also be a section: friction = 0.2 or { law = ... }
+      const ordered_json plain = *object;
+      *object                  = {
+                           {"anyOf",       ordered_json::array({plain, closed_object()})},
+                           {"description", plain.at("description")                      }
+      };
+      object = &(*object)["anyOf"][1];
+    }
   }
   return *object;
 }

@@ -78,6 +78,7 @@ struct Filled {
   const SectionRows *section;
   std::map<std::string, std::string> values;  // TOML, instead of the example
   std::vector<std::string> shown;             // optional keys that are set all the same
+  bool off = false;                           // every line a comment: something else says it already
 };
 
 std::string template_line(const Row &row, const Filled &filled)
@@ -102,6 +103,10 @@ std::string template_section(const Filled &filled)
       filled.header.empty() ? "" : fmt::format("\n{}  # {}\n", filled.header, filled.section->meaning);
   for (const Row &row : filled.section->rows)
     text += template_line(row, filled);
+  if (filled.off)
+    for (std::size_t at = 1; at < text.size(); at = text.find('\n', at) + 1)
+      if (text.compare(at, 2, "# ") != 0)
+        text.insert(at, "# ");
   return text;
 }
 
@@ -110,7 +115,9 @@ std::vector<Filled> filled_sections(const std::string &kind, const std::vector<S
 {
   std::vector<Filled> all;
   for (const SectionRows &section : sections) {
-    if (section.name == "bearing" && kind == "bearing") {
+    if (section.name == "strip.friction") {
+      all.push_back({"[strip.friction]", &section, {}, {}, true});  // the number in [strip] says it
+    } else if (section.name == "bearing" && kind == "bearing") {
       all.push_back({
           "[bearing.trb]",
           &section,
@@ -136,6 +143,8 @@ std::vector<Filled> filled_sections(const std::string &kind, const std::vector<S
                    {"roller_diameter", "\"75 mm\""}},
           {                         }
       });
+    } else if (section.name == "pass" && kind == "bite") {
+      all.push_back({"[[pass]]", &section, {}, {}});
     } else if (section.name == "pass") {
       all.push_back({"[[pass]]", &section, {{"synthetic", "true"}}, {"synthetic_range"}});
       all.push_back({
@@ -151,6 +160,7 @@ std::vector<Filled> filled_sections(const std::string &kind, const std::vector<S
       const std::string title = kind == "two-cylinders" ? "two cylinders"
                                 : kind == "lumped"      ? "lumped model"
                                 : kind == "bearing"     ? "four-row tapered roller bearing"
+                                : kind == "bite"        ? "roll bite"
                                                         : "four-high stand";
       all.push_back({
           "", &section, {{"kind", quoted(kind)}, {"title", quoted(title)}},

@@ -107,6 +107,8 @@ Case read_case(const std::string &path, const std::vector<std::string> &sets)
     result.spec = read_lumped(root, reading);
   else if (head.kind == "bearing")
     result.spec = read_bearing_case(root, reading);
+  else if (head.kind == "bite")
+    result.spec = read_bite_case(root, reading);
   else
     result.spec = read_two_cylinders(root, reading);
   if (!reading.problems.empty())

@@ -3,6 +3,7 @@
 #include "core/material.h"
 #include "core/parameter.h"
 #include "core/roller_bearing.h"
+#include "core/strip.h"
 #include <array>
 #include <limits>
 #include <map>
@@ -52,28 +53,6 @@ struct Frame {
       not_given;  ///< N/m, Kx of each work roll, both sides together; absent: rigid
 };
 
-/// Plane-strain flow stress k_f(eps) with eps = ln(h0/h) unless the law says otherwise.  theory.md 8
-struct FlowStress {
-  std::string law = "constant";  ///< constant | swift | ludwik | voce | power | reduction-power | table
-  double k        = 0;           ///< Pa, the constant, or the factor of the law
-  double eps0     = 0;           ///< -
-  double n        = 0;           ///< -
-  double k0       = 0;           ///< Pa, initial value of ludwik and voce
-  std::vector<std::array<double, 2>> table;  ///< (strain -, stress Pa)
-};
-
-/// Strip in the bite.
-struct Strip {
-  double width             = 0;          ///< m
-  double entry_thickness   = 0;          ///< m
-  double exit_thickness    = 0;          ///< m
-  double entry_tension     = 0;          ///< Pa, back tension, positive in tension
-  double exit_tension      = 0;          ///< Pa, front tension
-  double initial_thickness = not_given;  ///< m, reference of the strain; absent: entry thickness
-  FlowStress flow_stress;
-  double friction = 0;  ///< -, Coulomb
-};
-
 /// One pass: a recorded rolling force, and what was measured with it.
 struct Pass {
   std::string name;                                    ///< unique, names the response file
@@ -83,6 +62,9 @@ struct Pass {
   Place force_place, measured_place;                   ///< of the two path values
   double entry_thickness                 = not_given;  ///< m, absent: that of [strip]
   double exit_thickness                  = not_given;  ///< m
+  double entry_tension                   = not_given;  ///< Pa, absent: that of [strip]
+  double exit_tension                    = not_given;  ///< Pa
+  double speed                           = not_given;  ///< m/s, of the rolls' surface
   std::array<double, 2> published_peak_g = {not_given,
                                             not_given};  ///< g, upper and lower work roll, a published model's
   std::array<double, 2> measured_peak_g  = {not_given,
@@ -112,6 +94,18 @@ struct ContactSettings {
   Place loads_place, elements_place;        ///< for messages
 };
 
+/// How the roll bite is computed.
+struct BiteSetup {
+  std::string method   = "fe";             ///< fe | slab: which of the two gives K4; the other stands beside it
+  std::string theory   = "karman";         ///< bland-ford | hu-ehmann | karman | orowan | sims
+  std::string arc      = "hitchcock";      ///< rigid | hitchcock | elastic
+  std::string strip    = "rigid-plastic";  ///< rigid-plastic | elastic-plastic, in the finite-element bite
+  int elements_along   = 48;               ///< of the arc
+  int elements_through = 12;               ///< of half the thickness
+  int samples          = 9;                ///< along every curve of K4
+  double path_trim     = 0.2;              ///< -, share of the contact path left out at each end for the plateau
+};
+
 /// Settings of the lumped model's runs.
 struct DynamicsSettings {
   double modal_damping       = 0.01;        ///< -, ratio of critical, every mode
@@ -138,6 +132,7 @@ struct FourHigh {
   Strip strip;
   std::vector<Pass> passes;
   ContactSettings upper_contact, lower_contact;  ///< upper: K3, lower: K5
+  BiteSetup bite;
   DynamicsSettings dynamics;
   GivenValues given;
   GivenValues published;  ///< same names; only shown beside the computed values
@@ -188,13 +183,23 @@ struct BearingCase {
   GivenValues published;  ///< only shown beside the computed values
 };
 
+/// kind = "bite": the strip between two work rolls, nothing of the stand.
+struct BiteCase {
+  Material steel;            ///< of the rolls
+  double roll_diameter = 0;  ///< m, work roll
+  Strip strip;
+  std::vector<Pass> passes;  ///< load: a measured force to stand beside the computed one
+  BiteSetup bite;
+  GivenValues published;  ///< only shown beside the computed values
+};
+
 /// A case file, read and checked.  SI inside.
 struct Case {
   std::string path;  ///< of the file as given by the user
   std::string name;  ///< stem of the file name
-  std::string kind;  ///< four-high | lumped | two-cylinders | bearing
+  std::string kind;  ///< four-high | lumped | two-cylinders | bearing | bite
   std::string title;
-  std::variant<FourHigh, Lumped, TwoCylinders, BearingCase> spec;
+  std::variant<FourHigh, Lumped, TwoCylinders, BearingCase, BiteCase> spec;
   std::string resolved;  ///< text of resolved.toml
   std::map<std::string, Place>
       places;  ///< "work_roll.barrel_diameter" -> where its value stands; defaults are absent

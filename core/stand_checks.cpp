@@ -75,72 +75,6 @@ void check_file(const std::string &key, const std::string &file, Reading &readin
   if (!file.empty() && !std::filesystem::is_regular_file(file, ignored))
     reading.add(reading.place(key), fmt::format("{}: there is no file {}", reading.said(key), file));
 }
-
-// Initial value of the flow stress, where the law has one of its own; the strip must carry its back tension there.
-double initial_stress(const FlowStress &flow)
-{
-  if (flow.law == "constant")
-    return flow.k;
-  if (flow.law == "swift" || flow.law == "reduction-power")
-    return flow.k * std::pow(flow.eps0, flow.n);
-  if (flow.law == "ludwik" || flow.law == "voce")
-    return flow.k0;
-  if (flow.law == "table" && !flow.table.empty())
-    return flow.table.front()[1];
-  return not_given;
-}
-
-void check_flow_stress(const FlowStress &flow, Reading &reading)
-{
-  const std::string name = "strip.flow_stress.";
-  const auto needs       = [&](const char *key) {
-    if (!reading.places.count(name + key) && !reading.bad.count(name + key))
-      contradict(reading, name + "law", fmt::format("needs '{}'", key), {});
-  };
-  if (!reading.usable({name + "law"}))
-    return;
-  if (flow.law == "table")
-    needs("table");
-  else
-    needs("k");
-  if (flow.law == "ludwik" || flow.law == "voce")
-    needs("k0");
-  if (flow.law == "swift" || flow.law == "reduction-power")
-    needs("eps0");
-  if (flow.law != "constant" && flow.law != "table")
-    needs("n");
-}
-
-void check_tension(const char *key, const double tension, const Strip &strip, Reading &reading)
-{
-  const std::string full = std::string("strip.") + key;
-  const double limit     = initial_stress(strip.flow_stress);
-  const std::string law  = strip.flow_stress.law == "table" ? "table" : "k";
-  if (reading.usable({full, "strip.flow_stress.k", "strip.flow_stress.law", "strip.flow_stress.table"}) &&
-      limit > 0 && tension >= limit)
-    contradict(reading, full,
-               fmt::format("would stretch the strip outside the bite, whose flow stress is {:.6g} MPa there",
-                           limit / 1e6),
-               {"strip.flow_stress." + law});
-}
-void check_strip(const FourHigh &stand, Reading &reading)
-{
-  const Strip &strip = stand.strip;
-  if (reading.usable({"strip.entry_thickness", "strip.exit_thickness"}) &&
-      strip.exit_thickness >= strip.entry_thickness)
-    contradict(reading, "strip.exit_thickness", "is not smaller than the entry thickness",
-               {"strip.entry_thickness"});
-  if (reading.usable({"strip.entry_thickness", "strip.initial_thickness"}) &&
-      strip.initial_thickness < strip.entry_thickness)
-    contradict(reading, "strip.initial_thickness", "is smaller than the entry thickness",
-               {"strip.entry_thickness"});
-  if (reading.usable({"strip.width", "work_roll.barrel_length"}) && strip.width > stand.work_roll.barrel_length)
-    contradict(reading, "strip.width", "is wider than the barrel of the work roll", {"work_roll.barrel_length"});
-  check_flow_stress(strip.flow_stress, reading);
-  check_tension("entry_tension", strip.entry_tension, strip, reading);
-  if (strip.flow_stress.law == "constant")  // a hardening strip is stronger behind the bite
-    check_tension("exit_tension", strip.exit_tension, strip, reading);
-}
 }  // namespace
 
 void check_work_roll(const WorkRollInput &roll, Reading &reading)
@@ -184,14 +118,8 @@ void check_passes(const std::vector<Pass> &passes, Reading &reading)
                  {key("force")});
     if (has_range && !(pass.synthetic_range[0] < pass.synthetic_range[1]))
       contradict(reading, key("synthetic_range"), "does not increase; write the smaller force first", {});
-    if (pass.name.empty() || pass.name.find('/') != std::string::npos || pass.name[0] == '.')
-      contradict(reading, key("name"), "cannot name a file; it may not be empty, begin with a dot or contain '/'",
-                 {});
-    for (std::size_t j = 0; j < i; ++j)
-      if (passes[j].name == pass.name)
-        contradict(reading, key("name"), "is the name of an earlier pass as well",
-                   {fmt::format("pass.{}.name", j)});
   }
+  check_pass_names(passes, reading);
 }
 
 void check_contact(const std::string &section, const ContactSettings &contact, Reading &reading)
@@ -229,7 +157,10 @@ void check_four_high(const FourHigh &stand, Reading &reading)
                {"work_roll.barrel_diameter"});
   check_bearing_name("work_roll.bearing", stand.work_roll.bearing, stand.bearings, reading);
   check_bearing_name("backup_roll.bearing", stand.backup_roll.bearing, stand.bearings, reading);
-  check_strip(stand, reading);
+  check_strip(stand.strip, reading);
+  if (reading.usable({"strip.width", "work_roll.barrel_length"}) &&
+      stand.strip.width > stand.work_roll.barrel_length)
+    contradict(reading, "strip.width", "is wider than the barrel of the work roll", {"work_roll.barrel_length"});
   const double facing = std::min(stand.work_roll.barrel_length, stand.backup_roll.barrel_length);
   if (reading.usable({"work_roll.axial_shift", "work_roll.barrel_length", "backup_roll.barrel_length"}) &&
       std::abs(stand.work_roll.axial_shift) > 0.4 * facing)
@@ -246,23 +177,14 @@ void check_four_high(const FourHigh &stand, Reading &reading)
                  {"work_roll.barrel_length", "backup_roll.barrel_length"});
   if (stand.passes.empty() && reading.usable({"pass"}))
     reading.add(Place{reading.file}, "there is no [[pass]]; the working load of every stiffness comes from one");
-  for (std::size_t i = 0; i < stand.passes.size(); ++i) {
-    const Pass &pass     = stand.passes[i];
-    const auto key       = [&](const char *k) { return fmt::format("pass.{}.{}", i, k); };
-    const bool own_entry = !std::isnan(pass.entry_thickness), own_exit = !std::isnan(pass.exit_thickness);
-    const std::string entry_key = own_entry ? key("entry_thickness") : "strip.entry_thickness";
-    const std::string exit_key  = own_exit ? key("exit_thickness") : "strip.exit_thickness";
-    const double entry          = own_entry ? pass.entry_thickness : stand.strip.entry_thickness;
-    const double exit           = own_exit ? pass.exit_thickness : stand.strip.exit_thickness;
-    if ((own_entry || own_exit) && reading.usable({entry_key, exit_key}) && exit >= entry)
-      contradict(reading, own_exit ? exit_key : entry_key, "leaves no reduction between entry and exit thickness",
-                 {own_exit ? entry_key : exit_key});
+  check_passes_in_bite(stand.passes, stand.strip, reading);
+  check_bite_setup(stand.bite, stand.strip.friction, reading);
+  for (std::size_t i = 0; i < stand.passes.size(); ++i)
     for (const auto &[name, contact] :
          {std::pair("contact.upper", &stand.upper_contact), std::pair("contact.lower", &stand.lower_contact)})
-      if (pass.load < contact->loads[0] || pass.load > contact->loads[1])
-        contradict(reading, key("load"), fmt::format("is outside the swept range of [{}]", name),
-                   {std::string(name) + ".loads"});
-  }
+      if (stand.passes[i].load < contact->loads[0] || stand.passes[i].load > contact->loads[1])
+        contradict(reading, fmt::format("pass.{}.load", i),
+                   fmt::format("is outside the swept range of [{}]", name), {std::string(name) + ".loads"});
   check_published_force(stand.dynamics, stand.given, reading);
 }
 }  // namespace mill

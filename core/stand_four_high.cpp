@@ -22,18 +22,6 @@ Roll read_backup_roll(const Node &root, Reading &reading)
   return roll;
 }
 
-Strip read_strip(const Node &root, Reading &reading)
-{
-  Strip strip;
-  const Section section = section_at(root, "strip", reading);
-  read_and_echo(section, section.header(), strip_rows(), strip, reading, {"flow_stress"});
-  if (section.node) {
-    const Section law = section_at(root, "strip.flow_stress", reading);
-    read_and_echo(law, law.header(), flow_stress_rows(), strip.flow_stress, reading);
-  }
-  return strip;
-}
-
 ContactSettings read_roll_contact(const Node &root, const std::string &name, Reading &reading)
 {
   ContactSettings contact;
@@ -56,11 +44,13 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   stand.bearings    = read_bearings(root, reading);
   read_and_echo(frame, frame.header(), frame_rows(), stand.frame, reading);
   stand.strip  = read_strip(root, reading);
-  stand.passes = read_passes(root, reading);
+  stand.passes = read_passes(root, pass_rows(), reading);
+  check_passes(stand.passes, reading);
   if (const Section contact = section_at(root, "contact", reading); contact.node)
     refuse_unknown_keys(contact, {}, {"upper", "lower"}, reading);
   stand.upper_contact = read_roll_contact(root, "contact.upper", reading);
   stand.lower_contact = read_roll_contact(root, "contact.lower", reading);
+  stand.bite          = read_bite_setup(root, reading);
   stand.dynamics      = read_dynamics(root, reading);
   stand.given         = read_given(root, "given", "four-high", reading);
   stand.published     = read_given(root, "published", "four-high", reading);
@@ -71,8 +61,9 @@ FourHigh read_four_high(const Node &root, Reading &reading)
 Lumped read_lumped(const Node &root, Reading &reading)
 {
   Lumped lumped;
-  lumped.given    = read_given(root, "given", "lumped", reading);
-  lumped.passes   = read_passes(root, reading);
+  lumped.given  = read_given(root, "given", "lumped", reading);
+  lumped.passes = read_passes(root, pass_rows(), reading);
+  check_passes(lumped.passes, reading);
   lumped.dynamics = read_dynamics(root, reading);
   check_published_force(lumped.dynamics, lumped.given, reading);
   return lumped;

@@ -9,14 +9,15 @@ std::array<double, 2> in_g(const std::array<double, 2> &acceleration)
   return {from_si(acceleration[0], unit("g")), from_si(acceleration[1], unit("g"))};
 }
 
-Pass read_pass(const Node &node, const std::string &name, Reading &reading)
+Pass read_pass(const Node &node, const std::string &name, const std::vector<Field<PassInput>> &rows,
+               Reading &reading)
 {
   PassInput pass;
-  read(Section{&node, name}, pass_rows(), pass, reading);
+  read(Section{&node, name}, rows, pass, reading);
   // A pass without a file is driven by made noise, and must say so wherever it appears.
   if (pass.force_file.empty() && reading.places.count(name + ".synthetic_range"))
     pass.synthetic = true;
-  reading.echo += "\n[[pass]]\n" + resolved_lines(name, pass_rows(), pass, reading);
+  reading.echo += "\n[[pass]]\n" + resolved_lines(name, rows, pass, reading);
   pass.published_peak_g = in_g(pass.published_peak);
   pass.measured_peak_g  = in_g(pass.measured_peak);
   pass.place            = node.place;
@@ -26,7 +27,7 @@ Pass read_pass(const Node &node, const std::string &name, Reading &reading)
 }
 }  // namespace
 
-std::vector<Pass> read_passes(const Node &root, Reading &reading)
+std::vector<Pass> read_passes(const Node &root, const std::vector<Field<PassInput>> &rows, Reading &reading)
 {
   std::vector<Pass> passes;
   const Node::Entry *entry = root.find("pass");
@@ -40,12 +41,11 @@ std::vector<Pass> read_passes(const Node &root, Reading &reading)
   for (std::size_t i = 0; i < entry->value.items.size(); ++i) {
     const Node &node = entry->value.items[i];
     if (node.kind == Node::Kind::table)
-      passes.push_back(read_pass(node, fmt::format("pass.{}", i), reading));
+      passes.push_back(read_pass(node, fmt::format("pass.{}", i), rows, reading));
     else
       reading.add(node.place,
                   fmt::format("pass.{} = {} is a value; a section [[pass]] is needed", i, shown(node)));
   }
-  check_passes(passes, reading);
   return passes;
 }
 

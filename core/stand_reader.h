@@ -8,7 +8,9 @@ namespace mill {
 Section section_at(const Node &root, const std::string &name, Reading &reading);
 
 /// [[pass]]; `root` may have none.
-std::vector<Pass> read_passes(const Node &root, Reading &reading);
+std::vector<Pass> read_passes(const Node &root, const std::vector<Field<PassInput>> &rows, Reading &reading);
+Strip read_strip(const Node &root, Reading &reading);
+BiteSetup read_bite_setup(const Node &root, Reading &reading);
 DynamicsSettings read_dynamics(const Node &root, Reading &reading);
 /// [given] (replaces computed values) or [published] (stands beside them).
 GivenValues read_given(const Node &root, const std::string &name, const std::string &kind, Reading &reading);
@@ -17,6 +19,7 @@ FourHigh read_four_high(const Node &root, Reading &reading);
 Lumped read_lumped(const Node &root, Reading &reading);
 TwoCylinders read_two_cylinders(const Node &root, Reading &reading);
 BearingCase read_bearing_case(const Node &root, Reading &reading);
+BiteCase read_bite_case(const Node &root, Reading &reading);
 /// All [bearing.*], completed and checked.
 std::vector<RollerBearing> read_bearings(const Node &root, Reading &reading);
 /// Fills in what follows from the rest of a bearing: a member left out of the apex condition, the law and rings
@@ -37,6 +40,12 @@ void check_bearing(const RollerBearing &bearing, Reading &reading);
 void check_bearing_name(const std::string &key, const std::string &bearing,
                         const std::vector<RollerBearing> &bearings, Reading &reading);
 void check_bearing_load(const BearingCase &spec, Reading &reading);
+void check_strip(const Strip &strip, Reading &reading);
+void check_pass_names(const std::vector<Pass> &passes, Reading &reading);
+/// Thicknesses, tensions and speed of every pass against the strip.
+void check_passes_in_bite(const std::vector<Pass> &passes, const Strip &strip, Reading &reading);
+void check_bite_setup(const BiteSetup &setup, const Friction &friction, Reading &reading);
+/// Forces of the passes and their files.
 void check_passes(const std::vector<Pass> &passes, Reading &reading);
 void check_contact(const std::string &section, const ContactSettings &contact, Reading &reading);
 /// Rolls against each other, bearings that are named, the strip, passes against strip and contacts.

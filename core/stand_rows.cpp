@@ -190,44 +190,6 @@ const std::vector<Field<Frame>> &frame_rows()
   return rows;
 }
 
-const std::vector<Field<Strip>> &strip_rows()
-{
-  using T = Strip;
-  static const std::vector<Field<T>> rows{
-      {"width",             &T::width,           "mm",  {10, 6000},    required, "1000 mm", "width of the strip"                     },
-      {"entry_thickness",   &T::entry_thickness, "mm",  {0.01, 1000},  required, "8 mm",    "before the bite"                        },
-      {"exit_thickness",    &T::exit_thickness,  "mm",  {0.005, 1000}, required, "5 mm",    "behind the bite"                        },
-      {"entry_tension",     &T::entry_tension,   "MPa", {0, 2000},     0,        "0 MPa",   "back tension"                           },
-      {"exit_tension",      &T::exit_tension,    "MPa", {0, 2000},     0,        "0 MPa",   "front tension"                          },
-      {"initial_thickness",
-       &T::initial_thickness,
-       "mm",                                            {0.01, 1000},
-       absent,                                                                   "8 mm",
-       "thickness of zero strain; the entry thickness when absent"                                                                   },
-      {"friction",          &T::friction,        "1",   {0, 1},        required, "0.2",     "Coulomb friction between roll and strip"},
-  };
-  return rows;
-}
-
-const std::vector<Field<FlowStress>> &flow_stress_rows()
-{
-  using T = FlowStress;
-  static const std::vector<Field<T>> rows{
-      {"law",   &T::law,  "constant | swift | ludwik | voce | power | reduction-power | table", any,            required,
-       "constant",                                                                                                                                                 "law of the plane-strain flow stress"       },
-      {"k",     &T::k,    "MPa",                                                                {0, 10000},     0,        "28 MPa",                                "the constant, or the factor of the law"    },
-      {"eps0",  &T::eps0, "1",                                                                  {0, 10},        0,        "0",                                     "strain offset of swift and reduction-power"},
-      {"n",     &T::n,    "1",                                                                  {0, 100},       0,        "0",                                     "exponent; rate of voce"                    },
-      {"k0",    &T::k0,   "MPa",                                                                {0, 10000},     0,        "0 MPa",                                 "initial value of ludwik and voce"          },
-      {"table",
-       &T::table,
-       "1, MPa",                                                                                {0.001, 10000},
-       absent,                                                                                                            R"([[0.0, "28 MPa"], [1.0, "28 MPa"]])",
-       "strain and stress, law table"                                                                                                                                                                          },
-  };
-  return rows;
-}
-
 const std::vector<Field<PassInput>> &pass_rows()
 {
   using T = PassInput;
@@ -245,6 +207,21 @@ const std::vector<Field<PassInput>> &pass_rows()
        "working load; when absent the mean of the force record"                                                                                                      },
       {"entry_thickness",     &T::entry_thickness,    "mm",    {0.01, 1000},    absent,   "8 mm",                            "when absent that of [strip]"           },
       {"exit_thickness",      &T::exit_thickness,     "mm",    {0.005, 1000},   absent,   "5 mm",                            "when absent that of [strip]"           },
+      {"entry_tension",
+       &T::entry_tension,
+       "MPa",                                                  {0, 2000},
+       absent,                                                                            "0 MPa",
+       "back tension, when absent that of [strip]"                                                                                                                   },
+      {"exit_tension",
+       &T::exit_tension,
+       "MPa",                                                  {0, 2000},
+       absent,                                                                            "0 MPa",
+       "front tension, when absent that of [strip]"                                                                                                                  },
+      {"speed",
+       &T::speed,
+       "m/s",                                                  {0.001, 100},
+       absent,                                                                            "2 m/s",
+       "of the rolls' surface, for friction that depends on it"                                                                                                      },
       {"published_peak",
        &T::published_peak,
        "g",                                                    {0, 10000},

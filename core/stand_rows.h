@@ -23,6 +23,16 @@ struct BearingModelInput {
   int slices = 0;
 };
 
+/// [strip]: friction is a number, or a section of its own.
+struct StripInput : Strip {
+  double coulomb = not_given;  ///< -
+};
+
+/// [work_roll] of kind = "bite".
+struct BiteRollInput {
+  double diameter = 0;  ///< m
+};
+
 /// The top of every case file.
 struct CaseHead {
   int schema = 0;
@@ -38,7 +48,11 @@ const std::vector<Field<BearingLoad>> &bearing_load_rows();
 const std::vector<Field<BearingModelInput>> &bearing_model_rows();
 const std::vector<Field<BearingExcitation>> &bearing_motion_rows();
 const std::vector<Field<Frame>> &frame_rows();
-const std::vector<Field<Strip>> &strip_rows();
+const std::vector<Field<StripInput>> &strip_rows();
+const std::vector<Field<Friction>> &friction_rows();
+const std::vector<Field<BiteSetup>> &bite_rows();
+const std::vector<Field<BiteRollInput>> &bite_roll_rows();
+const std::vector<Field<PassInput>> &bite_pass_rows();
 const std::vector<Field<FlowStress>> &flow_stress_rows();
 const std::vector<Field<PassInput>> &pass_rows();
 const std::vector<Field<ContactSettings>> &roll_contact_rows();  ///< four-high: loads are forces

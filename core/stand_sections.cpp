@@ -18,6 +18,11 @@ void add_roller_rows(std::vector<Row> &rows)
                                     fmt::format("stiffness of one roller in row {}", i + 1)));
 }
 
+std::vector<Row> made_bite_rows()
+{
+  return {stiffness_beside("K4", "kN/mm", {0.001, 1e9}, "1.91141e5 kN/mm", "stiffness between the work rolls")};
+}
+
 std::vector<Row> made_bearing_rows()
 {
   std::vector<Row> rows{
@@ -106,18 +111,22 @@ std::vector<Row> made_given_rows(const bool lumped)
 const std::vector<Row> &given_rows(const std::string &kind, const bool published)
 {
   static const std::vector<Row> lumped = made_given_rows(true), four_high = made_given_rows(false),
-                                bearing      = made_bearing_rows();
+                                bearing = made_bearing_rows(), bite = made_bite_rows();
   static const std::vector<Row> beside_stand = [] {
     auto rows = made_given_rows(false);
     add_roller_rows(rows);
     return rows;
   }();
-  return kind == "lumped" ? lumped : kind == "bearing" ? bearing : published ? beside_stand : four_high;
+  return kind == "lumped"    ? lumped
+         : kind == "bearing" ? bearing
+         : kind == "bite"    ? bite
+         : published         ? beside_stand
+                             : four_high;
 }
 
 const std::vector<std::string> &case_kinds()
 {
-  static const std::vector<std::string> kinds{"four-high", "lumped", "two-cylinders", "bearing"};
+  static const std::vector<std::string> kinds{"four-high", "lumped", "two-cylinders", "bearing", "bite"};
   return kinds;
 }
 
@@ -131,6 +140,12 @@ std::vector<SectionRows> sections_of(const std::string &kind)
   const SectionRows pass{"pass", Repeat::list, kind == "four-high",
                          "one pass: its rolling force and what is known of it", rows_of(pass_rows())};
   const std::vector<Row> &published_rows = given_rows(kind, true);
+  const SectionRows strip{"strip", Repeat::once, true, "the strip in the bite", rows_of(strip_rows())};
+  const SectionRows flow_stress{"strip.flow_stress", Repeat::once, true, "plane-strain flow stress of the strip",
+                                rows_of(flow_stress_rows())};
+  const SectionRows friction{"strip.friction", Repeat::once, false,
+                             "friction between roll and strip, where it is no number", rows_of(friction_rows())};
+  const SectionRows bite{"bite", Repeat::once, false, "how the roll bite is computed", rows_of(bite_rows())};
   const SectionRows given{"given", Repeat::once, kind == "lumped",
                           "values that replace computed ones, each a quantity or { value, source, ... }",
                           given_rows(kind)};
@@ -155,23 +170,37 @@ std::vector<SectionRows> sections_of(const std::string &kind)
         {"published", Repeat::once,  false,
           "published or measured values to stand beside the computed ones; nothing is replaced", given_rows(kind)             }
     };
+  if (kind == "bite")
+    return {
+        head,
+        steel,
+        {"work_roll", Repeat::once, true,  "both work rolls",                                   rows_of(bite_roll_rows())},
+        strip,
+        flow_stress,
+        friction,
+        {"pass",      Repeat::list, true,  "one pass, where it differs from the strip",         rows_of(bite_pass_rows())},
+        bite,
+        {"published", Repeat::once, false,
+          "published or measured values to stand beside the computed ones; nothing is replaced", given_rows(kind)         }
+    };
   return {
       head,
       steel,
-      {"work_roll",         Repeat::once,  true,  "both work rolls",                                      rows_of(work_roll_rows())   },
-      {"backup_roll",       Repeat::once,  true,  "both backup rolls",                                    rows_of(backup_roll_rows()) },
-      {"bearing",           Repeat::named, true,  "a roller bearing, named by the rolls",                 rows_of(bearing_rows())     },
-      {"frame",             Repeat::once,  true,
+      {"work_roll",     Repeat::once,  true,  "both work rolls",                                          rows_of(work_roll_rows())   },
+      {"backup_roll",   Repeat::once,  true,  "both backup rolls",                                        rows_of(backup_roll_rows()) },
+      {"bearing",       Repeat::named, true,  "a roller bearing, named by the rolls",                     rows_of(bearing_rows())     },
+      {"frame",         Repeat::once,  true,
         "masses already reduced to the moving point; stiffnesses of the whole stand, both sides together", rows_of(frame_rows())       },
-      {"strip",             Repeat::once,  true,  "the strip in the bite",                                rows_of(strip_rows())       },
-      {"strip.flow_stress", Repeat::once,  true,  "plane-strain flow stress of the strip",
-        rows_of(flow_stress_rows())                                                                                                    },
+      strip,
+      flow_stress,
+      friction,
       pass,
-      {"contact.upper",     Repeat::once,  false, "contact of the upper rolls, K3",                       rows_of(roll_contact_rows())},
-      {"contact.lower",     Repeat::once,  false, "contact of the lower rolls, K5",                       rows_of(roll_contact_rows())},
+      {"contact.upper", Repeat::once,  false, "contact of the upper rolls, K3",                           rows_of(roll_contact_rows())},
+      {"contact.lower", Repeat::once,  false, "contact of the lower rolls, K5",                           rows_of(roll_contact_rows())},
+      bite,
       dynamics,
       given,
-      {"published",         Repeat::once,  false,
+      {"published",     Repeat::once,  false,
         "published or measured values to stand beside the computed ones; nothing is replaced",             published_rows              }
   };
 }

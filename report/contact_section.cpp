@@ -186,38 +186,19 @@ void one_contact(Page &page, const Run &run, const std::string &name)
         "Pressure over the contact patch, rolls held as in the stand; across, the picture is stretched several "
         "hundred times. The width shows how far the crown is closed and where an edge carries.");
 }
-
-void bite(Page &page, const Table &table)
-{
-  Plot pressure;
-  pressure.title = "Pressure in the bite";
-  pressure.x     = {"distance along the arc of contact", "mm"};
-  pressure.y     = {"roll pressure", "MPa"};
-  add_line(pressure, table, {"x", "mm"}, {"pressure", "MPa"}, "", Pen::dark);
-  Plot thickness;
-  thickness.title = "Strip thickness";
-  thickness.x     = pressure.x;
-  thickness.y     = {"thickness", "mm"};
-  add_line(thickness, table, {"x", "mm"}, {"thickness", "mm"}, "", Pen::dark);
-  page.heading("Bite (K4)");
-  page.figure({svg_plot(pressure), svg_plot(thickness)},
-              "Slab model of the bite: roll pressure with its friction hill, and the strip between the rolls. "
-              "The plastic slope of K4 follows from how the force changes with the exit gap.");
-}
 }  // namespace
 
 void contact_section(Page &page, const Run &run)
 {
   const auto contacts = names_of_curves(
       run, "contact", {"closed", "barrel", "barrel-mirrored", "barrel-second", "in-stand", "second", "pressure"});
-  if (contacts.empty() && (run.manifest.kind == "lumped" || run.manifest.kind == "bearing"))
+  if (contacts.empty() &&
+      (run.manifest.kind == "lumped" || run.manifest.kind == "bearing" || run.manifest.kind == "bite"))
     return;
   page.section("contact", "Roll contact");
   if (contacts.empty())
     page.absent("Contact figures are", "curves/contact-*.csv");
   for (const std::string &name : contacts)
     one_contact(page, run, name);
-  if (const Table *table = run.table("curves/bite"))
-    bite(page, *table);
 }
 }  // namespace mill::report

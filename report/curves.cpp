@@ -37,6 +37,8 @@ const KnownUnit known_units[] = {
     {"\u00b0",      "angle",          EIGEN_PI / 180  },
     {"N m",         "moment",         1               },
     {"kN m",        "moment",         1e3             },
+    {"1/s",         "rate",           1               },
+    {"m/s",         "speed",          1               },
     {"m/s\u00b2",   "acceleration",   1               },
     {"g",           "acceleration",   standard_gravity},
     {"N/\u221aHz",  "force density",  1               },

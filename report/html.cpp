@@ -29,6 +29,7 @@ std::string html_page(const Run &run)
   summary_section(page, run);
   stand_section(page, run);
   contact_section(page, run);
+  bite_section(page, run);
   bearing_section(page, run);
   shape_section(page, run);
   mode_section(page, run);

@@ -63,7 +63,18 @@ std::string tiles(const Run &run)
            tile(run.find("Kzc.roller_max"), "heaviest roller") +
            tile(run.find("Kzc.heaviest_angle"), "its angle from the load line") +
            tile(run.find("Kzc.motion.peak_force"), "peak force, driven mass");
-  else
+  else if (run.manifest.kind == "bite") {
+    all += tile(run.find("K4.combined"), "K4, strip and both arcs") +
+           tile(run.find("K4.plastic_slope"), "K4, plastic slope");
+    for (const Result &result : run.results)
+      if (result.name.rfind("bite.", 0) == 0 && !is_of_one_model(result.name))
+        for (const char *quantity : {"force", "torque", "forward_slip"})
+          if (const auto dot = result.name.find('.', 5); result.name.substr(dot + 1) == quantity)
+            all += tile(&result, result.name.substr(5, dot - 5) +
+                                     (quantity == std::string("force")    ? ", roll force"
+                                      : quantity == std::string("torque") ? ", torque of one roll"
+                                                                          : ", forward slip"));
+  } else
     for (const char *aspect : {"tangent", "secant", "approach", "half_width", "peak_pressure"})
       all += tile(run.find(std::string("contact.line.") + aspect),
                   aspect == std::string("half_width")      ? "half width"
@@ -79,6 +90,8 @@ std::string what_is_in_short(const Run &run)
            "its tangent.";
   if (run.manifest.kind == "bearing")
     return "One bearing at its working load; tangents belong to small motions about that state.";
+  if (run.manifest.kind == "bite")
+    return "The strip between the work rolls, by the model that gives K4; derivatives are exact and hold the arc.";
   return "The contact at its working load, stiffnesses per metre of length.";
 }
 
@@ -95,6 +108,11 @@ std::string what_is_left_out(const Run &run)
            "A "
            "stiffness of rings and chock is that of the bodies described in the case; the housing that holds the "
            "chock is rigid.";
+  if (run.manifest.kind == "bite")
+    return "Plane strain: the strip does not spread, and its edges are not seen. The flow stress is the same at "
+           "any "
+           "rate and temperature, friction one law along the whole arc; lubricant and heat are not followed. No "
+           "published experiment stands beside these numbers.";
   return "The contact is elastic, smooth and free of friction; the cylinders are long, in plane strain.";
 }
 }  // namespace

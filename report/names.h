@@ -23,6 +23,10 @@ std::vector<Group> short_groups(const Run &run);
 /// Every result of a run of one bearing by what it is about: stiffness, rows, rollers, motion, others.  Empty
 /// groups are left out; an unforeseen "Kzc.*" counts as a stiffness.
 std::vector<Group> bearing_groups(const Run &run);
+/// Results of a run of kind "bite": K4, then every pass by the model that gives it.
+std::vector<Group> bite_groups(const Run &run);
+/// bite.PASS.MODEL.*, which the table of models shows side by side.
+bool is_of_one_model(const std::string &name);
 
 /// "upper" -> "upper contact (K3)".
 std::string contact_title(const std::string &contact);

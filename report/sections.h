@@ -9,7 +9,8 @@ namespace mill::report {
 std::string page_head(const Run &run);              ///< title, run, status banner
 void summary_section(Page &page, const Run &run);   ///< key numbers, short table
 void stand_section(Page &page, const Run &run);     ///< sketch with the numbers on it
-void contact_section(Page &page, const Run &run);   ///< load-approach, K(F), along the barrel, bite
+void contact_section(Page &page, const Run &run);   ///< load-approach, K(F), along the barrel
+void bite_section(Page &page, const Run &run);      ///< pressure, friction and strain in the bite, K4
 void bearing_section(Page &page, const Run &run);   ///< Kzc(F), row shares, roller loads
 void shape_section(Page &page, const Run &run);     ///< f1, f2 with the supports
 void mode_section(Page &page, const Run &run);      ///< shapes, energy shares, horizontal modes

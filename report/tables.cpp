@@ -179,15 +179,16 @@ std::string full_table(const Run &run)
     return "<tr>" + row_head(result) + common_cells(result, result.source) + "<td>" + all_checks(result) +
            folded_inputs(result) + "</td></tr>\n";
   };
-  if (run.manifest.kind == "bearing")
-    for (const Group &group : bearing_groups(run)) {
+  if (run.manifest.kind == "bearing" || run.manifest.kind == "bite")
+    for (const Group &group : short_groups(run)) {
       table += group_head(group);
       for (const Result *result : group.results)
         table += row(*result);
     }
   else
     for (const Result &result : run.results)
-      table += row(result);
+      if (!is_of_one_model(result.name))
+        table += row(result);
   return table + "</tbody></table>\n";
 }
 

@@ -5,6 +5,10 @@ target_compile_definitions(command_line_test PRIVATE MILLSTAND_PROGRAM="$<TARGET
 mill_test(bearing_command_test LABEL verification TIMEOUT 300 LINK mill::core)
 target_sources(bearing_command_test PRIVATE support/program.cpp)
 target_compile_definitions(bearing_command_test PRIVATE MILLSTAND_PROGRAM="$<TARGET_FILE:millstand>")
+mill_test(strip_flow_store_test LABEL unit LINK mill::app)
+mill_test(bite_command_test LABEL verification TIMEOUT 300 LINK mill::core)
+target_sources(bite_command_test PRIVATE support/program.cpp)
+target_compile_definitions(bite_command_test PRIVATE MILLSTAND_PROGRAM="$<TARGET_FILE:millstand>")
 
 # No Eigen template of ours may replace the one inside Gmsh's library (see mill_options).
 add_test(NAME exported_symbols_test

@@ -49,6 +49,9 @@ std::vector<Case> all_cases()
     add("contact", cases());
   for (const auto cases : {bearing_cases, roller_cases, ring_cases, bearing_motion_cases})
     add("bearing", cases());
+  for (const auto cases :
+       {slab_cases, inhomogeneous_cases, elastic_arc_cases, strip_flow_cases, strip_elastic_cases, roll_arc_cases})
+    add("bite", cases());
   return all;
 }
 }  // namespace mill::verify

@@ -53,4 +53,10 @@ std::vector<Case> bearing_cases();         ///< roller bearings from the law of 
 std::vector<Case> roller_cases();          ///< one roller between its raceways by finite elements
 std::vector<Case> ring_cases();            ///< rings, neck and chock
 std::vector<Case> bearing_motion_cases();  ///< a mass on a bearing
+std::vector<Case> slab_cases();            ///< roll bite: closed slab theories, film friction, flattening
+std::vector<Case> inhomogeneous_cases();   ///< roll bite: Karman, Orowan and Sims integrated
+std::vector<Case> elastic_arc_cases();     ///< roll bite: arcs that are no circle
+std::vector<Case> strip_flow_cases();      ///< roll bite: rigid-plastic strip by finite elements
+std::vector<Case> strip_elastic_cases();   ///< roll bite: elastic-plastic strip by finite elements
+std::vector<Case> roll_arc_cases();        ///< flexibility of the roll's surface in the bite
 }  // namespace mill::verify

@@ -1,22 +1,24 @@
-#include "dynamics/bite.h"
+#include "bite/flow_stress.h"
+#include "bite/slab_bite.h"
+#include "core/errors.h"
 #include "tests/support/demo_pass.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include <cmath>
 
 using namespace mill;
-using namespace mill::dynamics;
+using namespace mill::bite;
 
 namespace {
 RollBite constant_pass(const double R_mm, const double h1_mm, const double h2_mm, const double k_MPa,
                        const double mu)
 {
-  RollBite bite              = demo_pass();
-  bite.roll_radius           = R_mm * 1e-3;
-  bite.strip.entry_thickness = h1_mm * 1e-3;
-  bite.strip.exit_thickness  = h2_mm * 1e-3;
-  bite.strip.flow_stress.k   = k_MPa * 1e6;
-  bite.strip.friction        = mu;
+  RollBite bite                   = demo_pass();
+  bite.roll_radius                = R_mm * 1e-3;
+  bite.strip.entry_thickness      = h1_mm * 1e-3;
+  bite.strip.exit_thickness       = h2_mm * 1e-3;
+  bite.strip.flow_stress.k        = k_MPa * 1e6;
+  bite.strip.friction.coefficient = mu;
   return bite;
 }
 
@@ -29,6 +31,11 @@ FlowStress law(const std::string &name)
   f.eps0 = 0.01;
   f.n    = 0.2;
   return f;
+}
+
+BiteState solve_bite(const RollBite &bite, const Arc arc = Arc::rigid)
+{
+  return solve_slab(bite, {Theory::bland_ford, arc});
 }
 
 std::string message_of(const RollBite &bite)
@@ -106,7 +113,6 @@ TEST(Bite, ColdPassesWithHardeningTensionAndFlattening)
   };
   for (const auto &c : table) {
     RollBite bite                = constant_pass(300, c[0], c[1], 829.64259, c[4]);
-    bite.flattening              = true;
     bite.roll                    = {2.1e11, 0.3, 7850};
     bite.strip.width             = 1.206;
     bite.strip.entry_tension     = c[2] * 1e6;
@@ -115,7 +121,7 @@ TEST(Bite, ColdPassesWithHardeningTensionAndFlattening)
     bite.strip.flow_stress.law   = "reduction-power";
     bite.strip.flow_stress.eps0  = 0.00817;
     bite.strip.flow_stress.n     = 0.3;
-    const BiteState state        = solve_bite(bite);
+    const BiteState state        = solve_bite(bite, Arc::hitchcock);
     const auto fixed_point = within(1e-8, "fixed point converged to 1e-13, friction handed over with 16 digits");
     EXPECT_TRUE(near(state.force, c[5], fixed_point));
     EXPECT_TRUE(near(state.flattened_radius, c[6], fixed_point));
@@ -141,8 +147,7 @@ TEST(Bite, ThinStripWithAndWithoutFlattening)
   EXPECT_TRUE(
       near(state.neutral_position / state.arc_length, 0.330792812, within(2e-9, "printed with nine digits")));
   EXPECT_TRUE(near(state.peak_pressure, 1.227568157e9, within(1e-9, "printed with ten digits")));
-  bite.flattening = true;
-  EXPECT_TRUE(near(solve_bite(bite).force, 1.188311e6, within(1e-6, "printed with seven digits")));
+  EXPECT_TRUE(near(solve_bite(bite, Arc::hitchcock).force, 1.188311e6, within(1e-6, "printed with seven digits")));
 }
 
 TEST(Bite, ForceScalesWithStressAndSize)
@@ -202,8 +207,8 @@ TEST(Bite, TableIsIntegratedAcrossItsKinks)
       {1,    48e6  }
   };
   EXPECT_TRUE(near(solve_bite(table).force, solve_bite(ludwik).force, within(1e-13, "same law")));
-  EXPECT_TRUE(near(bite_stiffness(table, solve_bite(table)).plastic_slope,
-                   bite_stiffness(ludwik, solve_bite(ludwik)).plastic_slope, within(1e-12, "same law")));
+  EXPECT_TRUE(near(slab_stiffness(table, solve_bite(table)).plastic_slope,
+                   slab_stiffness(ludwik, solve_bite(ludwik)).plastic_slope, within(1e-12, "same law")));
   // A real kink: halving the pieces on either side of it must not change anything.
   table.strip.flow_stress.table = {
       {0,   28e6},
@@ -224,7 +229,7 @@ TEST(Bite, TableIsIntegratedAcrossItsKinks)
 TEST(BiteStiffness, DemoPass)
 {
   const RollBite bite   = demo_pass();
-  const BiteStiffness k = bite_stiffness(bite, solve_bite(bite));
+  const BiteStiffness k = slab_stiffness(bite, solve_bite(bite));
   const double K_flat   = reference("flattening_K4")[1];
   EXPECT_TRUE(near(k.plastic_slope, 226.424e6, within(3e-6, "printed with six digits")));
   EXPECT_TRUE(near(k.flattening, K_flat, within(1e-12, "closed form")));
@@ -240,7 +245,7 @@ TEST(BiteStiffness, FlatteningOfThreeWidths)
     RollBite bite    = demo_pass();
     bite.strip.width = width[i];
     EXPECT_TRUE(
-        near(bite_stiffness(bite, solve_bite(bite)).flattening, expected[i], within(1e-12, "closed form")));
+        near(slab_stiffness(bite, solve_bite(bite)).flattening, expected[i], within(1e-12, "closed form")));
   }
 }
 
@@ -248,21 +253,19 @@ TEST(BiteStiffness, FlatteningOfThreeWidths)
 TEST(BiteStiffness, IsTheSlopeOfTheForce)
 {
   for (const char *name : {"constant", "swift", "voce"})
-    for (const bool flattening : {false, true}) {
+    for (const Arc arc : {Arc::rigid, Arc::hitchcock}) {
       RollBite bite           = constant_pass(250, 2.0, 1.5, 600, 0.06);
       bite.strip.flow_stress  = law(name);
       bite.strip.exit_tension = 80e6;
-      bite.flattening         = flattening;
-      const BiteState state   = solve_bite(bite);
-      const BiteStiffness k   = bite_stiffness(bite, state);
+      const BiteState state   = solve_bite(bite, arc);
+      const BiteStiffness k   = slab_stiffness(bite, state);
       const double step       = 1e-5 * bite.strip.exit_thickness;
       const auto force_at     = [&](double h, bool following) {
         RollBite moved             = bite;
         moved.strip.exit_thickness = h;
-        if (!following) {
-          moved.roll_radius = state.flattened_radius;
-          moved.flattening  = false;
-        }
+        if (following)
+          return solve_bite(moved, arc).force;
+        moved.roll_radius = state.flattened_radius;
         return solve_bite(moved).force;
       };
       const double h        = bite.strip.exit_thickness;
@@ -274,7 +277,7 @@ TEST(BiteStiffness, IsTheSlopeOfTheForce)
                        (force_at(h - step, true) - force_at(h + step, true)) / (2 * step), difference))
           << name;
       // R' ~ F/dh falls with a wider gap only if the force falls faster than the reduction.
-      if (flattening)
+      if (arc == Arc::hitchcock)
         EXPECT_EQ(k.plastic_slope_following > k.plastic_slope,
                   k.plastic_slope > state.force / (bite.strip.entry_thickness - h))
             << name;
@@ -284,8 +287,8 @@ TEST(BiteStiffness, IsTheSlopeOfTheForce)
 // Least friction of the first message: ln(8/5) / (2 sqrt(210/5) atan(sqrt(3/5))) = 0.0550206.
 TEST(BiteErrors, SayWhatIsWrong)
 {
-  RollBite bite       = demo_pass();
-  bite.strip.friction = 0.02;
+  RollBite bite                   = demo_pass();
+  bite.strip.friction.coefficient = 0.02;
   EXPECT_EQ(
       message_of(bite),
       "strip.friction = 0.02 is too small for an angle of bite of 0.1195 rad: the rolls cannot pull the strip "
@@ -307,15 +310,17 @@ TEST(BiteErrors, SayWhatIsWrong)
   bite.strip.initial_thickness = 7e-3;
   EXPECT_EQ(message_of(bite), "strip.initial_thickness = 7 mm is below strip.entry_thickness = 8 mm: the strip "
                               "would have been rolled thicker");
-  bite                    = demo_pass();
-  bite.strip.friction     = 0.005;
-  bite.strip.exit_tension = 27e6;
+  bite                            = demo_pass();
+  bite.strip.friction.coefficient = 0.005;
+  bite.strip.exit_tension         = 27e6;
   EXPECT_NE(message_of(bite).find("the strip is torn through"), std::string::npos);
-  for (double Strip::*member : {&Strip::friction, &Strip::width}) {
-    bite               = demo_pass();
-    bite.strip.*member = 0;
-    EXPECT_NE(message_of(bite), "accepted");
-  }
+  bite             = demo_pass();
+  bite.strip.width = 0;
+  EXPECT_EQ(message_of(bite), "strip.width and the work roll diameter must be positive");
+  bite                            = demo_pass();
+  bite.strip.friction.coefficient = 0;
+  EXPECT_EQ(message_of(bite),
+            "strip.friction must be positive: without friction the rolls do not pull the strip through");
   bite = demo_pass();
   bite.strip.flow_stress.law =
       "power";  // an unhardened strip of a pure power law yields at no stress: no tension possible
@@ -327,21 +332,21 @@ TEST(BiteErrors, SayWhatIsWrong)
 
 TEST(BiteErrors, FrictionAtTheStatedLimitIsEnough)
 {
-  RollBite bite       = demo_pass();
-  bite.strip.friction = 0.05503;
+  RollBite bite                   = demo_pass();
+  bite.strip.friction.coefficient = 0.05503;
   EXPECT_EQ(message_of(bite), "accepted");
-  bite.strip.friction = 0.05501;
+  bite.strip.friction.coefficient = 0.05501;
   EXPECT_NE(message_of(bite), "accepted");
 }
 
 TEST(BiteNotes, FlagWhatTheModelDoesNotKnow)
 {
   EXPECT_TRUE(solve_bite(demo_pass()).notes.empty());
-  RollBite bite       = demo_pass();
-  bite.strip.friction = 0.1;  // below the angle of bite 0.12
+  RollBite bite                   = demo_pass();
+  bite.strip.friction.coefficient = 0.1;  // below the angle of bite 0.12
   ASSERT_EQ(solve_bite(bite).notes.size(), 1u);
   EXPECT_NE(solve_bite(bite).notes[0].find("pushed in"), std::string::npos);
-  bite.strip.friction = 0.5;  // 2 mu p / k above one
+  bite.strip.friction.coefficient = 0.5;  // 2 mu p / k above one
   EXPECT_GT(solve_bite(bite).largest_shear, 1);
   ASSERT_EQ(solve_bite(bite).notes.size(), 1u);
   EXPECT_NE(solve_bite(bite).notes[0].find("stick"), std::string::npos);

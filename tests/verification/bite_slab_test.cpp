@@ -1,15 +1,21 @@
 // The closed pressure hill against the slab equation it comes from, integrated step by step here.
+#include "bite/flow_stress.h"
+#include "bite/slab_bite.h"
 #include "core/errors.h"
-#include "dynamics/bite.h"
 #include "tests/support/demo_pass.h"
 #include "tests/support/near.h"
 #include <cmath>
 #include <functional>
 
 using namespace mill;
-using namespace mill::dynamics;
+using namespace mill::bite;
 
 namespace {
+BiteState solve_bite(const RollBite &bite, const Arc arc = Arc::rigid)
+{
+  return solve_slab(bite, {Theory::bland_ford, arc});
+}
+
 enum class Equation {
   bland_ford,  ///< h k d(p/k)/dx = p (dh/dx -+ 2 mu): the term (p/k - 1) d(hk)/dx left out
   karman       ///< h dp/dx = d(h k)/dx -+ 2 mu p
@@ -33,8 +39,8 @@ SlabSolution integrate(const RollBite &bite, const double R, const Equation equa
     const double dk = (k(x + d) - k(x - d)) / (2 * d);
     const double dh = 2 * x / R;
     if (equation == Equation::bland_ford)
-      return p * (dh + side * 2 * s.friction) / h(x) + p / k(x) * dk;
-    return (dh * k(x) + h(x) * dk + side * 2 * s.friction * p) / h(x);
+      return p * (dh + side * 2 * s.friction.coefficient) / h(x) + p / k(x) * dk;
+    return (dh * k(x) + h(x) * dk + side * 2 * s.friction.coefficient * p) / h(x);
   };
   // Pressure and force from one end to x_n; side +1 from the exit, -1 from the entry (friction reverses).
   const auto branch = [&](double from, double p, double to, double side) {
@@ -63,19 +69,19 @@ SlabSolution integrate(const RollBite &bite, const double R, const Equation equa
 
 RollBite cold_pass()
 {
-  RollBite bite                = demo_pass();
-  bite.roll_radius             = 0.5262338200786073;
-  bite.strip.width             = 1.206;
-  bite.strip.entry_thickness   = 0.789e-3;
-  bite.strip.exit_thickness    = 0.577e-3;
-  bite.strip.entry_tension     = 180e6;
-  bite.strip.exit_tension      = 189e6;
-  bite.strip.initial_thickness = 3e-3;
-  bite.strip.friction          = 0.02832038583977992;
-  bite.strip.flow_stress.law   = "reduction-power";
-  bite.strip.flow_stress.k     = 829.64259e6;
-  bite.strip.flow_stress.eps0  = 0.00817;
-  bite.strip.flow_stress.n     = 0.3;
+  RollBite bite                   = demo_pass();
+  bite.roll_radius                = 0.5262338200786073;
+  bite.strip.width                = 1.206;
+  bite.strip.entry_thickness      = 0.789e-3;
+  bite.strip.exit_thickness       = 0.577e-3;
+  bite.strip.entry_tension        = 180e6;
+  bite.strip.exit_tension         = 189e6;
+  bite.strip.initial_thickness    = 3e-3;
+  bite.strip.friction.coefficient = 0.02832038583977992;
+  bite.strip.flow_stress.law      = "reduction-power";
+  bite.strip.flow_stress.k        = 829.64259e6;
+  bite.strip.flow_stress.eps0     = 0.00817;
+  bite.strip.flow_stress.n        = 0.3;
   return bite;
 }
 }  // namespace
@@ -120,23 +126,21 @@ TEST(BiteSlab, DistanceToTheFullSlabEquation)
 // so.
 TEST(BiteSlab, FlattenedRadiusIsTheFirstRoot)
 {
-  RollBite bite              = demo_pass();
-  bite.roll_radius           = 0.250;
-  bite.strip.entry_thickness = 0.5e-3;
-  bite.strip.exit_thickness  = 0.35e-3;
-  bite.strip.entry_tension   = 100e6;
-  bite.strip.exit_tension    = 150e6;
-  bite.strip.friction        = 0.05;
-  bite.strip.flow_stress.k   = 700e6;
-  const auto map             = [&](double R) {
+  RollBite bite                   = demo_pass();
+  bite.roll_radius                = 0.250;
+  bite.strip.entry_thickness      = 0.5e-3;
+  bite.strip.exit_thickness       = 0.35e-3;
+  bite.strip.entry_tension        = 100e6;
+  bite.strip.exit_tension         = 150e6;
+  bite.strip.friction.coefficient = 0.05;
+  bite.strip.flow_stress.k        = 700e6;
+  const auto map                  = [&](double R) {
     RollBite rigid    = bite;
     rigid.roll_radius = R;
-    rigid.flattening  = false;
     const double C0   = 16 * (1 - 0.28 * 0.28) / (M_PI * 2.1e11);
     return 0.250 * (1 + C0 * solve_bite(rigid).force / 0.15e-3);
   };
-  bite.flattening       = true;
-  const BiteState state = solve_bite(bite);
+  const BiteState state = solve_bite(bite, Arc::hitchcock);
   EXPECT_TRUE(near(map(state.flattened_radius), state.flattened_radius, within(1e-12, "fixed point")));
   for (int i = 0; i < 200; ++i) {
     const double R = 0.250 + (state.flattened_radius - 0.250) * i / 200;
@@ -150,11 +154,10 @@ TEST(BiteSlab, TellsWhenNoFlattenedRadiusExists)
   RollBite bite    = cold_pass();
   bite.roll_radius = 0.300;
   bite.roll        = {2.1e11, 0.3, 7850};
-  bite.flattening  = true;
-  EXPECT_NO_THROW(solve_bite(bite));
-  bite.strip.friction = 0.14;  // film broken down
+  EXPECT_NO_THROW(solve_bite(bite, Arc::hitchcock));
+  bite.strip.friction.coefficient = 0.14;  // film broken down
   try {
-    solve_bite(bite);
+    solve_bite(bite, Arc::hitchcock);
     FAIL() << "a radius was returned";
   } catch (const SolverError &error) {
     EXPECT_NE(error.report.where.find("R'/R = "), std::string::npos);

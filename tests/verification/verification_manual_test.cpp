@@ -96,3 +96,33 @@ TEST(Manual, RingCases)
 {
   expect_passes(ring_cases());
 }
+
+TEST(Manual, SlabCases)
+{
+  expect_passes(slab_cases());
+}
+
+TEST(Manual, InhomogeneousCases)
+{
+  expect_passes(inhomogeneous_cases());
+}
+
+TEST(Manual, ElasticArcCases)
+{
+  expect_passes(elastic_arc_cases());
+}
+
+TEST(Manual, StripFlowCases)
+{
+  expect_passes(strip_flow_cases());
+}
+
+TEST(Manual, StripElasticCases)
+{
+  expect_passes(strip_elastic_cases());
+}
+
+TEST(Manual, RollArcCases)
+{
+  expect_passes(roll_arc_cases());
+}

@@ -1,0 +1,20 @@
+#pragma once
+#include "app/bite_study.h"
+
+namespace mill {
+/// Keys of the case file that a bite depends on.
+std::vector<std::string> bite_inputs(const BiteQuestion &question);
+
+/// bite.<pass>.* of the chosen model and bite.<pass>.<model>.* of all.
+void add_bite_results(RunContext &run, const BiteStudy &study);
+
+/// The four quantities called K4 of one pass; the combined one enters the lumped model.
+struct BiteSpring {
+  Parameter plastic_slope, flattening, combined, path_plateau;
+};
+BiteSpring bite_spring(const BiteStudy &study);
+void add_bite_spring(RunContext &run, const BiteSpring &spring);
+
+/// Sentences about the range of the models, what they refused, how far they are apart.
+void note_bite(RunContext &run, const BiteStudy &study);
+}  // namespace mill

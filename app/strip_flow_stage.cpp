@@ -1,0 +1,282 @@
+#include "app/strip_flow_stage.h"
+#include "app/strip_flow_store.h"
+#include "core/csv.h"
+#include "core/files.h"
+#include "fem/strip_elastic.h"
+#include "meshes/strip_flow.h"
+#include <atomic>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fmt/format.h>
+#include <future>
+
+namespace mill {
+namespace {
+// Raised by hand when the finite-element bite changes what it computes.
+constexpr const char *flow_version = "strip flow 1";
+
+std::string exact(const double value)
+{
+  return fmt::format("{:a} ", value);
+}
+
+// Everything the state depends on.
+std::string key_of(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
+{
+  const Strip &s      = q.bite.strip;
+  const FlowStress &k = s.flow_stress;
+  const Friction &f   = s.friction;
+  std::string text    = std::string(flow_version) + " " + k.law + " " + f.law + " " + q.setup.strip + " " +
+                     q.setup.arc + fmt::format(" {} {} ", q.setup.elements_along, q.setup.elements_through);
+  for (const double value : {s.width,
+                             s.entry_thickness,
+                             s.exit_thickness,
+                             s.entry_tension,
+                             s.exit_tension,
+                             s.initial_thickness,
+                             s.youngs_modulus,
+                             s.poisson_ratio,
+                             k.k,
+                             k.eps0,
+                             k.n,
+                             k.k0,
+                             f.coefficient,
+                             f.shear_limit,
+                             f.entry_factor,
+                             f.exit_factor,
+                             f.scale,
+                             f.at_unit_speed,
+                             f.per_log_speed,
+                             q.bite.roll_radius,
+                             q.bite.roll_speed,
+                             q.bite.gap_rate,
+                             q.bite.roll.youngs_modulus,
+                             q.bite.roll.poisson_ratio})
+    text += exact(value);
+  for (const auto &row : k.table)
+    text += exact(row[0]) + exact(row[1]);
+  if (flexibility) {
+    const auto &m = flexibility->influence;
+    std::string bytes(std::size_t(m.size()) * sizeof(double), '\0');
+    std::memcpy(bytes.data(), m.data(), bytes.size());
+    text += hash_of(bytes) + exact(flexibility->position[0]);
+  }
+  return hash_of(text);
+}
+
+std::optional<FlowAnswer> kept(const RunContext &run, const std::string &file)
+{
+  std::error_code ignored;
+  if (run.fresh || !std::filesystem::is_regular_file(file, ignored))
+    return std::nullopt;
+  return restored_flow(read_text(file));
+}
+std::string timer_name(const FlowQuestion &q)
+{
+  return "bite, finite elements, " + q.pass;
+}
+
+double slope_of(const fem::StripFlow &flow)
+{
+  return -bite::by(flow.state.force_by, bite::Input::exit_thickness);
+}
+
+MeshFile meshed(const RunContext &run, const FlowQuestion &q, const int along, const int through,
+                const std::string &name)
+{
+  return meshes::write_strip_block(meshes::strip_block(q.bite.strip, q.bite.roll_radius, along, through),
+                                   run.out.staging() + "/" + name + ".msh");
+}
+
+fem::StripFlowModel rigid_model(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
+{
+  fem::StripFlowModel model;
+  model.arc = slab_model(q.setup).arc;
+  if (model.arc == bite::Arc::elastic && !flexibility)
+    model.arc = bite::Arc::hitchcock;
+  return model;
+}
+
+// Rigid-plastic strip on a mesh of so many elements.
+fem::StripFlow rigid_flow(const RunContext &run, const FlowQuestion &q, const int along, const int through,
+                          const bite::ArcFlexibility *flexibility, const fem::StripFlow *start)
+{
+  const MeshFile mesh = meshed(run, q, along, through, "strip-" + slug(q.pass));
+  const auto flow     = fem::solve_strip_flow(mesh, q.bite, rigid_model(q, flexibility), flexibility, start);
+  std::remove(mesh.path.c_str());
+  return flow;
+}
+
+fem::StripElastic elastic_flow(const FlowQuestion &q, const int along, const int through,
+                               const bite::ArcFlexibility *flexibility, const fem::StripElastic *start)
+{
+  fem::StripElasticModel model;
+  model.arc              = flexibility ? bite::Arc::elastic : bite::Arc::rigid;
+  model.elements_along   = along;
+  model.elements_through = through;
+  return fem::solve_elastic_strip(q.bite, model, flexibility, start);
+}
+
+int half(const int elements)
+{
+  return (elements + 1) / 2;
+}
+
+int multiple_of_four(const int elements)
+{
+  return 4 * ((elements + 3) / 4);
+}
+
+FlowAnswer rigid_answer(RunContext &run, const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
+{
+  FlowAnswer answer;
+  const int along = multiple_of_four(q.setup.elements_along);
+  const auto coarse =
+      rigid_flow(run, q, multiple_of_four(along / 2), half(q.setup.elements_through), flexibility, nullptr);
+  run.progress.at(timer_name(q), 0.3);
+  answer.fine          = rigid_flow(run, q, along, q.setup.elements_through, flexibility, &coarse);
+  answer.coarse_force  = coarse.state.force;
+  answer.coarse_torque = coarse.state.torque;
+  answer.coarse_slope  = slope_of(coarse);
+  return answer;
+}
+
+FlowAnswer elastic_answer(RunContext &run, const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
+{
+  FlowAnswer answer;
+  const auto coarse =
+      elastic_flow(q, half(q.setup.elements_along), half(q.setup.elements_through), flexibility, nullptr);
+  run.progress.at(timer_name(q), 0.3);
+  const auto fine      = elastic_flow(q, q.setup.elements_along, q.setup.elements_through, flexibility, nullptr);
+  answer.fine          = fine.flow;
+  answer.coarse_force  = coarse.flow.state.force;
+  answer.coarse_torque = coarse.flow.state.torque;
+  answer.coarse_slope  = slope_of(coarse.flow);
+  answer.elastic       = true;
+  answer.smallest_thickness = fine.smallest_thickness;
+  answer.elastic_entry      = fine.elastic_entry;
+  answer.elastic_exit       = fine.elastic_exit;
+  answer.elastic_power      = fine.elastic_power;
+  answer.outlet_height      = fine.outlet_height;
+  answer.outlet_stress      = fine.outlet_stress;
+  return answer;
+}
+}  // namespace
+
+FlowAnswer solve_flow(RunContext &run, const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
+{
+  StageTimer timer(run, "bite, finite elements, " + q.pass);
+  const std::string file = run.cache + "/bite-" + key_of(q, flexibility) + ".json";
+  if (auto answer = kept(run, file)) {
+    timer.cached = true;
+    run.progress.note("finite-element bite taken from " + file);
+    return std::move(*answer);
+  }
+  run.progress.at(timer_name(q), 0);
+  FlowAnswer answer =
+      q.setup.strip == "elastic-plastic" ? elastic_answer(run, q, flexibility) : rigid_answer(run, q, flexibility);
+  for (const auto &level : answer.fine.history)
+    run.progress.note(
+        fmt::format("bite {}: {}, {} unknowns, g0 {:.3g}, d0 {:.3g}, {} steps, residual {:.2g}, force "
+                    "{:.6g} kN",
+                    q.pass, level.stage, level.n_unknowns, level.least_rate, level.least_slip, level.iterations,
+                    level.residual, level.force / 1e3));
+  try {
+    write_atomically(file, stored_flow(answer));
+  } catch (const InputError &e) {
+    run.warn(std::string("the finite-element bite could not be kept for the next run: ") + e.what());
+  }
+  return answer;
+}
+
+namespace {
+struct PointTask {
+  const FlowQuestion *question;
+  std::string file;
+  MeshFile mesh;
+  std::optional<FlowPoint> point;
+  std::string refused;
+};
+
+std::optional<FlowPoint> kept_point(const RunContext &run, const std::string &file)
+{
+  std::error_code ignored;
+  if (run.fresh || !std::filesystem::is_regular_file(file, ignored))
+    return std::nullopt;
+  try {
+    const Table kept  = read_table(file);
+    const auto *force = kept.column("force"), *slope = kept.column("plastic_slope");
+    if (force && slope && force->size() == 1)
+      return FlowPoint{(*force)[0], (*slope)[0]};
+  } catch (const InputError &) {  // damaged: solved again
+  }
+  return std::nullopt;
+}
+
+void keep_point(RunContext &run, const PointTask &task)
+{
+  Table t;
+  t.add("force", "N", Eigen::VectorXd::Constant(1, task.point->force));
+  t.add("plastic_slope", "N/m", Eigen::VectorXd::Constant(1, task.point->plastic_slope));
+  try {
+    write_atomically(task.file, csv_text(t));
+  } catch (const InputError &e) {
+    run.warn(std::string("a point of the bite's curves could not be kept for the next run: ") + e.what());
+  }
+}
+
+void solve_point(PointTask &task)
+{
+  try {
+    const auto flow = fem::solve_strip_flow(task.mesh, task.question->bite, rigid_model(*task.question, nullptr));
+    task.point      = FlowPoint{flow.state.force, slope_of(flow)};
+  } catch (const InputError &e) {
+    task.refused = e.problems.front().message;
+  } catch (const SolverError &e) {
+    task.refused = e.what();
+  }
+}
+}  // namespace
+
+std::vector<std::optional<FlowPoint>> solve_flow_points(RunContext &run,
+                                                        const std::vector<FlowQuestion> &questions)
+{
+  std::vector<std::optional<FlowPoint>> points(questions.size());
+  std::vector<PointTask> tasks;
+  std::vector<std::size_t> place;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const FlowQuestion &q  = questions[i];
+    const std::string file = run.cache + "/bite-point-" + key_of(q, nullptr) + ".csv";
+    points[i]              = kept_point(run, file);
+    if (points[i])
+      continue;
+    // Meshed here, one after the other: the mesher has one state for the whole program.
+    tasks.push_back({&q, file,
+                     meshed(run, q, multiple_of_four(q.setup.elements_along), q.setup.elements_through,
+                            "strip-point-" + std::to_string(i)),
+                     std::nullopt, ""});
+    place.push_back(i);
+  }
+  std::atomic<std::size_t> next{0}, done{0};
+  const auto work = [&] {
+    for (std::size_t i; (i = next++) < tasks.size(); ++done)
+      solve_point(tasks[i]);
+  };
+  std::vector<std::future<void>> others;
+  for (int t = 1; t < run.threads; ++t)
+    others.push_back(std::async(std::launch::async, work));
+  work();
+  for (auto &other : others)
+    other.get();
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    std::remove(tasks[i].mesh.path.c_str());
+    if (tasks[i].point)
+      keep_point(run, tasks[i]);
+    else
+      run.progress.note("bite " + tasks[i].question->pass + ": " + tasks[i].refused);
+    points[place[i]] = tasks[i].point;
+  }
+  return points;
+}
+}  // namespace mill

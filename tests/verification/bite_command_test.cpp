@@ -1,0 +1,97 @@
+#include "tests/support/near.h"
+#include "tests/support/program.h"
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+// kind = "bite" and K4 of a stand as a user meets them.
+namespace fs = std::filesystem;
+
+namespace {
+const std::string demo_pass = R"(schema = 1
+kind   = "bite"
+
+[steel]
+youngs_modulus = "210 GPa"
+poisson_ratio  = 0.28
+
+[work_roll]
+diameter = "420 mm"
+
+[strip]
+width           = "1000 mm"
+entry_thickness = "8 mm"
+exit_thickness  = "5 mm"
+flow_stress     = { law = "constant", k = "28 MPa" }
+friction        = 0.2
+
+[[pass]]
+name = "demo"
+)";
+
+std::string write_case(const std::string &name, const std::string &text)
+{
+  const std::string path = scratch(name) + ".toml";
+  std::ofstream(path) << text;
+  return path;
+}
+
+Outcome stiffness(const std::string &path, const std::string &name, const std::string &more)
+{
+  return millstand("stiffness " + path + " -q -o " + scratch(name) + " --cache " + scratch("cache") +
+                   " --force-overwrite " + more);
+}
+
+nlohmann::json results_of(const std::string &name)
+{
+  return nlohmann::json::parse(std::ifstream(scratch(name) + "/results.json"));
+}
+
+double value(const nlohmann::json &results, const std::string &name)
+{
+  return results.at("values").at(name).at("value").get<double>();
+}
+}  // namespace
+
+// The pass of the demo stand: slope and closed forms by slab theory, finite elements beside them.
+TEST(BiteCommand, TheFourQuantitiesCalledK4)
+{
+  const std::string path = write_case("demo", demo_pass);
+  const auto outcome     = stiffness(path, "demo", "--set bite.elements_along=24 --set bite.elements_through=6");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto results = results_of("demo");
+  EXPECT_TRUE(
+      near(value(results, "K4.plastic_slope"), 225e6, within(0.03, "coarse elements, reference 225 +- 3")));
+  EXPECT_TRUE(near(value(results, "K4.flattening"), 9.6641e10, within(1e-4, "closed form, printed digits")));
+  EXPECT_TRUE(near(value(results, "bite.demo.karman.plastic_slope"), 247.253e6,
+                   within(0.01, "printed for a rigid roll; here its arc is flattened by 0.7 %")));
+  const double slope = value(results, "K4.plastic_slope"), flat = value(results, "K4.flattening");
+  EXPECT_TRUE(near(value(results, "K4.combined"), 1 / (1 / slope + 2 / flat), within(1e-9, "springs in series")));
+  EXPECT_GT(value(results, "K4.path_plateau"), 0.0);
+  for (const char *file :
+       {"bite-demo-fe.csv", "bite-demo-karman.csv", "bite-demo-orowan.csv", "bite-demo-bland-ford.csv",
+        "bite-demo-roll.csv", "bite-demo-field.csv", "bite-k4-reduction.csv", "bite-k4-tension.csv",
+        "bite-k4-friction.csv", "bite-aspect.csv"})
+    EXPECT_TRUE(fs::is_regular_file(scratch("demo") + "/curves/" + file)) << file;
+  EXPECT_TRUE(fs::is_regular_file(scratch("demo") + "/fields/bite-demo.vtu"));
+  EXPECT_TRUE(fs::is_regular_file(scratch("demo") + "/report.html"));
+}
+
+// What no roll can do is said at the pass, before anything is computed and by check as well.
+TEST(BiteCommand, PassesThatCannotBeRolled)
+{
+  const std::string path = write_case("refused", demo_pass);
+  const auto said        = [&](const std::string &set) {
+    const auto outcome = millstand("check " + path + " " + set);
+    EXPECT_EQ(outcome.exit_code, 2) << set;
+    return outcome.err;
+  };
+  const std::string cannot = said("--set strip.friction=0.02");
+  EXPECT_NE(cannot.find("pass \"demo\""), std::string::npos) << cannot;
+  EXPECT_NE(cannot.find("0.02"), std::string::npos) << cannot;
+  EXPECT_NE(cannot.find("0.1195 rad"), std::string::npos) << cannot;
+  EXPECT_NE(said("--set strip.exit_thickness='9 mm'").find("is not smaller than the entry thickness"),
+            std::string::npos);
+  EXPECT_NE(said("--set strip.exit_tension='30.8 MPa'").find("would stretch the strip outside the bite"),
+            std::string::npos);
+}
