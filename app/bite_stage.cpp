@@ -25,7 +25,7 @@ void check_pass(const bite::RollBite &bite, const Pass &pass, std::vector<Proble
   try {
     bite::solve_slab(bite, {bite::Theory::karman, bite::Arc::rigid});
   } catch (const InputError &e) {
-    problems.push_back({pass.place, "pass \"" + pass.name + "\": " + e.what(), {}});
+    problems.push_back({pass.place, "pass \"" + pass.name + "\": " + e.problems.front().message, {}});
   }
 }
 

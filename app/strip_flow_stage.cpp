@@ -145,15 +145,16 @@ FlowAnswer rigid_answer(RunContext &run, const FlowQuestion &q, const bite::ArcF
 FlowAnswer elastic_answer(RunContext &run, const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
 {
   FlowAnswer answer;
-  const auto coarse =
-      elastic_flow(q, half(q.setup.elements_along), half(q.setup.elements_through), flexibility, nullptr);
+  // Ten times dearer than the rigid-plastic strip, and made for thin strip: half the rows.
+  const int along = q.setup.elements_along, through = half(q.setup.elements_through);
+  const auto coarse = elastic_flow(q, half(along), half(through), flexibility, nullptr);
   run.progress.at(timer_name(q), 0.3);
-  const auto fine      = elastic_flow(q, q.setup.elements_along, q.setup.elements_through, flexibility, nullptr);
-  answer.fine          = fine.flow;
-  answer.coarse_force  = coarse.flow.state.force;
-  answer.coarse_torque = coarse.flow.state.torque;
-  answer.coarse_slope  = slope_of(coarse.flow);
-  answer.elastic       = true;
+  const auto fine           = elastic_flow(q, along, through, flexibility, nullptr);
+  answer.fine               = fine.flow;
+  answer.coarse_force       = coarse.flow.state.force;
+  answer.coarse_torque      = coarse.flow.state.torque;
+  answer.coarse_slope       = slope_of(coarse.flow);
+  answer.elastic            = true;
   answer.smallest_thickness = fine.smallest_thickness;
   answer.elastic_entry      = fine.elastic_entry;
   answer.elastic_exit       = fine.elastic_exit;

@@ -122,7 +122,7 @@ const std::vector<Field<BiteSetup>> &bite_rows()
        &T::elements_through,
        "count",                                                                            {2, 60},
        12,                                                                                                            "12",
-       "finite elements through half the thickness"                                                                                                                },
+       "finite elements through half the thickness; the elastic-plastic strip takes half of them"                                                                  },
       {"samples",          &T::samples, "count",                                           {3, 101}, 9,               "9",             "points of each curve of K4"},
       {"path_trim",
        &T::path_trim,

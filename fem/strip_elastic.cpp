@@ -86,7 +86,10 @@ Solved meshed(const ElasticPass &pass, const bite::ArcFlexibility *flexibility, 
   Solved s;
   s.touch_from = from;
   s.touch_to   = to;
-  s.grid = elastic_grid(elastic_lines(from - outside, to + outside, from, to, size, foci), through, from, to);
+  std::vector<double> fixed{from - outside, to + outside};
+  if (pass.model.arc == bite::Arc::rigid)  // where circle and strip meet, always in the same place of an element
+    fixed = {from - outside, -pass.arc_length, 0, to + outside};
+  s.grid = elastic_grid(elastic_lines(fixed, from, to, size, foci), through, from, to);
   s.roll = elastic_roll(pass, s.grid, flexibility);
   return s;
 }

@@ -70,7 +70,7 @@ ElasticGrid elastic_grid(const std::vector<double> &corners, const int n_through
   return g;
 }
 
-std::vector<double> elastic_lines(const double inlet, const double outlet, const double from, const double to,
+std::vector<double> elastic_lines(const std::vector<double> &fixed, const double from, const double to,
                                   const double size, const std::vector<ElasticFocus> &foci)
 {
   const auto spacing = [&](const double x) {
@@ -80,19 +80,22 @@ std::vector<double> elastic_lines(const double inlet, const double outlet, const
       h = std::min(h, f.size + 0.2 * std::max({0., f.from - x, x - f.to}));
     return h;
   };
-  const int n       = 20000;
-  const double step = (outlet - inlet) / n;
-  std::vector<double> gathered{0}, out{inlet};
-  for (int i = 0; i < n; ++i)
-    gathered.push_back(gathered.back() + step / spacing(inlet + (i + 0.5) * step));
-  const int elements = int(std::ceil(gathered.back()));
-  for (int line = 1; line < elements; ++line) {
-    const double wanted = gathered.back() * line / elements;
-    const auto above    = std::upper_bound(gathered.begin(), gathered.end(), wanted);
-    const double part   = (wanted - *(above - 1)) / (*above - *(above - 1));
-    out.push_back(inlet + step * (double(above - gathered.begin()) - 1 + part));
+  std::vector<double> out{fixed.front()};
+  for (std::size_t part = 1; part < fixed.size(); ++part) {
+    const int n        = 10000;
+    const double begin = fixed[part - 1], step = (fixed[part] - begin) / n;
+    std::vector<double> gathered{0};
+    for (int i = 0; i < n; ++i)
+      gathered.push_back(gathered.back() + step / spacing(begin + (i + 0.5) * step));
+    const int elements = int(std::ceil(gathered.back()));
+    for (int line = 1; line < elements; ++line) {
+      const double wanted = gathered.back() * line / elements;
+      const auto above    = std::upper_bound(gathered.begin(), gathered.end(), wanted);
+      const double share  = (wanted - *(above - 1)) / (*above - *(above - 1));
+      out.push_back(begin + step * (double(above - gathered.begin()) - 1 + share));
+    }
+    out.push_back(fixed[part]);
   }
-  out.push_back(outlet);
   return out;
 }
 

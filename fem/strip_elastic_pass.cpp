@@ -3,6 +3,7 @@
 #include "bite/slab_checks.h"
 #include "core/errors.h"
 #include "fem/strip_elastic_equations.h"
+#include <algorithm>
 #include <cmath>
 
 // What is asked of a pass, its scales, and a first guess.
@@ -88,7 +89,7 @@ VectorXd first_guess(const ElasticPass &pass, const ElasticGrid &grid)
     const bool pressed = x > -L && x < 1e-9;
     const double half  = x <= -L ? 0.5 : x >= 0 ? 0.5 * h2 : 0.5 * h2 + R - std::sqrt(R * R - x * x);
     const double slope = pressed ? x / std::sqrt(R * R - x * x) : 0;
-    const double speed = 1.03 * 0.5 * h2 / half;  // some forward slip
+    const double speed = (1 + std::min(0.03, 0.3 * pass.reduction)) * 0.5 * h2 / half;  // some forward slip
     for (int j = 0; j <= top; ++j) {
       u[grid.velocity(i, j, 0)] = speed;
       if (grid.velocity(i, j, 1) >= 0)

@@ -17,18 +17,23 @@ struct StripMaterial {
   double least_rate     = 0;        ///< -, rate of shear below which the strip creeps; 0: a sharp yield limit
 };
 
-/// Flow stress at a strain, scaled; the ends of a table and strains below 1e-4 count as the nearest strain of the
-/// law.
+/// Flow stress at a strain, scaled.  Laws that rise without bound at the first strain (power, Ludwik) see a strain that
+/// goes smoothly to nil at 1e-4; a kink there would stop Newton's method.  Ends of a table count on beyond it.
 template <class T> T material_flow_stress(const StripMaterial &m, const T &strain)
 {
-  const double e = bite::value_of(strain);
-  double low = m.law->law == "constant" ? -1e300 : 1e-4, high = 1e300;
-  if (m.law->law == "table" && m.law->table.size() > 1) {
-    low  = m.law->table.front()[0];
-    high = m.law->table.back()[0];
+  using std::sqrt;
+  const FlowStress &law = *m.law;
+  const double e        = bite::value_of(strain);
+  if (law.law == "table" && law.table.size() > 1) {
+    const double low = law.table.front()[0], high = law.table.back()[0];
+    return bite::flow_stress(law, e < low ? T(low) : e > high ? T(high) : strain) / m.unit;
   }
-  const T inside = e < low ? T(low) : e > high ? T(high) : strain;
-  return bite::flow_stress(*m.law, inside) / m.unit;
+  if (law.law == "constant" || law.law == "voce")
+    return bite::flow_stress(law, strain) / m.unit;
+  const bool offset = (law.law == "swift" || law.law == "reduction-power") && law.eps0 > 1e-3;
+  if (offset)
+    return bite::flow_stress(law, e < -0.5 * law.eps0 ? T(-0.5 * law.eps0) : strain) / m.unit;
+  return bite::flow_stress(law, T(0.5 * (strain + sqrt(strain * strain + 1e-8)))) / m.unit;
 }
 
 /// What drives one row of an element: at its two Radau points (a third of the way and the end) the velocity
@@ -53,13 +58,14 @@ enum RowInput {
 enum RowState { stress_xx, stress_yy, stress_xy, plastic_shear, n_row_state };
 
 // Radau IIA, two stages, as a derivative: c (d s_i + e s_other + f s_0) = strain; strain_i = e0 + sum of a
-// gamma/2.
+// gamma/2.  The strain at the first point is gathered from the rate there alone: Radau's own weight of the other one
+// is negative, and a strain that falls where yielding begins would let the strip soften.
 struct RadauStage {
   double own, other, upstream;          ///< -, of the derivative
   double gathered_own, gathered_other;  ///< -, of the integral
 };
 constexpr std::array<RadauStage, 2> radau{
-    {{1.5, 0.5, -2, 5. / 12, -1. / 12}, {2.5, -4.5, 2, 1. / 4, 3. / 4}}
+    {{1.5, 0.5, -2, 1. / 3, 0}, {2.5, -4.5, 2, 1. / 4, 3. / 4}}
 };
 constexpr std::array<double, 2> radau_point{1. / 3, 1}, radau_weight{3. / 4, 1. / 4};
 
