@@ -182,8 +182,8 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
       beside(s, [](const BiteAnswer &a) { return a.state.flattened_radius; }));
   add("arc_length", "m", state.arc_length, not_given);
   add("sticking_length", "m", state.sticking_length, not_given);
-  add("forward_slip", "1", state.forward_slip, error_of(s, state.forward_slip, not_given, slip_in),
-      beside(s, slip_in));
+  add("forward_slip", "1", state.forward_slip,
+      error_of(s, state.forward_slip, s.flow ? s.flow->coarse_slip : not_given, slip_in), beside(s, slip_in));
   add("neutral_angle", "rad", neutral_in(s.chosen()), not_given, beside(s, neutral_in));
   add("peak_pressure", "Pa", state.peak_pressure, not_given,
       beside(s, [](const BiteAnswer &a) { return a.state.peak_pressure; }));
@@ -314,8 +314,6 @@ void note_bite(RunContext &run, const BiteStudy &s)
     run.assume(where + remark);
   if (!s.slab().refused.empty())
     run.warn(where + "the slab theory that stands beside has no answer: " + s.slab().refused);
-  if (s.question.setup.method == "slab" && !s.flow_failed.empty())
-    run.warn(where + "the finite elements that stand beside did not converge: " + s.flow_failed);
   for (const BiteAnswer &answer : s.answers)
     if (!answer.refused.empty() && answer.key != "fe" && &answer != &s.slab())
       run.assume(where + answer.key + " has no answer: " + answer.refused);

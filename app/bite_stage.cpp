@@ -18,22 +18,26 @@ double backup_half_width(const FourHigh &stand, const double force)
 }
 
 // A rigid roll asks the least of the strip; a film's friction is found with the flattened arc only.
-void check_pass(const bite::RollBite &bite, const Pass &pass, std::vector<Problem> &problems)
+void check_pass(const bite::RollBite &bite, const BiteSetup &setup, const Pass &pass,
+                std::vector<Problem> &problems)
 {
   if (bite.strip.friction.law == "film")
     return;
   try {
-    bite::solve_slab(bite, {bite::Theory::karman, bite::Arc::rigid});
+    bite::solve_slab(bite, {slab_model(setup).theory, bite::Arc::rigid});
   } catch (const InputError &e) {
     problems.push_back({pass.place, "pass \"" + pass.name + "\": " + e.problems.front().message, {}});
   }
 }
 
+// What the slab theories say is kept also where the finite elements fail.
 void add_study(RunContext &run, const BiteStudy &study)
 {
   add_bite_results(run, study);
   note_bite(run, study);
   write_bite(run, study);
+  if (study.failure)
+    std::rethrow_exception(study.failure);
 }
 }  // namespace
 
@@ -60,10 +64,11 @@ void check_bites(const Case &the_case)
   std::vector<Problem> problems;
   if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
     for (const Pass &pass : stand->passes)
-      check_pass(bite_of(stand->strip, pass, stand->work_roll.barrel_diameter, stand->steel), pass, problems);
+      check_pass(bite_of(stand->strip, pass, stand->work_roll.barrel_diameter, stand->steel), stand->bite, pass,
+                 problems);
   if (const auto *bite = std::get_if<BiteCase>(&the_case.spec))
     for (const Pass &pass : bite->passes)
-      check_pass(bite_of(bite->strip, pass, bite->roll_diameter, bite->steel), pass, problems);
+      check_pass(bite_of(bite->strip, pass, bite->roll_diameter, bite->steel), bite->bite, pass, problems);
   if (!problems.empty())
     throw InputError(std::move(problems));
 }
@@ -72,16 +77,16 @@ Parameter solve_bite_stiffness(RunContext &run, const FourHigh &stand, const Pas
                                const bool first)
 {
   BiteQuestion q;
-  q.bite                  = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
-  q.setup                 = stand.bite;
-  q.pass                  = pass.name;
-  q.force                 = force;
-  q.force_name            = std::isnan(pass.load) ? "the mean of the recorded force" : "the load of the pass";
-  q.roll_key              = "work_roll.barrel_diameter";
-  q.backup_half_width     = backup_half_width(stand, force);
-  const BiteStudy study   = study_bite(run, q);
-  const BiteSpring spring = bite_spring(study);
+  q.bite                = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
+  q.setup               = stand.bite;
+  q.pass                = pass.name;
+  q.force               = force;
+  q.force_name          = std::isnan(pass.load) ? "the mean of the recorded force" : "the load of the pass";
+  q.roll_key            = "work_roll.barrel_diameter";
+  q.backup_half_width   = backup_half_width(stand, force);
+  const BiteStudy study = study_bite(run, q);
   add_study(run, study);
+  const BiteSpring spring = bite_spring(study);
   if (first) {
     add_bite_spring(run, spring);
     write_bite_curves(run, study);
@@ -93,16 +98,16 @@ void solve_bite_case(RunContext &run, const BiteCase &spec)
 {
   for (std::size_t p = 0; p < spec.passes.size(); ++p) {
     BiteQuestion q;
-    q.bite                  = bite_of(spec.strip, spec.passes[p], spec.roll_diameter, spec.steel);
-    q.setup                 = spec.bite;
-    q.pass                  = spec.passes[p].name;
-    q.force                 = spec.passes[p].load;
-    q.force_name            = "the load of the pass";
-    q.roll_key              = "work_roll.diameter";
-    q.curves                = p == 0;
-    const BiteStudy study   = study_bite(run, q);
-    const BiteSpring spring = bite_spring(study);
+    q.bite                = bite_of(spec.strip, spec.passes[p], spec.roll_diameter, spec.steel);
+    q.setup               = spec.bite;
+    q.pass                = spec.passes[p].name;
+    q.force               = spec.passes[p].load;
+    q.force_name          = "the load of the pass";
+    q.roll_key            = "work_roll.diameter";
+    q.curves              = p == 0;
+    const BiteStudy study = study_bite(run, q);
     add_study(run, study);
+    const BiteSpring spring = bite_spring(study);
     if (p == 0) {
       add_bite_spring(run, spring);
       write_bite_curves(run, study);

@@ -3,6 +3,7 @@
 #include "bite/bite.h"
 #include "bite/slab_bite.h"
 #include "fem/strip_flow.h"
+#include <exception>
 #include <optional>
 
 namespace mill {
@@ -15,7 +16,6 @@ struct BiteQuestion {
   std::string force_name;           ///< "mean of the recorded force"
   std::string roll_key;             ///< of the case file, "work_roll.barrel_diameter"
   bool curves              = true;  ///< also K4 over reduction, tension, friction, speed and the bite's aspect
-  bool finite_element      = true;  ///< false: by the slab theories alone
   double backup_half_width = 0;     ///< m, of the contact with the back-up roll opposite; 0: none
 };
 
@@ -33,6 +33,7 @@ struct FlowAnswer {
   double coarse_force       = not_given;  ///< N, on elements twice as large
   double coarse_slope       = not_given;  ///< N/m
   double coarse_torque      = not_given;  ///< N m
+  double coarse_slip        = not_given;  ///< -, forward slip
   bool elastic              = false;      ///< elastic-plastic strip; what follows is of that only
   double smallest_thickness = not_given;  ///< m, of the strip under the rolls
   double elastic_entry      = not_given;  ///< m, contact before the strip's surface yields
@@ -47,9 +48,9 @@ struct BiteStudy {
   BiteQuestion question;
   std::vector<BiteAnswer> answers;  ///< the chosen slab theory first, "fe" last
   std::optional<FlowAnswer> flow;
-  std::string flow_failed;                               ///< what the solver said where there is none
-  bite::ArcFlexibility flexibility;                      ///< of the roll's section; empty with a rigid arc
-  double flexibility_error = 0;                          ///< -, of its shape, from two meshes
+  std::exception_ptr failure;        ///< of the finite elements: the slab theories stand all the same
+  bite::ArcFlexibility flexibility;  ///< of the roll's section; empty with a rigid arc
+  double flexibility_error = 0;      ///< -, of its shape, from two meshes
   const BiteAnswer *find(const std::string &key) const;  ///< nullptr: not asked, or refused
   const BiteAnswer &slab() const;                        ///< the chosen slab theory
   const BiteAnswer &chosen() const;                      ///< that gives K4
@@ -57,7 +58,6 @@ struct BiteStudy {
 
 /// Solves one pass.
 /// @throws InputError   the rolls cannot take the strip, with the numbers
-/// @throws SolverError  the model that is to give K4 does not converge
 BiteStudy study_bite(RunContext &run, const BiteQuestion &question);
 
 /// The slab theory of [bite] with its arc.

@@ -1,6 +1,5 @@
 #include "app/strip_flow_stage.h"
 #include "app/strip_flow_store.h"
-#include "core/csv.h"
 #include "core/files.h"
 #include "fem/strip_elastic.h"
 #include "meshes/strip_flow.h"
@@ -14,7 +13,7 @@
 namespace mill {
 namespace {
 // Raised by hand when the finite-element bite changes what it computes.
-constexpr const char *flow_version = "strip flow 1";
+constexpr const char *flow_version = "strip flow 2";
 
 std::string exact(const double value)
 {
@@ -89,21 +88,22 @@ MeshFile meshed(const RunContext &run, const FlowQuestion &q, const int along, c
                                    run.out.staging() + "/" + name + ".msh");
 }
 
-fem::StripFlowModel rigid_model(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
+fem::StripFlowModel rigid_model(const FlowQuestion &q)
 {
   fem::StripFlowModel model;
   model.arc = slab_model(q.setup).arc;
-  if (model.arc == bite::Arc::elastic && !flexibility)
+  // A rigid-plastic strip ends with a step of pressure, under which a free arc has no limit (theory.md 17).
+  if (model.arc == bite::Arc::elastic)
     model.arc = bite::Arc::hitchcock;
   return model;
 }
 
 // Rigid-plastic strip on a mesh of so many elements.
 fem::StripFlow rigid_flow(const RunContext &run, const FlowQuestion &q, const int along, const int through,
-                          const bite::ArcFlexibility *flexibility, const fem::StripFlow *start)
+                          const fem::StripFlow *start)
 {
   const MeshFile mesh = meshed(run, q, along, through, "strip-" + slug(q.pass));
-  const auto flow     = fem::solve_strip_flow(mesh, q.bite, rigid_model(q, flexibility), flexibility, start);
+  const auto flow     = fem::solve_strip_flow(mesh, q.bite, rigid_model(q), nullptr, start);
   std::remove(mesh.path.c_str());
   return flow;
 }
@@ -115,7 +115,15 @@ fem::StripElastic elastic_flow(const FlowQuestion &q, const int along, const int
   model.arc              = flexibility ? bite::Arc::elastic : bite::Arc::rigid;
   model.elements_along   = along;
   model.elements_through = through;
-  return fem::solve_elastic_strip(q.bite, model, flexibility, start);
+  try {
+    return fem::solve_elastic_strip(q.bite, model, flexibility, start);
+  } catch (const InputError &) {
+    if (!flexibility)
+      throw;
+    // The contact is longer than the section of the roll was made for.  On a half plane, which has no end, only
+    // what is wrong with the pass itself is thrown again.
+    return fem::solve_elastic_strip(q.bite, model, nullptr, start);
+  }
 }
 
 int half(const int elements)
@@ -128,17 +136,17 @@ int multiple_of_four(const int elements)
   return 4 * ((elements + 3) / 4);
 }
 
-FlowAnswer rigid_answer(RunContext &run, const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
+FlowAnswer rigid_answer(RunContext &run, const FlowQuestion &q)
 {
   FlowAnswer answer;
-  const int along = multiple_of_four(q.setup.elements_along);
-  const auto coarse =
-      rigid_flow(run, q, multiple_of_four(along / 2), half(q.setup.elements_through), flexibility, nullptr);
+  const int along   = multiple_of_four(q.setup.elements_along);
+  const auto coarse = rigid_flow(run, q, multiple_of_four(along / 2), half(q.setup.elements_through), nullptr);
   run.progress.at(timer_name(q), 0.3);
-  answer.fine          = rigid_flow(run, q, along, q.setup.elements_through, flexibility, &coarse);
+  answer.fine          = rigid_flow(run, q, along, q.setup.elements_through, &coarse);
   answer.coarse_force  = coarse.state.force;
   answer.coarse_torque = coarse.state.torque;
   answer.coarse_slope  = slope_of(coarse);
+  answer.coarse_slip   = coarse.state.forward_slip;
   return answer;
 }
 
@@ -176,7 +184,7 @@ FlowAnswer solve_flow(RunContext &run, const FlowQuestion &q, const bite::ArcFle
   }
   run.progress.at(timer_name(q), 0);
   FlowAnswer answer =
-      q.setup.strip == "elastic-plastic" ? elastic_answer(run, q, flexibility) : rigid_answer(run, q, flexibility);
+      q.setup.strip == "elastic-plastic" ? elastic_answer(run, q, flexibility) : rigid_answer(run, q);
   for (const auto &level : answer.fine.history)
     run.progress.note(
         fmt::format("bite {}: {}, {} unknowns, g0 {:.3g}, d0 {:.3g}, {} steps, residual {:.2g}, force "
@@ -200,28 +208,32 @@ struct PointTask {
   std::string refused;
 };
 
+// A point on disk: its hash, then force and slope in hexadecimal.
+std::string point_text(const FlowPoint &point)
+{
+  const std::string numbers = fmt::format("{:a} {:a}\n", point.force, point.plastic_slope);
+  return hash_of(numbers) + "\n" + numbers;
+}
+
 std::optional<FlowPoint> kept_point(const RunContext &run, const std::string &file)
 {
   std::error_code ignored;
   if (run.fresh || !std::filesystem::is_regular_file(file, ignored))
     return std::nullopt;
-  try {
-    const Table kept  = read_table(file);
-    const auto *force = kept.column("force"), *slope = kept.column("plastic_slope");
-    if (force && slope && force->size() == 1)
-      return FlowPoint{(*force)[0], (*slope)[0]};
-  } catch (const InputError &) {  // damaged: solved again
-  }
-  return std::nullopt;
+  const std::string text = read_text(file);
+  FlowPoint point;
+  const auto end = text.find('\n');
+  if (end == std::string::npos ||
+      std::sscanf(text.c_str() + end, "%la %la", &point.force, &point.plastic_slope) != 2 ||
+      point_text(point) != text)
+    return std::nullopt;  // damaged: solved again
+  return point;
 }
 
 void keep_point(RunContext &run, const PointTask &task)
 {
-  Table t;
-  t.add("force", "N", Eigen::VectorXd::Constant(1, task.point->force));
-  t.add("plastic_slope", "N/m", Eigen::VectorXd::Constant(1, task.point->plastic_slope));
   try {
-    write_atomically(task.file, csv_text(t));
+    write_atomically(task.file, point_text(*task.point));
   } catch (const InputError &e) {
     run.warn(std::string("a point of the bite's curves could not be kept for the next run: ") + e.what());
   }
@@ -230,7 +242,7 @@ void keep_point(RunContext &run, const PointTask &task)
 void solve_point(PointTask &task)
 {
   try {
-    const auto flow = fem::solve_strip_flow(task.mesh, task.question->bite, rigid_model(*task.question, nullptr));
+    const auto flow = fem::solve_strip_flow(task.mesh, task.question->bite, rigid_model(*task.question));
     task.point      = FlowPoint{flow.state.force, slope_of(flow)};
   } catch (const InputError &e) {
     task.refused = e.problems.front().message;
@@ -248,7 +260,7 @@ std::vector<std::optional<FlowPoint>> solve_flow_points(RunContext &run,
   std::vector<std::size_t> place;
   for (std::size_t i = 0; i < questions.size(); ++i) {
     const FlowQuestion &q  = questions[i];
-    const std::string file = run.cache + "/bite-point-" + key_of(q, nullptr) + ".csv";
+    const std::string file = run.cache + "/bite-point-" + key_of(q, nullptr) + ".txt";
     points[i]              = kept_point(run, file);
     if (points[i])
       continue;

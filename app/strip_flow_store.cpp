@@ -76,6 +76,7 @@ template <class Io> void each_member(Io &&io, FlowAnswer &a)
   io("coarse_force", a.coarse_force);
   io("coarse_slope", a.coarse_slope);
   io("coarse_torque", a.coarse_torque);
+  io("coarse_slip", a.coarse_slip);
   io("elastic", a.elastic);
   io("smallest_thickness", a.smallest_thickness);
   io("elastic_entry", a.elastic_entry);

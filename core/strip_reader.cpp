@@ -30,7 +30,8 @@ Strip read_strip(const Node &root, Reading &reading)
   const Node::Entry *entry = section.node ? section.node->find("friction") : nullptr;
   const bool has_law       = entry && entry->value.kind == Node::Kind::table;
   read_and_echo(section, section.header(), has_law ? rows_without_friction() : strip_rows(), strip, reading,
-                {"flow_stress", "friction"});
+                has_law ? std::vector<std::string>{"flow_stress", "friction"}
+                        : std::vector<std::string>{"flow_stress"});
   if (!section.node)
     return strip;
   const Section law = section_at(root, "strip.flow_stress", reading);

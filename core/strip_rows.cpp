@@ -106,7 +106,7 @@ const std::vector<Field<BiteSetup>> &bite_rows()
   using T = BiteSetup;
   static const std::vector<Field<T>> rows{
       {"method",           &T::method,  "fe | slab",                                       any,      "fe",            "fe",
-       "which of the two gives K4; the other stands beside it"                                                                                                     },
+       "what gives K4: finite elements with slab theories beside them, or a slab theory alone"                                                                     },
       {"theory",           &T::theory,  "bland-ford | hu-ehmann | karman | orowan | sims", any,      "karman",        "karman",
        "slab theory that stands beside the finite elements, or gives K4"                                                                                           },
       {"arc",              &T::arc,     "rigid | hitchcock | elastic",                     any,      "hitchcock",     "hitchcock",

@@ -138,10 +138,15 @@ Solved solve_on_circle(const ElasticPass &pass, std::vector<StripFlowLevel> &his
     },
                            std::max(2, model.elements_through / 2));
     ElasticContinuation first(pass, coarse.grid, coarse.roll, first_guess(pass, coarse.grid), history);
-    solve_cold(first, 0.1);
+    bool begun = true;
+    try {
+      solve_cold(first, 0.1);
+    } catch (const SolverError &) {  // a finer mesh may do
+      begun = false;
+    }
     ElasticContinuation c(pass, s.grid, s.roll, interpolated(coarse.grid, first.u, s.grid), history);
     place_lines(s.grid, c.u);
-    if (c.newton(first.at, "Newton, free surface")) {
+    if (begun && c.newton(first.at, "Newton, free surface")) {
       harden(c, 0.1);
     } else {
       c.u = first_guess(pass, s.grid);

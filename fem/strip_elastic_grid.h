@@ -102,8 +102,8 @@ struct ElasticFocus {
   double from = 0, to = 0;  ///< -
   double size = 0;          ///< -
 };
-/// Abscissae whose spacing is `size` between from and to, grows by a fifth of the distance from the foci, and by 0.3
-/// of the distance outside up to a quarter of the entry thickness.
+/// Abscissae whose spacing is `size` between from and to, grows by a fifth of the distance from the foci, and by
+/// 0.3 of the distance outside up to a quarter of the entry thickness.
 /// @param fixed  (n >= 2) rising: inlet, places that become lines, outlet
 std::vector<double> elastic_lines(const std::vector<double> &fixed, double from, double to, double size,
                                   const std::vector<ElasticFocus> &foci);

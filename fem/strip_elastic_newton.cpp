@@ -13,7 +13,7 @@ ElasticContinuation::ElasticContinuation(const ElasticPass &p, ElasticGrid &g, c
 {
 }
 
-bool ElasticContinuation::newton(ElasticStage stage, const char *what, const int steps)
+bool ElasticContinuation::newton(ElasticStage stage, const char *what, const int steps, const bool leaps)
 {
   const VectorXd before = u;
   find_thinnest(stage);
@@ -27,17 +27,22 @@ bool ElasticContinuation::newton(ElasticStage stage, const char *what, const int
     if (!factor.factorise(K))
       break;
     const VectorXd d = factor.solve(e.residual), from = u;
-    double share = largest_share(d), next = 0;
-    for (int half = 0;; ++half, share *= 0.5) {
+    const double longest = largest_share(d);
+    double next          = 0;
+    const auto go        = [&](const double share) {
       u    = from - share * d;
       e    = elastic_equations(pass, grid, roll, stage, u, memory, false);
       next = e.residual.norm();
-      if (std::isfinite(next) && next < (1 - 1e-4 * share) * residual)
-        break;
-      if (half == 8) {  // uphill: now and then a kink of the contact has to be crossed
-        ++stuck;
-        break;
-      }
+    };
+    const double least = leaps ? 0.03 : 4e-3;
+    double share       = longest;
+    for (go(share); !(next < (1 - 1e-4 * share) * residual) && share > least * longest; go(share))
+      share *= 0.5;
+    if (!(next < residual)) {
+      // The least residual in reach is none: where a state ceases to exist the next one is found by a leap.
+      ++stuck;
+      if (leaps)
+        go(0.5 * longest);
     }
     const bool moved = find_thinnest(stage);
     last_residual    = residual;
@@ -59,7 +64,7 @@ bool ElasticContinuation::newton(ElasticStage stage, const char *what, const int
 
 bool ElasticContinuation::advance(const ElasticStage &target, const char *what, const int depth)
 {
-  if (newton(target, what))
+  if (newton(target, what) || newton(target, what, 40, false))
     return true;
   if (depth == 3)
     return false;

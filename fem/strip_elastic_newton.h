@@ -10,7 +10,8 @@ public:
   ElasticContinuation(const ElasticPass &pass, ElasticGrid &grid, const ElasticRoll &roll, Eigen::VectorXd start,
                       std::vector<StripFlowLevel> &history);
   /// One level; on failure the unknowns stay what they were.
-  bool newton(ElasticStage stage, const char *what, int steps = 40);
+  /// @param leaps  where no step lowers the residual: half a step up; false: a small one
+  bool newton(ElasticStage stage, const char *what, int steps = 40, bool leaps = true);
   /// From the last level to another one, in as many parts as it takes.
   bool advance(const ElasticStage &target, const char *what, int depth = 0);
 

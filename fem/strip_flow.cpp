@@ -29,15 +29,20 @@ public:
   }
 
   // Eight steps with the viscosity of the present state: from a guess that is none to where Newton converges.
-  void picard(const StripStage &stage)
+  // False where the strip cannot carry anything: a flow stress next to nothing in a part of it.
+  bool picard(const StripStage &stage)
   {
     for (int step = 0; step < 8; ++step) {
       const StripEquations e = strip_equations(pass, grid, stage, u);
-      u -= direction(e);
+      const VectorXd d       = direction(e);
+      if (d.size() == 0)
+        return false;
+      u -= d;
       if (step == 7)
         note("Picard", stage, 8, e.residual.norm(), e.force.value);
     }
     at = stage;
+    return true;
   }
 
   // One level; on failure the unknowns stay what they were.
@@ -168,7 +173,8 @@ void solve_cold(Continuation &c)
   const Strip &strip   = c.pass.bite->strip;
   const double tension = std::max(std::abs(strip.entry_tension), std::abs(strip.exit_tension)) / c.pass.stress;
   stage.tension        = std::min(1., 0.3 / tension);
-  c.picard(stage);
+  if (!c.picard(stage))
+    refuse(c.pass, c, stage);
   stage.picard = false;
   for (double rate = 1;; rate /= 10) {
     stage.least_rate = std::max(rate, wanted.least_rate);

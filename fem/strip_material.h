@@ -17,8 +17,9 @@ struct StripMaterial {
   double least_rate     = 0;        ///< -, rate of shear below which the strip creeps; 0: a sharp yield limit
 };
 
-/// Flow stress at a strain, scaled.  Laws that rise without bound at the first strain (power, Ludwik) see a strain that
-/// goes smoothly to nil at 1e-4; a kink there would stop Newton's method.  Ends of a table count on beyond it.
+/// Flow stress at a strain, scaled.  Laws that rise without bound at the first strain (power, Ludwik) see a strain
+/// that goes smoothly to nil at 1e-4; a kink there would stop Newton's method.  Ends of a table count on beyond
+/// it.
 template <class T> T material_flow_stress(const StripMaterial &m, const T &strain)
 {
   using std::sqrt;
@@ -58,8 +59,8 @@ enum RowInput {
 enum RowState { stress_xx, stress_yy, stress_xy, plastic_shear, n_row_state };
 
 // Radau IIA, two stages, as a derivative: c (d s_i + e s_other + f s_0) = strain; strain_i = e0 + sum of a
-// gamma/2.  The strain at the first point is gathered from the rate there alone: Radau's own weight of the other one
-// is negative, and a strain that falls where yielding begins would let the strip soften.
+// gamma/2.  The strain at the first point is gathered from the rate there alone: Radau's own weight of the other
+// one is negative, and a strain that falls where yielding begins would let the strip soften.
 struct RadauStage {
   double own, other, upstream;          ///< -, of the derivative
   double gathered_own, gathered_other;  ///< -, of the integral

@@ -200,6 +200,8 @@ std::string bite_flattening(const Table &roll)
                  surface = values_of(roll, {"roll", "\u00b5m"});
   if (x.size() == 0 || circle.size() != x.size() || surface.size() != x.size())
     return "";
+  if ((surface - circle).cwiseAbs().maxCoeff() < 1e-3)
+    return "";  // nanometres: a rigid roll
   Plot plot = along_arc("What the roll gives way", "loaded roll over its circle", "\u00b5m", true);
   plot.lines.push_back({"", x, surface - circle, Pen::dark});
   return svg_plot(plot);

@@ -104,7 +104,8 @@ std::string bite_breakdown_table(const Run &run, const BitePass &pass)
       steps.push_back({what, value});
   };
   add("homogeneous slab on a rigid roll (K\u00e1rm\u00e1n)", force("karman-rigid"));
-  add("the roll flattens (Hitchcock's circle)", force("karman"));
+  if (force("karman") != force("karman-rigid"))
+    add("the roll flattens (Hitchcock's circle)", force("karman"));
   add("stress changes over the thickness (Orowan)", force("orowan"));
   add("all else the finite elements know: shear through the strip, its ends, the free shape of the roll",
       force("fe"));

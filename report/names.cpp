@@ -161,6 +161,8 @@ std::string meaning_of(const std::string &name)
       words = parts[0];  // the name of a pass
     if (i == 1 && parts[0] == "bite")
       words = parts[1];
+    if (i > 1 && parts[0] == "bite" && parts[i] == "peak_pressure")
+      words = "largest pressure apart from the edge of the contact";
     if (i == 1 && parts[0] == "contact")
       words = contact_title(parts[1]);
     if (!words.empty())
