@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "fem/strip_elastic.h"
 #include "meshes/strip_flow.h"
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <cstring>
@@ -153,8 +154,8 @@ FlowAnswer rigid_answer(RunContext &run, const FlowQuestion &q)
 FlowAnswer elastic_answer(RunContext &run, const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
 {
   FlowAnswer answer;
-  // Ten times dearer than the rigid-plastic strip, and made for thin strip: half the rows.
-  const int along = q.setup.elements_along, through = half(q.setup.elements_through);
+  // Ten times dearer than the rigid-plastic strip, and made for thin strip: fewer elements, half the rows.
+  const int along = std::max(16, 2 * q.setup.elements_along / 3), through = half(q.setup.elements_through);
   const auto coarse = elastic_flow(q, half(along), half(through), flexibility, nullptr);
   run.progress.at(timer_name(q), 0.3);
   const auto fine           = elastic_flow(q, along, through, flexibility, nullptr);

@@ -9,8 +9,8 @@ namespace mill::fem {
 /// Mesh, regularisations, roll.
 struct StripElasticModel {
   bite::Arc arc        = bite::Arc::rigid;  ///< rigid circle, or any shape (elastic)
-  int elements_along   = 40;                ///< on the contact where it is long and smooth; its ends are finer
-  int elements_through = 6;                 ///< through half the thickness
+  int elements_along   = 24;                ///< on the contact where it is long and smooth; its ends are finer
+  int elements_through = 4;                 ///< through half the thickness
   double finest        = 0.125;             ///< -, element at the ends of the contact over the others
   double outside       = 0;     ///< -, inlet and outlet over the entry thickness; 0: 1, or 1.5 for thick strip
   double least_slip    = 2e-3;  ///< -, d0 over ln(h1/h2) of the roll's speed: the sign of slip is smeared over it
@@ -21,8 +21,8 @@ struct StripElasticModel {
 };
 
 /// State of the strip, its elastic zones and what stays in it.  Fields as in StripFlow; entry and exit are those
-/// of the contact, `state.exit_thickness` of the model's input is the smallest thickness of the loaded strip with
-/// an elastic roll, and the gap on the line of centres with a rigid one.
+/// of the contact.  Strip::exit_thickness is the gap on the line of centres of rigid rolls, and the smallest
+/// thickness of the loaded strip between elastic ones; the strip springs back from there.
 struct StripElastic {
   StripFlow flow;
   double smallest_thickness = 0;  ///< m, of the strip under the rolls
@@ -59,9 +59,11 @@ struct StripElastic {
 /// @throws InputError   what no roll can do with this strip; strip without elasticity; a flexibility that is too
 /// short
 /// @throws SolverError  no convergence: last converged level, residual, remedy
-/// Cost: 40 x 6 elements: 70 factorisations of 3000 unknowns and 15 of 10000, 5 s of one core.
-/// Source: stress along streamlines: E. G. Thompson, S.-W. Yu, Int. J. Numer. Meth. Eng. 30 (1990) 745; time
-/// integration: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, chapter IV.5 (Radau IIA).
+/// Cost: 24 x 4 elements: some 60 factorisations of 3000 unknowns and 40 of 10000, 5 to 8 s of one core; warm
+/// start 1 s. Near-rigid thick strip (its contact begins at an edge) is the domain of solve_strip_flow. Source:
+/// own formulation, theory.md 19; time integration along the streamlines: E. Hairer, G. Wanner, Solving Ordinary
+/// Differential Equations II (1996), chapter IV.5 (Radau IIA) and IV.12 (algebraic stability); complementarity: A.
+/// Fischer, Optimization 24 (1992) 269.
 StripElastic solve_elastic_strip(const bite::RollBite &bite, const StripElasticModel &model = {},
                                  const bite::ArcFlexibility *flexibility = nullptr,
                                  const StripElastic *start               = nullptr);

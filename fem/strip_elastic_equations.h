@@ -108,7 +108,7 @@ private:
   /// Along a Gauss row at a share t of the element: velocity derivatives by the element's coordinates, speed
   /// along, slope and height of the row.
   struct Flow {
-    double u_along, u_through, v_along, v_through, u, slope, height;
+    double u_along, u_through, v_along, v_through, u, slope, height;  ///< scaled
   };
   struct Local;
   Flow flow(const Local &e, int r, double t) const;
