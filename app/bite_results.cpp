@@ -36,8 +36,13 @@ double apart(const double a, const double b)
 double error_of(const BiteStudy &s, const double value, const double coarse,
                 const std::function<double(const BiteAnswer &)> &same)
 {
-  if (s.flow && &s.chosen() == s.find("fe"))
-    return std::max(apart(coarse, value), s.flexibility_error);
+  if (s.flow && &s.chosen() == s.find("fe")) {
+    double error = std::max(apart(coarse, value), s.flexibility_error);
+    // Slopes of the elastic-plastic strip scatter from mesh to mesh by more than two of them tell.
+    if (s.flow->elastic && s.slab().refused.empty())
+      error = std::max(error, apart(same(s.slab()), value));
+    return error;
+  }
   if (const BiteAnswer *fe = s.find("fe"))
     return apart(same(*fe), value);
   double widest = not_given;
