@@ -7,6 +7,7 @@
 #include "verify/verification.h"
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace mill::verify {
 namespace {
@@ -114,12 +115,12 @@ std::vector<Check> wedge()
   std::vector<Check> checks = {relative("w(0, 0.2)", "-", wedge_factor(0, 0.2).value, 1, 1e-12),
                                relative("w(1, 0)", "-", wedge_factor(1, 0).value, M_PI / 4, 1e-14)};
   for (const double a : {0.1, 0.5, 0.9})
-    checks.push_back(
-        relative("w at 1e-4 rad against parallel plates", "-", wedge_factor(a, 1e-4).value, parallel(a), 1e-8));
+    checks.push_back(relative(fmt::format("w({:g}, 1e-4) against parallel plates", a), "-",
+                              wedge_factor(a, 1e-4).value, parallel(a), 1e-8));
   for (const double a : {0.1, 0.24, 0.26, 0.7, 1.0})
     for (const double phi : {0.05, 0.3, 0.8})
-      checks.push_back(
-          relative("w against quadrature", "-", wedge_factor(a, phi).value, wedge_by_quadrature(a, phi), 1e-8));
+      checks.push_back(relative(fmt::format("w({:g}, {:g}) against quadrature", a, phi), "-",
+                                wedge_factor(a, phi).value, wedge_by_quadrature(a, phi), 1e-8));
   return checks;
 }
 

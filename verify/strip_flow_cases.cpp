@@ -270,8 +270,9 @@ std::vector<Check> against_slab()
       if (ratio == 1.0)
         checks.push_back(at_most(at + "slab: below one", "-", force / slab, 1));
       if (ratio > 5)
-        checks.push_back(inside(at + (family.friction > 0.1 ? "inhomogeneous slab" : "homogeneous slab"), "-",
-                                force / (family.friction > 0.1 ? orowan : slab), 1, 0.05));
+        checks.push_back(inside(
+            at + (family.friction > 0.1 ? "inhomogeneous slab of a long bite" : "homogeneous slab of a long bite"),
+            "-", force / (family.friction > 0.1 ? orowan : slab), 1, 0.05));
     }
   return checks;
 }
