@@ -1,12 +1,13 @@
 #include "app/output_dir.h"
 #include "core/errors.h"
 #include "core/files.h"
-#include <cctype>
 #include <csignal>
 #include <cstdlib>
+#include <fcntl.h>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
@@ -54,6 +55,29 @@ void remove_leftovers(const std::string &directory)
         fs::remove_all(entry.path(), error);
     }
 }
+
+// Runs of one case that end together publish one after the other, and one that starts sees a whole folder. The
+// lock is the kernel's and goes with the process; a file system that knows no locks leaves the renames unguarded,
+// as they were.
+class PublishLock {
+public:
+  explicit PublishLock(const std::string &directory)
+      : folder(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
+  {
+    if (folder >= 0)
+      ::flock(folder, LOCK_EX);
+  }
+  ~PublishLock()
+  {
+    if (folder >= 0)
+      ::close(folder);
+  }
+  PublishLock(const PublishLock &)            = delete;
+  PublishLock &operator=(const PublishLock &) = delete;
+
+private:
+  int folder;
+};
 }  // namespace
 
 OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite)
@@ -62,6 +86,7 @@ OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite)
   std::error_code error;
   if (fs::exists(directory, error) && !fs::is_directory(directory, error))
     throw InputError(directory + " is a file, not a folder; choose another with -o");
+  const PublishLock complete(directory);  // no run is in the middle of publishing here
   if (fs::exists(directory, error) && !is_free(directory) && !overwrite) {
     const std::string owner = owner_of(directory);
     if (owner.empty())
@@ -108,6 +133,7 @@ void OutputDir::write(const std::string &name, const std::string &text) const
 
 void OutputDir::publish() const
 {
+  const PublishLock alone(directory);
   std::error_code error;
   const auto fail = [&](const std::string &name) {
     throw InputError(directory + "/" + name + " cannot be written: " + error.message() +
@@ -117,13 +143,8 @@ void OutputDir::publish() const
     const std::string target = directory + "/" + folder, old = staged + "/." + folder;
     if (fs::exists(target, error))
       fs::rename(target, old, error);
-    if (!error && !fs::is_empty(file(folder), error)) {
+    if (!error && !fs::is_empty(file(folder), error))
       fs::rename(file(folder), target, error);
-      if (error) {  // another run of the same case published in between: the last one stays
-        fs::remove_all(target, error);
-        fs::rename(file(folder), target, error);
-      }
-    }
     if (error)
       fail(folder);
     fs::remove_all(old, error);
@@ -137,19 +158,6 @@ void OutputDir::publish() const
     if (error)
       fail(name);
   }
-}
-
-std::string slug(const std::string &name)
-{
-  std::string out;
-  for (const char c : name)
-    if (std::isalnum(static_cast<unsigned char>(c)))
-      out += char(std::tolower(static_cast<unsigned char>(c)));
-    else if (!out.empty() && out.back() != '-')
-      out += '-';
-  while (!out.empty() && out.back() == '-')
-    out.pop_back();
-  return out.empty() ? "pass" : out;
 }
 
 void check_file_names(const Case &the_case)

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/files.h"
 #include "core/stand.h"
 #include <string>
 
@@ -29,9 +30,6 @@ public:
 private:
   std::string directory, staged;
 };
-
-/// "pass 1" -> "pass-1": letters, digits and dashes, for file names.
-std::string slug(const std::string &name);
 
 /// @throws InputError  two passes whose names lead to the same file names, or a name too long for one
 void check_file_names(const Case &the_case);

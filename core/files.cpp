@@ -1,6 +1,7 @@
 #include "core/files.h"
 #include "core/errors.h"
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
@@ -77,5 +78,18 @@ std::string hash_of(const std::string &bytes)
     hash *= 0x100000001b3u;
   }
   return fmt::format("{:016x}", hash);
+}
+
+std::string slug(const std::string &name)
+{
+  std::string out;
+  for (const char c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)))
+      out += char(std::tolower(static_cast<unsigned char>(c)));
+    else if (!out.empty() && out.back() != '-')
+      out += '-';
+  while (!out.empty() && out.back() == '-')
+    out.pop_back();
+  return out.empty() ? "pass" : out;
 }
 }  // namespace mill

@@ -12,4 +12,7 @@ std::string read_text(const std::string &path);
 
 /// 64-bit FNV-1a as 16 hex digits: names caches and notices changes, not for security.
 std::string hash_of(const std::string &bytes);
+
+/// "pass 1" -> "pass-1": letters, digits and dashes, for file names.
+std::string slug(const std::string &name);
 }  // namespace mill

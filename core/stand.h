@@ -96,9 +96,9 @@ struct ContactSettings {
 
 /// How the roll bite is computed.
 struct BiteSetup {
-  std::string method   = "fe";             ///< fe | slab: what gives K4; slab theories stand beside finite elements
-  std::string theory   = "karman";         ///< bland-ford | hu-ehmann | karman | orowan | sims
-  std::string arc      = "hitchcock";      ///< rigid | hitchcock | elastic
+  std::string method   = "fe";         ///< fe | slab: what gives K4; slab theories stand beside finite elements
+  std::string theory   = "karman";     ///< bland-ford | hu-ehmann | karman | orowan | sims
+  std::string arc      = "hitchcock";  ///< rigid | hitchcock | elastic
   std::string strip    = "rigid-plastic";  ///< rigid-plastic | elastic-plastic, in the finite-element bite
   int elements_along   = 48;               ///< of the arc
   int elements_through = 12;               ///< of half the thickness

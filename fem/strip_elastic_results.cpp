@@ -1,5 +1,6 @@
 #include "fem/strip_elastic_results.h"
 #include "bite/friction.h"
+#include "bite/neutral_point.h"
 #include "bite/sentence.h"
 #include "fem/strip_flow_factor.h"
 #include <algorithm>
@@ -134,31 +135,10 @@ void add_arc(StripElastic &out, const ElasticPass &pass, const ElasticGrid &grid
       s.sticking_length += L * grid.tributary[i];
     s.largest_shear = std::max(s.largest_shear, c.limited);
   }
-  double previous = 0, first_change = 0, last_change = 0;
-  int before = 0;
-  for (int m = 0; m < n; ++m) {
-    // Slip less than its smearing counts as none, so that rounding in a zone without slip is no neutral point.
-    if (std::abs(s.slip[m]) < 1e-3 * d0)
-      continue;
-    if (previous * s.slip[m] < 0) {
-      const double t = previous / (previous - s.slip[m]);
-      last_change    = (1 - t) * s.position[before] + t * s.position[m];
-      first_change   = flow.slip_changes == 0 ? last_change : first_change;
-      ++flow.slip_changes;
-    }
-    previous = s.slip[m];
-    before   = m;
-  }
-  s.neutral_position  = flow.slip_changes ? 0.5 * (first_change + last_change) : not_given;
-  s.neutral_thickness = not_given;
-  for (int m = 1; m < n; ++m)
-    if (s.position[m - 1] <= s.neutral_position && s.neutral_position <= s.position[m])
-      s.neutral_thickness = s.thickness[m - 1] + (s.thickness[m] - s.thickness[m - 1]) *
-                                                     (s.neutral_position - s.position[m - 1]) /
-                                                     (s.position[m] - s.position[m - 1]);
+  flow.slip_changes = bite::find_neutral_point(s, 1e-3 * d0);
   if (n == 0)
     return;
-  s.peak_pressure = s.pressure.maxCoeff(&before);
+  s.peak_pressure = s.pressure.maxCoeff();
   // The edge of entry is nearly singular: the hill behind the first trough, if there is one, is the peak.
   int trough = n - 1;
   while (trough > 0 && s.pressure[trough] <= s.pressure[trough - 1])

@@ -1,5 +1,6 @@
 #include "fem/strip_flow_results.h"
 #include "bite/friction.h"
+#include "bite/neutral_point.h"
 #include "bite/sentence.h"
 #include <algorithm>
 #include <cmath>
@@ -133,30 +134,7 @@ void add_arc(StripFlow &flow, const StripPass &pass, const StripGrid &grid, cons
     s.thickness[i] = 2 * flow.y(flow.first_contact + i, flow.y.cols() - 1);
   flow.roll_surface   = 0.5 * s.thickness;
   flow.nodal_force    = k * L * pass.bite->strip.width * node.col(1).cwiseProduct(node.col(4));
-  double first_change = 0, last_change = 0;
-  // Slip less than its smearing counts as none, so that rounding in a zone without slip is no neutral point.
-  double previous = 0;
-  int before      = 0;
-  for (int i = 0; i < n; ++i) {
-    const double slip = node(i, 3);
-    if (std::abs(slip) < 1e-3 * stage.least_slip)
-      continue;
-    if (previous * slip < 0) {
-      const double t = previous / (previous - slip);
-      last_change    = (1 - t) * s.position[before] + t * s.position[i];
-      first_change   = flow.slip_changes == 0 ? last_change : first_change;
-      ++flow.slip_changes;
-    }
-    previous = slip;
-    before   = i;
-  }
-  s.neutral_position  = flow.slip_changes ? 0.5 * (first_change + last_change) : not_given;
-  s.neutral_thickness = not_given;
-  for (int i = 1; i < n; ++i)
-    if (s.position[i - 1] <= s.neutral_position && s.neutral_position <= s.position[i])
-      s.neutral_thickness = s.thickness[i - 1] + (s.thickness[i] - s.thickness[i - 1]) *
-                                                     (s.neutral_position - s.position[i - 1]) /
-                                                     (s.position[i] - s.position[i - 1]);
+  flow.slip_changes   = bite::find_neutral_point(s, 1e-3 * stage.least_slip);
   const Friction &law = pass.bite->strip.friction;
   for (int i = 0; i < n; ++i) {
     const bool limited = law.law != "factor" && node(i, 5) > law.shear_limit;

@@ -1,3 +1,4 @@
+#include "core/files.h"
 #include "report/bite_figures.h"
 #include "report/curves.h"
 #include "report/names.h"
@@ -33,20 +34,6 @@ const Model *find_model(const std::string &key)
     if (key == model.key)
       return &model;
   return nullptr;
-}
-
-// As the names of files are made from names of passes.
-std::string file_name_of(const std::string &pass)
-{
-  std::string out;
-  for (const char c : pass)
-    if (std::isalnum(static_cast<unsigned char>(c)))
-      out += char(std::tolower(static_cast<unsigned char>(c)));
-    else if (!out.empty() && out.back() != '-')
-      out += '-';
-  while (!out.empty() && out.back() == '-')
-    out.pop_back();
-  return out.empty() ? "pass" : out;
 }
 
 // Between prefix and suffix; empty when the name is something else.
@@ -101,7 +88,7 @@ std::vector<BitePass> bite_passes(const Run &run)
     const std::string name = between(result.name, "bite.", ".force");
     if (name.empty() || name.find('.') != std::string::npos)
       continue;
-    BitePass pass{name, file_name_of(name), {}};
+    BitePass pass{name, slug(name), {}};
     for (const PassInfo &info : run.manifest.passes)
       if (info.name == name)
         pass.slug = info.slug;

@@ -1,5 +1,6 @@
 #include "bite/karman.h"
 #include "bite/karman_arc.h"
+#include "bite/moved_bite.h"
 #include "bite/orowan.h"
 #include "bite/sims.h"
 #include "core/errors.h"
@@ -146,36 +147,13 @@ double difference(const std::function<double(double)> &f, const double step)
   return (8 * (f(step) - f(-step)) - (f(2 * step) - f(-2 * step))) / (12 * step);
 }
 
-double moved_force(RollBite b, const Theory theory, const Input which, const double by)
+double moved_force(const RollBite &bite, const Theory theory, const Input which, const double by)
 {
-  Strip &s      = b.strip;
-  double radius = b.roll_radius;
-  switch (which) {
-  case Input::entry_thickness:
-    s.entry_thickness += by;
-    break;
-  case Input::exit_thickness:
-    s.exit_thickness += by;
-    break;
-  case Input::entry_tension:
-    s.entry_tension += by;
-    break;
-  case Input::exit_tension:
-    s.exit_tension += by;
-    break;
-  case Input::friction:
-    s.friction.coefficient += by;
-    break;
-  case Input::flow_stress:
-    s.flow_stress.k *= 1 + by;
-    break;
-  default:
-    radius += by;
-  }
+  const RollBite b      = moved_bite(bite, which, by);
   KarmanOptions options = without_curves();
   options.derivatives   = false;
-  const CircularBite c  = solve_on_circle(b, theory, radius, s.friction.coefficient, options);
-  return c.force.value * s.width;
+  const CircularBite c  = solve_on_circle(b, theory, b.roll_radius, b.strip.friction.coefficient, options);
+  return c.force.value * b.strip.width;
 }
 
 std::vector<Check> derivatives()

@@ -214,11 +214,7 @@ std::vector<Check> demo_stiffness()
 
 std::vector<Case> slab_cases()
 {
-  const std::string liu =
-      "X. Liu, Y. Zang, Z. Gao, L. Zeng, J. Vibroengineering 19 (2017); values by an independent "
-      "program, entries ";
-  const std::string pass = "Cold strip under an oil film between flattened rolls: 0.755 -> 0.568 mm at 18.9 m/s "
-                           "(condition 1), 0.789 -> 0.577 mm at 18.2 m/s (condition 2). ";
+  const std::string liu = film_source, pass = film_passes;
   std::vector<Case> cases;
   const auto add = [&](const char *name, const char *kind, const std::string &problem, const std::string &source,
                        const char *reason, std::vector<Check> (*run)()) {

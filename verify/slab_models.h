@@ -16,6 +16,10 @@ bite::RollBite film_bite(int condition, double roll_speed);
 /// By Bland and Ford.
 bite::BiteState solved(const bite::RollBite &bite, bite::Arc arc = bite::Arc::hitchcock);
 
+/// Texts of the cases on that stand: where the references come from, up to the names of their entries; the passes.
+extern const char *const film_source;
+extern const char *const film_passes;
+
 struct Working {
   std::string name;
   bite::RollBite bite;

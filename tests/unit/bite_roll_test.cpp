@@ -2,6 +2,7 @@
 #include "fem/bite_roll.h"
 #include "meshes/bite_roll.h"
 #include "tests/support/near.h"
+#include "tests/support/refusal.h"
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -54,15 +55,6 @@ public:
   MeshFile file;
 };
 
-std::string refusal(const std::function<void()> &action)
-{
-  try {
-    action();
-  } catch (const InputError &error) {
-    return error.problems.at(0).message;
-  }
-  return "accepted";
-}
 }  // namespace
 
 TEST(BiteRoll, PointsAreSymmetricAndGrowOutward)

@@ -2,6 +2,7 @@
 #include "bite/half_plane.h"
 #include "core/errors.h"
 #include "tests/support/demo_pass.h"
+#include "tests/support/friction_laws.h"
 #include "tests/support/near.h"
 #include <cmath>
 
@@ -128,20 +129,7 @@ TEST(ElasticArc, EveryFrictionLaw)
 {
   RollBite bite   = thin_strip();
   bite.roll_speed = 10;
-  Friction speed, film, factor;
-  speed.law               = "speed";
-  speed.at_unit_speed     = 0.0667;
-  speed.per_log_speed     = -0.0066;
-  film.law                = "film";
-  film.mu0                = 0.012;
-  film.mu1                = 0.142;
-  film.decay              = 2.43e6;
-  film.viscosity          = 0.005;
-  film.pressure_viscosity = 2e-8;
-  factor.law              = "factor";
-  factor.entry_factor     = 0.10;
-  factor.exit_factor      = 0.12;
-  for (const Friction &law : {speed, film, factor}) {
+  for (const Friction &law : laws_of_friction()) {
     bite.strip.friction = law;
     const BiteState s   = solve(bite, nullptr, true);
     EXPECT_GT(s.neutral_position, s.exit_position) << law.law;

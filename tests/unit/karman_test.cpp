@@ -3,6 +3,7 @@
 #include "bite/sims.h"
 #include "core/errors.h"
 #include "tests/support/demo_pass.h"
+#include "tests/support/friction_laws.h"
 #include "tests/support/near.h"
 #include <cmath>
 #include <functional>
@@ -160,20 +161,7 @@ TEST(Karman, EveryFrictionLaw)
 {
   RollBite bite   = cold_pass();
   bite.roll_speed = 10;
-  Friction speed, film, factor;
-  speed.law               = "speed";
-  speed.at_unit_speed     = 0.0667;
-  speed.per_log_speed     = -0.0066;
-  film.law                = "film";
-  film.mu0                = 0.012;
-  film.mu1                = 0.142;
-  film.decay              = 2.43e6;
-  film.viscosity          = 0.005;
-  film.pressure_viscosity = 2e-8;
-  factor.law              = "factor";
-  factor.entry_factor     = 0.10;
-  factor.exit_factor      = 0.12;
-  for (const Friction &law : {speed, film, factor})
+  for (const Friction &law : laws_of_friction())
     for (const Theory theory : {Theory::karman, Theory::orowan}) {
       bite.strip.friction = law;
       const BiteState s   = solve(bite, theory, Arc::hitchcock);
@@ -200,7 +188,7 @@ TEST(Karman, EveryFrictionLaw)
       else
         EXPECT_LT(by(s.force_by, Input::roll_speed), 0) << "a faster roll draws in more oil";
     }
-  bite.strip.friction = film;
+  bite.strip.friction = laws_of_friction()[1];
   const BiteState s   = solve(bite);
   EXPECT_TRUE(
       near(s.friction, 0.012 + 0.142 * std::exp(-2.43e6 * s.film_thickness), within(1e-12, "the law itself")));

@@ -1,5 +1,6 @@
 #include "bite/path_stiffness.h"
 #include "core/errors.h"
+#include "tests/support/refusal.h"
 #include <functional>
 #include <gtest/gtest.h>
 
@@ -7,16 +8,6 @@ using namespace mill;
 using Eigen::VectorXd;
 
 namespace {
-std::string refusal(const std::function<void()> &action)
-{
-  try {
-    action();
-  } catch (const InputError &error) {
-    return error.problems.at(0).message;
-  }
-  return "accepted";
-}
-
 // n nodes over 0 .. 20 mm under 50 MPa that give way by 10 um, and one free node beyond each end.
 bite::PathStiffness even_path(const int n, const double trim = 0.2)
 {

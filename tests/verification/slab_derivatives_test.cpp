@@ -1,6 +1,7 @@
 // Every derivative of the closed slab theories, against differences of whole solutions and against complex step.
 #include "bite/bland_ford.h"
 #include "bite/hu_ehmann.h"
+#include "bite/moved_bite.h"
 #include "bite/slab_bite.h"
 #include "tests/support/demo_pass.h"
 #include "tests/support/film_pass.h"
@@ -13,43 +14,8 @@ namespace {
 /// The bite with one input moved, on a rigid arc of the state's radius.
 RollBite moved(RollBite bite, const double radius, const Input which, const double by)
 {
-  Strip &s         = bite.strip;
   bite.roll_radius = radius;
-  switch (which) {
-  case Input::entry_thickness:
-    s.entry_thickness += by;
-    break;
-  case Input::exit_thickness:
-    s.exit_thickness += by;
-    break;
-  case Input::entry_tension:
-    s.entry_tension += by;
-    break;
-  case Input::exit_tension:
-    s.exit_tension += by;
-    break;
-  case Input::friction:
-    s.friction.coefficient += by;
-    s.friction.mu0 += by;
-    s.friction.at_unit_speed += by;
-    s.friction.entry_factor += by;
-    s.friction.exit_factor += by;
-    break;
-  case Input::flow_stress:
-    s.flow_stress.k *= 1 + by;
-    s.flow_stress.k0 *= 1 + by;
-    break;
-  case Input::arc_radius:
-    bite.roll_radius += by;
-    break;
-  case Input::roll_speed:
-    bite.roll_speed += by;
-    break;
-  case Input::gap_rate:
-    bite.gap_rate += by;
-    break;
-  }
-  return bite;
+  return moved_bite(bite, which, by);
 }
 
 void expect_differences(const RollBite &bite, const Theory theory, const Arc arc)
