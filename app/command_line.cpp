@@ -68,6 +68,18 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
       command->add_option("--force", c.force, "force record that replaces those of the passes (CSV)");
   }
 
+  auto *trace = app.add_subcommand("trace", "which results one input reaches, by which road, with elasticities");
+  trace->add_option("CASE", c.target, "case file")->required();
+  trace->add_option("KEY", c.key, "input as --set names it, backup_roll.barrel_diameter")->required();
+  trace->add_flag("--full", c.full,
+                  "springs as the last run stored them; how they change is taken from closed forms all the same, "
+                  "finite elements are not solved again");
+  add_output(trace, c, "folder of the last run, to compare with (default out/<case name>)");
+  trace->add_flag("-q,--quiet", c.quiet, "the table alone");
+  trace->add_option("--set", c.sets, "override section.key=value, repeatable")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+
   auto *verify = app.add_subcommand("verify", "run the verification manual: result, reference, tolerance");
   verify->add_option("NAME", c.names, "cases to run (default: all)");
   verify->add_flag("--list", c.list, "list the cases, run nothing");

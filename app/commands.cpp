@@ -2,7 +2,9 @@
 #include "app/bearing_model.h"
 #include "app/bite_stage.h"
 #include "app/console.h"
+#include "app/mass_table.h"
 #include "app/pipeline.h"
+#include "app/trace_text.h"
 #include "app/verify_command.h"
 #include "core/files.h"
 #include "core/input_reference.h"
@@ -76,6 +78,7 @@ std::vector<std::pair<std::string, double>> expected_stages(const Case &c)
         {"condensation",  8 },
         {"contact upper", 2 },
         {"contact lower", 2 },
+        {"components",    3 },
         {"bite, curves",  8 },
         {"passes",        4 }
     };
@@ -206,6 +209,8 @@ int run_chain(const CommandLine &command)
   store(run.results.warnings.empty() ? "ok" : "warnings");
   if (!command.quiet) {
     print_table(run.results);
+    if (command.verb == "masses")
+      fmt::print("\n{}", mass_table(run.results));
     fmt::print("report: {}/report.html\n", out.path());
   }
   return 0;
@@ -240,6 +245,11 @@ int carry_out(const CommandLine &command)
     check_fits(the_case);
     check_bites(the_case);
     fmt::print("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, the_case.title);
+    return 0;
+  }
+  if (command.verb == "trace") {
+    const TraceOptions options{command.target, command.key, command.sets, command.output, command.full};
+    std::cout << trace_text(trace(options), !command.quiet);
     return 0;
   }
   if (command.verb == "verify")

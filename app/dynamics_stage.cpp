@@ -175,22 +175,80 @@ void require_sensible_length(const Pass &pass, const ForceRecord &force, const d
 }
 }  // namespace
 
-void simulate_pass(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings, const Pass &pass,
+PassModel pass_model(const LumpedModel &model, const DynamicsSettings &settings)
+{
+  const auto chain = dynamics::mill_model(model, settings);
+  const auto modes = dynamics::modes(chain);
+  PassModel p{
+      dynamics::driven_model(chain), "six-mass chain", modes.frequency.maxCoeff(), 0, inputs_of(model), {}};
+  for (Eigen::Index i = 0; i < modes.frequency.size(); ++i)
+    if (const double e = frequency_error(modes, i, model); !std::isnan(e))
+      p.error = std::max(p.error, e);
+  return p;
+}
+
+PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &chain,
+                     const DynamicsSettings &settings)
+{
+  const double limit = settings.frequency_limit;
+  const auto modal   = dynamics::modal_model(stand.model, stand.modes.frequency, stand.modes.shape,
+                                             settings.modal_damping, 2 * limit);
+  PassModel p{dynamics::driven_model(modal),
+              stand.model.name == "beam" ? "rolls as beams" : "rolls as reduced finite elements",
+              limit,
+              0,
+              inputs_of(chain),
+              {},
+              limit};
+  // Modes up to the limit are trusted; those above are driven too, since they give way under slower forces.
+  for (Eigen::Index i = 0; i < stand.modes.frequency.size() && stand.modes.frequency[i] <= limit; ++i) {
+    p.highest_mode = stand.modes.frequency[i];
+    if (const double e = stand.modes.error_estimate[i]; !std::isnan(e))
+      p.error = std::max(p.error, e);
+  }
+  return p;
+}
+
+namespace {
+// Modes of the stand that the force excites and the model does not have.
+void warn_of_missing_modes(RunContext &run, const PassModel &model, const Pass &pass, const double content)
+{
+  constexpr int most_listed = 9;
+  std::string modes;
+  int excited = 0;
+  for (const double f : model.missing)
+    if (f <= content && ++excited <= most_listed)
+      modes += fmt::format("{}{:.0f}", modes.empty() ? "" : ", ", f);
+  if (excited > most_listed)
+    modes += fmt::format(" and {} more", excited - most_listed);
+  if (!modes.empty())
+    run.warn(
+        fmt::format("{}: the force reaches {:.0f} Hz, but the chain of six masses has no counterpart of the "
+                    "stand's modes at {} Hz; drive dynamics.model = \"craig-bampton\" or \"beam\" to see them",
+                    pass.name, content, modes));
+  if (content > model.limit)
+    run.warn(fmt::format("{}: the force reaches {:.0f} Hz, the modes are made to be right up to "
+                         "dynamics.frequency_limit = {:g} Hz; raise it",
+                         pass.name, content, model.limit));
+}
+}  // namespace
+
+void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettings &settings, const Pass &pass,
                    const ForceRecord &force)
 {
   StageTimer timer(run, "response, " + pass.name);
   require_sensible_length(pass, force, settings.output_rate);
   const std::string file = "response/" + slug(pass.name);
-  const auto chain       = dynamics::mill_model(model, settings);
-  const double highest   = dynamics::modes(chain).frequency.maxCoeff();
+  const double highest   = model.highest_mode;
   const auto statistics  = dynamics::force_statistics(force);
+  warn_of_missing_modes(run, model, pass, statistics.content);
   for (const std::string &note : force.notes)
     run.warn(pass.name + ": " + note);
   run.warn(dynamics::bandwidth_warning(statistics, highest).empty()
                ? ""
                : pass.name + ": " + dynamics::bandwidth_warning(statistics, highest));
   run.warn(dynamics::output_rate_warning(settings.output_rate, highest));
-  const auto response = dynamics::mill_response(chain, force, settings.output_rate);
+  const auto response = dynamics::mill_response(model.driven, force, settings.output_rate);
   if (!response.note.empty())
     run.warn(pass.name + ": " + response.note);
 
@@ -198,24 +256,19 @@ void simulate_pass(RunContext &run, const LumpedModel &model, const DynamicsSett
   const Eigen::VectorXd lower = response.acceleration.col(dynamics::lower_work_roll);
   // A peak is seen low by what the highest mode turns between two samples; half the output rate shows what it does
   // here. The level follows the springs and masses like the frequencies do.
-  const auto modes    = dynamics::modes(chain);
   const double turned = std::min(M_PI / 2, M_PI * highest / settings.output_rate);
-  double model_error  = 0;
-  for (Eigen::Index i = 0; i < modes.frequency.size(); ++i)
-    if (const double e = frequency_error(modes, i, model); !std::isnan(e))
-      model_error = std::max(model_error, e);
-  const auto coarse = dynamics::mill_response(chain, force, 0.5 * settings.output_rate);
+  const auto coarse   = dynamics::mill_response(model.driven, force, 0.5 * settings.output_rate);
   const auto add = [&](const std::string &what, const std::string &roll, const double value, const double second,
                        std::vector<Check> checks) {
     const double unseen = what == "peak_g" ? 1 - std::cos(turned) : 0;
     Parameter p;
     p.value          = value;
     p.unit           = "g";
-    p.method         = "six-mass chain, exact first-order hold, force " + settings.force_meaning;
+    p.method         = model.method + ", exact first-order hold, force " + settings.force_meaning;
     p.at             = fmt::format("{:.1f} kN mean, {:.3f} kN peak to peak", statistics.mean / 1e3,
                                    (statistics.largest - statistics.smallest) / 1e3);
-    p.error_estimate = std::max(std::abs(second / value - 1), unseen) + model_error;
-    p.inputs         = inputs_of(model);
+    p.error_estimate = std::max(std::abs(second / value - 1), unseen) + model.error;
+    p.inputs         = model.inputs;
     p.inputs.insert(p.inputs.end(), {"pass.force", "dynamics.modal_damping", "dynamics.force_meaning"});
     p.checks = std::move(checks);
     run.results.add(pass.name + "." + what + "." + roll, p);

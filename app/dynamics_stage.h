@@ -3,6 +3,9 @@
 #include "core/lumped_model.h"
 #include "core/records.h"
 #include "core/stand.h"
+#include "dynamics/response.h"
+#include "reduce/stand_comparison.h"
+#include <vector>
 
 namespace mill {
 /// Force record of a pass: its file, or the synthetic noise its keys describe.
@@ -12,8 +15,23 @@ ForceRecord force_of(const Pass &pass);
 void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings, double chock_seat,
                std::array<double, 2> chock_mass);
 
+/// A model as a pass drives it, with what is known of it.
+struct PassModel {
+  dynamics::DrivenModel driven;
+  std::string method;               ///< "six-mass chain"
+  double highest_mode = 0;          ///< Hz
+  double error        = 0;          ///< -, of its frequencies
+  std::vector<std::string> inputs;  ///< keys behind it
+  std::vector<double> missing;      ///< Hz, modes of the stand that it cannot show
+  double limit = not_given;         ///< Hz, above which its modes are not trusted; NaN: not known
+};
+PassModel pass_model(const LumpedModel &model, const DynamicsSettings &settings);
+/// @param chain  the lumped model of the same stand
+PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &chain,
+                     const DynamicsSettings &settings);
+
 /// Drives the model with the force of a pass: response/<pass>*.csv, peaks and rms beside published and measured
 /// ones.
-void simulate_pass(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings, const Pass &pass,
+void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettings &settings, const Pass &pass,
                    const ForceRecord &force);
 }  // namespace mill

@@ -25,8 +25,14 @@ std::string owner_of(const std::string &directory)
 }
 
 // Everything a run may leave at the top of its folder.
-const char *const files[]   = {"resolved.toml", "results.json",  "lumped_model.toml",
-                               "run.json",      "millstand.log", "report.html"};
+const char *const files[]   = {"resolved.toml",
+                               "results.json",
+                               "lumped_model.toml",
+                               "lumped_model-beam.toml",
+                               "lumped_model-craig-bampton.toml",
+                               "run.json",
+                               "millstand.log",
+                               "report.html"};
 const char *const folders[] = {"curves", "response", "fields"};
 
 bool is_staging(const fs::path &entry)

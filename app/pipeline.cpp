@@ -3,6 +3,8 @@
 #include "app/bite_stage.h"
 #include "app/contact_stage.h"
 #include "app/dynamics_stage.h"
+#include "app/frame_stage.h"
+#include "app/model_stage.h"
 #include "core/csv.h"
 #include "core/lumped_model.h"
 #include "reduce/lumped_stand.h"
@@ -53,6 +55,16 @@ bool has_force(const Pass &pass)
   return !pass.force_file.empty() || !std::isnan(pass.synthetic_range[0]);
 }
 
+// What a pass drives: the six masses, or the model that the case asks for.
+PassModel model_of_pass(const FourHigh &stand, const reduce::LumpedStand &chain, const StandModels &models)
+{
+  if (const auto *detailed = driven(models, stand.dynamics))
+    return pass_model(*detailed, chain.model, stand.dynamics);
+  PassModel six = pass_model(chain.model, stand.dynamics);
+  six.missing   = models.verdict.missing;
+  return six;
+}
+
 void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::string &force_file)
 {
   std::vector<ForceRecord> forces(stand.passes.size());
@@ -69,6 +81,10 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
                       "accelerations to the second",
                       stand.passes[p].name, in_kN(loads[p]), in_kN(forces[p].force.mean())));
   }
+  const FrameErrors frame_errors = resolve_frame(run, stand);
+  ComponentSets components;  // before the contacts: what the meshes cannot show is said at once
+  if (goal >= Goal::masses)
+    components = stand_components(run, stand);
   const auto contacts     = solve_contacts(run, stand, loads);
   const auto all_bearings = solve_bearings(run, stand, loads);
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
@@ -83,9 +99,21 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
     in.K_Zy_upper = in.K_Zy_lower = bearings.K_Zy;
     in.Kzc                        = bearings.Kzc;
     in.at                         = in_kN(loads[p]);
-    const auto chain              = reduce::lumped_stand(stand, in);
+    auto chain                    = reduce::lumped_stand(stand, in);
+    add_frame_errors(chain.model, stand, frame_errors);
+    StandModels models;
+    reduce::FeMasses fe_masses{};
+    if (goal >= Goal::masses) {
+      models    = stand_models(stand, chain, components);
+      fe_masses = add_fe_masses(chain.model, stand, models);
+    }
     add_model(run, chain.model, first ? "" : pass.name + ".");
     if (first) {
+      if (goal >= Goal::masses)
+        chain.K_ZW.checks.push_back(
+            {"solid roll by finite elements (22.13)",
+             1 / reduce::roll_flexibility(components.fine.backup_roll, stand.dynamics.mass_reference),
+             "its shoulder gives way, which beams do not know"});
       run.results.add("K_ZW", chain.K_ZW);
       run.results.add("K_Zy", chain.K_Zy_upper);
       write_shapes(run, chain);
@@ -94,9 +122,13 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
     if (goal >= Goal::modes && first)
       add_modes(run, chain.model, stand.dynamics, stand.frame.chock_to_housing_stiffness,
                 {2 * stand.work_roll.chock_mass_upper, 2 * stand.work_roll.chock_mass_lower});
+    if (goal >= Goal::masses && first) {
+      compare_models(run, stand, chain, models, components, fe_masses);
+      add_model_checks(run, models);
+    }
     if (goal >= Goal::simulate) {
       if (has_force(pass))
-        simulate_pass(run, chain.model, stand.dynamics, pass, forces[p]);
+        simulate_pass(run, model_of_pass(stand, chain, models), stand.dynamics, pass, forces[p]);
       else
         run.warn(pass.name + " has a load but no force record: nothing was simulated for it");
     }
@@ -126,7 +158,7 @@ void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::stri
     if (!force_file.empty())
       pass.force_file = force_file;
     if (has_force(pass))
-      simulate_pass(run, model, lumped.dynamics, pass, force_of(pass));
+      simulate_pass(run, pass_model(model, lumped.dynamics), lumped.dynamics, pass, force_of(pass));
     run.progress.at("passes", double(p + 1) / double(lumped.passes.size()));
   }
 }

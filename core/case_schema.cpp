@@ -128,11 +128,14 @@ ordered_json closed_object()
 
 void add_rows(ordered_json &object, const SectionRows &section)
 {
+  const std::vector<std::string> &drawable = drawable_frame_keys();
   for (const Row &row : section.rows) {
     ordered_json type   = section.name == "given" || section.name == "published" ? given_type() : type_of(row);
     type["description"] = description(row);
     object["properties"][row.key] = std::move(type);
-    if (row.fallback.kind == Fallback::Kind::required)
+    const bool drawn =
+        section.name == "frame" && std::find(drawable.begin(), drawable.end(), row.key) != drawable.end();
+    if (row.fallback.kind == Fallback::Kind::required && !drawn)
       object["required"].push_back(row.key);
   }
 }

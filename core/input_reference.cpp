@@ -115,8 +115,8 @@ std::vector<Filled> filled_sections(const std::string &kind, const std::vector<S
 {
   std::vector<Filled> all;
   for (const SectionRows &section : sections) {
-    if (section.name == "strip.friction") {
-      all.push_back({"[strip.friction]", &section, {}, {}, true});  // the number in [strip] says it
+    if (section.name == "strip.friction" || section.name == "housing" || section.name == "screwdown") {
+      all.push_back({header_of(section), &section, {}, {}, true});  // [strip] and [frame] say it in numbers
     } else if (section.name == "bearing" && kind == "bearing") {
       all.push_back({
           "[bearing.trb]",

@@ -5,6 +5,7 @@
 #include "core/roller_bearing.h"
 #include "core/strip.h"
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -51,6 +52,44 @@ struct Frame {
   double load_cell_stiffness = not_given;  ///< N/m, absent: rigid
   double chock_to_housing_stiffness =
       not_given;  ///< N/m, Kx of each work roll, both sides together; absent: rigid
+};
+
+/// Mill housing of one side, a closed window frame of one thickness; the other side is the same.  x along the pass
+/// line, y up, z along the rolls.  Absent when thickness is not given.
+struct MillHousing {
+  double thickness         = not_given;  ///< m, along the rolls
+  double post_width        = 0;          ///< m, along the pass line
+  double window_width      = 0;          ///< m, between the posts
+  double window_height     = 0;          ///< m, between the beams
+  double upper_beam_height = 0;          ///< m
+  double lower_beam_height = 0;          ///< m
+  double fillet_radius     = 0;          ///< m, of the corners of the window
+  double foot_height       = 0;  ///< m, from the window's bottom up to where the posts stand on the foundation
+  double screw_pad         = 0;  ///< m, side of the square that the nut presses on, under the upper beam
+  double seat_pad          = 0;  ///< m, side of the square that the lower chock presses on, on the lower beam
+  double modulus           = not_given;  ///< Pa, as given; absent: that of the rolls
+  double density           = not_given;  ///< kg/m3, the same
+  Material steel;                        ///< complete
+  bool present() const
+  {
+    return !std::isnan(thickness);
+  }
+};
+
+/// Screw-down of one side as drawn; each part that is given replaces a stiffness of the frame.
+struct Screwdown {
+  double screw_diameter       = not_given;  ///< m, of the core
+  double screw_length         = not_given;  ///< m, free length
+  double nut_outside_diameter = not_given;  ///< m
+  double nut_height           = not_given;  ///< m
+  double nut_modulus          = 110e9;      ///< Pa, bronze
+  double piston_diameter      = not_given;  ///< m, of oil column and piston
+  double piston_length        = not_given;  ///< m
+  double stroke               = not_given;  ///< m, height of the oil column
+  double oil_modulus          = 1.4e9;      ///< Pa
+  double load_cell_diameter   = not_given;  ///< m
+  double load_cell_bore       = 0;          ///< m
+  double load_cell_height     = not_given;  ///< m
 };
 
 /// One pass: a recorded rolling force, and what was measured with it.
@@ -108,11 +147,15 @@ struct BiteSetup {
 
 /// Settings of the lumped model's runs.
 struct DynamicsSettings {
-  double modal_damping       = 0.01;        ///< -, ratio of critical, every mode
-  std::string force_meaning  = "measured";  ///< measured | disturbance | published
-  double output_rate         = 20e3;        ///< Hz
-  std::string frame          = "open";      ///< open | closed
-  std::string mass_reference = "mid";       ///< mid | mean: reference displacement of M2..M5
+  double modal_damping       = 0.01;           ///< -, ratio of critical, every mode
+  std::string force_meaning  = "measured";     ///< measured | disturbance | published
+  double output_rate         = 20e3;           ///< Hz
+  std::string frame          = "open";         ///< open | closed
+  std::string mass_reference = "mid";          ///< mid | mean: reference displacement of M2..M5
+  std::string mass_source    = "closed-form";  ///< closed-form | fe: shapes behind M2..M5
+  std::string model          = "six-mass";     ///< six-mass | beam | craig-bampton: what is driven
+  double frequency_limit     = 1000;           ///< Hz, up to which the modes are to be right
+  int elements_per_radius    = 3;              ///< of the rolls' meshes behind their modes
   Place force_meaning_place;
 };
 
@@ -129,6 +172,8 @@ struct FourHigh {
   Roll work_roll, backup_roll;
   std::vector<RollerBearing> bearings;
   Frame frame;
+  MillHousing housing;
+  Screwdown screwdown;
   Strip strip;
   std::vector<Pass> passes;
   ContactSettings upper_contact, lower_contact;  ///< upper: K3, lower: K5

@@ -149,8 +149,32 @@ void check_published_force(const DynamicsSettings &dynamics, const GivenValues &
     contradict(reading, "dynamics.force_meaning", fmt::format("needs {} in [given]", missing), {});
 }
 
+namespace {
+// A frame that moves needs a mass to move; which of its parts has it is the user's to say.
+void check_frame_mass(const FourHigh &stand, Reading &reading)
+{
+  const Frame &f      = stand.frame;
+  const auto massless = [&](const char *mass, const std::vector<std::string> &keys, const double sum) {
+    if (stand.housing.present() || stand.given.count(mass) || !reading.usable(keys) || sum != 0)
+      return;
+    std::string named;
+    for (const std::string &key : keys)
+      named += (named.empty() ? "" : key == keys.back() ? " and " : ", ") + key;
+    reading.add(reading.place(keys.front()),
+                fmt::format("{} are all zero; {} needs a mass: give one of them, or given.{}", named, mass, mass));
+  };
+  massless("M1",
+           {"frame.upper_post_mass", "frame.upper_beam_mass", "frame.upper_packing_mass", "frame.piston_mass"},
+           f.upper_post_mass + f.upper_beam_mass + f.upper_packing_mass + f.piston_mass);
+  massless("M6",
+           {"frame.lower_post_mass", "frame.lower_beam_mass", "frame.load_cell_mass", "frame.lower_packing_mass"},
+           f.lower_post_mass + f.lower_beam_mass + f.load_cell_mass + f.lower_packing_mass);
+}
+}  // namespace
+
 void check_four_high(const FourHigh &stand, Reading &reading)
 {
+  check_frame_mass(stand, reading);
   if (reading.usable({"work_roll.barrel_diameter", "backup_roll.barrel_diameter"}) &&
       stand.backup_roll.barrel_diameter < stand.work_roll.barrel_diameter)
     contradict(reading, "backup_roll.barrel_diameter", "is smaller than the work roll",

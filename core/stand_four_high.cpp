@@ -1,5 +1,6 @@
 #include "core/stand_reader.h"
 #include <fmt/format.h>
+#include <tuple>
 
 namespace mill {
 namespace {
@@ -37,14 +38,17 @@ ContactSettings read_roll_contact(const Node &root, const std::string &name, Rea
 FourHigh read_four_high(const Node &root, Reading &reading)
 {
   FourHigh stand;
-  const Section steel = section_at(root, "steel", reading), frame = section_at(root, "frame", reading);
+  const Section steel = section_at(root, "steel", reading);
   read_and_echo(steel, steel.header(), steel_rows(), stand.steel, reading);
   stand.work_roll   = read_work_roll(root, reading);
   stand.backup_roll = read_backup_roll(root, reading);
   stand.bearings    = read_bearings(root, reading);
-  read_and_echo(frame, frame.header(), frame_rows(), stand.frame, reading);
-  stand.strip  = read_strip(root, reading);
-  stand.passes = read_passes(root, pass_rows(), reading);
+  stand.housing     = read_housing(root, stand.steel, reading);
+  stand.screwdown   = read_screwdown(root, reading);
+  const bool drawn  = section_at(root, "housing", reading).node != nullptr;
+  stand.frame       = read_frame(root, frame_keys_behind(drawn, stand.screwdown), reading);
+  stand.strip       = read_strip(root, reading);
+  stand.passes      = read_passes(root, pass_rows(), reading);
   check_passes(stand.passes, reading);
   if (const Section contact = section_at(root, "contact", reading); contact.node)
     refuse_unknown_keys(contact, {}, {"upper", "lower"}, reading);
@@ -65,6 +69,11 @@ Lumped read_lumped(const Node &root, Reading &reading)
   lumped.passes = read_passes(root, pass_rows(), reading);
   check_passes(lumped.passes, reading);
   lumped.dynamics = read_dynamics(root, reading);
+  for (const auto &[key, value, only] :
+       {std::tuple("dynamics.model", lumped.dynamics.model, "six-mass"),
+        std::tuple("dynamics.mass_source", lumped.dynamics.mass_source, "closed-form")})
+    if (reading.usable({key}) && value != only)
+      contradict(reading, key, "needs rolls; a lumped model has none", {});
   check_published_force(lumped.dynamics, lumped.given, reading);
   return lumped;
 }

@@ -11,6 +11,13 @@ Section section_at(const Node &root, const std::string &name, Reading &reading);
 std::vector<Pass> read_passes(const Node &root, const std::vector<Field<PassInput>> &rows, Reading &reading);
 Strip read_strip(const Node &root, Reading &reading);
 BiteSetup read_bite_setup(const Node &root, Reading &reading);
+/// [housing] and [screwdown]; without the section nothing is given.
+MillHousing read_housing(const Node &root, const Material &steel, Reading &reading);
+Screwdown read_screwdown(const Node &root, Reading &reading);
+/// Keys of [frame] that need not be given beside them.
+std::vector<std::string> frame_keys_behind(bool housing, const Screwdown &screwdown);
+/// [frame]; what is needless and not given is NaN.
+Frame read_frame(const Node &root, const std::vector<std::string> &needless, Reading &reading);
 DynamicsSettings read_dynamics(const Node &root, Reading &reading);
 /// [given] (replaces computed values) or [published] (stands beside them).
 GivenValues read_given(const Node &root, const std::string &name, const std::string &kind, Reading &reading);

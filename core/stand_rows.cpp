@@ -318,16 +318,31 @@ const std::vector<Field<DynamicsSettings>> &dynamics_rows()
 {
   using T = DynamicsSettings;
   static const std::vector<Field<T>> rows{
-      {"modal_damping",  &T::modal_damping,  "%",                                  {0, 50},      1,          "1 %",      "ratio of critical, the same in every mode"},
-      {"force_meaning",  &T::force_meaning,  "measured | disturbance | published", any,          "measured", "measured",
+      {"modal_damping",       &T::modal_damping,  "%",                                  {0, 50},      1,             "1 %",         "ratio of critical, the same in every mode"},
+      {"force_meaning",       &T::force_meaning,  "measured | disturbance | published", any,          "measured",    "measured",
        "measured: total bite force, K4 and C rest; disturbance: without the reaction of the gap; published: K4 "
        "and C "
-       "in parallel"                                                                                                                                                },
-      {"output_rate",    &T::output_rate,    "kHz",                                {0.1, 10000}, 20,         "20 kHz",   "samples of the response per second"       },
-      {"frame",          &T::frame,          "open | closed",                      any,          "open",     "open",
-       "open: K1 and K7 end at the ground; closed: K1 joins M1 to M6"                                                                                               },
-      {"mass_reference", &T::mass_reference, "mid | mean",                         any,          "mid",      "mid",
-       "displacement the equivalent masses refer to: mid-span or load-weighted mean"                                                                                },
+       "in parallel"                                                                                                                                                           },
+      {"output_rate",         &T::output_rate,    "kHz",                                {0.1, 10000}, 20,            "20 kHz",      "samples of the response per second"       },
+      {"frame",               &T::frame,          "open | closed",                      any,          "open",        "open",
+       "open: K1 and K7 end at the ground; closed: K1 joins M1 to M6"                                                                                                          },
+      {"mass_reference",      &T::mass_reference, "mid | mean",                         any,          "mid",         "mid",
+       "displacement the equivalent masses refer to: mid-span or load-weighted mean"                                                                                           },
+      {"mass_source",         &T::mass_source,    "closed-form | fe",                   any,          "closed-form", "closed-form",
+       "shapes behind the equivalent masses of the rolls: closed forms, or finite elements of the rolls"                                                                       },
+      {"model",               &T::model,          "six-mass | beam | craig-bampton",    any,          "six-mass",    "six-mass",
+       "what the rolling force drives: the chain of six masses, rolls as beams, or rolls and housing as reduced "
+       "finite elements"                                                                                                                                                       },
+      {"frequency_limit",
+       &T::frequency_limit,
+       "Hz",                                                                            {20, 20000},
+       1000,                                                                                                         "1000 Hz",
+       "up to which the modes of beam and craig-bampton are to be right, and are compared"                                                                                     },
+      {"elements_per_radius",
+       &T::elements_per_radius,
+       "count",                                                                         {3, 12},
+       3,                                                                                                            "3",
+       "quadratic elements over the radius of a roll in the meshes behind craig-bampton"                                                                                       },
   };
   return rows;
 }

@@ -48,6 +48,8 @@ const std::vector<Field<BearingLoad>> &bearing_load_rows();
 const std::vector<Field<BearingModelInput>> &bearing_model_rows();
 const std::vector<Field<BearingExcitation>> &bearing_motion_rows();
 const std::vector<Field<Frame>> &frame_rows();
+const std::vector<Field<MillHousing>> &housing_rows();
+const std::vector<Field<Screwdown>> &screwdown_rows();
 const std::vector<Field<StripInput>> &strip_rows();
 const std::vector<Field<Friction>> &friction_rows();
 const std::vector<Field<BiteSetup>> &bite_rows();
@@ -60,6 +62,9 @@ const std::vector<Field<ContactSettings>> &line_contact_rows();  ///< two-cylind
 const std::vector<Field<DynamicsSettings>> &dynamics_rows();
 const std::vector<Field<TwoCylinders>> &upper_cylinder_rows();
 const std::vector<Field<TwoCylinders>> &lower_cylinder_rows();
+
+/// Keys of [frame] that [housing] or [screwdown] may replace.
+const std::vector<std::string> &drawable_frame_keys();
 
 /// Rows of [given]; they share a reader of their own because a value may carry its source.
 /// @param published  of [published], which may hold more than what could replace a computed value

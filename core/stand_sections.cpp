@@ -186,22 +186,28 @@ std::vector<SectionRows> sections_of(const std::string &kind)
   return {
       head,
       steel,
-      {"work_roll",     Repeat::once,  true,  "both work rolls",                                          rows_of(work_roll_rows())   },
-      {"backup_roll",   Repeat::once,  true,  "both backup rolls",                                        rows_of(backup_roll_rows()) },
-      {"bearing",       Repeat::named, true,  "a roller bearing, named by the rolls",                     rows_of(bearing_rows())     },
+      {"work_roll",     Repeat::once,  true,  "both work rolls",                              rows_of(work_roll_rows())   },
+      {"backup_roll",   Repeat::once,  true,  "both backup rolls",                            rows_of(backup_roll_rows()) },
+      {"bearing",       Repeat::named, true,  "a roller bearing, named by the rolls",         rows_of(bearing_rows())     },
       {"frame",         Repeat::once,  true,
-        "masses already reduced to the moving point; stiffnesses of the whole stand, both sides together", rows_of(frame_rows())       },
+        "masses already reduced to the moving point; stiffnesses of the whole stand, both sides together; what a "
+       "drawing in [housing] or [screwdown] replaces may be left out",                         rows_of(frame_rows())       },
+      {"housing",       Repeat::once,  false,
+        "mill housing of each side as drawn, a closed window frame; replaces masses and stiffnesses of posts and "
+       "beams",                                                                                rows_of(housing_rows())     },
+      {"screwdown",     Repeat::once,  false,
+        "screw-down of each side as drawn; each part replaces a stiffness of the frame",       rows_of(screwdown_rows())   },
       strip,
       flow_stress,
       friction,
       pass,
-      {"contact.upper", Repeat::once,  false, "contact of the upper rolls, K3",                           rows_of(roll_contact_rows())},
-      {"contact.lower", Repeat::once,  false, "contact of the lower rolls, K5",                           rows_of(roll_contact_rows())},
+      {"contact.upper", Repeat::once,  false, "contact of the upper rolls, K3",               rows_of(roll_contact_rows())},
+      {"contact.lower", Repeat::once,  false, "contact of the lower rolls, K5",               rows_of(roll_contact_rows())},
       bite,
       dynamics,
       given,
       {"published",     Repeat::once,  false,
-        "published or measured values to stand beside the computed ones; nothing is replaced",             published_rows              }
+        "published or measured values to stand beside the computed ones; nothing is replaced", published_rows              }
   };
 }
 }  // namespace mill

@@ -5,14 +5,30 @@
 #include <cstdio>
 
 namespace mill::dynamics {
+DrivenModel driven_model(const MillModel &model)
+{
+  return {state_space(model), model.labels, model.load_cell_share};
+}
+
+DrivenModel driven_model(const ModalModel &model)
+{
+  return {state_space(model), model.labels, model.load_cell_share};
+}
+
 Response mill_response(const MillModel &model, const ForceRecord &force, const double output_rate,
+                       const HoldForm wanted)
+{
+  return mill_response(driven_model(model), force, output_rate, wanted);
+}
+
+Response mill_response(const DrivenModel &model, const ForceRecord &force, const double output_rate,
                        const HoldForm wanted)
 {
   const double mean = force.force.mean();
   ForceRecord fluctuation{force.time, force.force.array() - mean, {}};
-  HoldResult held = first_order_hold(state_space(model), fluctuation, output_rate, wanted);
+  HoldResult held = first_order_hold(model.system, fluctuation, output_rate, wanted);
 
-  const Eigen::Index n = model.M.size();
+  const auto n = Eigen::Index(model.labels.size());
   Response response;
   response.labels       = model.labels;
   response.time         = std::move(held.time);
@@ -80,11 +96,15 @@ Table response_table(const Response &response)
     table.columns.push_back(column);
   };
   add("time", "s", response.time);
-  for (const Mass mass :
-       {upper_work_roll, lower_work_roll, upper_frame, upper_backup_roll, lower_backup_roll, lower_frame}) {
-    std::string name = response.labels[std::size_t(mass)];
-    std::replace(name.begin(), name.end(), ' ', '_');
-    add(name, "g", response.acceleration.col(mass) / standard_gravity);
+  std::vector<Eigen::Index> order{upper_work_roll,   lower_work_roll,   upper_frame,
+                                  upper_backup_roll, lower_backup_roll, lower_frame};
+  for (Eigen::Index further = 6; further < response.acceleration.cols(); ++further)
+    order.push_back(further);
+  for (const Eigen::Index point : order) {
+    std::string name = response.labels[std::size_t(point)];
+    std::replace_if(
+        name.begin(), name.end(), [](const char c) { return c == ' ' || c == '-'; }, '_');
+    add(name, "g", response.acceleration.col(point) / standard_gravity);
   }
   add("force", "kN", response.force / 1e3);
   add("load_cell", "kN", response.load_cell / 1e3);

@@ -35,6 +35,7 @@ struct ElasticBody::Implementation {
   MappingQ<3> mapping;
   SymmetricSparse stiffness;   // in units of stiffness_unit()
   SymmetricSparse in_newtons;  // empty until asked for
+  SymmetricSparse mass;        // kg, empty until asked for
   Eigen::Matrix<double, Eigen::Dynamic, 3> nodes;
   std::map<std::string, std::vector<int>> groups;
   std::vector<int> axis;
@@ -44,6 +45,7 @@ struct ElasticBody::Implementation {
   void read();
   void collect_nodes();
   void assemble();
+  void assemble_mass();
   template <class Weight> Eigen::VectorXd face_integral(const std::string &group, const Weight &weight) const;
 };
 
@@ -181,6 +183,45 @@ void ElasticBody::Implementation::assemble()
   volume *= std::pow(mesh.unit, 3);
 }
 
+// M_ab = density integral of N_a N_b                                                                theory.md
+// (21.1)
+void ElasticBody::Implementation::assemble_mass()
+{
+  // Shape functions of degree p and a Jacobian of degree 3 p - 1 per direction: 5 p - 1 together.
+  FEValues<3> v(mapping, fe, QGauss<3>(2 * fe.degree + 1), update_values | update_JxW_values);
+  const unsigned n = fe.n_dofs_per_cell();
+  std::vector<types::global_dof_index> index(n);
+  DynamicSparsityPattern pattern(dofs.n_dofs());
+  DoFTools::make_sparsity_pattern(dofs, pattern);
+  Eigen::VectorXi per_column = Eigen::VectorXi::Zero(Eigen::Index(dofs.n_dofs()));
+  for (unsigned j = 0; j < dofs.n_dofs(); ++j)
+    for (auto it = pattern.begin(j); it != pattern.end(j); ++it)
+      per_column[j] += it->column() <= j;
+  mass.resize(int(dofs.n_dofs()), int(dofs.n_dofs()));
+  mass.reserve(per_column);
+  for (unsigned j = 0; j < dofs.n_dofs(); ++j)
+    for (auto it = pattern.begin(j); it != pattern.end(j); ++it)
+      if (it->column() <= j)
+        mass.insert(int(it->column()), int(j)) = 0;
+  Eigen::MatrixXd values(n, v.n_quadrature_points), weighted(n, v.n_quadrature_points);
+  for (const auto &cell : dofs.active_cell_iterators()) {
+    v.reinit(cell);
+    cell->get_dof_indices(index);
+    for (const unsigned q : v.quadrature_point_indices())
+      for (unsigned a = 0; a < n; ++a) {
+        values(a, q)   = v.shape_value(a, q);
+        weighted(a, q) = values(a, q) * v.JxW(q);
+      }
+    const Eigen::MatrixXd local = weighted * values.transpose();
+    for (unsigned b = 0; b < n; ++b)
+      for (unsigned a = 0; a < n; ++a)
+        if (index[a] <= index[b])
+          mass.coeffRef(int(index[a]), int(index[b])) += local(a, b);
+  }
+  mass *= material.density * std::pow(mesh.unit, 3);
+  mass.makeCompressed();
+}
+
 template <class Weight>
 Eigen::VectorXd ElasticBody::Implementation::face_integral(const std::string &group, const Weight &weight) const
 {
@@ -227,6 +268,12 @@ const SymmetricSparse &ElasticBody::stiffness() const
     self->in_newtons = unit_stiffness() * stiffness_unit();
   return self->in_newtons;
 }
+const SymmetricSparse &ElasticBody::mass() const
+{
+  if (self->mass.size() == 0)
+    self->assemble_mass();
+  return self->mass;
+}
 const Eigen::Matrix<double, Eigen::Dynamic, 3> &ElasticBody::nodes() const
 {
   return self->nodes;
@@ -269,6 +316,26 @@ Surface ElasticBody::surface(const std::string &group) const
 const std::vector<int> &ElasticBody::axis() const
 {
   return self->axis;
+}
+Eigen::VectorXd ElasticBody::volume_load(const std::function<double(const Eigen::Vector3d &)> &weight) const
+{
+  // Four points more than the shape functions need: weights are polynomials or cosines over many cells.
+  FEValues<3> v(self->mapping, self->fe, QGauss<3>(self->fe.degree + 4),
+                update_values | update_quadrature_points | update_JxW_values);
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(Eigen::Index(self->dofs.n_dofs()));
+  std::vector<types::global_dof_index> index(self->fe.n_dofs_per_cell());
+  for (const auto &cell : self->dofs.active_cell_iterators()) {
+    v.reinit(cell);
+    cell->get_dof_indices(index);
+    for (const unsigned q : v.quadrature_point_indices()) {
+      const auto &x  = v.quadrature_point(q);
+      const double w = v.JxW(q) * weight(self->mesh.unit * Eigen::Vector3d(x[0], x[1], x[2]));
+      if (w != 0)
+        for (unsigned a = 0; a < index.size(); ++a)
+          out[Eigen::Index(index[a])] += w * v.shape_value(a, q);
+    }
+  }
+  return out * std::pow(self->mesh.unit, 3);
 }
 int ElasticBody::degree() const
 {

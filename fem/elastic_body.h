@@ -34,6 +34,10 @@ public:
   double stiffness_unit() const;  ///< N/m
   const SymmetricSparse &
   stiffness() const;  ///< (3N, 3N) N/m, upper triangle; a second matrix, made when first asked for
+  /// (N, N) upper triangle, kg: consistent mass of the meshed part, the same for each of the three directions; its
+  /// sum (both triangles) is density times volume().  By a rule that is exact on curved cells; made when first
+  /// asked for.
+  const SymmetricSparse &mass() const;
   const Eigen::Matrix<double, Eigen::Dynamic, 3> &nodes() const;  ///< (N, 3) m
   const std::vector<int> &group(const std::string &name) const;   ///< nodes of a boundary group, ascending
   Surface surface(const std::string &group) const;                ///< faces of a boundary group, outward
@@ -45,6 +49,10 @@ public:
   /// (N) integral of shape function times weight(z) over a group: nodal shares of a distributed load.
   Eigen::VectorXd face_load(const std::string &group, double (*weight)(double z, const void *context),
                             const void *context) const;
+  /// (N) m3: integral of each node's shape function times weight(x) over the volume: nodal shares of a body force,
+  /// or the weights of a mean displacement.  A jump of the weight must lie between cells.
+  /// @param weight  of a point, m
+  Eigen::VectorXd volume_load(const std::function<double(const Eigen::Vector3d &)> &weight) const;
   int degree() const;
   /// Quadrature of the stiffness, cell by cell: visit(nodes of the cell, its points).
   void each_cell(const std::function<void(const std::vector<int> &nodes, const std::vector<SolidPoint> &points)>

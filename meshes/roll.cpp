@@ -1,6 +1,7 @@
 #include "meshes/roll.h"
 #include "core/errors.h"
 #include "meshes/gmsh_scope.h"
+#include "meshes/plain_section.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -136,16 +137,29 @@ RollMeshSize by_radius(RollMeshSize size, const double radius)
 }
 }  // namespace
 
+RollMeshSize vibration_mesh_size(const RollGeometry &geometry, const int elements_per_radius)
+{
+  RollMeshSize size;
+  size.plain_elements = elements_per_radius;
+  size.largest_layer  = geometry.radius / elements_per_radius;
+  size.end_layer      = 0.15 * size.largest_layer;
+  size.layer_growth   = 1.5;
+  return size;
+}
+
 MeshFile mesh_roll(const std::string &name, const RollGeometry &in_metres, const RollMeshSize &size_in_metres,
                    const std::string &path)
 {
   const RollGeometry geometry = by_radius(in_metres);
   const RollMeshSize size     = by_radius(size_in_metres, in_metres.radius);
   const GmshScope gmsh_is_open;
-  SectionSize section            = size.section;
-  section.radius                 = geometry.radius;
-  section.core_radius            = geometry.neck_radius > 0 ? geometry.neck_radius : 0.6 * geometry.radius;
-  const SectionSurfaces surfaces = add_section(section);
+  SectionSize section = size.section;
+  section.radius      = geometry.radius;
+  section.core_radius = geometry.neck_radius > 0 ? geometry.neck_radius : 0.6 * geometry.radius;
+  const bool plain    = size.plain_elements > 0;
+  const double patch  = plain ? plain_contact_half_width(section.radius) : patch_half_width(section);
+  const SectionSurfaces surfaces =
+      plain ? add_plain_section({section.radius, section.core_radius, size.plain_elements}) : add_section(section);
 
   // Layers are thin where the contact ends: at the barrel end, or where the shorter barrel ends.
   const double facing = geometry.contact_half_length > 0 ? geometry.contact_half_length : geometry.half_length;
@@ -185,7 +199,7 @@ MeshFile mesh_roll(const std::string &name, const RollGeometry &in_metres, const
   gmsh::model::addPhysicalGroup(3, volume_tags, 1);
   std::map<std::string, std::vector<int>> members;
   for (const auto &face : faces)
-    members[group_of(face.second, geometry, patch_half_width(section))].push_back(face.second);
+    members[group_of(face.second, geometry, patch)].push_back(face.second);
   for (const auto &[group, id] : mesh.groups) {
     if (members[group].empty())
       throw SolverError({"mesh of the " + name + ": no face belongs to the group " + group, "", "", "", ""});
@@ -212,7 +226,7 @@ MeshFile mesh_roll(const std::string &name, const RollGeometry &in_metres, const
   mesh.n_nodes            = int(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
   mesh.n_cells            = int(elements.size());
   mesh.contact_element    = size_in_metres.section.first_element;
-  mesh.contact_half_width = patch_half_width(section) * in_metres.radius;
+  mesh.contact_half_width = patch * in_metres.radius;
   const std::string aside = path + "." + std::to_string(::getpid()) + ".msh";  // Gmsh goes by the ending
   gmsh::write(aside);
   std::filesystem::rename(aside, path);

@@ -11,12 +11,17 @@ struct RollMeshSize {
   double end_layer     = 0;    ///< m, thickness of the last layer at the barrel end
   double layer_growth  = 2;    ///< -, ratio of neighbouring layers towards mid-length
   double largest_layer = 0.1;  ///< m
+  int plain_elements   = 0;    ///< per radius; not 0: a section without contact (plain_section), `section` unused
   double break_at = 0;  ///< m, z of a further station with thin layers to both sides, where the other barrel of a
                         ///< shifted pair ends; 0: none
 };
 
 /// Heights of the layers between z = 0 and z = length, thinnest at z = length, growing towards z = 0.
 std::vector<double> graded_layers(double length, double end_layer, double growth, double largest);
+
+/// Mesh of a roll that vibrates: plain section, layers as long as its elements, thinner at the shoulder.
+/// @param elements_per_radius  quadratic elements, 2 or more
+RollMeshSize vibration_mesh_size(const RollGeometry &geometry, int elements_per_radius);
 
 /// Meshes an eighth of a roll (barrel and neck) and writes it with the groups contact, symmetry.x, symmetry.y,
 /// symmetry.z, barrel, neck, shoulder, end.  A geometry with neck_length 0 is a plain cylinder; one layer of it

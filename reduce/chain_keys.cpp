@@ -1,5 +1,6 @@
 #include "reduce/chain_keys.h"
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace mill::reduce {
@@ -32,6 +33,42 @@ Keys backup_beam_keys()
 {
   return join(in_section("backup_roll", "barrel_diameter barrel_length neck_diameter bearing_span"),
               in_section("steel", "youngs_modulus poisson_ratio"));
+}
+
+Keys housing_keys()
+{
+  return in_section("housing",
+                    "thickness post_width window_width window_height upper_beam_height lower_beam_height "
+                    "fillet_radius foot_height screw_pad seat_pad youngs_modulus density");
+}
+
+Keys as_drawn(const Keys &keys, const FourHigh &stand)
+{
+  const Screwdown &s  = stand.screwdown;
+  const auto drawn_as = [&](const std::string &key) -> Keys {
+    if (stand.housing.present() && (key.find("frame.upper_post_") == 0 || key.find("frame.upper_beam_") == 0 ||
+                                    key.find("frame.lower_post_") == 0 || key.find("frame.lower_beam_") == 0))
+      return housing_keys();
+    if (key == "frame.oil_column_stiffness" && !std::isnan(s.stroke))
+      return in_section("screwdown", "piston_diameter stroke oil_modulus");
+    if (key == "frame.load_cell_stiffness" && !std::isnan(s.load_cell_height))
+      return in_section("screwdown", "load_cell_diameter load_cell_bore load_cell_height");
+    if (key == "frame.piston_stiffness") {
+      Keys parts;
+      if (!std::isnan(s.screw_length))
+        parts = join(parts, in_section("screwdown", "screw_diameter screw_length"));
+      if (!std::isnan(s.nut_height))
+        parts = join(parts, in_section("screwdown", "screw_diameter nut_outside_diameter nut_height nut_modulus"));
+      if (!std::isnan(s.piston_length))
+        parts = join(parts, in_section("screwdown", "piston_diameter piston_length"));
+      return parts.empty() ? Keys{key} : parts;
+    }
+    return {key};
+  };
+  Keys all;
+  for (const std::string &key : keys)
+    all = join(all, drawn_as(key));
+  return all;
 }
 
 std::array<Keys, 13> chain_keys(const SpringKeys &s)

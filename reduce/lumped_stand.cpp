@@ -190,8 +190,10 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
   const ChainValues values = chain_values(stand, computed, K4.value, reference);
   const ChainValues other  = chain_values(stand, computed, K4.value, reference == "mean" ? "mid" : "mean");
   const ChainValues errors = propagated_errors(stand, computed, error, K4.value);
-  const auto keys =
-      chain_keys({K3.inputs, K4.inputs, K5.inputs, result.K_Zy_upper.inputs, result.K_Zy_lower.inputs});
+  auto keys = chain_keys({K3.inputs, K4.inputs, K5.inputs, result.K_Zy_upper.inputs, result.K_Zy_lower.inputs});
+
+  for (Keys &list : keys)
+    list = as_drawn(list, stand);
 
   for (std::size_t i = 0; i < 6; ++i) {
     Parameter mass =

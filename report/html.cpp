@@ -1,19 +1,21 @@
 #include "report/html.h"
 #include "report/embedded.h"
+#include "report/model_data.h"
 #include "report/page.h"
 #include "report/sections.h"
 #include "report/svg.h"
 
 namespace mill::report {
 namespace {
-// The charts need dygraphs; where the build had none, the static drawings stand alone.
+// The charts of histories need dygraphs; where the build had none, their static drawings stand alone.
 std::string scripts()
 {
   using namespace embedded;
+  const std::string own = std::string("<script>\n") + page_js + "</script>\n";
   if (!*dygraphs_js)
-    return "";
+    return own;
   return std::string("<style>") + dygraphs_css + "</style>\n<script>\n/*\n" + dygraphs_licence + "*/\n" +
-         dygraphs_js + "\n</script>\n<script>\n" + page_js + "</script>\n";
+         dygraphs_js + "\n</script>\n" + own;
 }
 }  // namespace
 
@@ -31,7 +33,10 @@ std::string html_page(const Run &run)
   contact_section(page, run);
   bite_section(page, run);
   bearing_section(page, run);
+  const ModelData models = read_models(run.directory);
   shape_section(page, run);
+  mass_section(page, models);
+  model_section(page, run, models);
   mode_section(page, run);
   response_section(page, run);
   limits_section(page, run);

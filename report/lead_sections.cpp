@@ -97,6 +97,12 @@ std::string what_is_in_short(const Run &run)
 
 std::string what_is_left_out(const Run &run)
 {
+  if (run.table("curves/modes-craig-bampton"))
+    return "Vertical motion, the same on both sides of mid-length; rocking and the motion along the pass line are "
+           "not in it. What six masses leave out is listed under \"How few masses are enough?\". Rolls joined by "
+           "springs of one working load are linear and have no feedback from the strip: they ring, but they "
+           "cannot "
+           "become unstable.";
   if (has_chain(run))
     return "Six masses show the modes of the stack and the contact modes of the work rolls. They cannot show the "
            "rolls "

@@ -121,6 +121,7 @@ std::string horizontal_table(const Table &modes)
   }
   return "<table><thead><tr>" + heading + "</tr></thead>\n<tbody>\n" + rows + "</tbody></table>\n";
 }
+
 }  // namespace
 
 void mode_section(Page &page, const Run &run)

@@ -1,4 +1,5 @@
 #pragma once
+#include "report/model_data.h"
 #include "report/page.h"
 #include "report/run.h"
 #include <string>
@@ -6,14 +7,18 @@
 // The sections of the page, each in a file of its name.  A section whose data the kind of run cannot have is left
 // out; one that could be there but is not stored says so.
 namespace mill::report {
-std::string page_head(const Run &run);              ///< title, run, status banner
-void summary_section(Page &page, const Run &run);   ///< key numbers, short table
-void stand_section(Page &page, const Run &run);     ///< sketch with the numbers on it
-void contact_section(Page &page, const Run &run);   ///< load-approach, K(F), along the barrel
-void bite_section(Page &page, const Run &run);      ///< pressure, friction and strain in the bite, K4
-void bearing_section(Page &page, const Run &run);   ///< Kzc(F), row shares, roller loads
-void shape_section(Page &page, const Run &run);     ///< f1, f2 with the supports
-void mode_section(Page &page, const Run &run);      ///< shapes, energy shares, horizontal modes
+std::string page_head(const Run &run);             ///< title, run, status banner
+void summary_section(Page &page, const Run &run);  ///< key numbers, short table
+void stand_section(Page &page, const Run &run);    ///< sketch with the numbers on it
+void contact_section(Page &page, const Run &run);  ///< load-approach, K(F), along the barrel
+void bite_section(Page &page, const Run &run);     ///< pressure, friction and strain in the bite, K4
+void bearing_section(Page &page, const Run &run);  ///< Kzc(F), row shares, roller loads
+void shape_section(Page &page, const Run &run);    ///< f1, f2 with the supports
+/// Mass breakdown and equivalent masses by every route; nothing when the run compared no models.
+void mass_section(Page &page, const ModelData &data);
+void mode_section(Page &page, const Run &run);  ///< shapes, energy shares, horizontal modes
+/// How few masses are enough: six masses beside detailed models; nothing when the run compared no models.
+void model_section(Page &page, const Run &run, const ModelData &data);
 void response_section(Page &page, const Run &run);  ///< peaks, histories, spectra
 void limits_section(Page &page, const Run &run);    ///< what is assumed, what was not stored
 void full_results_section(Page &page, const Run &run);

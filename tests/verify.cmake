@@ -6,7 +6,8 @@ target_link_libraries(verification_manual_test PRIVATE mill::verify mill_test_su
 target_compile_definitions(verification_manual_test PRIVATE MILLSTAND_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 foreach(family ClosedForms HalfSpaceCases SectionCases SolidCases FrictionCases NonlinearCases RollCases
                BearingCases RollerCases RingCases
-               SlabCases InhomogeneousCases ElasticArcCases StripFlowCases StripElasticCases RollArcCases)
+               SlabCases InhomogeneousCases ElasticArcCases StripFlowCases StripElasticCases RollArcCases
+               MassCases ComponentCases HousingCases)
   add_test(NAME manual_${family}
     COMMAND verification_manual_test --gtest_filter=Manual.${family} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   set_tests_properties(manual_${family} PROPERTIES LABELS verification TIMEOUT 300)

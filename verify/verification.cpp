@@ -52,6 +52,8 @@ std::vector<Case> all_cases()
   for (const auto cases :
        {slab_cases, inhomogeneous_cases, elastic_arc_cases, strip_flow_cases, strip_elastic_cases, roll_arc_cases})
     add("bite", cases());
+  for (const auto cases : {mass_cases, component_cases, housing_cases})
+    add("masses", cases());
   return all;
 }
 }  // namespace mill::verify

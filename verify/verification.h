@@ -59,4 +59,7 @@ std::vector<Case> elastic_arc_cases();     ///< roll bite: arcs that are no circ
 std::vector<Case> strip_flow_cases();      ///< roll bite: rigid-plastic strip by finite elements
 std::vector<Case> strip_elastic_cases();   ///< roll bite: elastic-plastic strip by finite elements
 std::vector<Case> roll_arc_cases();        ///< flexibility of the roll's surface in the bite
+std::vector<Case> mass_cases();            ///< equivalent masses and the beam model of the stand
+std::vector<Case> component_cases();       ///< rolls by their component modes against theory and full models
+std::vector<Case> housing_cases();         ///< mill housing by finite elements, screw-down
 }  // namespace mill::verify

@@ -83,6 +83,7 @@ TEST(Layers, ThirdPartyStaysBehindItsFolder)
       {"CLI/",                {"app"}                  },
       {"spdlog/",             {"app"}                  },
       {"mpi.h",               {"fem"}                  },
+      {"Spectra/",            {"fem"}                  },
       {"cvode/",              {"dynamics"}             },
       {"nvector/",            {"dynamics"}             },
       {"sunlinsol",           {"dynamics"}             },

@@ -126,3 +126,18 @@ TEST(Manual, RollArcCases)
 {
   expect_passes(roll_arc_cases());
 }
+
+TEST(Manual, MassCases)
+{
+  expect_passes(mass_cases());
+}
+
+TEST(Manual, ComponentCases)
+{
+  expect_passes(component_cases());
+}
+
+TEST(Manual, HousingCases)
+{
+  expect_passes(housing_cases());
+}

@@ -1,0 +1,124 @@
+#include "app/frame_stage.h"
+#include "core/errors.h"
+#include "fem/housing.h"
+#include "meshes/housing.h"
+#include "reduce/chain_keys.h"
+#include "reduce/housing_frame.h"
+#include "reduce/screwdown.h"
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace mill {
+namespace {
+const std::array<const char *, 4> part_names{"upper_post", "upper_beam", "lower_post", "lower_beam"};
+
+Parameter computed(const double value, const char *unit, const std::string &method, const double error,
+                   std::vector<std::string> keys)
+{
+  Parameter p;
+  p.value          = value;
+  p.unit           = unit;
+  p.method         = method;
+  p.error_estimate = error;
+  p.inputs         = std::move(keys);
+  return p;
+}
+
+void add_given(Parameter &p, const double given)
+{
+  if (given > 0)
+    p.checks.push_back({"given in [frame]", given, "replaced by the drawing"});
+}
+
+std::array<double, 4> post_beam_stiffness(const Frame &f)
+{
+  return {f.upper_post_stiffness, f.upper_beam_stiffness, f.lower_post_stiffness, f.lower_beam_stiffness};
+}
+
+std::array<double, 4> post_beam_mass(const Frame &f)
+{
+  return {f.upper_post_mass, f.upper_beam_mass, f.lower_post_mass, f.lower_beam_mass};
+}
+
+FrameErrors resolve_housing(RunContext &run, FourHigh &stand)
+{
+  StageTimer timer(run, "housing");
+  const MillHousing &h = stand.housing;
+  const auto solve     = [&](const meshes::HousingMeshSize &size, const bool draw) {
+    const std::string path = fmt::format("{}/housing-{}.msh", run.out.staging(), ::getpid());
+    const MeshFile mesh    = meshes::mesh_housing(h, size, path);
+    const fem::ElasticBody body(mesh, h.steel, 2);
+    fem::HousingStatics statics = fem::housing_statics(h, body);
+    if (draw)
+      fem::write_housing_vtu(run.out.file("fields/housing.vtu"), body, statics, 1e6);
+    std::remove(path.c_str());
+    return statics;
+  };
+  meshes::HousingMeshSize fine_size, coarse_size;
+  coarse_size.through         = fine_size.through / 2;
+  const auto coarse           = solve(coarse_size, false);
+  fem::HousingStatics statics = solve(fine_size, true);
+  fem::estimate_error(statics, coarse, double(fine_size.through) / coarse_size.through);
+  const auto beams   = reduce::housing_frame(h);
+  const auto rule    = reduce::masses_by_rule(h);
+  const Frame before = stand.frame;
+  const auto given_K = post_beam_stiffness(before), given_M = post_beam_mass(before);
+  stand.frame  = fem::frame_with_housing(stand.frame, statics);
+  const auto K = post_beam_stiffness(stand.frame), M = post_beam_mass(stand.frame);
+  const std::string how = fmt::format("housing by finite elements, {} unknowns of a quarter", statics.n_unknowns);
+  for (std::size_t i = 0; i < part_names.size(); ++i) {
+    const bool upper = i < 2;
+    Parameter spring = computed(K[i], "N/m", how, statics.error[upper ? 0 : 1], reduce::housing_keys());
+    if (beams.flexibility[i] > 0)
+      spring.checks.push_back(
+          {"frame of Timoshenko beams (23.4)", 1 / beams.flexibility[i], "corners half rigid"});
+    add_given(spring, given_K[i]);
+    run.results.add(fmt::format("frame.{}_stiffness", part_names[i]), spring);
+    Parameter mass = computed(M[i], "kg", how + ", kinetic energy of the static shape",
+                              statics.error[upper ? 2 : 3], reduce::housing_keys());
+    mass.checks.push_back({"frame of Timoshenko beams (23.4)", beams.reduced_mass[i], ""});
+    mass.checks.push_back({"a third of a post, 17/35 of a beam on two posts", rule[i], ""});
+    add_given(mass, given_M[i]);
+    run.results.add(fmt::format("frame.{}_mass", part_names[i]), mass);
+  }
+  return {statics.error[0], statics.error[1], statics.error[2], statics.error[3]};
+}
+
+void resolve_screwdown(RunContext &run, FourHigh &stand)
+{
+  const reduce::FrameWithScrewdown done = reduce::frame_with_screwdown(stand.frame, stand.screwdown, stand.steel);
+  for (const reduce::Replacement &spring : done.replaced) {
+    Parameter p = computed(spring.after, "N/m", spring.parts + " by formula", not_given, spring.inputs);
+    add_given(p, spring.before);
+    run.results.add(spring.key, p);
+  }
+  stand.frame = done.frame;
+}
+}  // namespace
+
+FrameErrors resolve_frame(RunContext &run, FourHigh &stand)
+{
+  FrameErrors errors;
+  if (stand.housing.present())
+    errors = resolve_housing(run, stand);
+  resolve_screwdown(run, stand);
+  return errors;
+}
+
+void add_frame_errors(LumpedModel &model, const FourHigh &stand, const FrameErrors &errors)
+{
+  const Frame &f  = stand.frame;
+  const auto into = [&](Parameter &p, const double error, const double share) {
+    if (p.source != Source::computed || std::isnan(error))
+      return;
+    p.error_estimate = error * share;
+  };
+  into(model.K[0], errors.K1, model.K[0].value * (1 / f.upper_post_stiffness + 1 / f.upper_beam_stiffness));
+  into(model.K[6], errors.K7, model.K[6].value * (1 / f.lower_post_stiffness + 1 / f.lower_beam_stiffness));
+  into(model.M[0], errors.M1, (f.upper_post_mass + f.upper_beam_mass) / model.M[0].value);
+  into(model.M[5], errors.M6, (f.lower_post_mass + f.lower_beam_mass) / model.M[5].value);
+}
+}  // namespace mill

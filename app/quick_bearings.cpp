@@ -1,0 +1,159 @@
+#include "app/bearing_model.h"
+#include "app/bearing_results.h"
+#include "app/bearing_study.h"
+#include "app/contact_stage.h"
+#include "app/quick_parts.h"
+#include "bearing/assembly.h"
+#include <cmath>
+#include <fmt/format.h>
+
+// Bearings between rigid rings, for the quick chain.
+namespace mill {
+namespace {
+// The bearing that has a closed form: laminae between rigid rings.
+RollerBearing closed_bearing(RollerBearing b)
+{
+  if (b.roller_law == "fe")
+    b.roller_law = "iso";
+  b.rings = "rigid";
+  return with_row_places(std::move(b));
+}
+
+bool by_elements(const RollerBearing &b)
+{
+  return b.roller_law == "fe" || b.rings == "elastic";
+}
+
+std::string closed_method(const RollerBearing &b)
+{
+  const std::string law = b.roller_law == "palmgren"  ? "Palmgren's law of one roller"
+                          : b.roller_law == "elastic" ? "elastic line contact of one roller"
+                                                      : "laminae of ISO/TS 16281";
+  return law + ", rigid rings, bearing/assembly (5.23)";
+}
+
+// Keys of a bearing that its stiffness between rigid rings follows.
+// @param loaded_askew  by a tilt or an axial force: then the places of the rows count
+KeyList closed_bearing_keys(const RollerBearing &b, const bool loaded_askew)
+{
+  const bool three   = b.profile == "three-parameter";
+  const bool rounded = b.profile == "log" || b.profile == "lundberg" || three;
+  const bool elastic = b.roller_law == "elastic";
+  std::string names =
+      "rows rollers_per_row roller_length cup_angle radial_clearance end_play preload roller_law profile";
+  const auto add = [&](const bool used, const char *more) { names += used ? std::string(" ") + more : ""; };
+  add(b.profile != "none", "slices");
+  add(b.profile == "table", "profile_table");
+  add(b.profile == "crown" || three, "crown_drop");
+  add(three, "profile_share");
+  add(rounded, "profile_load");
+  add(rounded || b.profile == "iso" || elastic, "roller_diameter");
+  add(rounded || elastic, "youngs_modulus poisson_ratio pitch_diameter bore outside_diameter");
+  add(loaded_askew, "width row_hands tilt_lever pitch_diameter");
+  return joined(keys_in("bearing." + b.name, names));
+}
+
+bearing::AssemblyState solved(const RollerBearing &b, const bearing::RingDrive &drive, const double cage_angle = 0)
+{
+  auto model       = bearing::rigid_model(closed_bearing(b));
+  model.cage_angle = cage_angle;
+  return bearing::BearingAssembly(model).solve(drive);
+}
+
+// Radial load of one bearing: as the bearing stage of a run puts it on.
+double bearing_load(const FourHigh &stand, const bool backup, const ContactSettings &contact, const double F)
+{
+  const Roll &roll = backup ? stand.backup_roll : stand.work_roll;
+  if (!std::isnan(roll.bearing_load))
+    return roll.bearing_load;
+  const double between = (stand.work_roll.barrel_diameter + stand.backup_roll.barrel_diameter) / 2;
+  const double across  = 0.5 * F * std::abs(contact.axis_offset) / between;
+  const double bending = 0.5 * std::abs(stand.work_roll.bending_force[0] + stand.work_roll.bending_force[1]);
+  if (backup)
+    return std::hypot((F + 2 * bending) / 2, across);
+  return std::hypot(bending > 0 ? bending : F / 20, across);
+}
+
+KeyList bearing_load_keys(const FourHigh &stand, const bool backup, const std::string &contact,
+                          const ContactSettings &settings, const KeyList &load_keys)
+{
+  const Roll &roll = backup ? stand.backup_roll : stand.work_roll;
+  const bool bent  = stand.work_roll.bending_force[0] + stand.work_roll.bending_force[1] != 0;
+  KeyList keys     = keys_in(backup ? "backup_roll" : "work_roll", "bearing bearing_load");
+  if (!std::isnan(roll.bearing_load))
+    return keys;
+  if (backup || !bent || settings.axis_offset != 0)
+    keys = joined(keys, load_keys);
+  if (settings.axis_offset != 0)
+    keys = joined(keys, keys_in("work_roll", "barrel_diameter"), keys_in("backup_roll", "barrel_diameter"));
+  return joined(keys, keys_in("work_roll", "bending_force"), keys_in("contact." + contact, "axis_offset"));
+}
+}  // namespace
+
+std::array<QuickResult, 5> quick_bearings(const FourHigh &stand, const double F, const KeyList &load_keys)
+{
+  std::array<QuickResult, 5> all;
+  for (int i = 0; i < 4; ++i) {
+    const bool backup      = i == 0 || i == 3;
+    const std::string side = i < 2 ? "upper" : "lower";
+    const auto &contact    = i < 2 ? stand.upper_contact : stand.lower_contact;
+    const auto &b          = bearing_of(stand.bearings, (backup ? stand.backup_roll : stand.work_roll).bearing);
+    const double load      = bearing_load(stand, backup, contact, F);
+    const auto drive       = bearing::radial_drive(load);
+    const KeyList loading  = bearing_load_keys(stand, backup, side, contact, load_keys);
+    QuickResult &r         = all[std::size_t(i)];
+    r.name                 = fmt::format("Kzc{}", i + 1);
+    r.parameter.value      = bearing::radial_tangent(solved(b, drive), drive);
+    r.parameter.unit       = "N/m";
+    r.parameter.method     = closed_method(b);
+    r.parameter.at         = in_kN(load) + " on one bearing";
+    r.load                 = load;
+    r.closed               = joined(loading, closed_bearing_keys(b, false));
+    r.parameter.inputs     = by_elements(b) ? joined(r.closed, bearing_inputs(b)) : r.closed;
+    r.road                 = backup ? "bearings of the backup rolls" : "bearings of the work rolls";
+    r.file                 = "bearing/assembly";
+    r.equation             = "(5.23)";
+    r.stands_for           = by_elements(b) ? model_name(b) : "";
+  }
+  all[4]                 = all[0];
+  all[4].name            = "K_Zy";
+  all[4].parameter.value = 2 * all[0].parameter.value;
+  return all;
+}
+
+std::vector<QuickResult> quick_bearing_case(const BearingCase &spec)
+{
+  const RollerBearing &b = bearing_of(spec.bearings, spec.load.bearing);
+  auto drive             = bearing::radial_drive(spec.load.radial, spec.load.tilt);
+  if (spec.load.axial != 0) {
+    drive.value[2]     = spec.load.axial;
+    drive.by_motion[2] = false;
+  }
+  const auto state = solved(b, drive, spec.load.cage_angle);
+  std::vector<QuickResult> all;
+  const auto add = [&](const char *name, const char *unit, const double value, const char *equation) {
+    QuickResult r;
+    r.name             = name;
+    r.parameter.value  = value;
+    r.parameter.unit   = unit;
+    r.parameter.method = closed_method(b);
+    r.closed           = joined(keys_in("load", "bearing radial axial tilt cage_angle"),
+                                closed_bearing_keys(b, spec.load.tilt != 0 || spec.load.axial != 0),
+                                keys_in("model", "roller_law tilt_lever slices"));
+    r.parameter.inputs =
+        by_elements(b) ? joined(r.closed, bearing_inputs(b), keys_in("model", "rings")) : r.closed;
+    r.road       = "equilibrium of all rollers";
+    r.file       = "bearing/assembly";
+    r.equation   = equation;
+    r.stands_for = by_elements(b) ? model_name(b) : "";
+    all.push_back(r);
+  };
+  add("Kzc.tangent", "N/m", bearing::radial_tangent(state, drive), "(5.23)");
+  add("Kzc.secant", "N/m", bearing::radial_secant(state), "(5.22)");
+  add("Kzc.tangent_across", "N/m", stiffness_along(state, drive, 1), "(5.23)");
+  add("Kzc.axial", "N/m", state.tangent(2, 2), "(5.23)");
+  add("Kzc.roller_max", "N", state.roller_load.maxCoeff(), "(5.22)");
+  return all;
+}
+
+}  // namespace mill

@@ -1,0 +1,126 @@
+#include "app/bite_stage.h"
+#include "app/bite_study.h"
+#include "app/quick_parts.h"
+#include <algorithm>
+#include <fmt/format.h>
+
+// The bite by a slab theory, for the quick chain.
+namespace mill {
+namespace {
+// Keys of the strip's flow stress and friction that their laws read.
+KeyList law_keys(const Strip &strip)
+{
+  const std::string &flow = strip.flow_stress.law, &rub = strip.friction.law;
+  std::string names = "flow_stress.law friction.law friction.shear_limit";
+  const auto add    = [&](const bool used, const char *more) { names += used ? std::string(" ") + more : ""; };
+  add(flow == "table", "flow_stress.table initial_thickness");
+  add(flow != "table", "flow_stress.k");
+  add(flow != "table" && flow != "constant", "flow_stress.n initial_thickness");
+  add(flow == "swift" || flow == "reduction-power", "flow_stress.eps0");
+  add(flow == "ludwik" || flow == "voce", "flow_stress.k0");
+  add(rub == "coulomb", "friction friction.coefficient");
+  add(rub == "factor", "friction.entry_factor friction.exit_factor");
+  add(rub == "speed", "friction.scale friction.at_unit_speed friction.per_log_speed");
+  add(rub == "film", "friction.mu0 friction.mu1 friction.decay friction.viscosity friction.pressure_viscosity "
+                     "friction.film_factor");
+  return keys_in("strip", names);
+}
+
+// One number of the bite with what is known before it is solved.
+QuickResult bite_result(const std::string &name, const Strip &strip, const BiteSetup &setup, const int pass,
+                        const std::string &roll_key)
+{
+  const bool elements    = setup.method == "fe";
+  const bool fast        = strip.friction.law == "speed" || strip.friction.law == "film";
+  const std::string both = "entry_thickness exit_thickness";
+  const std::string full = both + " entry_tension exit_tension";
+  const std::string own  = fmt::format("pass.{}", pass);
+  const KeyList solid    = joined(KeyList{roll_key}, keys_in("steel", "youngs_modulus poisson_ratio"));
+  QuickResult r;
+  r.name = name;
+  if (name == "K4.flattening")  // geometry and steel alone, (8.12)
+    r.closed = joined(keys_in("strip", "width " + both), keys_in(own, both), solid);
+  else
+    r.closed = joined(keys_in("strip", full), law_keys(strip), keys_in(own, full + (fast ? " speed" : "")), solid,
+                      keys_in("bite", "theory arc"));
+  if (name.find("forward_slip") == std::string::npos && name.find("peak_pressure") == std::string::npos)
+    r.closed = joined(keys_in("strip", "width"), r.closed);
+  r.parameter.inputs = joined(r.closed, keys_in("bite", "method"));
+  if (elements)
+    r.parameter.inputs = joined(r.parameter.inputs, keys_in("bite", "strip elements_along elements_through"),
+                                keys_in("strip", "youngs_modulus poisson_ratio"));
+  r.road       = "roll bite";
+  r.file       = elements ? "fem/strip_flow" : "bite/slab_bite";
+  r.equation   = "(8.13)";
+  r.stands_for = elements ? "finite elements of the strip, fem/strip_flow" : "";
+  return r;
+}
+
+struct SlabAnswer {
+  bite::BiteState state;
+  bite::BiteStiffness stiffness;
+  std::string method;
+};
+
+// The slab theory of [bite]; an arc of any shape needs the section of the roll, so Hitchcock's stands for it.
+SlabAnswer solve_bite(const bite::RollBite &bite, const BiteSetup &setup)
+{
+  bite::SlabModel model = slab_model(setup);
+  if (model.arc == bite::Arc::elastic)
+    model.arc = bite::Arc::hitchcock;
+  model.curve_points = 0;
+  SlabAnswer answer;
+  answer.state     = bite::solve_slab(bite, model);
+  answer.stiffness = bite::slab_stiffness(bite, answer.state);
+  answer.method    = bite::model_name(model) + ", bite/slab_bite (8.13)";
+  return answer;
+}
+}  // namespace
+
+QuickResult quick_bite(const FourHigh &stand, const int pass)
+{
+  const auto bite =
+      bite_of(stand.strip, stand.passes[std::size_t(pass)], stand.work_roll.barrel_diameter, stand.steel);
+  QuickResult r    = bite_result("K4", bite.strip, stand.bite, pass, "work_roll.barrel_diameter");
+  r.parameter.unit = "N/m";
+  try {
+    const SlabAnswer answer = solve_bite(bite, stand.bite);
+    r.parameter.value       = answer.stiffness.combined;
+    r.parameter.method      = answer.method;
+  } catch (const InputError &e) {
+    r.parameter.method = "no answer: " + e.problems.front().message;
+  } catch (const SolverError &e) {
+    r.parameter.method = "no answer: " + e.report.what;
+  }
+  return r;
+}
+
+std::vector<QuickResult> quick_bite_case(const BiteCase &spec)
+{
+  std::vector<QuickResult> all;
+  for (std::size_t p = 0; p < spec.passes.size(); ++p) {
+    const auto bite         = bite_of(spec.strip, spec.passes[p], spec.roll_diameter, spec.steel);
+    const SlabAnswer answer = solve_bite(bite, spec.bite);
+    const auto add = [&](const std::string &name, const char *unit, const double value, const char *equation) {
+      QuickResult r      = bite_result(name, bite.strip, spec.bite, int(p), "work_roll.diameter");
+      r.parameter.unit   = unit;
+      r.parameter.value  = value;
+      r.parameter.method = answer.method;
+      r.equation         = equation;
+      all.push_back(r);
+    };
+    const std::string own = "bite." + spec.passes[p].name + ".";
+    add(own + "force", "N", answer.state.force, "(8.8)");
+    add(own + "torque", "N m", answer.state.torque, "(8.19)");
+    add(own + "forward_slip", "1", answer.state.forward_slip, "(8.7)");
+    add(own + "peak_pressure", "Pa", answer.state.peak_pressure, "(8.4)");
+    if (p > 0)
+      continue;  // as in a run: the spring is that of the first pass
+    add("K4.plastic_slope", "N/m", answer.stiffness.plastic_slope, "(8.10)");
+    add("K4.flattening", "N/m", answer.stiffness.flattening, "(8.12)");
+    add("K4.combined", "N/m", answer.stiffness.combined, "(8.13)");
+  }
+  return all;
+}
+
+}  // namespace mill

@@ -1,0 +1,98 @@
+#include "app/quick_parts.h"
+#include "app/contact_stage.h"
+#include "reduce/housing_frame.h"
+#include "reduce/line_contact.h"
+#include "reduce/screwdown.h"
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+// Profile of a barrel: only contact elements see it.
+const char *const profile_keys =
+    " crown crown_table crown_polynomial thermal_crown thermal_crown_table end_chamfer_length end_chamfer_depth";
+
+// Length on which the barrels face each other.
+double facing_length(const FourHigh &stand)
+{
+  const double shift = stand.work_roll.axial_shift, work = 0.5 * stand.work_roll.barrel_length,
+               backup = 0.5 * stand.backup_roll.barrel_length;
+  return std::min(backup, shift + work) - std::max(-backup, shift - work);
+}
+
+}  // namespace
+
+QuickResult quick_contact(const FourHigh &stand, const std::string &name, const double load,
+                          const KeyList &load_keys)
+{
+  const reduce::CylinderPair pair{stand.work_roll.barrel_diameter, stand.backup_roll.barrel_diameter,
+                                  facing_length(stand), stand.steel};
+  QuickResult r;
+  r.name             = name == "upper" ? "K3" : "K5";
+  r.parameter.value  = reduce::line_contact(pair, load).tangent;
+  r.parameter.unit   = "N/m";
+  r.parameter.method = "Hertz line contact, infinitely long, reduce/line_contact (3.5b)";
+  r.parameter.at     = in_kN(load);
+  r.load             = load;
+  r.closed           = joined(keys_in("steel", "youngs_modulus poisson_ratio"),
+                              keys_in("work_roll", "barrel_diameter barrel_length axial_shift"),
+                              keys_in("backup_roll", "barrel_diameter barrel_length"), load_keys);
+  r.parameter.inputs =
+      joined(r.closed, keys_in("work_roll", std::string("neck_diameter total_length") + profile_keys),
+             keys_in("backup_roll", std::string("neck_diameter neck_length") + profile_keys),
+             keys_in("contact." + name,
+                     "loads samples elements_per_half_width tilt load_offset cross_angle axis_offset"));
+  r.road       = "contact of the rolls, by the mesh of both";
+  r.file       = "reduce/contact_stiffness";
+  r.equation   = "(3.7)";
+  r.stands_for = "contact finite elements, fem/contact_study";
+  return r;
+}
+
+FourHigh with_drawn_frame(FourHigh stand)
+{
+  Frame &f = stand.frame;
+  if (stand.housing.present()) {
+    const auto h           = reduce::housing_frame(stand.housing);
+    f.upper_post_stiffness = 1 / h.flexibility[reduce::upper_post];
+    f.upper_beam_stiffness = 1 / h.flexibility[reduce::upper_beam];
+    f.lower_post_stiffness = 1 / h.flexibility[reduce::lower_post];
+    f.lower_beam_stiffness = 1 / h.flexibility[reduce::lower_beam];
+    f.upper_post_mass      = h.reduced_mass[reduce::upper_post];
+    f.upper_beam_mass      = h.reduced_mass[reduce::upper_beam];
+    f.lower_post_mass      = h.reduced_mass[reduce::lower_post];
+    f.lower_beam_mass      = h.reduced_mass[reduce::lower_beam];
+  }
+  f = reduce::frame_with_screwdown(f, stand.screwdown, stand.steel).frame;
+  return stand;
+}
+
+std::vector<QuickResult> quick_cylinders(const TwoCylinders &pair)
+{
+  const double q     = pair.contact.at;
+  const auto contact = reduce::line_contact({pair.upper_diameter, pair.lower_diameter, 1, pair.steel}, q);
+  std::vector<QuickResult> all;
+  const auto add = [&](const char *name, const char *unit, const double value, const char *equation) {
+    QuickResult r;
+    r.name             = std::string("contact.line.") + name;
+    r.parameter.value  = value;
+    r.parameter.unit   = unit;
+    r.parameter.method = "Hertz and Johnson, reduce/line_contact (3.2) to (3.5b)";
+    r.parameter.at     = fmt::format("{:.6g} N/mm", q / 1e3);
+    r.closed           = joined(keys_in("upper", "diameter"), keys_in("lower", "diameter"),
+                                keys_in("steel", "youngs_modulus poisson_ratio"), keys_in("contact.line", "at"));
+    r.parameter.inputs = joined(r.closed, keys_in("contact.line", "loads samples elements_per_half_width"));
+    r.road             = "contact of the two cylinders";
+    r.file             = "fem/contact_study";
+    r.equation         = equation;
+    r.stands_for       = "contact finite elements, fem/contact_study";
+    all.push_back(r);
+  };
+  add("half_width", "m", contact.half_width, "(3.2)");
+  add("peak_pressure", "Pa", contact.peak_pressure, "(3.3)");
+  add("approach", "m", contact.approach, "(3.4)");
+  add("secant", "N/m2", contact.secant, "(3.5a)");
+  add("tangent", "N/m2", contact.tangent, "(3.5b)");
+  return all;
+}
+}  // namespace mill

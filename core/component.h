@@ -1,0 +1,34 @@
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace mill {
+/// A body reduced to its interface and to its modes with that interface held (Craig and Bampton 1968).
+/// Coordinates, in this order: n_i interface displacements, then n_m modal amplitudes.  theory.md 21
+///
+/// Everything counts the whole body (all symmetric parts of it), so that q^T M q / 2 is its kinetic energy.
+struct Component {
+  std::string name;                    ///< "work roll", "backup roll", "housing"
+  std::string source;                  ///< how it was made: "finite elements, 12 345 unknowns of an eighth"
+  std::vector<std::string> interface;  ///< (n_i) "barrel P0", "barrel P2", .., "seat"; "screw", "seat"
+  /// The first n_barrel interface coordinates are Legendre coefficients c_j of the mean displacement of the
+  /// barrel's sections:  u(z) = sum_j c_j P_2j(z / half_barrel).  0: no barrel.
+  int n_barrel       = 0;
+  double half_barrel = 0;           ///< m
+  Eigen::MatrixXd M;                ///< (n, n) kg
+  Eigen::MatrixXd K;                ///< (n, n) N/m; no coupling between interface and modes
+  Eigen::VectorXd fixed_frequency;  ///< (n_m) Hz, of the modes with the interface held, ascending
+  /// (n_i, n_i) kg s2: what the modes that were left out contribute at low frequency.  A mode of the assembly with
+  /// interface part q (mass-normalised) and angular frequency w is too high by the share  w^2 q^T residual q / 2.
+  Eigen::MatrixXd residual;
+  Eigen::VectorXd axis_z;  ///< (k) m, stations along the axis from mid-length to the end; empty: no axis
+  Eigen::MatrixXd axis;    ///< (k, n) mean displacement of the section at each station
+  double mass  = 0;        ///< kg, of the whole body
+  double reach = 0;        ///< Hz, up to which the mesh can follow a wave (theory.md 21)
+  Eigen::Index n_interface() const
+  {
+    return Eigen::Index(interface.size());
+  }
+};
+}  // namespace mill

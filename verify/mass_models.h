@@ -1,0 +1,16 @@
+#pragma once
+#include "core/stand.h"
+#include "reduce/lumped_stand.h"
+#include "verify/verification.h"
+#include <vector>
+
+namespace mill::verify {
+/// The demo stand of the acceptance cases: drawing, masses and frame springs (entry demo.inputs of the reference).
+FourHigh demo_stand();
+
+/// Its chain at 976.2175 kN with the contact springs and bearing stiffness of the reference, without the bite.
+reduce::LumpedStand demo_chain(const FourHigh &stand);
+
+/// Cases of the stand of beams and of components, theory.md 22; part of mass_cases().
+std::vector<Case> stand_model_cases();
+}  // namespace mill::verify
