@@ -12,16 +12,37 @@
 
 namespace mill {
 namespace {
-std::vector<std::string> inputs_of(const LumpedModel &model)
+using Keys = std::vector<std::string>;
+
+void add_keys(Keys &keys, const Keys &more)
 {
-  std::vector<std::string> keys;
-  const auto add = [&](const Parameter &parameter) {
-    for (const std::string &key : parameter.inputs)
-      if (std::find(keys.begin(), keys.end(), key) == keys.end())
-        keys.push_back(key);
-  };
-  std::for_each(model.M.begin(), model.M.end(), add);
-  std::for_each(model.K.begin(), model.K.end(), add);
+  for (const std::string &key : more)
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      keys.push_back(key);
+}
+
+// Keys behind the vertical chain; those of the bite only where its spring is in it.
+Keys inputs_of(const LumpedModel &model, const DynamicsSettings &settings)
+{
+  Keys keys;
+  for (const Parameter &mass : model.M)
+    add_keys(keys, mass.inputs);
+  for (std::size_t i = 0; i < model.K.size(); ++i)
+    if (i != 3 || settings.force_meaning != "measured")
+      add_keys(keys, model.K[i].inputs);
+  add_keys(keys, {"dynamics.force_meaning", "dynamics.frame"});
+  return keys;
+}
+
+// Keys behind the rolls on their bearings.
+Keys horizontal_inputs(const LumpedModel &model)
+{
+  Keys keys;
+  for (std::size_t i = 1; i < 5; ++i)
+    add_keys(keys, model.M[i].inputs);
+  for (const Parameter &bearing : model.Kzc)
+    add_keys(keys, bearing.inputs);
+  add_keys(keys, {"frame.chock_to_housing_stiffness", "work_roll.chock_mass_upper", "work_roll.chock_mass_lower"});
   return keys;
 }
 
@@ -101,7 +122,7 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
     f.method         = "six-mass chain, force " + settings.force_meaning;
     f.at             = model.at;
     f.error_estimate = frequency_error(modes, i, model);
-    f.inputs         = inputs_of(model);
+    f.inputs         = inputs_of(model, settings);
     // Rayleigh's quotient of the mode's own shape, from the springs one by one.
     double strain = 0;
     for (const auto &spring : chain.springs) {
@@ -142,7 +163,7 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
     f.method = "rolls on their bearings, " + horizontal.labels[std::size_t(mover)] +
                (std::isnan(chock_seat) ? ", chock seats rigid" : "");
     f.at         = model.at;
-    f.inputs     = inputs_of(model);
+    f.inputs     = horizontal_inputs(model);
     double worst = 0;
     for (const Parameter &k : model.Kzc)
       if (!std::isnan(k.error_estimate))
@@ -179,8 +200,9 @@ PassModel pass_model(const LumpedModel &model, const DynamicsSettings &settings)
 {
   const auto chain = dynamics::mill_model(model, settings);
   const auto modes = dynamics::modes(chain);
-  PassModel p{
-      dynamics::driven_model(chain), "six-mass chain", modes.frequency.maxCoeff(), 0, inputs_of(model), {}};
+  PassModel p{dynamics::driven_model(chain), "six-mass chain",
+              modes.frequency.maxCoeff(),    0,
+              inputs_of(model, settings),    {}};
   for (Eigen::Index i = 0; i < modes.frequency.size(); ++i)
     if (const double e = frequency_error(modes, i, model); !std::isnan(e))
       p.error = std::max(p.error, e);
@@ -197,7 +219,7 @@ PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &cha
               stand.model.name == "beam" ? "rolls as beams" : "rolls as reduced finite elements",
               limit,
               0,
-              inputs_of(chain),
+              inputs_of(chain, settings),
               {},
               limit};
   // Modes up to the limit are trusted; those above are driven too, since they give way under slower forces.
@@ -269,7 +291,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
                                    (statistics.largest - statistics.smallest) / 1e3);
     p.error_estimate = std::max(std::abs(second / value - 1), unseen) + model.error;
     p.inputs         = model.inputs;
-    p.inputs.insert(p.inputs.end(), {"pass.force", "dynamics.modal_damping", "dynamics.force_meaning"});
+    p.inputs.insert(p.inputs.end(), {"pass.force", "dynamics.modal_damping", "dynamics.output_rate"});
     p.checks = std::move(checks);
     run.results.add(pass.name + "." + what + "." + roll, p);
   };

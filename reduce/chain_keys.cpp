@@ -32,7 +32,7 @@ template <class... Lists> Keys join(const Lists &...lists)
 Keys backup_beam_keys()
 {
   return join(in_section("backup_roll", "barrel_diameter barrel_length neck_diameter bearing_span"),
-              in_section("steel", "youngs_modulus poisson_ratio"));
+              in_section("steel", "youngs_modulus poisson_ratio"), in_section("dynamics", "mass_reference"));
 }
 
 Keys housing_keys()
