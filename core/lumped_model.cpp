@@ -102,6 +102,6 @@ std::string lumped_model_toml(const LumpedModel &model, const Case &origin, cons
   }
   for (const Pass &pass : passes_of(origin))
     text += "\n[[pass]]\n" + lines(pass_rows(), input_of(pass, directory));
-  return text + "\n[dynamics]\n" + lines(dynamics_rows(), dynamics_of(origin));
+  return text + "\n[dynamics]\n" + lines(chain_dynamics_rows(), dynamics_of(origin));
 }
 }  // namespace mill

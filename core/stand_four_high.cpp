@@ -1,6 +1,5 @@
 #include "core/stand_reader.h"
 #include <fmt/format.h>
-#include <tuple>
 
 namespace mill {
 namespace {
@@ -55,7 +54,7 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   stand.upper_contact = read_roll_contact(root, "contact.upper", reading);
   stand.lower_contact = read_roll_contact(root, "contact.lower", reading);
   stand.bite          = read_bite_setup(root, reading);
-  stand.dynamics      = read_dynamics(root, reading);
+  stand.dynamics      = read_dynamics(root, dynamics_rows(), reading);
   stand.given         = read_given(root, "given", "four-high", reading);
   stand.published     = read_given(root, "published", "four-high", reading);
   check_four_high(stand, reading);
@@ -68,12 +67,7 @@ Lumped read_lumped(const Node &root, Reading &reading)
   lumped.given  = read_given(root, "given", "lumped", reading);
   lumped.passes = read_passes(root, pass_rows(), reading);
   check_passes(lumped.passes, reading);
-  lumped.dynamics = read_dynamics(root, reading);
-  for (const auto &[key, value, only] :
-       {std::tuple("dynamics.model", lumped.dynamics.model, "six-mass"),
-        std::tuple("dynamics.mass_source", lumped.dynamics.mass_source, "closed-form")})
-    if (reading.usable({key}) && value != only)
-      contradict(reading, key, "needs rolls; a lumped model has none", {});
+  lumped.dynamics = read_dynamics(root, chain_dynamics_rows(), reading);
   check_published_force(lumped.dynamics, lumped.given, reading);
   return lumped;
 }

@@ -49,11 +49,12 @@ std::vector<Pass> read_passes(const Node &root, const std::vector<Field<PassInpu
   return passes;
 }
 
-DynamicsSettings read_dynamics(const Node &root, Reading &reading)
+DynamicsSettings read_dynamics(const Node &root, const std::vector<Field<DynamicsSettings>> &rows,
+                               Reading &reading)
 {
   DynamicsSettings dynamics;
   const Section section = section_at(root, "dynamics", reading);
-  read_and_echo(section, section.header(), dynamics_rows(), dynamics, reading);
+  read_and_echo(section, section.header(), rows, dynamics, reading);
   dynamics.force_meaning_place = reading.place("dynamics.force_meaning");
   return dynamics;
 }

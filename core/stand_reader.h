@@ -18,7 +18,8 @@ Screwdown read_screwdown(const Node &root, Reading &reading);
 std::vector<std::string> frame_keys_behind(bool housing, const Screwdown &screwdown);
 /// [frame]; what is needless and not given is NaN.
 Frame read_frame(const Node &root, const std::vector<std::string> &needless, Reading &reading);
-DynamicsSettings read_dynamics(const Node &root, Reading &reading);
+DynamicsSettings read_dynamics(const Node &root, const std::vector<Field<DynamicsSettings>> &rows,
+                               Reading &reading);
 /// [given] (replaces computed values) or [published] (stands beside them).
 GivenValues read_given(const Node &root, const std::string &name, const std::string &kind, Reading &reading);
 

@@ -347,6 +347,13 @@ const std::vector<Field<DynamicsSettings>> &dynamics_rows()
   return rows;
 }
 
+const std::vector<Field<DynamicsSettings>> &chain_dynamics_rows()
+{
+  // A chain of given masses has no shapes and no rolls: what concerns them comes last in the rows above.
+  static const std::vector<Field<DynamicsSettings>> rows(dynamics_rows().begin(), dynamics_rows().begin() + 5);
+  return rows;
+}
+
 const std::vector<Field<TwoCylinders>> &upper_cylinder_rows()
 {
   using T = TwoCylinders;

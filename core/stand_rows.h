@@ -60,6 +60,7 @@ const std::vector<Field<PassInput>> &pass_rows();
 const std::vector<Field<ContactSettings>> &roll_contact_rows();  ///< four-high: loads are forces
 const std::vector<Field<ContactSettings>> &line_contact_rows();  ///< two-cylinders: loads per length
 const std::vector<Field<DynamicsSettings>> &dynamics_rows();
+const std::vector<Field<DynamicsSettings>> &chain_dynamics_rows();  ///< of kind "lumped"
 const std::vector<Field<TwoCylinders>> &upper_cylinder_rows();
 const std::vector<Field<TwoCylinders>> &lower_cylinder_rows();
 

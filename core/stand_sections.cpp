@@ -136,7 +136,7 @@ std::vector<SectionRows> sections_of(const std::string &kind)
   const SectionRows head{"", Repeat::once, true, "what the file is", rows_of(head_rows())};
   const SectionRows steel{"steel", Repeat::once, false, "material of every solid", rows_of(steel_rows())};
   const SectionRows dynamics{"dynamics", Repeat::once, false, "runs of the lumped model",
-                             rows_of(dynamics_rows())};
+                             rows_of(kind == "lumped" ? chain_dynamics_rows() : dynamics_rows())};
   const SectionRows pass{"pass", Repeat::list, kind == "four-high",
                          "one pass: its rolling force and what is known of it", rows_of(pass_rows())};
   const std::vector<Row> &published_rows = given_rows(kind, true);
