@@ -213,8 +213,9 @@ PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &cha
                      const DynamicsSettings &settings)
 {
   const double limit = settings.frequency_limit;
-  const auto modal   = dynamics::modal_model(stand.model, stand.modes.frequency, stand.modes.shape,
-                                             settings.modal_damping, 2 * limit);
+  const auto modal   = dynamics::modal_model(
+        stand.model, stand.modes.frequency, stand.modes.shape, settings.modal_damping, 2 * limit,
+      settings.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value);
   PassModel p{dynamics::driven_model(modal),
               stand.model.name == "beam" ? "rolls as beams" : "rolls as reduced finite elements",
               limit,

@@ -3,6 +3,7 @@
 #include "reduce/housing_frame.h"
 #include "reduce/line_contact.h"
 #include "reduce/screwdown.h"
+#include "reduce/spring_chain.h"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -49,6 +50,14 @@ QuickResult quick_contact(const FourHigh &stand, const std::string &name, const 
   return r;
 }
 
+namespace {
+double given_value(const FourHigh &stand, const std::string &name)
+{
+  const auto given = stand.given.find(name);
+  return given == stand.given.end() ? not_given : given->second.parameter.value;
+}
+}  // namespace
+
 FourHigh with_drawn_frame(FourHigh stand)
 {
   Frame &f = stand.frame;
@@ -64,6 +73,8 @@ FourHigh with_drawn_frame(FourHigh stand)
     f.lower_beam_mass      = h.reduced_mass[reduce::lower_beam];
   }
   f = reduce::frame_with_screwdown(f, stand.screwdown, stand.steel).frame;
+  if (stand.housing.present())
+    f = reduce::with_masses_at_the_chain(f, given_value(stand, "K1"), given_value(stand, "K7"));
   return stand;
 }
 

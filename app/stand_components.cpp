@@ -10,12 +10,14 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <unistd.h>
 
 namespace mill {
 namespace {
 // Raised by hand when meshing or reduction changes what it computes.
-constexpr const char *stage_version = "components 1";
+constexpr const char *stage_version = "components 2";
 
 Component cached(RunContext &run, const std::string &name, const std::string &inputs,
                  const std::function<Component()> &make)
@@ -25,7 +27,13 @@ Component cached(RunContext &run, const std::string &name, const std::string &in
                                                meshes::library_version(), name, inputs));
   const std::string file = run.cache + "/component-" + key + ".bin";
   std::string note;
-  auto stored = run.fresh && !run.made.count(key) ? std::nullopt : fem::load_component(file, key, &note);
+  std::optional<Component> stored;
+  try {
+    if (!run.fresh || run.made.count(key))
+      stored = fem::load_component(file, key, &note);
+  } catch (const InputError &e) {  // an entry that cannot be read is made again
+    note = fmt::format("{} is not used: {}", file, e.what());
+  }
   if (!note.empty())
     run.progress.note(note);
   if (stored) {
@@ -51,23 +59,79 @@ std::string text_of(const Material &m)
   return fmt::format("{} {} {}", m.youngs_modulus, m.poisson_ratio, m.density);
 }
 
-Component roll(RunContext &run, const std::string &name, const Roll &drawn, const FourHigh &stand,
-               const int elements)
+// A mesh that follows waves to the frequency limit: as fine as the case says, or finer where it leaves that open.
+struct RollMesh {
+  std::unique_ptr<fem::ElasticBody> body;
+  double reach = 0;  // Hz
+};
+
+constexpr int finest = 12;  // elements per radius
+
+RollMesh mesh_of(RunContext &run, const std::string &name, const RollGeometry &g, const Material &steel,
+                 const int n)
+{
+  const std::string path = fmt::format("{}/{}-{}.msh", run.out.staging(), slug(name), ::getpid());
+  const MeshFile mesh    = meshes::mesh_roll(name, g, meshes::vibration_mesh_size(g, n), path);
+  RollMesh made{std::make_unique<fem::ElasticBody>(mesh, steel, 2), 0};
+  made.reach = fem::roll_reach(*made.body, g, steel);
+  std::remove(path.c_str());
+  return made;
+}
+
+[[noreturn]] void refuse_limit(const RunContext &run, const double limit, const std::string &name,
+                               const double reach, const std::string &remedy)
+{
+  const auto place = run.the_case.places.find("dynamics.frequency_limit");
+  throw InputError(
+      place == run.the_case.places.end() ? Place{run.the_case.path} : place->second,
+      fmt::format("dynamics.frequency_limit = {:g} Hz is above what the mesh of the {} can follow, {:.0f} Hz "
+                  "with four elements per wave; lower the limit{}",
+                  limit, name, reach, remedy));
+}
+
+struct ReducedRoll {
+  Component fine, coarse;
+};
+
+ReducedRoll roll(RunContext &run, const std::string &name, const Roll &drawn, const FourHigh &stand)
 {
   const RollGeometry g = fem::vibrating_roll(drawn);
+  const double limit   = stand.dynamics.frequency_limit;
+  const bool fixed     = run.the_case.places.count("dynamics.elements_per_radius") > 0;
   fem::RollComponentOptions options;
-  options.frequency_limit = stand.dynamics.frequency_limit;
-  const std::string inputs =
-      fmt::format("{} {} {} {} {} | {} | {} {} {}", g.radius, g.half_length, g.neck_radius, g.neck_length,
-                  g.seat_centre, text_of(stand.steel), elements, options.n_barrel, options.frequency_limit);
-  return cached(run, name + (elements == stand.dynamics.elements_per_radius ? "" : ", coarse mesh"), inputs, [&] {
-    const std::string path = fmt::format("{}/{}-{}.msh", run.out.staging(), slug(name), ::getpid());
-    const MeshFile mesh    = meshes::mesh_roll(name, g, meshes::vibration_mesh_size(g, elements), path);
-    const fem::ElasticBody body(mesh, stand.steel, 2);
-    const Component made = fem::roll_component(name, body, g, stand.steel, options).component;
-    std::remove(path.c_str());
-    return made;
+  options.frequency_limit = limit;
+  const auto inputs       = [&](const std::string &mesh) {
+    return fmt::format("{} {} {} {} {} | {} | {} {} {}", g.radius, g.half_length, g.neck_radius, g.neck_length,
+                             g.seat_centre, text_of(stand.steel), mesh, options.n_barrel, limit);
+  };
+  const int asked      = stand.dynamics.elements_per_radius;
+  const auto first     = fmt::format("{} {}", asked, fixed);
+  int used             = asked;
+  const auto fine_mesh = [&] {
+    RollMesh mesh = mesh_of(run, name, g, stand.steel, used);
+    while (mesh.reach < limit && !fixed && used < finest)
+      mesh = mesh_of(run, name, g, stand.steel, ++used);
+    if (mesh.reach < limit)
+      refuse_limit(run, limit, name, mesh.reach,
+                   fixed ? " or leave dynamics.elements_per_radius open, so that it is chosen" : "");
+    if (used != asked)
+      run.progress.note(fmt::format("{}: {} elements per radius, for waves of {:g} Hz", name, used, limit));
+    return mesh;
+  };
+  ReducedRoll reduced;
+  reduced.fine   = cached(run, name, inputs(first), [&] {
+    return fem::roll_component(name, *fine_mesh().body, g, stand.steel, options).component;
   });
+  reduced.coarse = cached(run, name + ", coarse mesh", inputs(first + " coarse"), [&] {
+    if (used == asked)
+      fine_mesh();  // the finer one may come from the cache: how fine it was is found again
+    const RollMesh mesh = mesh_of(run, name, g, stand.steel, used - 1);
+    // It only shows what the mesh moves: as many modes, whether or not it follows them as well.
+    options.n_modes         = int(reduced.fine.fixed_frequency.size());
+    options.frequency_limit = std::min(limit, mesh.reach);
+    return fem::roll_component(name, *mesh.body, g, stand.steel, options).component;
+  });
+  return reduced;
 }
 
 Component housing(RunContext &run, const FourHigh &stand, const bool fine)
@@ -94,35 +158,21 @@ Component housing(RunContext &run, const FourHigh &stand, const bool fine)
 }
 }  // namespace
 
-namespace {
-// What the meshes cannot show is the case's frequency limit.
-[[noreturn]] void refuse_limit(const RunContext &run, const FourHigh &stand, const InputError &e)
-{
-  const auto place = run.the_case.places.find("dynamics.frequency_limit");
-  throw InputError(place == run.the_case.places.end() ? Place{run.the_case.path} : place->second,
-                   fmt::format("dynamics.frequency_limit = {:g} Hz: {}; rolls get finer meshes by "
-                               "dynamics.elements_per_radius = {} and more",
-                               stand.dynamics.frequency_limit, e.what(), stand.dynamics.elements_per_radius + 1));
-}
-}  // namespace
-
 ComponentSets stand_components(RunContext &run, const FourHigh &stand)
 {
-  const int elements = stand.dynamics.elements_per_radius;
-  ComponentSets sets;
-  for (const bool fine : {false, true}) {
-    reduce::StandComponents &set = fine ? sets.fine : sets.coarse;
-    const int n                  = fine ? elements : elements - 1;
-    try {
-      set.work_roll   = roll(run, "work roll", stand.work_roll, stand, n);
-      set.backup_roll = roll(run, "backup roll", stand.backup_roll, stand, n);
-      if (stand.housing.present())
-        set.housing = housing(run, stand, fine);
-    } catch (const InputError &e) {
-      refuse_limit(run, stand, e);
-    }
-    run.progress.at("components", fine ? 1 : 0.3);
+  ReducedRoll work = roll(run, "work roll", stand.work_roll, stand);
+  run.progress.at("components", 0.3);
+  ReducedRoll backup = roll(run, "backup roll", stand.backup_roll, stand);
+  run.progress.at("components", 0.6);
+  ComponentSets sets{
+      {std::move(work.fine),   std::move(backup.fine),   std::nullopt},
+      {std::move(work.coarse), std::move(backup.coarse), std::nullopt}
+  };
+  if (stand.housing.present()) {
+    sets.coarse.housing = housing(run, stand, false);
+    sets.fine.housing   = housing(run, stand, true);
   }
+  run.progress.at("components", 1);
   return sets;
 }
 }  // namespace mill

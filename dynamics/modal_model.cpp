@@ -5,7 +5,7 @@
 
 namespace mill::dynamics {
 ModalModel modal_model(const StandModel &stand, const Eigen::VectorXd &frequency, const Eigen::MatrixXd &shape,
-                       const double damping, const double highest)
+                       const double damping, const double highest, const double gap_damper)
 {
   assert(frequency.size() == shape.cols());
   const Eigen::Index n       = std::upper_bound(frequency.begin(), frequency.end(), highest) - frequency.begin();
@@ -21,6 +21,7 @@ ModalModel modal_model(const StandModel &stand, const Eigen::VectorXd &frequency
   model.load_cell       = kept.transpose() * stand.load_cell;
   model.load_cell_share = stand.load_cell_share;
   model.damping         = damping;
+  model.gap_damper      = gap_damper;
   return model;
 }
 
@@ -33,13 +34,15 @@ StateSpace state_space(const ModalModel &model)
   system.A.topRightCorner(n, n)    = rad.asDiagonal();
   system.A.bottomLeftCorner(n, n)  = (-rad).asDiagonal();
   system.A.bottomRightCorner(n, n) = (-2 * model.damping * rad).asDiagonal();
-  system.B                         = Eigen::VectorXd::Zero(2 * n);
-  system.B.tail(n)                 = model.force;
-  system.C                         = Eigen::MatrixXd::Zero(m + 1, 2 * n);
-  system.C.topRows(m)              = model.point * system.A.bottomRows(n);
-  system.C.row(m).head(n)          = model.load_cell.cwiseQuotient(rad).transpose();
-  system.D                         = Eigen::VectorXd::Zero(m + 1);
-  system.D.head(m)                 = model.point * model.force;
+  // The bite force works on the gap, so its damper couples the modes by the same row, as in (6.3).
+  system.A.bottomRightCorner(n, n) -= model.gap_damper * model.force * model.force.transpose();
+  system.B                = Eigen::VectorXd::Zero(2 * n);
+  system.B.tail(n)        = model.force;
+  system.C                = Eigen::MatrixXd::Zero(m + 1, 2 * n);
+  system.C.topRows(m)     = model.point * system.A.bottomRows(n);
+  system.C.row(m).head(n) = model.load_cell.cwiseQuotient(rad).transpose();
+  system.D                = Eigen::VectorXd::Zero(m + 1);
+  system.D.head(m)        = model.point * model.force;
   return system;
 }
 }  // namespace mill::dynamics

@@ -15,6 +15,7 @@ struct ModalModel {
   Eigen::VectorXd load_cell;        ///< (n) N/m kg^-1/2, load-cell force per modal displacement
   double load_cell_share = 1;       ///< -, part of the mean bite force that the load cell shows
   double damping         = 0;       ///< -, ratio of critical of every mode
+  double gap_damper      = 0;       ///< N s/m, C between the work rolls, over the strip's width
 };
 
 /// The modes of a stand up to `highest` (Hz).  What is left out is the motion of faster modes, which a force below
@@ -22,7 +23,7 @@ struct ModalModel {
 /// @param frequency  (k) Hz, ascending
 /// @param shape      (unknowns, k) kg^-1/2, mass-normalised
 ModalModel modal_model(const StandModel &stand, const Eigen::VectorXd &frequency, const Eigen::MatrixXd &shape,
-                       double damping, double highest);
+                       double damping, double highest, double gap_damper = 0);
 
 /// First-order form in [w q; q']; outputs are the accelerations of the points, then the change of the load-cell
 /// force, as state_space(MillModel).

@@ -136,7 +136,9 @@ Component component_modes(const PartModel &part, const PartInterface &interface,
   Component c;
   c.name   = part.name();
   c.source = "finite elements, " + std::to_string(part.n_unknowns()) + " unknowns" +
-             (copies > 1 ? " of a part of " + std::to_string(copies) : "");
+             (copies == 8   ? " of an eighth"
+              : copies == 4 ? " of a quarter"
+                            : "");
   c.interface = interface.names;
   c.M.setIdentity(n, n);
   c.M.topLeftCorner(n_i, n_i)    = 0.5 * (M_ii + M_ii.transpose());

@@ -108,7 +108,8 @@ std::vector<Rider> riders_of(const FourHigh &stand)
   };
 }
 
-SixMasses six_masses(const StandModel &stand, const std::vector<Rider> &riders, const std::string &reference)
+SixMasses six_masses(const StandModel &stand, const std::vector<Rider> &riders, const std::string &reference,
+                     const double upper_share)
 {
   const StandModel path   = load_path(stand);
   const Eigen::VectorXd y = static_displacement(path);
@@ -125,8 +126,15 @@ SixMasses six_masses(const StandModel &stand, const std::vector<Rider> &riders, 
 
   const Eigen::VectorXd My = path.M * y;
   std::array<double, 6> moving{};  // twice the kinetic energy, (22.11)
-  for (Eigen::Index i = 0; i < y.size(); ++i)
-    moving[std::size_t(place_of_unknown(path, i))] += y[i] * My[i];
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    const double energy = y[i] * My[i];
+    if (std::isnan(upper_share) || place_of_part(path.parts[std::size_t(path.part_of[std::size_t(i)])]) >= 0) {
+      moving[std::size_t(place_of_unknown(path, i))] += energy;
+      continue;
+    }
+    moving[0] += upper_share * energy;
+    moving[5] += (1 - upper_share) * energy;
+  }
   for (const Rider &rider : riders) {
     const auto at = std::find_if(path.points.begin(), path.points.end(),
                                  [&](const StandPoint &p) { return p.name == rider.point; });

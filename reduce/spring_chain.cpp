@@ -38,6 +38,20 @@ void require_path(const PathSprings &path)
 }
 }  // namespace
 
+Frame with_masses_at_the_chain(Frame f, const double K1, const double K7)
+{
+  const double screw = 1 / f.upper_post_stiffness + 1 / f.upper_beam_stiffness,
+               seat  = 1 / f.lower_post_stiffness + 1 / f.lower_beam_stiffness;
+  const double upper = std::isnan(K1) ? screw + 1 / f.piston_stiffness + 1 / f.upper_packing_stiffness : 1 / K1;
+  const double cell  = std::isnan(f.load_cell_stiffness) ? 0 : 1 / f.load_cell_stiffness;
+  const double lower = std::isnan(K7) ? seat + 1 / f.lower_packing_stiffness + cell : 1 / K7;
+  for (double *mass : {&f.upper_post_mass, &f.upper_beam_mass})
+    *mass *= std::pow(screw / upper, 2);
+  for (double *mass : {&f.lower_post_mass, &f.lower_beam_mass})
+    *mass *= std::pow(seat / lower, 2);
+  return f;
+}
+
 SeriesSprings series_springs(const Frame &f, const PathSprings &path)
 {
   require_path(path);

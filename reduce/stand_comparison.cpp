@@ -125,12 +125,17 @@ Eigen::MatrixXd mac_between(const StandWithModes &other, const StandWithModes &b
 }
 
 std::vector<ModePair> pair_modes(const Eigen::MatrixXd &mac, const Eigen::VectorXd &row_frequency,
-                                 const Eigen::VectorXd &column_frequency, const double least)
+                                 const Eigen::VectorXd &column_frequency, const double least,
+                                 const double most_apart)
 {
   std::vector<ModePair> pairs(std::size_t(mac.cols()));
   for (Eigen::Index c = 0; c < mac.cols(); ++c)
     pairs[std::size_t(c)].mode = int(c);
   Eigen::MatrixXd open = mac;
+  for (Eigen::Index r = 0; r < mac.rows(); ++r)
+    for (Eigen::Index c = 0; c < mac.cols(); ++c)
+      if (std::abs(std::log(row_frequency[r] / column_frequency[c])) > std::log(most_apart))
+        open(r, c) = -1;
   while (open.size() > 0) {
     Eigen::Index r, c;
     const double best = open.maxCoeff(&r, &c);

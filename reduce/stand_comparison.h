@@ -38,9 +38,11 @@ struct ModePair {
 };
 
 /// For every mode of the columns (first model) its best partner among the rows (second model); no row is used
-/// twice, best assurance first.  Pairs below `least` are left open.
+/// twice, best assurance first.  Pairs below `least`, or whose frequencies are further apart than the ratio
+/// `most_apart`, are left open: two shapes may look alike at the few places that are compared.
 std::vector<ModePair> pair_modes(const Eigen::MatrixXd &mac, const Eigen::VectorXd &row_frequency,
-                                 const Eigen::VectorXd &column_frequency, double least = 0.5);
+                                 const Eigen::VectorXd &column_frequency, double least = 0.5,
+                                 double most_apart = 1.5);
 
 /// What six masses show of a detailed stand below a frequency limit.
 struct ChainVerdict {

@@ -54,7 +54,17 @@ std::string verdict(const ModePair *pair, const double frequency)
          (error <= 0.03  ? "good-word"
           : error <= 0.1 ? "fair-word"
                          : "poor-word") +
-         "\">" + (error <= 0.1 ? "right to " : "wrong by ") + significant(100 * error, 2) + "\u00a0%</td>";
+         "\">" + (error <= 0.05 ? "right to " : "wrong by ") + significant(100 * error, 2) + "\u00a0%</td>";
+}
+}  // namespace
+
+namespace {
+// Shapes that look alike at the places compared are no counterparts when their frequencies are far apart.
+bool near(const MacTable &mac, const Eigen::Index row, const Eigen::Index column)
+{
+  if (mac.row_frequency.size() <= row || mac.column_frequency.size() <= column)
+    return true;
+  return !(std::abs(std::log(mac.row_frequency[row] / mac.column_frequency[column])) > std::log(1.5));
 }
 }  // namespace
 
@@ -64,7 +74,8 @@ int mac_partner(const MacTable &mac, const int row)
     return 0;
   int best = 0;
   for (Eigen::Index j = 0; j < mac.values.cols(); ++j)
-    if (const double v = mac.values(row - 1, j); v >= alike && (!best || v > mac.values(row - 1, best - 1)))
+    if (const double v = mac.values(row - 1, j);
+        v >= alike && near(mac, row - 1, j) && (!best || v > mac.values(row - 1, best - 1)))
       best = int(j) + 1;
   // Two modes may both look like one of the other model; it is the counterpart of the more alike.
   return best && mac.values(row - 1, best - 1) >= mac.values.col(best - 1).maxCoeff() ? best : 0;

@@ -9,6 +9,26 @@
 
 namespace mill::report {
 namespace {
+// What made the responses, by the source of their peaks: prefix of its frequencies, empty for the six masses.
+std::string driven_model(const Run &run)
+{
+  for (const Result &result : run.results)
+    if (result.name.find(".peak_g.upper_work_roll") != std::string::npos) {
+      if (result.source.find("rolls as beams") != std::string::npos)
+        return "beam.";
+      return result.source.find("reduced finite elements") != std::string::npos ? "craig-bampton." : "";
+    }
+  return "";
+}
+
+std::string driven_title(const Run &run)
+{
+  const std::string model = driven_model(run);
+  return model.empty()      ? "chain of six masses"
+         : model == "beam." ? "stand of beams"
+                            : "stand of reduced finite elements";
+}
+
 constexpr double wide = 1040;  // px, the width of the page
 
 struct Channel {
@@ -137,12 +157,12 @@ std::string spectrum(const Run &run, const Table &table, const std::string &titl
     plot.y.low  = 1e-4 * largest;
     plot.y.high = 2 * largest;
   }
-  plot.x.low = 5;  // below, a record of some seconds has no resolution worth showing
-  for (int i = 1; i <= 6; ++i)
-    if (const Result *f = run.find("f" + std::to_string(i))) {
-      plot.marks.push_back({f->value, "f" + std::to_string(i)});
-      plot.x.high = 4 * f->value;  // further up the chain has nothing to answer with
-    }
+  plot.x.low              = 5;  // below, a record of some seconds has no resolution worth showing
+  const std::string model = driven_model(run);
+  for (int i = 1; const Result *f = run.find(model + "f" + std::to_string(i)); ++i) {
+    plot.marks.push_back({f->value, "f" + std::to_string(i)});
+    plot.x.high = (model.empty() ? 4 : 2) * f->value;  // further up there is nothing to answer with
+  }
   return svg_plot(plot);
 }
 
@@ -168,8 +188,10 @@ void one_pass(Page &page, const Run &run, const PassInfo &pass)
                      { {"upper_work_roll", "upper work roll"}, {"lower_work_roll", "lower work roll"}},
                      "amplitude density", "g/\u221aHz")
     },
-        "Spectra of " + escaped(pass.name) +
-            " with the natural frequencies of the chain marked, up to four times the highest. A peak of the "
+        "Spectra of " + escaped(pass.name) + " with the natural frequencies of " +
+            (driven_model(run).empty() ? "the chain" : "the " + driven_title(run)) + " marked, up to " +
+            (driven_model(run).empty() ? "four times" : "twice") +
+            " the highest. A peak of the "
             "acceleration at a mark where the "
             "force has none is a resonance of the stand; where the force spectrum ends, so does what this "
             "record can say.");
@@ -228,7 +250,8 @@ void response_section(Page &page, const Run &run)
   if (run.manifest.passes.empty())
     page.paragraph("No pass was simulated in this run.");
   if (const std::string table = peak_table(run); !table.empty()) {
-    page.table(table, "Largest accelerations of the work rolls. Peaks are zero to peak.");
+    page.table(table, "Largest accelerations of the work rolls at mid-length, computed with the " +
+                          driven_title(run) + ". Peaks are zero to peak.");
     what_the_levels_say(page, run);
   }
   if (const std::string rows = force_rows(run); !rows.empty())
