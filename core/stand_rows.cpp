@@ -342,7 +342,9 @@ const std::vector<Field<DynamicsSettings>> &dynamics_rows()
        &T::elements_per_radius,
        "count",                                                                         {3, 12},
        3,                                                                                                            "3",
-       "quadratic elements over the radius of a roll in the meshes behind craig-bampton"                                                                                       },
+       "quadratic elements over the radius of a roll in the meshes behind craig-bampton, at least; more are taken "
+       "where "
+       "the frequency limit needs them"                                                                                                                                        },
   };
   return rows;
 }

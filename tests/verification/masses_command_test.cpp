@@ -126,8 +126,9 @@ TEST(Housing, DrawingReplacesTheFrame)
                    within(1e-12, "sum of the reduced masses")));
   EXPECT_GT(values.at("K1").at("error_estimate").get<double>(), 0);
   EXPECT_TRUE(fs::exists(scratch("drawn") + "/fields/housing.vtu"));
-  bool housing = false;
-  for (const auto &model : json_of(scratch("drawn") + "/curves/models.json").at("models"))
+  const auto models = json_of(scratch("drawn") + "/curves/models.json");
+  bool housing      = false;
+  for (const auto &model : models.at("models"))
     for (const auto &part : model.at("parts"))
       housing = housing || part == "housing";
   EXPECT_TRUE(housing) << "the reduced housing is a part of the assembled stand";
