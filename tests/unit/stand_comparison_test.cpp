@@ -82,13 +82,15 @@ TEST(StandComparison, PairsTakeTheBestFirstAndNoRowTwice)
   mac << 0.9, 0.95, 0.1,  //
       0.6, 0.7, 0.0,      //
       0.0, 0.0, 0.4;
-  const auto pairs = pair_modes(mac, Eigen::Vector3d(10, 20, 30), Eigen::Vector3d(11, 12, 33));
+  const auto pairs = pair_modes(mac, Eigen::Vector3d(10, 14, 30), Eigen::Vector3d(11, 12, 33));
   EXPECT_EQ(pairs[1].other, 0);
   EXPECT_NEAR(pairs[1].difference, 0.2, 1e-14);
   EXPECT_EQ(pairs[0].other, 1);
   EXPECT_EQ(pairs[0].mac, 0.6);
   EXPECT_EQ(pairs[2].other, -1);
-  EXPECT_EQ(pair_modes(mac, Eigen::Vector3d(10, 20, 30), Eigen::Vector3d(11, 12, 33), 0.3)[2].other, 2);
+  EXPECT_EQ(pair_modes(mac, Eigen::Vector3d(10, 14, 30), Eigen::Vector3d(11, 12, 33), 0.3)[2].other, 2);
+  EXPECT_EQ(pair_modes(mac, Eigen::Vector3d(10, 20, 30), Eigen::Vector3d(11, 12, 33))[0].other, -1)
+      << "20 Hz is no counterpart of 11 Hz, however alike they look";
 }
 
 TEST(StandComparison, SentencesOfTheDemoStand)
