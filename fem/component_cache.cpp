@@ -1,5 +1,6 @@
 #include "fem/component_cache.h"
 #include "core/files.h"
+#include "fem/archive.h"
 #include <cstring>
 #include <filesystem>
 
@@ -21,90 +22,6 @@ template <class Archive> void members(Archive &a, Component &c)
   for (Eigen::VectorXd *v : {&c.fixed_frequency, &c.axis_z})
     a.array(*v);
 }
-
-struct Writer {
-  std::string bytes;
-  void raw(const void *data, const std::size_t size)
-  {
-    bytes.append(static_cast<const char *>(data), size);
-  }
-  void number(const double value)
-  {
-    raw(&value, sizeof value);
-  }
-  void count(const int value)
-  {
-    number(value);
-  }
-  void text(const std::string &value)
-  {
-    count(int(value.size()));
-    bytes += value;
-  }
-  void texts(const std::vector<std::string> &list)
-  {
-    count(int(list.size()));
-    for (const std::string &value : list)
-      text(value);
-  }
-  template <class Array> void array(const Array &values)
-  {
-    count(int(values.rows()));
-    count(int(values.cols()));
-    raw(values.data(), sizeof(double) * std::size_t(values.size()));
-  }
-};
-
-struct Reader {
-  const std::string &bytes;
-  std::size_t at = 0;
-  bool good      = true;
-  void raw(void *data, const std::size_t size)
-  {
-    good = good && size <= bytes.size() - at;
-    if (!good)
-      return;
-    std::memcpy(data, bytes.data() + at, size);
-    at += size;
-  }
-  void number(double &value)
-  {
-    raw(&value, sizeof value);
-  }
-  void count(int &value)
-  {
-    double exact = 0;
-    number(exact);
-    good  = good && exact >= 0 && exact <= double(bytes.size());
-    value = good ? int(exact) : 0;
-  }
-  void text(std::string &value)
-  {
-    int length = 0;
-    count(length);
-    value.assign(std::size_t(length), ' ');
-    raw(value.data(), value.size());
-  }
-  void texts(std::vector<std::string> &list)
-  {
-    int n = 0;
-    count(n);
-    list.assign(std::size_t(n), "");
-    for (std::string &value : list)
-      text(value);
-  }
-  template <class Array> void array(Array &values)
-  {
-    int rows = 0, cols = 0;
-    count(rows);
-    count(cols);
-    good = good && std::size_t(rows) * std::size_t(cols) <= bytes.size() / sizeof(double);
-    if (!good)
-      return;
-    values.resize(rows, cols);
-    raw(values.data(), sizeof(double) * std::size_t(values.size()));
-  }
-};
 }  // namespace
 
 void save_component(const std::string &path, const std::string &key, const Component &component)

@@ -1,5 +1,6 @@
 #include "fem/roll_cache.h"
 #include "core/files.h"
+#include "fem/archive.h"
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -114,94 +115,6 @@ template <class Archive> void members(Archive &a, RingResult &r)
     a.number(*value);
   a.texts(r.notes);
 }
-
-struct Writer {
-  std::string bytes;
-  void fail() {}
-  void raw(const void *data, const std::size_t size)
-  {
-    bytes.append(static_cast<const char *>(data), size);
-  }
-  void number(const double &value)
-  {
-    raw(&value, sizeof value);
-  }
-  void count(const int &value)
-  {
-    const double exact = value;
-    raw(&exact, sizeof exact);
-  }
-  void texts(const std::vector<std::string> &list)
-  {
-    count(int(list.size()));
-    for (const std::string &text : list) {
-      count(int(text.size()));
-      raw(text.data(), text.size());
-    }
-  }
-  template <class Array> void array(const Array &array)
-  {
-    count(int(array.rows()));
-    count(int(array.cols()));
-    raw(array.data(), sizeof(double) * std::size_t(array.size()));
-  }
-};
-
-struct Reader {
-  const std::string &bytes;
-  std::size_t at = 0;
-  bool good      = true;
-  void fail()
-  {
-    good = false;
-  }
-  void raw(void *data, const std::size_t size)
-  {
-    good = good && size <= bytes.size() - at;
-    if (!good)
-      return;
-    std::memcpy(data, bytes.data() + at, size);
-    at += size;
-  }
-  void number(double &value)
-  {
-    raw(&value, sizeof value);
-  }
-  void count(int &value)
-  {
-    double exact = 0;
-    raw(&exact, sizeof exact);
-    value = int(exact);
-  }
-  void texts(std::vector<std::string> &list)
-  {
-    int n = 0;
-    count(n);
-    good = good && n >= 0 && std::size_t(n) <= bytes.size();
-    list.assign(good ? std::size_t(n) : 0, "");
-    for (std::string &text : list) {
-      int length = 0;
-      count(length);
-      good = good && length >= 0 && std::size_t(length) <= bytes.size() - at;
-      if (!good)
-        return;
-      text = bytes.substr(at, std::size_t(length));
-      at += std::size_t(length);
-    }
-  }
-  template <class Array> void array(Array &array)
-  {
-    int rows = 0, cols = 0;
-    count(rows);
-    count(cols);
-    good =
-        good && rows >= 0 && cols >= 0 && std::size_t(rows) * std::size_t(cols) <= bytes.size() / sizeof(double);
-    if (!good)
-      return;
-    array.resize(rows, cols);
-    raw(array.data(), sizeof(double) * std::size_t(array.size()));
-  }
-};
 template <class Roll> void save(const std::string &path, const std::string &key, const Roll &roll)
 {
   Writer writer;
