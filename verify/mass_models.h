@@ -1,13 +1,10 @@
 #pragma once
-#include "core/stand.h"
 #include "reduce/lumped_stand.h"
+#include "verify/demo_drawing.h"
 #include "verify/verification.h"
 #include <vector>
 
 namespace mill::verify {
-/// The demo stand of the acceptance cases: drawing, masses and frame springs (entry demo.inputs of the reference).
-FourHigh demo_stand();
-
 /// Its chain at 976.2175 kN with the contact springs and bearing stiffness of the reference, without the bite.
 reduce::LumpedStand demo_chain(const FourHigh &stand);
 
