@@ -1,8 +1,7 @@
 #include "bite/stiffness_map.h"
 #include "core/errors.h"
+#include "core/parallel.h"
 #include <algorithm>
-#include <atomic>
-#include <thread>
 
 namespace mill::bite {
 RollBite with_quantity(RollBite bite, const MapQuantity quantity, const double value)
@@ -48,30 +47,21 @@ StiffnessMap stiffness_map(const RollBite &bite, const SlabModel &model, const M
   map.force = map.slope = map.slope_following = map.flattened_radius = Eigen::MatrixXd::Constant(n, m, not_given);
   map.reason                                                         = Eigen::MatrixXi::Constant(n, m, -1);
   std::vector<std::string> why(std::size_t(n * m));  // empty where there is a state
-  std::atomic<Eigen::Index> next{0};
-  const auto work = [&] {
-    for (Eigen::Index i = next++; i < n; i = next++) {
-      const RollBite row = with_quantity(bite, rows.quantity, rows.value[i]);
-      for (Eigen::Index j = 0; j < m; ++j)
-        try {
-          const BiteState state      = solve_slab(with_quantity(row, columns.quantity, columns.value[j]), lean);
-          map.force(i, j)            = state.force;
-          map.slope(i, j)            = -by(state.force_by, Input::exit_thickness);
-          map.slope_following(i, j)  = -state.force_by_exit_following;
-          map.flattened_radius(i, j) = state.flattened_radius;
-        } catch (const InputError &error) {
-          why[std::size_t(i * m + j)] = error.problems.front().message;
-        } catch (const SolverError &error) {
-          why[std::size_t(i * m + j)] = error.report.what + ": " + error.report.where;
-        }
-    }
-  };
-  std::vector<std::thread> helpers;
-  for (int i = 1; i < std::min<Eigen::Index>(threads, n); ++i)
-    helpers.emplace_back(work);
-  work();
-  for (std::thread &helper : helpers)
-    helper.join();
+  share_tasks(n, threads, [&](const Eigen::Index i) {
+    const RollBite row = with_quantity(bite, rows.quantity, rows.value[i]);
+    for (Eigen::Index j = 0; j < m; ++j)
+      try {
+        const BiteState state      = solve_slab(with_quantity(row, columns.quantity, columns.value[j]), lean);
+        map.force(i, j)            = state.force;
+        map.slope(i, j)            = -by(state.force_by, Input::exit_thickness);
+        map.slope_following(i, j)  = -state.force_by_exit_following;
+        map.flattened_radius(i, j) = state.flattened_radius;
+      } catch (const InputError &error) {
+        why[std::size_t(i * m + j)] = error.problems.front().message;
+      } catch (const SolverError &error) {
+        why[std::size_t(i * m + j)] = error.report.what + ": " + error.report.where;
+      }
+  });
 
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < m; ++j) {

@@ -24,6 +24,16 @@ ordered_json element(const std::string &form)
   return form == "1" ? ordered_json{{"type", "number"}} : quantity();
 }
 
+ordered_json list_of(const std::string &form, const int items)
+{
+  return {
+      {"type",     "array"      },
+      {"items",    element(form)},
+      {"minItems", items        },
+      {"maxItems", items        }
+  };
+}
+
 ordered_json type_of(const Row &row)
 {
   switch (row.kind) {
@@ -60,12 +70,9 @@ ordered_json type_of(const Row &row)
         {"type", "string"}
     };
   case Kind::pair:
-    return {
-        {"type",     "array"          },
-        {"items",    element(row.form)},
-        {"minItems", 2                },
-        {"maxItems", 2                }
-    };
+    return list_of(row.form, 2);
+  case Kind::six:
+    return list_of(row.form, 6);
   case Kind::table: {
     const auto forms = split(row.form, ", ");
     const ordered_json pair{

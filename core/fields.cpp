@@ -91,20 +91,35 @@ std::optional<Value> words(const Item &item)
   return text;
 }
 
-std::optional<std::array<double, 2>> two(const Item &item, const std::array<std::string, 2> &forms,
-                                         const std::array<Range, 2> &ranges)
+// As many numbers as there are forms, each with its unit and range; `what` they are called together.
+template <std::size_t n>
+std::optional<std::array<double, n>> several(const Item &item, const char *what,
+                                             const std::array<std::string, n> &forms,
+                                             const std::array<Range, n> &ranges)
 {
-  if (item.node.kind != Node::Kind::array || item.node.items.size() != 2)
-    return item.refuse(fmt::format("is not a pair; {}", needed(item.row)));
-  std::array<double, 2> values{};
+  if (item.node.kind != Node::Kind::array || item.node.items.size() != n)
+    return item.refuse(fmt::format("is not {}; {}", what, needed(item.row)));
+  std::array<double, n> values{};
   bool good = true;
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     const Item one{item.row, item.node.items[i], fmt::format("{}[{}]", item.key, i), item.reading};
     const auto value = scalar(one, forms[i], ranges[i]);
     good             = good && value;
     values[i]        = value.value_or(0);
   }
   return good ? std::optional(values) : std::nullopt;
+}
+
+// All of one form.
+template <std::size_t n> std::optional<Value> alike(const Item &item, const char *what)
+{
+  std::array<std::string, n> forms;
+  std::array<Range, n> ranges;
+  forms.fill(item.row.form);
+  ranges.fill(item.row.range);
+  if (const auto values = several<n>(item, what, forms, ranges))
+    return *values;
+  return std::nullopt;
 }
 
 std::optional<Value> table(const Item &item)
@@ -116,7 +131,8 @@ std::optional<Value> table(const Item &item)
   std::vector<std::array<double, 2>> pairs;
   for (std::size_t i = 0; i < item.node.items.size(); ++i) {
     const Item one{item.row, item.node.items[i], fmt::format("{}[{}]", item.key, i), item.reading};
-    const auto pair = two(one, {column_form(item.row, 0), column_form(item.row, 1)}, {Range{}, item.row.range});
+    const auto pair =
+        several<2>(one, "a pair", {column_form(item.row, 0), column_form(item.row, 1)}, {Range{}, item.row.range});
     if (!pair)
       return std::nullopt;
     if (!pairs.empty() && !((*pair)[0] > pairs.back()[0])) {
@@ -147,11 +163,11 @@ std::optional<Value> value_of(const Item &item)
   case Kind::path:
     return words(item);
   case Kind::pair:
-    if (const auto pair = two(item, {item.row.form, item.row.form}, {item.row.range, item.row.range}))
-      return *pair;
-    return std::nullopt;
+    return alike<2>(item, "a pair");
   case Kind::table:
     return table(item);
+  case Kind::six:
+    return alike<6>(item, "a list of six");
   }
   return std::nullopt;
 }
@@ -203,8 +219,10 @@ Kind kind_of(const std::size_t member_index, const std::string &form)
     return form == "text" ? Kind::text : form == "path" ? Kind::path : Kind::choice;
   case 4:
     return Kind::pair;
-  default:
+  case 5:
     return Kind::table;
+  default:
+    return Kind::six;
   }
 }
 

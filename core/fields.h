@@ -42,18 +42,19 @@ enum class Kind {
   path,   ///< file, relative to the folder of the case file
   pair,   ///< two quantities, ["100 kN", "2000 kN"]
   table,  ///< list of pairs, [["-700 mm", "0 um"], ...]
+  six,    ///< list of six quantities, one for each body or spring of a stand
 };
 
 /// A value on its way between file and struct, SI.
-using Value =
-    std::variant<double, int, bool, std::string, std::array<double, 2>, std::vector<std::array<double, 2>>>;
+using Value = std::variant<double, int, bool, std::string, std::array<double, 2>,
+                           std::vector<std::array<double, 2>>, std::array<double, 6>>;
 
 /// A row without its destination: what documentation, schema and echo need.
 struct Row {
   std::string key;
   Kind kind;
   std::string form;  ///< unit; "1" for a pure number; "a | b" for a choice; two units "mm, um" for a table
-  Range range;       ///< of the value, of both of a pair, of the second column of a table
+  Range range;       ///< of the value, of all of a pair or of six, of the second column of a table
   Fallback fallback;
   std::string example;  ///< scalar without quotes, "420 mm"; pair and table as TOML
   std::string meaning;
@@ -61,7 +62,7 @@ struct Row {
 
 template <class T>
 using Member = std::variant<double T::*, int T::*, bool T::*, std::string T::*, std::array<double, 2> T::*,
-                            std::vector<std::array<double, 2>> T::*>;
+                            std::vector<std::array<double, 2>> T::*, std::array<double, 6> T::*>;
 
 /// One input parameter.  Whatever the program ever says about it is said here, once.
 template <class T> struct Field {

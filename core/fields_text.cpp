@@ -118,6 +118,15 @@ std::string toml_of(const Row &row, const Value &value)
       return "";
     return "[" + scalar_toml(pair[0], row.form) + ", " + scalar_toml(pair[1], row.form) + "]";
   }
+  case Kind::six: {
+    const auto &six = std::get<std::array<double, 6>>(value);
+    if (std::isnan(six[0]))
+      return "";
+    std::string text;
+    for (const double number : six)
+      text += (text.empty() ? "[" : ", ") + scalar_toml(number, row.form);
+    return text + "]";
+  }
   case Kind::table: {
     std::string text;
     for (const auto &pair : std::get<std::vector<std::array<double, 2>>>(value))
@@ -179,6 +188,8 @@ std::string needed(const Row &row)
     return fmt::format("a pair such as {} is needed", example);
   case Kind::table:
     return fmt::format("a list of pairs such as {} is needed", example);
+  case Kind::six:
+    return fmt::format("a list of six such as {} is needed", example);
   }
   return "";
 }

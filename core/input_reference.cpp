@@ -31,6 +31,8 @@ std::string form_text(const Row &row)
     return "pair, " + row.form;
   case Kind::table:
     return "pairs, " + row.form;
+  case Kind::six:
+    return "six, " + row.form;
   }
   return "";
 }
@@ -115,8 +117,27 @@ std::vector<Filled> filled_sections(const std::string &kind, const std::vector<S
 {
   std::vector<Filled> all;
   for (const SectionRows &section : sections) {
-    if (section.name == "strip.friction" || section.name == "housing" || section.name == "screwdown") {
-      all.push_back({header_of(section), &section, {}, {}, true});  // [strip] and [frame] say it in numbers
+    if (section.name == "strip.friction" || section.name == "housing" || section.name == "screwdown" ||
+        section.name == "variant") {
+      all.push_back({header_of(section), &section, {}, {}, true});  // [strip], [frame], [stand] say it in numbers
+    } else if (section.name == "stand" && kind == "chatter") {
+      all.push_back({
+          "[stand]", &section, {               },
+            { "masses", "stiffnesses", "dampings", "entry_distance", "exit_distance"}
+      });
+    } else if (section.name == "strip.flow_stress" && kind == "chatter") {
+      all.push_back({
+          "[strip.flow_stress]",
+          &section,
+          {{"law", "\"reduction-power\""}, {"k", "\"829.64 MPa\""}, {"eps0", "0.00817"}, {"n", "0.3"}},
+          {"k"          }
+      });
+    } else if (section.name == "strip" && kind == "chatter") {
+      all.push_back({"[strip]", &section, {}, {"initial_thickness"}});
+    } else if (section.name == "work_roll" && kind == "chatter") {
+      all.push_back({"[work_roll]", &section, {{"diameter", "\"600 mm\""}}, {}});
+    } else if (section.name == "analysis" && kind == "chatter") {
+      all.push_back({"[analysis]", &section, {}, {"speeds"}});
     } else if (section.name == "bearing" && kind == "bearing") {
       all.push_back({
           "[bearing.trb]",
@@ -161,6 +182,7 @@ std::vector<Filled> filled_sections(const std::string &kind, const std::vector<S
                                 : kind == "lumped"      ? "lumped model"
                                 : kind == "bearing"     ? "four-row tapered roller bearing"
                                 : kind == "bite"        ? "roll bite"
+                                : kind == "chatter"     ? "chatter of a stand"
                                                         : "four-high stand";
       all.push_back({
           "", &section, {{"kind", quoted(kind)}, {"title", quoted(title)}},

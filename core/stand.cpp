@@ -7,7 +7,7 @@
 namespace mill {
 namespace {
 // Kinds of the file format that later versions will read.
-const std::vector<std::string> later_kinds{"chatter", "cluster"};
+const std::vector<std::string> later_kinds{"cluster"};
 
 std::string listed(const std::vector<std::string> &words)
 {
@@ -109,6 +109,8 @@ Case read_case(const std::string &path, const std::vector<std::string> &sets)
     result.spec = read_bearing_case(root, reading);
   else if (head.kind == "bite")
     result.spec = read_bite_case(root, reading);
+  else if (head.kind == "chatter")
+    result.spec = read_chatter(root, reading);
   else
     result.spec = read_two_cylinders(root, reading);
   if (!reading.problems.empty())

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/chatter.h"
 #include "core/errors.h"
 #include "core/material.h"
 #include "core/parameter.h"
@@ -179,6 +180,8 @@ struct FourHigh {
   ContactSettings upper_contact, lower_contact;  ///< upper: K3, lower: K5
   BiteSetup bite;
   DynamicsSettings dynamics;
+  StandSpan span;            ///< strip before and behind the stand, for chatter
+  ChatterAnalysis analysis;  ///< of chatter
   GivenValues given;
   GivenValues published;  ///< same names; only shown beside the computed values
 };
@@ -242,9 +245,9 @@ struct BiteCase {
 struct Case {
   std::string path;  ///< of the file as given by the user
   std::string name;  ///< stem of the file name
-  std::string kind;  ///< four-high | lumped | two-cylinders | bearing | bite
+  std::string kind;  ///< four-high | lumped | two-cylinders | bearing | bite | chatter
   std::string title;
-  std::variant<FourHigh, Lumped, TwoCylinders, BearingCase, BiteCase> spec;
+  std::variant<FourHigh, Lumped, TwoCylinders, BearingCase, BiteCase, ChatterCase> spec;
   std::string resolved;  ///< text of resolved.toml
   std::map<std::string, Place>
       places;  ///< "work_roll.barrel_diameter" -> where its value stands; defaults are absent

@@ -55,6 +55,8 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   stand.lower_contact = read_roll_contact(root, "contact.lower", reading);
   stand.bite          = read_bite_setup(root, reading);
   stand.dynamics      = read_dynamics(root, dynamics_rows(), reading);
+  stand.span          = read_stand_span(root, reading);
+  stand.analysis      = read_chatter_analysis(root, reading);
   stand.given         = read_given(root, "given", "four-high", reading);
   stand.published     = read_given(root, "published", "four-high", reading);
   check_four_high(stand, reading);

@@ -28,6 +28,10 @@ Lumped read_lumped(const Node &root, Reading &reading);
 TwoCylinders read_two_cylinders(const Node &root, Reading &reading);
 BearingCase read_bearing_case(const Node &root, Reading &reading);
 BiteCase read_bite_case(const Node &root, Reading &reading);
+ChatterCase read_chatter(const Node &root, Reading &reading);
+/// [stand] and [analysis] of a four-high, for chatter of its computed structure.
+StandSpan read_stand_span(const Node &root, Reading &reading);
+ChatterAnalysis read_chatter_analysis(const Node &root, Reading &reading);
 /// All [bearing.*], completed and checked.
 std::vector<RollerBearing> read_bearings(const Node &root, Reading &reading);
 /// Fills in what follows from the rest of a bearing: a member left out of the apex condition, the law and rings
@@ -49,6 +53,10 @@ void check_bearing_name(const std::string &key, const std::string &bearing,
                         const std::vector<RollerBearing> &bearings, Reading &reading);
 void check_bearing_load(const BearingCase &spec, Reading &reading);
 void check_strip(const Strip &strip, Reading &reading);
+/// Keys that the laws of flow stress and friction cannot do without.
+void check_flow_and_friction(const Strip &strip, Reading &reading);
+/// A name that becomes part of file names.
+void check_names_a_file(const std::string &key, const std::string &name, Reading &reading);
 void check_pass_names(const std::vector<Pass> &passes, Reading &reading);
 /// Thicknesses, tensions and speed of every pass against the strip.
 void check_passes_in_bite(const std::vector<Pass> &passes, const Strip &strip, Reading &reading);

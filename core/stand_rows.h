@@ -33,6 +33,11 @@ struct BiteRollInput {
   double diameter = 0;  ///< m
 };
 
+/// [oil] of kind = "chatter": its part of the friction law, and where that was measured.
+struct OilInput : Friction {
+  std::array<double, 2> film_range = {not_given, not_given};  ///< m
+};
+
 /// The top of every case file.
 struct CaseHead {
   int schema = 0;
@@ -56,6 +61,14 @@ const std::vector<Field<BiteSetup>> &bite_rows();
 const std::vector<Field<BiteRollInput>> &bite_roll_rows();
 const std::vector<Field<PassInput>> &bite_pass_rows();
 const std::vector<Field<FlowStress>> &flow_stress_rows();
+const std::vector<Field<Material>> &chatter_steel_rows();
+const std::vector<Field<StripInput>> &chatter_strip_rows();  ///< friction last
+const std::vector<Field<OilInput>> &oil_rows();
+const std::vector<Field<OilInput>> &oil_friction_rows();
+const std::vector<Field<ChatterStand>> &chatter_stand_rows();  ///< of [stand] and [variant.NAME]
+const std::vector<Field<StandSpan>> &stand_span_rows();        ///< [stand] of a four-high
+const std::vector<Field<RollingCondition>> &condition_rows();
+const std::vector<Field<ChatterAnalysis>> &chatter_analysis_rows();
 const std::vector<Field<PassInput>> &pass_rows();
 const std::vector<Field<ContactSettings>> &roll_contact_rows();  ///< four-high: loads are forces
 const std::vector<Field<ContactSettings>> &line_contact_rows();  ///< two-cylinders: loads per length

@@ -106,6 +106,31 @@ std::vector<Row> made_given_rows(const bool lumped)
   }
   return rows;
 }
+std::vector<SectionRows> chatter_sections(const SectionRows &head)
+{
+  using Repeat = SectionRows::Repeat;
+  std::vector<SectionRows> all{head};
+  const auto add = [&](const char *name, const Repeat repeat, const bool needed, const char *meaning,
+                       std::vector<Row> rows) {
+    all.push_back({name, repeat, needed, meaning, std::move(rows)});
+  };
+  add("steel", Repeat::once, false, "material of the rolls", rows_of(chatter_steel_rows()));
+  add("work_roll", Repeat::once, true, "both work rolls", rows_of(bite_roll_rows()));
+  add("strip", Repeat::once, true, "the strip in the bite", rows_of(chatter_strip_rows()));
+  add("strip.flow_stress", Repeat::once, true, "plane-strain flow stress of the strip",
+      rows_of(flow_stress_rows()));
+  add("strip.friction", Repeat::once, false, "friction where there is no [oil] and it is no number",
+      rows_of(friction_rows()));
+  add("oil", Repeat::once, false, "the film between roll and strip", rows_of(oil_rows()));
+  add("oil.friction", Repeat::once, false, "friction over that film", rows_of(oil_friction_rows()));
+  add("stand", Repeat::once, true, "the stand around the bite and the strip around the stand",
+      rows_of(chatter_stand_rows()));
+  add("variant", Repeat::named, false, "another reading of the stand; what it leaves out is that of [stand]",
+      rows_of(chatter_stand_rows()));
+  add("condition", Repeat::list, true, "what rolls at one working point", rows_of(condition_rows()));
+  add("analysis", Repeat::once, false, "how chatter is searched", rows_of(chatter_analysis_rows()));
+  return all;
+}
 }  // namespace
 
 const std::vector<Row> &given_rows(const std::string &kind, const bool published)
@@ -126,7 +151,8 @@ const std::vector<Row> &given_rows(const std::string &kind, const bool published
 
 const std::vector<std::string> &case_kinds()
 {
-  static const std::vector<std::string> kinds{"four-high", "lumped", "two-cylinders", "bearing", "bite"};
+  static const std::vector<std::string> kinds{"four-high", "lumped", "two-cylinders",
+                                              "bearing",   "bite",   "chatter"};
   return kinds;
 }
 
@@ -183,31 +209,36 @@ std::vector<SectionRows> sections_of(const std::string &kind)
         {"published", Repeat::once, false,
           "published or measured values to stand beside the computed ones; nothing is replaced", given_rows(kind)         }
     };
+  if (kind == "chatter")
+    return chatter_sections(head);
   return {
       head,
       steel,
-      {"work_roll",     Repeat::once,  true,  "both work rolls",                              rows_of(work_roll_rows())   },
-      {"backup_roll",   Repeat::once,  true,  "both backup rolls",                            rows_of(backup_roll_rows()) },
-      {"bearing",       Repeat::named, true,  "a roller bearing, named by the rolls",         rows_of(bearing_rows())     },
+      {"work_roll",     Repeat::once,  true,  "both work rolls",                                   rows_of(work_roll_rows())       },
+      {"backup_roll",   Repeat::once,  true,  "both backup rolls",                                 rows_of(backup_roll_rows())     },
+      {"bearing",       Repeat::named, true,  "a roller bearing, named by the rolls",              rows_of(bearing_rows())         },
       {"frame",         Repeat::once,  true,
         "masses already reduced to the moving point; stiffnesses of the whole stand, both sides together; what a "
-       "drawing in [housing] or [screwdown] replaces may be left out",                         rows_of(frame_rows())       },
+       "drawing in [housing] or [screwdown] replaces may be left out",                              rows_of(frame_rows())           },
       {"housing",       Repeat::once,  false,
         "mill housing of each side as drawn, a closed window frame; replaces masses and stiffnesses of posts and "
-       "beams",                                                                                rows_of(housing_rows())     },
+       "beams",                                                                                     rows_of(housing_rows())         },
       {"screwdown",     Repeat::once,  false,
-        "screw-down of each side as drawn; each part replaces a stiffness of the frame",       rows_of(screwdown_rows())   },
+        "screw-down of each side as drawn; each part replaces a stiffness of the frame",            rows_of(screwdown_rows())       },
       strip,
       flow_stress,
       friction,
       pass,
-      {"contact.upper", Repeat::once,  false, "contact of the upper rolls, K3",               rows_of(roll_contact_rows())},
-      {"contact.lower", Repeat::once,  false, "contact of the lower rolls, K5",               rows_of(roll_contact_rows())},
+      {"contact.upper", Repeat::once,  false, "contact of the upper rolls, K3",                    rows_of(roll_contact_rows())    },
+      {"contact.lower", Repeat::once,  false, "contact of the lower rolls, K5",                    rows_of(roll_contact_rows())    },
       bite,
       dynamics,
+      {"stand",         Repeat::once,  false, "the strip around the stand, for millstand chatter",
+        rows_of(stand_span_rows())                                                                                                  },
+      {"analysis",      Repeat::once,  false, "how chatter is searched",                           rows_of(chatter_analysis_rows())},
       given,
       {"published",     Repeat::once,  false,
-        "published or measured values to stand beside the computed ones; nothing is replaced", published_rows              }
+        "published or measured values to stand beside the computed ones; nothing is replaced",      published_rows                  }
   };
 }
 }  // namespace mill

@@ -75,6 +75,12 @@ void check_friction(const Friction &friction, Reading &reading)
 }
 }  // namespace
 
+void check_flow_and_friction(const Strip &strip, Reading &reading)
+{
+  check_flow_stress(strip.flow_stress, reading);
+  check_friction(strip.friction, reading);
+}
+
 void check_strip(const Strip &strip, Reading &reading)
 {
   if (reading.usable({"strip.entry_thickness", "strip.exit_thickness"}) &&
@@ -85,11 +91,16 @@ void check_strip(const Strip &strip, Reading &reading)
       strip.initial_thickness < strip.entry_thickness)
     contradict(reading, "strip.initial_thickness", "is smaller than the entry thickness",
                {"strip.entry_thickness"});
-  check_flow_stress(strip.flow_stress, reading);
-  check_friction(strip.friction, reading);
+  check_flow_and_friction(strip, reading);
   check_tension("strip.entry_tension", strip.entry_tension, strip, reading);
   if (strip.flow_stress.law == "constant")  // a hardening strip is stronger behind the bite
     check_tension("strip.exit_tension", strip.exit_tension, strip, reading);
+}
+
+void check_names_a_file(const std::string &key, const std::string &name, Reading &reading)
+{
+  if (name.empty() || name.find('/') != std::string::npos || name[0] == '.')
+    contradict(reading, key, "cannot name a file; it may not be empty, begin with a dot or contain '/'", {});
 }
 
 void check_pass_names(const std::vector<Pass> &passes, Reading &reading)
@@ -99,8 +110,7 @@ void check_pass_names(const std::vector<Pass> &passes, Reading &reading)
     const std::string &name = passes[i].name;
     if (!reading.usable({key(i)}))
       continue;
-    if (name.empty() || name.find('/') != std::string::npos || name[0] == '.')
-      contradict(reading, key(i), "cannot name a file; it may not be empty, begin with a dot or contain '/'", {});
+    check_names_a_file(key(i), name, reading);
     for (std::size_t j = 0; j < i; ++j)
       if (passes[j].name == name)
         contradict(reading, key(i), "is the name of an earlier pass as well", {key(j)});
