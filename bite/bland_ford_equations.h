@@ -20,6 +20,23 @@ template <class T> struct BlandFordContact {
   double balance            = 0;  ///< -, Lambda of (8.7)
 };
 
+/// Hardening and friction of a strip with constants that can be differentiated.
+template <class T> struct StripLaws {
+  FlowStressLaw<T> flow_stress;
+  FrictionLaw<T> friction;
+};
+
+template <class T> StripLaws<T> strip_laws(const Strip &strip)
+{
+  const FlowStress &s = strip.flow_stress;
+  const Friction &f   = strip.friction;
+  return {
+      {s.law,  s.k,   s.eps0,  s.n,         s.k0, s.table},
+      { f.law, f.coefficient, f.scale, f.at_unit_speed, f.per_log_speed,                      f.mu0,                f.mu1, f.decay, f.viscosity,
+       f.pressure_viscosity, f.film_factor}
+  };
+}
+
 /// What is held while a state is linearised.
 template <class T> struct Held {
   const T *exit_speed = nullptr;  ///< in the film law
@@ -27,8 +44,9 @@ template <class T> struct Held {
 };
 
 /// Contact for a speed of the strip at the entry, which enters the film and the exit point only.
-template <class T>
-BlandFordContact<T> bland_ford_contact(const Strip &strip, const PassInputs<T> &in, const T &entry_speed,
+/// @param strip  Strip, or StripLaws<T> where the constants of its laws are differentiated too
+template <class Laws, class T>
+BlandFordContact<T> bland_ford_contact(const Laws &strip, const PassInputs<T> &in, const T &entry_speed,
                                        const Held<T> &held = {})
 {
   using std::atan;
@@ -69,8 +87,8 @@ BlandFordContact<T> bland_ford_contact(const Strip &strip, const PassInputs<T> &
 }
 
 /// Pressure, Pa: (8.5) on the entry side, (8.6) on the exit side.
-template <class T>
-T bland_ford_pressure(const Strip &strip, const PassInputs<T> &in, const BlandFordContact<T> &c, const T &angle,
+template <class Laws, class T>
+T bland_ford_pressure(const Laws &strip, const PassInputs<T> &in, const BlandFordContact<T> &c, const T &angle,
                       const bool entry_side)
 {
   using std::cos;
@@ -90,8 +108,8 @@ template <class T> struct SidesOfHill {
 };
 
 /// Integrals of the pressure from x_d to x_n and from x_n to x_e, (8.8), by Gauss-Legendre in t.
-template <class T>
-SidesOfHill<T> bland_ford_force(const Strip &strip, const PassInputs<T> &in, const BlandFordContact<T> &c,
+template <class Laws, class T>
+SidesOfHill<T> bland_ford_force(const Laws &strip, const PassInputs<T> &in, const BlandFordContact<T> &c,
                                 const HillRules &rules)
 {
   using std::cos;
@@ -127,12 +145,22 @@ SidesOfHill<T> bland_ford_force(const Strip &strip, const PassInputs<T> &in, con
 }
 
 /// Contact in which film, exit point and speeds agree.  `entry_speed` is the start and returns the result, m/s.
+/// @param laws  the strip, or its laws in T
 /// @throws SolverError  they do not settle
+template <class Laws, class T>
+BlandFordContact<T> settled_bland_ford(const Strip &strip, const Laws &laws, const PassInputs<T> &in,
+                                       double &entry_speed)
+{
+  return settled_contact(in, entry_speed, [&](const auto &inputs, const auto &speed) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(speed)>, T>)
+      return bland_ford_contact(laws, inputs, speed);
+    else
+      return bland_ford_contact(strip, inputs, speed);  // plain numbers on the way to the root
+  });
+}
 template <class T>
 BlandFordContact<T> settled_bland_ford(const Strip &strip, const PassInputs<T> &in, double &entry_speed)
 {
-  return settled_contact(in, entry_speed, [&](const auto &inputs, const auto &speed) {
-    return bland_ford_contact(strip, inputs, speed);
-  });
+  return settled_bland_ford(strip, strip, in, entry_speed);
 }
 }  // namespace mill::bite

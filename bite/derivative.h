@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <type_traits>
 
 // Forward automatic differentiation: a number that carries n derivatives.  theory.md 8.6
 //
@@ -12,18 +13,35 @@
 // force integral against 1.7 of AutoDiffScalar.  Eigen's vectors inside this number are a tenth faster there and a
 // third slower in long expressions of few functions, so loops it is.
 namespace mill::bite {
+/// Value without its derivatives: of a number, of a complex step, of a Dual further down.
+inline double value_of(const double x)
+{
+  return x;
+}
+inline double value_of(const std::complex<double> &x)
+{
+  return x.real();
+}
+
 /// A value and its derivatives by n directions.  Use like a double; comparisons look at the value alone.
 ///   Dual<2> x = Dual<2>::variable(3.0, 0), y = Dual<2>::variable(4.0, 1);
 ///   (x * y).by  ->  {4, 3}
+/// S is the number beneath: double, or a Dual itself, whose directions then are differentiated once more:
+/// Dual<2, Dual<3>> carries the 2 x 3 mixed second derivatives.
 /// Cost of an operation: that on the value plus about n multiplications.
-template <int n> struct Dual {
-  double value = 0;            ///< unit of the quantity
-  std::array<double, n> by{};  ///< its derivatives by the n directions
+template <int n, class S = double> struct Dual {
+  S value = 0;            ///< unit of the quantity
+  std::array<S, n> by{};  ///< its derivatives by the n directions
 
   Dual() = default;
   Dual(const double constant) : value(constant) {}  // implicit on purpose: constants mix with numbers
+  /// A number that moves with the directions of S alone.
+  template <class Number, class = std::enable_if_t<std::is_same_v<Number, S> && !std::is_same_v<S, double>>>
+  Dual(const Number &constant) : value(constant)
+  {
+  }
   /// The variable of one direction; `slope` other than one scales the direction.
-  static Dual variable(const double value, const int direction, const double slope = 1)
+  static Dual variable(const S &value, const int direction, const double slope = 1)
   {
     Dual x(value);
     x.by[direction] = slope;
@@ -53,8 +71,11 @@ template <int n> struct Dual {
   }
   Dual &operator/=(const Dual &b)
   {
-    const double inverse = 1 / b.value;
-    value *= inverse;
+    const S inverse = 1.0 / b.value;
+    if constexpr (std::is_same_v<S, double>)
+      value *= inverse;
+    else
+      value /= b.value;  // x/x = 1 with derivatives that are nil and not rounding
     for (int i = 0; i < n; ++i)
       by[i] = (by[i] - value * b.by[i]) * inverse;
     return *this;
@@ -164,138 +185,174 @@ template <int n> struct Dual {
   }
 };
 
-template <int n> double value_of(const Dual<n> &x)
+template <int n, class S> double value_of(const Dual<n, S> &x)
 {
-  return x.value;
+  return value_of(x.value);
 }
 
 /// f(x) from its value and slope at x.  An infinite slope counts only where x depends on the direction at all.
-template <int n> Dual<n> chain(const Dual<n> &x, const double value, const double slope)
+template <int n, class S> Dual<n, S> chain(const Dual<n, S> &x, const S &value, const S &slope)
 {
-  Dual<n> y(value);
-  if (std::isfinite(slope))
+  Dual<n, S> y(value);
+  if (std::isfinite(value_of(slope)))
     for (int i = 0; i < n; ++i)
       y.by[i] = slope * x.by[i];
   else
     for (int i = 0; i < n; ++i)
-      y.by[i] = x.by[i] == 0 ? 0 : slope * x.by[i];
+      y.by[i] = x.by[i] == 0 ? S(0) : slope * x.by[i];
   return y;
 }
 
-template <int n> Dual<n> sqrt(const Dual<n> &x)
+template <int n, class S> Dual<n, S> sqrt(const Dual<n, S> &x)
 {
-  const double y = std::sqrt(x.value);
-  return chain(x, y, 0.5 / y);
+  using std::sqrt;
+  const S y = sqrt(x.value);
+  return chain(x, y, S(0.5 / y));
 }
-template <int n> Dual<n> exp(const Dual<n> &x)
+template <int n, class S> Dual<n, S> exp(const Dual<n, S> &x)
 {
-  const double y = std::exp(x.value);
+  using std::exp;
+  const S y = exp(x.value);
   return chain(x, y, y);
 }
-template <int n> Dual<n> expm1(const Dual<n> &x)
+template <int n, class S> Dual<n, S> expm1(const Dual<n, S> &x)
 {
-  const double y = std::expm1(x.value);
-  return chain(x, y, std::exp(x.value));  // not y + 1: that cancels far below zero
+  using std::exp;
+  using std::expm1;
+  const S y = expm1(x.value);
+  return chain(x, y, S(exp(x.value)));  // not y + 1: that cancels far below zero
 }
-template <int n> Dual<n> log(const Dual<n> &x)
+template <int n, class S> Dual<n, S> log(const Dual<n, S> &x)
 {
-  return chain(x, std::log(x.value), 1 / x.value);
+  using std::log;
+  return chain(x, S(log(x.value)), S(1.0 / x.value));
 }
-template <int n> Dual<n> log1p(const Dual<n> &x)
+template <int n, class S> Dual<n, S> log1p(const Dual<n, S> &x)
 {
-  return chain(x, std::log1p(x.value), 1 / (1 + x.value));
+  using std::log1p;
+  return chain(x, S(log1p(x.value)), S(1.0 / (1.0 + x.value)));
 }
-template <int n> Dual<n> sin(const Dual<n> &x)
+template <int n, class S> Dual<n, S> sin(const Dual<n, S> &x)
 {
-  return chain(x, std::sin(x.value), std::cos(x.value));
+  using std::cos;
+  using std::sin;
+  return chain(x, S(sin(x.value)), S(cos(x.value)));
 }
-template <int n> Dual<n> cos(const Dual<n> &x)
+template <int n, class S> Dual<n, S> cos(const Dual<n, S> &x)
 {
-  return chain(x, std::cos(x.value), -std::sin(x.value));
+  using std::cos;
+  using std::sin;
+  return chain(x, S(cos(x.value)), S(-sin(x.value)));
 }
-template <int n> Dual<n> tan(const Dual<n> &x)
+template <int n, class S> Dual<n, S> tan(const Dual<n, S> &x)
 {
-  const double y = std::tan(x.value);
-  return chain(x, y, 1 + y * y);
+  using std::tan;
+  const S y = tan(x.value);
+  return chain(x, y, S(1.0 + y * y));
 }
-template <int n> Dual<n> asin(const Dual<n> &x)
+template <int n, class S> Dual<n, S> asin(const Dual<n, S> &x)
 {
-  return chain(x, std::asin(x.value), 1 / std::sqrt((1 - x.value) * (1 + x.value)));
+  using std::asin;
+  using std::sqrt;
+  return chain(x, S(asin(x.value)), S(1.0 / sqrt((1.0 - x.value) * (1.0 + x.value))));
 }
-template <int n> Dual<n> acos(const Dual<n> &x)
+template <int n, class S> Dual<n, S> acos(const Dual<n, S> &x)
 {
-  return chain(x, std::acos(x.value), -1 / std::sqrt((1 - x.value) * (1 + x.value)));
+  using std::acos;
+  using std::sqrt;
+  return chain(x, S(acos(x.value)), S(-1.0 / sqrt((1.0 - x.value) * (1.0 + x.value))));
 }
-template <int n> Dual<n> atan(const Dual<n> &x)
+template <int n, class S> Dual<n, S> atan(const Dual<n, S> &x)
 {
-  return chain(x, std::atan(x.value), 1 / (1 + x.value * x.value));
+  using std::atan;
+  return chain(x, S(atan(x.value)), S(1.0 / (1.0 + x.value * x.value)));
 }
-template <int n> Dual<n> sinh(const Dual<n> &x)
+template <int n, class S> Dual<n, S> sinh(const Dual<n, S> &x)
 {
-  return chain(x, std::sinh(x.value), std::cosh(x.value));
+  using std::cosh;
+  using std::sinh;
+  return chain(x, S(sinh(x.value)), S(cosh(x.value)));
 }
-template <int n> Dual<n> cosh(const Dual<n> &x)
+template <int n, class S> Dual<n, S> cosh(const Dual<n, S> &x)
 {
-  return chain(x, std::cosh(x.value), std::sinh(x.value));
+  using std::cosh;
+  using std::sinh;
+  return chain(x, S(cosh(x.value)), S(sinh(x.value)));
 }
-template <int n> Dual<n> tanh(const Dual<n> &x)
+template <int n, class S> Dual<n, S> tanh(const Dual<n, S> &x)
 {
-  const double y = std::tanh(x.value);
-  return chain(x, y, (1 - y) * (1 + y));
+  using std::tanh;
+  const S y = tanh(x.value);
+  return chain(x, y, S((1.0 - y) * (1.0 + y)));
 }
-template <int n> Dual<n> asinh(const Dual<n> &x)
+template <int n, class S> Dual<n, S> asinh(const Dual<n, S> &x)
 {
-  return chain(x, std::asinh(x.value), 1 / std::hypot(1.0, x.value));
+  using std::asinh;
+  using std::hypot;
+  return chain(x, S(asinh(x.value)), S(1.0 / hypot(S(1.0), x.value)));
 }
-template <int n> Dual<n> atanh(const Dual<n> &x)
+template <int n, class S> Dual<n, S> atanh(const Dual<n, S> &x)
 {
-  return chain(x, std::atanh(x.value), 1 / ((1 - x.value) * (1 + x.value)));
+  using std::atanh;
+  return chain(x, S(atanh(x.value)), S(1.0 / ((1.0 - x.value) * (1.0 + x.value))));
 }
-template <int n> Dual<n> abs(const Dual<n> &x)
+template <int n, class S> Dual<n, S> abs(const Dual<n, S> &x)
 {
   return x.value < 0 ? -x : x;
 }
-template <int n> Dual<n> pow(const Dual<n> &x, const double exponent)
+template <int n, class S> Dual<n, S> pow(const Dual<n, S> &x, const double exponent)
 {
-  const double y = std::pow(x.value, exponent);
+  using std::pow;
+  const S y = pow(x.value, exponent);
   // One power instead of two, unless x = 0, where the slope is infinite, finite or nil as the exponent says.
   return chain(x, y,
-               exponent == 0  ? 0
-               : x.value != 0 ? exponent * y / x.value
-                              : exponent * std::pow(0.0, exponent - 1));
+               exponent == 0  ? S(0)
+               : x.value != 0 ? S(exponent * y / x.value)
+                              : S(exponent * std::pow(0.0, exponent - 1)));
 }
-template <int n> Dual<n> pow(const Dual<n> &x, const Dual<n> &exponent)
+template <int n, class S> Dual<n, S> pow(const Dual<n, S> &x, const Dual<n, S> &exponent)
 {
-  Dual<n> y           = pow(x, exponent.value);
-  const double by_exp = y.value == 0 ? 0 : y.value * std::log(x.value);
+  using std::log;
+  using std::pow;
+  const S &e     = exponent.value;
+  const S y      = pow(x.value, e);
+  Dual<n, S> z   = chain(x, y, e == 0 ? S(0) : x.value != 0 ? S(e * y / x.value) : S(e * pow(S(0.0), S(e - 1.0))));
+  const S by_exp = y == 0 ? S(0) : S(y * log(x.value));
   for (int i = 0; i < n; ++i)
-    y.by[i] += exponent.by[i] == 0 ? 0 : by_exp * exponent.by[i];
-  return y;
+    z.by[i] += exponent.by[i] == 0 ? S(0) : S(by_exp * exponent.by[i]);
+  return z;
 }
-template <int n> Dual<n> pow(const double x, const Dual<n> &exponent)
+template <int n, class S> Dual<n, S> pow(const double x, const Dual<n, S> &exponent)
 {
   return exp(std::log(x) * exponent);
 }
-template <int n> Dual<n> atan2(const Dual<n> &y, const Dual<n> &x)
+template <int n, class S> Dual<n, S> atan2(const Dual<n, S> &y, const Dual<n, S> &x)
 {
-  const double square = x.value * x.value + y.value * y.value;
-  Dual<n> angle(std::atan2(y.value, x.value));
+  using std::atan2;
+  const S square = x.value * x.value + y.value * y.value;
+  Dual<n, S> angle(S(atan2(y.value, x.value)));
   for (int i = 0; i < n; ++i)
     angle.by[i] = (x.value * y.by[i] - y.value * x.by[i]) / square;
   return angle;
 }
-template <int n> Dual<n> hypot(const Dual<n> &x, const Dual<n> &y)
+template <int n, class S> Dual<n, S> hypot(const Dual<n, S> &x, const Dual<n, S> &y)
 {
-  const double r = std::hypot(x.value, y.value);
-  Dual<n> length(r);
+  using std::hypot;
+  const S r = hypot(x.value, y.value);
+  Dual<n, S> length(r);
   for (int i = 0; i < n; ++i)
     length.by[i] = (x.value * x.by[i] + y.value * y.by[i]) / r;
   return length;
 }
-template <int n> bool isfinite(const Dual<n> &x)
+template <int n, class S> bool isfinite(const Dual<n, S> &x)
 {
-  return std::isfinite(x.value);
+  return std::isfinite(value_of(x));
 }
+
+/// How often a number type has been differentiated: 1 for Dual<n> and for a complex step, 2 for a Dual of Duals.
+template <class T> constexpr int orders_of                    = 1;
+template <int n, class S> constexpr int orders_of<Dual<n, S>> = 1 + orders_of<S>;
+template <int n> constexpr int orders_of<Dual<n, double>>     = 1;
 
 /// exp(x) - 1 without cancellation for the types the standard library leaves out; call unqualified.
 inline double expm1(const double x)

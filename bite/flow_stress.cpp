@@ -2,9 +2,8 @@
 #include <sstream>
 
 namespace mill::bite {
-std::size_t table_interval(const FlowStress &law, const double strain)
+std::size_t table_interval(const std::vector<std::array<double, 2>> &rows, const double strain)
 {
-  const auto &rows = law.table;
   if (rows.size() < 2)
     throw InputError("strip.flow_stress: a table needs at least two rows of strain and stress");
   const double tolerance = 1e-12 * (1 + std::abs(strain));  // ln(h0/h) at an end is rounded
@@ -23,9 +22,9 @@ std::size_t table_interval(const FlowStress &law, const double strain)
   return i;
 }
 
-void refuse_law(const FlowStress &law)
+void refuse_law(const std::string &law)
 {
-  throw InputError("strip.flow_stress.law = \"" + law.law +
+  throw InputError("strip.flow_stress.law = \"" + law +
                    "\" is not known; constant, swift, ludwik, voce, power, reduction-power or table");
 }
 }  // namespace mill::bite

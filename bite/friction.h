@@ -5,7 +5,15 @@
 
 // Friction between roll and strip as a number per pass.  theory.md 8.7
 namespace mill::bite {
-/// What the friction laws look at; T is double, complex or a number with derivatives.
+/// Constants of a friction law that can be differentiated; members as Friction.
+template <class T> struct FrictionLaw {
+  std::string law;
+  T coefficient, scale, at_unit_speed, per_log_speed;
+  T mu0, mu1, decay, viscosity, pressure_viscosity, film_factor;
+};
+
+/// What the friction laws look at; T is double, complex or a number with derivatives.  Law is Friction or
+/// FrictionLaw<T>.
 template <class T> struct Inlet {
   T roll_speed, entry_speed, exit_speed;  ///< m/s
   T radius;                               ///< m, of the arc
@@ -14,7 +22,7 @@ template <class T> struct Inlet {
 };
 
 /// Mean oil film of the bite, m, (8.20).  Law "film".
-template <class T> T film_thickness(const Friction &law, const Inlet<T> &in)
+template <class Law, class T> T film_thickness(const Law &law, const Inlet<T> &in)
 {
   // 1 - exp(-gamma p) without cancellation: gamma p is 1e-3 for thin oils
   const T carried = -expm1(-law.pressure_viscosity * in.entry_pressure);
@@ -24,14 +32,14 @@ template <class T> T film_thickness(const Friction &law, const Inlet<T> &in)
 }
 
 /// Coulomb coefficient under a film, film in metres, (8.21).
-template <class T> T film_friction(const Friction &law, const T &film)
+template <class Law, class T> T film_friction(const Law &law, const T &film)
 {
   using std::exp;
   return law.mu0 + law.mu1 * exp(-law.decay * film);
 }
 
 /// Coulomb coefficient that falls (or rises) with the logarithm of the speed of the roll's surface, (8.22).
-template <class T> T speed_friction(const Friction &law, const T &roll_speed)
+template <class Law, class T> T speed_friction(const Law &law, const T &roll_speed)
 {
   using std::log;
   return law.scale * (law.at_unit_speed + law.per_log_speed * log(roll_speed));
@@ -45,7 +53,7 @@ inline bool needs_speed(const Friction &law)
 
 /// Coulomb coefficient of the pass.
 /// @throws InputError  law "factor", which has no coefficient, or an unknown law
-template <class T> T coulomb_coefficient(const Friction &law, const Inlet<T> &in)
+template <class Law, class T> T coulomb_coefficient(const Law &law, const Inlet<T> &in)
 {
   if (law.law == "coulomb")
     return T(law.coefficient);

@@ -30,8 +30,8 @@ std::vector<FlowPiece> flow_pieces(const FlowStress &law, const double reference
         {0, law}
     };
   // Of a table one straight line after the other: between its kinks everything is smooth.
-  const std::size_t first = table_interval(law, std::log(reference / h2));
-  const std::size_t last  = table_interval(law, std::log(reference / h1));
+  const std::size_t first = table_interval(law.table, std::log(reference / h2));
+  const std::size_t last  = table_interval(law.table, std::log(reference / h1));
   std::vector<FlowPiece> pieces;
   for (std::size_t i = first; i >= last && i > 0; --i) {  // thin strip has the larger strain
     const auto &a = law.table[i - 1], &b = law.table[i];

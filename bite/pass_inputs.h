@@ -80,7 +80,7 @@ inline PassInputs<std::complex<double>> complex_inputs(const RollBite &bite, con
 }
 
 /// k_f at a thickness, (8.1); rounding at the entry must not make a negative strain.
-template <class T> T stress_at(const FlowStress &law, const PassInputs<T> &in, const T &thickness)
+template <class Law, class T> T stress_at(const Law &law, const PassInputs<T> &in, const T &thickness)
 {
   using std::log;
   const T strain = log(in.initial_thickness / thickness);
@@ -120,8 +120,8 @@ T strip_speed(const PassInputs<T> &in, const T &entry_speed, const T &entry_posi
 }
 
 /// Angles t of x = sqrt(R h_d) tan t at which the flow stress has a kink, between `from` and `to`, with both ends.
-template <class T>
-std::vector<T> smooth_pieces(const FlowStress &law, const PassInputs<T> &in, const T &from, const T &to)
+template <class Law, class T>
+std::vector<T> smooth_pieces(const Law &law, const PassInputs<T> &in, const T &from, const T &to)
 {
   using std::atan;
   using std::exp;

@@ -7,7 +7,7 @@ namespace mill::bite {
 
 /// Contact in which the speed of the strip at the entry agrees with the neutral point it leads to: film and exit
 /// point know the speed.  Newton in plain numbers from `speed` (which returns the result), then one step in T,
-/// which carries the derivatives of the root exactly, (8.23).
+/// which carries the derivatives of the root exactly, (8.23); of second derivatives one step more.
 ///
 /// @param in       the inputs in T
 /// @param contact  (inputs, speed) -> a contact with a member entry_speed; callable for T and for Dual<1>
@@ -33,8 +33,13 @@ auto settled_contact(const PassInputs<T> &in, double &speed, const Contact &cont
     }
   }
   const auto at_rest = contact(in, T(speed));
-  if (slope == 0)  // nothing answers to the speed: Coulomb, gap at rest
+  // Nothing answers to the speed: Coulomb, gap at rest.  Its answer to a gap that moves still depends on the
+  // speed.
+  if (slope == 0 && orders_of<T> == 1)
     return at_rest;
-  return contact(in, T(speed + (at_rest.entry_speed - speed) / (1 - slope)));
+  T settled = speed + (at_rest.entry_speed - speed) / (1 - slope);
+  for (int order = 1; order < orders_of<T>; ++order)  // each step takes the derivatives one order further
+    settled += (contact(in, settled).entry_speed - settled) / (1 - slope);
+  return contact(in, settled);
 }
 }  // namespace mill::bite

@@ -96,7 +96,7 @@ void check_factors(const RollBite &bite)
 std::string friction_in_words(const Friction &law, const double coefficient)
 {
   return law.law == "coulomb" ? sentence("strip.friction = ", coefficient)
-                              : sentence("strip.friction, by its ", law.law, " law ", coefficient, ",");
+                              : sentence("the friction, by its ", law.law, " law ", coefficient, ",");
 }
 
 void refuse_neutral_point(const std::string &friction, const double angle_of_bite, const double needed,
