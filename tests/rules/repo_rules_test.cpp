@@ -84,6 +84,7 @@ TEST(Layers, ThirdPartyStaysBehindItsFolder)
       {"spdlog/",             {"app"}                  },
       {"mpi.h",               {"fem"}                  },
       {"Spectra/",            {"fem"}                  },
+      {"boost/",              {"dynamics"}             },
       {"cvode/",              {"dynamics"}             },
       {"nvector/",            {"dynamics"}             },
       {"sunlinsol",           {"dynamics"}             },
