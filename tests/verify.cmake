@@ -7,7 +7,8 @@ target_compile_definitions(verification_manual_test PRIVATE MILLSTAND_SOURCE_DIR
 foreach(family ClosedForms HalfSpaceCases SectionCases SolidCases FrictionCases NonlinearCases RollCases
                BearingCases RollerCases RingCases
                SlabCases InhomogeneousCases ElasticArcCases StripFlowCases StripElasticCases RollArcCases
-               MassCases ComponentCases HousingCases)
+               MassCases ComponentCases HousingCases
+               ChatterStandCases ChatterMotionCases ChatterSensitivityCases ChatterTandemCases)
   add_test(NAME manual_${family}
     COMMAND verification_manual_test --gtest_filter=Manual.${family} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   set_tests_properties(manual_${family} PROPERTIES LABELS verification TIMEOUT 300)

@@ -54,6 +54,9 @@ std::vector<Case> all_cases()
     add("bite", cases());
   for (const auto cases : {mass_cases, component_cases, housing_cases})
     add("masses", cases());
+  for (const auto cases :
+       {chatter_stand_cases, chatter_motion_cases, chatter_sensitivity_cases, chatter_tandem_cases})
+    add("chatter", cases());
   return all;
 }
 }  // namespace mill::verify

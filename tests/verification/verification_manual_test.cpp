@@ -141,3 +141,23 @@ TEST(Manual, HousingCases)
 {
   expect_passes(housing_cases());
 }
+
+TEST(Manual, ChatterStandCases)
+{
+  expect_passes(chatter_stand_cases());
+}
+
+TEST(Manual, ChatterMotionCases)
+{
+  expect_passes(chatter_motion_cases());
+}
+
+TEST(Manual, ChatterSensitivityCases)
+{
+  expect_passes(chatter_sensitivity_cases());
+}
+
+TEST(Manual, ChatterTandemCases)
+{
+  expect_passes(chatter_tandem_cases());
+}
