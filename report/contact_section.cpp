@@ -192,8 +192,8 @@ void contact_section(Page &page, const Run &run)
 {
   const auto contacts = names_of_curves(
       run, "contact", {"closed", "barrel", "barrel-mirrored", "barrel-second", "in-stand", "second", "pressure"});
-  if (contacts.empty() &&
-      (run.manifest.kind == "lumped" || run.manifest.kind == "bearing" || run.manifest.kind == "bite"))
+  if (contacts.empty() && (run.manifest.kind == "lumped" || run.manifest.kind == "bearing" ||
+                           run.manifest.kind == "bite" || run.manifest.kind == "chatter"))
     return;
   page.section("contact", "Roll contact");
   if (contacts.empty())

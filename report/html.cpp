@@ -22,7 +22,7 @@ std::string scripts()
 bool has_chain(const Run &run)
 {
   return run.manifest.kind != "two-cylinders" && run.manifest.kind != "bearing" &&
-         (run.find("M1") || run.table("curves/modes"));
+         run.manifest.kind != "chatter" && (run.find("M1") || run.table("curves/modes"));
 }
 
 std::string html_page(const Run &run)
@@ -32,6 +32,7 @@ std::string html_page(const Run &run)
   stand_section(page, run);
   contact_section(page, run);
   bite_section(page, run);
+  chatter_section(page, run, read_chatter(run));
   bearing_section(page, run);
   const ModelData models = read_models(run.directory);
   shape_section(page, run);

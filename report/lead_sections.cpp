@@ -3,6 +3,7 @@
 #include "report/sections.h"
 #include "report/svg.h"
 #include "report/tables.h"
+#include <algorithm>
 #include <cmath>
 
 namespace mill::report {
@@ -48,6 +49,25 @@ std::string tile(const Result *result, const std::string &label)
          (result->at.empty() ? "" : ", at " + escaped(short_source(result->at))) + "</small></div>\n";
 }
 
+// Speed and frequency of every condition, and how fast its working point grows or dies.
+std::string chatter_tiles(const Run &run)
+{
+  std::string all;
+  for (const Group &group : chatter_groups(run))
+    for (const Result *result : group.results)
+      for (const auto &[ending, label] : {
+               std::pair(".critical_speed", ", critical speed"),
+               {".frequency",   ", chatter frequency"  },
+               {".growth_rate", ", growth rate at work"}
+      }) {
+        const std::size_t start = std::string("chatter.").size(), end = result->name.find('.', start);
+        if (result->name.rfind("chatter.", 0) == 0 && result->name.substr(end) == ending)
+          all += tile(result, (group.title == "Chatter, tandem" ? "" : "condition ") +
+                                  result->name.substr(start, end - start) + label);
+      }
+  return all;
+}
+
 std::string tiles(const Run &run)
 {
   std::string all;
@@ -57,12 +77,15 @@ std::string tiles(const Run &run)
     for (const PassInfo &pass : run.manifest.passes)
       all += tile(pass_value(run, pass, "peak_g.upper_work_roll"), pass.name + ", peak, upper work roll") +
              tile(pass_value(run, pass, "peak_g.lower_work_roll"), pass.name + ", peak, lower work roll");
+    all += chatter_tiles(run);
   } else if (run.manifest.kind == "bearing")
     all += tile(run.find("Kzc.tangent"), "Kzc, tangent") + tile(run.find("Kzc.secant"), "Kzc, secant") +
            tile(run.find("Kzc.tangent_across"), "Kzc, tangent across the load") +
            tile(run.find("Kzc.roller_max"), "heaviest roller") +
            tile(run.find("Kzc.heaviest_angle"), "its angle from the load line") +
            tile(run.find("Kzc.motion.peak_force"), "peak force, driven mass");
+  else if (run.manifest.kind == "chatter")
+    all += chatter_tiles(run);
   else if (run.manifest.kind == "bite") {
     all += tile(run.find("K4.combined"), "K4, strip and both arcs") +
            tile(run.find("K4.plastic_slope"), "K4, plastic slope");
@@ -92,11 +115,31 @@ std::string what_is_in_short(const Run &run)
     return "One bearing at its working load; tangents belong to small motions about that state.";
   if (run.manifest.kind == "bite")
     return "The strip between the work rolls, by the model that gives K4; derivatives are exact and hold the arc.";
+  if (run.manifest.kind == "chatter")
+    return "Every condition at its working speed; a positive growth rate is a stand that chatters.";
   return "The contact at its working load, stiffnesses per metre of length.";
+}
+
+bool has_chatter(const Run &run)
+{
+  return std::any_of(run.results.begin(), run.results.end(),
+                     [](const Result &result) { return result.name.rfind("chatter.", 0) == 0; });
+}
+
+std::string what_chatter_leaves_out()
+{
+  return "The flattened radius, the flow stress and the temperature of the oil do not follow the vibration, "
+         "friction "
+         "is one number along the arc, and the strip between two stands is a massless spring. The stand vibrates "
+         "vertically: chocks that tilt, drives that twist and marks on the rolls are not in it. Linear stability "
+         "says "
+         "when vibration begins to grow, the nonlinear run how far.";
 }
 
 std::string what_is_left_out(const Run &run)
 {
+  if (run.manifest.kind == "chatter")
+    return what_chatter_leaves_out();
   if (run.table("curves/modes-craig-bampton"))
     return "Vertical motion, the same on both sides of mid-length; rocking and the motion along the pass line are "
            "not in it. What six masses leave out is listed under \"How few masses are enough?\". Rolls joined by "
@@ -149,6 +192,8 @@ void limits_section(Page &page, const Run &run)
   if (!run.assumptions.empty())
     page.html(list_of(run.assumptions));
   page.paragraph(what_is_left_out(run));
+  if (has_chatter(run) && run.manifest.kind != "chatter")
+    page.paragraph("In the section on chatter the strip does feed back. " + what_chatter_leaves_out());
   if (!run.remarks.empty())
     page.html("<p>Not in this report:</p>\n" + list_of(run.remarks));
 }
@@ -156,9 +201,14 @@ void limits_section(Page &page, const Run &run)
 void full_results_section(Page &page, const Run &run)
 {
   page.section("results", "All results");
-  page.table(full_table(run),
-             "Everything in <code>results.json</code>. A deviation is this run relative to the check "
-             "beside it; accuracy is the run's own estimate.");
+  page.table(
+      full_table(run),
+      "Everything in <code>results.json</code>. A deviation is this run relative to the check "
+      "beside it; accuracy is the run's own estimate." +
+          std::string(std::any_of(run.results.begin(), run.results.end(),
+                                  [](const Result &result) { return is_slope_by_one_input(result.name); })
+                          ? " Slopes by single inputs are in the charts of the section on chatter and in the file."
+                          : ""));
 }
 
 void record_section(Page &page, const Run &run)

@@ -27,19 +27,6 @@ std::string missing_list(const std::vector<double> &missing, const double width)
   }
   return text.empty() ? "none" : text;
 }
-
-// A name that is too long for its place ends in an ellipsis.
-std::string fitting(std::string text, const double width)
-{
-  if (text_width(text, 12) <= width)
-    return text;
-  while (!text.empty() && text_width(text + "\u2026", 12) > width) {
-    while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80)
-      text.pop_back();
-    text.pop_back();
-  }
-  return text + "\u2026";
-}
 }  // namespace
 
 std::string masses_chart(const ModelData &data)
@@ -79,7 +66,7 @@ std::string masses_chart(const ModelData &data)
     const double y = head_height + (double(i) + 0.5) * row_height;
     svg.line(added_start, y + row_height / 2, chart_width, y + row_height / 2, "grid");
     svg.text(number_end, y + 4, std::to_string(rows[i].masses), "t strong", Anchor::end);
-    svg.text(added_start, y + 4, fitting(rows[i].added, chart_start - added_start - 20), "t");
+    svg.text(added_start, y + 4, shortened(rows[i].added, chart_start - added_start - 20, 12), "t");
     svg.text(right_start, y + 4,
              std::to_string(rows[i].right) + " of " + std::to_string(rows[i].modes_below_limit), "t");
     svg.text(missing_start, y + 4, missing_list(rows[i].missing, chart_width - missing_start), "t");

@@ -72,6 +72,7 @@ const Words aspects[] = {
     {"sticking_length",          "part of the arc on which friction is at its limit"       },
     {"arc_length",               "projected length of the arc"                             },
     {"forward_slip",             "forward slip"                                            },
+    {"neutral_position",         "where strip and roll run equally fast"                   },
     {"neutral_angle",            "neutral angle"                                           },
     {"entry_speed",              "speed of the strip at the entry"                         },
     {"exit_speed",               "speed of the strip at the exit"                          },
@@ -149,6 +150,8 @@ void add(Group &group, const Result *result)
 
 std::string meaning_of(const std::string &name)
 {
+  if (const std::string words = chatter_meaning(name); !words.empty())
+    return words;
   if (const std::string number = number_after("fh", name); !number.empty())
     return "natural frequency " + number + ", horizontal";
   if (const std::string number = number_after("f", name); !number.empty())
@@ -185,6 +188,8 @@ std::vector<Group> short_groups(const Run &run)
     return bearing_groups(run);
   if (run.manifest.kind == "bite")
     return bite_groups(run);
+  if (run.manifest.kind == "chatter")
+    return chatter_groups(run);
   Group contact{"Contact", {}}, stiffness{"Stiffness", {}}, mass{"Equivalent mass", {}},
       frequency{"Natural frequency", {}};
   if (run.manifest.kind == "two-cylinders" || !chain_value(run, "K1"))
@@ -202,6 +207,9 @@ std::vector<Group> short_groups(const Run &run)
   std::vector<Group> groups;
   for (Group &group : {std::ref(contact), std::ref(stiffness), std::ref(mass), std::ref(frequency)})
     if (!group.results.empty())
+      groups.push_back(group);
+  for (const Group &group : chatter_groups(run))
+    if (group.title.rfind("Chatter", 0) == 0)
       groups.push_back(group);
   return groups;
 }

@@ -25,6 +25,12 @@ std::vector<Group> short_groups(const Run &run);
 std::vector<Group> bearing_groups(const Run &run);
 /// Results of a run of kind "bite": K4, then every pass by the model that gives it.
 std::vector<Group> bite_groups(const Run &run);
+/// What one asks for first in a run of kind "chatter": of every condition, then of its bite.
+std::vector<Group> chatter_groups(const Run &run);
+/// Meaning of "chatter.2.growth_rate" and of the derivatives "bite.2.F.gap"; empty: another name.
+std::string chatter_meaning(const std::string &name);
+/// chatter.CONDITION.speed_slope.KEY and friction_slope, which the charts of the section show side by side.
+bool is_slope_by_one_input(const std::string &name);
 /// bite.PASS.MODEL.*, which the table of models shows side by side.
 bool is_of_one_model(const std::string &name);
 

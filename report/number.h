@@ -27,9 +27,8 @@ struct Shown {
   std::string unit;  ///< "" for a pure number
 };
 
-/// From SI to the unit of the mill floor: N/m -> kN/mm, Pa -> MPa, N -> kN, m -> mm or um, m/s2 -> g,
-/// rad -> degrees or mrad.
-/// Units that are not in the table stay as they are.
+/// From SI to the unit of the mill floor: N/m -> kN/mm, Pa -> MPa, Pa s -> mPa s, N -> kN, m -> mm or um, m/s2 ->
+/// g, rad -> degrees or mrad. Units that are not in the table stay as they are.
 Shown engineering(double value, const std::string &si_unit);
 
 /// SI unit with proper signs for the page: "m/s2" -> "m/s²", "um" -> "µm", "sqrt(Hz)" -> "√Hz", "1" -> "".

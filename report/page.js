@@ -23,7 +23,7 @@
     var charts = groups[box.dataset.group] = groups[box.dataset.group] || [];
     var title = document.createElement("p"), plot = document.createElement("div");
     title.className = "zoom-title";
-    title.textContent = data.labels.join(", ");
+    title.textContent = data.title || data.labels.join(", ");
     plot.className = "zoom-plot";
     box.appendChild(title);
     box.appendChild(plot);

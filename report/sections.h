@@ -1,4 +1,5 @@
 #pragma once
+#include "report/chatter_data.h"
 #include "report/model_data.h"
 #include "report/page.h"
 #include "report/run.h"
@@ -12,6 +13,8 @@ void summary_section(Page &page, const Run &run);  ///< key numbers, short table
 void stand_section(Page &page, const Run &run);    ///< sketch with the numbers on it
 void contact_section(Page &page, const Run &run);  ///< load-approach, K(F), along the barrel
 void bite_section(Page &page, const Run &run);     ///< pressure, friction and strain in the bite, K4
+/// Critical speed, modes, maps, motion and what moves them; nothing when the run stored nothing about chatter.
+void chatter_section(Page &page, const Run &run, const ChatterData &data);
 void bearing_section(Page &page, const Run &run);  ///< Kzc(F), row shares, roller loads
 void shape_section(Page &page, const Run &run);    ///< f1, f2 with the supports
 /// Mass breakdown and equivalent masses by every route; nothing when the run compared no models.
@@ -30,13 +33,15 @@ std::string stand_sketch(const Run &run);
 /// A zoomable chart of a history for the screen: data of a script element that page.js turns into a chart.
 /// Empty when the build found no plotting library: the static drawing then stands alone.
 /// @param group   charts of one group zoom together
+/// @param title   above the chart; empty: the labels
 /// @param y_axis  "acceleration [g]"
 /// @param limit   half the height of the chart around zero; 0: from the data
 /// @param time    (n) s, equally spaced
 /// @param series  label and values (n); drawn by the extremes of `zoom_intervals` intervals
 std::string zoom_chart(const std::string &group, const std::string &y_axis, double limit,
                        const Eigen::VectorXd &time,
-                       const std::vector<std::pair<std::string, Eigen::VectorXd>> &series);
+                       const std::vector<std::pair<std::string, Eigen::VectorXd>> &series,
+                       const std::string &title = "");
 constexpr Eigen::Index zoom_intervals = 4000;
 
 /// A lumped or a four-high run has a chain; two cylinders have none.

@@ -66,6 +66,18 @@ double text_width(const std::string &utf8, const double font_size)
   return em * font_size;
 }
 
+std::string shortened(std::string utf8, const double width, const double font_size)
+{
+  if (text_width(utf8, font_size) <= width)
+    return utf8;
+  while (!utf8.empty() && text_width(utf8 + "\u2026", font_size) > width) {
+    while (utf8.size() > 1 && (static_cast<unsigned char>(utf8.back()) & 0xC0) == 0x80)
+      utf8.pop_back();
+    utf8.pop_back();
+  }
+  return utf8 + "\u2026";
+}
+
 Svg::Svg(const double width, const double height, const std::string &description)
     : body_("<svg role=\"img\" aria-label=\"" + escaped(description) + "\" width=\"" + pixel(width) +
             "\" height=\"" + pixel(height) + "\" viewBox=\"0 0 " + pixel(width) + ' ' + pixel(height) + "\">\n")

@@ -11,6 +11,9 @@ std::string escaped(const std::string &text);
 /// enough to keep labels apart and margins wide enough.
 double text_width(const std::string &utf8, double font_size);
 
+/// The text, or as much of it as fits into `width` px with an ellipsis behind it.
+std::string shortened(std::string utf8, double width, double font_size);
+
 enum class Anchor { start, middle, end };
 
 /// One drawing, written element by element.  Lengths in px, y downwards.  Appearance comes from the classes of

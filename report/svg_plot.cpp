@@ -48,10 +48,11 @@ void draw_legend(Svg &svg, const Plot &plot, const Layout &at)
 
 void draw_flags(Svg &svg, const Layout &at)
 {
-  for (const Flag &flag : at.flags) {
-    const double base = at.top - 6 - flag.row * plot_mark_row;
-    svg.line(flag.x, base + 3, flag.x, at.bottom, "mark");
-    svg.text((flag.left + flag.right) / 2, base, flag.mark->label, "flag", Anchor::middle);
+  const auto base = [&](const Flag &flag) { return at.top - 6 - flag.row * plot_mark_row; };
+  for (const Flag &flag : at.flags)
+    svg.line(flag.x, base(flag) + 3, flag.x, at.bottom, "mark");
+  for (const Flag &flag : at.flags) {  // above all lines: that of another mark may pass behind a name
+    svg.text((flag.left + flag.right) / 2, base(flag), flag.mark->label, "flag", Anchor::middle);
     if (flag.mark->support)
       svg.polyline(
           {
@@ -136,8 +137,9 @@ std::string description_of(const Plot &plot)
 
 const char *class_of(const Pen pen)
 {
-  static const char *const classes[] = {"dark",    "warm",        "dashed",      "dotted",     "pale",
-                                        "chained", "warm-dashed", "dark-dashed", "pale-dashed"};
+  static const char *const classes[] = {"dark",    "warm",        "dashed",      "dotted",      "pale",
+                                        "chained", "warm-dashed", "dark-dashed", "pale-dashed", "shade-1",
+                                        "shade-2", "shade-3",     "shade-4",     "shade-5"};
   return classes[int(pen)];
 }
 

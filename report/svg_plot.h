@@ -17,8 +17,24 @@ struct Axis {
   std::vector<std::string> categories = {};  ///< names of the positions 0, 1, 2, ... instead of numbers
 };
 
-/// How a line is drawn.  Pens differ in lightness and dash, so that they stay apart on a grey print.
-enum class Pen { dark, warm, dashed, dotted, pale, chained, warm_dashed, dark_dashed, pale_dashed };
+/// How a line is drawn.  Pens differ in lightness and dash, so that they stay apart on a grey print; shades, from
+/// light to dark, are for dots that belong to growing values of a third quantity.
+enum class Pen {
+  dark,
+  warm,
+  dashed,
+  dotted,
+  pale,
+  chained,
+  warm_dashed,
+  dark_dashed,
+  pale_dashed,
+  shade1,
+  shade2,
+  shade3,
+  shade4,
+  shade5
+};
 
 /// One curve; x increasing where it has many points (they are drawn as an envelope).
 struct Line {

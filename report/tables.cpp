@@ -187,7 +187,7 @@ std::string full_table(const Run &run)
     }
   else
     for (const Result &result : run.results)
-      if (!is_of_one_model(result.name))
+      if (run.manifest.kind == "chatter" ? !is_slope_by_one_input(result.name) : !is_of_one_model(result.name))
         table += row(result);
   return table + "</tbody></table>\n";
 }

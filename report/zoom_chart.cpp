@@ -35,7 +35,8 @@ std::string json_text(const std::string &text)
 
 std::string zoom_chart(const std::string &group, const std::string &y_axis, const double limit,
                        const Eigen::VectorXd &time,
-                       const std::vector<std::pair<std::string, Eigen::VectorXd>> &series)
+                       const std::vector<std::pair<std::string, Eigen::VectorXd>> &series,
+                       const std::string &title)
 {
   if (!*embedded::dygraphs_js || time.size() < 2 || series.empty())
     return "";
@@ -54,6 +55,7 @@ std::string zoom_chart(const std::string &group, const std::string &y_axis, cons
          "\"><script type=\"application/json\">{\"start\":" + json_number(time[0]) +
          ",\"step\":" + json_number(step) +
          (limit > 0 ? ",\"range\":[" + json_number(-limit) + "," + json_number(limit) + "]" : "") +
-         ",\"labels\":[" + labels + "],\"series\":[" + values + "]}</script></div>\n";
+         (title.empty() ? "" : ",\"title\":" + json_text(title)) + ",\"labels\":[" + labels + "],\"series\":[" +
+         values + "]}</script></div>\n";
 }
 }  // namespace mill::report
