@@ -43,7 +43,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   app.require_subcommand(1);
 
   auto *fresh = app.add_subcommand("new", "write a commented case file that runs as it is");
-  fresh->add_option("KIND", c.target, "four-high, two-cylinders, bearing, bite or lumped")->required();
+  fresh->add_option("KIND", c.target, "four-high, two-cylinders, bearing, bite, chatter or lumped")->required();
   add_output(fresh, c, "file (default: standard output)");
   fresh->add_flag("--force-overwrite", c.force_overwrite, "replace an existing file");
 
@@ -58,6 +58,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
       {"stiffness", "K3, K4, K5, Kzc with their curves"             },
       {"masses",    "equivalent masses with their shapes"           },
       {"modes",     "natural frequencies, shapes, energy shares"    },
+      {"chatter",   "critical speed, sensitivities, stability map"  },
       {"simulate",  "drive the lumped model with the recorded force"}
   };
   for (const auto &[verb, what] : chain) {

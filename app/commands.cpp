@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "app/bearing_model.h"
 #include "app/bite_stage.h"
+#include "app/chatter_stage.h"
 #include "app/console.h"
 #include "app/mass_table.h"
 #include "app/pipeline.h"
@@ -12,6 +13,7 @@
 #include "fem/elastic_body.h"
 #include "report/html.h"
 #include "report/names.h"
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -102,6 +104,10 @@ std::vector<std::pair<std::string, double>> expected_stages(const Case &c)
         {"bite, finite elements", 3},
         {"bite, curves",          4}
     };
+  if (std::holds_alternative<ChatterCase>(c.spec))
+    return {
+        {"chatter", 1}
+    };
   return {
       {"passes", 1}
   };
@@ -122,11 +128,17 @@ std::string engineering(const Parameter &p)
   return fmt::format("{:.6g} {}", p.value, p.unit == "1" ? "" : p.unit);
 }
 
+// chatter.CONDITION.variant.NAME.*, .scheme., .speed_slope.KEY and the like.
+bool is_beside_a_condition(const std::string &name)
+{
+  return name.rfind("chatter.", 0) == 0 && std::count(name.begin(), name.end(), '.') > 2;
+}
+
 void print_table(const Results &results)
 {
   fmt::print("{:<34} {:>22} {:>9}  {}\n", "result", "value", "error", "at");
   for (const auto &[name, p] : results.values) {
-    if (report::is_of_one_model(name))
+    if (report::is_of_one_model(name) || is_beside_a_condition(name))
       continue;  // side by side in the report
     fmt::print("{:<34} {:>22} {:>9}  {}\n", name, engineering(p),
                std::isnan(p.error_estimate) ? "-" : fmt::format("{:.2g} %", 100 * p.error_estimate), p.at);
@@ -141,6 +153,8 @@ Goal goal_of(const std::string &verb)
     return Goal::stiffness;
   if (verb == "masses")
     return Goal::masses;
+  if (verb == "chatter")
+    return Goal::chatter;
   return verb == "modes" ? Goal::modes : Goal::simulate;
 }
 
@@ -151,8 +165,13 @@ void require_fitting(const std::string &verb, const Case &the_case)
   const bool bearing   = std::holds_alternative<BearingCase>(the_case.spec);
   const bool lumped    = std::holds_alternative<Lumped>(the_case.spec);
   const bool bite      = std::holds_alternative<BiteCase>(the_case.spec);
+  const bool chatter   = std::holds_alternative<ChatterCase>(the_case.spec);
+  if (lumped && verb == "chatter")
+    throw InputError("a lumped model alone cannot chatter: it has no strip (" + the_case.path +
+                     "); write a case of kind = \"chatter\" whose [stand] says from = \"" +
+                     fs::path(the_case.path).filename().string() + "\"");
   if (((cylinders || bearing || bite) && verb != "run" && verb != "stiffness") ||
-      (lumped && (verb == "stiffness" || verb == "masses")))
+      (chatter && verb != "run" && verb != "chatter") || (lumped && (verb == "stiffness" || verb == "masses")))
     throw InputError("millstand " + verb + " has nothing to compute for kind = \"" + the_case.kind + "\" (" +
                      the_case.path + "); use millstand run");
 }
@@ -163,6 +182,7 @@ int run_chain(const CommandLine &command)
   check_file_names(the_case);
   check_fits(the_case);
   check_bites(the_case);
+  check_conditions(the_case);
   require_fitting(command.verb, the_case);
   const OutputDir out(command.output.empty() ? "out/" + the_case.name : command.output, the_case,
                       command.force_overwrite);
@@ -209,6 +229,8 @@ int run_chain(const CommandLine &command)
   store(run.results.warnings.empty() ? "ok" : "warnings");
   if (!command.quiet) {
     print_table(run.results);
+    if (!run.summary.empty())
+      fmt::print("\n{}\n", run.summary);
     if (command.verb == "masses")
       fmt::print("\n{}", mass_table(run.results));
     fmt::print("report: {}/report.html\n", out.path());
@@ -244,6 +266,7 @@ int carry_out(const CommandLine &command)
     check_file_names(the_case);
     check_fits(the_case);
     check_bites(the_case);
+    check_conditions(the_case);
     fmt::print("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, the_case.title);
     return 0;
   }

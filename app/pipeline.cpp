@@ -1,6 +1,7 @@
 #include "app/pipeline.h"
 #include "app/bearing_stage.h"
 #include "app/bite_stage.h"
+#include "app/chatter_stage.h"
 #include "app/contact_stage.h"
 #include "app/dynamics_stage.h"
 #include "app/frame_stage.h"
@@ -67,6 +68,8 @@ PassModel model_of_pass(const FourHigh &stand, const reduce::LumpedStand &chain,
 
 void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::string &force_file)
 {
+  if (goal == Goal::chatter)
+    stand.dynamics.force_meaning = "measured";  // the stand without the strip, which the bite then adds
   std::vector<ForceRecord> forces(stand.passes.size());
   std::vector<double> loads;
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
@@ -122,6 +125,8 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
       compare_models(run, stand, chain, models, components, fe_masses);
       add_model_checks(run, models);
     }
+    if (goal == Goal::chatter)
+      solve_stand_chatter(run, stand, pass, chain, models);
     if (goal >= Goal::simulate) {
       if (has_force(pass))
         simulate_pass(run, model_of_pass(stand, chain, models), stand.dynamics, pass, forces[p]);
@@ -170,6 +175,8 @@ void run_stages(RunContext &run, const Goal goal, const std::string &force_file)
     solve_bearing_case(run, *bearing);
   else if (const auto *bite = std::get_if<BiteCase>(&run.the_case.spec))
     solve_bite_case(run, *bite);
+  else if (const auto *chatter = std::get_if<ChatterCase>(&run.the_case.spec))
+    solve_chatter_case(run, *chatter);
   else
     solve_cylinders(run, std::get<TwoCylinders>(run.the_case.spec));
 }

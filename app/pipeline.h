@@ -2,8 +2,8 @@
 #include "app/run_context.h"
 
 namespace mill {
-/// How far a run goes; each goal needs the ones above it.
-enum class Goal { stiffness, masses, modes, simulate };
+/// How far a run goes; each goal needs the ones above it, but chatter and simulate, which stand beside each other.
+enum class Goal { stiffness, masses, modes, chatter, simulate };
 
 /// The stages of a case in order, up to the goal.  Results, curves and the lumped model are in the run's
 /// folder afterwards.

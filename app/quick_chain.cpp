@@ -329,6 +329,8 @@ std::vector<QuickResult> quick_chain(const Case &the_case, QuickMemory &memory, 
     return quick_bearing_case(*spec);
   if (const auto *spec = std::get_if<BiteCase>(&the_case.spec))
     return quick_bite_case(*spec);
+  if (const auto *spec = std::get_if<ChatterCase>(&the_case.spec))
+    return quick_chatter(*spec);
   return quick_cylinders(std::get<TwoCylinders>(the_case.spec));
 }
 }  // namespace mill

@@ -38,8 +38,9 @@ QuickResult quick_bite(const FourHigh &stand, int pass);
 /// of the screw-down by formula as in a run.  theory.md 23.4, 23.6
 FourHigh with_drawn_frame(FourHigh stand);
 
-/// Results of kind = "two-cylinders", "bearing" and "bite".
+/// Results of kind = "two-cylinders", "bearing", "bite" and "chatter".
 std::vector<QuickResult> quick_cylinders(const TwoCylinders &pair);
 std::vector<QuickResult> quick_bearing_case(const BearingCase &spec);
 std::vector<QuickResult> quick_bite_case(const BiteCase &spec);
+std::vector<QuickResult> quick_chatter(const ChatterCase &spec);
 }  // namespace mill

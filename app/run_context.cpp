@@ -141,6 +141,10 @@ std::string manifest_json(const RunContext &run)
     manifest["geometry"] = {
         {"work_roll_diameter", bite->roll_diameter}
     };
+  if (const auto *chatter = std::get_if<ChatterCase>(&c.spec))
+    manifest["geometry"] = {
+        {"work_roll_diameter", chatter->roll_diameter}
+    };
   if (const auto *lumped = std::get_if<Lumped>(&c.spec))
     add_passes(manifest, lumped->passes, lumped->dynamics.force_meaning);
   if (const auto *pair = std::get_if<TwoCylinders>(&c.spec))

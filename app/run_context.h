@@ -27,6 +27,7 @@ struct RunContext {
   Progress progress;
   Results results;
   std::vector<StageTime> times;
+  std::string summary;                       ///< what the console says after the results
   std::string started;                       ///< local date and time
   void warn(const std::string &sentence);    ///< into results and log
   void assume(const std::string &sentence);  ///< same

@@ -50,6 +50,7 @@ struct Sides {
 bool is_size(const Row &row)
 {
   return row.kind == Kind::quantity || row.kind == Kind::number || row.kind == Kind::pair ||
+         row.kind == Kind::six ||
          (row.kind == Kind::count && row.key != "schema" && row.key.find("seed") == std::string::npos);
 }
 
@@ -279,9 +280,12 @@ Trace trace(const TraceOptions &options, QuickMemory &memory)
     const bool from_zero = s.x == 0;
     const std::string u = unit_written(*key.value), space = u.empty() ? "" : " " + u;
     if (s.up || s.down) {
-      trace.per   = from_zero ? (u.empty() ? "unit" : u) : "%";
-      trace.steps = fmt::format("{:.6g}{} .. {:.6g}{}{}", s.down ? s.x_down : s.x, space, s.up ? s.x_up : s.x,
-                                space, key.row.kind == Kind::pair ? ", both numbers of the pair alike" : "");
+      trace.per = from_zero ? (u.empty() ? "unit" : u) : "%";
+      trace.steps =
+          fmt::format("{:.6g}{} .. {:.6g}{}{}", s.down ? s.x_down : s.x, space, s.up ? s.x_up : s.x, space,
+                      key.row.kind == Kind::pair  ? ", both numbers of the pair alike"
+                      : key.row.kind == Kind::six ? ", all six numbers alike"
+                                                  : "");
       for (TraceLine &line : lines)
         add_slopes(line, s, from_zero);
     } else {

@@ -9,12 +9,21 @@
 
 namespace mill {
 namespace {
-const std::vector<RollerBearing> *bearings_of(const Case &the_case)
+// Of the sections that carry a name: bearings, or variants of a stand.
+std::vector<std::string> names_of(const Case &the_case)
 {
+  std::vector<std::string> names;
+  const auto add = [&](const auto &list) {
+    for (const auto &one : list)
+      names.push_back(one.name);
+  };
   if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
-    return &stand->bearings;
-  const auto *bearing = std::get_if<BearingCase>(&the_case.spec);
-  return bearing ? &bearing->bearings : nullptr;
+    add(stand->bearings);
+  if (const auto *bearing = std::get_if<BearingCase>(&the_case.spec))
+    add(bearing->bearings);
+  if (const auto *chatter = std::get_if<ChatterCase>(&the_case.spec))
+    add(chatter->variants);
+  return names;
 }
 
 const std::vector<Pass> *passes_of(const Case &the_case)
@@ -25,6 +34,15 @@ const std::vector<Pass> *passes_of(const Case &the_case)
     return &lumped->passes;
   const auto *bite = std::get_if<BiteCase>(&the_case.spec);
   return bite ? &bite->passes : nullptr;
+}
+
+// Of the sections in double brackets: passes, or conditions.
+std::size_t list_length(const Case &the_case)
+{
+  if (const auto *chatter = std::get_if<ChatterCase>(&the_case.spec))
+    return chatter->conditions.size();
+  const auto *passes = passes_of(the_case);
+  return passes ? passes->size() : 0;
 }
 
 const Node *at_path(const Node &root, const std::vector<std::string> &parts)
@@ -117,7 +135,7 @@ std::map<std::string, std::string> resolved_values(const std::string &text)
   int passes = 0;
   while (std::getline(lines, line)) {
     if (line.rfind("[[", 0) == 0) {
-      section = fmt::format("pass.{}.", passes++);
+      section = fmt::format("{}.{}.", line.substr(2, line.find("]]") - 2), passes++);
     } else if (!line.empty() && line[0] == '[') {
       section = line.substr(1, line.rfind(']') - 1) + ".";
       section.erase(std::remove(section.begin(), section.end(), '"'), section.end());
@@ -145,13 +163,11 @@ std::vector<TraceKey> keys_of(const Case &the_case)
   };
   for (const SectionRows &section : sections_of(the_case.kind)) {
     if (section.repeat == SectionRows::Repeat::named) {
-      if (const auto *bearings = bearings_of(the_case))
-        for (const RollerBearing &b : *bearings)
-          add(section.name + "." + b.name, section.name + "." + key_text(b.name), section.rows);
+      for (const std::string &name : names_of(the_case))
+        add(section.name + "." + name, section.name + "." + key_text(name), section.rows);
     } else if (section.repeat == SectionRows::Repeat::list) {
-      if (const auto *passes = passes_of(the_case))
-        for (std::size_t p = 0; p < passes->size(); ++p)
-          add(fmt::format("{}.{}", section.name, p), fmt::format("{}.{}", section.name, p), section.rows);
+      for (std::size_t p = 0; p < list_length(the_case); ++p)
+        add(fmt::format("{}.{}", section.name, p), fmt::format("{}.{}", section.name, p), section.rows);
     } else {
       add(section.name, section.name, section.rows);
     }

@@ -1,0 +1,90 @@
+#include "app/chatter_question.h"
+#include "app/quick_parts.h"
+#include "core/fields.h"
+#include <fmt/format.h>
+
+// Bite and critical speed of every condition: the same functions as a run, without curves and maps.
+namespace mill {
+namespace {
+const char *const body_keys = "stand.masses stand.stiffnesses stand.dampings stand.from";
+
+KeyList words(const std::string &list)
+{
+  KeyList keys;
+  for (const std::string &word : split(list, " "))
+    keys.push_back(word);
+  return keys;
+}
+
+KeyList bite_keys(const ChatterCase &spec, const std::size_t i)
+{
+  KeyList keys = words("work_roll.diameter steel.youngs_modulus steel.poisson_ratio strip.initial_thickness "
+                       "strip.flow_stress.law strip.flow_stress.k strip.flow_stress.eps0 strip.flow_stress.n "
+                       "strip.flow_stress.k0 strip.flow_stress.table");
+  keys         = joined(keys, words(spec.strip.friction.law == "film"
+                                        ? "oil.viscosity oil.pressure_viscosity oil.film_factor oil.friction.mu0 "
+                                                  "oil.friction.mu1 oil.friction.decay"
+                                        : "strip.friction strip.friction.law strip.friction.coefficient "
+                                                  "strip.friction.scale strip.friction.at_unit_speed "
+                                                  "strip.friction.per_log_speed"));
+  return joined(keys, keys_in(fmt::format("condition.{}", i),
+                              "entry_thickness exit_thickness entry_tension exit_tension width"));
+}
+}  // namespace
+
+std::vector<QuickResult> quick_chatter(const ChatterCase &spec)
+{
+  std::vector<QuickResult> all;
+  for (std::size_t i = 0; i < spec.conditions.size(); ++i) {
+    const ChatterQuestion q = chatter_question(spec, i);
+    const std::string name  = q.condition.name;
+    const KeyList speed     = {fmt::format("condition.{}.speed", i)};
+    const KeyList bite      = bite_keys(spec, i);
+    const KeyList around    = words("stand.entry_distance stand.exit_distance strip.youngs_modulus "
+                                       "analysis.linearisation");
+    const KeyList stand     = joined(around, words(body_keys));
+    const KeyList range     = {"analysis.speeds"};
+    const auto add = [&](const std::string &result, const char *unit, const double value, const KeyList &keys,
+                         const char *road, const char *file, const char *equation) {
+      QuickResult r;
+      r.name             = result;
+      r.parameter.unit   = unit;
+      r.parameter.value  = value;
+      r.parameter.method = std::string(file) + " " + equation;
+      r.parameter.inputs = keys;
+      r.closed           = keys;
+      r.road             = road;
+      r.file             = file;
+      r.equation         = equation;
+      all.push_back(r);
+    };
+    const ChatterSearch found = search_chatter(q);
+    const auto &state         = found.working ? found.working->state : bite::BiteState{};
+    const auto there          = [&](const double value) { return found.working ? value : not_given; };
+    const KeyList at_speed    = joined(bite, speed);
+    for (const auto &[quantity, unit, value] : {
+             std::tuple<const char *, const char *, double>{"force",            "N", state.force           },
+             {"friction",         "1", state.friction        },
+             {"flattened_radius", "m", state.flattened_radius},
+             {"forward_slip",     "1", state.forward_slip    }
+    })
+      add("bite." + name + "." + quantity, unit, there(value), at_speed, "steady bite", "bite/bland_ford",
+          "(8.8)");
+    add("chatter." + name + ".growth_rate", "1/s", found.growth, joined(at_speed, stand), "stand, bite and strip",
+        "dynamics/chatter", "(25.4)");
+    const KeyList searched = joined(bite, stand, range);
+    add("chatter." + name + ".critical_speed", "m/s", found.found.speed, searched, "search over the speed",
+        "dynamics/chatter_speed", "(25.4)");
+    add("chatter." + name + ".frequency", "Hz", found.found.frequency, searched, "search over the speed",
+        "dynamics/chatter_speed", "(25.4)");
+    for (std::size_t v = 0; v < q.variants.size(); ++v) {
+      const std::string of = spec.variants[v].name;
+      add("chatter." + name + ".variant." + slug(of) + ".critical_speed", "m/s",
+          dynamics::critical_speed(q.variants[v].stand, q.bite, q.scheme, chatter_range(q)).speed,
+          joined(searched, keys_in("variant." + of, "masses stiffnesses dampings entry_distance exit_distance")),
+          "search over the speed", "dynamics/chatter_speed", "(25.4)");
+    }
+  }
+  return all;
+}
+}  // namespace mill
