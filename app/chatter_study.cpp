@@ -232,6 +232,14 @@ void find_sensitivities(RunContext &run, ChatterStudy &s, const dynamics::SpeedR
   try {
     s.sensitivities =
         dynamics::chatter_sensitivities(s.question.stand, s.question.numbers, s.question.bite, request);
+    // Where k is a factor on the whole flow stress one of the two is enough.
+    auto &inputs     = s.sensitivities->inputs;
+    const auto named = [&](const char *key) {
+      return std::find_if(inputs.begin(), inputs.end(), [&](const auto &one) { return one.key == key; });
+    };
+    const auto whole = named("strip.flow_stress"), k = named("strip.flow_stress.k");
+    if (whole != inputs.end() && k != inputs.end() && std::abs(whole->force - k->force) < 1e-9)
+      inputs.erase(whole);
   } catch (const std::runtime_error &e) {
     s.remarks.push_back(std::string("no sensitivities: ") + e.what());
   }

@@ -194,14 +194,17 @@ std::vector<Case> select(const std::vector<Case> &all, const std::vector<std::st
   std::vector<std::string> known;
   for (const Case &c : all) {
     known.push_back(c.name);
-    if (!c.family.empty() && std::find(known.begin(), known.end(), c.family) == known.end())
-      known.push_back(c.family);
+    for (const std::string &family : split(c.family, " "))
+      if (!family.empty() && std::find(known.begin(), known.end(), family) == known.end())
+        known.push_back(family);
   }
   std::vector<Case> selected;
   for (const std::string &name : names) {
     const auto before = selected.size();
-    std::copy_if(all.begin(), all.end(), std::back_inserter(selected),
-                 [&](const Case &c) { return c.name == name || c.family == name; });
+    std::copy_if(all.begin(), all.end(), std::back_inserter(selected), [&](const Case &c) {
+      const auto families = split(c.family, " ");
+      return c.name == name || std::find(families.begin(), families.end(), name) != families.end();
+    });
     if (selected.size() == before)
       throw InputError("there is no verification case '" + name + "'" + suggestion(name, known));
   }

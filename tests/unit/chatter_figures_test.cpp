@@ -78,7 +78,7 @@ TEST(ChatterAnswer, WithoutACrossing)
   ASSERT_GE(sentences.size(), 2u);
   EXPECT_EQ(sentences[0], "Condition 2: stable throughout.");
   EXPECT_EQ(sentences[1], "The least damped state of the range is that at 24.0 m/s, with a growth rate of "
-                          "\u22120.820 1/s; a disturbance there doubles in 1.4 s.");
+                          "\u22120.820 1/s; a disturbance there halves in 0.85 s.");
 }
 
 TEST(ChatterTables, SummaryAndPublished)
