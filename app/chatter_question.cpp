@@ -119,6 +119,7 @@ ChatterQuestion chatter_question(const ChatterCase &spec, const std::size_t cond
   const ChatterStandModel stand = stand_of(spec, spec.stand);
   ChatterQuestion q;
   q.condition  = spec.conditions[condition];
+  q.label      = "condition " + q.condition.name;
   q.bite       = bite_of(spec, q.condition);
   q.stand      = stand;
   q.structure  = spec.model ? "six masses of " + spec.stand.from : "six masses as given";
@@ -144,6 +145,7 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
   const Strip &strip  = q.bite.strip;
   RollingCondition &c = q.condition;
   c.name              = pass.name;
+  q.label             = pass.name;
   c.place             = pass.place;
   c.entry_thickness   = strip.entry_thickness;
   c.exit_thickness    = strip.exit_thickness;

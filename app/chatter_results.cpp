@@ -241,7 +241,7 @@ std::string span(double low, double high, const std::string &unit)
 
 std::string verdict_sentence(const ChatterStudy &s)
 {
-  return "condition " + s.question.condition.name + ": " +
+  return s.question.label + ": " +
          dynamics::sentence(s.found, {s.question.analysis.speeds[0], s.question.analysis.speeds[1]});
 }
 
@@ -253,35 +253,33 @@ void add_chatter_results(RunContext &run, const ChatterStudy &s)
   add_sensitivities(run, s);
   const double draft = c.entry_thickness - c.exit_thickness;
   if (2 * s.question.analysis.disturbance > 0.05 * draft)
-    run.warn(fmt::format(
-        "condition {}: the histories start with a gap that is open by {:.3g} um, more than a twentieth of "
-        "the draft: linear motion of that size means little (analysis.disturbance)",
-        c.name, 2e6 * s.question.analysis.disturbance));
+    run.warn(fmt::format("{}: the histories start with a gap that is open by {:.3g} um, more than a twentieth of "
+                         "the draft: linear motion of that size means little (analysis.disturbance)",
+                         s.question.label, 2e6 * s.question.analysis.disturbance));
   if (c.entry_tension == 0 || c.exit_tension == 0)
-    run.warn("condition " + c.name +
+    run.warn(s.question.label +
              ": a strip without tension goes slack at the first vibration, where the linear model "
              "lets its tension fall below zero; the critical speed is that of a strip kept taut");
   for (const std::string &remark : s.remarks)
-    run.assume("condition " + c.name + ": " + remark);
+    run.assume(s.question.label + ": " + remark);
   if (!s.working)
-    run.warn(fmt::format("condition {} has no steady bite at its working speed of {:.4g} m/s: {}", c.name, c.speed,
+    run.warn(fmt::format("{} has no steady bite at its working speed of {:.4g} m/s: {}", s.question.label, c.speed,
                          s.no_bite));
   else if (grows(s.working_mode->root) && !s.question.speed_assumed)
-    run.warn(
-        fmt::format("condition {} chatters at its working speed of {:.4g} m/s: vibration of {:.4g} Hz grows by a "
-                    "factor of e in {:.3g} s",
-                    c.name, c.speed, s.working_mode->frequency, 1 / s.growth));
+    run.warn(fmt::format("{} chatters at its working speed of {:.4g} m/s: vibration of {:.4g} Hz grows by a "
+                         "factor of e in {:.3g} s",
+                         s.question.label, c.speed, s.working_mode->frequency, 1 / s.growth));
   if (!s.working)
     return;
   for (const std::string &note : s.working->state.notes)
-    run.warn("condition " + c.name + ": " + note);
+    run.warn(s.question.label + ": " + note);
   const double film = s.working->state.film_thickness;
   const bool known  = !std::isnan(s.question.film_range[0]);
   const double e    = s.question.bite.strip.friction.decay;
   const std::array<double, 2> range =
       known ? s.question.film_range : std::array<double, 2>{std::log(1 / 0.95) / e, std::log(1 / 0.05) / e};
   if (!std::isnan(film) && (film < range[0] || film > range[1]))
-    run.warn(fmt::format("condition {}: the oil film of {:.3g} um is outside {:.3g} .. {:.3g} um, {}", c.name,
+    run.warn(fmt::format("{}: the oil film of {:.3g} um is outside {:.3g} .. {:.3g} um, {}", s.question.label,
                          1e6 * film, 1e6 * range[0], 1e6 * range[1],
                          known ? "over which the friction was measured (oil.film_range)"
                                : "where the friction law still tells films apart (5 to 95 % of mu1; give "

@@ -20,6 +20,7 @@ struct NamedStand {
 /// What is asked of one working condition.
 struct ChatterQuestion {
   RollingCondition condition;
+  std::string label;  ///< "condition 2", "pass 1": as sentences call it
   bite::RollBite bite;
   dynamics::ChatterStandModel stand;
   bool speed_assumed = false;  ///< the working speed is nobody's: no judgement of it
