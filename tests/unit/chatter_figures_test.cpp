@@ -1,5 +1,6 @@
 #include "report/chatter_figures.h"
 #include "report/curves.h"
+#include "tests/support/html_page.h"
 #include "tests/support/sample_chatter.h"
 #include <gtest/gtest.h>
 #include <regex>
@@ -11,19 +12,6 @@ using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 namespace {
-bool says(const std::string &text, const std::string &what)
-{
-  return text.find(what) != std::string::npos;
-}
-
-int count(const std::string &text, const std::string &what)
-{
-  int n = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + what.size()))
-    ++n;
-  return n;
-}
-
 ChatterCondition condition_with(const ordered_json &json)
 {
   const fs::path run = sample::run_with_chatter();

@@ -1,6 +1,7 @@
 #include "report/chatter_figures.h"
 #include "report/html.h"
 #include "report/names.h"
+#include "tests/support/html_page.h"
 #include "tests/support/sample_chatter.h"
 #include <gtest/gtest.h>
 #include <regex>
@@ -11,76 +12,6 @@ using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 namespace {
-bool says(const std::string &text, const std::string &what)
-{
-  return text.find(what) != std::string::npos;
-}
-
-int count(const std::string &text, const std::string &what)
-{
-  int n = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + what.size()))
-    ++n;
-  return n;
-}
-
-// From <name ...> to its </name>; the names asked for here are not nested.  "svg role" finds those with a role.
-std::vector<std::string> elements(const std::string &html, const std::string &name)
-{
-  std::vector<std::string> found;
-  const std::string open = "<" + name, close = "</" + name.substr(0, name.find(' ')) + ">";
-  for (std::size_t at = html.find(open); at != std::string::npos; at = html.find(open, at + 1)) {
-    const std::size_t end = html.find(close, at);
-    found.push_back(html.substr(at, end - at));
-  }
-  return found;
-}
-
-std::string without_scripts(std::string html)
-{
-  for (const char *name : {"script", "style"})
-    for (const std::string &element : elements(html, name))
-      html.erase(html.find(element), element.size() + std::string(name).size() + 3);
-  return html;
-}
-
-// Name of the first element that is not closed in order; empty when all are.
-std::string unbalanced(const std::string &html)
-{
-  std::vector<std::string> open;
-  for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {
-    const std::string tag  = html.substr(at + 1, html.find('>', at) - at - 1);
-    const bool closing     = tag[0] == '/';
-    const std::string name = tag.substr(closing, tag.find_first_of(" />", closing) - closing);
-    if (tag.back() == '/' || tag[0] == '!')
-      continue;
-    if (!closing)
-      open.push_back(name);
-    else if (open.empty() || open.back() != name)
-      return tag;
-    else
-      open.pop_back();
-  }
-  return open.empty() ? "" : open.back();
-}
-
-void expect_sound(const std::string &html, const std::string &what)
-{
-  const std::string page = without_scripts(html);
-  EXPECT_EQ(unbalanced(page), "") << what;
-  for (const char *bad : {">nan", "\"nan", " nan", ",nan", ">inf", "\"inf", ",inf", "-nan", "no finite value"})
-    EXPECT_EQ(count(page, bad), 0) << what << ": " << bad;
-  EXPECT_EQ(count(html, "<figure>"), count(html, "<figcaption>")) << what;
-}
-
-void make_null(ordered_json &json)
-{
-  if (json.is_number())
-    json = nullptr;
-  else if (json.is_structured())
-    for (auto &entry : json)
-      make_null(entry);
-}
 }  // namespace
 
 TEST(ReadChatter, NumbersTextsAndGaps)

@@ -1,5 +1,5 @@
-#include "core/parallel.h"
 #include "core/errors.h"
+#include "core/parallel.h"
 #include <gtest/gtest.h>
 
 using mill::share_tasks;

@@ -38,8 +38,8 @@ TEST(ChatterCommand, ThePublishedTable)
 {
   const auto outcome = chatter(published, "published", "--set analysis.map_points=8");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const char *text :
-       {"condition  quantity", "critical speed", "rolling force", "friction", "condition 2: unstable above 18.207 m/s (128.1 Hz)"})
+  for (const char *text : {"condition  quantity", "critical speed", "rolling force", "friction",
+                           "condition 2: unstable above 18.207 m/s (128.1 Hz)"})
     EXPECT_NE(outcome.out.find(text), std::string::npos) << text << "\n" << outcome.out;
   const auto results = results_of("published");
   EXPECT_TRUE(near(value(results, "chatter.1.critical_speed"), 18.646221249626493, search));
