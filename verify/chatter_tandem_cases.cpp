@@ -7,6 +7,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 // Several stands with the delay of the strip between them, and delay systems whose roots are known.
 namespace mill::verify {
@@ -110,7 +111,7 @@ std::vector<Check> lambert_roots()
         known.push_back(s);
     const DelaySpectrum spectrum(scalar(a, b, delay));
     const Roots found      = spectrum.roots(c, 1000);
-    const std::string name = "a " + std::to_string(int(a)) + ", b " + std::to_string(int(b)) + ": ";
+    const std::string name = fmt::format("a {:g}, b {:g}, delay {:g} s: ", a, b, delay);
     checks.push_back(relative(name + "roots found", "-", double(found.size()), double(known.size()), 0));
     checks.push_back(relative(name + "roots counted", "-", spectrum.roots_right_of(c), double(known.size()), 0));
     checks.push_back(at_most(name + "largest distance", "-", apart(known, found), 1e-12));
