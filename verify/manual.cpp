@@ -135,6 +135,21 @@ std::string aligned(const std::vector<Row> &rows)
   return text;
 }
 
+std::string verdict_text(const Verdict verdict)
+{
+  switch (verdict) {
+  case Verdict::pass:
+    return "pass";
+  case Verdict::fail:
+    return "FAIL";
+  case Verdict::known_deviation:
+    return "known deviation";
+  case Verdict::reported:
+    return "-";
+  }
+  return "";
+}
+
 std::string first_sentence(const std::string &text)
 {
   const auto end = text.find(". ");
@@ -157,9 +172,7 @@ CheckText check_text(const Check &c)
           number(c.reference),
           deviation(c),
           trimmed(tolerance(c)),
-          c.judged == Judged::reported ? "-"
-          : passes(c)                  ? "pass"
-                                       : "FAIL"};
+          verdict_text(verdict(c))};
 }
 
 std::string table_cell(std::string text)

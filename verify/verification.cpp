@@ -18,7 +18,14 @@ Check reported(const std::string &quantity, const std::string &unit, const doubl
   return {quantity, unit, result, reference, 0, Judged::reported};
 }
 
-bool passes(const Check &c)
+Check known_deviation(Check asked, const KnownDeviation &known)
+{
+  asked.known = known;
+  return asked;
+}
+
+namespace {
+bool within_bound(const Check &c)
 {
   switch (c.judged) {
   case Judged::relative:
@@ -30,9 +37,27 @@ bool passes(const Check &c)
   case Judged::at_most:
     return c.result <= c.reference;
   case Judged::reported:
-    return true;
+    return !std::isnan(c.result);
   }
   return false;
+}
+}  // namespace
+
+Verdict verdict(const Check &c)
+{
+  const bool within = within_bound(c);
+  if (c.known) {
+    const bool as_recorded = std::abs(c.result - c.known->result) <= c.known->spread;
+    return !within && as_recorded ? Verdict::known_deviation : Verdict::fail;
+  }
+  if (!within)
+    return Verdict::fail;
+  return c.judged == Judged::reported ? Verdict::reported : Verdict::pass;
+}
+
+bool passes(const Check &c)
+{
+  return verdict(c) != Verdict::fail;
 }
 
 std::vector<Case> all_cases()
