@@ -17,9 +17,6 @@ Parameter computed(const std::string &unit, const double value, const double err
   p.method         = method;
   p.at             = in_kN(load);
   p.error_estimate = error;
-  p.inputs         = {"steel.youngs_modulus",      "steel.poisson_ratio", "work_roll.barrel_diameter",
-                      "work_roll.barrel_length",   "work_roll.crown",     "backup_roll.barrel_diameter",
-                      "backup_roll.barrel_length", "backup_roll.crown"};
   return p;
 }
 
@@ -124,7 +121,6 @@ void add_friction(RunContext &run, const FourHigh &stand, const ContactModel &m,
                                      "companion mesh, Coulomb friction {:g}, loaded from zero in "
                                      "{} equal steps, {:.0f} % of the touching nodes slip",
                                      settings.friction, steps, 100 * rubbing.slipping));
-  p.inputs.push_back("contact." + name + ".friction");
   p.checks.push_back({"without friction", tangent, "equal materials: nearly uncoupled"});
   p.checks.push_back(
       {"twice as many load steps", tangent * twice.tangent / free.tangent, "the load path matters"});

@@ -21,7 +21,8 @@ struct Study {
   std::string twin;  // contact that is the same one, already written
 };
 
-// Swept range: that of the case, or a decade below the smallest and twice the largest working load.
+}  // namespace
+
 std::array<double, 2> swept_range(const std::string &name, const ContactSettings &settings,
                                   const std::vector<double> &loads)
 {
@@ -37,6 +38,8 @@ std::array<double, 2> swept_range(const std::string &name, const ContactSettings
                       name, in_kN(settings.loads[0]), in_kN(settings.loads[1]), in_kN(load)));
   return settings.loads;
 }
+
+namespace {
 
 // Slope of the fitted curve, which does not step as nodes come into contact, where the contact is a line contact;
 // else the exact slope of the active set.
@@ -89,20 +92,6 @@ Parameter blank(const Study &s, const std::string &unit, const double load, cons
   p.unit   = unit;
   p.method = "contact FEM, " + reference;
   p.at     = in_kN(load);
-  p.inputs = {"steel.youngs_modulus",
-              "steel.poisson_ratio",
-              "work_roll.barrel_diameter",
-              "work_roll.barrel_length",
-              "work_roll.neck_diameter",
-              "work_roll.total_length",
-              "work_roll.crown",
-              "backup_roll.barrel_diameter",
-              "backup_roll.barrel_length",
-              "backup_roll.neck_diameter",
-              "backup_roll.neck_length",
-              "backup_roll.crown",
-              "contact." + s.name + ".loads",
-              "contact." + s.name + ".elements_per_half_width"};
   return p;
 }
 
@@ -171,7 +160,6 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
     h.checks.push_back(
         {"rolls squeezed between mirrored contacts", mirrored.value, "another datum and no bending"});
     beside(h, "second engine, Fourier series", other);
-    h.inputs.insert(h.inputs.end(), {"strip.width", "backup_roll.bearing_span"});
     run.results.add(prefix + s.K + ".in_stand_" + what, h);
   };
   add_held("tangent", held.tangent, held.exact, held2[0], tangent);

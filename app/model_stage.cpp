@@ -2,6 +2,7 @@
 #include "app/models_file.h"
 #include "core/csv.h"
 #include "core/lumped_model.h"
+#include "core/provenance.h"
 #include "reduce/beam_stand.h"
 #include "reduce/component_stand.h"
 #include "reduce/kept_modes.h"
@@ -103,7 +104,7 @@ void add_frequencies(RunContext &run, const reduce::StandWithModes &s, const red
     f.at             = chain.model.at;
     const double own = s.modes.error_estimate[i];
     f.error_estimate = (std::isnan(own) ? 0 : own) + spring_error(s, i, chain);
-    f.inputs         = keys_of(chain.model);
+    f.inputs         = joined(keys_of(chain.model), detailed_model_keys());
     for (const reduce::ModePair &pair : pairs)
       if (pair.mode == i && pair.other >= 0) {
         f.checks.push_back({title_of(other.model.name), other.modes.frequency[pair.other],

@@ -6,8 +6,10 @@
 #include "app/dynamics_stage.h"
 #include "app/frame_stage.h"
 #include "app/model_stage.h"
+#include "app/result_inputs.h"
 #include "core/csv.h"
 #include "core/lumped_model.h"
+#include "core/provenance.h"
 #include "reduce/lumped_stand.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -84,6 +86,7 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
                       "accelerations to the second",
                       stand.passes[p].name, in_kN(loads[p]), in_kN(forces[p].force.mean())));
   }
+  set_given_inputs(stand.given);
   const FrameErrors frame_errors = resolve_frame(run, stand);
   ComponentSets components;  // before the contacts: what the meshes cannot show is said at once
   if (goal >= Goal::masses)
@@ -102,7 +105,8 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
     in.K_Zy_upper = in.K_Zy_lower = bearings.K_Zy;
     in.Kzc                        = bearings.Kzc;
     in.at                         = in_kN(loads[p]);
-    auto chain                    = reduce::lumped_stand(stand, in);
+    set_inputs(in, stand, p);
+    auto chain = reduce::lumped_stand(stand, in);
     add_frame_errors(chain.model, stand, frame_errors);
     StandModels models;
     reduce::FeMasses fe_masses{};
@@ -147,7 +151,8 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
 
 void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::string &force_file)
 {
-  const LumpedModel model = lumped_model_of(run.the_case);
+  LumpedModel model = lumped_model_of(run.the_case);
+  set_given_inputs(model);
   add_model(run, model, "");
   run.out.write("lumped_model.toml", lumped_model_toml(model, run.the_case, run.out.path()));
   if (goal >= Goal::modes)
@@ -179,5 +184,6 @@ void run_stages(RunContext &run, const Goal goal, const std::string &force_file)
     solve_chatter_case(run, *chatter);
   else
     solve_cylinders(run, std::get<TwoCylinders>(run.the_case.spec));
+  set_inputs(run.results, run.the_case);
 }
 }  // namespace mill

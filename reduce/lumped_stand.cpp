@@ -1,4 +1,5 @@
 #include "reduce/lumped_stand.h"
+#include "core/provenance.h"
 #include "reduce/beam_shapes.h"
 #include "reduce/chain_keys.h"
 #include "reduce/equivalent_mass.h"
@@ -194,6 +195,8 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
 
   for (Keys &list : keys)
     list = as_drawn(list, stand);
+  for (std::size_t i = 1; i < 5; ++i)
+    keys[i] = joined(keys[i], mass_shape_keys(stand.dynamics));
 
   for (std::size_t i = 0; i < 6; ++i) {
     Parameter mass =

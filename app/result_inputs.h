@@ -1,0 +1,14 @@
+#pragma once
+#include "core/results.h"
+#include "core/stand.h"
+#include "reduce/lumped_stand.h"
+
+namespace mill {
+/// Writes into contacts, bearings, bites and responses of a run the keys that stand behind them, by the lists of
+/// core/provenance.h that a trace follows too.  Masses, springs and modes carry theirs along from the chain.
+void set_inputs(Results &results, const Case &the_case);
+
+/// The computed springs of a chain with their keys.
+/// @param pass  whose load they belong to
+void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, std::size_t pass);
+}  // namespace mill
