@@ -148,6 +148,20 @@ void set_inputs(Results &results, const Case &the_case)
       parameter.inputs = *keys;
 }
 
+std::vector<std::string> beside_the_chain(const Case &the_case, const std::string &key)
+{
+  std::vector<std::string> names{"K3.friction_tangent", "K3.path_plateau", "K5.friction_tangent",
+                                 "K5.path_plateau",     "K4.path_plateau", "Kzc.motion.frequency"};
+  std::vector<std::string> found;
+  for (const std::string &name : names) {
+    const auto keys =
+        std::visit([&](const auto &spec) { return inputs_of(spec, Results(), name); }, the_case.spec);
+    if (keys && holds(*keys, key))
+      found.push_back(name);
+  }
+  return found;
+}
+
 void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, const std::size_t pass)
 {
   springs.K3.inputs         = contact_keys(stand, "upper", pass);
