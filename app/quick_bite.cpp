@@ -12,19 +12,18 @@ QuickResult bite_result(const std::string &name, const Strip &strip, const BiteS
                         const std::string &roll_key)
 {
   const bool elements = setup.method == "fe";
-  const BiteRun run{strip, setup, std::size_t(pass), roll_key};
+  const bool wide     = name.rfind("K4", 0) == 0 || follows_width(name.substr(name.rfind('.') + 1));
+  const BiteRun run{strip, setup, std::size_t(pass), roll_key, wide};
   QuickResult r;
-  r.name = name;
-  if (name == "K4.flattening") {
+  r.name             = name;
+  r.parameter.inputs = bite_keys(run);
+  // An arc of any shape is Hitchcock's here, without the elastic zones that make it one.
+  BiteSetup closed = setup;
+  closed.arc       = setup.arc == "rigid" ? "rigid" : "hitchcock";
+  r.closed         = joined(slab_keys({strip, closed, run.pass, roll_key, wide}),
+                    elements ? KeyList{} : keys_in("bite", "theory"));
+  if (name == "K4.flattening")
     r.closed = r.parameter.inputs = flattening_keys(run);
-  } else {
-    // An arc of any shape is Hitchcock's here, without the elastic zones that make it one.
-    BiteSetup closed   = setup;
-    closed.arc         = setup.arc == "rigid" ? "rigid" : "hitchcock";
-    r.closed           = joined(slab_keys({strip, closed, std::size_t(pass), roll_key}),
-                      elements ? KeyList{} : keys_in("bite", "theory"));
-    r.parameter.inputs = bite_keys(run);
-  }
   r.road       = "roll bite";
   r.file       = elements ? "fem/strip_flow" : "bite/slab_bite";
   r.equation   = "(8.13)";

@@ -198,11 +198,12 @@ LumpedModel add_chain(Results &all, const FourHigh &stand, const std::string &pr
   in.at                         = at;
   const auto chain              = reduce::lumped_stand(tagged, in);
   const auto inputs_of          = [&](const char *name) { return made(name).parameter.inputs; };
-  auto full                     = reduce::chain_keys(
-                          {inputs_of("K3"), inputs_of("K4"), inputs_of("K5"), inputs_of("K_Zy"), inputs_of("K_Zy")});
+  auto full = reduce::chain_keys({inputs_of("K3"), inputs_of("K4"), inputs_of("K5"), inputs_of("K_Zy"),
+                                  inputs_of("K_Zy"), reduce::given_springs(stand), stand.housing.present()});
   for (KeyList &list : full)
     list = reduce::as_drawn(list, stand);
-  const KeyList meshed = mass_shape_keys(stand.dynamics);  // which the closed forms do not follow
+  // What the closed forms do not follow: meshes, and the fillets of a frame of beams.
+  const KeyList meshed = joined(mass_shape_keys(stand.dynamics), keys_in("housing", "fillet_radius"));
   const auto add       = [&](const std::string &name, const Parameter &p, const KeyList &inputs) {
     if (is_given(stand.given, name)) {
       all.push_back(given_result(name, p));
@@ -274,6 +275,9 @@ Results lumped(const Case &the_case, const Lumped &spec, QuickMemory &memory)
   for (std::size_t p = 0; p < spec.passes.size(); ++p)
     if (has_force(spec.passes[p]))
       add_response(all, model, spec.dynamics, spec.passes[p], p, "", memory);
+  for (QuickResult &r : all)
+    for (KeyList *list : {&r.parameter.inputs, &r.closed, &r.own})
+      *list = of_kind(*list, the_case.kind);
   return all;
 }
 }  // namespace

@@ -44,7 +44,9 @@ std::optional<KeyList> bite_inputs(const BiteRun &bite, const std::string &name,
   const std::string quantity = name.substr(own.size());
   const KeyList speed = ends(quantity, "_speed") ? keys_in(fmt::format("pass.{}", bite.pass), "speed") : KeyList{};
   const bool beside   = quantity.find('.') != std::string::npos && !begins(quantity, "fe.");
-  return joined(beside ? slab_keys(bite) : bite_keys(bite), speed);
+  BiteRun asked       = bite;
+  asked.whole_width   = follows_width(quantity.substr(quantity.rfind('.') + 1));
+  return joined(beside ? slab_keys(asked) : bite_keys(asked), speed);
 }
 
 // PASS.peak_g.* and PASS.rms_g.*: the numbers of the chain that drives the work roll, and what is done with them.
@@ -96,8 +98,9 @@ std::optional<KeyList> inputs_of(const Lumped &lumped, const Results &results, c
 {
   for (std::size_t p = 0; p < lumped.passes.size(); ++p)
     if (const auto keys = response_inputs(results, lumped.dynamics, lumped.passes[p], p, name))
-      return keys;
-  return {};
+      return of_kind(*keys, "lumped");
+  const Parameter *made = results.find(name);
+  return made ? std::optional<KeyList>(of_kind(made->inputs, "lumped")) : std::nullopt;
 }
 
 std::optional<KeyList> inputs_of(const TwoCylinders &, const Results &, const std::string &)

@@ -71,13 +71,21 @@ KeyList load_keys_of_all(const std::vector<Pass> &passes)
 
 KeyList contact_keys(const FourHigh &stand, const std::string &name, const std::size_t p)
 {
-  const std::string on_the_ends =
-      "bearing bearing_mass chock_mass_upper chock_mass_lower bearing_load bending_model";
+  // What sits on the ends of a roll, and profiles that another one replaces.
+  const auto not_read = [](const Roll &roll) {
+    std::string names = "bearing bearing_mass chock_mass_upper chock_mass_lower bearing_load bending_model";
+    if (!roll.crown_table.empty())
+      names += " crown crown_polynomial";
+    else if (!roll.crown_polynomial.empty())
+      names += " crown crown_table";
+    return roll.thermal_crown_table.empty() ? names : names + " thermal_crown";
+  };
   const ContactSettings &own = name == "upper" ? stand.upper_contact : stand.lower_contact;
   // Without a range of its own the sweep, and with it the mesh, is made for the loads of all passes.
   const KeyList loads = std::isnan(own.loads[0]) ? load_keys_of_all(stand.passes) : load_keys(stand.passes[p], p);
-  return joined(elastic_steel(), keys_but("work_roll", rows_of(work_roll_rows()), on_the_ends),
-                keys_but("backup_roll", rows_of(backup_roll_rows()), on_the_ends), keys_in("strip", "width"),
+  return joined(elastic_steel(), keys_but("work_roll", rows_of(work_roll_rows()), not_read(stand.work_roll)),
+                keys_but("backup_roll", rows_of(backup_roll_rows()), not_read(stand.backup_roll)),
+                keys_in("strip", "width"),
                 keys_but("contact." + name, rows_of(roll_contact_rows()), "friction path_trim"), loads);
 }
 
@@ -94,9 +102,9 @@ KeyList bearing_keys(const RollerBearing &b)
   const bool fe = b.roller_law == "fe", elastic = b.rings == "elastic", drawn = fe || elastic;
   const bool three   = b.profile == "three-parameter";
   const bool rounded = b.profile == "log" || b.profile == "lundberg" || three;
-  const bool tapered = b.cup_angle != 0;
+  const bool tapered = b.type == "four-row tapered";
   // Raceway pressures are compared with it afterwards.
-  std::string idle    = "yield_pressure rib_angle";
+  std::string idle    = "yield_pressure rib_angle tilt_lever";
   const auto not_read = [&](const bool condition, const char *names) {
     idle += condition ? std::string(" ") + names : "";
   };
@@ -111,7 +119,8 @@ KeyList bearing_keys(const RollerBearing &b)
   not_read(!drawn && !rounded && b.profile != "iso" && b.roller_law != "elastic", "roller_diameter");
   not_read(!drawn && !rounded && b.roller_law != "elastic",
            "bore outside_diameter pitch_diameter youngs_modulus poisson_ratio");
-  not_read(!drawn && !tapered, "width row_hands");
+  not_read(!tapered, "roller_cone_angle cup_angle row_hands end_play preload");
+  not_read(!drawn, "width row_hands");
   not_read(!elastic, "chock");
   not_read(!elastic || b.chock == "rigid", "chock_width chock_height chock_length");
   not_read(!elastic || b.chock != "block", "chock_support_width chock_support_gap");
@@ -180,14 +189,19 @@ KeyList strip_law_keys(const Strip &strip)
   return keys_in("strip", names);
 }
 
+bool follows_width(const std::string &quantity)
+{
+  return quantity.rfind("force", 0) == 0 || quantity == "torque" || quantity == "plastic_slope";
+}
+
 KeyList slab_keys(const BiteRun &bite)
 {
   const std::string both = "entry_thickness exit_thickness entry_tension exit_tension";
   const std::string &rub = bite.strip.friction.law;
   const bool fast        = rub == "speed" || rub == "film";
-  return joined(keys_in("strip", "width " + both), strip_law_keys(bite.strip),
-                keys_in(pass_section(bite.pass), both + (fast ? " speed" : "")), KeyList{bite.roll_key},
-                elastic_steel(), keys_in("bite", "arc"),
+  return joined(bite.whole_width ? keys_in("strip", "width") : KeyList{}, keys_in("strip", both),
+                strip_law_keys(bite.strip), keys_in(pass_section(bite.pass), both + (fast ? " speed" : "")),
+                KeyList{bite.roll_key}, elastic_steel(), keys_in("bite", "arc"),
                 bite.setup.arc == "elastic" ? keys_in("strip", "youngs_modulus poisson_ratio") : KeyList{});
 }
 
@@ -273,6 +287,22 @@ KeyList horizontal_mode_keys(const LumpedModel &model, const std::string &label,
   for (const std::size_t roll : rolls_in(label))
     keys = joined(keys, model.M[roll + 1].inputs, model.Kzc[roll].inputs);
   return keys;
+}
+
+KeyList of_kind(const KeyList &keys, const std::string &kind)
+{
+  std::vector<std::string> sections;
+  for (const SectionRows &section : sections_of(kind))
+    sections.push_back(section.name);
+  KeyList known;
+  for (const std::string &key : keys) {
+    const bool there = std::any_of(sections.begin(), sections.end(), [&](const std::string &section) {
+      return !section.empty() && key.rfind(section + ".", 0) == 0;
+    });
+    if (there && (kind != "lumped" || !holds(detailed_model_keys(), key)))
+      known.push_back(key);
+  }
+  return known;
 }
 
 KeyList response_keys(const DynamicsSettings &dynamics, const Pass &pass, const std::size_t p)

@@ -63,7 +63,11 @@ struct BiteRun {
   const BiteSetup &setup;
   std::size_t pass = 0;
   std::string roll_key;  ///< "work_roll.barrel_diameter"
+  bool whole_width =
+      true;  ///< a force, a torque or a stiffness; false: pressure, slip and others that know no width
 };
+/// Whether a quantity of the bite is one of the whole width.
+bool follows_width(const std::string &quantity);
 /// Results of the model that gives K4.
 KeyList bite_keys(const BiteRun &bite);
 /// The flattening of one roll, from geometry and steel alone, (8.12).
@@ -89,6 +93,9 @@ std::vector<std::size_t> rolls_in(const std::string &label);
 KeyList chock_seat_keys(const std::string &label, bool seat_given);
 /// All of it.
 KeyList horizontal_mode_keys(const LumpedModel &model, const std::string &label, bool seat_given);
+/// Those of the keys that a case of this kind has: a lumped model knows neither frame nor other models of the
+/// stand.
+KeyList of_kind(const KeyList &keys, const std::string &kind);
 /// Keys that a response has beside those of its chain.
 KeyList response_keys(const DynamicsSettings &dynamics, const Pass &pass, std::size_t p);
 

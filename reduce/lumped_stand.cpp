@@ -191,7 +191,8 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
   const ChainValues values = chain_values(stand, computed, K4.value, reference);
   const ChainValues other  = chain_values(stand, computed, K4.value, reference == "mean" ? "mid" : "mean");
   const ChainValues errors = propagated_errors(stand, computed, error, K4.value);
-  auto keys = chain_keys({K3.inputs, K4.inputs, K5.inputs, result.K_Zy_upper.inputs, result.K_Zy_lower.inputs});
+  auto keys = chain_keys({K3.inputs, K4.inputs, K5.inputs, result.K_Zy_upper.inputs, result.K_Zy_lower.inputs,
+                          given_springs(stand), stand.housing.present()});
 
   for (Keys &list : keys)
     list = as_drawn(list, stand);
