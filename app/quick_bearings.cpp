@@ -49,7 +49,11 @@ KeyList closed_bearing_keys(const RollerBearing &b, const bool loaded_askew)
   add(rounded || b.profile == "iso" || elastic, "roller_diameter");
   add(rounded || elastic, "youngs_modulus poisson_ratio pitch_diameter bore outside_diameter");
   add(loaded_askew, "width row_hands tilt_lever pitch_diameter");
-  return joined(keys_in("bearing." + b.name, names));
+  KeyList keys;  // of what a run reads of this bearing
+  for (const std::string &key : keys_in("bearing." + b.name, names))
+    if (loaded_askew || holds(bearing_keys(b), key))
+      keys.push_back(key);
+  return keys;
 }
 
 bearing::AssemblyState solved(const RollerBearing &b, const bearing::RingDrive &drive, const double cage_angle = 0)

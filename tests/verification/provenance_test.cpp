@@ -64,7 +64,7 @@ std::string text_of(const FourHigh &stand, const std::string &name)
     std::string text = roller_inputs(bearing, 1e5) + ring_inputs(bearing);
     for (std::size_t p = 0; p < stand.passes.size(); ++p)
       for (const QuickResult &seat : quick_bearings(stand, load_of(stand.passes[p]), p))
-        if ((seat.name == "Kzc1" || seat.name == "Kzc4") == backup)
+        if (seat.name != "K_Zy" && (seat.name == "Kzc1" || seat.name == "Kzc4") == backup)
           text += number_text(seat.load);
     return text;
   }
