@@ -1,7 +1,9 @@
 #include "core/errors.h"
+#include "core/files.h"
+#include "core/visible_text.h"
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
+#include <sstream>
 #include <tuple>
 
 namespace mill {
@@ -12,7 +14,7 @@ constexpr std::size_t longest_line =
 std::vector<std::string> lines_of(const std::string &path)
 {
   std::vector<std::string> lines;
-  std::ifstream file(path);
+  std::istringstream file(text_if_readable(path).value_or(""));  // what cannot be read has no lines
   for (std::string line; std::getline(file, line);) {
     if (!line.empty() && line.back() == '\r')
       line.pop_back();
@@ -130,8 +132,11 @@ std::string joined(const std::vector<Problem> &problems)
   return text;
 }
 
+// In the order of the file; what a message quotes from a file stays one line of plain text.
 std::vector<Problem> sorted(std::vector<Problem> problems)
 {
+  for (Problem &problem : problems)
+    problem.message = visible(problem.message, true);
   std::stable_sort(problems.begin(), problems.end(),
                    [](const Problem &a, const Problem &b) { return a.place < b.place; });
   return problems;
