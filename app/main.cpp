@@ -2,24 +2,33 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/fast_blas.h"
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 
 int main(int argc, char **argv)
 {
   using namespace mill;
+  console::open_standard_files();
   use_fast_blas(argv);
-  int exit_code      = 0;
-  const auto command = parse_command_line(argc, argv, exit_code);
-  if (!command)
-    return exit_code;
   try {
-    return carry_out(*command);
+    int exit_code      = 0;
+    const auto command = parse_command_line(argc, argv, exit_code);
+    if (command)
+      exit_code = carry_out(*command);
+    console::flush();
+    return exit_code;
   } catch (const InputError &e) {
     console::show(e);
     return 2;
   } catch (const SolverError &e) {
     console::show(e);
+    return 3;
+  } catch (const console::OutputError &e) {
+    console::show(e);
+    return 3;
+  } catch (const std::filesystem::filesystem_error &e) {  // a disk or a permission
+    console::say("error: " + e.path1().string() + ": " + e.code().message() + "\n");
     return 3;
   } catch (const std::string &message) {  // what Gmsh throws
     console::show_bug(std::runtime_error("Gmsh: " + message), current_manifest());

@@ -1,6 +1,7 @@
 #include "app/run_context.h"
 #include "bearing/geometry.h"
 #include "core/files.h"
+#include "core/run_identity.h"
 #include "core/sparse.h"
 #include "fem/elastic_body.h"
 #include "meshes/gmsh_scope.h"
@@ -98,28 +99,56 @@ void add_passes(json &manifest, const std::vector<Pass> &passes, const std::stri
         {"force_meaning", force_meaning                                          }
     });
 }
+
+// Files beside the case that a run reads.
+std::vector<std::string> input_files(const Case &the_case, const std::string &force_file)
+{
+  std::vector<std::string> files{force_file};
+  const auto add_passes_of = [&](const auto &spec) {
+    for (const Pass &pass : spec.passes)
+      files.insert(files.end(), {pass.force_file, pass.measured_file});
+  };
+  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
+    add_passes_of(*stand);
+  if (const auto *lumped = std::get_if<Lumped>(&the_case.spec))
+    add_passes_of(*lumped);
+  if (const auto *bite = std::get_if<BiteCase>(&the_case.spec))
+    add_passes_of(*bite);
+  if (const auto *chatter = std::get_if<ChatterCase>(&the_case.spec))
+    files.push_back(chatter->stand.from);
+  files.erase(std::remove(files.begin(), files.end(), ""), files.end());
+  return files;
+}
 }  // namespace
+
+std::string run_id_of(const Case &the_case, const std::string &verb, const std::string &force_file)
+{
+  std::string all = version() + "\n" + verb + "\n" + the_case.resolved;
+  for (const std::string &file : input_files(the_case, force_file))
+    all += "\n" + hash_of(read_text(file));
+  return hash_of(all);
+}
 
 std::string manifest_json(const RunContext &run)
 {
   const Case &c = run.the_case;
   json manifest{
-      {"program",   "millstand"                    },
-      {"version",   version()                      },
-      {"case",      c.name                         },
-      {"case_path", c.path                         },
-      {"kind",      c.kind                         },
-      {"title",     c.title                        },
-      {"run_id",    hash_of(version() + c.resolved)},
-      {"date",      run.started                    },
-      {"threads",   run.threads                    },
-      {"blas",      blas_in_use()                  },
+      {"program",   "millstand"     },
+      {"version",   version()       },
+      {"case",      c.name          },
+      {"case_path", c.path          },
+      {"kind",      c.kind          },
+      {"title",     c.title         },
+      {"run_id",    run.out.run_id()},
+      {"date",      run.started     },
+      {"threads",   run.threads     },
+      {"blas",      blas_in_use()   },
       {"versions",
        {{"deal.II", fem::library_version()},
         {"Gmsh", meshes::library_version()},
         {"Eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
                       std::to_string(EIGEN_MINOR_VERSION)},
-        {"compiler", __VERSION__}}                 }
+        {"compiler", __VERSION__}}  }
   };
   for (const StageTime &time : run.times)
     manifest["timings"].push_back({
@@ -127,6 +156,8 @@ std::string manifest_json(const RunContext &run)
         {"seconds", time.seconds},
         {"cached",  time.cached }
     });
+  for (const auto &[file, sum] : checksums_below(run.out.staging()))
+    manifest["files"][file] = sum;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   manifest["peak_memory"] = 1024. * double(usage.ru_maxrss);

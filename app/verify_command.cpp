@@ -20,8 +20,8 @@ void require_whole_manual(const VerifyOptions &options)
 
 void print_now(const std::string &text)
 {
-  fmt::print("{}", text);
-  std::fflush(stdout);
+  console::print(text);
+  console::flush();
 }
 }  // namespace
 

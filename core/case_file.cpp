@@ -1,6 +1,7 @@
 // The only file that includes toml++.
 #include "core/case_file.h"
 #include "core/files.h"
+#include "core/run_identity.h"
 #include "core/units.h"
 #include <algorithm>
 #include <cctype>
@@ -264,7 +265,8 @@ std::string shown(const Node &node)
 Node read_case_file(const std::string &path, const std::vector<std::string> &sets)
 {
   const std::string text = read_text(path);
-  Node root              = node_of(parsed(path, text), path);
+  require_unmixed(path, text);
+  Node root = node_of(parsed(path, text), path);
   std::vector<Problem> problems;
   for (const std::string &set : sets)
     try {

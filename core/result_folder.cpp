@@ -118,18 +118,6 @@ std::vector<std::string> staged_names(const std::string &staged)
   return names;
 }
 
-// The earlier run must be able to leave before the new one is switched to.
-void require_replaceable(const std::string &directory)
-{
-  for (const std::string &name : result_names()) {
-    const std::string path = directory + "/" + name;
-    std::error_code ignored;
-    if (fs::is_directory(fs::symlink_status(path, ignored)) && ::access(path.c_str(), W_OK) != 0)
-      throw InputError(Place{path}, std::string("cannot be replaced: ") + std::strerror(errno) +
-                                        "; the earlier results are as they were, choose another folder with -o");
-  }
-}
-
 void sync_all(const std::string &staged, const std::vector<std::string> &names)
 {
   for (const std::string &name : names) {
@@ -190,6 +178,17 @@ void finish_publishing(const std::string &directory, const Rename &rename)
   fs::remove_all(done, ignored);
 }
 
+void require_replaceable(const std::string &directory)
+{
+  for (const std::string &name : result_names()) {
+    const std::string path = directory + "/" + name;
+    std::error_code ignored;
+    if (fs::is_directory(fs::symlink_status(path, ignored)) && ::access(path.c_str(), W_OK) != 0)
+      throw InputError(Place{path}, std::string("cannot be replaced: ") + std::strerror(errno) +
+                                        "; the earlier results are as they were, choose another folder with -o");
+  }
+}
+
 void publish_results(const std::string &staged, const std::string &directory, const Rename &rename)
 {
   finish_publishing(directory, rename);  // of a run that ended here before
@@ -212,6 +211,7 @@ void publish_results(const std::string &staged, const std::string &directory, co
 void require_published(const std::string &directory)
 {
   const std::string folder = directory.empty() ? "." : directory;
+  const FolderLock alone(folder);  // a run that publishes now is waited for
   if (stands(folder + "/" + journal_name))
     throw InputError("a run was interrupted while its results took their places in " + folder +
                      "; `millstand report " + folder + "` puts them there");

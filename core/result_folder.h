@@ -30,6 +30,9 @@ private:
 /// std::rename, or what stands in for it in a test: 0, or -1 and errno.
 using Rename = std::function<int(const char *from, const char *to)>;
 
+/// @throws InputError  folders of the earlier run could not leave, being another user's
+void require_replaceable(const std::string &directory);
+
 /// Puts what `staged`, a folder inside `directory`, holds under result_names() in the place of the earlier run,
 /// and removes `staged`.  The folder's lock is held by the caller.
 /// @throws InputError  with path and reason; until the switch the earlier results are as they were, from then on

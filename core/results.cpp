@@ -43,13 +43,16 @@ const Parameter *Results::find(const std::string &name) const
   return nullptr;
 }
 
-std::string results_json(const Results &results, const std::string &case_name, const std::string &status)
+std::string results_json(const Results &results, const std::string &case_name, const std::string &status,
+                         const std::string &run_id)
 {
   ordered_json json{
       {"schema", 1        },
       {"case",   case_name},
       {"status", status   }
   };
+  if (!run_id.empty())
+    json["run_id"] = run_id;
   json["values"] = ordered_json::object();
   for (const auto &[name, parameter] : results.values)
     json["values"][name] = json_of(parameter);

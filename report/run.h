@@ -71,7 +71,7 @@ struct Run {
 /// Reads results.json, run.json and every table in curves/ and response/.  Without run.json, or with a table that
 /// cannot be read, the run is still a run: a remark says what is missing.
 ///
-/// @throws InputError  no results.json, or not the JSON this program writes; names file, line and column
+/// @throws InputError  no results.json, not the JSON this program writes (names the place), or files of two runs
 /// Cost: reads every table once, about 0.2 s per million numbers.
 Run read_run(const std::string &directory);
 }  // namespace mill::report
