@@ -1,4 +1,5 @@
 #include "app/console.h"
+#include "core/error_list.h"
 #include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
@@ -66,8 +67,7 @@ void ProgressBar::finish()
 
 void show(const InputError &error)
 {
-  for (const Problem &problem : error.problems)
-    fmt::print(stderr, "{}\n", render(problem));
+  fmt::print(stderr, "{}", render_list(error.problems));
 }
 
 void show(const SolverError &error)

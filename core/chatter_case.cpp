@@ -216,11 +216,13 @@ void check_condition(const std::vector<RollingCondition> &all, const std::size_t
                {fmt::format("condition.{}.name", j)});
   else
     for (std::size_t k = 0; k < i; ++k)
-      if (slug(all[k].name) == slug(c.name))
+      if (slug(all[k].name) == slug(c.name)) {
         contradict(reading, key("name"),
                    "names the same files as an earlier condition, chatter-" + slug(c.name) +
                        "*: only letters of the Latin alphabet and digits tell file names apart",
                    {fmt::format("condition.{}.name", k)});
+        break;
+      }
   if (c.after.empty() || !reading.usable({key("after")}))
     return;
   const auto before = std::size_t(place_of(c.after));

@@ -1,6 +1,7 @@
 #include "core/stand_reader.h"
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 
 namespace mill {
 namespace {
@@ -105,15 +106,15 @@ void check_names_a_file(const std::string &key, const std::string &name, Reading
 
 void check_pass_names(const std::vector<Pass> &passes, Reading &reading)
 {
+  std::map<std::string, std::size_t> first;  // pass that has a name
   for (std::size_t i = 0; i < passes.size(); ++i) {
     const auto key          = [](const std::size_t k) { return fmt::format("pass.{}.name", k); };
     const std::string &name = passes[i].name;
     if (!reading.usable({key(i)}))
       continue;
     check_names_a_file(key(i), name, reading);
-    for (std::size_t j = 0; j < i; ++j)
-      if (passes[j].name == name)
-        contradict(reading, key(i), "is the name of an earlier pass as well", {key(j)});
+    if (const auto [earlier, is_new] = first.emplace(name, i); !is_new)
+      contradict(reading, key(i), "is the name of an earlier pass as well", {key(earlier->second)});
   }
 }
 
