@@ -117,11 +117,13 @@ void read_variants(const Node &root, ChatterCase &spec, Reading &reading)
     if (entry.value.kind == Node::Kind::table) {
       spec.variants.push_back(read_variant(entry, spec, reading));
       for (std::size_t v = 0; v + 1 < spec.variants.size(); ++v)
-        if (slug(spec.variants[v].name) == slug(entry.key))
+        if (slug(spec.variants[v].name) == slug(entry.key)) {
           reading.add(entry.key_place,
                       fmt::format("variant.{} and variant.{} name the same results; only letters of the "
                                   "Latin alphabet and digits tell them apart, whatever their case",
                                   entry.key, spec.variants[v].name));
+          break;
+        }
     } else
       reading.add(entry.value.place, fmt::format("variant.{} = {} is a value; a section [variant.{}] is needed",
                                                  entry.key, shown(entry.value), entry.key));

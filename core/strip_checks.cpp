@@ -116,6 +116,12 @@ void check_pass_names(const std::vector<Pass> &passes, Reading &reading)
     if (const auto [earlier, is_new] = first.emplace(name, i); !is_new)
       contradict(reading, key(i), "is the name of an earlier pass as well", {key(earlier->second)});
   }
+  for (const auto &[name, i] : first)  // results of "a.fe" and of the model fe of "a" would have one name
+    for (auto dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1))
+      if (const auto other = first.find(name.substr(0, dot)); other != first.end())
+        contradict(reading, fmt::format("pass.{}.name", i),
+                   "continues the name of another pass after a dot, which parts the names of results; take a dash",
+                   {fmt::format("pass.{}.name", other->second)});
 }
 
 void check_passes_in_bite(const std::vector<Pass> &passes, const Strip &strip, Reading &reading)
