@@ -2,12 +2,15 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/fast_blas.h"
+#include "app/out_of_memory.h"
+#include <new>
 #include <stdexcept>
 #include <string>
 
 int main(int argc, char **argv)
 {
   using namespace mill;
+  end_with_a_sentence();
   use_fast_blas(argv);
   int exit_code      = 0;
   const auto command = parse_command_line(argc, argv, exit_code);
@@ -20,6 +23,9 @@ int main(int argc, char **argv)
     return 2;
   } catch (const SolverError &e) {
     console::show(e);
+    return 3;
+  } catch (const std::bad_alloc &) {
+    console::show(out_of_memory(stage_in_progress()));
     return 3;
   } catch (const std::string &message) {  // what Gmsh throws
     console::show_bug(std::runtime_error("Gmsh: " + message), current_manifest());
