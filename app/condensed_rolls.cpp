@@ -26,11 +26,6 @@ std::string key_of(const RollGeometry &g, const meshes::RollMeshSize &s, const M
       m.youngs_modulus, m.poisson_ratio, s.break_at, o.slab, o.both_sides, o.tractions, o.keep_fields));
 }
 
-double free_memory()
-{
-  return 0.8 * double(sysconf(_SC_AVPHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
-}
-
 struct OneRoll {
   std::shared_ptr<const fem::CondensedRoll> roll;
   MeshFile mesh;  // only filled when it was asked to keep it
@@ -46,7 +41,6 @@ OneRoll condensed(RunContext &run, const std::string &name, const RollGeometry &
   options.both_sides          = !wanted.slab && (wanted.both_sides || companion);
   options.tractions           = wanted.tractions && companion;
   options.keep_fields         = companion;
-  options.memory              = free_memory();
   const std::string key       = key_of(geometry, size, steel, options);
   const std::string file      = run.cache + "/roll-" + key + ".bin";
   const std::string mesh_file = run.cache + "/roll-" + key + ".msh";

@@ -1,15 +1,14 @@
 #include "app/strip_flow_stage.h"
 #include "app/strip_flow_store.h"
 #include "core/files.h"
+#include "core/parallel.h"
 #include "fem/strip_elastic.h"
 #include "meshes/strip_flow.h"
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
-#include <future>
 
 namespace mill {
 namespace {
@@ -272,17 +271,7 @@ std::vector<std::optional<FlowPoint>> solve_flow_points(RunContext &run,
                      std::nullopt, ""});
     place.push_back(i);
   }
-  std::atomic<std::size_t> next{0}, done{0};
-  const auto work = [&] {
-    for (std::size_t i; (i = next++) < tasks.size(); ++done)
-      solve_point(tasks[i]);
-  };
-  std::vector<std::future<void>> others;
-  for (int t = 1; t < run.threads; ++t)
-    others.push_back(std::async(std::launch::async, work));
-  work();
-  for (auto &other : others)
-    other.get();
+  share_tasks(long(tasks.size()), run.threads, [&](const long i) { solve_point(tasks[std::size_t(i)]); });
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     std::remove(tasks[i].mesh.path.c_str());
     if (tasks[i].point)

@@ -1,4 +1,5 @@
 #include "app/verify_command.h"
+#include "app/address_space.h"
 #include "app/console.h"
 #include "core/errors.h"
 #include "core/files.h"
@@ -33,9 +34,10 @@ int verify_command(const VerifyOptions &options)
     print_now(verify::list_text(cases));
     return 0;
   }
-  const int threads =
-      options.threads > 0 ? options.threads : int(std::max(1u, std::thread::hardware_concurrency()));
+  const int threads = threads_that_fit(
+      options.threads > 0 ? options.threads : int(std::max(1u, std::thread::hardware_concurrency())));
   set_blas_threads(threads);
+  reserve_address_space(threads);
   fem::set_assembly_threads(threads);
 
   std::vector<std::pair<std::string, double>> stages;

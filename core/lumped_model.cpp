@@ -1,7 +1,6 @@
 #include "core/lumped_model.h"
 #include "core/given.h"
 #include "core/stand.h"
-#include <cassert>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "core/results.h"
-#include <cassert>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 namespace mill {
 namespace {
@@ -31,7 +31,8 @@ ordered_json json_of(const Parameter &parameter)
 
 void Results::add(const std::string &name, Parameter parameter)
 {
-  assert(!find(name) && "a result is added once");
+  if (find(name))
+    throw std::logic_error("the result " + name + " is made twice");
   values.emplace_back(name, std::move(parameter));
 }
 

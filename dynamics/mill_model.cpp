@@ -1,8 +1,8 @@
 #include "dynamics/mill_model.h"
 #include "core/errors.h"
+#include "core/require.h"
 #include "dynamics/modes.h"
 #include <Eigen/Cholesky>
-#include <cassert>
 #include <cmath>
 
 namespace mill::dynamics {
@@ -68,9 +68,9 @@ MillModel mill_model(const LumpedModel &lumped, const DynamicsSettings &settings
   model.M.resize(6);
   for (int i = 0; i < 6; ++i)
     model.M[i] = lumped.M[std::size_t(i)].value;
-  assert((model.M.array() > 0).all());
+  require((model.M.array() > 0).all(), "a mass of the chain is not above zero");
   model.K = assemble(6, model.springs);  // (6.2)
-  assert(model.K.allFinite());
+  require(model.K.allFinite(), "a spring of the chain is not a finite number");
   model.b                  = Eigen::VectorXd::Zero(6);
   model.b[upper_work_roll] = 1;
   model.b[lower_work_roll] = -1;

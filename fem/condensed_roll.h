@@ -56,7 +56,7 @@ struct CondenseOptions {
   bool both_sides  = false;  ///< the odd parities too, for loads that differ between the two sides
   bool tractions   = false;  ///< tangential components too, of the squeeze parities
   bool keep_fields = false;  ///< keep the displacement fields of squeeze
-  double memory    = 0;      ///< bytes a factor may take, 0: do not check
+  double memory    = 0;      ///< bytes it may take, 0: what the process has left
 };
 
 /// Condenses a meshed roll.  Cost: one factorisation per parity.

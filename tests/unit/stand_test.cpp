@@ -401,3 +401,18 @@ TEST_F(Cases, AMutilatedCaseIsReadOrRefusedAndNothingElse)
   // comments swallow some mutations, hardly ever most of them
   EXPECT_GT(n_refused, 700) << "seed " << seed;
 }
+
+// One problem for each name that stands again, not one for each pair.
+TEST_F(Cases, EqualNamesAreSaidOnceEach)
+{
+  std::string text = "schema = 1\nkind = \"lumped\"\n";
+  for (int i = 0; i < 200; ++i)
+    text += "[[pass]]\nname = \"again\"\nload = \"1 kN\"\n";
+  try {
+    read_case(file("names.toml", text));
+    FAIL() << "accepted";
+  } catch (const InputError &error) {
+    const auto again = [](const Problem &p) { return p.message.find("earlier pass") != std::string::npos; };
+    EXPECT_EQ(std::count_if(error.problems.begin(), error.problems.end(), again), 199);
+  }
+}
