@@ -1,6 +1,7 @@
 mill_test(units_test LABEL unit LINK mill::core)
 mill_test(errors_test LABEL unit LINK mill::core)
 mill_test(files_test LABEL unit LINK mill::core)
+mill_test(cache_entry_test LABEL unit LINK mill::core)
 mill_test(results_test LABEL unit LINK mill::core)
 mill_test(csv_test LABEL unit LINK mill::core)
 mill_test(parallel_test LABEL unit LINK mill::core)
