@@ -28,12 +28,8 @@ Component cached(RunContext &run, const std::string &name, const std::string &in
   const std::string file = run.cache + "/component-" + key + ".bin";
   std::string note;
   std::optional<Component> stored;
-  try {
-    if (!run.fresh || run.made.count(key))
-      stored = fem::load_component(file, key, &note);
-  } catch (const InputError &e) {  // an entry that cannot be read is made again
-    note = fmt::format("{} is not used: {}", file, e.what());
-  }
+  if (!run.fresh || run.made.count(key))
+    stored = fem::load_component(file, key, &note);
   if (!note.empty())
     run.progress.note(note);
   if (stored) {

@@ -172,19 +172,21 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
     }
     return out;
   };
-  const int n_parities = options.slab ? 1 : options.both_sides ? 4 : 2;
-  int done             = 0;
-  const auto solve     = [&](ParityFlexibility &out, const Parity &parity) {
+  const bool odd_squeeze   = !options.slab && (options.both_sides || options.odd_squeeze);
+  const bool odd_translate = !options.slab && options.both_sides;
+  const int n_parities     = (options.slab ? 1 : 2) + odd_squeeze + odd_translate;
+  int done                 = 0;
+  const auto solve         = [&](ParityFlexibility &out, const Parity &parity) {
     out = solve_parity(parity);
     progress.at("condensation", double(++done) / n_parities);
   };
   solve(roll.squeeze, {true, false});
   if (!options.slab)
     solve(roll.translate, {false, false});
-  if (!options.slab && options.both_sides) {
+  if (odd_squeeze)
     solve(roll.squeeze_odd, {true, true});
+  if (odd_translate)
     solve(roll.translate_odd, {false, true});
-  }
   return roll;
 }
 
