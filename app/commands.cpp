@@ -268,6 +268,8 @@ int carry_out(const CommandLine &command)
     check_bites(the_case);
     check_conditions(the_case);
     fmt::print("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, the_case.title);
+    for (const std::string &sentence : said_of_bearings(the_case))
+      fmt::print("{}\n", sentence);
     return 0;
   }
   if (command.verb == "trace") {
