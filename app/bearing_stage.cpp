@@ -72,7 +72,7 @@ void report_seat(RunContext &run, const Seat &seat, const SeatLoad &load, const 
     return;  // the lower half has the same bearings
   add_published_results(run, seat.name, study, inputs);
   write_bearing(run, study);
-  note_bearing(run, study);
+  note_bearing(run, seat.name, study);
   run.assume(
       fmt::format("{}: the horizontal model takes the tangent along the load, {:.4g} kN/mm, as the published "
                   "model does; where the load is vertical the roll moves across it, where the bearing has {:.4g} "
@@ -127,7 +127,8 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
       auto inputs               = bearing_inputs(study.question.bearing);
       inputs.insert(inputs.begin(),
                     {std::string(seat.section) + ".bearing", std::string(seat.section) + ".bearing_load"});
-      out[p].Kzc[i] = tangent_of(study, inputs);
+      out[p].Kzc[i]        = tangent_of(study, inputs);
+      out[p].Kzc_across[i] = across_of(study, inputs);
       if (i == 0) {
         out[p].K_Zy        = out[p].Kzc[0];
         out[p].K_Zy.value  = 2 * out[p].Kzc[0].value;

@@ -277,6 +277,8 @@ int carry_out(const CommandLine &command)
     check_conditions(the_case);
     console::print(
         fmt::format("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, visible(the_case.title, true)));
+    for (const std::string &sentence : said_of_bearings(the_case))
+      console::print(visible(sentence, true) + "\n");
     return 0;
   }
   if (command.verb == "trace") {

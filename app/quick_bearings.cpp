@@ -49,7 +49,7 @@ KeyList closed_bearing_keys(const RollerBearing &b, const bool loaded_askew)
   add(rounded, "profile_load");
   add(rounded || b.profile == "iso" || elastic, "roller_diameter");
   add(rounded || elastic, "youngs_modulus poisson_ratio pitch_diameter bore outside_diameter");
-  add(loaded_askew, "width row_hands tilt_lever pitch_diameter");
+  add(loaded_askew, "width row_hands pitch_diameter bore outside_diameter");
   return joined(keys_in("bearing." + b.name, names));
 }
 
@@ -139,7 +139,7 @@ std::vector<QuickResult> quick_bearing_case(const BearingCase &spec)
     r.parameter.method = closed_method(b);
     r.closed           = joined(keys_in("load", "bearing radial axial tilt cage_angle"),
                                 closed_bearing_keys(b, spec.load.tilt != 0 || spec.load.axial != 0),
-                                keys_in("model", "roller_law tilt_lever slices"));
+                                keys_in("model", "roller_law slices"));
     r.parameter.inputs =
         by_elements(b) ? joined(r.closed, bearing_inputs(b), keys_in("model", "rings")) : r.closed;
     r.road       = "equilibrium of all rollers";
@@ -150,7 +150,7 @@ std::vector<QuickResult> quick_bearing_case(const BearingCase &spec)
   };
   add("Kzc.tangent", "N/m", bearing::radial_tangent(state, drive), "(5.23)");
   add("Kzc.secant", "N/m", bearing::radial_secant(state), "(5.22)");
-  add("Kzc.tangent_across", "N/m", stiffness_along(state, drive, 1), "(5.23)");
+  add("Kzc.tangent_across", "N/m", bearing::stiffness_along(state, drive, 1), "(5.23)");
   add("Kzc.axial", "N/m", state.tangent(2, 2), "(5.23)");
   add("Kzc.roller_max", "N", state.roller_load.maxCoeff(), "(5.22)");
   return all;

@@ -100,6 +100,7 @@ void add_bearings(json &manifest, const std::vector<RollerBearing> &bearings)
         {"roller_cone_angle",   b.roller_cone_angle       },
         {"cup_angle",           b.cup_angle               },
         {"row_hands",           b.row_hands               },
+        {"row_hands_assumed",   int(b.row_hands_assumed)  },
         {"chock_width",         b.chock_width             },
         {"chock_height",        b.chock_height            },
         {"chock_support_width", b.chock_support_width     },

@@ -19,7 +19,7 @@ struct PassInput : Pass {
 
 /// [model] of kind = "bearing": what of the loaded bearing's model it says again.
 struct BearingModelInput {
-  std::string roller_law, rings, tilt_lever;
+  std::string roller_law, rings;
   int slices = 0;
 };
 

@@ -49,6 +49,10 @@ Keys as_drawn(const Keys &keys, const FourHigh &stand)
     if (stand.housing.present() && (key.find("frame.upper_post_") == 0 || key.find("frame.upper_beam_") == 0 ||
                                     key.find("frame.lower_post_") == 0 || key.find("frame.lower_beam_") == 0))
       return housing_keys();
+    // A backup bearing that counts its chock has put it out of the chain.
+    if ((key == "frame.upper_chock_stiffness" && std::isinf(stand.frame.upper_chock_stiffness)) ||
+        (key == "frame.lower_chock_stiffness" && std::isinf(stand.frame.lower_chock_stiffness)))
+      return {};
     if (key == "frame.oil_column_stiffness" && !std::isnan(s.stroke))
       return in_section("screwdown", "piston_diameter stroke oil_modulus");
     if (key == "frame.load_cell_stiffness" && !std::isnan(s.load_cell_height))

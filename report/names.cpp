@@ -38,6 +38,7 @@ const Words aspects[] = {
     {"tilting",                  "tangent against tilt in the plane of the load"           },
     {"tilt",                     "tangent against tilt in the plane of the load"           },
     {"displacement",             "displacement of the inner ring"                          },
+    {"closing_cup_angle",        "cup angle that closes the apex condition"                },
     {"heaviest_angle",           "angle of the heaviest roller from the load line"         },
     {"rib_max",                  "largest force on the rib"                                },
     {"rollers_times_Z5",         "sum of one roller per row, times Z/5"                    },

@@ -271,13 +271,21 @@ std::vector<Check> chock_m_shape()
   const auto middle  = solved();
   const auto secant  = [](const bearing::AssemblyState &state) { return bearing::radial_secant(state) / 1e6; };
   Check off{"heaviest roller, block on two feet", "deg", heaviest(feet), 15, 0, Judged::at_least};
-  return {off,
-          at_most("the same, at most", "deg", heaviest(feet), 30),
-          reported("heaviest roller, block on its middle", "deg", heaviest(middle), 0),
-          reported("heaviest roller, rigid rings", "deg", heaviest(rigid), 0),
-          reported("secant, block on two feet / rigid rings", "kN/mm", secant(feet), secant(rigid)),
-          reported("secant, block on its middle / rigid rings", "kN/mm", secant(middle), secant(rigid)),
-          relative("secant, modulus x 1000 / rigid rings", "kN/mm", secant(stiff), secant(rigid), 1e-3)};
+  // Asked of any elastic chock.
+  Check behind{"heaviest roller, block on its middle", "deg", heaviest(middle), 15, 0, Judged::at_least};
+  return {
+      off,
+      at_most("the same, at most", "deg", heaviest(feet), 30),
+      known_deviation(behind, {0, 4.6,
+                               "a block carried right behind the heaviest rollers is stiffest on the load line: "
+                               "the shortest way to the support; it moves the load off the line where it can bend "
+                               "away from it, on two feet or hung from its far side",
+                               "the drawing of the published chock, with its support; or a bound that names the "
+                               "support"}),
+      reported("heaviest roller, rigid rings", "deg", heaviest(rigid), 0),
+      reported("secant, block on two feet / rigid rings", "kN/mm", secant(feet), secant(rigid)),
+      reported("secant, block on its middle / rigid rings", "kN/mm", secant(middle), secant(rigid)),
+      relative("secant, modulus x 1000 / rigid rings", "kN/mm", secant(stiff), secant(rigid), 1e-3)};
 }
 }  // namespace
 
@@ -337,7 +345,8 @@ std::vector<Case> ring_cases()
                    "260 mm carried by two feet of 100 mm at the ends of its face, and by the middle 300 mm of it.",
                    "Lin, Sun, Peng, Engineering Mechanics 38(1) (2021) 231: the heaviest roller lies 15 to 30 "
                    "degrees off the load line; rigid rings: the assembly without flexibility",
-                   "a range: dimensions and support of the published chock are not known. The load is M-shaped "
+                   "a range: dimensions and support of the published chock are not known, and it was asked for of "
+                   "any elastic chock. The load is M-shaped "
                    "where the block can bend away from the rollers on the load line, that is on two feet; carried "
                    "right behind them it is not. The rings' share of the deflection, 0.7 of the rollers', becomes "
                    "0.07 % with a thousandfold modulus",

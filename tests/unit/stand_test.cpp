@@ -6,6 +6,8 @@
 #include "core/stand_rows.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
+#include "tests/support/refusal.h"
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -162,6 +164,51 @@ TEST_F(Cases, AMissingMemberOfTheApexConditionIsComputed)
             std::string::npos);
   EXPECT_EQ(without("chock_width").filled.at(0),
             "bearing.trb.chock_width is not given: 604.52 mm assumed, 1.7 outside diameters");
+}
+
+TEST_F(Cases, TheArrangementOfTheRowsMustBeConfirmed)
+{
+  const auto trb = [](const std::vector<std::string> &sets) {
+    return std::get<BearingCase>(read_case("cases/bearing-266.toml", sets).spec).bearings.at(0);
+  };
+  EXPECT_TRUE(trb({}).row_hands_assumed);
+  EXPECT_FALSE(trb({"bearing.trb.row_hands=+-+-"}).row_hands_assumed);
+  EXPECT_FALSE(trb({"bearing.trb.rows=1"}).row_hands_assumed);
+  EXPECT_EQ(trb({"bearing.trb.rows=2", "bearing.trb.row_hands=+-"}).row_hands, "+-");
+  EXPECT_EQ(refusal([&] {
+              trb({"bearing.trb.rows=2", "bearing.trb.row_hands=-+-+"});
+            }),
+            "bearing.trb.row_hands = \"-+-+\" arranges 4 rows; the bearing has 2");
+  EXPECT_EQ(arrangement_name("+-+-", 2), "+-, back to back (TDO)");
+  EXPECT_EQ(arrangement_name("-+", 4), "-+-+, pairs face to face: two double cones (TQO)");
+  EXPECT_EQ(usual_arrangements(2), (std::vector<std::string>{"-+", "+-"}));
+  EXPECT_EQ(usual_arrangements(4).size(), 4u);
+  EXPECT_TRUE(usual_arrangements(1).empty());
+}
+
+// A chock inside Kzc is no spring of the chain, and a backup roll's does not hang on two feet.
+TEST_F(Cases, AChockIsCountedOnce)
+{
+  const std::vector<std::string> drawn{"bearing.crb.bore=700 mm", "bearing.crb.outside_diameter=950 mm",
+                                       "bearing.crb.width=520 mm", "bearing.crb.roller_law=iso"};
+  const auto stand = [&](const std::string &more) {
+    std::vector<std::string> sets = drawn;
+    sets.push_back(more);
+    return std::get<FourHigh>(read_case("cases/four-high-1400.toml", sets).spec);
+  };
+  const auto elastic = stand("bearing.crb.rings=elastic");
+  EXPECT_TRUE(std::isinf(elastic.frame.upper_chock_stiffness));
+  EXPECT_TRUE(std::isinf(elastic.frame.lower_chock_stiffness));
+  const RollerBearing &crb = bearing_of(elastic.bearings, "crb");
+  EXPECT_TRUE(crb.support_assumed);
+  EXPECT_TRUE(std::isnan(crb.chock_support_gap));
+  EXPECT_NEAR(bearing_of(elastic.bearings, "trb").chock_support_gap, 0.4, 1e-12);
+  const auto &said = crb.filled;
+  EXPECT_EQ(std::count_if(said.begin(), said.end(),
+                          [](const auto &text) { return text.find("counts already") != std::string::npos; }),
+            2);
+  EXPECT_EQ(stand("bearing.crb.chock=rigid").frame.upper_chock_stiffness, 1.03e11);
+  EXPECT_EQ(stand("bearing.crb.rings=rigid").frame.upper_chock_stiffness, 1.03e11);
 }
 
 TEST_F(Cases, LawAndRingsFollowTheDrawing)
