@@ -25,10 +25,17 @@ template <class T> T input(const double value, const Input which, const double s
 std::vector<FlowPiece> flow_pieces(const FlowStress &law, const double reference, const double h1, const double h2,
                                    const double radius, const bool small_angles)
 {
-  if (law.law != "table")
-    return {
+  const auto coordinate = [&](const double h) {
+    return std::sqrt((h - h2) * (small_angles ? radius : 0.25 / radius));
+  };
+  if (law.law != "table") {
+    std::vector<FlowPiece> pieces{
         {0, law}
     };
+    if (const double h = reference * std::exp(-strain_of_growth(law)); h > h2 && h < h1)
+      pieces.push_back({coordinate(h), law});
+    return pieces;
+  }
   // Of a table one straight line after the other: between its kinks everything is smooth.
   const std::size_t first = table_interval(law.table, std::log(reference / h2));
   const std::size_t last  = table_interval(law.table, std::log(reference / h1));
@@ -41,7 +48,7 @@ std::vector<FlowPiece> flow_pieces(const FlowStress &law, const double reference
     line.k         = (b[1] - a[1]) / (b[0] - a[0]);
     line.k0        = a[1] - line.k * a[0];
     const double h = std::max(h2, reference * std::exp(-b[0]));
-    pieces.push_back({std::sqrt((h - h2) * (small_angles ? radius : 0.25 / radius)), line});
+    pieces.push_back({coordinate(h), line});
   }
   pieces.front().from = 0;
   return pieces;

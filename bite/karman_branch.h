@@ -103,12 +103,7 @@ public:
   T yield(const T &thickness) const
   {
     using std::log;
-    T strain = log(in.strain_reference / thickness);
-    // The first slice of a strip without history has strain nil up to rounding, which a power law does not
-    // forgive.
-    if (value_of(strain) < 1e-14)
-      strain = T(0.0);
-    return in.flow_factor * flow_stress(in.pieces[piece].law, strain);
+    return in.flow_factor * flow_stress(in.pieces[piece].law, T(log(in.strain_reference / thickness)));
   }
 
 private:

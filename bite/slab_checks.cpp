@@ -51,6 +51,13 @@ void check_pass(const RollBite &bite)
                               "roll speed is not given"));
 }
 
+bool entry_starts_from_nothing(const Strip &strip)
+{
+  return starts_from_nothing(
+      strip.flow_stress,
+      std::isnan(strip.initial_thickness) ? 0 : std::log(strip.initial_thickness / strip.entry_thickness));
+}
+
 void check_coulomb(const RollBite &bite)
 {
   const Friction &law = bite.strip.friction;
@@ -63,7 +70,8 @@ void check_coulomb(const RollBite &bite)
     if (!(law.mu0 > 0 && law.mu1 >= 0 && law.decay >= 0))
       throw InputError("strip.friction: the film law needs mu0 > 0, mu1 >= 0 and decay >= 0");
     const auto in = pass_inputs<double>(bite, bite.roll_radius);
-    if (!(stress_at(bite.strip.flow_stress, in, in.entry_thickness) > bite.strip.entry_tension))
+    if (entry_starts_from_nothing(bite.strip) ||
+        !(stress_at(bite.strip.flow_stress, in, in.entry_thickness) > bite.strip.entry_tension))
       throw InputError(
           "strip.friction.law = \"film\": the strip yields at no pressure at the entry, so the film has "
           "nothing to carry there; a flow stress law that starts above zero is needed");
