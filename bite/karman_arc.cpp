@@ -236,6 +236,17 @@ void sample_arc(Hill &hill, const double t_n, const int points, CircularBite &ou
   }
 }
 
+// Pressure at the steps of one branch up to the neutral point, Pa.
+double least_pressure(BranchPath &path, const double t_n)
+{
+  double least    = INFINITY;
+  const bool down = path.nodes().front().t > t_n;
+  for (const PathNode &node : path.nodes())
+    if (down ? node.t >= t_n : node.t <= t_n)
+      least = std::min(least, path.slice_at(node.t, node.y[0]).pressure);
+  return least;
+}
+
 double limited_length(const BranchPath &path, const SliceInputs<double> &in, const double end)
 {
   double length     = 0;
@@ -354,6 +365,7 @@ CircularBite solve_on_circle(const RollBite &bite, const Theory theory, const do
   out.neutral_position = along(in, t_n);
   out.peak_pressure    = std::max(d.pressure, e.pressure);
   out.sticking_length  = limited_length(hill.exit, in, t_n) + limited_length(hill.entry, in, t_n);
+  out.least_pressure   = std::min(least_pressure(hill.exit, t_n), least_pressure(hill.entry, t_n));
   const double limit   = 0.5 * d.yield;
   out.largest_shear    = in.factor_law ? std::max(value_of(in.entry_factor), value_of(in.exit_factor))
                                        : mu * out.peak_pressure / limit;
@@ -361,6 +373,7 @@ CircularBite solve_on_circle(const RollBite &bite, const Theory theory, const do
     sample_arc(hill, t_n, options.points, out);
     out.peak_pressure = std::max(out.peak_pressure, out.pressure.maxCoeff());
   }
+  out.steps = hill.exit.attempts() + hill.entry.attempts();
   return out;
 }
 

@@ -327,10 +327,11 @@ TEST(BiteErrors, SayWhatIsWrong)
   bite.strip.flow_stress.n = 0.2;
   EXPECT_EQ(message_of(bite), "accepted");
   bite.strip.entry_tension = 1e6;
-  EXPECT_EQ(message_of(bite),
-            "strip.entry_tension = 1 MPa: the theory of Bland and Ford divides it by the flow stress at the entry, "
-            "which strip.flow_stress.law = \"power\" leaves open for a strip without strain; take karman, or give "
-            "strip.initial_thickness");
+  EXPECT_EQ(
+      message_of(bite),
+      "strip.entry_tension = 1 MPa: the theory of Bland and Ford divides it by the flow stress at the entry, "
+      "which strip.flow_stress.law = \"power\" leaves open for a strip without strain; take karman, or give "
+      "strip.initial_thickness");
 }
 
 TEST(BiteErrors, FrictionAtTheStatedLimitIsEnough)
