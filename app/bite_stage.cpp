@@ -27,6 +27,8 @@ void check_pass(const bite::RollBite &bite, const BiteSetup &setup, const Pass &
     bite::solve_slab(bite, {slab_model(setup).theory, bite::Arc::rigid});
   } catch (const InputError &e) {
     problems.push_back({pass.place, "pass \"" + pass.name + "\": " + e.problems.front().message, {}});
+  } catch (const SolverError &e) {
+    problems.push_back({pass.place, "pass \"" + pass.name + "\": " + e.what(), {}});
   }
 }
 

@@ -13,7 +13,7 @@
 namespace mill {
 namespace {
 // Raised by hand when the finite-element bite changes what it computes.
-constexpr const char *flow_version = "strip flow 2";
+constexpr const char *flow_version = "strip flow 3";
 constexpr const char *flow_kind = "millstand bite 1", *point_kind = "millstand bite point 1";
 
 std::string exact(const double value)
@@ -173,6 +173,7 @@ FlowAnswer elastic_answer(RunContext &run, const FlowQuestion &q, const bite::Ar
   answer.coarse_force       = coarse.flow.state.force;
   answer.coarse_torque      = coarse.flow.state.torque;
   answer.coarse_slope       = slope_of(coarse.flow);
+  answer.coarse_slip        = coarse.flow.state.forward_slip;
   answer.elastic            = true;
   answer.smallest_thickness = fine.smallest_thickness;
   answer.elastic_entry      = fine.elastic_entry;
