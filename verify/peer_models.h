@@ -1,0 +1,15 @@
+#pragma once
+#include "core/stand.h"
+#include "meshes/roll.h"
+#include "verify/peer_mesh.h"
+
+// What the peer solves: the drawings of the product's cases, meshed in blocks.
+namespace mill::verify::peer {
+/// An eighth of a roll with necks, x, y, z >= 0, z along the axis from mid-length: `n` elements on the half of the
+/// neck's radius that is not a square, and as long along the axis; middle nodes on the true circles.
+Mesh roll_eighth(const RollGeometry &roll, int n);
+
+/// A quarter of a housing, x >= 0 across the window from its middle, y up from the window's bottom, z >= 0 over
+/// half of the thickness: `n` elements through beams and posts, two more lines for the pads, fillets as arcs.
+Mesh housing_quarter(const MillHousing &housing, int n);
+}  // namespace mill::verify::peer
