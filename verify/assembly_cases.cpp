@@ -268,15 +268,14 @@ std::vector<Check> tangent_difference()
     return (Vector5() << x, y, z, mx, my).finished();
   };
   const std::vector<State> states{
-      {"radial load", "iso",  "none",   0,        load(1e6, 0, 0,   0,    0),   false},
-      {                                                  "clearance, load off the roller, tilting moment",        "iso",  "iso", "radial",   100e-6,
-       load(8e5,                                          3e5,   0,  2e3, 1e4), false},
-      {                                                  "axial load and moment",        "iso",  "log",   "full",        0, load(5e5, 0, 3e5,    0, 2e4), false},
-      {                                                  "elastic law, interference, all components",    "elastic",  "iso",   "full",   -40e-6,
-       load(1e6,                                          2e5, 1e5, -5e3, 1e4), false},
-      {                                                  "elastic rings, radial load",        "iso", "none",        0, load(1e6,        0, 0,   0,   0), true     },
-      { "elastic rings and law, clearance, all components",        "elastic",        "log",    "full",                                  50e-6,
-       load(1e6,                                    -3e5, 2e5, 4e3, 2e4),      true}
+      {"radial load",                                      "iso",     "none", 0,      load(1e6, 0,    0,   0,    0),   false},
+      {"clearance, load off the roller, tilting moment",   "iso",     "iso",  100e-6, load(8e5, 3e5,  0,   2e3,  1e4), false},
+      {"axial load and moment",                            "iso",     "log",  0,      load(5e5, 0,    3e5, 0,    2e4), false},
+      {"elastic law, interference, all components",        "elastic", "iso",  -40e-6, load(1e6, 2e5,  1e5, -5e3, 1e4),
+       false                                                                                                                },
+      {"elastic rings, radial load",                       "iso",     "none", 0,      load(1e6, 0,    0,   0,    0),   true },
+      {"elastic rings and law, clearance, all components", "elastic", "log",  50e-6,  load(1e6, -3e5, 2e5, 4e3,  2e4),
+       true                                                                                                                 }
   };
   std::vector<Check> checks;
   for (const State &s : states) {
