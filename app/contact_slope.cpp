@@ -7,20 +7,21 @@
 namespace mill {
 namespace {
 // Nothing where it is no line contact: a crown is being closed, or only the ends touch.
-std::optional<reduce::ContactStiffness> fitted(const ContactCurve &curve, const double load)
+std::optional<reduce::ContactStiffness> fitted(const ContactCurve &curve, const double load,
+                                               const double worst_fit = 1e-3)
 {
   try {
-    return reduce::contact_stiffness(curve, load);
+    return reduce::contact_stiffness(curve, load, worst_fit);
   } catch (const SolverError &) {
     return std::nullopt;
   }
 }
 }  // namespace
 
-ContactSlope slope_at(const fem::ContactPair &pair, const ContactCurve &curve, const double load)
+ContactSlope slope_at(const fem::ContactPair &pair, const ContactCurve &curve, const double load, const Role role)
 {
   const auto point = fem::solve_load(pair, load);
-  const auto fit   = fitted(curve, load);
+  const auto fit   = fitted(curve, load, role == Role::companion ? 1e-2 : 1e-3);
   return {fit ? fit->tangent : point.tangent, load / point.approach, point.tangent,
           fit ? fit->curvature : not_given};
 }

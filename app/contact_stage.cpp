@@ -44,7 +44,7 @@ void beside(Parameter &p, const std::string &who, const double value)
   if (std::isnan(value))
     return;
   p.checks.push_back({who, value, ""});
-  p.error_estimate = std::max(p.error_estimate, difference(value, p.value));
+  p.error_estimate = std::fmax(p.error_estimate, difference(value, p.value));  // NaN: none yet
 }
 
 Parameter blank(const Study &s, const std::string &unit, const double load, const std::string &reference)
@@ -77,7 +77,7 @@ const char *const coarse_mesh   = "mesh twice as coarse";
 void add_curvature(RunContext &run, const Study &s, const std::string &prefix, const double F, const double fine,
                    const double coarse, const double second)
 {
-  if (std::isnan(fine) || std::isnan(coarse))
+  if (std::isnan(fine))
     return;
   const auto hertz = reduce::line_contact(s.model.closed_form, F);
   // (3.5a) and (3.5b) differ by one in the bracket.
@@ -86,8 +86,7 @@ void add_curvature(RunContext &run, const Study &s, const std::string &prefix, c
   curvature.value       = fine;
   curvature.checks.push_back(
       {"Hertz line contact, K^3 A/(F L)", std::pow(hertz.tangent, 3) * A_over_L / F, "no barrel ends"});
-  curvature.error_estimate = difference(coarse, fine);
-  curvature.checks.push_back({coarse_mesh, coarse, ""});
+  beside(curvature, coarse_mesh, coarse);
   beside(curvature, second_engine, second);
   run.results.add(prefix + s.K + ".curvature", curvature);
 }
@@ -97,7 +96,7 @@ void add_curvature(RunContext &run, const Study &s, const std::string &prefix, c
 void add_held(RunContext &run, const Study &s, const std::string &prefix, const double F, const ContactSlope &held,
               const Parameter &tangent, const Parameter &secant)
 {
-  const auto coarse = slope_at(s.model.in_stand_coarse, s.in_stand_coarse, F);
+  const auto coarse = slope_at(s.model.in_stand_coarse, s.in_stand_coarse, F, Role::companion);
   std::optional<ContactSlope> second;
   if (s.second)
     second = slope_of(s.second->in_stand, F);
@@ -121,7 +120,7 @@ void add_held(RunContext &run, const Study &s, const std::string &prefix, const 
 std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const std::string &prefix, const double F)
 {
   const auto fine             = slope_at(s.model.mirrored, s.mirrored, F);
-  const auto coarse           = slope_at(s.model.coarse, s.coarse, F);
+  const auto coarse           = slope_at(s.model.coarse, s.coarse, F, Role::companion);
   const auto hertz            = reduce::line_contact(s.model.closed_form, F);
   const auto laws             = reduce::secant_laws(s.model.closed_form, F);
   const auto middle           = fem::barrel_profile(s.model.mirrored, fem::solve_load(s.model.mirrored, F));

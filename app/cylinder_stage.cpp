@@ -39,7 +39,7 @@ void solve_cylinders(RunContext &run, const TwoCylinders &spec)
   const auto curve = fem::sweep(fine, range, run.progress), curve2 = fem::sweep(coarse, range);
   const auto at     = fem::sweep(fine, Eigen::VectorXd::Constant(1, c.at));
   const auto second = fem::sweep(coarse, Eigen::VectorXd::Constant(1, c.at));
-  const auto slope = slope_at(fine, curve, c.at), slope2 = slope_at(coarse, curve2, c.at);
+  const auto slope = slope_at(fine, curve, c.at), slope2 = slope_at(coarse, curve2, c.at, Role::companion);
   const auto point2 = fem::solve_load(coarse, c.at);
   const auto hertz  = reduce::line_contact(metre, c.at);
   const auto laws   = reduce::secant_laws(metre, c.at);

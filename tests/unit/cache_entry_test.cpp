@@ -2,6 +2,7 @@
 #include "core/errors.h"
 #include "core/files.h"
 #include "tests/support/obstacles.h"
+#include <fstream>
 #include <gtest/gtest.h>
 #include <random>
 #include <unistd.h>
@@ -13,6 +14,12 @@ const std::string folder =
     (std::filesystem::temp_directory_path() / ("millstand-entry-" + std::to_string(getpid()))).string();
 const std::string path = folder + "/entry", kind = "something 1", key = "0123";
 const std::string bytes = std::string("some\nbytes \0 and more of them", 29);
+
+// Without the fsync of write_atomically: hundreds of damaged entries in no time.
+void overwrite(const std::string &text)
+{
+  std::ofstream(path, std::ios::binary) << text;
+}
 
 class CacheEntry : public testing::Test {
   void SetUp() override
@@ -50,16 +57,16 @@ TEST_F(CacheEntry, NoTruncationAndNoFlippedBitIsTrusted)
 {
   const std::string whole = read_text(path);
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    write_atomically(path, whole.substr(0, size));
+    overwrite(whole.substr(0, size));
     EXPECT_FALSE(read_cache_entry(path, kind, key)) << size << " bytes";
   }
   for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
     std::string broken = whole;
     broken[bit / 8] ^= char(1 << bit % 8);
-    write_atomically(path, broken);
+    overwrite(broken);
     EXPECT_FALSE(read_cache_entry(path, kind, key)) << "bit " << bit;
   }
-  write_atomically(path, whole + "x");
+  overwrite(whole + "x");
   EXPECT_FALSE(read_cache_entry(path, kind, key)) << "something behind it";
 }
 
