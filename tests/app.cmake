@@ -8,6 +8,7 @@ foreach(name command_line_test bearing_command_test bite_command_test masses_com
 endforeach()
 
 mill_test(strip_flow_store_test LABEL unit LINK mill::app)
+mill_test(bite_accuracy_test    LABEL unit LINK mill::app)
 
 # No Eigen template of ours may replace the one inside Gmsh's library (see mill_options).
 add_test(NAME exported_symbols_test

@@ -115,13 +115,21 @@ fem::PressedState indented_cube(const int degree, const double h, const int n_fi
 std::vector<Check> strip_step42()
 {
   const auto linear = indented_cube(1, mm / 64, 8, 12, 1.3), quadratic = indented_cube(2, mm / 32, 4, 4, 1.8);
-  return {
-      {"contact force, linear elements of 1/64", "N",                       4 * linear.force, 56.794, 0.02           },
-      reported("contact force, quadratic elements of 1/32", "N", 4 * quadratic.force, 56.794),
-      { "Newton steps",                                     "-", double(linear.iterations),               15,      0, Judged::at_most},
-      { "largest force out of balance / contact force",                                     "-",         linear.unbalanced,            1e-10,      0, Judged::at_most},
-      { "complementarity residual",                                     "-",           linear.residual,            1e-12,      0, Judged::at_most},
+  const KnownDeviation stiff_reference{55.2816, 0.05,
+                                       "the reference is a value of linear elements of 1/64, which are too stiff "
+                                       "where the material flows at constant "
+                                       "volume; ours fall from 57.0 (1/64) to 56.1 (1/128)",
+                                       "a reference extrapolated in the mesh"};
+  const auto below = [](const char *quantity, const double result, const double limit) {
+    return at_most(quantity, "-", result, limit);
   };
+  return {relative("contact force, linear elements of 1/64", "N", 4 * linear.force, 56.794, 0.02),
+          known_deviation(
+              relative("contact force, quadratic elements of 1/32", "N", 4 * quadratic.force, 56.794, 0.02),
+              stiff_reference),
+          below("Newton steps", double(linear.iterations), 15),
+          below("largest force out of balance / contact force", linear.unbalanced, 1e-10),
+          below("complementarity residual", linear.residual, 1e-12)};
 }
 }  // namespace
 
@@ -154,9 +162,9 @@ std::vector<Case> nonlinear_cases()
        "deformation theory of plasticity with linear isotropic hardening (norm of the deviator 400 MPa "
        "at yield, hardening 0.01), base clamped, sides held horizontally; a rigid ball of radius 0.6 is "
        "pressed 0.01 into its top. A quarter is meshed; semismooth Newton whose every step condenses the"
-       " tangent onto the patch and finds the exact active set, 8 steps. Judged: linear elements of 1/64"
+       " tangent onto the patch and finds the exact active set, 8 steps. Linear elements of 1/64"
        " under the ball, 17 700 unknowns of the quarter, 145 nodes "
-       "of the whole top touching, as in the reference. Reported: quadratic elements of 1/32, 13 800 unknowns.",
+       "of the whole top touching, as in the reference, and quadratic elements of 1/32, 13 800 unknowns.",
        "deal.II step-42, results of its third refinement, 52 497 unknowns; J. Frohne, T. Heister, W. "
        "Bangerth, Int. J. Numer. Meth. Eng. 105 (2016) 416",
        "The reference is a value of its mesh, three refinements of elements of 1/8: linear elements of "
