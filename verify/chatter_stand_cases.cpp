@@ -244,7 +244,7 @@ std::vector<Check> damping_scales()
       const std::string where   = fmt::format("scale {:g} N s/m, condition {}: ", row[0], condition);
       if (std::isnan(row[condition])) {
         checks.push_back(absolute(where + "speeds at which a root grows up to 32 m/s", "-",
-                                  double(found.crossings.size()) + (found.verdict != Verdict::stable), 0, 0));
+                                  double(found.crossings.size()) + (found.verdict != dynamics::Verdict::stable), 0, 0));
         checks.push_back(reported(where + "largest growth rate", "1/s", found.margin, 0));
       } else
         checks.push_back(absolute(where + "critical speed", "m/s", found.speed, row[condition], 1e-5));
@@ -298,7 +298,7 @@ std::vector<Check> three_counts()
     if (i % 8 > 0)
       continue;
     const CriticalSpeed found = critical_speed(stand, film_bite(condition, 18), scheme);
-    if (found.verdict == Verdict::crossing)
+    if (found.verdict == dynamics::Verdict::crossing)
       largest =
           std::max(largest, std::abs(boundary_by_routh(matrix_at_speed(stand, film_bite(condition, 18), scheme),
                                                        found.speed - 0.02, found.speed + 0.02) -
