@@ -71,6 +71,11 @@ std::vector<Check> demo_pass()
   checks.push_back(inside("horizontal forces over k h1", "-", flow.balance.force_x, 0, 1e-6));
   checks.push_back(inside("power brought in over power spent - 1", "-", flow.balance.power, 0, 1e-8));
   checks.push_back(inside("sign changes of slip", "-", flow.slip_changes, 1, 0));
+  checks.push_back(at_most("unknowns", "-", flow.n_unknowns, 15000));
+  double systems = 0;  // each assembled and factorised
+  for (const fem::StripFlowLevel &level : flow.history)
+    systems += level.iterations;
+  checks.push_back(at_most("systems solved from the cold start", "-", systems, 100));
   return checks;
 }
 
