@@ -151,7 +151,4 @@ template <class T> T scaled_flow_stress(const StripPass &pass, const T &strain)
 {
   return bite::carried_flow_stress(pass.bite->strip.flow_stress, strain) / pass.stress;
 }
-const T inside = e < low ? T(low) : e > high ? T(high) : strain;
-return bite::flow_stress(law, inside) / pass.stress;
-}
 }  // namespace mill::fem

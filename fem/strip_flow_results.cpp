@@ -1,4 +1,5 @@
 #include "fem/strip_flow_results.h"
+#include "bite/flattening.h"
 #include "bite/friction.h"
 #include "bite/neutral_point.h"
 #include "bite/sentence.h"

@@ -13,6 +13,7 @@ target_sources(contact_command_test PRIVATE support/program.cpp)
 target_compile_definitions(contact_command_test PRIVATE MILLSTAND_PROGRAM="$<TARGET_FILE:millstand>")
 
 mill_test(strip_flow_store_test LABEL unit LINK mill::app)
+mill_test(bite_accuracy_test    LABEL unit LINK mill::app)
 
 # No Eigen template of ours may replace the one inside Gmsh's library (see mill_options).
 add_test(NAME exported_symbols_test

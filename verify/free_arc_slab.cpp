@@ -30,21 +30,26 @@ struct Law {
   }
 };
 
-// One end or one branch: stress along the strip and pressure, stepped from a point to its neighbour by Heun's rule.
+// One end or one branch: stress along the strip and pressure, stepped from a point to its neighbour by Heun's
+// rule.
 struct Slice {
   double along, p;
 };
 
-// d(h s) = -p dh +- 2 mu p dx, so  ds = ( -(s + p) dh +- 2 mu p dx )/h;  side: +1 behind the neutral point, -1 before
-double change_along(const Law &law, const Slice &at, const double h, const double dh, const double dx, const int side)
+// d(h s) = -p dh +- 2 mu p dx, so  ds = ( -(s + p) dh +- 2 mu p dx )/h;  side: +1 behind the neutral point, -1
+// before
+double change_along(const Law &law, const Slice &at, const double h, const double dh, const double dx,
+                    const int side)
 {
   return (-(at.along + at.p) * dh + side * 2 * law.s.friction.coefficient * at.p * dx) / h;
 }
 
-Slice elastic_step(const Law &law, const Slice &from, const double h0, const double h1, const double dx, const int side)
+Slice elastic_step(const Law &law, const Slice &from, const double h0, const double h1, const double dx,
+                   const int side)
 {
-  const double dh = h1 - h0, mean = 0.5 * (h0 + h1), squeeze = -law.stiff * dh / (law.coupled ? mean : law.s.exit_thickness);
-  Slice to = from;
+  const double dh = h1 - h0, mean = 0.5 * (h0 + h1),
+               squeeze = -law.stiff * dh / (law.coupled ? mean : law.s.exit_thickness);
+  Slice to             = from;
   for (int i = 0; i < 3; ++i) {
     const Slice middle{0.5 * (from.along + to.along), 0.5 * (from.p + to.p)};
     const double ds = law.coupled ? change_along(law, middle, mean, dh, dx, side) : 0;
@@ -53,7 +58,8 @@ Slice elastic_step(const Law &law, const Slice &from, const double h0, const dou
   return to;
 }
 
-Slice plastic_step(const Law &law, const Slice &from, const double h0, const double h1, const double dx, const int side)
+Slice plastic_step(const Law &law, const Slice &from, const double h0, const double h1, const double dx,
+                   const int side)
 {
   Slice to = from;
   for (int i = 0; i < 4; ++i) {
@@ -64,8 +70,8 @@ Slice plastic_step(const Law &law, const Slice &from, const double h0, const dou
   return to;
 }
 
-// Elastic end behind the thinnest place, from the pressure there: what is left of the tension where it has fallen to
-// nothing.
+// Elastic end behind the thinnest place, from the pressure there: what is left of the tension where it has fallen
+// to nothing.
 double tension_left(const Law &law, const Gap &g, const double p0, VectorXd *pressure, double *end)
 {
   Slice at{law.yield(g.h[g.thinnest]) - p0, p0};
@@ -87,12 +93,13 @@ double tension_left(const Law &law, const Gap &g, const double p0, VectorXd *pre
 // Pressures that the slab gives on a gap.
 VectorXd answer(const Law &law, const Gap &g, FreeArcSlab &out)
 {
-  const int n      = int(g.x.size());
-  const double k   = law.yield(g.h[g.thinnest]);
-  VectorXd exit    = VectorXd::Constant(n, INFINITY), entry = exit;
-  double low = 0, high = k + 1e9;  // pressure at the thinnest place: the more of it, the less tension there and behind
+  const int n    = int(g.x.size());
+  const double k = law.yield(g.h[g.thinnest]);
+  VectorXd exit = VectorXd::Constant(n, INFINITY), entry = exit;
+  double low  = 0,
+         high = k + 1e9;  // pressure at the thinnest place: the more of it, the less tension there and behind
   for (int i = 0; law.coupled && i < 60; ++i) {
-    const double p0 = 0.5 * (low + high);
+    const double p0                                                                = 0.5 * (low + high);
     (tension_left(law, g, p0, nullptr, nullptr) > law.s.exit_tension ? low : high) = p0;
   }
   const double p0 = law.coupled ? 0.5 * (low + high) : k - law.s.exit_tension;
@@ -115,7 +122,8 @@ VectorXd answer(const Law &law, const Gap &g, FreeArcSlab &out)
   at                 = {law.s.entry_tension, 0};
   bool yields        = false;
   for (int i = first; i < g.thinnest; ++i) {
-    const double from = i == first ? law.s.entry_thickness : g.h[i], dx = i == first ? (1 - share) * g.step : g.step;
+    const double from = i == first ? law.s.entry_thickness : g.h[i],
+                 dx   = i == first ? (1 - share) * g.step : g.step;
     if (!yields) {
       at     = elastic_step(law, at, from, g.h[i + 1], dx, -1);
       yields = at.along + at.p >= law.yield(from);
@@ -164,6 +172,7 @@ FreeArcSlab slab_on_free_arc(const bite::RollBite &bite, const int points, const
       return out;
     }
   }
-  throw SolverError({"slab on a free arc: not at rest after 20000 passes", "", "points too far apart", "more points", ""});
+  throw SolverError(
+      {"slab on a free arc: not at rest after 20000 passes", "", "points too far apart", "more points", ""});
 }
 }  // namespace mill::verify

@@ -1,8 +1,8 @@
 #pragma once
 #include "bite/bite.h"
 
-// A slab with elastic ends between rolls of any shape, by relaxation on even points: shares neither discretisation nor
-// solver with bite/elastic_arc or with the finite elements.
+// A slab with elastic ends between rolls of any shape, by relaxation on even points: shares neither discretisation
+// nor solver with bite/elastic_arc or with the finite elements.
 namespace mill::verify {
 struct FreeArcSlab {
   double force     = 0;  ///< N/m
@@ -15,7 +15,8 @@ struct FreeArcSlab {
 
 /// Coulomb friction without limit, parabola and half plane, the strip's modulus in plane strain.
 /// @param points   even, over the range of reference of the relaxation, -0.8 .. 2.4 sqrt(R dh)
-/// @param coupled  friction and thinning change the stress along the strip in the elastic ends too, (19.16); false:
+/// @param coupled  friction and thinning change the stress along the strip in the elastic ends too, (19.16);
+/// false:
 ///                 that stress stays the tension there, (17.12)
 /// @throws SolverError  not at rest after 20000 passes
 /// Cost: points^2 a pass, some hundreds of passes: 0.3 s for 800 points.

@@ -90,7 +90,7 @@ std::vector<Check> thin_strip()
   for (const char *name : {"B5", "B6"}) {
     const fem::StripFlow flow = rolled(reference_pass(name), 24);
     checks.push_back(relative(std::string(name) + ", hardening: force per width against Karman's slab", "N/mm",
-                              flow.state.force / 1e3, karman_force(reference_pass(name)) / 1e3, 0.05));
+                              flow.state.force / 1e3, karman_force(reference_pass(name)) / 1e3, 0.03));
     checks.push_back(
         inside(std::string(name) + ": power brought in over power spent - 1", "-", flow.balance.power, 0, 1e-8));
     // Homogeneous strain is the least; the surface has more.
@@ -291,9 +291,22 @@ std::vector<Check> flattened_roll()
     const bite::RollBite b     = reference_pass(name);
     const fem::StripFlow flow  = rolled(b, 24, circle);
     const bite::BiteState slab = bite::solve_karman(b, bite::Theory::karman, bite::Arc::hitchcock);
-    const double tolerance     = std::string(name) == "B1" ? 0.075 : 0.03;
-    checks.push_back(relative(std::string(name) + ": force on Hitchcock's arc against the slab", "N/mm",
-                              flow.state.force / 1e3, slab.force / 1e3, tolerance));
+    const Check force = relative(std::string(name) + ": force on Hitchcock's arc against the slab", "N/mm",
+                                 flow.state.force / 1e3, slab.force / 1e3, 0.03);
+    checks.push_back(
+        std::string(name) != "B1"
+            ? force
+            : known_deviation(force, {928.616, 0.5,
+                                      "the homogeneous slab does not know that friction helps a strip "
+                                      "of arc over thickness 4 to yield: 6.7 % on a rigid roll too "
+                                      "(strip-flow-demo-pass), where finite elements and reference "
+                                      "program agree within 0.1 %",
+                                      "the inhomogeneous slab, which is judged below"}));
+    if (std::string(name) == "B1") {
+      const double orowan = bite::solve_karman(b, bite::Theory::orowan, bite::Arc::hitchcock).force;
+      checks.push_back(relative("B1: the same against the inhomogeneous slab", "N/mm", flow.state.force / 1e3,
+                                orowan / 1e3, 0.03));
+    }
     checks.push_back(relative(std::string(name) + ": R'/R against the slab", "-",
                               flow.state.flattened_radius / b.roll_radius, slab.flattened_radius / b.roll_radius,
                               0.02));
@@ -346,8 +359,8 @@ std::vector<Case> strip_flow_cases()
       "B8 (perfectly plastic, 48 x 12) and the hardening passes B5, B6 (24 x 6) with tensions: thin lubricated "
       "strip.",
       limits + "; Karman's slab, integrated, theory.md 17",
-      "B8 0.7 % of the reference, whose limit is +-0.1 %, plus mesh; 3 % and 5 % of the slab, which leaves out "
-      "the work of shearing",
+      "B8 0.7 % of the reference, whose limit is +-0.1 %, plus mesh; 3 % of the slab, which leaves out the work "
+      "of shearing",
       thin_strip);
   add("strip-flow-thick", "regression",
       "B3, B4, B7 and B9: arc over mean thickness 0.83, 1.56, 1.05 and 0.39, 48 x 12 elements. The force lies "
@@ -386,8 +399,8 @@ std::vector<Case> strip_flow_cases()
       "elastic half plane.",
       "Karman's slab on Hitchcock's circle, and on an elastic half plane with elastic zones of the strip, "
       "theory.md 17",
-      "3 % as on a rigid roll, for B1 (arc over thickness 4) 7.5 %: shearing eases yielding by 6.7 % there on a "
-      "rigid roll; R' follows the force; 5 % on the half plane, where the slab has elastic zones and the strip "
+      "3 % as on a rigid roll; R' follows the force; 5 % on the half plane, where the slab has elastic zones and "
+      "the strip "
       "here has none",
       flattened_roll);
   return cases;
