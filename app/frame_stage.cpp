@@ -116,34 +116,24 @@ void resolve_screwdown(RunContext &run, FourHigh &stand)
 }
 }  // namespace
 
-FrameErrors resolve_frame(RunContext &run, FourHigh &stand)
+void resolve_frame(RunContext &run, FourHigh &stand)
 {
   const Frame before = stand.frame;
   if (!stand.housing.present()) {
     resolve_screwdown(run, stand);
-    return {};
+    return;
   }
   const fem::HousingStatics statics = resolve_housing(run, stand);
   resolve_screwdown(run, stand);
   stand.frame = reduce::with_masses_at_the_chain(stand.frame, given_value(stand, "K1"), given_value(stand, "K7"));
+  for (std::size_t i = 0; i < part_names.size(); ++i) {
+    const bool upper                                                 = i < 2;
+    stand.frame.tolerance[std::string(part_names[i]) + "_stiffness"] = statics.error[upper ? 0 : 1];
+    stand.frame.tolerance[std::string(part_names[i]) + "_mass"]      = statics.error[upper ? 2 : 3];
+  }
   add_housing(run, stand, before, statics);
   if (stand.dynamics.frame == "closed")
     run.assume(
         "a drawn housing is closed by itself: dynamics.frame = \"closed\" concerns the six masses and the beams");
-  return {statics.error[0], statics.error[1], statics.error[2], statics.error[3]};
-}
-
-void add_frame_errors(LumpedModel &model, const FourHigh &stand, const FrameErrors &errors)
-{
-  const Frame &f  = stand.frame;
-  const auto into = [&](Parameter &p, const double error, const double share) {
-    if (p.source != Source::computed || std::isnan(error))
-      return;
-    p.error_estimate = error * share;
-  };
-  into(model.K[0], errors.K1, model.K[0].value * (1 / f.upper_post_stiffness + 1 / f.upper_beam_stiffness));
-  into(model.K[6], errors.K7, model.K[6].value * (1 / f.lower_post_stiffness + 1 / f.lower_beam_stiffness));
-  into(model.M[0], errors.M1, (f.upper_post_mass + f.upper_beam_mass) / model.M[0].value);
-  into(model.M[5], errors.M6, (f.lower_post_mass + f.lower_beam_mass) / model.M[5].value);
 }
 }  // namespace mill

@@ -16,6 +16,9 @@ MillHousing read_housing(const Node &root, const Material &steel, Reading &readi
 Screwdown read_screwdown(const Node &root, Reading &reading);
 /// Keys of [frame] that need not be given beside them.
 std::vector<std::string> frame_keys_behind(bool housing, const Screwdown &screwdown);
+/// Values of tolerance_rows(), by the keys of the quantities they belong to; appended to the echo.
+std::map<std::string, double> read_tolerances(const std::vector<Row> &rows, const Section &section,
+                                              Reading &reading);
 /// [frame]; what is needless and not given is NaN.
 Frame read_frame(const Node &root, const std::vector<std::string> &needless, Reading &reading);
 DynamicsSettings read_dynamics(const Node &root, const std::vector<Field<DynamicsSettings>> &rows,

@@ -1,4 +1,5 @@
 #include "fem/housing.h"
+#include "core/mesh_pair.h"
 #include "fem/held_stiffness.h"
 #include <cmath>
 #include <deal.II/base/quadrature_lib.h>
@@ -139,7 +140,7 @@ HousingStatics housing_statics(const MillHousing &housing, const ElasticBody &qu
 
 void estimate_error(HousingStatics &fine, const HousingStatics &coarse, const double ratio)
 {
-  const auto share = [&](const double a, const double b) { return std::abs(b / a - 1) / (ratio * ratio - 1); };
+  const auto share = [&](const double a, const double b) { return mesh_pair_error(a, b, ratio * ratio); };
   const auto mass  = [](const HousingStatics &s, const HousingPart post, const HousingPart beam) {
     return s.reduced_mass[post] + s.reduced_mass[beam];
   };

@@ -51,7 +51,7 @@ Eigen::VectorXd mean_vertical(const ElasticBody &quarter, const std::string &gro
 HousingStatics housing_statics(const MillHousing &housing, const ElasticBody &quarter);
 
 /// Fills `error` of the finer of two solutions from meshes of `ratio` times as many elements through the posts:
-/// difference over ratio^2 - 1, since the flat sides of the fillets are of second order.  (23.9)
+/// mesh_pair_error() with a gain of ratio^2, since the flat sides of the fillets are of second order.  (23.9)
 void estimate_error(HousingStatics &fine, const HousingStatics &coarse, double ratio);
 
 /// The frame with posts and beams, stiffness and reduced mass, from a housing.

@@ -242,7 +242,7 @@ std::vector<Check> chain_identity()
                               modes.frequency[Eigen::Index(i)], with_bite[i], 1e-6));
   const LumpedStand chain = demo_chain(stand);
   double sum              = 0;
-  const auto breakdown    = closed_form_breakdown(stand, chain);
+  const auto breakdown    = chain_breakdown(stand, chain);
   for (std::size_t i = 0; i < 6; ++i) {
     double parts = 0;
     for (const PartMass &part : breakdown[i].parts)
