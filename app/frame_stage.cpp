@@ -59,8 +59,7 @@ void add_housing(RunContext &run, const FourHigh &stand, const Frame &before, co
   const auto K = post_beam_stiffness(stand.frame), M = post_beam_mass(stand.frame);
   const std::string how = fmt::format("housing by finite elements, {} unknowns of a quarter", statics.n_unknowns);
   for (std::size_t i = 0; i < part_names.size(); ++i) {
-    const bool upper = i < 2;
-    Parameter spring = computed(K[i], "N/m", how, statics.error[upper ? 0 : 1], reduce::housing_keys());
+    Parameter spring = computed(K[i], "N/m", how, statics.flexibility_error[i], reduce::housing_keys());
     if (beams.flexibility[i] > 0)
       spring.checks.push_back(
           {"frame of Timoshenko beams (23.10)", 1 / beams.flexibility[i], "corners half rigid"});
@@ -70,7 +69,7 @@ void add_housing(RunContext &run, const FourHigh &stand, const Frame &before, co
     const double moved = M[i] / statics.reduced_mass[i];
     Parameter mass =
         computed(M[i], "kg", how + ", kinetic energy of the static shape, at the chain's point (4.13a)",
-                 statics.error[upper ? 2 : 3], reduce::housing_keys());
+                 statics.mass_error[i], reduce::housing_keys());
     mass.checks.push_back({"frame of Timoshenko beams (23.10)", moved * beams.reduced_mass[i], ""});
     mass.checks.push_back({"a third of a post, 17/35 of a beam on two posts", moved * rule[i], ""});
     mass.checks.push_back(

@@ -187,11 +187,18 @@ ComponentSets stand_components(RunContext &run, const FourHigh &stand, const boo
   return sets;
 }
 
-reduce::SolidRolls solid_rolls(const ComponentSets &c)
+double roll_mesh_gain(const DynamicsSettings &settings)
+{
+  const double n = settings.elements_per_radius;
+  return std::pow(n / (n - 1), fem::shoulder_order);
+}
+
+reduce::SolidRolls solid_rolls(const ComponentSets &c, const DynamicsSettings &settings)
 {
   if (!c.present)
     return {};
-  return {&c.fine.work_roll, &c.fine.backup_roll, &c.coarse.work_roll, &c.coarse.backup_roll, roll_mesh_gain};
+  return {&c.fine.work_roll, &c.fine.backup_roll, &c.coarse.work_roll, &c.coarse.backup_roll,
+          roll_mesh_gain(settings)};
 }
 
 void add_housing_frequencies(RunContext &run, const FourHigh &stand, const ComponentSets &components)

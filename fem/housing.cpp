@@ -147,6 +147,10 @@ void estimate_error(HousingStatics &fine, const HousingStatics &coarse, const do
   fine.error = {share(fine.u_screw, coarse.u_screw), share(fine.u_seat, coarse.u_seat),  // (23.9)
                 share(mass(fine, upper_post, upper_beam), mass(coarse, upper_post, upper_beam)),
                 share(mass(fine, lower_post, lower_beam), mass(coarse, lower_post, lower_beam))};
+  for (std::size_t i = 0; i < n_housing_parts; ++i) {
+    fine.flexibility_error[i] = share(fine.flexibility[i], coarse.flexibility[i]);
+    fine.mass_error[i]        = share(fine.reduced_mass[i], coarse.reduced_mass[i]);
+  }
 }
 
 Frame frame_with_housing(Frame frame, const HousingStatics &h)

@@ -110,7 +110,7 @@ Uncertain spring(double ChainNumbers::*number, const std::string &name, const Pa
   return {p.error_estimate, lacks, [number](FourHigh &, ChainNumbers &n, const double s) { n.*number *= s; }};
 }
 
-Uncertain of_frame(const FramePart &part)
+Uncertain of_frame(const FrameValue &part)
 {
   return {part.error,
           {part.tolerance_key},
@@ -266,7 +266,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
   n.K7   = given_or(stand, "K7", not_given);
 
   std::vector<Uncertain> uncertain;
-  for (const FramePart &part : frame_parts(stand.frame))
+  for (const FrameValue &part : frame_values(stand.frame))
     uncertain.push_back(of_frame(part));
   uncertain.push_back(spring(&ChainNumbers::K3, "K3", K3));
   uncertain.push_back(spring(&ChainNumbers::K5, "K5", K5));

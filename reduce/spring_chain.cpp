@@ -53,17 +53,17 @@ Frame with_masses_at_the_chain(Frame f, const double K1, const double K7)
   return f;
 }
 
-std::vector<FramePart> frame_parts(const Frame &frame)
+std::vector<FrameValue> frame_values(const Frame &frame)
 {
-  std::vector<FramePart> parts;
+  std::vector<FrameValue> values;
   for (const Field<Frame> &row : frame_rows()) {
     const auto member = std::get<double Frame::*>(row.member);
     const auto given  = frame.tolerance.find(row.key);
     if (!std::isnan(frame.*member))
-      parts.push_back(
+      values.push_back(
           {member, given == frame.tolerance.end() ? not_given : given->second, "frame." + tolerance_key(row.key)});
   }
-  return parts;
+  return values;
 }
 
 SeriesSprings series_springs(const Frame &f, const PathSprings &path)

@@ -20,14 +20,14 @@ struct SeriesSprings {
 };
 
 /// A mass or stiffness of the frame that may be off.
-struct FramePart {
+struct FrameValue {
   double Frame::*member;
   double error;               ///< -, relative; NaN: nobody says
   std::string tolerance_key;  ///< that would say it, "frame.piston_mass_tolerance"
 };
 
 /// All of [frame] that is there.
-std::vector<FramePart> frame_parts(const Frame &frame);
+std::vector<FrameValue> frame_values(const Frame &frame);
 
 /// Series springs of the stand.  @throws InputError  a spring not positive, named
 SeriesSprings series_springs(const Frame &frame, const PathSprings &path);

@@ -50,7 +50,7 @@ FrequencyErrors frequency_errors(const StandWithModes &modes, const FourHigh &st
     return v.dot(stiffness_of(model) * v) / v.dot(model.M * v);
   };
   std::vector<Uncertain> inputs = springs_of_chain(chain);
-  for (const FramePart &part : frame_parts(stand.frame))
+  for (const FrameValue &part : frame_values(stand.frame))
     inputs.push_back({part.error, {part.tolerance_key}, [member = part.member](FourHigh &s, StandSprings &) {
                         s.frame.*member *= 1 + step;
                       }});

@@ -299,7 +299,7 @@ TEST(LumpedStand, EveryNumberCarriesItsProof)
 // Every mass and stiffness of the frame within 3 %, K_ZW within 4 %.
 FourHigh with_tolerances(FourHigh stand)
 {
-  for (const FramePart &part : frame_parts(stand.frame)) {
+  for (const FrameValue &part : frame_values(stand.frame)) {
     const std::string key = part.tolerance_key.substr(std::string("frame.").size());
     stand.frame.tolerance[key.substr(0, key.size() - std::string("_tolerance").size())] = 0.03;
   }
