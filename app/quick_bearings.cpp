@@ -90,9 +90,15 @@ KeyList bearing_load_keys(const FourHigh &stand, const bool backup, const std::s
 }
 }  // namespace
 
-std::array<QuickResult, 5> quick_bearings(const FourHigh &stand, const double F, const KeyList &load_keys)
+std::vector<QuickResult> quick_bearings(const FourHigh &stand, const double F, const KeyList &load_keys)
 {
-  std::array<QuickResult, 5> all;
+  std::vector<QuickResult> all;
+  const auto add_both = [&](const QuickResult &one, const char *name) {
+    QuickResult r = one;
+    r.name        = name;
+    r.parameter.value *= 2;
+    all.push_back(r);
+  };
   for (int i = 0; i < 4; ++i) {
     const bool backup      = i == 0 || i == 3;
     const std::string side = i < 2 ? "upper" : "lower";
@@ -100,24 +106,31 @@ std::array<QuickResult, 5> quick_bearings(const FourHigh &stand, const double F,
     const auto &b          = bearing_of(stand.bearings, (backup ? stand.backup_roll : stand.work_roll).bearing);
     const double load      = bearing_load(stand, backup, contact, F);
     const auto drive       = bearing::radial_drive(load);
+    const auto state       = solved(b, drive);
     const KeyList loading  = bearing_load_keys(stand, backup, side, contact, load_keys);
-    QuickResult &r         = all[std::size_t(i)];
-    r.name                 = fmt::format("Kzc{}", i + 1);
-    r.parameter.value      = bearing::radial_tangent(solved(b, drive), drive);
-    r.parameter.unit       = "N/m";
-    r.parameter.method     = closed_method(b);
-    r.parameter.at         = in_kN(load) + " on one bearing";
-    r.load                 = load;
-    r.closed               = joined(loading, closed_bearing_keys(b, false));
-    r.parameter.inputs     = by_elements(b) ? joined(r.closed, bearing_inputs(b)) : r.closed;
-    r.road                 = backup ? "bearings of the backup rolls" : "bearings of the work rolls";
-    r.file                 = "bearing/assembly";
-    r.equation             = "(5.23)";
-    r.stands_for           = by_elements(b) ? model_name(b) : "";
+    QuickResult r;
+    r.name             = fmt::format("Kzc{}", i + 1);
+    r.parameter.value  = bearing::radial_tangent(state, drive);
+    r.parameter.unit   = "N/m";
+    r.parameter.method = closed_method(b);
+    r.parameter.at     = in_kN(load) + " on one bearing";
+    r.load             = load;
+    r.closed           = joined(loading, closed_bearing_keys(b, false));
+    r.parameter.inputs = by_elements(b) ? joined(r.closed, bearing_inputs(b)) : r.closed;
+    r.road             = backup ? "bearings of the backup rolls" : "bearings of the work rolls";
+    r.file             = "bearing/assembly";
+    r.equation         = "(5.23)";
+    r.stands_for       = by_elements(b) ? model_name(b) : "";
+    all.push_back(r);
+    if (backup)
+      add_both(r, i == 0 ? "K_Zy" : "K_Zy_lower");
+    r.name += "_across";
+    r.parameter.value = stiffness_along(state, drive, 1);
+    r.parameter.method += ", across the load";
+    r.file       = "app/bearing_across";
+    r.stands_for = by_elements(b) ? model_name(b) + ", a block chock on its liner" : "";
+    all.push_back(r);
   }
-  all[4]                 = all[0];
-  all[4].name            = "K_Zy";
-  all[4].parameter.value = 2 * all[0].parameter.value;
   return all;
 }
 

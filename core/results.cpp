@@ -15,7 +15,9 @@ ordered_json json_of(const Parameter &parameter)
       {"at",     parameter.at          }
   };
   json["error_estimate"] = parameter.error_estimate;  // NaN, none can be stated, becomes null
-  json["inputs"]         = parameter.inputs;
+  if (!parameter.error_lacks.empty())
+    json["error_lacks"] = parameter.error_lacks;  // why there is none
+  json["inputs"] = parameter.inputs;
   if (!parameter.checks.empty()) {
     json["checks"] = ordered_json::array();
     for (const Check &check : parameter.checks)

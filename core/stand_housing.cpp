@@ -245,7 +245,16 @@ Frame read_frame(const Node &root, const std::vector<std::string> &needless, Rea
       set_member(row, Value(not_given), frame);
     }
   const Section section = section_at(root, "frame", reading);
-  read_and_echo(section, section.header(), rows, frame, reading);
+  std::vector<std::string> tolerances;
+  for (const Row &row : tolerance_rows(rows_of(rows)))
+    tolerances.push_back(row.key);
+  read_and_echo(section, section.header(), rows, frame, reading, tolerances);
+  frame.tolerance = read_tolerances(rows_of(rows), section, reading);
+  for (const Field<Frame> &row : rows)
+    if (frame.tolerance.count(row.key) && std::isnan(std::get<double>(member_value(row, frame))) &&
+        std::find(needless.begin(), needless.end(), row.key) == needless.end())
+      contradict(reading, "frame." + tolerance_key(row.key),
+                 std::string("belongs to frame.") + row.key + ", which is not given; give both or neither", {});
   return frame;
 }
 }  // namespace mill

@@ -20,6 +20,9 @@ std::vector<std::string> frame_keys_behind(bool housing, const Screwdown &screwd
                                            const RollerBearing *backup_bearing);
 /// The chocks of [frame] beside a backup bearing that counts its own chock: not counted again, and said.
 void drop_counted_chocks(Frame &frame, RollerBearing &backup_bearing, const Reading &reading);
+/// Values of tolerance_rows(), by the keys of the quantities they belong to; appended to the echo.
+std::map<std::string, double> read_tolerances(const std::vector<Row> &rows, const Section &section,
+                                              Reading &reading);
 /// [frame]; what is needless and not given is NaN.
 Frame read_frame(const Node &root, const std::vector<std::string> &needless, Reading &reading);
 DynamicsSettings read_dynamics(const Node &root, const std::vector<Field<DynamicsSettings>> &rows,

@@ -84,6 +84,11 @@ const std::vector<std::string> &drawable_frame_keys();
 /// @param published  of [published], which may hold more than what could replace a computed value
 const std::vector<Row> &given_rows(const std::string &kind, bool published = false);
 
+/// How far a value may be off, given beside it: one row KEY_tolerance for every quantity of `rows`.
+std::vector<Row> tolerance_rows(const std::vector<Row> &rows);
+bool is_tolerance(const std::string &key);
+std::string tolerance_key(const std::string &key);  ///< "K1_tolerance" of "K1"
+
 /// One section of a kind of case, as schema, template and reference need it.
 struct SectionRows {
   enum class Repeat {

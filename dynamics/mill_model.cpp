@@ -114,8 +114,11 @@ void add_roll(const HorizontalRoll &roll, std::vector<double> &masses, MillModel
 
 MillModel horizontal_model(const LumpedModel &lumped, const ChockSeats &seats)
 {
-  const auto Kzc = [&](const int i) { return seats.bearings_per_roll * lumped.Kzc[std::size_t(i - 1)].value; };
-  const auto M   = [&](const int i) { return lumped.M[std::size_t(i - 1)].value; };
+  const auto Kzc = [&](const int i) {
+    const double across = lumped.Kzc_across[std::size_t(i - 1)].value;
+    return seats.bearings_per_roll * (std::isnan(across) ? lumped.Kzc[std::size_t(i - 1)].value : across);
+  };
+  const auto M                            = [&](const int i) { return lumped.M[std::size_t(i - 1)].value; };
   const std::vector<HorizontalRoll> rolls = {
       {"upper backup roll", "Kzc1", "",    M(2), Kzc(1), not_given,          0                  },
       {"upper work roll",   "Kzc2", "Kx1", M(3), Kzc(2), seats.stiffness[0], seats.chock_mass[0]},

@@ -131,7 +131,7 @@ ModelData data_of(const Json &json)
   for (const Json &breakdown : list(json, "breakdown"))
     data.breakdown.push_back(breakdown_of(breakdown));
   for (const Json &route : list(json, "routes"))
-    data.routes.push_back({text(route, "mass"), number(route, "closed_form"), number(route, "fe_integral"),
+    data.routes.push_back({text(route, "mass"), number(route, "chain"), number(route, "fe_integral"),
                            number(route, "fe_solid"), number(route, "published")});
   return data;
 }

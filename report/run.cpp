@@ -88,7 +88,8 @@ Result result_of(const std::string &name, const Json &entry)
                 text_at(entry, "at"),
                 number_at(entry, "error_estimate"),
                 texts_at(entry, "inputs"),
-                {}};
+                {},
+                texts_at(entry, "error_lacks")};
   for (const Json &check : list_at(entry, "checks"))
     result.checks.push_back({text_at(check, "name"), number_at(check, "value"), text_at(check, "note")});
   return result;

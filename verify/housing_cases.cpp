@@ -178,7 +178,7 @@ std::vector<Check> mesh_order()
   return {
       {"order of the screw's displacement", "-", low, 1.7, 0, Judged::at_least},
       at_most("difference to the extrapolated displacement over the estimate", "-",
-              std::abs(middle.u_screw / limit - 1) / middle.error[0], 1.3),
+              std::abs(middle.u_screw / limit - 1) / middle.error[0], 1),
       at_most("estimated error of the screw's displacement", "-", middle.error[0], 0.005),
       at_most("estimated error of the seat's displacement", "-", middle.error[1], 0.005),
       at_most("estimated error of the M1 part", "-", middle.error[2], 0.01),
@@ -261,8 +261,8 @@ std::vector<Case> housing_cases()
       "The assumed housing on meshes of 2, 4 and 6 elements through posts and beams: observed order, and "
       "whether the error estimated from two of them covers the difference to the extrapolated value.",
       "three meshes against each other",
-      "flat sides of the fillets and the jump of pressure at the pads' edges are of second order; 1.7 and 1.3 "
-      "leave room for meshes that are not nested",
+      "flat sides of the fillets and the jump of pressure at the pads' edges are of second order; 1.7 "
+      "leaves room for meshes that are not nested; the factor of safety of the estimate is there to cover that",
       mesh_order);
   add("housing-demo", "verification",
       "Stiffness and reduced mass of the assumed housing beside the values of the demo stand, which were fitted "

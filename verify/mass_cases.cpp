@@ -117,7 +117,7 @@ std::vector<Check> roll_on_supports()
           relative("Rayleigh, mean reference", "Hz", mean, 312.1, 1e-3),
           relative("Rayleigh / beam elements", "-", mean / elements, 1, 1e-3),
           relative("48 elements per span / 96", "-", elements / supported_roll_frequency(96), 1, 1e-4),
-          reported("Rayleigh, mid-span reference", "Hz", rayleigh_frequency(mid_flexibility(beam)), 312.0)};
+          relative("Rayleigh, mid-span reference", "Hz", rayleigh_frequency(mid_flexibility(beam)), 326.2, 1e-3)};
 }
 
 void add_masses(std::vector<Check> &checks, const std::string &name, const LumpedModel &model,
@@ -242,7 +242,7 @@ std::vector<Check> chain_identity()
                               modes.frequency[Eigen::Index(i)], with_bite[i], 1e-6));
   const LumpedStand chain = demo_chain(stand);
   double sum              = 0;
-  const auto breakdown    = closed_form_breakdown(stand, chain);
+  const auto breakdown    = chain_breakdown(stand, chain);
   for (std::size_t i = 0; i < 6; ++i) {
     double parts = 0;
     for (const PartMass &part : breakdown[i].parts)
@@ -275,9 +275,9 @@ std::vector<Case> mass_cases()
   add("mass-roll-frequency", "verification",
       "First frequency of the backup roll alone on rigid bearing centres: Timoshenko elements with lumped mass "
       "against Rayleigh's quotient of the static shape.",
-      "two independent methods, 312.0 Hz and 312.1 Hz",
+      "two independent methods, 312.0 Hz and 312.1 Hz; with mid-span as reference 326.2 Hz",
       "printed with four digits; Rayleigh's quotient errs at second order of the shape. With mid-span instead of "
-      "the mean as reference it is 4.6 % high, which is shown and not judged",
+      "the mean as reference it is 4.6 % high",
       roll_on_supports);
   add("mass-demo-stand", "regression",
       "Demo stand: masses, springs and flexibilities of the chain of six masses, mid-span and mean reference, "
