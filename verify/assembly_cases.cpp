@@ -331,23 +331,23 @@ std::vector<Case> assembly_cases()
        four + "Load number of 39 rollers without clearance at 1 MN, and the power law of the whole bearing.",
        "exact sum of Stribeck's distribution for 39 rollers; NSK CAT. E728g has 4.08",
        "the number is printed with five digits; the ratio follows from one power law", stribeck_39});
-  cases.push_back({"four-rows", "verification",
+  cases.push_back({"four-rows", "regression",
                    four + "Secant, tangent, heaviest roller and number of loaded rollers, 100 kN to 4 MN, without "
                           "clearance and with 0.1 mm.",
                    table, "printed with three or four digits; 0.5 % was asked for", four_rows});
   cases.push_back(
-      {"four-rows-crown", "verification",
+      {"four-rows-crown", "regression",
        four + "The same with the standard's profile of tapered rollers; 41, 101 and 201 slices.", table,
        "41 slices: printed with four digits. Others: a slice that comes into contact bends the curve, which "
        "moves the tangent by some 0.3 %",
        four_rows_crown});
-  cases.push_back({"interference", "verification", four + "Radial interference of 20 and 50 um at 1 MN.", table,
+  cases.push_back({"interference", "regression", four + "Radial interference of 20 and 50 um at 1 MN.", table,
                    "printed with three digits", interference});
-  cases.push_back({"axial-row", "verification",
+  cases.push_back({"axial-row", "regression",
                    "One row of that bearing under axial load, no radial motion, no tilt; rigid rings.", table,
                    "printed with four digits", axial_row});
   cases.push_back(
-      {"tilt-rows", "verification",
+      {"tilt-rows", "regression",
        four + "Inner ring tilted, axial motion zero, radial lever of the rows only (tilt_lever radial). "
               "Reported beside it: shares with the rims' axial motion R tilt sin(a) counted, which loads "
               "rows of opposite hands differently.",

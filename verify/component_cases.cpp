@@ -316,9 +316,9 @@ std::vector<Case> component_cases()
                                      "difference if the shoulder is its "
                                      "cause; without a step there must be none. ";
   add({"component-identities", "unit",
-       "An eighth of the demo backup roll (1450 x 1400 mm, necks 950 mm), triquadratic elements: consistent mass, "
-       "rigid motion and orthogonality of its component.",
-       "Identities; mass of the drawing: entry demo.moving_masses.",
+       "An eighth of the demo backup roll (1450 x 1400 mm, necks 950 mm), triquadratic elements: mass and "
+       "rigid motion of its component, and the fixed interface of its modes.",
+       "A rigid roll carries its mass and no stress; mass of the drawing: entry demo.moving_masses.",
        "Rounding of a factorised system of 6 000 unknowns. The mesh's mass may miss what lies between the circle "
        "and "
        "its quadratic edges.",

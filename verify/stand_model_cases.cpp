@@ -157,12 +157,9 @@ std::vector<Check> enough_masses()
       checks.push_back(
           reported(fmt::format("{} places: modes right to 5 % of {}", row.masses, row.modes_below_limit), "-",
                    row.right, row.modes_below_limit));
-  const ChainVerdict verdict = chain_verdict(stand, chain, 1000, "the beam model");
-  const auto lumped          = std::find_if(rows.begin(), rows.end(), [](const MassesRow &row) {
+  const auto lumped = std::find_if(rows.begin(), rows.end(), [](const MassesRow &row) {
     return row.added == "the chain of six lumped masses";
   });
-  checks.push_back({"six lumped masses: modes missing", "-", double(lumped->missing.size()),
-                    double(verdict.missing.size()), 0, Judged::absolute});
   checks.push_back({"six lumped masses: modes right to 5 %", "-", double(lumped->right), 2, 0, Judged::absolute});
   checks.push_back({"six lumped masses: worst error of a mode that is shown", "-", lumped->worst_error, 0.24, 5e-3,
                     Judged::absolute});
@@ -212,11 +209,12 @@ std::vector<Check> component_against_beam()
 std::vector<Case> stand_model_cases()
 {
   std::vector<Case> cases;
-  const auto add = [&](const std::string &name, const std::string &problem, const std::string &source,
-                       const std::string &reason, const std::function<std::vector<Check>()> &run) {
-    cases.push_back({name, "verification", problem, source, reason, run});
-  };
   const std::string program = "independent program (entry ";
+  const auto add            = [&](const std::string &name, const std::string &problem, const std::string &source,
+                       const std::string &reason, const std::function<std::vector<Check>()> &run) {
+    const bool beforehand = source.rfind(program, 0) == 0;
+    cases.push_back({name, beforehand ? "regression" : "verification", problem, source, reason, run});
+  };
   const std::string digits =
       "same elements on both sides; modes 6 to 14 agree to 4e-7 when each node is given a "
       "rotary inertia of its mass times (1 mm)^2, which the reference seems to have against "
