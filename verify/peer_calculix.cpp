@@ -122,6 +122,40 @@ void Deck::hold_mean(const Weights &weights, const int direction)
   }
 }
 
+void Deck::touch(const std::vector<Face> &slave, const std::vector<Face> &master, const double stiffness)
+{
+  for (const auto &[name, faces] : {
+           std::pair{"SLAVE",  &slave },
+           std::pair{"MASTER", &master}
+  }) {
+    line(fmt::format("*SURFACE, NAME={}, TYPE=ELEMENT", name));
+    for (const Face &face : *faces)
+      line(fmt::format("{},S{}", face.element + 1, face.face));
+  }
+  line("*SURFACE INTERACTION, NAME=TOUCH\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR");
+  line(fmt::format("{:.12e}", stiffness));
+  line("*CONTACT PAIR, INTERACTION=TOUCH, TYPE=SURFACE TO SURFACE\nSLAVE,MASTER");
+}
+
+double Deck::force_to_move(const std::vector<int> &nodes, const int direction, const double motion)
+{
+  line("*NSET, NSET=MOVED");
+  for (const int node : nodes)
+    line(fmt::format("{},", node + 1));
+  line("*STEP, INC=200\n*STATIC\n1.,1.");
+  line(fmt::format("*BOUNDARY\nMOVED,{},{},{:.12e}", direction, direction, motion));
+  line("*NODE PRINT, NSET=MOVED, TOTALS=ONLY\nRF\n*END STEP");
+  const std::string text = run();
+  // " total force (fx,fy,fz) for set MOVED and time  0.1000000E+01", a blank line, three numbers
+  const auto head = text.rfind("total force");
+  const auto row  = head == std::string::npos ? head : text.find('\n', head);
+  std::istringstream fields(row == std::string::npos ? "" : text.substr(row));
+  std::array<double, 3> force{};
+  if (!(fields >> force[0] >> force[1] >> force[2]))
+    throw SolverError({"CalculiX printed no reaction", folder_, "", "", ""});
+  return force[std::size_t(direction - 1)];
+}
+
 std::string Deck::run()
 {
   std::fclose(file_);

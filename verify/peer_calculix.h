@@ -23,6 +23,12 @@ public:
   /// Sum of weight x displacement in `direction` is zero.
   void hold_mean(const Weights &weights, int direction);
 
+  /// Frictionless contact of two sets of faces, face to face with a linear penalty of `stiffness` (Pa/m).
+  void touch(const std::vector<Face> &slave, const std::vector<Face> &master, double stiffness);
+
+  /// N, force that moves these nodes in `direction` by `motion` (m) with everything else as held.
+  /// Errors as displacement()
+  double force_to_move(const std::vector<int> &nodes, int direction, double motion);
   /// (nodes, 3) m, under nodal forces (N) in `direction`.
   /// @throws SolverError  CalculiX stopped; with the end of what it printed
   Eigen::MatrixXd displacement(const Weights &forces, int direction);

@@ -130,6 +130,17 @@ void add_block(Mesh &mesh, const std::vector<double> &u, const std::vector<doubl
       }
 }
 
+void append(Mesh &mesh, const Mesh &body)
+{
+  const int first = int(mesh.nodes.size());
+  mesh.nodes.insert(mesh.nodes.end(), body.nodes.begin(), body.nodes.end());
+  for (std::array<int, 20> element : body.elements) {
+    for (int &node : element)
+      node += first;
+    mesh.elements.push_back(element);
+  }
+}
+
 std::vector<int> nodes_where(const Mesh &mesh, const std::function<bool(const Vector3d &)> &condition)
 {
   std::vector<int> found;

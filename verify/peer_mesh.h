@@ -35,6 +35,9 @@ std::vector<double> towards_end(double first, int n, double growth);
 void add_block(Mesh &mesh, const std::vector<double> &u, const std::vector<double> &v,
                const std::vector<double> &w, const std::function<Eigen::Vector3d(double, double, double)> &place);
 
+/// Adds a body that shares no node with the others.
+void append(Mesh &mesh, const Mesh &body);
+
 /// Positions of the nodes that satisfy the condition.
 std::vector<int> nodes_where(const Mesh &mesh, const std::function<bool(const Eigen::Vector3d &)> &condition);
 

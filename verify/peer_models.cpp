@@ -17,15 +17,33 @@ Vector2d on_circle(const double radius, const double angle)
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-// A block of the section, drawn out along z over [from, to].
+// A block of the section, drawn out along the lines z (m).
 using Section = std::function<Vector2d(double, double)>;
 void extrude(Mesh &mesh, const std::vector<double> &u, const std::vector<double> &v, const Section &section,
-             const double from, const double to, const int layers)
+             const std::vector<double> &z)
 {
-  add_block(mesh, u, v, even(layers), [&](const double a, const double b, const double c) {
+  add_block(mesh, u, v, z, [&](const double a, const double b, const double c) {
     const Vector2d p = section(a, b);
-    return Vector3d(p[0], p[1], from + c * (to - from));
+    return Vector3d(p[0], p[1], c);
   });
+}
+
+std::vector<double> even_between(const double from, const double to, const int n)
+{
+  std::vector<double> lines = even(n);
+  for (double &line : lines)
+    line = from + line * (to - from);
+  return lines;
+}
+
+// Lines crowded at `at`: distances grow with the square, from there to `to`.
+std::vector<double> crowded(const double at, const double to, const int n)
+{
+  std::vector<double> lines = even(n);
+  for (double &line : lines)
+    line = at + line * line * (to - at);
+  std::sort(lines.begin(), lines.end());
+  return lines;
 }
 
 int count(const double length, const double size)
@@ -39,39 +57,88 @@ Mesh roll_eighth(const RollGeometry &roll, const int n)
   const double r = roll.neck_radius, R = roll.radius, size = r / n, eighth = M_PI / 4;
   // A square with bent-out corner in the middle of the neck, two blocks around it, the barrel's ring around these.
   const Vector2d along_x(0.5 * r, 0), along_y(0, 0.5 * r), corner(0.4 * r, 0.4 * r);
-  const auto neck_section = [&](Mesh &mesh, const double from, const double to, const int layers) {
-    const auto lines = even(n);
+  const auto across = even(n), outwards = crowded(1, 0, n);
+  const auto neck_section = [&](Mesh &mesh, const std::vector<double> &z) {
     extrude(
-        mesh, lines, lines,
+        mesh, across, across,
         [&](const double a, const double b) {
           return between(between(Vector2d::Zero(), along_x, a), between(along_y, corner, a), b);
         },
-        from, to, layers);
+        z);
     extrude(
-        mesh, lines, lines,
+        mesh, outwards, across,
         [&](const double a, const double b) {
           return between(between(along_x, corner, b), on_circle(r, eighth * b), a);
         },
-        from, to, layers);
+        z);
     extrude(
-        mesh, lines, lines,
+        mesh, outwards, across,
         [&](const double a, const double b) {
           return between(between(corner, along_y, b), on_circle(r, eighth * (1 + b)), a);
         },
-        from, to, layers);
+        z);
   };
   const double h = roll.half_length, end = h + roll.neck_length;
   const double seat = roll.seat_centre - std::min(0.5 * roll.neck_length, end - roll.seat_centre);
+  const auto barrel = crowded(h, 0, count(h, size));
+  auto neck         = crowded(h, end, count(end - h, size));
+  if (seat - h > 1e-6 * r)  // the line next to where the seat begins
+    *std::min_element(neck.begin() + 1, neck.end() - 1, [=](const double a, const double b) {
+      return std::abs(a - seat) < std::abs(b - seat);
+    }) = seat;
   Mesh mesh;
-  const int barrel = count(h, size);
-  neck_section(mesh, 0, h, barrel);
+  neck_section(mesh, barrel);
+  neck_section(mesh, neck);
   extrude(
-      mesh, even(count(R - r, size)), even(2 * n),
-      [&](const double a, const double b) { return on_circle(r + a * (R - r), 2 * eighth * b); }, 0, h, barrel);
-  if (seat - h > 1e-6 * r)  // a line where the seat begins
-    neck_section(mesh, h, seat, count(seat - h, size));
-  neck_section(mesh, std::max(seat, h), end, count(end - std::max(seat, h), size));
+      mesh, crowded(0, 1, std::max(2, count(R - r, size))), even(2 * n),
+      [&](const double a, const double b) { return on_circle(r + a * (R - r), 2 * eighth * b); }, barrel);
   return mesh;
+}
+
+Mesh disc_quarter(const double radius, const double thickness, const double half_width, const int n,
+                  const double growth)
+{
+  const double R = radius, eighth = M_PI / 4, first = half_width / n;
+  const Vector2d along_x(0.5 * R, 0), along_y(0, 0.5 * R), corner(0.4 * R, 0.4 * R);
+  const int fine      = 3 * n / 2;
+  const auto around   = towards_end(first / (eighth * R), fine, growth),
+             outwards = towards_end(first / (0.5 * R), fine, growth);
+  std::vector<double> backwards;  // the same lines from the other side
+  for (auto line = around.rbegin(); line != around.rend(); ++line)
+    backwards.push_back(1 - *line);
+  const auto coarse = even(4);
+  const std::vector<double> z{0, thickness};
+  Mesh mesh;
+  extrude(
+      mesh, backwards, coarse,
+      [&](const double a, const double b) {
+        return between(between(Vector2d::Zero(), along_x, a), between(along_y, corner, a), b);
+      },
+      z);
+  extrude(
+      mesh, outwards, coarse,
+      [&](const double a, const double b) {
+        return between(between(along_x, corner, b), on_circle(R, eighth * b), a);
+      },
+      z);
+  extrude(
+      mesh, outwards, around,
+      [&](const double a, const double b) {
+        return between(between(corner, along_y, b), on_circle(R, eighth * (1 + b)), a);
+      },
+      z);
+  return mesh;
+}
+
+Mesh turned_over(Mesh body, const double y)
+{
+  for (Vector3d &p : body.nodes)
+    p[1] = y - p[1];
+  for (auto &element : body.elements) {  // a mirror image: bottom and top change places
+    std::rotate(element.begin(), element.begin() + 4, element.begin() + 8);
+    std::rotate(element.begin() + 8, element.begin() + 12, element.begin() + 16);
+  }
+  return body;
 }
 
 namespace {
@@ -85,8 +152,8 @@ void beam_and_corner(Mesh &mesh, const MillHousing &h, const double height, cons
   const auto block  = [&](const int n_a, const Section &section) {
     for (std::size_t k = 0; k + 1 < z.size(); ++k)
       extrude(
-           mesh, even(n_a), even(n), [&](const double a, const double b) { return place(section(a, b)); }, z[k],
-           z[k + 1], count(z[k + 1] - z[k], size));
+           mesh, even(n_a), even(n), [&](const double a, const double b) { return place(section(a, b)); },
+           even_between(z[k], z[k + 1], count(z[k + 1] - z[k], size)));
   };
   const auto beam = [&](const double from, const double to) {
     if (to - from > 1e-6 * flat)
@@ -127,7 +194,7 @@ Mesh housing_quarter(const MillHousing &h, const int n)
     extrude(
         mesh, even(n), even(count(high - low, h.post_width / n)),
         [&](const double u, const double v) { return Vector2d(a + u * h.post_width, low + v * (high - low)); },
-        z[k], z[k + 1], count(z[k + 1] - z[k], h.post_width / n));
+        even_between(z[k], z[k + 1], count(z[k + 1] - z[k], h.post_width / n)));
   return mesh;
 }
 }  // namespace mill::verify::peer

@@ -243,7 +243,7 @@ TEST(Manual, NamesAreUniqueAndEveryTextIsThere)
 {
   std::set<std::string> names;
   std::set<std::string> known;
-  for (const Kind &kind : kinds())
+  for (const verify::Kind &kind : kinds())
     known.insert(kind.name);
   for (const Case &c : all_cases()) {
     EXPECT_TRUE(names.insert(c.name).second) << c.name;
