@@ -33,6 +33,11 @@ double roller_load_bound(const RollerBearing &bearing, double radial_load, doubl
 /// under a radial load without tilt their places do not matter.
 RollerBearing with_row_places(RollerBearing bearing);
 
+/// Everything that the kept parts of a bearing depend on, as text; its hash is the key of the cache.  Empty: the
+/// bearing has no such part.
+std::string roller_inputs(const RollerBearing &bearing, double largest_load);
+std::string ring_inputs(const RollerBearing &bearing);
+
 /// Meshes and condenses roller, raceways, rings and chock, or takes them from the cache.  A support of the chock
 /// that is left open costs another two seconds each, on the coarser mesh.
 /// @param largest_load  N, on one roller

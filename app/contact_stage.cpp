@@ -21,7 +21,8 @@ struct Study {
   std::string twin;  // contact that is the same one, already written
 };
 
-// Swept range: that of the case, or a decade below the smallest and twice the largest working load.
+}  // namespace
+
 std::array<double, 2> swept_range(const std::string &name, const ContactSettings &settings,
                                   const std::vector<double> &loads)
 {
@@ -53,20 +54,6 @@ Parameter blank(const Study &s, const std::string &unit, const double load, cons
   p.unit   = unit;
   p.method = "contact FEM, " + reference;
   p.at     = in_kN(load);
-  p.inputs = {"steel.youngs_modulus",
-              "steel.poisson_ratio",
-              "work_roll.barrel_diameter",
-              "work_roll.barrel_length",
-              "work_roll.neck_diameter",
-              "work_roll.total_length",
-              "work_roll.crown",
-              "backup_roll.barrel_diameter",
-              "backup_roll.barrel_length",
-              "backup_roll.neck_diameter",
-              "backup_roll.neck_length",
-              "backup_roll.crown",
-              "contact." + s.name + ".loads",
-              "contact." + s.name + ".elements_per_half_width"};
   return p;
 }
 
