@@ -39,6 +39,7 @@ std::array<double, 2> swept_range(const std::string &name, const ContactSettings
   return settings.loads;
 }
 
+namespace {
 // A second opinion widens the error estimate to the spread.
 void beside(Parameter &p, const std::string &who, const double value)
 {
