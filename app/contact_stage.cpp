@@ -49,7 +49,7 @@ void beside(Parameter &p, const std::string &who, const double value)
   p.error_estimate = std::fmax(p.error_estimate, difference(value, p.value));  // NaN: none yet
 }
 
-Parameter blank(const Study &s, const std::string &unit, const double load, const std::string &reference)
+Parameter blank(const std::string &unit, const double load, const std::string &reference)
 {
   Parameter p;
   p.unit   = unit;
@@ -70,7 +70,7 @@ void add_curvature(RunContext &run, const Study &s, const std::string &prefix, c
   const auto hertz = reduce::line_contact(s.model.closed_form, F);
   // (3.5a) and (3.5b) differ by one in the bracket.
   const double A_over_L = 1 / hertz.secant - 1 / hertz.tangent;
-  Parameter curvature   = blank(s, "N/m2", F, s.mirrored.reference);
+  Parameter curvature   = blank("N/m2", F, s.mirrored.reference);
   curvature.value       = fine;
   curvature.checks.push_back(
       {"Hertz line contact, K^3 A/(F L)", std::pow(hertz.tangent, 3) * A_over_L / F, "no barrel ends"});
@@ -90,7 +90,7 @@ void add_held(RunContext &run, const Study &s, const std::string &prefix, const 
     second = slope_of(s.second->in_stand, F);
   const auto add = [&](const char *what, const double value, const double on_coarse, const double exact,
                        const double by_second, const Parameter &mirrored) {
-    Parameter h      = blank(s, "N/m", F, s.in_stand.reference);
+    Parameter h      = blank("N/m", F, s.in_stand.reference);
     h.value          = value;
     h.error_estimate = std::max(difference(on_coarse, value), difference(exact, value));
     h.checks.push_back(
@@ -117,7 +117,7 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
   const auto held             = slope_at(s.model.in_stand, s.in_stand, F);
   const std::string held_note = "bending, strip width, backup roll balanced by shear";
 
-  Parameter tangent = blank(s, "N/m", F, s.mirrored.reference);
+  Parameter tangent = blank("N/m", F, s.mirrored.reference);
   Parameter secant  = tangent;
   tangent.value     = fine.tangent;
   tangent.error_estimate =
@@ -175,7 +175,7 @@ void add_section(RunContext &run, const Study &s, const FourHigh &stand, const d
       std::abs(0.5 * M_PI * fine.half_width[mid] * fine.peak_pressure[mid] / fine.line_load[mid] - 1);
   const auto add = [&](const std::string &what, const std::string &unit, const double value, const double second,
                        const double other, const double closed, const std::string &reference) {
-    Parameter p      = blank(s, unit, F, reference);
+    Parameter p      = blank(unit, F, reference);
     p.value          = value;
     p.error_estimate = std::max(difference(second, value), what == "approach" ? 0. : misfit);
     p.checks.push_back({"Hertz line contact", closed, ""});

@@ -254,6 +254,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
     p.error_lacks = {"dynamics.modal_damping", "spectrum of pass.force", "dynamics.model: modes that it lacks"};
     p.inputs      = model.inputs;
     p.checks      = std::move(checks);
+    p.checks.push_back({"half the output rate", second, "what the sampling moves"});
     run.results.add(pass.name + "." + what + "." + roll, p);
   };
   std::vector<Check> measured_rms[2], measured_peak[2];
