@@ -1,5 +1,6 @@
 #include "app/bearing_study.h"
 #include "app/bearing_files.h"
+#include "core/mesh_pair.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -188,7 +189,7 @@ double error_of(const BearingStudy &s, const StateNumber &number)
   const auto change = [&](const StudyVariant &v) { return std::abs(number(v.at) / value - 1); };
   double sum = 0, support = 0;
   for (const StudyVariant &v : s.companions)
-    sum += change(v);
+    sum += mesh_pair_safety * change(v);  // one neighbour each, as of one pair of meshes
   for (const StudyVariant &v : s.supports)
     support = std::max(support, change(v));
   return sum + support;

@@ -1,4 +1,5 @@
 #include "app/bite_accuracy.h"
+#include "core/mesh_pair.h"
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +31,7 @@ double bite_error(const BiteStudy &s, const double value, const double coarse,
   const BiteAnswer &chosen = s.chosen(), *fe = s.find("fe");
   if (&chosen == fe) {
     const BiteAnswer *slab = slab_beside(s);
-    others                 = {coarse, slab ? same(*slab) : not_given};
+    others                 = {value + mesh_pair_safety * (coarse - value), slab ? same(*slab) : not_given};
   } else {
     for (const BiteAnswer &answer : s.answers)
       if (answer.refused.empty() && &answer != &chosen &&

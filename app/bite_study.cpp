@@ -2,6 +2,7 @@
 #include "app/bite_roll_stage.h"
 #include "app/strip_flow_stage.h"
 #include "bite/flattening.h"
+#include "core/mesh_pair.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -140,7 +141,7 @@ BiteStudy study_bite(RunContext &run, const BiteQuestion &question)
   if (question.setup.arc == "elastic" || (question.setup.arc == "hitchcock" && question.curves)) {
     auto roll               = roll_flexibility(run, question);
     study.flexibility       = std::move(roll.flexibility);
-    study.flexibility_error = roll.error_estimate;
+    study.flexibility_error = mesh_pair_safety * roll.error_estimate;
   }
   {
     StageTimer timer(run, "bite, slab theories, " + question.pass);

@@ -4,6 +4,7 @@
 #include "app/contact_model.h"
 #include "app/contact_slope.h"
 #include "app/second_engine.h"
+#include "core/mesh_pair.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -92,7 +93,7 @@ void add_held(RunContext &run, const Study &s, const std::string &prefix, const 
                        const double by_second, const Parameter &mirrored) {
     Parameter h      = blank("N/m", F, s.in_stand.reference);
     h.value          = value;
-    h.error_estimate = std::max(difference(on_coarse, value), difference(exact, value));
+    h.error_estimate = std::max(mesh_pair_error(value, on_coarse), difference(exact, value));
     h.checks.push_back(
         {"rolls squeezed between mirrored contacts", mirrored.value, "another datum and no bending"});
     h.checks.push_back({coarse_mesh, on_coarse, ""});
@@ -121,13 +122,13 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
   Parameter secant  = tangent;
   tangent.value     = fine.tangent;
   tangent.error_estimate =
-      std::max(difference(coarse.tangent, fine.tangent), difference(fine.exact, fine.tangent));
+      std::max(mesh_pair_error(fine.tangent, coarse.tangent), difference(fine.exact, fine.tangent));
   tangent.checks.push_back({"Hertz line contact, infinitely long (3.5b)", hertz.tangent, "no barrel ends"});
   tangent.checks.push_back({"active set of this one load (2.8)", fine.exact, "steps as nodes come into contact"});
   tangent.checks.push_back({coarse_mesh, coarse.tangent, ""});
   tangent.checks.push_back({"rolls held as in the stand", held.tangent, held_note});
   secant.value          = fine.secant;
-  secant.error_estimate = difference(coarse.secant, fine.secant);
+  secant.error_estimate = mesh_pair_error(fine.secant, coarse.secant);
   secant.checks.push_back({"Johnson, axis to axis (3.5a)", hertz.secant, "upper end of the band of closed forms"});
   secant.checks.push_back({"Foeppl (3.8)", laws.foeppl, ""});
   secant.checks.push_back({"half space (3.9)", laws.half_space, ""});
@@ -177,7 +178,7 @@ void add_section(RunContext &run, const Study &s, const FourHigh &stand, const d
                        const double other, const double closed, const std::string &reference) {
     Parameter p      = blank(unit, F, reference);
     p.value          = value;
-    p.error_estimate = std::max(difference(second, value), what == "approach" ? 0. : misfit);
+    p.error_estimate = std::max(mesh_pair_error(value, second), what == "approach" ? 0. : misfit);
     p.checks.push_back({"Hertz line contact", closed, ""});
     p.checks.push_back({coarse_mesh, second, ""});
     beside(p, second_engine, other);

@@ -2,6 +2,7 @@
 #include "app/contact_model.h"
 #include "app/contact_slope.h"
 #include "app/contact_stage.h"
+#include "core/mesh_pair.h"
 #include "fem/contact_study.h"
 #include "meshes/contact_mesh_size.h"
 #include <algorithm>
@@ -58,7 +59,7 @@ void solve_cylinders(RunContext &run, const TwoCylinders &spec)
     s.unit           = unit;
     s.method         = "contact FEM, plane strain, " + fine.reference;
     s.at             = fmt::format("{:.6g} N/mm", c.at / 1e3);
-    s.error_estimate = difference(other, value);
+    s.error_estimate = mesh_pair_error(value, other);
     if (what == "half_width" || what == "peak_pressure")
       s.error_estimate = std::max(s.error_estimate, misfit);
     if (what == "tangent")

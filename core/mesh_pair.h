@@ -11,7 +11,7 @@ constexpr double mesh_pair_safety = 1.25;
 /// @param gain  -, how many times larger the error is on the coarser mesh: (ratio of element sizes)^order; 2 where
 /// no
 ///              order is known of a mesh half as fine: the finer one then errs by no more than the difference
-inline double mesh_pair_error(const double fine, const double coarse, const double gain)
+inline double mesh_pair_error(const double fine, const double coarse, const double gain = 2)
 {
   return mesh_pair_safety * std::abs(fine - coarse) / (std::abs(fine) * (gain - 1));
 }
