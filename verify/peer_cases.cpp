@@ -1,6 +1,3 @@
-#include "fem/contact_study.h"
-#include "meshes/contact_mesh_size.h"
-#include "reduce/line_contact.h"
 #include "verify/component_models.h"
 #include "verify/component_statics.h"
 #include "verify/housing_models.h"
@@ -8,7 +5,6 @@
 #include "verify/peer.h"
 #include "verify/peer_calculix.h"
 #include "verify/peer_models.h"
-#include "verify/roll_models.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -25,14 +21,13 @@ struct PeerPair {
 
 // How the two meshes differ.
 struct Refinement {
-  int coarse_nodes = 0, fine_nodes = 0;
-  double ratio = 2;  // of the elements' sizes
-  double order = 2;  // of convergence
+  int coarse_nodes = 0, fine_nodes = 0;  // elements of the second are half as large
+  double order = 2;                      // of convergence
 };
 
 void add(std::vector<Check> &checks, const PeerPair &p, const Refinement &r, const double tolerance)
 {
-  const double limit = p.fine + (p.fine - p.coarse) / (std::pow(r.ratio, r.order) - 1);
+  const double limit = p.fine + (p.fine - p.coarse) / (std::pow(2, r.order) - 1);
   checks.push_back(
       reported(fmt::format("{}: peer, {} nodes", p.quantity, r.coarse_nodes), p.unit, p.coarse, limit));
   checks.push_back(reported(fmt::format("{}: peer, {} nodes", p.quantity, r.fine_nodes), p.unit, p.fine, limit));
@@ -82,7 +77,7 @@ std::vector<Check> rolls_free()
     for (const int k : {0, 1})
       add(checks,
           {fmt::format("{}, symmetric bending mode {}", name, k + 1), "Hz", found[0][k], found[1][k], ours[k]},
-          {nodes[0], nodes[1], 2, shoulder_order}, 3e-3);
+          {nodes[0], nodes[1], shoulder_order}, 3e-3);
   }
   return checks;
 }
@@ -124,7 +119,7 @@ std::vector<Check> roll_on_seats()
     frequency[i] = deck.frequencies(1)[0];
     stiffness[i] = stiffness_on_seat(mesh, g, seat);
   }
-  const Refinement meshes{nodes[0], nodes[1], 2, shoulder_order};
+  const Refinement meshes{nodes[0], nodes[1], shoulder_order};
   std::vector<Check> checks;
   add(checks, {"first frequency, seats at rest", "Hz", frequency[0], frequency[1], seated_frequency(part)}, meshes,
       3e-3);
@@ -173,15 +168,14 @@ std::vector<Check> housing_window()
   return checks;
 }
 
-// ---- peer-line, peer-roll-pair --------------------------------------------------------------------------------
+// ---- peer-line ------------------------------------------------------------------------------------------------
 
-// Two plain cylinders one above the other, half of each from its middle to the contact: the middle plane of the
-// lower one at rest, that of the upper one comes down.
+// Two cylinders in plane strain one above the other, half of each from its middle to the contact: the middle plane
+// of the lower one at rest, that of the upper one comes down.
 struct Pair {
-  double lower, upper;    // m, radii
-  std::vector<double> z;  // m, lines along the axes
-  double half_width;      // m, what the meshes are made for
-  bool plane_strain;
+  double lower, upper;  // m, radii
+  double thickness;     // m, of the slab in plane strain
+  double half_width;    // m, what the meshes are made for
 };
 
 struct Pressed {
@@ -191,14 +185,13 @@ struct Pressed {
 
 Pressed press(const Pair &p, const double approach, const int n, const double growth)
 {
-  peer::Mesh mesh = peer::disc_quarter(p.lower, p.z, p.half_width, n, growth);
-  peer::append(mesh,
-               peer::turned_over(peer::disc_quarter(p.upper, p.z, p.half_width, n, growth), p.lower + p.upper));
+  peer::Mesh mesh = peer::disc_quarter(p.lower, {0, p.thickness}, p.half_width, n, growth);
+  peer::append(mesh, peer::turned_over(peer::disc_quarter(p.upper, {0, p.thickness}, p.half_width, n, growth),
+                                       p.lower + p.upper));
   const Material steel{210e9, 0.3, 7850};
   peer::Deck deck(mesh, steel);
   deck.hold(plane(mesh, 0), 1);
-  deck.hold(
-      p.plane_strain ? peer::nodes_where(mesh, [](const Eigen::Vector3d &) { return true; }) : plane(mesh, 2), 3);
+  deck.hold(peer::nodes_where(mesh, [](const Eigen::Vector3d &) { return true; }), 3);
   deck.hold(plane(mesh, 1), 2);
   const auto surface = [&](const double radius, const double middle) {
     return peer::faces_where(mesh, [=](const Eigen::Vector3d &x) {
@@ -214,10 +207,7 @@ std::vector<Check> line()
 {
   const Material steel{210e9, 0.3, 7850};
   const double approach = 35.931e-6, half_width = 1.2991e-3, thickness = 1e-3;  // 1000 N/mm by Johnson's formula
-  const Pair pair{
-      0.65, 0.2, {0, thickness},
-        half_width, true
-  };
+  const Pair pair{0.65, 0.2, thickness, half_width};
   const Pressed coarse = press(pair, approach, 2, 1.7), fine = press(pair, approach, 4, 1.3);
   const double per_width = 2e-3 / thickness;  // both halves, N/mm
   std::vector<Check> checks;
@@ -225,29 +215,6 @@ std::vector<Check> line()
       {"line load at 35.931 um", "N/mm", per_width * coarse.force, per_width * fine.force,
        line_load_at(0.2, 0.65, steel, half_width, approach) / 1e3},
       {coarse.nodes, fine.nodes}, 3e-3);
-  return checks;
-}
-
-std::vector<Check> roll_pair()
-{
-  const Material steel{210e9, 0.3, 7850};
-  const RollGeometry lower{0.3, 0.2, 0, 0, 0, 0}, upper{0.2, 0.2, 0, 0, 0, 0};
-  const double F = 400e3, b = reduce::line_contact({0.4, 0.6, 0.4, steel}, F).half_width;
-  const auto size   = meshes::roll_contact_size(1.5 * b, 6, 1.25);
-  const auto first  = roll_model("lower", lower, size, steel, {}),
-             second = roll_model("upper", upper, size, steel, {});
-  const auto touching =
-      fem::make_pair("pair", first.roll, fem::held_by_mirror(first.roll), second.roll,
-                     fem::held_by_mirror(second.roll), Eigen::VectorXd::Zero(second.roll.grid.n_z));
-  const double approach = fem::solve_load(touching, F).approach;
-  const auto pressed    = [&](const int n, const double growth, const int layers) {
-    return press({0.3, 0.2, peer::crowded_at_end(0.2, layers), b, false}, approach, n, growth);
-  };
-  const Pressed coarse = pressed(2, 2, 4), fine = pressed(3, 1.6, 6);
-  std::vector<Check> checks;
-  add(checks,
-      {fmt::format("load at {:.3f} um", 1e6 * approach), "kN", 4e-3 * coarse.force, 4e-3 * fine.force, F / 1e3},
-      {coarse.nodes, fine.nodes, 1.5, 2}, 5e-3);
   return checks;
 }
 }  // namespace
@@ -286,6 +253,13 @@ std::vector<Case> peer_cases()
       "0.5 %: fillets and the edges of the pads leave errors of second order, by which the peer is "
       "extrapolated; ours has four elements through posts and beams and 0.3 % of its own (housing-mesh-order).",
       housing_window);
+  add_case(
+      "peer-line",
+      "Steel cylinders R 200 and R 650 mm in plane strain, each squeezed between opposite contacts: line load "
+      "that belongs to one approach. Contact face to face with a penalty of 500 moduli per mm.",
+      "0.3 %: the peer scatters by 0.02 % with the place of the edge of the contact in its elements and gives "
+      "way by 0.01 %; ours errs by 0.1 % at most (line-200-650).",
+      line);
   return cases;
 }
 }  // namespace mill::verify

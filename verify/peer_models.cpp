@@ -129,11 +129,6 @@ Mesh disc_quarter(const double radius, const std::vector<double> &z, const doubl
   return mesh;
 }
 
-std::vector<double> crowded_at_end(const double end, const int n)
-{
-  return crowded(end, 0, n);
-}
-
 Mesh turned_over(Mesh body, const double y)
 {
   for (Vector3d &p : body.nodes)

@@ -14,9 +14,6 @@ Mesh roll_eighth(const RollGeometry &roll, int n);
 /// half_width / n on one and a half half widths, from there to the middle each `growth` times as large.
 Mesh disc_quarter(double radius, const std::vector<double> &z, double half_width, int n, double growth);
 
-/// n + 1 lines from 0 to `end` (m), crowded at the end: distances from it grow with the square.
-std::vector<double> crowded_at_end(double end, int n);
-
 /// The same body upside down with its middle at the height y.
 Mesh turned_over(Mesh body, double y);
 
