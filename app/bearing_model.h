@@ -8,16 +8,21 @@
 #include <vector>
 
 namespace mill {
+/// A bearing with one ingredient of its model exchanged.
+struct BearingVariant {
+  std::string about;  ///< "roller on a mesh twice as coarse", "chock on two feet"
+  bearing::BearingModel model;
+};
+
 /// A bearing ready to be loaded: its geometry, the law of its roller and what its rings give way, each with what
 /// it is known to.
 struct BearingParts {
   bearing::BearingModel model;
-  bearing::BearingModel coarse;                        ///< the same with the roller on a mesh twice as coarse
+  std::vector<BearingVariant> companions;              ///< on coarser meshes, one ingredient at a time
+  std::vector<BearingVariant> supports;                ///< of the chock, where the case leaves them open
   std::shared_ptr<const fem::CondensedRoller> roller;  ///< roller_law = "fe" only
-  double ring_error       = 0;                         ///< -, of the rings' flexibility, coarser mesh
-  double chock_difference = 0;  ///< -, block against round housing where the block's series ends
-  double law_depth_inner = 0, law_depth_outer = 0;  ///< m, of the raceways in the law of one roller
-  std::vector<std::string> notes;                   ///< sentences for the report
+  double law_depth_inner = 0, law_depth_outer = 0;     ///< m, of the raceways in the law of one roller
+  std::vector<std::string> notes;                      ///< sentences for the report
 };
 
 /// Largest load, N, that one roller may get under these radial loads, generously and rounded up to a power of two
@@ -28,7 +33,8 @@ double roller_load_bound(const RollerBearing &bearing, double radial_load, doubl
 /// under a radial load without tilt their places do not matter.
 RollerBearing with_row_places(RollerBearing bearing);
 
-/// Meshes and condenses roller, raceways, rings and chock, or takes them from the cache.
+/// Meshes and condenses roller, raceways, rings and chock, or takes them from the cache.  A support of the chock
+/// that is left open costs another two seconds each, on the coarser mesh.
 /// @param largest_load  N, on one roller
 BearingParts bearing_parts(RunContext &run, const RollerBearing &bearing, double largest_load);
 
@@ -43,6 +49,10 @@ double largest_contact_load(const BearingParts &parts);
 /// @param load  (rows, Z) N, azimuths from the support
 /// Cost: meshes the chock again, one factorisation: some two seconds.
 void write_chock(RunContext &run, const RollerBearing &bearing, const Eigen::MatrixXd &load);
+
+/// Sentences for check: at which cup angle the apex condition of each tapered bearing closes, and which
+/// arrangement of its rows is assumed.
+std::vector<std::string> said_of_bearings(const Case &the_case);
 
 /// Refuses bearings whose preload or negative clearance presses the raceways beyond their yield pressure before
 /// any load acts, and drawings that leave no rings to mesh.

@@ -1,9 +1,11 @@
 #include "app/commands.h"
+#include "app/address_space.h"
 #include "app/bearing_model.h"
 #include "app/bite_stage.h"
 #include "app/chatter_stage.h"
 #include "app/console.h"
 #include "app/mass_table.h"
+#include "app/out_of_memory.h"
 #include "app/pipeline.h"
 #include "app/run_log.h"
 #include "app/trace_text.h"
@@ -21,6 +23,7 @@
 #include <ctime>
 #include <filesystem>
 #include <fmt/format.h>
+#include <new>
 #include <thread>
 
 namespace fs = std::filesystem;
@@ -177,12 +180,18 @@ int run_chain(const CommandLine &command)
              "); nothing is kept for the next run");
     run.cache = out.staging();
   }
-  run.threads = command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
-  run.started = now();
+  const int wanted =
+      command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
+  run.threads       = threads_that_fit(wanted);
+  run.started       = now();
   run.progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
   run.progress.log  = [&](const std::string &line) { log.line(line); };
   set_blas_threads(run.threads);
+  reserve_address_space(run.threads);
   fem::set_assembly_threads(run.threads);
+  if (run.threads < wanted)
+    log.line(
+        fmt::format("{} threads in place of {}: the address space is limited (ulimit -v)", run.threads, wanted));
   log.line("millstand " + version() + " " + command.verb + " " + command.target);
   log.line("BLAS " + blas_in_use());
   if (is_reference_blas(blas_in_use()))
@@ -200,13 +209,18 @@ int run_chain(const CommandLine &command)
     out.publish();
     log.require_complete();
   };
-  try {
-    run_stages(run, goal_of(command.verb), command.force);
-  } catch (const SolverError &e) {
+  const auto fail = [&](const SolverError &e) {
     bar.finish();
     run.warn(e.report.what);
     store("failed: " + e.report.what);
-    throw;
+    throw SolverError(e);
+  };
+  try {
+    run_stages(run, goal_of(command.verb), command.force);
+  } catch (const SolverError &e) {
+    fail(e);
+  } catch (const std::bad_alloc &) {
+    fail(out_of_memory(stage_in_progress()));
   }
   bar.finish();
   store(run.results.warnings.empty() ? "ok" : "warnings");
@@ -264,6 +278,8 @@ int carry_out(const CommandLine &command)
     check_conditions(the_case);
     console::print(
         fmt::format("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, visible(the_case.title, true)));
+    for (const std::string &sentence : said_of_bearings(the_case))
+      console::print(visible(sentence, true) + "\n");
     return 0;
   }
   if (command.verb == "trace") {

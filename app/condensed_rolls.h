@@ -7,18 +7,16 @@
 
 namespace mill {
 /// A roll condensed on the wanted mesh and on one about twice as coarse, which tells the discretisation error and
-/// carries the displacement fields for ParaView.
+/// carries the displacement fields for ParaView, with its mesh.
 struct CondensedPair {
   std::shared_ptr<const fem::CondensedRoll> fine, coarse;
-  MeshFile coarse_mesh;
 };
 
-/// What the contact needs of a roll beside the loads that are the same on both sides.
+/// What the contact needs of a roll beside the loads that are the same on both sides, on both meshes.
 struct CondenseWish {
-  bool slab = false;  ///< plane strain
-  bool both_sides =
-      false;  ///< loads that differ between the sides, on the wanted mesh; the coarse one always has them
-  bool tractions = false;  ///< friction, on the coarse mesh
+  bool slab       = false;  ///< plane strain
+  bool both_sides = false;  ///< loads that differ between the sides; the coarse mesh always has them
+  bool tractions  = false;  ///< friction
 };
 
 /// Meshes and condenses a roll, or takes both from the cache; the key is everything the result depends on.

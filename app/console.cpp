@@ -1,4 +1,5 @@
 #include "app/console.h"
+#include "core/error_list.h"
 #include "core/visible_text.h"
 #include <cerrno>
 #include <chrono>
@@ -108,8 +109,7 @@ void ProgressBar::finish()
 
 void show(const InputError &error)
 {
-  for (const Problem &problem : error.problems)
-    say(render(problem) + "\n");
+  say(render_list(error.problems));
 }
 
 void show(const SolverError &error)

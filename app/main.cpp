@@ -2,7 +2,9 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/fast_blas.h"
+#include "app/out_of_memory.h"
 #include <filesystem>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -10,6 +12,7 @@ int main(int argc, char **argv)
 {
   using namespace mill;
   console::open_standard_files();
+  end_with_a_sentence();
   use_fast_blas(argv);
   try {
     int exit_code      = 0;
@@ -29,6 +32,9 @@ int main(int argc, char **argv)
     return 3;
   } catch (const std::filesystem::filesystem_error &e) {  // a disk or a permission
     console::say("error: " + e.path1().string() + ": " + e.code().message() + "\n");
+    return 3;
+  } catch (const std::bad_alloc &) {
+    console::show(out_of_memory(stage_in_progress()));
     return 3;
   } catch (const std::string &message) {  // what Gmsh throws
     console::show_bug(std::runtime_error("Gmsh: " + message), current_manifest());

@@ -114,13 +114,14 @@ void check_file_names(const Case &the_case)
           {pass.place, "pass.name is longer than 100 characters; it names the files of the pass", {}});
     for (const char *ending : {"", "-spectrum", "-measured"}) {
       const std::string file = "response/" + slug(pass.name) + ending + ".csv";
-      if (const auto other = written.find(file); other != written.end())
+      if (const auto other = written.find(file); other != written.end()) {
         problems.push_back({pass.place,
                             "pass.name = \"" + pass.name + "\" and \"" + other->second.name + "\" both write " +
                                 file + "; rename one of them",
                             {other->second.place}});
-      else
-        written[file] = pass;
+        break;
+      }
+      written[file] = pass;
     }
   }
   if (!problems.empty())

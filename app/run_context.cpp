@@ -1,4 +1,5 @@
 #include "app/run_context.h"
+#include "app/out_of_memory.h"
 #include "bearing/geometry.h"
 #include "core/files.h"
 #include "core/run_identity.h"
@@ -8,6 +9,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -30,15 +32,32 @@ void RunContext::assume(const std::string &sentence)
   progress.note("assumed: " + sentence);
 }
 
+namespace {
+// The stages that run, the innermost last; one that an exception leaves stays, so that it can be named.
+std::vector<std::string> &stages_in_progress()
+{
+  static std::vector<std::string> stages;
+  return stages;
+}
+}  // namespace
+
+std::string stage_in_progress()
+{
+  return stages_in_progress().empty() ? "" : stages_in_progress().back();
+}
+
 StageTimer::StageTimer(RunContext &s, std::string name)
     : run(s), stage(std::move(name)), start(std::chrono::steady_clock::now())
 {
+  stages_in_progress().push_back(stage);
 }
 
 StageTimer::~StageTimer()
 {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   run.times.push_back({stage, elapsed.count(), cached});
+  if (std::uncaught_exceptions() == 0)
+    stages_in_progress().pop_back();
 }
 
 std::string version()
@@ -81,6 +100,7 @@ void add_bearings(json &manifest, const std::vector<RollerBearing> &bearings)
         {"roller_cone_angle",   b.roller_cone_angle       },
         {"cup_angle",           b.cup_angle               },
         {"row_hands",           b.row_hands               },
+        {"row_hands_assumed",   int(b.row_hands_assumed)  },
         {"chock_width",         b.chock_width             },
         {"chock_height",        b.chock_height            },
         {"chock_support_width", b.chock_support_width     },

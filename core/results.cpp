@@ -1,6 +1,6 @@
 #include "core/results.h"
-#include <cassert>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 namespace mill {
 namespace {
@@ -15,7 +15,9 @@ ordered_json json_of(const Parameter &parameter)
       {"at",     parameter.at          }
   };
   json["error_estimate"] = parameter.error_estimate;  // NaN, none can be stated, becomes null
-  json["inputs"]         = parameter.inputs;
+  if (!parameter.error_lacks.empty())
+    json["error_lacks"] = parameter.error_lacks;  // why there is none
+  json["inputs"] = parameter.inputs;
   if (!parameter.checks.empty()) {
     json["checks"] = ordered_json::array();
     for (const Check &check : parameter.checks)
@@ -31,7 +33,8 @@ ordered_json json_of(const Parameter &parameter)
 
 void Results::add(const std::string &name, Parameter parameter)
 {
-  assert(!find(name) && "a result is added once");
+  if (find(name))
+    throw std::logic_error("the result " + name + " is made twice");
   values.emplace_back(name, std::move(parameter));
 }
 

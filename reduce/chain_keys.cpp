@@ -29,10 +29,13 @@ template <class... Lists> Keys join(const Lists &...lists)
 }
 }  // namespace
 
-Keys backup_beam_keys()
+Keys backup_roll_keys(const bool solid)
 {
-  return join(in_section("backup_roll", "barrel_diameter barrel_length neck_diameter bearing_span"),
-              in_section("steel", "youngs_modulus poisson_ratio"), in_section("dynamics", "mass_reference"));
+  return join(in_section("backup_roll", "barrel_diameter barrel_length neck_diameter bearing_span bending_model"),
+              in_section("steel", "youngs_modulus poisson_ratio"), in_section("dynamics", "mass_reference"),
+              solid ? join(in_section("backup_roll", "neck_length"),
+                           in_section("dynamics", "elements_per_radius frequency_limit"))
+                    : Keys());
 }
 
 Keys housing_keys()
@@ -49,6 +52,10 @@ Keys as_drawn(const Keys &keys, const FourHigh &stand)
     if (stand.housing.present() && (key.find("frame.upper_post_") == 0 || key.find("frame.upper_beam_") == 0 ||
                                     key.find("frame.lower_post_") == 0 || key.find("frame.lower_beam_") == 0))
       return housing_keys();
+    // A backup bearing that counts its chock has put it out of the chain.
+    if ((key == "frame.upper_chock_stiffness" && std::isinf(stand.frame.upper_chock_stiffness)) ||
+        (key == "frame.lower_chock_stiffness" && std::isinf(stand.frame.lower_chock_stiffness)))
+      return {};
     if (key == "frame.oil_column_stiffness" && !std::isnan(s.stroke))
       return in_section("screwdown", "piston_diameter stroke oil_modulus");
     if (key == "frame.load_cell_stiffness" && !std::isnan(s.load_cell_height))
@@ -71,9 +78,9 @@ Keys as_drawn(const Keys &keys, const FourHigh &stand)
   return all;
 }
 
-std::array<Keys, 13> chain_keys(const SpringKeys &s)
+std::array<Keys, 13> chain_keys(const SpringKeys &s, const bool solid)
 {
-  const Keys beam = backup_beam_keys();
+  const Keys beam = backup_roll_keys(solid);
   const Keys K1 =
       in_section("frame", "upper_post_stiffness upper_beam_stiffness piston_stiffness upper_packing_stiffness");
   const Keys K2 = join(in_section("frame", "oil_column_stiffness cylinder_body_stiffness upper_chock_stiffness"),

@@ -15,7 +15,8 @@ struct SpringKeys {
 };
 
 /// Keys behind every number of the chain, M1..M6 and then K1..K7: the terms of theory.md (4.1a) and (4.13)-(4.16).
-std::array<Keys, 13> chain_keys(const SpringKeys &springs);
+/// @param solid  rolls by finite elements, not beams
+std::array<Keys, 13> chain_keys(const SpringKeys &springs, bool solid = false);
 
 /// The same keys with those of [frame] that a drawing replaces exchanged for the keys of the drawing.
 Keys as_drawn(const Keys &keys, const FourHigh &stand);
@@ -23,6 +24,6 @@ Keys as_drawn(const Keys &keys, const FourHigh &stand);
 /// [housing] as drawn, all its keys.
 Keys housing_keys();
 
-/// Keys behind the stiffness of the backup roll on its bearing centres, (4.8).
-Keys backup_beam_keys();
+/// Keys behind the stiffness of the backup roll on its bearing centres: of a beam (4.8), or of its meshes (22.13).
+Keys backup_roll_keys(bool solid);
 }  // namespace mill::reduce

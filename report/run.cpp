@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "core/run_identity.h"
 #include "report/curves.h"
+#include "report/json_entries.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -26,12 +27,16 @@ Place place_of_byte(const std::string &path, const std::string &text, const std:
 
 Json parsed(const std::string &path)
 {
-  const std::string text = read_text(path);
+  const std::string text   = read_text(path);
+  const std::string remedy = "; run the case again, or restore the file as the program wrote it";
   try {
-    return Json::parse(text);
+    return json_of<Json>(text);
   } catch (const nlohmann::json::parse_error &error) {
-    throw InputError(place_of_byte(path, text, error.byte),
-                     "this is not JSON any more; run the case again, or restore the file as the program wrote it");
+    throw InputError(place_of_byte(path, text, error.byte), "this is not JSON any more" + remedy);
+  } catch (const nlohmann::json::exception &) {
+    throw InputError(Place{path, 1, 1}, "this holds a number that no computer stores" + remedy);
+  } catch (const InputError &error) {
+    throw InputError(Place{path, 1, 1}, error.problems.front().message + remedy);
   }
 }
 
@@ -83,7 +88,8 @@ Result result_of(const std::string &name, const Json &entry)
                 text_at(entry, "at"),
                 number_at(entry, "error_estimate"),
                 texts_at(entry, "inputs"),
-                {}};
+                {},
+                texts_at(entry, "error_lacks")};
   for (const Json &check : list_at(entry, "checks"))
     result.checks.push_back({text_at(check, "name"), number_at(check, "value"), text_at(check, "note")});
   return result;

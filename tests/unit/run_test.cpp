@@ -120,3 +120,19 @@ TEST(Run, FilesOfTwoRunsAreRefused)
       "modes.csv:0:0: is not the file that run a1 wrote: it was changed since, or is of another run; run the "
       "case again, or put the file back");
 }
+
+// 200 000 levels overflowed the stack wherever a value was copied; 1e400 was called our own mistake.
+TEST(Run, NestingAndNumbersBeyondAllBoundsAreRefused)
+{
+  const std::string again     = "; run the case again, or restore the file as the program wrote it";
+  const std::string directory = write_sample_run(), results = directory + "/results.json";
+  const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+  overwrite(results, "{\"values\": {\"a\": {\"value\": 1, \"checks\": " + deep + "}}}");
+  EXPECT_EQ(message_of(directory), "results.json:1:1: this JSON nests deeper than 64 levels" + again);
+  overwrite(results, "{\"values\": {\"a\": {\"value\": 1e400}}}");
+  EXPECT_EQ(message_of(directory), "results.json:1:1: this holds a number that no computer stores" + again);
+  overwrite(results, "{\"case\": \"[[{\\\"[[\", \"status\": \"ok\", \"values\": {}}");
+  overwrite(directory + "/run.json", "{\"versions\": {\"a\": " + deep + "}}");
+  EXPECT_EQ(message_of(directory), "no error");
+  EXPECT_EQ(read_run(directory).remarks.size(), 1u) << "run.json";
+}

@@ -1,0 +1,17 @@
+#pragma once
+#include "core/errors.h"
+#include <string>
+
+namespace mill {
+/// What std::bad_alloc means to the user: the stage, what is in use, what sets the end, what would make the need
+/// smaller.
+/// @param stage  where it happened; "" where no stage runs
+SolverError out_of_memory(const std::string &stage);
+
+/// The stage that runs, the innermost one, or that an exception has left; "" where none does. (StageTimer tells.)
+std::string stage_in_progress();
+
+/// From now on an exception that nobody can catch, for instance in a thread of a library, ends the program with a
+/// sentence and an exit code in place of a signal.
+void end_with_a_sentence();
+}  // namespace mill
