@@ -262,7 +262,8 @@ int write_report(const std::string &directory)
 
 std::string current_manifest()
 {
-  return fs::exists(manifest_path) ? manifest_path : "";
+  std::error_code ignored;
+  return fs::exists(manifest_path, ignored) ? manifest_path : "";
 }
 
 int carry_out(const CommandLine &command)
