@@ -5,9 +5,12 @@
 #include <cstring>
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <future>
 #include <malloc.h>
 #include <sched.h>
 #include <sys/resource.h>
+#include <system_error>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -23,7 +26,7 @@ std::size_t allowed = 0, mapped = 0;
 
 std::size_t needed(const int threads)
 {
-  return mapped + own + 2 * std::size_t(threads) * buffer;
+  return mapped + (threads > 1 ? work : own) + 2 * std::size_t(threads) * buffer;
 }
 
 std::size_t mapped_now()
@@ -116,6 +119,24 @@ int threads_that_fit(const int wanted)
   while (allowed > 0 && n > 1 && needed(n) > allowed)
     --n;
   return n;
+}
+
+int threads_that_start(const int wanted)
+{
+  std::promise<void> all_started;
+  const std::shared_future<void> release = all_started.get_future().share();
+  std::vector<std::thread> others;
+  others.reserve(std::size_t(std::max(0, wanted - 1)));
+  try {
+    while (int(others.size()) + 1 < wanted)
+      others.emplace_back([release] { release.wait(); });
+  } catch (const std::system_error &) {
+    // so many and no more
+  }
+  all_started.set_value();
+  for (std::thread &other : others)
+    other.join();
+  return 1 + int(others.size());
 }
 
 void reserve_address_space(const int threads)

@@ -34,8 +34,8 @@ int verify_command(const VerifyOptions &options)
     print_now(verify::list_text(cases));
     return 0;
   }
-  const int threads = threads_that_fit(
-      options.threads > 0 ? options.threads : int(std::max(1u, std::thread::hardware_concurrency())));
+  const int threads = threads_that_start(threads_that_fit(
+      options.threads > 0 ? options.threads : int(std::max(1u, std::thread::hardware_concurrency()))));
   set_blas_threads(threads);
   reserve_address_space(threads);
   fem::set_assembly_threads(threads);
