@@ -19,6 +19,7 @@ namespace {
 constexpr std::size_t MB               = 1u << 20;
 constexpr std::size_t buffer           = 129 * MB;  // of OpenBLAS: 32 << 22 bytes and a page (its common_x86_64.h)
 constexpr std::size_t own              = 96 * MB;  // what libraries and program take before the first large matrix
+constexpr std::size_t work             = 1024 * MB;  // room for matrices that is worth more than a second thread
 constexpr const char *threads_variable = "OMP_NUM_THREADS";
 
 // Filled before any library runs; zero: the address space is not limited.
