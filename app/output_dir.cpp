@@ -16,7 +16,7 @@ std::string owner_of(const std::string &directory)
   const std::string manifest = directory + "/run.json";
   if (!fs::exists(manifest))
     return "";
-  const auto json = nlohmann::json::parse(read_text(manifest), nullptr, false);
+  const auto json  = nlohmann::json::parse(read_text(manifest), nullptr, false);
   const bool named = json.is_object() && json.contains("case") && json["case"].is_string();
   return named ? json["case"].get<std::string>() : "";
 }
