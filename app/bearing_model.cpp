@@ -1,5 +1,4 @@
 #include "app/bearing_model.h"
-#include "bearing/chock_supports.h"
 #include "bearing/clearance.h"
 #include "bearing/geometry.h"
 #include "bearing/ring_sections.h"
@@ -196,16 +195,25 @@ void add_rings(RunContext &run, const RollerBearing &b, BearingParts &parts)
   for (BearingVariant &companion : parts.companions)
     companion.model.rings = rings.flexibility;
   parts.companions.push_back({"rings and chock on a coarser mesh", parts.model});
-  parts.companions.back().model.rings = rings.companion;
-  for (const bearing::ChockSupport &support : bearing::open_supports(b)) {
-    const int harmonics = rings.flexibility.chock_harmonics;
-    const auto other    = condensed_surroundings(run, support, datum, harmonics);
-    parts.supports.push_back({support.name, parts.model});
-    parts.supports.back().model.rings =
-        bearing::with_surroundings_of(rings.flexibility, rings.companion, other.flexibility, harmonics);
-  }
+  parts.companions.back().model.rings = parts.coarse_rings = rings.companion;
+  for (const bearing::ChockSupport &support : bearing::open_supports(b))
+    parts.supports.push_back({support.name, with_support(run, b, parts, support).model});
 }
 }  // namespace
+
+BearingParts with_support(RunContext &run, const RollerBearing &b, BearingParts parts,
+                          const bearing::ChockSupport &support)
+{
+  const int harmonics = parts.model.rings.chock_harmonics;
+  const auto other    = condensed_surroundings(run, support, datum_of(b), harmonics);
+  const auto exchange = [&](bearing::BearingModel &model) {
+    model.rings = bearing::with_surroundings_of(model.rings, parts.coarse_rings, other.flexibility, harmonics);
+  };
+  exchange(parts.model);
+  for (BearingVariant &companion : parts.companions)
+    exchange(companion.model);
+  return parts;
+}
 std::string roller_inputs(const RollerBearing &b, const double largest_load)
 {
   return b.roller_law == "fe" ? inputs_of(setup_of(b, bearing::ring_walls(b), land_of(b), largest_load)) : "";
