@@ -15,53 +15,39 @@ namespace fs = std::filesystem;
 namespace mill {
 namespace {
 // Raised by hand when meshing or condensation changes what it computes.
-constexpr const char *stage_version = "condensation 2";
+constexpr const char *stage_version = "condensation 3";
 
 fem::CondenseOptions options_of(const CondenseWish &wanted, const bool companion)
 {
   fem::CondenseOptions options;
   options.slab        = wanted.slab;
   options.both_sides  = !wanted.slab && (wanted.both_sides || companion);
-  options.tractions   = wanted.tractions && companion;
+  options.odd_squeeze = !wanted.slab;  // for the joint stiffness
+  options.tractions   = wanted.tractions;
   options.keep_fields = companion;
   return options;
 }
 
-double free_memory()
-{
-  return 0.8 * double(sysconf(_SC_AVPHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
-}
-
-struct OneRoll {
-  std::shared_ptr<const fem::CondensedRoll> roll;
-  MeshFile mesh;  // only filled when it was asked to keep it
-};
-
-OneRoll condensed(RunContext &run, const std::string &name, const RollGeometry &geometry,
-                  const meshes::RollMeshSize &size, const Material &steel, const CondenseWish &wanted,
-                  const bool companion)
+std::shared_ptr<const fem::CondensedRoll> condensed(RunContext &run, const std::string &name,
+                                                    const RollGeometry &geometry, const meshes::RollMeshSize &size,
+                                                    const Material &steel, const CondenseWish &wanted,
+                                                    const bool companion)
 {
   StageTimer timer(run, "condensation, " + name + (companion ? ", coarse mesh" : ""));
-  fem::CondenseOptions options = options_of(wanted, companion);
-  options.memory               = free_memory();
-  const std::string key        = hash_of(roll_inputs(geometry, size, steel, wanted, companion));
-  const std::string file       = run.cache + "/roll-" + key + ".bin";
-  const std::string mesh_file  = run.cache + "/roll-" + key + ".msh";
-  OneRoll out;
+  const fem::CondenseOptions options = options_of(wanted, companion);
+  const std::string key              = hash_of(roll_inputs(geometry, size, steel, wanted, companion));
+  const std::string file             = run.cache + "/roll-" + key + ".bin";
   std::string note;
   auto stored = run.fresh && !run.made.count(key) ? std::nullopt : fem::load_roll(file, key, &note);
   if (!note.empty())
     run.progress.note(note);
-  if (stored && (!companion || fs::exists(mesh_file))) {
+  if (stored) {
     run.progress.note(name + ": condensed roll taken from " + file);
     timer.cached = true;
-    out.roll     = std::make_shared<const fem::CondensedRoll>(std::move(*stored));
-    out.mesh     = meshes::known_mesh(mesh_file, geometry);
-    return out;
+    return std::make_shared<const fem::CondensedRoll>(std::move(*stored));
   }
-  // A name of its own per process: two runs may mesh the same roll at once.
-  const std::string own = companion ? mesh_file : fmt::format("{}.{}", mesh_file, ::getpid());
-  const MeshFile mesh   = meshes::mesh_roll(name, geometry, size, own);
+  const std::string mesh_file = run.out.staging() + "/roll-" + key + ".msh";
+  const MeshFile mesh         = meshes::mesh_roll(name, geometry, size, mesh_file);
   const fem::ElasticBody body(mesh, steel, 2);
   fem::CondensedRoll roll;
   try {
@@ -70,6 +56,9 @@ OneRoll condensed(RunContext &run, const std::string &name, const RollGeometry &
     e.report.what = name + ": " + e.report.what;
     throw;
   }
+  if (options.keep_fields)
+    roll.field_mesh = read_text(mesh_file);
+  fs::remove(mesh_file);
   run.progress.note(fmt::format("{}: {} elements, {} unknowns, {} retained, factor {:.0f} MB", name, mesh.n_cells,
                                 roll.n_unknowns, roll.grid.area.size(), roll.factor_bytes / 1e6));
   try {
@@ -78,11 +67,7 @@ OneRoll condensed(RunContext &run, const std::string &name, const RollGeometry &
   } catch (const InputError &e) {
     run.warn(std::string("a condensed roll could not be kept for the next run: ") + e.what());  // but it is good
   }
-  if (!companion)
-    fs::remove(own);
-  out.roll = std::make_shared<const fem::CondensedRoll>(std::move(roll));
-  out.mesh = mesh;
-  return out;
+  return std::make_shared<const fem::CondensedRoll>(std::move(roll));
 }
 }  // namespace
 
@@ -97,10 +82,8 @@ CondensedPair condensed_pair(RunContext &run, const std::string &name, const Rol
                              const meshes::RollMeshSize &size, const Material &steel, const CondenseWish &wanted)
 {
   CondensedPair pair;
-  const auto coarse = condensed(run, name, geometry, meshes::coarsened(size), steel, wanted, true);
-  pair.coarse       = coarse.roll;
-  pair.coarse_mesh  = coarse.mesh;
-  pair.fine         = condensed(run, name, geometry, size, steel, wanted, false).roll;
+  pair.coarse = condensed(run, name, geometry, meshes::coarsened(size), steel, wanted, true);
+  pair.fine   = condensed(run, name, geometry, size, steel, wanted, false);
   return pair;
 }
 }  // namespace mill

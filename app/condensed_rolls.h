@@ -7,18 +7,16 @@
 
 namespace mill {
 /// A roll condensed on the wanted mesh and on one about twice as coarse, which tells the discretisation error and
-/// carries the displacement fields for ParaView.
+/// carries the displacement fields for ParaView, with its mesh.
 struct CondensedPair {
   std::shared_ptr<const fem::CondensedRoll> fine, coarse;
-  MeshFile coarse_mesh;
 };
 
-/// What the contact needs of a roll beside the loads that are the same on both sides.
+/// What the contact needs of a roll beside the loads that are the same on both sides, on both meshes.
 struct CondenseWish {
-  bool slab = false;  ///< plane strain
-  bool both_sides =
-      false;  ///< loads that differ between the sides, on the wanted mesh; the coarse one always has them
-  bool tractions = false;  ///< friction, on the coarse mesh
+  bool slab       = false;  ///< plane strain
+  bool both_sides = false;  ///< loads that differ between the sides; the coarse mesh always has them
+  bool tractions  = false;  ///< friction
 };
 
 /// Everything that a condensed roll depends on, as text; its hash is the key of the cache.

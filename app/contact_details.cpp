@@ -1,6 +1,8 @@
 #include "app/contact_details.h"
+#include "app/contact_slope.h"
 #include "app/contact_stage.h"
 #include "core/csv.h"
+#include "core/mesh_pair.h"
 #include "fem/contact_readings.h"
 #include "fem/frictional_pair.h"
 #include <cmath>
@@ -23,19 +25,28 @@ Parameter computed(const std::string &unit, const double value, const double err
 // Length over which the rolls touch, and a word about it where it is not the whole barrel.
 void add_contact_length(RunContext &run, const ContactModel &m, const std::string &name, const double load)
 {
-  const auto at = [&](const fem::ContactPair &pair) {
-    const auto profile = fem::barrel_profile(pair, fem::solve_load(pair, load));
-    double length      = 0;
-    for (Eigen::Index k = 0; k < pair.path.size(); ++k)
-      length += profile.line_load[k] > 0 ? (pair.grid.whole ? 1 : 2) * pair.path[k] : 0;
-    const bool middle = profile.line_load[fem::middle_station(pair.grid)] > 0;
-    return std::pair{length, middle};
+  struct Touch {
+    double length = 0, edge = 0;  // m; the second of the outermost stations that carry load
+    bool middle = false;
   };
-  const auto [length, middle] = at(m.in_stand);
-  const auto [coarse, same]   = at(m.coarse);
-  const double whole          = m.closed_form.length;
-  // One station more or less is what a mesh can tell.
-  Parameter p = computed("m", length, std::max(std::abs(coarse - at(m.mirrored).first) / whole, 1e-3), load,
+  const auto at = [&](const fem::ContactPair &pair) {
+    const Eigen::VectorXd q = fem::barrel_profile(pair, fem::solve_load(pair, load)).line_load;
+    const int sides         = pair.grid.whole ? 1 : 2;
+    const auto open         = [&](const Eigen::Index k) { return k >= 0 && k < q.size() && !(q[k] > 0); };
+    Touch touch;
+    for (Eigen::Index k = 0; k < q.size(); ++k)
+      if (q[k] > 0) {
+        touch.length += sides * pair.path[k];
+        touch.edge += open(k - 1) || open(k + 1) ? sides * pair.path[k] : 0;
+      }
+    touch.middle = q[fem::middle_station(pair.grid)] > 0;
+    return touch;
+  };
+  const auto [length, edge, middle] = at(m.in_stand);
+  const double coarse               = at(m.in_stand_coarse).length;
+  const double whole                = m.closed_form.length;
+  // A mesh tells where a contact ends to one station.
+  Parameter p = computed("m", length, std::max(mesh_pair_error(length, coarse), edge / length), load,
                          "contact FEM, stations that carry load, held as in the stand");
   p.checks.push_back({"length over which the barrels face each other", whole, ""});
   run.results.add("contact." + name + ".contact_length", p);
@@ -61,7 +72,7 @@ void add_path_plateau(RunContext &run, const ContactModel &m, const std::string 
     return;
   const double scaled = second.mean * path.tributary_length / second.tributary_length;
   Parameter p =
-      computed("N/m", path.mean, std::abs(scaled / path.mean - 1), load,
+      computed("N/m", path.mean, difference(scaled, path.mean), load,
                fmt::format("mean of nodal force (summed over the width) over nodal relative "
                            "displacement, {} stations of {:.1f} mm on average, {:.0f} % of the path left "
                            "out at each end",
@@ -74,56 +85,66 @@ void add_path_plateau(RunContext &run, const ContactModel &m, const std::string 
 }
 
 void add_joint(RunContext &run, const ContactModel &m, const std::string &name, const double load,
-               const double mesh_error)
+               const double largest)
 {
-  // On the companion mesh, which always has both sides.
-  const auto point  = fem::solve_load(m.coarse_whole, load);
-  const auto joint  = fem::joint_stiffness(m.coarse_whole, point);
+  const auto fine   = fem::fitted_joint_stiffness(m.whole, load, largest),
+             coarse = fem::fitted_joint_stiffness(m.whole_coarse, load, largest),
+             exact  = fem::joint_stiffness(m.whole, fem::solve_load(m.whole, load));
   const double L    = m.closed_form.length;
   const auto hertz  = reduce::line_contact(m.closed_form, load);
-  const double axes = m.coarse_whole.radii_sum;
+  const double axes = m.whole.radii_sum;
   const std::string method =
-      "contact FEM on the companion mesh, frictionless, " + m.coarse_whole.reference + ", theory.md (2.14)";
-  const auto add = [&](const char *what, const char *unit, const double value, const char *check,
+      "contact FEM, slope over the load fitted, frictionless, " + m.whole.reference + ", theory.md (2.14)";
+  // Own to each entry: two meshes, and how far the active set of this one load stands from the fit.
+  const auto add = [&](const char *what, const char *unit, const int row, const int column, const char *check,
                        const double beside) {
-    Parameter p = computed(unit, value, mesh_error, load, method);
+    const double value = fine(row, column);
+    const double error =
+        value == 0 ? 0
+                   : std::max(mesh_pair_error(value, coarse(row, column)), difference(exact(row, column), value));
+    Parameter p = computed(unit, value, error, load, method);
     p.checks.push_back({check, beside, "uniform load, no barrel ends"});
+    p.checks.push_back({"mesh twice as coarse", coarse(row, column), ""});
     run.results.add("contact." + name + ".joint." + what, p);
   };
-  add("yy", "N/m", joint(1, 1), "Hertz line contact (3.5b)", hertz.tangent);
-  add("rx_rx", "N m", joint(3, 3), "the same spread over the length, K L^2/12", hertz.tangent * L * L / 12);
-  add("xx", "N/m", joint(0, 0), "geometric term of the force, -F over the distance of the axes", -load / axes);
-  add("ry_ry", "N m", joint(4, 4), "geometric term of a uniform load, -F L^2/12 over it",
-      -load * L * L / 12 / axes);
-  if (joint(2, 2) != 0)
-    add("zz", "N/m", joint(2, 2), "straight profiles", 0);
+  add("yy", "N/m", 1, 1, "Hertz line contact (3.5b)", hertz.tangent);
+  add("rx_rx", "N m", 3, 3, "the same spread over the length, K L^2/12", hertz.tangent * L * L / 12);
+  add("xx", "N/m", 0, 0, "geometric term of the force, -F over the distance of the axes", -load / axes);
+  add("ry_ry", "N m", 4, 4, "geometric term of a uniform load, -F L^2/12 over it", -load * L * L / 12 / axes);
+  if (fine(2, 2) != 0)
+    add("zz", "N/m", 2, 2, "straight profiles", 0);
   if (m.extent == fem::Extent::whole) {
-    add("y_rx", "N", joint(1, 3), "the same on both sides", 0);
-    add("y_z", "N/m", joint(1, 2), "straight profiles", 0);
+    add("y_rx", "N", 1, 3, "the same on both sides", 0);
+    add("y_z", "N/m", 1, 2, "straight profiles", 0);
   }
 }
 
-// Tangent with Coulomb friction against the same mesh without.
+// The tangent with Coulomb friction: that without, times what friction does to it on one mesh.
 void add_friction(RunContext &run, const FourHigh &stand, const ContactModel &m, const std::string &name,
                   const std::string &K, const ContactSettings &settings, const double load,
-                  const double mesh_error, const double tangent)
+                  const Parameter &tangent)
 {
-  const auto &backup  = *m.backup.coarse;
-  const auto &work    = *m.work.coarse;
-  const auto quarter  = fem::make_pair(name, backup, fem::held_by_mirror(backup), work, fem::held_by_mirror(work),
-                                       even_drop(stand, settings, backup.grid.z));
   constexpr int steps = 10;
-  const auto free     = fem::solve_load(quarter, load);
-  const auto rubbing  = fem::load_with_friction(quarter, backup, work, settings.friction, load, steps);
-  const auto twice    = fem::load_with_friction(quarter, backup, work, settings.friction, load, 2 * steps);
-  Parameter p = computed("N/m", rubbing.tangent, mesh_error + std::abs(twice.tangent / rubbing.tangent - 1), load,
-                         fmt::format("contact FEM, K.tangent times the ratio with and without friction on the "
-                                     "companion mesh, Coulomb friction {:g}, loaded from zero in "
-                                     "{} equal steps, {:.0f} % of the touching nodes slip",
-                                     settings.friction, steps, 100 * rubbing.slipping));
-  p.checks.push_back({"without friction", tangent, "equal materials: nearly uncoupled"});
+  const auto effect   = [&](const fem::CondensedRoll &backup, const fem::CondensedRoll &work, const int n_steps) {
+    const auto quarter = fem::make_pair(name, backup, fem::held_by_mirror(backup), work, fem::held_by_mirror(work),
+                                          even_drop(stand, settings, backup.grid.z));
+    return fem::friction_effect(quarter, backup, work, settings.friction, load, n_steps);
+  };
+  const auto fine   = effect(*m.backup.fine, *m.work.fine, steps);
+  const auto coarse = effect(*m.backup.coarse, *m.work.coarse, steps),
+             twice  = effect(*m.backup.coarse, *m.work.coarse, 2 * steps);
+  Parameter p       = computed(
+            "N/m", tangent.value * fine.ratio,
+            tangent.error_estimate + mesh_pair_error(fine.ratio, coarse.ratio) + difference(twice.ratio, coarse.ratio),
+            load,
+            fmt::format("contact FEM, {}.tangent times {:.5f}, the tangent with Coulomb friction {:g} "
+                              "over that without on the same mesh, loaded from zero in {} equal steps, "
+                              "{:.0f} % of the touching nodes slip",
+                        K, fine.ratio, settings.friction, steps, 100 * fine.slipping));
+  p.checks.push_back({"without friction", tangent.value, "equal materials: nearly uncoupled"});
+  p.checks.push_back({"effect of friction on a mesh twice as coarse", tangent.value * coarse.ratio, ""});
   p.checks.push_back(
-      {"twice as many load steps", tangent * twice.tangent / free.tangent, "the load path matters"});
+      {"the same in twice as many load steps", tangent.value * twice.ratio, "the load path matters"});
   run.results.add(K + ".friction_tangent", p);
 }
 
@@ -132,32 +153,34 @@ void add_one_sidedness(RunContext &run, const ContactModel &m, const std::string
 {
   if (m.extent != fem::Extent::whole)
     return;
-  const auto fine = fem::solve_load(m.in_stand, load), coarse = fem::solve_load(m.coarse, load),
+  const auto fine = fem::solve_load(m.in_stand, load), coarse = fem::solve_load(m.in_stand_coarse, load),
              mirrored = fem::solve_load(m.mirrored, load);
   const double L      = m.closed_form.length;
-  const auto add      = [&](const char *what, const char *unit, const double value, const double difference,
-                       const double scale, const char *check, const double beside) {
-    Parameter p = computed(unit, value, std::abs(difference) / std::max(std::abs(value), 1e-6 * scale), load,
-                                "contact FEM, held as in the stand");
-    p.checks.push_back({check, beside, "another way of holding the rolls"});
+  const auto add      = [&](const char *what, const char *unit, const double value, const double on_coarse,
+                       const double scale, const double beside) {
+    const double error = mesh_pair_safety * std::abs(on_coarse - value) / std::max(std::abs(value), 1e-6 * scale);
+    Parameter p        = computed(unit, value, error, load, "contact FEM, held as in the stand");
+    p.checks.push_back({"squeezed between mirrored contacts", beside, "another way of holding the rolls"});
+    p.checks.push_back({"mesh twice as coarse", on_coarse, ""});
     run.results.add("contact." + name + "." + what, p);
   };
-  add("tilt", "rad", fine.tilt, coarse.tilt - mirrored.tilt, fine.approach / L,
-      "squeezed between mirrored contacts", mirrored.tilt);
-  add("load_offset", "m", fine.moment / load, (coarse.moment - mirrored.moment) / load, L,
-      "squeezed between mirrored contacts", mirrored.moment / load);
+  add("tilt", "rad", fine.tilt, coarse.tilt, fine.approach / L, mirrored.tilt);
+  add("load_offset", "m", fine.moment / load, coarse.moment / load, L, mirrored.moment / load);
 }
 
 void add_largest_pressure(RunContext &run, const ContactModel &m, const FourHigh &stand, const std::string &name,
                           const double load)
 {
-  const double peak   = fem::pressure_map(m.in_stand, fem::solve_load(m.in_stand, load)).maxCoeff();
-  const double fine   = fem::pressure_map(m.mirrored, fem::solve_load(m.mirrored, load)).maxCoeff(),
-               coarse = fem::pressure_map(m.coarse, fem::solve_load(m.coarse, load)).maxCoeff();
-  Parameter p         = computed("Pa", peak, std::abs(coarse / fine - 1), load,
-                                 "contact FEM, largest nodal pressure of the patch, held as in the stand; at a sharp end "
-                                         "it grows with the mesh");
-  p.checks.push_back({"squeezed between mirrored contacts", fine, "another way of holding the rolls"});
+  const auto largest = [&](const fem::ContactPair &pair) {
+    return fem::pressure_map(pair, fem::solve_load(pair, load)).maxCoeff();
+  };
+  const double peak = largest(m.in_stand), coarse = largest(m.in_stand_coarse);
+  Parameter p = computed("Pa", peak, mesh_pair_error(peak, coarse), load,
+                         "contact FEM, largest nodal pressure of the patch, held as in the stand; at a sharp end "
+                         "it grows with the mesh");
+  p.checks.push_back(
+      {"squeezed between mirrored contacts", largest(m.mirrored), "another way of holding the rolls"});
+  p.checks.push_back({"mesh twice as coarse", coarse, ""});
   run.results.add("contact." + name + ".largest_pressure", p);
   if (peak > 5 * stand.steel.yield_stress)
     run.warn(
@@ -205,18 +228,18 @@ void require_resolved(RunContext &run, const ContactModel &m, const std::string 
 
 void add_contact_details(RunContext &run, const ContactModel &model, const std::string &name, const std::string &K,
                          const FourHigh &stand, const ContactSettings &settings, const double load,
-                         const double mesh_error, const double tangent)
+                         const double largest, const Parameter &tangent)
 {
   add_contact_length(run, model, name, load);
   add_path_plateau(run, model, K, settings, load);
-  add_joint(run, model, name, load, mesh_error);
+  add_joint(run, model, name, load, largest);
   if (!std::isnan(settings.friction)) {
     if (model.extent == fem::Extent::whole)
       run.assume(
           fmt::format("contact {}: the effect of friction is that of the mean of both sides: neither tilt nor "
                       "offset enter it",
                       name));
-    add_friction(run, stand, model, name, K, settings, load, mesh_error, tangent);
+    add_friction(run, stand, model, name, K, settings, load, tangent);
   }
   write_pressure_map(run, model.in_stand, name, load);
   add_one_sidedness(run, model, name, load);

@@ -1,6 +1,8 @@
 #include "app/contact_files.h"
 #include "fem/elastic_body.h"
+#include "meshes/roll.h"
 #include <array>
+#include <filesystem>
 
 namespace mill {
 Table curve_table(const ContactCurve &curve, const std::string &force, const std::string &stiffness)
@@ -61,7 +63,10 @@ std::array<Eigen::VectorXd, 2> fold(const fem::PatchGrid &grid, const Eigen::Vec
 void write_fields(RunContext &run, const std::string &file, const CondensedPair &roll, const Material &steel,
                   const contact::State &state)
 {
-  const fem::ElasticBody body(roll.coarse_mesh, steel, 2);
+  const std::string mesh_file = run.out.file(file + ".msh");
+  write_atomically(mesh_file, roll.coarse->field_mesh);
+  const fem::ElasticBody body(meshes::known_mesh(mesh_file, roll.coarse->geometry), steel, 2);
+  std::filesystem::remove(mesh_file);
   const auto &grid             = roll.coarse->grid;
   const auto [even, odd]       = fold(grid, state.nodal);
   Eigen::VectorXd pressure     = Eigen::VectorXd::Zero(body.nodes().rows());

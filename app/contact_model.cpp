@@ -75,22 +75,32 @@ void make_pairs(ContactModel &m, const std::string &name, const FourHigh &stand,
                      "lines (Johnson's datum)";
     return pair;
   };
-  const auto &backup  = *m.backup.fine;
-  const auto &work    = *m.work.fine;
-  m.mirrored          = mirrored(backup, work, m.extent);
-  m.coarse            = mirrored(*m.backup.coarse, *m.work.coarse, m.extent);
-  m.coarse_whole      = mirrored(*m.backup.coarse, *m.work.coarse, fem::Extent::whole);
-  const auto on_strip = fem::held_by_strip(work, stand.strip.width, m.extent, -shift);
-  m.in_stand          = pair_of(backup, fem::held_by_necks(backup, m.extent), work, on_strip);
-  const auto &bending = stand.work_roll.bending_force;
-  if (bending[0] != 0 || bending[1] != 0)
-    fem::bend(m.in_stand, on_strip, bending[0], bending[1]);
-  m.in_stand.reference =
-      "axis to axis, mean over the contact length, backup roll on its bearings, work roll on the strip";
-  if (bending[0] != 0 || bending[1] != 0)
-    m.in_stand.reference += ", from the first touch of the bent rolls";
+  const auto in_stand = [&](const fem::CondensedRoll &backup, const fem::CondensedRoll &work) {
+    const auto &bending = stand.work_roll.bending_force;
+    const bool bent     = bending[0] != 0 || bending[1] != 0;
+    const auto on_strip = fem::held_by_strip(work, stand.strip.width, m.extent, -shift);
+    auto pair           = pair_of(backup, fem::held_by_necks(backup, m.extent), work, on_strip);
+    if (bent)
+      fem::bend(pair, on_strip, bending[0], bending[1]);
+    pair.reference =
+        "axis to axis, mean over the contact length, backup roll on its bearings, work roll on the strip";
+    if (bent)
+      pair.reference += ", from the first touch of the bent rolls";
+    return pair;
+  };
+  m.mirrored        = mirrored(*m.backup.fine, *m.work.fine, m.extent);
+  m.coarse          = mirrored(*m.backup.coarse, *m.work.coarse, m.extent);
+  m.whole           = mirrored(*m.backup.fine, *m.work.fine, fem::Extent::whole);
+  m.whole_coarse    = mirrored(*m.backup.coarse, *m.work.coarse, fem::Extent::whole);
+  m.in_stand        = in_stand(*m.backup.fine, *m.work.fine);
+  m.in_stand_coarse = in_stand(*m.backup.coarse, *m.work.coarse);
 }
 }  // namespace
+
+std::vector<fem::ContactPair *> all_pairs(ContactModel &m)
+{
+  return {&m.mirrored, &m.in_stand, &m.coarse, &m.in_stand_coarse, &m.whole, &m.whole_coarse};
+}
 
 Eigen::VectorXd profile_drop(const FourHigh &stand, const ContactSettings &settings, const double side,
                              const Eigen::VectorXd &z)

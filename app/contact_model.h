@@ -2,18 +2,24 @@
 #include "app/condensed_rolls.h"
 #include "fem/contact_study.h"
 #include "reduce/line_contact.h"
+#include <vector>
 
 namespace mill {
 /// One roll contact of a stand, ready to be solved at any load.
 struct ContactModel {
   CondensedPair backup, work;
   reduce::CylinderPair closed_form;  ///< the same two rolls, infinitely long, for the contact length
-  fem::ContactPair mirrored;      ///< each roll squeezed between two opposite contacts: datum of the closed forms
-  fem::ContactPair in_stand;      ///< backup roll on its bearings, work roll on the strip
-  fem::ContactPair coarse;        ///< as mirrored, on the companion mesh
-  fem::ContactPair coarse_whole;  ///< the same over both sides: for the joint stiffness
+  fem::ContactPair mirrored;  ///< each roll squeezed between two opposite contacts: datum of the closed forms
+  fem::ContactPair in_stand;  ///< backup roll on its bearings, work roll on the strip
+  fem::ContactPair coarse;    ///< as mirrored, on the companion mesh
+  fem::ContactPair in_stand_coarse;  ///< as in_stand, on the companion mesh
+  fem::ContactPair whole;            ///< as mirrored, over both sides: for the joint stiffness
+  fem::ContactPair whole_coarse;     ///< the same on the companion mesh
   fem::Extent extent = fem::Extent::quarter;
 };
+
+/// Every pair of a model.
+std::vector<fem::ContactPair *> all_pairs(ContactModel &model);
 
 /// (n) m, how much both rolls lack in radius at z of the stand, and what crossed axes add.
 /// @param side  1: upper contact, -1: lower

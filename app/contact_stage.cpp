@@ -2,8 +2,9 @@
 #include "app/contact_details.h"
 #include "app/contact_files.h"
 #include "app/contact_model.h"
+#include "app/contact_slope.h"
 #include "app/second_engine.h"
-#include "reduce/contact_stiffness.h"
+#include "core/mesh_pair.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -16,7 +17,7 @@ struct Study {
   std::string name;  // "upper"
   std::string K;     // "K3"
   ContactModel model;
-  ContactCurve mirrored, in_stand, coarse;
+  ContactCurve mirrored, in_stand, coarse, in_stand_coarse;
   std::optional<SecondEngine> second;
   std::string twin;  // contact that is the same one, already written
 };
@@ -40,53 +41,16 @@ std::array<double, 2> swept_range(const std::string &name, const ContactSettings
 }
 
 namespace {
-
-// Slope of the fitted curve, which does not step as nodes come into contact, where the contact is a line contact;
-// else the exact slope of the active set.
-struct Slope {
-  double tangent, secant, exact, curvature;
-};
-Slope slope_at(const fem::ContactPair &pair, const ContactCurve &curve, const double load)
-{
-  const auto point = fem::solve_load(pair, load);
-  double tangent = point.tangent, curvature = not_given;
-  try {
-    const auto fit = reduce::contact_stiffness(curve, load);
-    tangent        = fit.tangent;
-    curvature      = fit.curvature;
-  } catch (const SolverError &) {
-    // No line contact: a crown is being closed, or only the ends touch.
-  }
-  return {tangent, load / point.approach, point.tangent, curvature};
-}
-
-// Tangent, secant and curvature of a curve at one load.
-std::array<double, 3> slope_of(const ContactCurve &curve, const double load)
-{
-  try {
-    const auto fit = reduce::contact_stiffness(curve, load);
-    return {fit.tangent, fit.secant, fit.curvature};
-  } catch (const SolverError &) {
-    // A crown is being closed: straight between the samples, over the logarithm of the load.
-    Eigen::Index i = 0;
-    while (i + 2 < curve.load.size() && curve.load[i + 1] < load)
-      ++i;
-    const double t = std::log(load / curve.load[i]) / std::log(curve.load[i + 1] / curve.load[i]);
-    const auto at  = [&](const Eigen::VectorXd &v) { return v[i] + t * (v[i + 1] - v[i]); };
-    return {at(curve.tangent), at(curve.secant), not_given};
-  }
-}
-
 // A second opinion widens the error estimate to the spread.
 void beside(Parameter &p, const std::string &who, const double value)
 {
   if (std::isnan(value))
     return;
   p.checks.push_back({who, value, ""});
-  p.error_estimate = std::max(p.error_estimate, std::abs(value / p.value - 1));
+  p.error_estimate = std::fmax(p.error_estimate, difference(value, p.value));  // NaN: none yet
 }
 
-Parameter blank(const Study &s, const std::string &unit, const double load, const std::string &reference)
+Parameter blank(const std::string &unit, const double load, const std::string &reference)
 {
   Parameter p;
   p.unit   = unit;
@@ -95,81 +59,100 @@ Parameter blank(const Study &s, const std::string &unit, const double load, cons
   return p;
 }
 
+const char *const second_engine = "second engine, Fourier series";
+const char *const coarse_mesh   = "mesh twice as coarse";
+
+// Of a line contact the tangent compliance falls by A/F per newton (3.5b).
+void add_curvature(RunContext &run, const Study &s, const std::string &prefix, const double F, const double fine,
+                   const double coarse, const double second)
+{
+  if (std::isnan(fine))
+    return;
+  const auto hertz = reduce::line_contact(s.model.closed_form, F);
+  // (3.5a) and (3.5b) differ by one in the bracket.
+  const double A_over_L = 1 / hertz.secant - 1 / hertz.tangent;
+  Parameter curvature   = blank("N/m2", F, s.mirrored.reference);
+  curvature.value       = fine;
+  curvature.checks.push_back(
+      {"Hertz line contact, K^3 A/(F L)", std::pow(hertz.tangent, 3) * A_over_L / F, "no barrel ends"});
+  beside(curvature, coarse_mesh, coarse);
+  beside(curvature, second_engine, second);
+  run.results.add(prefix + s.K + ".curvature", curvature);
+}
+
+// Tangent and secant with the rolls held as in the stand: by the same comparisons as those between mirrored
+// contacts, each for its own quantity.
+void add_held(RunContext &run, const Study &s, const std::string &prefix, const double F, const ContactSlope &held,
+              const Parameter &tangent, const Parameter &secant)
+{
+  const auto coarse = slope_at(s.model.in_stand_coarse, s.in_stand_coarse, F, Role::companion);
+  std::optional<ContactSlope> second;
+  if (s.second)
+    second = slope_of(s.second->in_stand, F);
+  const auto add = [&](const char *what, const double value, const double on_coarse, const double exact,
+                       const double by_second, const Parameter &mirrored) {
+    Parameter h      = blank("N/m", F, s.in_stand.reference);
+    h.value          = value;
+    h.error_estimate = std::max(mesh_pair_error(value, on_coarse), difference(exact, value));
+    h.checks.push_back(
+        {"rolls squeezed between mirrored contacts", mirrored.value, "another datum and no bending"});
+    h.checks.push_back({coarse_mesh, on_coarse, ""});
+    beside(h, second_engine, by_second);
+    h.inputs.insert(h.inputs.end(), {"strip.width", "backup_roll.bearing_span"});
+    run.results.add(prefix + s.K + ".in_stand_" + what, h);
+  };
+  add("tangent", held.tangent, coarse.tangent, held.exact, second ? second->tangent : not_given, tangent);
+  add("secant", held.secant, coarse.secant, held.secant, second ? second->secant : not_given, secant);
+}
+
 // K.tangent, K.secant and their values with the rolls held as in the stand, at one working load.
 std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const std::string &prefix, const double F)
 {
   const auto fine             = slope_at(s.model.mirrored, s.mirrored, F);
-  const auto coarse           = slope_at(s.model.coarse, s.coarse, F);
-  const auto held             = slope_at(s.model.in_stand, s.in_stand, F);
+  const auto coarse           = slope_at(s.model.coarse, s.coarse, F, Role::companion);
   const auto hertz            = reduce::line_contact(s.model.closed_form, F);
   const auto laws             = reduce::secant_laws(s.model.closed_form, F);
   const auto middle           = fem::barrel_profile(s.model.mirrored, fem::solve_load(s.model.mirrored, F));
   const auto mid              = fem::middle_station(s.model.mirrored.grid);
   const double section_secant = s.model.closed_form.length * middle.line_load[mid] / middle.approach[mid];
+  const auto held             = slope_at(s.model.in_stand, s.in_stand, F);
   const std::string held_note = "bending, strip width, backup roll balanced by shear";
 
-  Parameter tangent = blank(s, "N/m", F, s.mirrored.reference);
+  Parameter tangent = blank("N/m", F, s.mirrored.reference);
   Parameter secant  = tangent;
   tangent.value     = fine.tangent;
   tangent.error_estimate =
-      std::max(std::abs(coarse.tangent / fine.tangent - 1), std::abs(fine.exact / fine.tangent - 1));
+      std::max(mesh_pair_error(fine.tangent, coarse.tangent), difference(fine.exact, fine.tangent));
   tangent.checks.push_back({"Hertz line contact, infinitely long (3.5b)", hertz.tangent, "no barrel ends"});
   tangent.checks.push_back({"active set of this one load (2.8)", fine.exact, "steps as nodes come into contact"});
-  tangent.checks.push_back({"mesh twice as coarse", coarse.tangent, ""});
+  tangent.checks.push_back({coarse_mesh, coarse.tangent, ""});
   tangent.checks.push_back({"rolls held as in the stand", held.tangent, held_note});
   secant.value          = fine.secant;
-  secant.error_estimate = std::abs(coarse.secant / fine.secant - 1);
+  secant.error_estimate = mesh_pair_error(fine.secant, coarse.secant);
   secant.checks.push_back({"Johnson, axis to axis (3.5a)", hertz.secant, "upper end of the band of closed forms"});
   secant.checks.push_back({"Foeppl (3.8)", laws.foeppl, ""});
   secant.checks.push_back({"half space (3.9)", laws.half_space, ""});
   secant.checks.push_back({"Palmgren (3.10)", laws.palmgren, "lower end of the band"});
   secant.checks.push_back({"mid-length section over the whole length", section_secant,
                            "what is left of the difference belongs to the barrel ends"});
-  secant.checks.push_back({"mesh twice as coarse", coarse.secant, ""});
+  secant.checks.push_back({coarse_mesh, coarse.secant, ""});
   secant.checks.push_back({"rolls held as in the stand", held.secant, held_note});
-  double curvature2 = coarse.curvature;
+  std::optional<ContactSlope> second;
   if (s.second) {
-    const auto [t2, s2, c2] = slope_of(s.second->mirrored, F);
-    curvature2              = c2;
-    beside(tangent, "second engine, Fourier series", t2);
-    beside(secant, "second engine, Fourier series", s2);
+    second = slope_of(s.second->mirrored, F);
+    beside(tangent, second_engine, second->tangent);
+    beside(secant, second_engine, second->secant);
   }
   run.results.add(prefix + s.K + ".tangent", tangent);
   run.results.add(prefix + s.K + ".secant", secant);
-
-  if (!std::isnan(fine.curvature) && !std::isnan(curvature2)) {
-    // Of a line contact the tangent compliance falls by A/F per newton (3.5b).
-    const double A_over_L =
-        1 / hertz.secant - 1 / hertz.tangent;  // (3.5a) and (3.5b) differ by one in the bracket
-    Parameter curvature      = blank(s, "N/m2", F, s.mirrored.reference);
-    curvature.value          = fine.curvature;
-    curvature.error_estimate = std::abs(curvature2 / fine.curvature - 1);
-    curvature.checks.push_back(
-        {"Hertz line contact, K^3 A/(F L)", std::pow(hertz.tangent, 3) * A_over_L / F, "no barrel ends"});
-    curvature.checks.push_back(
-        {s.second ? "second engine, Fourier series" : "mesh twice as coarse", curvature2, ""});
-    run.results.add(prefix + s.K + ".curvature", curvature);
-  }
-
-  const auto held2    = s.second ? slope_of(s.second->in_stand, F) : std::array<double, 3>{not_given, not_given};
-  const auto add_held = [&](const char *what, const double value, const double exact, const double other,
-                            const Parameter &mirrored) {
-    Parameter h      = blank(s, "N/m", F, s.in_stand.reference);
-    h.value          = value;
-    h.error_estimate = std::max(mirrored.error_estimate, std::abs(exact / value - 1));
-    h.checks.push_back(
-        {"rolls squeezed between mirrored contacts", mirrored.value, "another datum and no bending"});
-    beside(h, "second engine, Fourier series", other);
-    run.results.add(prefix + s.K + ".in_stand_" + what, h);
-  };
-  add_held("tangent", held.tangent, held.exact, held2[0], tangent);
-  add_held("secant", held.secant, held.secant, held2[1], secant);
-  const double difference = held.tangent / fine.tangent - 1;
+  add_curvature(run, s, prefix, F, fine.curvature, coarse.curvature, second ? second->curvature : not_given);
+  add_held(run, s, prefix, F, held, tangent, secant);
+  const double effect = held.tangent / fine.tangent - 1;
   const std::string said =
       fmt::format("{}{}.tangent is that of rolls squeezed between mirrored contacts, the spring that stands in "
                   "series with the bending of the backup roll; held as in the stand the same pair has {:+.1f} %",
-                  prefix, s.K, 100 * difference);
-  if (std::abs(difference) > 0.05)
+                  prefix, s.K, 100 * effect);
+  if (std::abs(effect) > 0.05)
     run.warn(said);
   else if (prefix.empty())
     run.assume(said);
@@ -193,12 +176,12 @@ void add_section(RunContext &run, const Study &s, const FourHigh &stand, const d
       std::abs(0.5 * M_PI * fine.half_width[mid] * fine.peak_pressure[mid] / fine.line_load[mid] - 1);
   const auto add = [&](const std::string &what, const std::string &unit, const double value, const double second,
                        const double other, const double closed, const std::string &reference) {
-    Parameter p      = blank(s, unit, F, reference);
+    Parameter p      = blank(unit, F, reference);
     p.value          = value;
-    p.error_estimate = std::max(std::abs(second / value - 1), what == "approach" ? 0. : misfit);
+    p.error_estimate = std::max(mesh_pair_error(value, second), what == "approach" ? 0. : misfit);
     p.checks.push_back({"Hertz line contact", closed, ""});
-    p.checks.push_back({"mesh twice as coarse", second, ""});
-    beside(p, "second engine, Fourier series", other);
+    p.checks.push_back({coarse_mesh, second, ""});
+    beside(p, second_engine, other);
     run.results.add("contact." + s.name + "." + what, p);
   };
   const auto at_middle = [&](const Eigen::VectorXd &values) {
@@ -210,7 +193,7 @@ void add_section(RunContext &run, const Study &s, const FourHigh &stand, const d
   add("peak_pressure", "Pa", fine.peak_pressure[mid], coarse.peak_pressure[mid2], at_middle(other.peak_pressure),
       hertz.peak_pressure, "at mid-length");
   add("approach", "m", point.approach, point2.approach,
-      s.second ? F / slope_of(s.second->mirrored, F)[1] : not_given, hertz.approach, s.mirrored.reference);
+      s.second ? F / slope_of(s.second->mirrored, F).secant : not_given, hertz.approach, s.mirrored.reference);
   if (s.second) {
     add_line_load_spread(run, s.name, held, s.second->in_stand_at);
     run.out.write("curves/contact-" + s.name + "-barrel-second.csv",
@@ -236,12 +219,13 @@ Study study_of(RunContext &run, const FourHigh &stand, const std::string &name, 
                const ContactSettings &settings, const std::vector<double> &loads)
 {
   const auto [low, high] = swept_range(name, settings, loads);
-  Study s{name, K, contact_model(run, stand, name, settings, high), {}, {}, {}, {}, {}};
+  Study s{name, K, contact_model(run, stand, name, settings, high), {}, {}, {}, {}, {}, {}};
   StageTimer timer(run, "contact " + name);
-  const auto range = fem::log_spaced(low, high, settings.samples);
-  s.mirrored       = fem::sweep(s.model.mirrored, range, run.progress);
-  s.in_stand       = fem::sweep(s.model.in_stand, range, run.progress);
-  s.coarse         = fem::sweep(s.model.coarse, range, run.progress);
+  const auto range  = fem::log_spaced(low, high, settings.samples);
+  s.mirrored        = fem::sweep(s.model.mirrored, range, run.progress);
+  s.in_stand        = fem::sweep(s.model.in_stand, range, run.progress);
+  s.coarse          = fem::sweep(s.model.coarse, range, run.progress);
+  s.in_stand_coarse = fem::sweep(s.model.in_stand_coarse, range, run.progress);
   // The second curve is smooth, every other load does; the largest is the last of both.
   const auto every_other = fem::log_spaced(low, high, std::max(8, (settings.samples + 1) / 2));
   s.second               = solve_again(run, stand, s.model, name, settings, every_other, loads[0]);
@@ -264,9 +248,10 @@ Study renamed(Study s, const std::string &name, const std::string &K)
   s.twin = s.name;
   s.name = name;
   s.K    = K;
-  for (std::string *label : {&s.mirrored.name, &s.in_stand.name, &s.coarse.name, &s.model.mirrored.name,
-                             &s.model.in_stand.name, &s.model.coarse.name, &s.model.coarse_whole.name})
-    *label = name;
+  for (ContactCurve *curve : {&s.mirrored, &s.in_stand, &s.coarse, &s.in_stand_coarse})
+    curve->name = name;
+  for (fem::ContactPair *pair : all_pairs(s.model))
+    pair->name = name;
   return s;
 }
 
@@ -285,8 +270,7 @@ SolvedContact report_study(RunContext &run, const FourHigh &stand, const Study &
     out.secant.push_back(secant);
   }
   add_section(run, s, stand, loads[0]);
-  add_contact_details(run, s.model, name, K, stand, settings, loads[0], out.tangent[0].error_estimate,
-                      out.tangent[0].value);
+  add_contact_details(run, s.model, name, K, stand, settings, loads[0], range[range.size() - 1], out.tangent[0]);
   run.out.write("curves/contact-" + name + ".csv", csv_text(curve_table(s.mirrored, "N", "N/m")));
   run.out.write("curves/contact-" + name + "-in-stand.csv", csv_text(curve_table(s.in_stand, "N", "N/m")));
   run.out.write("curves/contact-" + name + "-closed.csv",

@@ -79,6 +79,13 @@ void add_modes(Results &all, const LumpedModel &model, const DynamicsSettings &s
   }
 }
 
+// What a roll feels along the pass line; a lumped model may know one stiffness only.
+std::string bearing_across(const Results &all, const int roll)
+{
+  const std::string along = fmt::format("Kzc{}", roll + 1);
+  return find(all, along + "_across") ? along + "_across" : along;
+}
+
 void add_horizontal_modes(Results &all, const LumpedModel &model, const double chock_seat,
                           const std::array<double, 2> chock_mass)
 {
@@ -99,7 +106,7 @@ void add_horizontal_modes(Results &all, const LumpedModel &model, const double c
     r.parameter.unit   = "Hz";
     r.parameter.method = label + " on its bearings";
     for (const std::size_t roll : rolls_in(label))
-      r.from = {fmt::format("M{}", roll + 2), fmt::format("Kzc{}", roll + 1)};
+      r.from = {fmt::format("M{}", roll + 2), bearing_across(all, int(roll))};
     r.road     = "horizontal motion on the bearings";
     r.file     = "dynamics/mill_model";
     r.equation = "(6.9)";
@@ -159,14 +166,16 @@ void add_springs(Results &all, const FourHigh &stand, const std::size_t p, const
 {
   const auto bearings = quick_bearings(stand, load, p);
   std::vector<QuickResult> made{quick_contact(stand, "upper", load, p), quick_contact(stand, "lower", load, p)};
-  for (const std::size_t i : {0, 3, 4, 1, 2})  // backup rolls, then work rolls
-    made.push_back(bearings[i]);
+  made.insert(made.end(), bearings.begin(), bearings.end());
   made.push_back(quick_bite(stand, int(p)));
   for (QuickResult &r : made) {
     r.parameter.value *= factor(factors, prefix + r.name);
-    if (is_given(stand.given, r.name)) {
-      r      = given_result(r.name, stand.given.at(r.name).parameter);
-      r.load = load;
+    const std::string given = r.name == "K_Zy_lower" ? "K_Zy" : r.name;  // one value for both backup rolls
+    if (is_given(stand.given, given)) {
+      const std::string name = r.name;
+      r                      = given_result(given, stand.given.at(given).parameter);
+      r.name                 = name;
+      r.load                 = load;
     }
     r.name = prefix + r.name;
     for (std::string &part : r.from)
@@ -175,8 +184,20 @@ void add_springs(Results &all, const FourHigh &stand, const std::size_t p, const
   }
 }
 
+// The closed form of a backup roll that a run meshes, times what the last run found.
+Parameter bent_beam(const FourHigh &stand, const double found)
+{
+  Parameter p;
+  p.value  = found / reduce::BentBackupRoll(reduce::backup_beam(stand)).flexibility(stand.dynamics.mass_reference);
+  p.unit   = "N/m";
+  p.method = "stepped Timoshenko beam, " + stand.dynamics.mass_reference + " reference";
+  p.inputs = reduce::backup_roll_keys(false);
+  return p;
+}
+
 // The chain twice: with the keys that closed forms follow, whose numbers count, and with all keys of a run.
-LumpedModel add_chain(Results &all, const FourHigh &stand, const std::string &prefix, const std::string &at)
+LumpedModel add_chain(Results &all, const FourHigh &stand, const std::string &prefix, const std::string &at,
+                      const SpringFactors &factors)
 {
   const auto made   = [&](const char *name) { return *find(all, prefix + name); };
   const auto spring = [&](const char *name) {
@@ -190,16 +211,22 @@ LumpedModel add_chain(Results &all, const FourHigh &stand, const std::string &pr
   FourHigh tagged = stand;
   set_given_inputs(tagged.given);
   reduce::ChainInputs in;
-  in.K3         = spring("K3");
-  in.K4         = spring("K4");
-  in.K5         = spring("K5");
-  in.K_Zy_upper = in.K_Zy_lower = spring("K_Zy");
-  in.Kzc                        = {spring("Kzc1"), spring("Kzc2"), spring("Kzc3"), spring("Kzc4")};
-  in.at                         = at;
-  const auto chain              = reduce::lumped_stand(tagged, in);
-  const auto inputs_of          = [&](const char *name) { return made(name).parameter.inputs; };
-  auto full = reduce::chain_keys({inputs_of("K3"), inputs_of("K4"), inputs_of("K5"), inputs_of("K_Zy"),
-                                  inputs_of("K_Zy"), reduce::given_springs(stand), stand.housing.present()});
+  in.K3            = spring("K3");
+  in.K4            = spring("K4");
+  in.K5            = spring("K5");
+  in.K_Zy_upper    = spring("K_Zy");
+  in.K_Zy_lower    = spring("K_Zy_lower");
+  in.Kzc           = {spring("Kzc1"), spring("Kzc2"), spring("Kzc3"), spring("Kzc4")};
+  in.Kzc_across    = {spring("Kzc1_across"), spring("Kzc2_across"), spring("Kzc3_across"), spring("Kzc4_across")};
+  in.at            = at;
+  const bool solid = stand.backup_roll.bending_model == "solid";
+  if (solid && !is_given(stand.given, "K_ZW"))
+    tagged.given["K_ZW"].parameter = bent_beam(stand, factor(factors, prefix + "K_ZW"));
+  const auto chain     = reduce::lumped_stand(tagged, in);
+  const auto inputs_of = [&](const char *name) { return made(name).parameter.inputs; };
+  auto full            = reduce::chain_keys({inputs_of("K3"), inputs_of("K4"), inputs_of("K5"), inputs_of("K_Zy"),
+                                             inputs_of("K_Zy_lower"), reduce::given_springs(stand), stand.housing.present()},
+                                            solid);
   for (KeyList &list : full)
     list = reduce::as_drawn(list, stand);
   // What the closed forms do not follow: meshes, and the fillets of a frame of beams.
@@ -227,7 +254,9 @@ LumpedModel add_chain(Results &all, const FourHigh &stand, const std::string &pr
     }
     all.back().name = prefix + name;
   };
-  add("K_ZW", chain.K_ZW, chain.K_ZW.inputs);
+  add("K_ZW", chain.K_ZW, reduce::backup_roll_keys(solid));
+  if (solid && !is_given(stand.given, "K_ZW"))
+    all.back().stands_for = "the roll by finite elements, backup_roll.bending_model = \"solid\"";
   for (const std::size_t i : {0, 1, 5, 6})
     add(spring_names[i], chain.model.K[i], full[6 + i]);
   for (std::size_t i = 0; i < 6; ++i)
@@ -244,7 +273,7 @@ Results four_high(const FourHigh &drawn, QuickMemory &memory, const SpringFactor
     const std::string prefix = p == 0 ? "" : pass.name + ".";
     const double load        = std::isnan(pass.load) ? remembered_force(pass, memory).force.mean() : pass.load;
     add_springs(all, stand, p, prefix, load, factors);
-    const LumpedModel model = add_chain(all, stand, prefix, fmt::format("{:.1f} kN", load / 1e3));
+    const LumpedModel model = add_chain(all, stand, prefix, fmt::format("{:.1f} kN", load / 1e3), factors);
     if (p == 0) {
       add_modes(all, model, stand.dynamics);
       add_horizontal_modes(all, model, stand.frame.chock_to_housing_stiffness,

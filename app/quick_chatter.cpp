@@ -50,7 +50,7 @@ std::vector<QuickResult> quick_chatter(const ChatterCase &spec)
         "dynamics/chatter_speed", "(25.4)");
     for (std::size_t v = 0; v < q.variants.size(); ++v) {
       const std::string of = spec.variants[v].name;
-      add("chatter." + name + ".variant." + slug(of) + ".critical_speed", "m/s",
+      add("chatter." + name + ".variant." + of + ".critical_speed", "m/s",
           dynamics::critical_speed(q.variants[v].stand, q.bite, q.scheme, chatter_range(q)).speed,
           joined(searched, keys_in("variant." + of, "masses stiffnesses dampings entry_distance exit_distance")),
           "search over the speed", "dynamics/chatter_speed", "(25.4)");

@@ -47,7 +47,7 @@ Station station_of(const std::string &name, const std::string &reference)
   if (name == "K2")
     return spring("(4.1b)", "K_Zy K_ZW");
   if (name == "K6")
-    return spring("(4.1c)", "K_Zy K_ZW");
+    return spring("(4.1c)", "K_Zy_lower K_ZW");
   if (name == "K7")
     return spring("(4.1d)", "");
   if (name == "M2")
@@ -59,7 +59,7 @@ Station station_of(const std::string &name, const std::string &reference)
   if (name == "M4")
     return mass("(4.16)", "K7 K6 K5", work_roll_keys("chock_mass_lower"));
   if (name == "M5")
-    return mass("(4.15)", "K7 K_Zy K_ZW K6", roll_keys("backup_roll", "neck_length", "chock_mass_lower"));
+    return mass("(4.15)", "K7 K_Zy_lower K_ZW K6", roll_keys("backup_roll", "neck_length", "chock_mass_lower"));
   return {"sum of reduced masses", "reduce/equivalent_mass", "(4.13)"};
 }
 }  // namespace mill

@@ -26,8 +26,9 @@ struct QuickResult {
 /// @param load  N, of the pass
 QuickResult quick_contact(const FourHigh &stand, const std::string &name, double load, std::size_t pass);
 
-/// Kzc1..Kzc4, then K_Zy: laminae between rigid rings at the load of each bearing.  (5.2), (5.23)
-std::array<QuickResult, 5> quick_bearings(const FourHigh &stand, double rolling_force, std::size_t pass);
+/// Kzc1..Kzc4, along and across the load, K_Zy and K_Zy_lower: laminae between rigid rings at the load of each
+/// bearing. (5.2), (5.23)
+std::vector<QuickResult> quick_bearings(const FourHigh &stand, double rolling_force, std::size_t pass);
 
 /// K4 of one pass by the slab theory of [bite] on Hitchcock's or a rigid arc.  (8.13)
 /// The value is NaN where the theory has no answer; the method then says why.

@@ -171,6 +171,6 @@ void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, const std::
   springs.K_Zy_upper.inputs = seat_keys(stand, 0, pass);
   springs.K_Zy_lower.inputs = seat_keys(stand, 3, pass);
   for (std::size_t i = 0; i < springs.Kzc.size(); ++i)
-    springs.Kzc[i].inputs = seat_keys(stand, i, pass);
+    springs.Kzc[i].inputs = springs.Kzc_across[i].inputs = seat_keys(stand, i, pass);
 }
 }  // namespace mill

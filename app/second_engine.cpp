@@ -12,7 +12,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -35,7 +34,7 @@ fem::FourierRoll fourier_roll(RunContext &run, const std::string &name, const Ro
     timer.cached = true;
     return std::move(*stored);
   }
-  const std::string own = fmt::format("{}/fourier-{}-{}.msh", run.cache, key, ::getpid());
+  const std::string own = run.out.staging() + "/fourier-" + key + ".msh";
   const MeshFile mesh   = meshes::mesh_meridian(name, g, meshes::meridian_size(options.half_width), own);
   const fem::SectionBody body(mesh, m, 2, fem::Section::axisymmetric);
   fs::remove(own);

@@ -1,13 +1,19 @@
 #include "app/stand_components.h"
 #include "core/files.h"
+#include "core/mesh_pair.h"
 #include "core/record_text.h"
 #include "fem/component_cache.h"
 #include "fem/housing_component.h"
 #include "fem/members.h"
 #include "fem/roll_component.h"
 #include "meshes/gmsh_scope.h"
+#include "meshes/housing.h"
 #include "meshes/members.h"
+#include "meshes/roll.h"
+#include "reduce/chain_keys.h"
+#include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
 #include <functional>
@@ -29,12 +35,8 @@ Component cached(RunContext &run, const std::string &name, const std::string &in
   const std::string file = run.cache + "/component-" + key + ".bin";
   std::string note;
   std::optional<Component> stored;
-  try {
-    if (!run.fresh || run.made.count(key))
-      stored = fem::load_component(file, key, &note);
-  } catch (const InputError &e) {  // an entry that cannot be read is made again
-    note = fmt::format("{} is not used: {}", file, e.what());
-  }
+  if (!run.fresh || run.made.count(key))
+    stored = fem::load_component(file, key, &note);
   if (!note.empty())
     run.progress.note(note);
   if (stored) {
@@ -83,6 +85,13 @@ RollMesh mesh_of(RunContext &run, const std::string &name, const RollGeometry &g
       fmt::format("dynamics.frequency_limit = {:g} Hz is above what the mesh of the {} can follow, {:.0f} Hz "
                   "with four elements per wave; lower the limit{}",
                   limit, name, reach, remedy));
+}
+
+// The same of the housing, whose meshes are of second order (housing-mesh-order).
+double housing_mesh_gain()
+{
+  const int through = meshes::HousingMeshSize().through;
+  return std::pow(double(through) / std::max(2, through - 1), 2);
 }
 
 struct ReducedRoll {
@@ -162,7 +171,7 @@ std::string housing_component_inputs(const FourHigh &stand, const bool coarse)
   return record_text(stand.housing, housing_size(stand, coarse), stand.dynamics.frequency_limit);
 }
 
-ComponentSets stand_components(RunContext &run, const FourHigh &stand)
+ComponentSets stand_components(RunContext &run, const FourHigh &stand, const bool with_housing)
 {
   ReducedRoll work = roll(run, "work roll", stand.work_roll, stand);
   run.progress.at("components", 0.3);
@@ -172,11 +181,51 @@ ComponentSets stand_components(RunContext &run, const FourHigh &stand)
       {std::move(work.fine),   std::move(backup.fine),   std::nullopt},
       {std::move(work.coarse), std::move(backup.coarse), std::nullopt}
   };
-  if (stand.housing.present()) {
+  sets.present = true;
+  if (with_housing && stand.housing.present()) {
     sets.coarse.housing = housing(run, stand, false);
     sets.fine.housing   = housing(run, stand, true);
   }
   run.progress.at("components", 1);
   return sets;
+}
+
+double roll_mesh_gain(const DynamicsSettings &settings)
+{
+  const double n = settings.elements_per_radius;
+  return std::pow(n / (n - 1), fem::shoulder_order);
+}
+
+reduce::SolidRolls solid_rolls(const ComponentSets &c, const DynamicsSettings &settings)
+{
+  if (!c.present)
+    return {};
+  return {&c.fine.work_roll, &c.fine.backup_roll, &c.coarse.work_roll, &c.coarse.backup_roll,
+          roll_mesh_gain(settings)};
+}
+
+void add_housing_frequencies(RunContext &run, const FourHigh &stand, const ComponentSets &components)
+{
+  if (!components.fine.housing)
+    return;
+  const Component &fine = *components.fine.housing, &coarse = *components.coarse.housing;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(fine.K, fine.M),
+      beside(coarse.K, coarse.M);
+  const auto n = std::min(modes.eigenvalues().size(), beside.eigenvalues().size());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double squared = modes.eigenvalues()[i], f = std::sqrt(squared) / (2 * M_PI);
+    if (f > stand.dynamics.frequency_limit)
+      break;
+    const Eigen::VectorXd q = modes.eigenvectors().col(i).head(fine.n_interface());
+    Parameter p;
+    p.value          = f;
+    p.unit           = "Hz";
+    p.method         = "bare housing on its feet, alike on both sides, " + fine.source;
+    p.error_estimate = mesh_pair_error(f, std::sqrt(beside.eigenvalues()[i]) / (2 * M_PI), housing_mesh_gain()) +
+                       0.5 * squared * q.dot(fine.residual * q);  // (22.9)
+    p.inputs = reduce::housing_keys(stand.housing, true);
+    p.inputs.push_back("dynamics.frequency_limit");
+    run.results.add("housing.f" + std::to_string(i + 1), p);
+  }
 }
 }  // namespace mill

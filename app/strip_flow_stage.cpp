@@ -1,35 +1,45 @@
 #include "app/strip_flow_stage.h"
 #include "app/strip_flow_store.h"
 #include "bite/members.h"
+#include "core/cache_entry.h"
 #include "core/files.h"
+#include "core/parallel.h"
 #include "core/record_text.h"
 #include "fem/elastic_body.h"
 #include "fem/strip_elastic.h"
 #include "meshes/strip_flow.h"
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
-#include <filesystem>
 #include <fmt/format.h>
-#include <future>
 
 namespace mill {
 namespace {
 // Raised by hand when the finite-element bite changes what it computes.
-constexpr const char *flow_version = "strip flow 2";
+constexpr const char *flow_version = "strip flow 3";
+constexpr const char *flow_kind = "millstand bite 1", *point_kind = "millstand bite point 1";
 
 std::string key_of(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
 {
   return hash_of(flow_inputs(q, flexibility));
 }
 
-std::optional<FlowAnswer> kept(const RunContext &run, const std::string &file)
+// What an earlier run kept under the key, unless the run is a fresh one.
+std::optional<std::string> kept(const RunContext &run, const std::string &file, const char *kind,
+                                const std::string &key)
 {
-  std::error_code ignored;
-  if (run.fresh || !std::filesystem::is_regular_file(file, ignored))
-    return std::nullopt;
-  return restored_flow(read_text(file));
+  std::string note;
+  auto text = run.fresh ? std::nullopt : read_cache_entry(file, kind, key, &note);
+  if (!note.empty())
+    run.progress.note(note);
+  return text;
 }
+
+std::optional<FlowAnswer> kept_flow(const RunContext &run, const std::string &file, const std::string &key)
+{
+  const auto text = kept(run, file, flow_kind, key);
+  return text ? restored_flow(*text) : std::nullopt;
+}
+
 std::string timer_name(const FlowQuestion &q)
 {
   return "bite, finite elements, " + q.pass;
@@ -121,6 +131,7 @@ FlowAnswer elastic_answer(RunContext &run, const FlowQuestion &q, const bite::Ar
   answer.coarse_force       = coarse.flow.state.force;
   answer.coarse_torque      = coarse.flow.state.torque;
   answer.coarse_slope       = slope_of(coarse.flow);
+  answer.coarse_slip        = coarse.flow.state.forward_slip;
   answer.elastic            = true;
   answer.smallest_thickness = fine.smallest_thickness;
   answer.elastic_entry      = fine.elastic_entry;
@@ -141,8 +152,9 @@ std::string flow_inputs(const FlowQuestion &q, const bite::ArcFlexibility *flexi
 FlowAnswer solve_flow(RunContext &run, const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
 {
   StageTimer timer(run, "bite, finite elements, " + q.pass);
-  const std::string file = run.cache + "/bite-" + key_of(q, flexibility) + ".json";
-  if (auto answer = kept(run, file)) {
+  const std::string key  = key_of(q, flexibility);
+  const std::string file = run.cache + "/bite-" + key + ".bin";
+  if (auto answer = kept_flow(run, file, key)) {
     timer.cached = true;
     run.progress.note("finite-element bite taken from " + file);
     return std::move(*answer);
@@ -157,7 +169,7 @@ FlowAnswer solve_flow(RunContext &run, const FlowQuestion &q, const bite::ArcFle
                     q.pass, level.stage, level.n_unknowns, level.least_rate, level.least_slip, level.iterations,
                     level.residual, level.force / 1e3));
   try {
-    write_atomically(file, stored_flow(answer));
+    write_cache_entry(file, flow_kind, key, stored_flow(answer));
   } catch (const InputError &e) {
     run.warn(std::string("the finite-element bite could not be kept for the next run: ") + e.what());
   }
@@ -167,38 +179,31 @@ FlowAnswer solve_flow(RunContext &run, const FlowQuestion &q, const bite::ArcFle
 namespace {
 struct PointTask {
   const FlowQuestion *question;
-  std::string file;
+  std::string key, file;
   MeshFile mesh;
   std::optional<FlowPoint> point;
   std::string refused;
 };
 
-// A point on disk: its hash, then force and slope in hexadecimal.
+// A point on disk: force and slope in hexadecimal.
 std::string point_text(const FlowPoint &point)
 {
-  const std::string numbers = fmt::format("{:a} {:a}\n", point.force, point.plastic_slope);
-  return hash_of(numbers) + "\n" + numbers;
+  return fmt::format("{:a} {:a}\n", point.force, point.plastic_slope);
 }
 
-std::optional<FlowPoint> kept_point(const RunContext &run, const std::string &file)
+std::optional<FlowPoint> kept_point(const RunContext &run, const std::string &file, const std::string &key)
 {
-  std::error_code ignored;
-  if (run.fresh || !std::filesystem::is_regular_file(file, ignored))
-    return std::nullopt;
-  const std::string text = read_text(file);
   FlowPoint point;
-  const auto end = text.find('\n');
-  if (end == std::string::npos ||
-      std::sscanf(text.c_str() + end, "%la %la", &point.force, &point.plastic_slope) != 2 ||
-      point_text(point) != text)
-    return std::nullopt;  // damaged: solved again
+  const auto text = kept(run, file, point_kind, key);
+  if (!text || std::sscanf(text->c_str(), "%la %la", &point.force, &point.plastic_slope) != 2)
+    return std::nullopt;
   return point;
 }
 
 void keep_point(RunContext &run, const PointTask &task)
 {
   try {
-    write_atomically(task.file, point_text(*task.point));
+    write_cache_entry(task.file, point_kind, task.key, point_text(*task.point));
   } catch (const InputError &e) {
     run.warn(std::string("a point of the bite's curves could not be kept for the next run: ") + e.what());
   }
@@ -225,28 +230,19 @@ std::vector<std::optional<FlowPoint>> solve_flow_points(RunContext &run,
   std::vector<std::size_t> place;
   for (std::size_t i = 0; i < questions.size(); ++i) {
     const FlowQuestion &q  = questions[i];
-    const std::string file = run.cache + "/bite-point-" + key_of(q, nullptr) + ".txt";
-    points[i]              = kept_point(run, file);
+    const std::string key  = key_of(q, nullptr);
+    const std::string file = run.cache + "/bite-point-" + key + ".bin";
+    points[i]              = kept_point(run, file, key);
     if (points[i])
       continue;
     // Meshed here, one after the other: the mesher has one state for the whole program.
-    tasks.push_back({&q, file,
+    tasks.push_back({&q, key, file,
                      meshed(run, q, multiple_of_four(q.setup.elements_along), q.setup.elements_through,
                             "strip-point-" + std::to_string(i)),
                      std::nullopt, ""});
     place.push_back(i);
   }
-  std::atomic<std::size_t> next{0}, done{0};
-  const auto work = [&] {
-    for (std::size_t i; (i = next++) < tasks.size(); ++done)
-      solve_point(tasks[i]);
-  };
-  std::vector<std::future<void>> others;
-  for (int t = 1; t < run.threads; ++t)
-    others.push_back(std::async(std::launch::async, work));
-  work();
-  for (auto &other : others)
-    other.get();
+  share_tasks(long(tasks.size()), run.threads, [&](const long i) { solve_point(tasks[std::size_t(i)]); });
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     std::remove(tasks[i].mesh.path.c_str());
     if (tasks[i].point)

@@ -104,7 +104,7 @@ KeyList bearing_keys(const RollerBearing &b)
   const bool rounded = b.profile == "log" || b.profile == "lundberg" || three;
   const bool tapered = b.type == "four-row tapered";
   // Raceway pressures are compared with it afterwards.
-  std::string idle    = "yield_pressure rib_angle tilt_lever";
+  std::string idle    = "yield_pressure rib_angle";
   const auto not_read = [&](const bool condition, const char *names) {
     idle += condition ? std::string(" ") + names : "";
   };

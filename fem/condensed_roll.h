@@ -40,23 +40,25 @@ struct CondensedRoll {
   PatchGrid grid;                                ///< of the eighth: x >= 0, z >= 0
   Eigen::VectorXd axis_z;                        ///< (n_a) m, from 0 to the end of the roll
   ParityFlexibility squeeze, translate;          ///< even about mid-length; a slab has no translate
-  ParityFlexibility squeeze_odd, translate_odd;  ///< empty unless asked for
-  double seat_lever   = 0;  ///< m, from mid-length to the resultant of the bearing seat's load
-  int n_unknowns      = 0;  ///< of the eighth, all parities about the same
+  ParityFlexibility squeeze_odd, translate_odd;  ///< empty unless asked for; the first may stand alone
+  double seat_lever = 0;    ///< m, from mid-length to the resultant of the bearing seat's load
+  int n_unknowns    = 0;    ///< of the eighth, all parities about the same
+  std::string field_mesh;   ///< Gmsh file of the mesh, where displacement fields are kept; else empty
   double factor_bytes = 0;  ///< bytes, of one parity
   double factor_flops = 0;  ///< of one parity
-  bool both_sides() const
+  bool both_sides() const   ///< any load that differs between the sides, however the roll is held
   {
-    return squeeze_odd.patch.size() > 0;
+    return squeeze_odd.patch.size() > 0 && translate_odd.patch.size() > 0;
   }
 };
 
 struct CondenseOptions {
   bool slab        = false;  ///< plane strain: both faces held in z, squeeze only
   bool both_sides  = false;  ///< the odd parities too, for loads that differ between the two sides
+  bool odd_squeeze = false;  ///< of them the squeeze alone: enough between mirrored contacts (joint stiffness)
   bool tractions   = false;  ///< tangential components too, of the squeeze parities
   bool keep_fields = false;  ///< keep the displacement fields of squeeze
-  double memory    = 0;      ///< bytes a factor may take, 0: do not check
+  double memory    = 0;      ///< bytes it may take, 0: what the process has left
 };
 
 /// Condenses a meshed roll.  Cost: one factorisation per parity.

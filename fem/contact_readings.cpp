@@ -1,5 +1,6 @@
 #include "fem/contact_readings.h"
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -49,6 +50,29 @@ Eigen::Matrix<double, 6, 6> joint_stiffness(const ContactPair &pair, const Conta
   joint(0, 0) = -point.load / pair.radii_sum;
   joint(4, 4) = -second / pair.radii_sum;
   joint(0, 4) = joint(4, 0) = -point.moment / pair.radii_sum;
+  return joint;
+}
+
+Eigen::Matrix<double, 6, 6> fitted_joint_stiffness(const ContactPair &pair, const double load,
+                                                   const double largest)
+{
+  // Eleven loads span about three steps of a contact with twelve nodes on its half width.
+  constexpr double reach = 0.35;
+  constexpr int n        = 11;
+  const double above     = std::clamp(std::log(largest / load), 0., reach);
+  Eigen::MatrixX3d form(n, 3);
+  Eigen::MatrixXd entries(n, 36);
+  std::vector<char> active;
+  for (int i = 0; i < n; ++i) {
+    const double u   = -reach + (reach + above) * i / (n - 1);
+    const auto point = solve_load(pair, load * std::exp(u), active);
+    active           = point.state.active;
+    form.row(i) << 1, u, u * u;
+    entries.row(i) = joint_stiffness(pair, point).reshaped().transpose();
+  }
+  const Eigen::MatrixXd fit         = form.colPivHouseholderQr().solve(entries);
+  Eigen::Matrix<double, 6, 6> joint = joint_stiffness(pair, solve_load(pair, load, active));
+  joint.block<3, 3>(1, 1)           = Eigen::Matrix<double, 6, 6>(fit.row(0).reshaped(6, 6)).block<3, 3>(1, 1);
   return joint;
 }
 

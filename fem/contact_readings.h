@@ -13,6 +13,11 @@ Eigen::MatrixXd pressure_map(const ContactPair &pair, const ContactPoint &point)
 /// Needs a pair of the whole whose axes stay straight (held_by_mirror).
 Eigen::Matrix<double, 6, 6> joint_stiffness(const ContactPair &pair, const ContactPoint &point);
 
+/// The same as a smooth function of the load: every entry is fitted by a straight line in ln F through a third
+/// below and above, so that it does not step as nodes come into contact.  theory.md 2.7
+/// @param largest  N, no load above it is solved
+Eigen::Matrix<double, 6, 6> fitted_joint_stiffness(const ContactPair &pair, double load, double largest);
+
 /// Mean over the trimmed path of nodal force over nodal relative displacement, as published stiffnesses were
 /// evaluated: force of a station (sum over the width) over its approach.  theory.md (2.15)
 struct PathPlateau {

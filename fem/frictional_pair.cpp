@@ -44,4 +44,11 @@ FrictionPoint load_with_friction(const ContactPair &pair, const CondensedRoll &f
   point.slipping = touching > 0 ? double(slipping) / touching : 0;
   return point;
 }
+
+FrictionEffect friction_effect(const ContactPair &pair, const CondensedRoll &first, const CondensedRoll &second,
+                               const double friction, const double load, const int steps)
+{
+  const FrictionPoint with = load_with_friction(pair, first, second, friction, load, steps);
+  return {with.tangent / solve_load(pair, load).tangent, with.slipping};
+}
 }  // namespace mill::fem

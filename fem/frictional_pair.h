@@ -20,4 +20,13 @@ struct FrictionPoint {
 /// Cost: some LU factorisations of three times the touching nodes per step.
 FrictionPoint load_with_friction(const ContactPair &pair, const CondensedRoll &first, const CondensedRoll &second,
                                  double friction, double load, int steps);
+
+/// What friction does to the tangent: with friction over without, both on the mesh of this pair.
+/// @param steps  equal load steps from zero
+struct FrictionEffect {
+  double ratio;     ///< -, tangent with friction over tangent without
+  double slipping;  ///< -, share of the touching nodes that slip
+};
+FrictionEffect friction_effect(const ContactPair &pair, const CondensedRoll &first, const CondensedRoll &second,
+                               double friction, double load, int steps);
 }  // namespace mill::fem

@@ -181,7 +181,8 @@ HeldRoll held_by_strip(const CondensedRoll &roll, const double strip_width, cons
 
 HeldRoll held_by_mirror(const CondensedRoll &roll, const Extent extent)
 {
-  require_both_sides(roll, extent);
+  if (extent == Extent::whole && roll.squeeze_odd.patch.size() == 0)
+    throw std::logic_error("both sides between mirrored contacts need the odd squeeze of the roll");
   const auto part = [&](const Eigen::MatrixXd &C) {
     const auto n = C.rows(), n_axis = std::max<Eigen::Index>(1, roll.axis_z.size());
     Part p;

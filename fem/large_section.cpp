@@ -29,6 +29,12 @@ Principal principal_stress(const double lambda, const double mu, const ElasticLa
         out.S[i]     = (lambda * ln_J + mu * std::log(c[i])) / c[i];
         out.dS(i, j) = (lambda + 2 * mu * same) / (c[i] * c[j]) - 2 * same * out.S[i] / c[i];
         break;
+      case ElasticLaw::biot: {  // S_i = (lambda (l_1 + l_2 - 2) + 2 mu (l_i - 1)) / l_i ,  d l_i / dE_i = 1 / l_i
+        const Vector2d l = c.cwiseSqrt();
+        out.S[i]         = (lambda * (l.sum() - 2) + 2 * mu * (l[i] - 1)) / l[i];
+        out.dS(i, j)     = (lambda + 2 * mu * same) / (l[i] * l[j]) - same * out.S[i] / c[i];
+        break;
+      }
       case ElasticLaw::st_venant_kirchhoff:
         out.S[i]     = 0.5 * lambda * (c.sum() - 2) + mu * (c[i] - 1);
         out.dS(i, j) = lambda + 2 * mu * same;

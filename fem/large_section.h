@@ -9,6 +9,7 @@ namespace mill::fem {
 /// ratio of the material at the undeformed state.
 enum class ElasticLaw {
   hencky,               ///< Kirchhoff stress linear in the logarithmic strain
+  biot,                 ///< Biot stress linear in the stretch: what corotational codes call linear elastic
   st_venant_kirchhoff,  ///< second Piola-Kirchhoff stress linear in Green's strain; softens under compression
   neo_hooke             ///< mu (tr C - 3)/2 - mu ln J + lambda (ln J)^2 / 2; stiffens under compression
 };

@@ -1,14 +1,10 @@
 #include "fem/roll_cache.h"
-#include "core/files.h"
+#include "core/cache_entry.h"
 #include "fem/archive.h"
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace mill::fem {
 namespace {
-constexpr char magic[] = "millstand condensed roll 2\n";
+constexpr char kind[] = "millstand condensed roll 2";
 
 // The same list of members is run through in both directions.
 template <class Archive> void members(Archive &a, ParityFlexibility &p)
@@ -31,6 +27,7 @@ template <class Archive> void members(Archive &a, CondensedRoll &r)
     a.array(*v);
   for (ParityFlexibility *p : {&r.squeeze, &r.translate, &r.squeeze_odd, &r.translate_odd})
     members(a, *p);
+  a.text(r.field_mesh);
 }
 
 template <class Archive> void members(Archive &a, HarmonicResponse &h)
@@ -102,51 +99,47 @@ template <class Archive> void members(Archive &a, std::vector<Eigen::MatrixXd> &
     a.array(m);
 }
 
-template <class Archive> void members(Archive &a, RingResult &r)
+template <class Archive> void members(Archive &a, bearing::RingFlexibility &f)
 {
-  bearing::RingFlexibility &f = r.flexibility;
-  for (int *value : {&f.rows, &f.modes, &f.chock_harmonics, &r.n_section_unknowns, &r.n_chock_unknowns})
+  for (int *value : {&f.rows, &f.modes, &f.chock_harmonics})
     a.count(*value);
   members(a, f.inner);
   members(a, f.outer);
   a.array(f.chock_cosine);
   a.array(f.chock_sine);
+}
+
+template <class Archive> void members(Archive &a, RingResult &r)
+{
+  members(a, r.flexibility);
+  members(a, r.companion);
+  for (int *value : {&r.n_section_unknowns, &r.n_chock_unknowns})
+    a.count(*value);
   for (double *value : {&r.error_estimate, &r.chock_difference, &r.truncated, &r.indefinite})
     a.number(*value);
   a.texts(r.notes);
 }
+
 template <class Roll> void save(const std::string &path, const std::string &key, const Roll &roll)
 {
   Writer writer;
   members(writer, const_cast<Roll &>(roll));  // only read: Writer takes constant references
-  write_atomically(path, magic + key + "\n" + hash_of(writer.bytes) + "\n" + writer.bytes);
+  write_cache_entry(path, kind, key, writer.bytes);
 }
 
 template <class Roll> std::optional<Roll> load(const std::string &path, const std::string &key, std::string *note)
 {
-  if (!std::filesystem::exists(path))
-    return {};
-  const std::string text = read_text(path);
-  const std::size_t head = std::strlen(magic), key_end = text.find('\n', head);
-  const std::size_t sum_end = key_end == std::string::npos ? key_end : text.find('\n', key_end + 1);
-  const auto damaged        = [&](const char *why) {
-    if (note)
-      *note = path + " is not used: " + why;
+  const auto bytes = read_cache_entry(path, kind, key, note);
+  if (!bytes)
     return std::nullopt;
-  };
-  if (text.compare(0, head, magic) != 0 || sum_end == std::string::npos)
-    return damaged("it is no condensed roll of this version");
-  if (text.substr(head, key_end - head) != key)
-    return damaged("it belongs to other inputs");
-  const std::string bytes = text.substr(sum_end + 1);
-  if (hash_of(bytes) != text.substr(key_end + 1, sum_end - key_end - 1))
-    return damaged("its checksum is wrong");
   Roll roll;
-  Reader reader{bytes};
+  Reader reader{*bytes};
   members(reader, roll);
-  if (!reader.good || reader.at != bytes.size())
-    return damaged("it is incomplete");
-  return roll;
+  if (reader.good && reader.at == bytes->size())
+    return roll;
+  if (note)
+    *note = path + " is not used: it is incomplete";
+  return std::nullopt;
 }
 }  // namespace
 

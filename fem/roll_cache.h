@@ -7,15 +7,14 @@
 #include <string>
 
 namespace mill::fem {
-/// Stores a condensed body under the hash of everything it depends on: written aside and renamed, with a checksum
-/// of the numbers, so that a killed run or a second process leaves a whole file or none.
+/// Keeps a condensed body in the cache under the hash of everything it depends on (core/cache_entry.h).
+/// @throws InputError  cannot be written
 void save_roll(const std::string &path, const std::string &key, const CondensedRoll &roll);
 void save_roll(const std::string &path, const std::string &key, const FourierRoll &roll);
 void save_roller(const std::string &path, const std::string &key, const CondensedRoller &roller);
 void save_rings(const std::string &path, const std::string &key, const RingResult &rings);
 
-/// The stored body, or nothing when there is none, when it belongs to another key, or when it is damaged (`note`
-/// says so).
+/// The stored body, or nothing when there is none or when it cannot be used; then `note` says why.
 std::optional<CondensedRoll> load_roll(const std::string &path, const std::string &key,
                                        std::string *note = nullptr);
 std::optional<FourierRoll> load_fourier_roll(const std::string &path, const std::string &key,

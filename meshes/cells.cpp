@@ -1,14 +1,13 @@
 #include "meshes/cells.h"
 #include "core/errors.h"
 #include "meshes/gmsh_scope.h"
+#include "meshes/write_mesh.h"
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
-#include <filesystem>
 #include <gmsh.h>
 #include <map>
-#include <unistd.h>
 
 namespace mill::meshes {
 namespace {
@@ -129,9 +128,7 @@ MeshFile write_cells(const CellMesh &mesh, const std::string &path)
     model::addPhysicalGroup(dim - 1, {id}, id);
     model::setPhysicalName(dim - 1, id, name);
   }
-  const std::string aside = path + "." + std::to_string(::getpid()) + ".msh";  // Gmsh goes by the ending
-  gmsh::write(aside);
-  std::filesystem::rename(aside, path);
+  write_mesh(path);
   return file;
 }
 }  // namespace mill::meshes

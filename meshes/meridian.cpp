@@ -2,11 +2,10 @@
 #include "core/errors.h"
 #include "meshes/gmsh_scope.h"
 #include "meshes/roll.h"
+#include "meshes/write_mesh.h"
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <gmsh.h>
-#include <unistd.h>
 #include <vector>
 
 namespace mill::meshes {
@@ -153,12 +152,10 @@ MeshFile mesh_meridian(const std::string &name, const RollGeometry &g, const Mer
   std::vector<std::size_t> elements, nodes;
   gmsh::model::mesh::getElementsByType(quadrilateral, elements, nodes);
   std::sort(nodes.begin(), nodes.end());
-  mesh.n_nodes            = int(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
-  mesh.n_cells            = int(elements.size());
-  mesh.contact_element    = size.surface_element;
-  const std::string aside = path + "." + std::to_string(::getpid()) + ".msh";  // Gmsh goes by the ending
-  gmsh::write(aside);
-  std::filesystem::rename(aside, path);
+  mesh.n_nodes         = int(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
+  mesh.n_cells         = int(elements.size());
+  mesh.contact_element = size.surface_element;
+  write_mesh(path);
   return mesh;
 }
 }  // namespace mill::meshes

@@ -2,12 +2,11 @@
 #include "core/errors.h"
 #include "meshes/gmsh_scope.h"
 #include "meshes/structured.h"
+#include "meshes/write_mesh.h"
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <gmsh.h>
 #include <map>
-#include <unistd.h>
 
 namespace mill::meshes {
 MeshFile mesh_ring(const std::vector<double> &radii, const int n_angle, const std::string &path)
@@ -86,9 +85,7 @@ MeshFile mesh_disc(const SectionSize &size, const std::string &path)
   mesh.n_cells            = int(elements.size());
   mesh.contact_element    = size.first_element;
   mesh.contact_half_width = patch;
-  const std::string aside = path + "." + std::to_string(::getpid()) + ".msh";  // Gmsh goes by the ending
-  gmsh::write(aside);
-  std::filesystem::rename(aside, path);
+  write_mesh(path);
   return mesh;
 }
 }  // namespace mill::meshes

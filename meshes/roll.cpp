@@ -2,12 +2,11 @@
 #include "core/errors.h"
 #include "meshes/gmsh_scope.h"
 #include "meshes/plain_section.h"
+#include "meshes/write_mesh.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <gmsh.h>
-#include <unistd.h>
 
 namespace mill::meshes {
 namespace {
@@ -227,9 +226,7 @@ MeshFile mesh_roll(const std::string &name, const RollGeometry &in_metres, const
   mesh.n_cells            = int(elements.size());
   mesh.contact_element    = size_in_metres.section.first_element;
   mesh.contact_half_width = patch * in_metres.radius;
-  const std::string aside = path + "." + std::to_string(::getpid()) + ".msh";  // Gmsh goes by the ending
-  gmsh::write(aside);
-  std::filesystem::rename(aside, path);
+  write_mesh(path);
   return mesh;
 }
 }  // namespace mill::meshes

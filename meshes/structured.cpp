@@ -1,12 +1,11 @@
 #include "meshes/structured.h"
 #include "core/errors.h"
 #include "meshes/gmsh_scope.h"
+#include "meshes/write_mesh.h"
 #include <Eigen/Geometry>
-#include <filesystem>
 #include <gmsh.h>
 #include <limits>
 #include <map>
-#include <unistd.h>
 
 namespace mill::meshes {
 namespace {
@@ -147,9 +146,7 @@ MeshFile write_grid(const StructuredGrid &grid, const std::string &path)
     model::addPhysicalGroup(walk.dim - 1, {id}, id);
     model::setPhysicalName(walk.dim - 1, id, name);
   }
-  const std::string aside = path + "." + std::to_string(::getpid()) + ".msh";  // Gmsh goes by the ending
-  gmsh::write(aside);
-  std::filesystem::rename(aside, path);
+  write_mesh(path);
   return mesh;
 }
 }  // namespace mill::meshes

@@ -31,10 +31,13 @@ template <class... Lists> Keys join(const Lists &...lists)
 }
 }  // namespace
 
-Keys backup_beam_keys()
+Keys backup_roll_keys(const bool solid)
 {
-  return join(in_section("backup_roll", "barrel_diameter barrel_length neck_diameter bearing_span"),
-              in_section("steel", "youngs_modulus poisson_ratio"), in_section("dynamics", "mass_reference"));
+  return join(in_section("backup_roll", "barrel_diameter barrel_length neck_diameter bearing_span bending_model"),
+              in_section("steel", "youngs_modulus poisson_ratio"), in_section("dynamics", "mass_reference"),
+              solid ? join(in_section("backup_roll", "neck_length"),
+                           in_section("dynamics", "elements_per_radius frequency_limit"))
+                    : Keys());
 }
 
 Keys housing_keys(const MillHousing &housing, const bool mass)
@@ -56,6 +59,10 @@ Keys as_drawn(const Keys &keys, const FourHigh &stand)
     if (stand.housing.present() && (key.find("frame.upper_post_") == 0 || key.find("frame.upper_beam_") == 0 ||
                                     key.find("frame.lower_post_") == 0 || key.find("frame.lower_beam_") == 0))
       return housing_keys(stand.housing, key.find("_mass") != std::string::npos);
+    // A backup bearing that counts its chock has put it out of the chain.
+    if ((key == "frame.upper_chock_stiffness" && std::isinf(stand.frame.upper_chock_stiffness)) ||
+        (key == "frame.lower_chock_stiffness" && std::isinf(stand.frame.lower_chock_stiffness)))
+      return {};
     for (const Replacement &drawn : replaced)
       if (drawn.key == key)
         return drawn.inputs;
@@ -67,34 +74,37 @@ Keys as_drawn(const Keys &keys, const FourHigh &stand)
   return all;
 }
 
-Keys given_springs(const FourHigh &stand)
+std::map<std::string, Keys> given_springs(const FourHigh &stand)
 {
-  Keys keys;
+  std::map<std::string, Keys> keys;
   for (const char *name : {"K1", "K7", "K_ZW"})
-    if (stand.given.count(name))
-      keys.push_back(std::string("given.") + name);
+    if (const auto given = stand.given.find(name); given != stand.given.end()) {
+      const Keys &inputs = given->second.parameter.inputs;
+      keys[name]         = inputs.empty() ? Keys{std::string("given.") + name} : inputs;
+    }
   return keys;
 }
 
-std::array<Keys, 13> chain_keys(const SpringKeys &s)
+std::array<Keys, 13> chain_keys(const SpringKeys &s, const bool solid)
 {
-  // A given spring stands for what it is made of, in the load path too.
+  // A given spring replaces what it is made of, in the load path too.
   const auto or_given = [&](const char *name, const Keys &keys) {
-    return holds(s.given, name) ? Keys{name} : keys;
+    const auto given = s.given.find(name);
+    return given == s.given.end() ? keys : given->second;
   };
-  const Keys beam = backup_beam_keys();
+  const Keys beam = backup_roll_keys(solid);
   const Keys K1 =
       in_section("frame", "upper_post_stiffness upper_beam_stiffness piston_stiffness upper_packing_stiffness");
   const Keys K2 = join(in_section("frame", "oil_column_stiffness cylinder_body_stiffness upper_chock_stiffness"),
-                       s.K_Zy_upper, or_given("given.K_ZW", beam));
-  const Keys K6 = join(in_section("frame", "lower_chock_stiffness"), s.K_Zy_lower, or_given("given.K_ZW", beam));
+                       s.K_Zy_upper, or_given("K_ZW", beam));
+  const Keys K6 = join(in_section("frame", "lower_chock_stiffness"), s.K_Zy_lower, or_given("K_ZW", beam));
   const Keys K7 =
       in_section("frame", "lower_post_stiffness lower_beam_stiffness lower_packing_stiffness load_cell_stiffness");
 
-  const Keys upper_path = or_given("given.K1", K1), lower_path = or_given("given.K7", K7);
+  const Keys upper_path = or_given("K1", K1), lower_path = or_given("K7", K7);
   const Keys density = in_section("steel", "density");
   const Keys backup =
-      join(beam, or_given("given.K_ZW", {}), in_section("backup_roll", "neck_length bearing_mass"), density);
+      join(beam, or_given("K_ZW", {}), in_section("backup_roll", "neck_length bearing_mass"), density);
   const Keys barrel = in_section("work_roll", "barrel_diameter barrel_length neck_diameter total_length");
   const Keys work =
       join(barrel, in_section("work_roll", "bearing_span bearing_mass"), in_section("strip", "width"), density);

@@ -11,7 +11,6 @@ namespace mill::reduce {
 namespace {
 constexpr int n_needed      = 5;      // three unknowns, two left over to judge the fit
 constexpr int n_local       = 7;      // taken when there are as many
-constexpr double worst_fit  = 1e-3;   // a smooth sweep reaches 1e-5; 1e-3 means the form no longer holds
 constexpr double edge_match = 1e-12;  // a working load equal to an end of the sweep but for rounding is inside
 
 std::string kilonewton(const double load)
@@ -86,7 +85,7 @@ LogFit fit_line_contact(const ContactCurve &curve, const double load)
 }
 }  // namespace
 
-ContactStiffness contact_stiffness(const ContactCurve &curve, const double working_load)
+ContactStiffness contact_stiffness(const ContactCurve &curve, const double working_load, const double worst_fit)
 {
   require_samples(curve);
   require_inside(curve, working_load);

@@ -21,11 +21,13 @@ struct ContactStiffness {
 ///                        curve.load      (n)  N, total over the contact length, > 0
 ///                        curve.approach  (n)  m, distance the two roll axes come together, > 0
 /// @param working_load  N, inside the sampled range; a curve is never extrapolated
+/// @param worst_fit     -, largest fit_error: a smooth sweep reaches 1e-5, and 1e-3 means that the form no longer
+///                      holds; a coarse mesh, which only judges another, steps by more
 ///
 /// @throws InputError   n < 5, loads not increasing or not positive, or working_load outside the samples;
 ///                      names the key that sets the range
-/// @throws SolverError  fit_error > 1e-3: no line contact any more (edge contact, lost nodes)
+/// @throws SolverError  fit_error > worst_fit: no line contact any more (edge contact, lost nodes)
 /// Cost O(n).  No state, no files.
 /// Source: K. L. Johnson, Contact Mechanics (1985), chapter 5; the slope is derived in theory.md 3.2.
-ContactStiffness contact_stiffness(const ContactCurve &curve, double working_load);
+ContactStiffness contact_stiffness(const ContactCurve &curve, double working_load, double worst_fit = 1e-3);
 }  // namespace mill::reduce

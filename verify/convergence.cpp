@@ -203,9 +203,15 @@ std::vector<Check> order_quadratic()
         shown.push_back(reported("order of p" + step, crowded ? 2 : 1, order(two, &Errors::p)));
       }
     }
-    const Judged how = crowded ? Judged::at_least : Judged::reported;
-    judged.push_back({"order of u in L2, " + kind + " meshes", "-", order(series, &Errors::u), 2.5, 0, how});
-    judged.push_back({"order of p in L2, " + kind + " meshes", "-", order(series, &Errors::p), 1.0, 0, how});
+    const Check u{
+        "order of u in L2, " + kind + " meshes", "-", order(series, &Errors::u), 2.5, 0, Judged::at_least};
+    judged.push_back(crowded ? u
+                             : known_deviation(u, {2.4665, 0.01,
+                                                   "stresses have a square root at the edge of the contact, which "
+                                                   "limits even meshes to 5/2; they come near it from below",
+                                                   "meshes graded towards the edge, which the case has as well"}));
+    judged.push_back(
+        {"order of p in L2, " + kind + " meshes", "-", order(series, &Errors::p), 1.0, 0, Judged::at_least});
   }
   judged.insert(judged.end(), shown.begin(), shown.end());
   return judged;

@@ -60,23 +60,33 @@ Cgs1 cgs1(const double F, const double a, const int per_a, const fem::ElasticLaw
 std::vector<Check> cgs1_full()
 {
   const double F = 35000 * N_per_mm, a = 6.2146 * mm;
-  std::vector<Check> checks;
-  const Cgs1 peer = cgs1(F, a, 24, fem::ElasticLaw::st_venant_kirchhoff);
-  checks.push_back({"peak pressure, St. Venant-Kirchhoff, against a quadratic peer", "MPa",
-                    peer.ellipse.peak / MPa, 3513.37, 0.01});
-  const auto report = [&](const std::string &law, const Cgs1 &c) {
-    checks.push_back(reported("peak pressure against Hertz, " + law, "MPa", c.ellipse.peak / MPa, 3585.36));
-    checks.push_back(reported("half width, " + law, "mm", c.ellipse.half_width / mm, 6.2146));
-    checks.push_back(reported("u_y at the top of the block, " + law, "mm", c.depth / mm, -1.308));
+  std::vector<Check> checks, shown;
+  const auto add = [&](const std::string &law, const Cgs1 &c) {
+    shown.push_back(reported("half width, " + law, "mm", c.ellipse.half_width / mm, 6.2146));
+    shown.push_back(reported("u_y at the top of the block, " + law, "mm", c.depth / mm, -1.308));
+    return relative("peak pressure, " + law, "MPa", c.ellipse.peak / MPa, 3585.36, 0.01);
   };
-  report("St. Venant-Kirchhoff", peer);
-  report("neo-Hooke", cgs1(F, a, 24, fem::ElasticLaw::neo_hooke));
-  report("Hencky", cgs1(F, a, 24, fem::ElasticLaw::hencky));
-  checks.push_back({"Newton steps", "-", double(peer.contact.iterations), 12, 0, Judged::at_most});
+  const auto law_decides = [](const double recorded) {
+    return KnownDeviation{
+        recorded, 4,
+        "3585.36 MPa is Hertz' pressure, of small strain; at strains of 5 % the peak follows the "
+        "law that continues Hooke's, and the task names none",
+        "a statement of the task which law is meant, and a reference computed with it"};
+  };
+  checks.push_back(add("Biot: stress linear in the stretch", cgs1(F, a, 24, fem::ElasticLaw::biot)));
+  const Cgs1 green = cgs1(F, a, 24, fem::ElasticLaw::st_venant_kirchhoff);
+  checks.push_back(known_deviation(add("St. Venant-Kirchhoff", green), law_decides(3490.91)));
   checks.push_back(
-      {"largest force out of balance / load", "-", peer.contact.unbalanced, 1e-10, 0, Judged::at_most});
-  checks.push_back({"last correction / displacement", "-", peer.contact.correction, 1e-10, 0, Judged::at_most});
-  checks.push_back({"complementarity residual", "-", peer.contact.residual, 1e-12, 0, Judged::at_most});
+      known_deviation(add("neo-Hooke", cgs1(F, a, 24, fem::ElasticLaw::neo_hooke)), law_decides(3622.79)));
+  checks.push_back(known_deviation(add("Hencky", cgs1(F, a, 24, fem::ElasticLaw::hencky)), law_decides(3655.16)));
+  checks.push_back(relative("peak pressure, St. Venant-Kirchhoff, against a quadratic peer of the same law", "MPa",
+                            green.ellipse.peak / MPa, 3513.37, 0.01));
+  checks.insert(checks.end(), shown.begin(), shown.end());
+  checks.push_back({"Newton steps", "-", double(green.contact.iterations), 12, 0, Judged::at_most});
+  checks.push_back(
+      {"largest force out of balance / load", "-", green.contact.unbalanced, 1e-10, 0, Judged::at_most});
+  checks.push_back({"last correction / displacement", "-", green.contact.correction, 1e-10, 0, Judged::at_most});
+  checks.push_back({"complementarity residual", "-", green.contact.residual, 1e-12, 0, Judged::at_most});
   return checks;
 }
 
@@ -115,13 +125,16 @@ fem::PressedState indented_cube(const int degree, const double h, const int n_fi
 std::vector<Check> strip_step42()
 {
   const auto linear = indented_cube(1, mm / 64, 8, 12, 1.3), quadratic = indented_cube(2, mm / 32, 4, 4, 1.8);
-  return {
-      {"contact force, linear elements of 1/64", "N",                       4 * linear.force, 56.794, 0.02           },
-      reported("contact force, quadratic elements of 1/32", "N", 4 * quadratic.force, 56.794),
-      { "Newton steps",                                     "-", double(linear.iterations),               15,      0, Judged::at_most},
-      { "largest force out of balance / contact force",                                     "-",         linear.unbalanced,            1e-10,      0, Judged::at_most},
-      { "complementarity residual",                                     "-",           linear.residual,            1e-12,      0, Judged::at_most},
-  };
+  return {relative("contact force, linear elements of 1/64", "N", 4 * linear.force, 56.794, 0.02),
+          known_deviation(
+              relative("contact force, quadratic elements of 1/32", "N", 4 * quadratic.force, 56.794, 0.02),
+              {55.2816, 0.1,
+               "56.794 is the value of linear elements of 1/64, which are too stiff where the material flows at "
+               "constant volume; with their size the force falls (57.0 at 1/64, 56.1 at 1/128)",
+               "a reference that does not depend on its mesh"}),
+          at_most("Newton steps", "-", double(linear.iterations), 15),
+          at_most("largest force out of balance / contact force", "-", linear.unbalanced, 1e-10),
+          at_most("complementarity residual", "-", linear.residual, 1e-12)};
 }
 }  // namespace
 
@@ -135,18 +148,18 @@ std::vector<Case> nonlinear_cases()
        " 0.124). Quadratic grids that do not match, 16 600 unknowns; total Lagrangian Newton iteration, "
        "each step condenses both tangents onto the deformed surfaces and solves the contact there "
        "exactly: 9 steps from rest, no load steps. Pressure is force over deformed length. 'Linear "
-       "elastic' is ambiguous at these strains of 5 %: three laws with the same small-strain constants "
-       "are run.",
-       "Judged: code_aster ssnp154, quadratic elements, whose input names rotations and displacements as"
-       " large and the law as linear between second Piola-Kirchhoff stress and Green's strain (St. "
-       "Venant-Kirchhoff); its other formulation has 3502.79 MPa, its u_y is -1.308 mm. Reported: Hertz;"
-       " A. W. A. Konter, FENET-UNOTT-DLE-09 (2006)",
-       "1 % is the band asked for; the peer's own two formulations differ by 0.3 %. Hertz' value is "
-       "shown, not judged: with small displacements this model meets it within 0.1 % (cgs1-depth), with "
-       "large ones the law decides, from -2.6 % (softening under compression) to +2.0 % (Hencky), while "
-       "a block four times as large, a cut plane moved rigidly and elements half as large change 0.1 % "
-       "at most. The tangent leaves out how normals turn: each step leaves about a tenth of the error, "
-       "ten steps to 1e-10.",
+       "elastic' is ambiguous at these strains of 5 %: four laws with the same small-strain constants "
+       "are run and judged alike.",
+       "Hertz, as asked; A. W. A. Konter, FENET-UNOTT-DLE-09 (2006). Peer: code_aster ssnp154, quadratic "
+       "elements, whose input names rotations and displacements as large and the law as linear between "
+       "second Piola-Kirchhoff stress and Green's strain (St. Venant-Kirchhoff); its other formulation has "
+       "3502.79 MPa, its u_y is -1.308 mm",
+       "1 % is the band asked for; the peer's own two formulations differ by 0.3 %. With small displacements "
+       "this model meets Hertz within 0.1 % (cgs1-depth), with large ones the law decides, from -2.6 % "
+       "(stress linear in Green's strain, which softens under compression) to +1.9 % (in the logarithmic "
+       "strain); linear in the stretch itself lies between them. A block four times as large, a cut plane "
+       "moved rigidly and elements half as large change 0.1 % at most. The tangent leaves out how normals "
+       "turn: each step leaves about a tenth of the error, ten steps to 1e-10.",
        cgs1_full});
   cases.push_back(
       {"strip-step42", "benchmark",
@@ -154,9 +167,10 @@ std::vector<Case> nonlinear_cases()
        "deformation theory of plasticity with linear isotropic hardening (norm of the deviator 400 MPa "
        "at yield, hardening 0.01), base clamped, sides held horizontally; a rigid ball of radius 0.6 is "
        "pressed 0.01 into its top. A quarter is meshed; semismooth Newton whose every step condenses the"
-       " tangent onto the patch and finds the exact active set, 8 steps. Judged: linear elements of 1/64"
+       " tangent onto the patch and finds the exact active set, 8 steps. Linear elements of 1/64"
        " under the ball, 17 700 unknowns of the quarter, 145 nodes "
-       "of the whole top touching, as in the reference. Reported: quadratic elements of 1/32, 13 800 unknowns.",
+       "of the whole top touching, as in the reference; and quadratic elements of 1/32, 13 800 unknowns, judged "
+       "alike.",
        "deal.II step-42, results of its third refinement, 52 497 unknowns; J. Frohne, T. Heister, W. "
        "Bangerth, Int. J. Numer. Meth. Eng. 105 (2016) 416",
        "The reference is a value of its mesh, three refinements of elements of 1/8: linear elements of "

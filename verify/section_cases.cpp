@@ -167,8 +167,8 @@ std::vector<Case> section_cases()
        "Orders asked for: code_aster V6.03.150. Exact solution: Hertz pressure in Westergaard's stress "
        "function",
        "Stresses have a square root at the edge of the contact, which limits even meshes to 5/2 in the "
-       "displacement and 1 in the pressure whatever the elements; they come near 5/2 from below and are "
-       "shown, not judged. Graded meshes show the order of the elements.",
+       "displacement and 1 in the pressure whatever the elements; they come near 5/2 from below. Graded "
+       "meshes show the order of the elements.",
        order_quadratic});
   cases.push_back(
       {"sphere-flat", "verification",

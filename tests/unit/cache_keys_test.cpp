@@ -185,7 +185,7 @@ std::vector<std::string> not_seen_by_a_roll_mesh()
 
 // Clearance, profile and slices belong to the equilibrium of all rollers, which is found anew.
 const std::string equilibrium = " radial_clearance end_play preload profile crown_drop profile_load profile_share "
-                                "profile_table yield_pressure tilt_lever slices rib_angle";
+                                "profile_table yield_pressure slices rib_angle";
 
 std::vector<std::string> not_seen_by_a_bearing()
 {
@@ -286,9 +286,9 @@ TEST(CacheKeys, EveryRowOfTheOtherKindsEntersOrIsKnownNotTo)
   },
       {{"rolls", head + of("steel", no_inertia) + of("contact.line", "length at samples")}});
   // [model] says law and rings of the bearing again.
-  const auto bearing =
-      head + std::vector<std::string>{"dynamics.*", "published.*"} + of("bearing.trb", "type roller_law rings") +
-      of("load", "bearing axial cage_angle samples radial loads") + of("model", "slices tilt_lever");
+  const auto bearing = head + std::vector<std::string>{"dynamics.*", "published.*"} +
+                       of("bearing.trb", "type roller_law rings") +
+                       of("load", "bearing axial cage_angle samples radial loads") + of("model", "slices");
   expect_followed(
       {
           "cases/bearing-266.toml", {"bearing.trb.roller_total_length=34 mm"}

@@ -19,7 +19,8 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 namespace {
 const Material steel{210e9, 0.3, 7850};
 const double mu = 210e9 / 2.6, lambda = 210e9 * 0.3 / (1.3 * 0.4);
-const ElasticLaw laws[] = {ElasticLaw::hencky, ElasticLaw::st_venant_kirchhoff, ElasticLaw::neo_hooke};
+const ElasticLaw laws[] = {ElasticLaw::hencky, ElasticLaw::biot, ElasticLaw::st_venant_kirchhoff,
+                           ElasticLaw::neo_hooke};
 
 std::string scratch(const std::string &name)
 {
@@ -88,6 +89,7 @@ TEST(LargeStress, ConfinedCompression)
   const auto S     = [&](const ElasticLaw law) { return fem::large_stress(steel, law, F).stress[1]; };
   EXPECT_NEAR(S(ElasticLaw::st_venant_kirchhoff) / ((lambda + 2 * mu) * E), 1, 1e-12);
   EXPECT_NEAR(S(ElasticLaw::hencky) * l * l / ((lambda + 2 * mu) * std::log(l)), 1, 1e-12);
+  EXPECT_NEAR(S(ElasticLaw::biot) * l / ((lambda + 2 * mu) * (l - 1)), 1, 1e-12);
   EXPECT_NEAR(S(ElasticLaw::neo_hooke) * l * l / (mu * (l * l - 1) + lambda * std::log(l)), 1, 1e-12);
 }
 

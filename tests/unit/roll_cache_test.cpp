@@ -1,5 +1,7 @@
 #include "core/files.h"
+#include "fem/component_cache.h"
 #include "fem/roll_cache.h"
+#include "tests/support/obstacles.h"
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <random>
@@ -20,6 +22,7 @@ fem::CondensedRoll some_roll(const double number)
   roll.grid.x          = Eigen::VectorXd::LinSpaced(2, 0, number);
   roll.squeeze.patch   = Eigen::MatrixXd::Constant(6, 6, number);
   roll.translate.patch = Eigen::MatrixXd::Identity(6, 6);
+  roll.field_mesh      = "$MeshFormat";
   return roll;
 }
 }  // namespace
@@ -46,6 +49,7 @@ TEST_F(RollCache, GivesBackEveryBit)
   EXPECT_EQ(back->grid.x, roll.grid.x);
   EXPECT_EQ(back->geometry.radius, roll.geometry.radius);
   EXPECT_EQ(back->n_unknowns, 12345);
+  EXPECT_EQ(back->field_mesh, roll.field_mesh);
 }
 
 TEST_F(RollCache, RefusesOtherKeysAndAbsentFiles)
@@ -84,4 +88,21 @@ TEST_F(RollCache, TwoWritersLeaveAWholeFile)
   for (auto &writer : writers)
     writer.join();
   EXPECT_TRUE(fem::load_roll(folder + "/a", "key"));
+}
+
+// Every kind of entry goes through core/cache_entry.h: what cannot be read is made again, and nothing waits.
+TEST_F(RollCache, NoKindOfEntryStumblesOverAnObstacle)
+{
+  const std::string path = folder + "/entry";
+  for (const std::string &obstacle : obstacles) {
+    put_obstacle(path, obstacle);
+    std::string roll, fourier, roller, rings, component;
+    EXPECT_FALSE(fem::load_roll(path, "key", &roll)) << obstacle;
+    EXPECT_FALSE(fem::load_fourier_roll(path, "key", &fourier)) << obstacle;
+    EXPECT_FALSE(fem::load_roller(path, "key", &roller)) << obstacle;
+    EXPECT_FALSE(fem::load_rings(path, "key", &rings)) << obstacle;
+    EXPECT_FALSE(fem::load_component(path, "key", &component)) << obstacle;
+    for (const std::string &note : {roll, fourier, roller, rings, component})
+      EXPECT_NE(note.find("is not used"), std::string::npos) << obstacle;
+  }
 }

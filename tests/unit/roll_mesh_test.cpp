@@ -1,8 +1,12 @@
 #include "core/errors.h"
+#include "core/files.h"
+#include "meshes/write_mesh.h"
 #include "tests/support/near.h"
 #include "tests/support/roll_pair.h"
 #include <Eigen/Eigenvalues>
+#include <csignal>
 #include <filesystem>
+#include <sys/resource.h>
 
 using namespace mill;
 
@@ -138,4 +142,41 @@ TEST(RollMesh, ImpossibleSectionNamesTheRoll)
   } catch (const SolverError &e) {
     EXPECT_NE(e.report.what.find("backup roll"), std::string::npos);
   }
+}
+
+// The disk is full after 20 kB: Gmsh says nothing, the mesh is refused, and nothing is left behind.
+TEST(RollMesh, AMeshThatDoesNotArriveIsRefused)
+{
+  const std::string folder =
+      (std::filesystem::temp_directory_path() / ("millstand-full-" + std::to_string(getpid()))).string();
+  std::filesystem::create_directories(folder);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit full{20000, before.rlim_max};
+  std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &full);
+  std::string said;
+  try {
+    meshes::mesh_roll("backup roll", backup, coarse(), folder + "/roll.msh");
+  } catch (const InputError &e) {
+    said = e.what();
+  }
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_NE(said.find("cannot be written"), std::string::npos) << said;
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(RollMesh, EveryLineOfNodesAndElementsIsMissed)
+{
+  const auto mesh         = mesh_of(backup, coarse());
+  const std::string whole = read_text(mesh.path);
+  EXPECT_EQ(meshes::missing_of_mesh(whole), "");
+  EXPECT_NE(meshes::missing_of_mesh(""), "");
+  for (const double cut : {0.01, 0.3, 0.6, 0.95, 0.9999})
+    EXPECT_NE(meshes::missing_of_mesh(whole.substr(0, std::size_t(cut * double(whole.size())))), "") << cut;
+  // What a disk that was full for a moment swallows: a block of 4 kB in the middle.
+  const auto nodes = whole.find("$Nodes"), elements = whole.find("$Elements");
+  for (const auto at : {nodes + 9000, elements + 9000})
+    EXPECT_NE(meshes::missing_of_mesh(std::string(whole).erase(at, 4096)), "") << at;
 }

@@ -47,13 +47,12 @@ TEST(StripFlowStore, ComesBackAsItWas)
   EXPECT_EQ(b->fine.sxx.size(), 0);
 }
 
-TEST(StripFlowStore, ADamagedTextIsNoAnswer)
+// Damage is seen by the checksum of the cache entry; what is left is a text of another version.
+TEST(StripFlowStore, AnotherTextIsNoAnswer)
 {
   const std::string text = stored_flow(some_answer());
   EXPECT_FALSE(restored_flow(""));
-  EXPECT_FALSE(restored_flow("no hash"));
+  EXPECT_FALSE(restored_flow("no JSON"));
+  EXPECT_FALSE(restored_flow("{}"));
   EXPECT_FALSE(restored_flow(text.substr(0, text.size() / 2)));
-  std::string changed = text;
-  changed[text.size() / 2] ^= 1;
-  EXPECT_FALSE(restored_flow(changed));
 }

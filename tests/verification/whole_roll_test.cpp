@@ -119,6 +119,21 @@ TEST(WholeRoll, ShiftsOfOppositeSignAreMirrorImagesAndMoveTheContact)
   EXPECT_TRUE(near(fem::barrel_profile(right, a).line_load.dot(right.path), F, within(1e-10, "equilibrium")));
 }
 
+// The active set's stiffness steps as stations join; the fitted one is the slope of the curve.
+TEST(WholeRoll, FittedJointStiffnessIsTheSlopeOfTheCurve)
+{
+  const auto a = fem::held_by_mirror(rolls().backup_roll, Extent::whole),
+             b = fem::held_by_mirror(rolls().work_roll, Extent::whole);
+  const auto pair =
+      fem::make_pair("upper", rolls().backup_roll, a, rolls().work_roll, b, Eigen::VectorXd::Zero(a.grid.n_z));
+  const auto joint = fem::fitted_joint_stiffness(pair, F, 2 * F);
+  const double slope =
+      0.6 * F / (fem::solve_load(pair, 1.3 * F).approach - fem::solve_load(pair, 0.7 * F).approach);
+  EXPECT_TRUE(
+      near(joint(1, 1), slope, within(0.01, "a coarse mesh: a chord over 0.7 to 1.3 F crosses few steps")));
+  EXPECT_TRUE(near(joint(0, 0), -F / pair.radii_sum, within(1e-12, "geometric, no fit")));
+}
+
 TEST(WholeRoll, JointStiffnessIsThatOfItsMotions)
 {
   const auto a = fem::held_by_mirror(rolls().backup_roll, Extent::whole),
