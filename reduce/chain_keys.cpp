@@ -104,9 +104,10 @@ std::array<Keys, 13> chain_keys(const SpringKeys &s, const bool solid)
   const Keys upper_path = or_given("K1", K1), lower_path = or_given("K7", K7);
   const Keys density = in_section("steel", "density");
   // A given K_ZW scales a beam, whose shape then no longer depends on its modulus.
-  Keys shape = join(or_given("K_ZW", {}), beam);
+  Keys drawn = beam;
   if (s.given.count("K_ZW"))
-    shape.erase(std::remove(shape.begin(), shape.end(), "steel.youngs_modulus"), shape.end());
+    drawn.erase(std::remove(drawn.begin(), drawn.end(), "steel.youngs_modulus"), drawn.end());
+  const Keys shape  = join(drawn, or_given("K_ZW", {}));
   const Keys backup = join(shape, in_section("backup_roll", "neck_length bearing_mass"), density);
   const Keys barrel = in_section("work_roll", "barrel_diameter barrel_length neck_diameter total_length");
   const Keys work   = join(barrel, in_section("work_roll", "bearing_span bearing_mass"),
