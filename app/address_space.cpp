@@ -5,9 +5,12 @@
 #include <cstring>
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <future>
 #include <malloc.h>
 #include <sched.h>
 #include <sys/resource.h>
+#include <system_error>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -16,6 +19,7 @@ namespace {
 constexpr std::size_t MB               = 1u << 20;
 constexpr std::size_t buffer           = 129 * MB;  // of OpenBLAS: 32 << 22 bytes and a page (its common_x86_64.h)
 constexpr std::size_t own              = 96 * MB;  // what libraries and program take before the first large matrix
+constexpr std::size_t work             = 1024 * MB;  // room for matrices that is worth more than a second thread
 constexpr const char *threads_variable = "OMP_NUM_THREADS";
 
 // Filled before any library runs; zero: the address space is not limited.
@@ -23,7 +27,7 @@ std::size_t allowed = 0, mapped = 0;
 
 std::size_t needed(const int threads)
 {
-  return mapped + own + 2 * std::size_t(threads) * buffer;
+  return mapped + (threads > 1 ? work : own) + 2 * std::size_t(threads) * buffer;
 }
 
 std::size_t mapped_now()
@@ -116,6 +120,24 @@ int threads_that_fit(const int wanted)
   while (allowed > 0 && n > 1 && needed(n) > allowed)
     --n;
   return n;
+}
+
+int threads_that_start(const int wanted)
+{
+  std::promise<void> all_started;
+  const std::shared_future<void> release = all_started.get_future().share();
+  std::vector<std::thread> others;
+  others.reserve(std::size_t(std::max(0, wanted - 1)));
+  try {
+    while (int(others.size()) + 1 < wanted)
+      others.emplace_back([release] { release.wait(); });
+  } catch (const std::system_error &) {
+    // so many and no more
+  }
+  all_started.set_value();
+  for (std::thread &other : others)
+    other.join();
+  return 1 + int(others.size());
 }
 
 void reserve_address_space(const int threads)

@@ -8,6 +8,10 @@ namespace mill {
 /// one thread does not get this far: the program then ends with exit code 3 before any library begins.
 int threads_that_fit(int wanted);
 
+/// Threads, at most `wanted`, that the system lets run at once (ulimit -u, the limit of a container): tried out,
+/// since libgomp ends the program where it cannot start one.
+int threads_that_start(int wanted);
+
 /// Takes the buffers of that many threads now, and with them room for the stack, when the address space is
 /// limited.
 void reserve_address_space(int threads);

@@ -13,12 +13,12 @@ bool on_block(const RollerBearing &b)
 }
 
 // The chock seen along the pass line: its height lies across the load then, and all of that side is the support.
-RollerBearing on_liner(RollerBearing b)
+bearing::ChockSupport on_liner(RollerBearing b)
 {
   std::swap(b.chock_width, b.chock_height);
   b.chock_support_width = b.chock_width;
   b.chock_support_gap   = not_given;
-  return b;
+  return {"chock on its liner", b};
 }
 
 // The rolling force stands across the axis that is asked about: x points to the liner.
@@ -44,12 +44,11 @@ double by_law(const BearingQuestion &q, const std::string &law)
 }
 }  // namespace
 
-Parameter bearing_across(RunContext &run, const BearingStudy &s, const double largest_load,
-                         const std::vector<std::string> &inputs)
+Parameter bearing_across(RunContext &run, const BearingStudy &s, const std::vector<std::string> &inputs)
 {
   const BearingQuestion &q = s.question;
   const bool liner         = on_block(q.bearing);
-  const BearingParts parts = liner ? bearing_parts(run, on_liner(q.bearing), largest_load) : s.parts;
+  const BearingParts parts = liner ? with_support(run, q.bearing, s.parts, on_liner(q.bearing)) : s.parts;
   Parameter p;
   p.value          = across(parts.model, q);
   p.unit           = "N/m";

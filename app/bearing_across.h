@@ -6,8 +6,6 @@ namespace mill {
 /// the rolling force.  A block chock then bears with its whole side on the liner of the housing window instead of
 /// on its supports (theory.md 6, horizontal motion); its error estimate is of this quantity: roller's mesh, rings'
 /// mesh, slices, or the spread of the published laws of one roller.
-/// @param largest_load  N, on one roller, that the parts are meshed for
-/// Cost: a chock and rings once per bearing, then from the cache.
-Parameter bearing_across(RunContext &run, const BearingStudy &study, double largest_load,
-                         const std::vector<std::string> &inputs);
+/// Cost: a coarse chock once per bearing, then from the cache.
+Parameter bearing_across(RunContext &run, const BearingStudy &study, const std::vector<std::string> &inputs);
 }  // namespace mill

@@ -1,10 +1,11 @@
 #include "app/bearing_model.h"
-#include "bearing/chock_supports.h"
 #include "bearing/clearance.h"
 #include "bearing/geometry.h"
 #include "bearing/ring_sections.h"
 #include "bearing/roller_profile.h"
 #include "core/files.h"
+#include "core/members.h"
+#include "core/record_text.h"
 #include "fem/chock_flexibility.h"
 #include "fem/roll_cache.h"
 #include "fem/roller_slices.h"
@@ -51,13 +52,14 @@ Part cached(RunContext &run, const std::string &stage, const std::string &file, 
   return part;
 }
 
+std::string inputs_of(const RollerSetup &setup)
+{
+  return record_text(roller_version, fem::library_version(), meshes::library_version(), setup);
+}
+
 fem::CondensedRoller condensed_roller(RunContext &run, const std::string &name, const RollerSetup &s)
 {
-  const std::string key = hash_of(fmt::format(
-      "{} {} {} | {} {} {} {} {} {} {} {} | {} {} | {} {} {} {} {}", roller_version, fem::library_version(),
-      meshes::library_version(), s.diameter, s.length, s.contact_length, s.inner_radius, s.outer_radius,
-      s.inner_depth, s.outer_depth, s.land, s.material.youngs_modulus, s.material.poisson_ratio, s.largest_load,
-      s.finest_load, s.elements_per_half_width, s.end_element, s.largest_element));
+  const std::string key = hash_of(inputs_of(s));
   const auto make       = [&] {
     const RollerMeshes meshes = meshes::mesh_roller(s, run.out.staging(), "roller-" + key);
     auto roller               = fem::condense_roller(s, meshes, run.progress);
@@ -68,14 +70,15 @@ fem::CondensedRoller condensed_roller(RunContext &run, const std::string &name, 
                                       fem::save_roller);
 }
 
+// Everything the rings' flexibility is made from: their sections and what holds them.
+std::string inputs_of(const RingSections &sections)
+{
+  return record_text(rings_version, fem::library_version(), meshes::library_version(), sections);
+}
+
 std::string ring_key(const RollerBearing &b, const bearing::RacewayDatum &datum)
 {
-  return hash_of(fmt::format(
-      "{} {} {} | {} {} {} {} {} {} {} {} {} {} | {} {} | {} {} {} {} {} {} | {} {} {}", rings_version,
-      fem::library_version(), meshes::library_version(), b.bore, b.outside_diameter, b.width,
-      bearing::pitch_diameter(b), b.rows, b.roller_length, b.roller_diameter, b.roller_cone_angle, b.cup_angle,
-      b.row_hands, b.youngs_modulus, b.poisson_ratio, b.chock, b.chock_width, b.chock_height, b.chock_length,
-      b.chock_support_width, b.chock_support_gap, datum.depth_inner, datum.depth_outer, datum.land));
+  return hash_of(inputs_of(bearing::ring_sections(b, datum)));
 }
 
 fem::RingResult condensed_rings(RunContext &run, const RollerBearing &b, const bearing::RacewayDatum &datum)
@@ -192,16 +195,34 @@ void add_rings(RunContext &run, const RollerBearing &b, BearingParts &parts)
   for (BearingVariant &companion : parts.companions)
     companion.model.rings = rings.flexibility;
   parts.companions.push_back({"rings and chock on a coarser mesh", parts.model});
-  parts.companions.back().model.rings = rings.companion;
-  for (const bearing::ChockSupport &support : bearing::open_supports(b)) {
-    const int harmonics = rings.flexibility.chock_harmonics;
-    const auto other    = condensed_surroundings(run, support, datum, harmonics);
-    parts.supports.push_back({support.name, parts.model});
-    parts.supports.back().model.rings =
-        bearing::with_surroundings_of(rings.flexibility, rings.companion, other.flexibility, harmonics);
-  }
+  parts.companions.back().model.rings = parts.coarse_rings = rings.companion;
+  for (const bearing::ChockSupport &support : bearing::open_supports(b))
+    parts.supports.push_back({support.name, with_support(run, b, parts, support).model});
 }
 }  // namespace
+
+BearingParts with_support(RunContext &run, const RollerBearing &b, BearingParts parts,
+                          const bearing::ChockSupport &support)
+{
+  const int harmonics = parts.model.rings.chock_harmonics;
+  const auto other    = condensed_surroundings(run, support, datum_of(b), harmonics);
+  const auto exchange = [&](bearing::BearingModel &model) {
+    model.rings = bearing::with_surroundings_of(model.rings, parts.coarse_rings, other.flexibility, harmonics);
+  };
+  exchange(parts.model);
+  for (BearingVariant &companion : parts.companions)
+    exchange(companion.model);
+  return parts;
+}
+std::string roller_inputs(const RollerBearing &b, const double largest_load)
+{
+  return b.roller_law == "fe" ? inputs_of(setup_of(b, bearing::ring_walls(b), land_of(b), largest_load)) : "";
+}
+
+std::string ring_inputs(const RollerBearing &b)
+{
+  return b.rings == "elastic" ? inputs_of(bearing::ring_sections(b, datum_of(b))) : "";
+}
 
 BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double largest_load)
 {

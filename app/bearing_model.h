@@ -1,6 +1,7 @@
 #pragma once
 #include "app/run_context.h"
 #include "bearing/assembly.h"
+#include "bearing/chock_supports.h"
 #include "fem/roller_contact.h"
 #include <functional>
 #include <memory>
@@ -20,6 +21,7 @@ struct BearingParts {
   bearing::BearingModel model;
   std::vector<BearingVariant> companions;              ///< on coarser meshes, one ingredient at a time
   std::vector<BearingVariant> supports;                ///< of the chock, where the case leaves them open
+  bearing::RingFlexibility coarse_rings;               ///< rings and chock on coarser meshes; none for rigid rings
   std::shared_ptr<const fem::CondensedRoller> roller;  ///< roller_law = "fe" only
   double law_depth_inner = 0, law_depth_outer = 0;     ///< m, of the raceways in the law of one roller
   std::vector<std::string> notes;                      ///< sentences for the report
@@ -33,10 +35,21 @@ double roller_load_bound(const RollerBearing &bearing, double radial_load, doubl
 /// under a radial load without tilt their places do not matter.
 RollerBearing with_row_places(RollerBearing bearing);
 
+/// Everything that the kept parts of a bearing depend on, as text; its hash is the key of the cache.  Empty: the
+/// bearing has no such part.
+std::string roller_inputs(const RollerBearing &bearing, double largest_load);
+std::string ring_inputs(const RollerBearing &bearing);
+
 /// Meshes and condenses roller, raceways, rings and chock, or takes them from the cache.  A support of the chock
 /// that is left open costs another two seconds each, on the coarser mesh.
 /// @param largest_load  N, on one roller
 BearingParts bearing_parts(RunContext &run, const RollerBearing &bearing, double largest_load);
+
+/// The model and its companions with the chock held in another way: the chock alone is meshed again, on the
+/// coarser mesh, or taken from the cache.
+/// @param bearing  with elastic rings, that the parts are made for
+BearingParts with_support(RunContext &run, const RollerBearing &bearing, BearingParts parts,
+                          const bearing::ChockSupport &support);
 
 /// Profile drop of one contact, m, at x from mid-roller.
 std::function<double(double)> drop_of(const RollerBearing &bearing);

@@ -2,6 +2,7 @@
 #include "app/bearing_published.h"
 #include "bearing/chock_supports.h"
 #include "bearing/geometry.h"
+#include "core/provenance.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -60,17 +61,7 @@ StateNumber of_heaviest(Eigen::VectorXd RowRollers::*number)
 
 std::vector<std::string> bearing_inputs(const RollerBearing &b)
 {
-  std::vector<std::string> keys{"rows",           "rollers_per_row", "roller_length",    "roller_diameter",
-                                "pitch_diameter", "cup_angle",       "radial_clearance", "profile",
-                                "roller_law",     "rings",           "slices",           "row_hands"};
-  if (b.rings == "elastic")
-    for (const char *key :
-         {"bore", "outside_diameter", "width", "youngs_modulus", "poisson_ratio", "chock", "chock_width",
-          "chock_height", "chock_length", "chock_support_width", "chock_support_gap"})
-      keys.push_back(key);
-  for (std::string &key : keys)
-    key = "bearing." + b.name + "." + key;
-  return keys;
+  return bearing_keys(b);
 }
 
 Parameter tangent_of(const BearingStudy &s, const std::vector<std::string> &inputs)

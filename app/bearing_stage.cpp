@@ -134,7 +134,7 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
                     {std::string(seat.section) + ".bearing", std::string(seat.section) + ".bearing_load"});
       out[p].Kzc[i] = tangent_of(study, inputs);
       if (!across.count(key))
-        across[key] = bearing_across(run, study, largest.at(seat.roll->bearing), inputs);
+        across[key] = bearing_across(run, study, inputs);
       out[p].Kzc_across[i] = across.at(key);
       if (p == 0)
         report_seat(run, seat, load, study, inputs);

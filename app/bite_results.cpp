@@ -24,7 +24,6 @@ Parameter plain(const BiteStudy &s, const BiteAnswer &answer)
   Parameter p;
   p.method = model_text(answer);
   p.at     = at_text(s);
-  p.inputs = bite_inputs(s.question);
   return p;
 }
 
@@ -143,25 +142,6 @@ void add_thicknesses(const BiteStudy &s, const Adder &add)
         ", under the rolls, loaded: as given");
 }
 }  // namespace
-
-std::vector<std::string> bite_inputs(const BiteQuestion &q)
-{
-  std::vector<std::string> keys{"strip.width",
-                                "strip.entry_thickness",
-                                "strip.exit_thickness",
-                                "strip.entry_tension",
-                                "strip.exit_tension",
-                                "strip.flow_stress",
-                                "strip.friction",
-                                q.roll_key,
-                                "steel.youngs_modulus",
-                                "steel.poisson_ratio",
-                                "bite.method",
-                                "bite.theory",
-                                "bite.arc",
-                                "bite.strip"};
-  return keys;
-}
 
 void add_bite_results(RunContext &run, const BiteStudy &s)
 {

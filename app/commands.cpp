@@ -182,7 +182,7 @@ int run_chain(const CommandLine &command)
   }
   const int wanted =
       command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
-  run.threads       = threads_that_fit(wanted);
+  run.threads       = threads_that_start(threads_that_fit(wanted));
   run.started       = now();
   run.progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
   run.progress.log  = [&](const std::string &line) { log.line(line); };
@@ -190,8 +190,8 @@ int run_chain(const CommandLine &command)
   reserve_address_space(run.threads);
   fem::set_assembly_threads(run.threads);
   if (run.threads < wanted)
-    log.line(
-        fmt::format("{} threads in place of {}: the address space is limited (ulimit -v)", run.threads, wanted));
+    log.line(fmt::format("{} threads in place of {}: more do not fit (ulimit -v) or do not start (ulimit -u)",
+                         run.threads, wanted));
   log.line("millstand " + version() + " " + command.verb + " " + command.target);
   log.line("BLAS " + blas_in_use());
   if (is_reference_blas(blas_in_use()))
@@ -262,7 +262,8 @@ int write_report(const std::string &directory)
 
 std::string current_manifest()
 {
-  return fs::exists(manifest_path) ? manifest_path : "";
+  std::error_code ignored;
+  return fs::exists(manifest_path, ignored) ? manifest_path : "";
 }
 
 int carry_out(const CommandLine &command)

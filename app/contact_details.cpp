@@ -19,9 +19,6 @@ Parameter computed(const std::string &unit, const double value, const double err
   p.method         = method;
   p.at             = in_kN(load);
   p.error_estimate = error;
-  p.inputs         = {"steel.youngs_modulus",      "steel.poisson_ratio", "work_roll.barrel_diameter",
-                      "work_roll.barrel_length",   "work_roll.crown",     "backup_roll.barrel_diameter",
-                      "backup_roll.barrel_length", "backup_roll.crown"};
   return p;
 }
 
@@ -144,7 +141,6 @@ void add_friction(RunContext &run, const FourHigh &stand, const ContactModel &m,
                               "over that without on the same mesh, loaded from zero in {} equal steps, "
                               "{:.0f} % of the touching nodes slip",
                         K, fine.ratio, settings.friction, steps, 100 * fine.slipping));
-  p.inputs.push_back("contact." + name + ".friction");
   p.checks.push_back({"without friction", tangent.value, "equal materials: nearly uncoupled"});
   p.checks.push_back({"effect of friction on a mesh twice as coarse", tangent.value * coarse.ratio, ""});
   p.checks.push_back(

@@ -1,5 +1,6 @@
 #include "app/dynamics_stage.h"
 #include "core/csv.h"
+#include "core/provenance.h"
 #include "dynamics/mill_model.h"
 #include "dynamics/modes.h"
 #include "dynamics/response.h"
@@ -11,38 +12,10 @@
 
 namespace mill {
 namespace {
-using Keys = std::vector<std::string>;
-
-void add_keys(Keys &keys, const Keys &more)
+// Keys behind both halves of the chain.
+KeyList inputs_of(const LumpedModel &model, const DynamicsSettings &settings)
 {
-  for (const std::string &key : more)
-    if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      keys.push_back(key);
-}
-
-// Keys behind the vertical chain; those of the bite only where its spring is in it.
-Keys inputs_of(const LumpedModel &model, const DynamicsSettings &settings)
-{
-  Keys keys;
-  for (const Parameter &mass : model.M)
-    add_keys(keys, mass.inputs);
-  for (std::size_t i = 0; i < model.K.size(); ++i)
-    if (i != 3 || settings.force_meaning != "measured")
-      add_keys(keys, model.K[i].inputs);
-  add_keys(keys, {"dynamics.force_meaning", "dynamics.frame"});
-  return keys;
-}
-
-// Keys behind the rolls on their bearings.
-Keys horizontal_inputs(const LumpedModel &model)
-{
-  Keys keys;
-  for (std::size_t i = 1; i < 5; ++i)
-    add_keys(keys, model.M[i].inputs);
-  for (std::size_t i = 0; i < model.Kzc.size(); ++i)
-    add_keys(keys, std::isnan(model.Kzc_across[i].value) ? model.Kzc[i].inputs : model.Kzc_across[i].inputs);
-  add_keys(keys, {"frame.chock_to_housing_stiffness", "work_roll.chock_mass_upper", "work_roll.chock_mass_lower"});
-  return keys;
+  return joined(chain_mode_keys(model, settings, Half::upper), chain_mode_keys(model, settings, Half::lower));
 }
 
 // Error of a frequency from the errors of springs and masses: half the strain-energy share of a spring, and half
@@ -57,7 +30,7 @@ void state_error(Parameter &f, const dynamics::Modes &modes, const Eigen::Index 
       return;
     f.error_estimate += 0.5 * share * part.error_estimate;
     if (std::isnan(part.error_estimate))
-      add_keys(f.error_lacks, part.error_lacks.empty() ? Keys{name} : part.error_lacks);
+      f.error_lacks = joined(f.error_lacks, part.error_lacks.empty() ? KeyList{name} : part.error_lacks);
   };
   for (int j = 0; j < 7; ++j)
     add("K" + std::to_string(j + 1), model.K[std::size_t(j)], modes.strain_share(mode, j));
@@ -135,7 +108,8 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
     f.method = "six-mass chain, force " + settings.force_meaning;
     f.at     = model.at;
     state_error(f, modes, i, model);
-    f.inputs = inputs_of(model, settings);
+    f.inputs = chain_mode_keys(model, settings,
+                               modes.kinetic_share.row(i).head(3).sum() > 0.5 ? Half::upper : Half::lower);
     run.results.add("f" + std::to_string(i + 1), f);
   }
 
@@ -166,7 +140,7 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
     f.method = "rolls on their bearings, " + horizontal.labels[std::size_t(mover)] +
                (std::isnan(chock_seat) ? ", chock seats rigid" : "");
     f.at          = model.at;
-    f.inputs      = horizontal_inputs(model);
+    f.inputs      = horizontal_mode_keys(model, horizontal.labels[std::size_t(mover)], !std::isnan(chock_seat));
     f.error_lacks = {"mass that moves along the pass line: the vertical equivalent mass stands in"};
     run.results.add("fh" + std::to_string(i + 1), f);
   }
@@ -279,8 +253,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
                                 (statistics.largest - statistics.smallest) / 1e3);
     p.error_lacks = {"dynamics.modal_damping", "spectrum of pass.force", "dynamics.model: modes that it lacks"};
     p.inputs      = model.inputs;
-    p.inputs.insert(p.inputs.end(), {"pass.force", "dynamics.modal_damping", "dynamics.output_rate"});
-    p.checks = std::move(checks);
+    p.checks      = std::move(checks);
     p.checks.push_back({"half the output rate", second, "what the sampling moves"});
     run.results.add(pass.name + "." + what + "." + roll, p);
   };

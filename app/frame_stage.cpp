@@ -59,7 +59,8 @@ void add_housing(RunContext &run, const FourHigh &stand, const Frame &before, co
   const auto K = post_beam_stiffness(stand.frame), M = post_beam_mass(stand.frame);
   const std::string how = fmt::format("housing by finite elements, {} unknowns of a quarter", statics.n_unknowns);
   for (std::size_t i = 0; i < part_names.size(); ++i) {
-    Parameter spring = computed(K[i], "N/m", how, statics.flexibility_error[i], reduce::housing_keys());
+    Parameter spring =
+        computed(K[i], "N/m", how, statics.flexibility_error[i], reduce::housing_keys(stand.housing, false));
     if (beams.flexibility[i] > 0)
       spring.checks.push_back(
           {"frame of Timoshenko beams (23.10)", 1 / beams.flexibility[i], "corners half rigid"});
@@ -69,7 +70,7 @@ void add_housing(RunContext &run, const FourHigh &stand, const Frame &before, co
     const double moved = M[i] / statics.reduced_mass[i];
     Parameter mass =
         computed(M[i], "kg", how + ", kinetic energy of the static shape, at the chain's point (4.13a)",
-                 statics.mass_error[i], reduce::housing_keys());
+                 statics.mass_error[i], reduce::housing_keys(stand.housing, true));
     mass.checks.push_back({"frame of Timoshenko beams (23.10)", moved * beams.reduced_mass[i], ""});
     mass.checks.push_back({"a third of a post, 17/35 of a beam on two posts", moved * rule[i], ""});
     mass.checks.push_back(

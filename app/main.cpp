@@ -8,12 +8,11 @@
 #include <stdexcept>
 #include <string>
 
-int main(int argc, char **argv)
+namespace {
+using namespace mill;
+
+int carry_out_command(int argc, char **argv)
 {
-  using namespace mill;
-  console::open_standard_files();
-  end_with_a_sentence();
-  use_fast_blas(argv);
   try {
     int exit_code      = 0;
     const auto command = parse_command_line(argc, argv, exit_code);
@@ -43,4 +42,15 @@ int main(int argc, char **argv)
     console::show_bug(e, current_manifest());
     return 1;
   }
+}
+}  // namespace
+
+int main(int argc, char **argv)
+{
+  console::open_standard_files();
+  end_with_a_sentence();
+  use_fast_blas(argv);
+  const int exit_code = carry_out_command(argc, argv);
+  end_as_meant();
+  return exit_code;
 }

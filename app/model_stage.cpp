@@ -3,6 +3,7 @@
 #include "core/csv.h"
 #include "core/lumped_model.h"
 #include "core/mesh_pair.h"
+#include "core/provenance.h"
 #include "reduce/beam_stand.h"
 #include "reduce/component_stand.h"
 #include "reduce/kept_modes.h"
@@ -83,7 +84,7 @@ void add_frequencies(RunContext &run, const reduce::StandWithModes &s, const red
     f.at             = chain.model.at;
     f.error_estimate = s.modes.error_estimate[i] + errors.error[i];
     f.error_lacks    = errors.lacks[std::size_t(i)];
-    f.inputs         = keys_of(chain.model);
+    f.inputs         = joined(keys_of(chain.model), detailed_model_keys());
     for (const reduce::ModePair &pair : pairs)
       if (pair.mode == i && pair.other >= 0) {
         f.checks.push_back({title_of(other.model.name), other.modes.frequency[pair.other],

@@ -199,7 +199,7 @@ Json routes_json(const ModelsFile &file)
         std::find_if(closed.begin(), closed.end(), [&](const auto &mass) { return mass.mass == name; });
     out.push_back({
         {"mass",        name                                                                                },
-        {"chain", found == closed.end() ? Json(nullptr) : number(found->value)                        },
+        {"chain",       found == closed.end() ? Json(nullptr) : number(found->value)                        },
         {"fe_integral", roll ? number(file.masses.integral[i - 1]) : Json(nullptr)                          },
         {"fe_solid",    roll ? number(file.masses.solid[i - 1]) : Json(nullptr)                             },
         {"published",

@@ -1,5 +1,6 @@
 #include "app/out_of_memory.h"
 #include "core/memory.h"
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -12,6 +13,18 @@ void say(const char *text)
 {
   if (::write(STDERR_FILENO, text, std::strlen(text)) < 0)
     return;  // nobody listens
+}
+
+bool meant = false;
+
+// libgomp exits where it can start no thread or has no memory for one, and says so itself.
+void end_of_a_library()
+{
+  if (meant)
+    return;
+  say("a library ended the program: it had no memory or could start no thread\n  change        fewer threads "
+      "(--threads), or higher limits\n");
+  ::_exit(3);
 }
 
 [[noreturn]] void end_here()
@@ -51,5 +64,11 @@ SolverError out_of_memory(const std::string &stage)
 void end_with_a_sentence()
 {
   std::set_terminate(end_here);
+  std::atexit(end_of_a_library);
+}
+
+void end_as_meant()
+{
+  meant = true;
 }
 }  // namespace mill

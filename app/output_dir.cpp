@@ -16,20 +16,19 @@ std::string owner_of(const std::string &directory)
   const std::string manifest = directory + "/run.json";
   if (!fs::exists(manifest))
     return "";
-  const auto json = nlohmann::json::parse(read_text(manifest), nullptr, false);
-  return json.is_object() ? json.value("case", "") : "";
+  const auto json  = nlohmann::json::parse(read_text(manifest), nullptr, false);
+  const bool named = json.is_object() && json.contains("case") && json["case"].is_string();
+  return named ? json["case"].get<std::string>() : "";
 }
 
 // Nothing but what an interrupted run left behind.
 bool is_free(const std::string &directory)
 {
-  std::error_code error;
-  for (const auto &entry : fs::directory_iterator(directory, error))
+  for (const auto &entry : fs::directory_iterator(directory))
     if (!is_staging(entry.path().filename().string()) && entry.path().filename() != "cache")
       return false;
   return true;
 }
-
 }  // namespace
 
 OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite, std::string run_id)

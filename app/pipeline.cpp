@@ -6,8 +6,10 @@
 #include "app/dynamics_stage.h"
 #include "app/frame_stage.h"
 #include "app/model_stage.h"
+#include "app/result_inputs.h"
 #include "core/csv.h"
 #include "core/lumped_model.h"
+#include "core/provenance.h"
 #include "reduce/lumped_stand.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -95,6 +97,7 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
                       "accelerations to the second",
                       stand.passes[p].name, in_kN(loads[p]), in_kN(forces[p].force.mean())));
   }
+  set_given_inputs(stand.given);
   resolve_frame(run, stand);
   ComponentSets components;  // before the contacts: what the meshes cannot show is said at once
   if (goal >= Goal::masses || stand.backup_roll.bending_model == "solid")
@@ -116,7 +119,8 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
     in.Kzc_across = bearings.Kzc_across;
     in.solid      = solid_rolls(components, stand.dynamics);
     in.at         = in_kN(loads[p]);
-    auto chain    = reduce::lumped_stand(stand, in);
+    set_inputs(in, stand, p);
+    auto chain = reduce::lumped_stand(stand, in);
     StandModels models;
     reduce::FeMasses fe_masses{};
     if (goal >= Goal::masses) {
@@ -161,7 +165,8 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
 
 void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::string &force_file)
 {
-  const LumpedModel model = lumped_model_of(run.the_case);
+  LumpedModel model = lumped_model_of(run.the_case);
+  set_given_inputs(model);
   add_model(run, model, "");
   run.out.write("lumped_model.toml", lumped_model_toml(model, run.the_case, run.out.path()));
   if (goal >= Goal::modes)
@@ -193,5 +198,6 @@ void run_stages(RunContext &run, const Goal goal, const std::string &force_file)
     solve_chatter_case(run, *chatter);
   else
     solve_cylinders(run, std::get<TwoCylinders>(run.the_case.spec));
+  set_inputs(run.results, run.the_case);
 }
 }  // namespace mill

@@ -2,15 +2,6 @@
 #include <sstream>
 
 namespace mill {
-KeyList keys_in(const std::string &section, const std::string &names)
-{
-  std::istringstream words(names);
-  KeyList keys;
-  for (std::string name; words >> name;)
-    keys.push_back(section + "." + name);
-  return keys;
-}
-
 namespace {
 KeyList words_of(const std::string &text)
 {

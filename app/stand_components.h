@@ -15,6 +15,11 @@ struct ComponentSets {
   bool present = false;
 };
 
+/// Everything that a reduced roll or housing depends on, as text; with the names of part and stage its hash is the
+/// key of the cache.
+std::string roll_component_inputs(const Roll &drawn, const FourHigh &stand, bool coarse);
+std::string housing_component_inputs(const FourHigh &stand, bool coarse);
+
 /// Meshes and reduces them, or takes them from the cache.
 /// @param with_housing  false: the rolls only
 /// @throws InputError  dynamics.frequency_limit above the reach of the meshes

@@ -1,13 +1,15 @@
 #include "app/strip_flow_stage.h"
 #include "app/strip_flow_store.h"
+#include "bite/members.h"
 #include "core/cache_entry.h"
 #include "core/files.h"
 #include "core/parallel.h"
+#include "core/record_text.h"
+#include "fem/elastic_body.h"
 #include "fem/strip_elastic.h"
 #include "meshes/strip_flow.h"
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
 #include <fmt/format.h>
 
 namespace mill {
@@ -16,53 +18,9 @@ namespace {
 constexpr const char *flow_version = "strip flow 3";
 constexpr const char *flow_kind = "millstand bite 1", *point_kind = "millstand bite point 1";
 
-std::string exact(const double value)
-{
-  return fmt::format("{:a} ", value);
-}
-
-// Everything the state depends on.
 std::string key_of(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
 {
-  const Strip &s      = q.bite.strip;
-  const FlowStress &k = s.flow_stress;
-  const Friction &f   = s.friction;
-  std::string text    = std::string(flow_version) + " " + k.law + " " + f.law + " " + q.setup.strip + " " +
-                     q.setup.arc + fmt::format(" {} {} ", q.setup.elements_along, q.setup.elements_through);
-  for (const double value : {s.width,
-                             s.entry_thickness,
-                             s.exit_thickness,
-                             s.entry_tension,
-                             s.exit_tension,
-                             s.initial_thickness,
-                             s.youngs_modulus,
-                             s.poisson_ratio,
-                             k.k,
-                             k.eps0,
-                             k.n,
-                             k.k0,
-                             f.coefficient,
-                             f.shear_limit,
-                             f.entry_factor,
-                             f.exit_factor,
-                             f.scale,
-                             f.at_unit_speed,
-                             f.per_log_speed,
-                             q.bite.roll_radius,
-                             q.bite.roll_speed,
-                             q.bite.gap_rate,
-                             q.bite.roll.youngs_modulus,
-                             q.bite.roll.poisson_ratio})
-    text += exact(value);
-  for (const auto &row : k.table)
-    text += exact(row[0]) + exact(row[1]);
-  if (flexibility) {
-    const auto &m = flexibility->influence;
-    std::string bytes(std::size_t(m.size()) * sizeof(double), '\0');
-    std::memcpy(bytes.data(), m.data(), bytes.size());
-    text += hash_of(bytes) + exact(flexibility->position[0]);
-  }
-  return hash_of(text);
+  return hash_of(flow_inputs(q, flexibility));
 }
 
 // What an earlier run kept under the key, unless the run is a fresh one.
@@ -184,6 +142,12 @@ FlowAnswer elastic_answer(RunContext &run, const FlowQuestion &q, const bite::Ar
   return answer;
 }
 }  // namespace
+
+std::string flow_inputs(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
+{
+  return record_text(flow_version, fem::library_version(), q.bite, flow_settings(q.setup),
+                     flexibility ? *flexibility : bite::ArcFlexibility());
+}
 
 FlowAnswer solve_flow(RunContext &run, const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
 {

@@ -1,4 +1,5 @@
 #include "app/trace.h"
+#include "app/result_inputs.h"
 #include "core/files.h"
 #include "core/result_folder.h"
 #include "core/run_identity.h"
@@ -311,6 +312,8 @@ Trace trace(const TraceOptions &options, QuickMemory &memory)
         line.moves = holds(line.result.closed, key.name);
   }
   keep_reached(trace, the_case, std::move(lines));
+  if (trace.lines.empty())
+    trace.beside = beside_the_chain(the_case, key.name);
   if (run) {
     trace.run_folder  = run->folder;
     trace.same_inputs = run->same_inputs;

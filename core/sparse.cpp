@@ -15,11 +15,13 @@ void dpotri_(const char *uplo, const int *n, double *a, const int *lda, int *inf
 
 namespace mill {
 namespace {
-SolverError no_memory(const std::string &what, const double needed)
+// `available`: what the caller leaves for it; 0: everything.
+SolverError no_memory(const std::string &what, const double needed, const double available = 0)
 {
   const MemoryLeft left = memory_left();
   return SolverError({"out of memory: " + what + (needed > 0 ? " needs " + megabytes(needed) : ""),
-                      megabytes(left.bytes) + " are left, the end is set by " + left.end,
+                      (available > 0 ? megabytes(available) + " may be taken for it: " : "") +
+                          megabytes(left.bytes) + " are left, the end is set by " + left.end,
                       "a finer mesh than this machine or this limit can hold",
                       "a coarser mesh (contact.*.elements_per_half_width, dynamics.elements_per_radius), fewer "
                       "threads (--threads), or a higher limit",
@@ -144,7 +146,7 @@ CondensingFactor::CondensingFactor(const SymmetricSparse &K, const std::vector<i
   const double copies = 16. * double(K.nonZeros()) + 8. * double(self->L->maxcsize);
   const double needed = self->cost.bytes + copies + 3 * 8. * double(m) * double(m);
   if (needed > (available > 0 ? available : memory_left().bytes))
-    throw no_memory("the factor of " + matrix + " with what is made of it", needed);
+    throw no_memory("the factor of " + matrix + " with what is made of it", needed, available);
   // Postordering may renumber columns; the retained unknowns must still be the last, in their order.
   const auto *perm = static_cast<const SuiteSparse_long *>(self->L->Perm);
   for (int i = 0; i < m; ++i)

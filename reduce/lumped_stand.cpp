@@ -1,5 +1,6 @@
 #include "reduce/lumped_stand.h"
 #include "core/mesh_pair.h"
+#include "core/provenance.h"
 #include "reduce/beam_shapes.h"
 #include "reduce/chain_keys.h"
 #include "reduce/equivalent_mass.h"
@@ -288,11 +289,14 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
     const Rolls coarse = solids(stand, *r.coarse_backup_roll, *r.coarse_work_roll);
     add_roll_errors(errors, values, beside, chain_values(stand, n, coarse, reference), r, solid);
   }
-  auto keys =
-      chain_keys({K3.inputs, K4.inputs, K5.inputs, result.K_Zy_upper.inputs, result.K_Zy_lower.inputs}, solid);
+  auto keys = chain_keys({K3.inputs, K4.inputs, K5.inputs, result.K_Zy_upper.inputs, result.K_Zy_lower.inputs,
+                          given_springs(stand), stand.housing.present()},
+                         solid);
 
   for (Keys &list : keys)
     list = as_drawn(list, stand);
+  for (std::size_t i = 1; i < 5; ++i)
+    keys[i] = joined(keys[i], mass_shape_keys(stand.dynamics));
 
   const auto with_error = [&](Parameter p, const std::size_t v) {
     p.error_estimate = errors.error[v];

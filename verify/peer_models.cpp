@@ -95,7 +95,7 @@ Mesh roll_eighth(const RollGeometry &roll, const int n)
   return mesh;
 }
 
-Mesh disc_quarter(const double radius, const double thickness, const double half_width, const int n,
+Mesh disc_quarter(const double radius, const std::vector<double> &z, const double half_width, const int n,
                   const double growth)
 {
   const double R = radius, eighth = M_PI / 4, first = half_width / n;
@@ -107,7 +107,6 @@ Mesh disc_quarter(const double radius, const double thickness, const double half
   for (auto line = around.rbegin(); line != around.rend(); ++line)
     backwards.push_back(1 - *line);
   const auto coarse = even(4);
-  const std::vector<double> z{0, thickness};
   Mesh mesh;
   extrude(
       mesh, backwards, coarse,

@@ -10,9 +10,9 @@ namespace mill::verify::peer {
 /// from it grow with the square); middle nodes on the true circles.
 Mesh roll_eighth(const RollGeometry &roll, int n);
 
-/// A quarter of a disc, x, y >= 0, of one element along z in [0, thickness], crowded at (0, radius): elements of
+/// A quarter of a disc or plain cylinder, x, y >= 0, between the lines z (m), crowded at (0, radius): elements of
 /// half_width / n on one and a half half widths, from there to the middle each `growth` times as large.
-Mesh disc_quarter(double radius, double thickness, double half_width, int n, double growth);
+Mesh disc_quarter(double radius, const std::vector<double> &z, double half_width, int n, double growth);
 
 /// The same body upside down with its middle at the height y.
 Mesh turned_over(Mesh body, double y);

@@ -155,7 +155,7 @@ TEST(Trace, ZerosWordsAndAbsentKeysHaveNoPercent)
 
   const Trace title = traced({demo, "title", {}, nowhere});
   EXPECT_EQ(trace_text(title), "title = \"1400 four-high, demo stand\"  (cases/four-high-1400.toml:12)\n"
-                               "  reaches no spring, mass, frequency or acceleration: headline of the report\n"
+                               "  reaches no result of this case: headline of the report\n"
                                "No elasticity: a name has no size.\n");
 }
 
