@@ -56,7 +56,7 @@ Parameter bearing_across(RunContext &run, const BearingStudy &s, const std::vect
   p.at             = fmt::format("{:.6g} kN on one bearing", q.radial / 1e3);
   p.inputs         = inputs;
   const double iso = by_law(q, "iso");
-  p.error_estimate = parts.roller ? s.slice_deviation : std::abs(iso / by_law(q, "palmgren") - 1);
+  p.error_estimate = parts.roller ? std::abs(s.slice_deviation) : std::abs(iso / by_law(q, "palmgren") - 1);
   for (const BearingVariant &companion : parts.companions)
     p.error_estimate += mesh_pair_error(p.value, across(companion.model, q), 2);
   p.checks = {
