@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -55,6 +56,9 @@ std::string text_of(const std::string &path, std::string &reason)
 void write_cache_entry(const std::string &path, const std::string &kind, const std::string &key,
                        const std::string &bytes)
 {
+  std::error_code error;
+  if (std::filesystem::is_other(std::filesystem::symlink_status(path, error)))
+    std::filesystem::remove(path, error);  // a pipe or a device in the cache makes room
   write_atomically(path, kind + "\n" + key + "\n" + hash_of(bytes) + "\n" + bytes);
 }
 

@@ -74,8 +74,8 @@ double roll_speed_for(const TandemLine &line, const std::size_t i, const double 
 
 void check_tandem(const TandemLine &line)
 {
-  std::string problems;
-  const auto complain = [&](const std::string &text) { problems += (problems.empty() ? "" : "\n") + text; };
+  std::vector<Problem> problems;
+  const auto complain = [&](const std::string &text) { problems.push_back({Place{}, text, {}}); };
   const std::size_t n = line.stands.size();
   if (n == 0)
     throw InputError("tandem: no stand");

@@ -228,6 +228,7 @@ TEST(HtmlReport, EveryOptionalFileMayBeMissing)
     // Without these a figure has a curve less, or a table or a whole subsection is not there: nothing is
     // announced.
     const std::set<std::string> silent{"modes-horizontal",
+                                       "poles",
                                        "contact-upper",
                                        "contact-lower",
                                        "contact-upper-in-stand",

@@ -129,14 +129,14 @@ TEST(Tandem, RefusesStripThatDoesNotFit)
   line                                   = three_stands();
   line.stands[1].bite.strip.exit_tension = 175e6;
   line.stands[2].bite.strip.width        = 1.2;
-  EXPECT_EQ(refusal([&] { check_tandem(line); }), "tandem: the tension behind four is 175 MPa and before five 170 "
+  EXPECT_EQ(refusals([&] { check_tandem(line); }), "tandem: the tension behind four is 175 MPa and before five 170 "
                                                   "MPa; it is the same strip, give both the same\n"
                                                   "tandem: the width behind four is 1100 mm and before five 1200 "
                                                   "mm; it is the same strip, give both the same");
   line = three_stands();
   line.distance.pop_back();
   line.entry_distance = 0;
-  EXPECT_EQ(refusal([&] { check_tandem(line); }),
+  EXPECT_EQ(refusals([&] { check_tandem(line); }),
             "tandem: 3 stands have 2 distances between them, not 1\n"
             "tandem: the distance before stand 1 is 0 m; it must be above 0");
   EXPECT_EQ(refusal([&] { check_tandem({}); }), "tandem: no stand");
