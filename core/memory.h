@@ -4,7 +4,7 @@
 namespace mill {
 /// What this process may still take, and what sets the end.
 struct MemoryLeft {
-  double bytes = 0;
+  double bytes = 0;  ///< bytes
   std::string end;  ///< "the memory of this machine", "the 600 MB of address space allowed (ulimit -v)"
 };
 
