@@ -100,7 +100,7 @@ void solve_bearing_case(RunContext &run, const BearingCase &spec)
     inputs.push_back(std::string("load.") + key);
   add_bearing_results(run, "Kzc", study, inputs);
   add_published_results(run, "Kzc", study, inputs);
-  note_bearing(run, study);
+  note_bearing(run, "Kzc", study);
   write_bearing(run, study);
   if (q.cage_angle == 0)  // the field is symmetric about the load line
     write_chock(run, q.bearing, study.at.roller_load);

@@ -4,6 +4,8 @@
 #include "bearing/ring_sections.h"
 #include "bearing/roller_profile.h"
 #include "core/files.h"
+#include "core/members.h"
+#include "core/record_text.h"
 #include "fem/chock_flexibility.h"
 #include "fem/roll_cache.h"
 #include "fem/roller_slices.h"
@@ -18,7 +20,7 @@
 namespace mill {
 namespace {
 // Raised by hand when meshing or condensation changes what it computes.
-constexpr const char *roller_version = "roller 2", *rings_version = "rings 5";
+constexpr const char *roller_version = "roller 2", *rings_version = "rings 6";
 
 std::string file_name(const RunContext &run, const char *what, const std::string &key)
 {
@@ -50,13 +52,14 @@ Part cached(RunContext &run, const std::string &stage, const std::string &file, 
   return part;
 }
 
+std::string inputs_of(const RollerSetup &setup)
+{
+  return record_text(roller_version, fem::library_version(), meshes::library_version(), setup);
+}
+
 fem::CondensedRoller condensed_roller(RunContext &run, const std::string &name, const RollerSetup &s)
 {
-  const std::string key = hash_of(fmt::format(
-      "{} {} {} | {} {} {} {} {} {} {} {} | {} {} | {} {} {} {} {}", roller_version, fem::library_version(),
-      meshes::library_version(), s.diameter, s.length, s.contact_length, s.inner_radius, s.outer_radius,
-      s.inner_depth, s.outer_depth, s.land, s.material.youngs_modulus, s.material.poisson_ratio, s.largest_load,
-      s.finest_load, s.elements_per_half_width, s.end_element, s.largest_element));
+  const std::string key = hash_of(inputs_of(s));
   const auto make       = [&] {
     const RollerMeshes meshes = meshes::mesh_roller(s, run.out.staging(), "roller-" + key);
     auto roller               = fem::condense_roller(s, meshes, run.progress);
@@ -67,14 +70,15 @@ fem::CondensedRoller condensed_roller(RunContext &run, const std::string &name, 
                                       fem::save_roller);
 }
 
+// Everything the rings' flexibility is made from: their sections and what holds them.
+std::string inputs_of(const RingSections &sections)
+{
+  return record_text(rings_version, fem::library_version(), meshes::library_version(), sections);
+}
+
 std::string ring_key(const RollerBearing &b, const bearing::RacewayDatum &datum)
 {
-  return hash_of(fmt::format(
-      "{} {} {} | {} {} {} {} {} {} {} {} {} {} | {} {} | {} {} {} {} {} {} | {} {} {}", rings_version,
-      fem::library_version(), meshes::library_version(), b.bore, b.outside_diameter, b.width,
-      bearing::pitch_diameter(b), b.rows, b.roller_length, b.roller_diameter, b.roller_cone_angle, b.cup_angle,
-      b.row_hands, b.youngs_modulus, b.poisson_ratio, b.chock, b.chock_width, b.chock_height, b.chock_length,
-      b.chock_support_width, b.chock_support_gap, datum.depth_inner, datum.depth_outer, datum.land));
+  return hash_of(inputs_of(bearing::ring_sections(b, datum)));
 }
 
 fem::RingResult condensed_rings(RunContext &run, const RollerBearing &b, const bearing::RacewayDatum &datum)
@@ -93,6 +97,28 @@ fem::RingResult condensed_rings(RunContext &run, const RollerBearing &b, const b
   };
   return cached<fem::RingResult>(run, "rings and chock of bearing " + b.name, file_name(run, "rings", key), key,
                                  fem::load_rings, make, fem::save_rings);
+}
+
+// What surrounds the cup in another way: the orders in which it shows, on the coarser meshes.
+fem::RingResult condensed_surroundings(RunContext &run, const bearing::ChockSupport &support,
+                                       const bearing::RacewayDatum &datum, const int harmonics)
+{
+  const std::string key =
+      hash_of(fmt::format("{} | {} orders of the surroundings", ring_key(support.bearing, datum), harmonics));
+  const auto make = [&] {
+    const RingSections sections = bearing::ring_sections(support.bearing, datum);
+    const RingMeshes meshes =
+        meshes::mesh_rings(sections, meshes::coarsened({}), run.out.staging(), "rings-" + key);
+    fem::RingOptions options;
+    options.chock_harmonics = harmonics;
+    options.last_harmonic   = harmonics - 1;
+    options.share           = 0;  // all of these orders
+    auto result             = fem::ring_flexibility(sections, meshes, nullptr, options, run.progress);
+    meshes::remove_meshes(meshes);
+    return result;
+  };
+  return cached<fem::RingResult>(run, support.name + ", bearing " + support.bearing.name,
+                                 file_name(run, "rings", key), key, fem::load_rings, make, fem::save_rings);
 }
 
 // What the law of one roller counts of the rings; the rest is theirs.
@@ -140,7 +166,8 @@ RollerBearing with_row_places(RollerBearing b)
 
 double roller_load_bound(const RollerBearing &b, const double radial_load, const double tilt)
 {
-  // Stribeck's number raised to 5 for clearance; a tilt of 0.5 mrad gives one row of four half of the load.
+  // Stribeck's number raised to 5 for clearance; tilted by 0.5 mrad one row of four carries two thirds of 1 MN and
+  // all of 500 kN.
   const double even = 5 * radial_load / (b.rows * b.rollers_per_row * std::cos(b.cup_angle));
   // A crowned roller carries little loads on a short line: the patch serves at least a pressure of 1.5 GPa.
   constexpr double always = 1.5e9;
@@ -158,6 +185,45 @@ std::function<double(double)> drop_of(const RollerBearing &b)
   return [b](const double x) { return bearing::profile_drop(b, Eigen::VectorXd::Constant(1, x))[0]; };
 }
 
+namespace {
+void add_rings(RunContext &run, const RollerBearing &b, BearingParts &parts)
+{
+  const auto datum  = datum_of(b);
+  const auto rings  = condensed_rings(run, b, datum);
+  parts.model.rings = rings.flexibility;
+  parts.notes       = rings.notes;
+  for (BearingVariant &companion : parts.companions)
+    companion.model.rings = rings.flexibility;
+  parts.companions.push_back({"rings and chock on a coarser mesh", parts.model});
+  parts.companions.back().model.rings = parts.coarse_rings = rings.companion;
+  for (const bearing::ChockSupport &support : bearing::open_supports(b))
+    parts.supports.push_back({support.name, with_support(run, b, parts, support).model});
+}
+}  // namespace
+
+BearingParts with_support(RunContext &run, const RollerBearing &b, BearingParts parts,
+                          const bearing::ChockSupport &support)
+{
+  const int harmonics = parts.model.rings.chock_harmonics;
+  const auto other    = condensed_surroundings(run, support, datum_of(b), harmonics);
+  const auto exchange = [&](bearing::BearingModel &model) {
+    model.rings = bearing::with_surroundings_of(model.rings, parts.coarse_rings, other.flexibility, harmonics);
+  };
+  exchange(parts.model);
+  for (BearingVariant &companion : parts.companions)
+    exchange(companion.model);
+  return parts;
+}
+std::string roller_inputs(const RollerBearing &b, const double largest_load)
+{
+  return b.roller_law == "fe" ? inputs_of(setup_of(b, bearing::ring_walls(b), land_of(b), largest_load)) : "";
+}
+
+std::string ring_inputs(const RollerBearing &b)
+{
+  return b.rings == "elastic" ? inputs_of(bearing::ring_sections(b, datum_of(b))) : "";
+}
+
 BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double largest_load)
 {
   BearingParts parts;
@@ -169,21 +235,15 @@ BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double
     const auto name       = "roller of bearing " + b.name;
     parts.law_depth_inner = walls.inner;
     parts.law_depth_outer = walls.outer;
-    parts.coarse          = parts.model;
-    parts.coarse.roller =
-        fem::fe_roller_law(condensed_roller(run, name + ", coarse mesh", coarsened(setup)), b.slices, drop_of(b));
+    const auto coarse     = condensed_roller(run, name + ", coarse mesh", coarsened(setup));
+    parts.companions.push_back({"roller on a mesh twice as coarse", parts.model});
+    parts.companions.back().model.roller = bearing::with_limits(fem::fe_roller_law(coarse, b.slices, drop_of(b)));
     parts.roller       = std::make_shared<const fem::CondensedRoller>(condensed_roller(run, name, setup));
     parts.model.roller = bearing::with_limits(fem::fe_roller_law(*parts.roller, b.slices, drop_of(b)));
   } else
     parts.model.roller = bearing::with_limits(bearing::roller_law(b));
-  if (b.rings == "elastic") {
-    const auto rings       = condensed_rings(run, b, datum_of(b));
-    parts.model.rings      = rings.flexibility;
-    parts.coarse.rings     = rings.flexibility;
-    parts.ring_error       = rings.error_estimate;
-    parts.chock_difference = rings.chock_difference;
-    parts.notes            = rings.notes;
-  }
+  if (b.rings == "elastic")
+    add_rings(run, b, parts);
   return parts;
 }
 
@@ -194,7 +254,7 @@ double largest_contact_load(const BearingParts &parts)
 
 void write_chock(RunContext &run, const RollerBearing &b, const Eigen::MatrixXd &load)
 {
-  if (b.rings != "elastic" || b.chock == "rigid")
+  if (!counts_its_chock(b))
     return;
   StageTimer timer(run, "fields of bearing " + b.name);
   const RingSections sections = bearing::ring_sections(b, datum_of(b));
@@ -213,6 +273,15 @@ double load_at_rest(RollerBearing b)
   const auto law       = bearing::roller_law(b);
   const double pressed = bearing::approach_offset(b, law);
   return pressed > 0 ? bearing::roller_load(law, pressed, 0).load : 0;
+}
+
+std::vector<RollerBearing> bearings_of(const Case &the_case)
+{
+  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
+    return stand->bearings;
+  if (const auto *bearing = std::get_if<BearingCase>(&the_case.spec))
+    return bearing->bearings;
+  return {};
 }
 
 Place place_of(const Case &the_case, const std::string &key)
@@ -265,19 +334,28 @@ void check_drawing(const Case &the_case, const RollerBearing &b, std::vector<Pro
 }
 }  // namespace
 
+std::vector<std::string> said_of_bearings(const Case &the_case)
+{
+  std::vector<std::string> out;
+  for (const RollerBearing &b : bearings_of(the_case)) {
+    if (const double closing = closing_cup_angle(b); std::isfinite(closing))
+      out.push_back(fmt::format(
+          "bearing.{}: the apex condition closes at a cup angle of {:.4g} deg; cup_angle is {:.4g} deg", b.name,
+          closing * 180 / M_PI, b.cup_angle * 180 / M_PI));
+    if (b.row_hands_assumed)
+      out.push_back(fmt::format("bearing.{}: row_hands is not given; {} is assumed", b.name,
+                                arrangement_name(b.row_hands, b.rows)));
+  }
+  return out;
+}
+
 void check_fits(const Case &the_case)
 {
   std::vector<Problem> problems;
-  const auto check = [&](const std::vector<RollerBearing> &bearings) {
-    for (const RollerBearing &b : bearings) {
-      check_fit(the_case, b, problems);
-      check_drawing(the_case, b, problems);
-    }
-  };
-  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
-    check(stand->bearings);
-  if (const auto *bearing = std::get_if<BearingCase>(&the_case.spec))
-    check(bearing->bearings);
+  for (const RollerBearing &b : bearings_of(the_case)) {
+    check_fit(the_case, b, problems);
+    check_drawing(the_case, b, problems);
+  }
   if (!problems.empty())
     throw InputError(std::move(problems));
 }

@@ -1,4 +1,5 @@
 #include "app/bearing_stage.h"
+#include "app/bearing_across.h"
 #include "app/bearing_files.h"
 #include "app/bearing_published.h"
 #include "app/bearing_results.h"
@@ -64,6 +65,15 @@ std::vector<double> around(const double load)
   return loads;
 }
 
+Parameter both(Parameter bearing)
+{
+  bearing.value *= 2;
+  bearing.method += ", two bearings";
+  for (Check &check : bearing.checks)
+    check.value *= 2;
+  return bearing;
+}
+
 void report_seat(RunContext &run, const Seat &seat, const SeatLoad &load, const BearingStudy &study,
                  const std::vector<std::string> &inputs)
 {
@@ -72,13 +82,7 @@ void report_seat(RunContext &run, const Seat &seat, const SeatLoad &load, const 
     return;  // the lower half has the same bearings
   add_published_results(run, seat.name, study, inputs);
   write_bearing(run, study);
-  note_bearing(run, study);
-  run.assume(
-      fmt::format("{}: the horizontal model takes the tangent along the load, {:.4g} kN/mm, as the published "
-                  "model does; where the load is vertical the roll moves across it, where the bearing has {:.4g} "
-                  "kN/mm ({}.tangent_across) and a frequency is lower by up to {:.2g} %",
-                  seat.name, study.tangent / 1e6, study.tangent_across / 1e6, seat.name,
-                  100 * (1 - std::sqrt(std::min(1., study.tangent_across / study.tangent)))));
+  note_bearing(run, seat.name, study);
   const auto &bending = seat.roll->bending_force;
   if (!seat.backup && bending[0] != bending[1])
     run.assume(fmt::format(
@@ -117,6 +121,7 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
   std::vector<StandBearings> out(forces.size());
   for (std::size_t p = 0; p < forces.size(); ++p) {
     std::map<std::string, BearingStudy> done;  // same bearing, same load
+    std::map<std::string, Parameter> across;
     for (std::size_t i = 0; i < seats.size(); ++i) {
       const Seat &seat    = seats[i];
       const SeatLoad load = load_of(stand, seat, forces[p]);
@@ -128,16 +133,14 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
       inputs.insert(inputs.begin(),
                     {std::string(seat.section) + ".bearing", std::string(seat.section) + ".bearing_load"});
       out[p].Kzc[i] = tangent_of(study, inputs);
-      if (i == 0) {
-        out[p].K_Zy        = out[p].Kzc[0];
-        out[p].K_Zy.value  = 2 * out[p].Kzc[0].value;
-        out[p].K_Zy.method = out[p].Kzc[0].method + ", two bearings";
-        for (Check &check : out[p].K_Zy.checks)
-          check.value *= 2;
-      }
+      if (!across.count(key))
+        across[key] = bearing_across(run, study, inputs);
+      out[p].Kzc_across[i] = across.at(key);
       if (p == 0)
         report_seat(run, seat, load, study, inputs);
     }
+    out[p].K_Zy_upper = both(out[p].Kzc[0]);
+    out[p].K_Zy_lower = both(out[p].Kzc[3]);
   }
   return out;
 }

@@ -8,8 +8,9 @@ namespace mill {
 /// Radial stiffness of the roll-neck bearings at one working load.
 struct StandBearings {
   std::array<Parameter, 4>
-      Kzc;         ///< N/m, tangent of one bearing: upper backup, upper work, lower work, lower backup
-  Parameter K_Zy;  ///< N/m, both bearings of one backup roll, tangent
+      Kzc;  ///< N/m, tangent of one bearing: upper backup, upper work, lower work, lower backup
+  std::array<Parameter, 4> Kzc_across;  ///< N/m, across the load, the chock on its liners
+  Parameter K_Zy_upper, K_Zy_lower;     ///< N/m, both bearings of the upper, of the lower backup roll, tangent
 };
 
 /// Solves the bearings of the stand at the loads that each rolling force puts on them; for the first one Kzc1..4.*

@@ -1,6 +1,6 @@
 #include "app/bearing_study.h"
 #include "app/bearing_files.h"
-#include <Eigen/LU>
+#include "core/mesh_pair.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -31,19 +31,72 @@ bearing::BearingModel standard_model(const BearingQuestion &q, const std::string
   return model;
 }
 
-double relative(const double other, const double value)
-{
-  return std::abs(other / value - 1);
-}
-
-// Load that the slices give where the contact elements give `load`, relative.
+// Load of the contact elements over that of the slices at one approach, less one.
 double deviation_of_slices(const BearingParts &parts, const double load)
 {
   if (!parts.roller || !(load > 0) || load > largest_contact_load(parts))
     return 0;
   fem::RollerContact contact(*parts.roller, drop_of(parts.model.bearing));
   const auto state = contact.solve_load(load);
-  return relative(bearing::roller_load(parts.model.roller, state.approach, 0).load, state.load);
+  return state.load / bearing::roller_load(parts.model.roller, state.approach, 0).load - 1;
+}
+
+bearing::AssemblyState solved(bearing::BearingModel model, const BearingStudy &s)
+{
+  model.cage_angle = s.question.cage_angle;
+  return bearing::BearingAssembly(std::move(model)).solve(s.drive);
+}
+
+// How well each ingredient of the model is known: the state without it, or with its neighbour.
+void add_companions(BearingStudy &s)
+{
+  for (const BearingVariant &v : s.parts.companions)
+    s.companions.push_back({v.about, solved(v.model, s)});
+  if (s.slice_deviation != 0) {
+    auto stiffer   = s.parts.model;
+    stiffer.roller = bearing::stiffened(stiffer.roller, 1 + s.slice_deviation);
+    s.companions.push_back({"contact elements instead of slices", solved(std::move(stiffer), s)});
+  }
+  if (!s.parts.roller) {
+    // Without elements the spread of the published laws is how well the law of one roller is known.
+    const bool is_iso = s.question.bearing.roller_law == "iso";
+    auto other        = s.parts.model;
+    other.roller =
+        bearing::with_limits(bearing::roller_law(by_standard(other.bearing, is_iso ? "palmgren" : "iso")));
+    s.companions.push_back({"another law of one roller", solved(std::move(other), s)});
+  }
+  for (const BearingVariant &v : s.parts.supports)
+    s.supports.push_back({v.about, solved(v.model, s)});
+}
+
+// Rows in the other arrangements in use, between rigid rings: what hangs on an arrangement that nobody stated.
+void add_arrangements(BearingStudy &s, bearing::BearingModel rigid)
+{
+  if (!s.question.bearing.row_hands_assumed)
+    return;
+  const RollerBearing &b = s.question.bearing;
+  for (const std::string &hands : usual_arrangements(b.rows))
+    if (const std::string name = arrangement_name(hands, b.rows); name != arrangement_name(b.row_hands, b.rows)) {
+      rigid.bearing.row_hands = hands;
+      s.arrangements.push_back({name, solved(rigid, s)});
+    }
+}
+
+// The radial stiffness by the other models, beside that of the case.
+void add_checks(BearingStudy &s, const bearing::AssemblyState &palmgren, const std::string &rigid_name)
+{
+  const bool elastic      = s.question.bearing.rings == "elastic";
+  const std::string other = elastic ? "rigid rings" : "another law of one roller";
+  const auto add = [&](const std::string &name, const bearing::AssemblyState &at, const std::string &note) {
+    s.tangent_checks.push_back({name, bearing::radial_tangent(at, s.drive), note});
+    s.secant_checks.push_back({name, bearing::radial_secant(at), note});
+  };
+  add("ISO/TS 16281, rigid rings", s.standard, other);
+  add("Palmgren, rigid rings", palmgren, other);
+  if (elastic)
+    add(rigid_name, s.rigid, "the same rollers, rigid rings");
+  for (const StudyVariant &support : s.supports)
+    add(support.about, support.at, "a support that the case leaves open; part of the error");
 }
 
 // The state at the working load; without one, the curve as far as it went is left behind.
@@ -62,20 +115,6 @@ bearing::AssemblyState solve_or_keep(RunContext &run, const BearingStudy &s, bea
   }
 }
 }  // namespace
-
-double stiffness_along(const bearing::AssemblyState &state, const bearing::RingDrive &drive, const int axis)
-{
-  std::vector<int> free;
-  int place = 0;
-  for (int i = 0; i < 5; ++i)
-    if (!drive.by_motion[std::size_t(i)] || i == axis) {
-      if (i == axis)
-        place = int(free.size());
-      free.push_back(i);
-    }
-  const Eigen::MatrixXd K = state.tangent(free, free);
-  return 1 / K.inverse()(place, place);
-}
 
 std::string model_name(const RollerBearing &b)
 {
@@ -108,8 +147,8 @@ BearingStudy study_bearing(RunContext &run, const BearingParts &parts, const Bea
   BearingStudy s;
   s.question               = q;
   s.parts                  = parts;
-  s.parts.model.cage_angle = s.parts.coarse.cage_angle = q.cage_angle;
-  s.drive                                              = drive_of(q, q.radial);
+  s.parts.model.cage_angle = q.cage_angle;
+  s.drive                  = drive_of(q, q.radial);
   StageTimer timer(run, "bearing " + q.bearing.name);
   auto rigid_parts          = s.parts.model;
   rigid_parts.rings         = {};
@@ -132,38 +171,27 @@ BearingStudy study_bearing(RunContext &run, const BearingParts &parts, const Bea
   s.rigid          = rigid.solve(s.drive);
   s.tangent        = bearing::radial_tangent(s.at, s.drive);
   s.secant         = bearing::radial_secant(s.at);
-  s.tangent_across = stiffness_along(s.at, s.drive, 1);
+  s.tangent_across = bearing::stiffness_along(s.at, s.drive, 1);
 
-  // What the result is known to: the roller's mesh, the rings' mesh for their part of the deflection, the slices.
-  const double rigid_tangent = bearing::radial_tangent(s.rigid, s.drive);
-  const double ring_part     = s.parts.ring_error * std::max(0., 1 - s.tangent / rigid_tangent);
-  s.slice_deviation          = deviation_of_slices(s.parts, s.at.roller_load.maxCoeff());
-  s.error_tangent = s.error_secant = ring_part + s.slice_deviation;
-  const auto palmgren_at           = palmgren.solve(s.drive);
-  const double iso_tangent         = bearing::radial_tangent(s.standard, s.drive);
-  const double palmgren_tangent    = bearing::radial_tangent(palmgren_at, s.drive);
-  if (s.parts.roller) {
-    const auto coarse = bearing::BearingAssembly(s.parts.coarse).solve(s.drive);
-    s.error_tangent += relative(bearing::radial_tangent(coarse, s.drive), s.tangent);
-    s.error_secant += relative(bearing::radial_secant(coarse), s.secant);
-  } else if (q.bearing.rings == "rigid") {
-    // Without elements the spread of the published laws is how well the law of one roller is known.
-    const bool is_iso = q.bearing.roller_law == "iso";
-    s.error_tangent   = relative(is_iso ? palmgren_tangent : iso_tangent, s.tangent);
-    s.error_secant    = relative(bearing::radial_secant(is_iso ? palmgren_at : s.standard), s.secant);
-  }
-  const std::string rings = q.bearing.rings == "elastic" ? "rigid rings" : "another law of one roller";
-  s.tangent_checks.push_back({"ISO/TS 16281, rigid rings", iso_tangent, rings});
-  s.tangent_checks.push_back({"Palmgren, rigid rings", palmgren_tangent, rings});
-  s.secant_checks.push_back({"ISO/TS 16281, rigid rings", bearing::radial_secant(s.standard), rings});
-  s.secant_checks.push_back({"Palmgren, rigid rings", bearing::radial_secant(palmgren_at), rings});
-  if (q.bearing.rings == "elastic") {
-    s.tangent_checks.push_back({model_name(rigid_parts.bearing), rigid_tangent, "the same rollers, rigid rings"});
-    s.secant_checks.push_back(
-        {model_name(rigid_parts.bearing), bearing::radial_secant(s.rigid), "the same rollers, rigid rings"});
-  }
+  s.slice_deviation = deviation_of_slices(s.parts, s.at.roller_load.maxCoeff());
+  add_companions(s);
+  add_arrangements(s, rigid_parts);
+  add_checks(s, palmgren.solve(s.drive), model_name(rigid_parts.bearing));
   run.progress.at("bearing " + q.bearing.name, 1);
   return s;
 }
 
+double error_of(const BearingStudy &s, const StateNumber &number)
+{
+  const double value = number(s.at);
+  if (s.companions.empty() || !(std::abs(value) > 0))
+    return not_given;
+  const auto change = [&](const StudyVariant &v) { return std::abs(number(v.at) / value - 1); };
+  double sum = 0, support = 0;
+  for (const StudyVariant &v : s.companions)
+    sum += mesh_pair_safety * change(v);  // one neighbour each, as of one pair of meshes
+  for (const StudyVariant &v : s.supports)
+    support = std::max(support, change(v));
+  return sum + support;
+}
 }  // namespace mill

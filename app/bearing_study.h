@@ -1,6 +1,7 @@
 #pragma once
 #include "app/bearing_model.h"
 #include "core/stand.h"
+#include <functional>
 #include <optional>
 
 namespace mill {
@@ -16,21 +17,38 @@ struct BearingQuestion {
   std::string published_total;  ///< which of them is this bearing's stiffness: "Kzc", "Kzc2"
 };
 
+/// The state with one ingredient of the model exchanged, everything else and the load the same.
+struct StudyVariant {
+  std::string about;
+  bearing::AssemblyState at;
+};
+
 /// One bearing at its working load, by the model of the case, and by the others that stand beside it.
 struct BearingStudy {
   BearingQuestion question;
   BearingParts parts;
   bearing::RingDrive drive;
-  bearing::AssemblyState at;                   ///< at the working load
-  bearing::AssemblyState standard;             ///< ISO law, rigid rings
-  bearing::AssemblyState rigid;                ///< the law of the case, rigid rings
-  double tangent = 0, secant = 0;              ///< N/m
-  double tangent_across = 0;                   ///< N/m, across the load
-  double error_tangent = 0, error_secant = 0;  ///< -, honest: two meshes, rings, slices against contact elements
-  double slice_deviation = 0;  ///< -, slice law against contact elements at the heaviest roller's load
+  bearing::AssemblyState at;        ///< at the working load
+  bearing::AssemblyState standard;  ///< ISO law, rigid rings
+  bearing::AssemblyState rigid;     ///< the law of the case, rigid rings
+  double tangent = 0, secant = 0;   ///< N/m
+  double tangent_across  = 0;       ///< N/m, across the load
+  double slice_deviation = 0;       ///< -, slice law against contact elements at the heaviest roller's load
+  /// What the result is known to, one state each: roller and rings on coarser meshes, the slices' distance from
+  /// the contact elements, another published law where no elements made the law.
+  std::vector<StudyVariant> companions;
+  std::vector<StudyVariant> supports;      ///< of the chock, where the case leaves them open
+  std::vector<StudyVariant> arrangements;  ///< rigid rings, other usual rows, where the case does not say its own
   std::vector<Check> tangent_checks, secant_checks;
   bearing::AssemblyCurve curve, standard_curve, rigid_curve;
 };
+
+/// One number of a state: a stiffness, a share.
+using StateNumber = std::function<double(const bearing::AssemblyState &)>;
+
+/// Relative error of this number: the sum of what each companion changes in it, and the largest change by a
+/// support of the chock that is left open.  NaN for a number that is zero or has no companion.
+double error_of(const BearingStudy &study, const StateNumber &number);
 
 /// Largest roller load, N, the question may lead to: for the mesh.
 double largest_roller_load(const BearingQuestion &question);
@@ -39,9 +57,6 @@ double largest_roller_load(const BearingQuestion &question);
 /// @throws InputError   a fit beyond yield
 /// @throws SolverError  no solution at the working load
 BearingStudy study_bearing(RunContext &run, const BearingParts &parts, const BearingQuestion &question);
-
-/// d F / d u along one axis (0..4), N/m or N m; the loads of the other load-driven axes kept.
-double stiffness_along(const bearing::AssemblyState &state, const bearing::RingDrive &drive, int axis);
 
 /// The name of the model: "FE law of one roller, elastic rings in their chock".
 std::string model_name(const RollerBearing &bearing);

@@ -1,5 +1,7 @@
 #include "app/bite_results.h"
+#include "app/bite_accuracy.h"
 #include "app/contact_stage.h"
+#include "bite/neutral_point.h"
 #include "bite/path_stiffness.h"
 #include <algorithm>
 #include <cmath>
@@ -22,34 +24,7 @@ Parameter plain(const BiteStudy &s, const BiteAnswer &answer)
   Parameter p;
   p.method = model_text(answer);
   p.at     = at_text(s);
-  p.inputs = bite_inputs(s.question);
   return p;
-}
-
-double apart(const double a, const double b)
-{
-  return std::abs(a / b - 1);
-}
-
-// What is not known of a number of the chosen model.  Finite elements: what doubling the elements changes, which
-// at first order is what is left.  Slab: how far the finite elements are, or else the other theories.
-double error_of(const BiteStudy &s, const double value, const double coarse,
-                const std::function<double(const BiteAnswer &)> &same)
-{
-  if (s.flow && &s.chosen() == s.find("fe")) {
-    double error = std::max(apart(coarse, value), s.flexibility_error);
-    // Slopes of the elastic-plastic strip scatter from mesh to mesh by more than two of them tell.
-    if (s.flow->elastic && s.slab().refused.empty())
-      error = std::max(error, apart(same(s.slab()), value));
-    return error;
-  }
-  if (const BiteAnswer *fe = s.find("fe"))
-    return apart(same(*fe), value);
-  double widest = not_given;
-  for (const char *key : {"orowan", "karman", "bland-ford", "hu-ehmann"})
-    if (const BiteAnswer *other = s.find(key); other && other != &s.chosen())
-      widest = std::isnan(widest) ? apart(same(*other), value) : std::max(widest, apart(same(*other), value));
-  return widest;
 }
 
 // The same number by every other model.
@@ -78,9 +53,9 @@ double slip_in(const BiteAnswer &a)
 {
   return a.state.forward_slip;
 }
-double neutral_in(const BiteAnswer &a)
+double combined_in(const BiteAnswer &a)
 {
-  return a.state.neutral_position / a.state.flattened_radius;
+  return a.stiffness.combined;
 }
 
 struct Adder {
@@ -116,7 +91,7 @@ void add_every_model(RunContext &run, const BiteStudy &s)
     add("force", "N", answer.state.force);
     add("torque", "N m", answer.state.torque);
     add("forward_slip", "1", answer.state.forward_slip);
-    add("neutral_angle", "rad", neutral_in(answer));
+    add("neutral_angle", "rad", bite::neutral_angle(s.question.bite, answer.state));
     add("flattened_radius", "m", answer.state.flattened_radius);
     add("plastic_slope", "N/m", answer.stiffness.plastic_slope);
   }
@@ -149,24 +124,24 @@ void add_balances(RunContext &run, const BiteStudy &s)
 }
 }  // namespace
 
-std::vector<std::string> bite_inputs(const BiteQuestion &q)
+namespace {
+// On a free arc strip.exit_thickness is the smallest thickness under load; the strip springs back behind it.
+void add_thicknesses(const BiteStudy &s, const Adder &add)
 {
-  std::vector<std::string> keys{"strip.width",
-                                "strip.entry_thickness",
-                                "strip.exit_thickness",
-                                "strip.entry_tension",
-                                "strip.exit_tension",
-                                "strip.flow_stress",
-                                "strip.friction",
-                                q.roll_key,
-                                "steel.youngs_modulus",
-                                "steel.poisson_ratio",
-                                "bite.method",
-                                "bite.theory",
-                                "bite.arc",
-                                "bite.strip"};
-  return keys;
+  const bool fe        = &s.chosen() == s.find("fe");
+  const bool free_slab = !fe && s.chosen().key == "karman-elastic-arc";
+  const double leaving = fe ? s.flow->fine.exit_thickness
+                            : bite::leaving_thickness(s.question.bite, s.chosen().state,
+                                                      free_slab ? bite::Arc::elastic : bite::Arc::rigid);
+  add("exit_thickness", "m", leaving, not_given, {},
+      ", of the strip that leaves the stand, under its front tension");
+  if (fe && s.flow->elastic)
+    add("smallest_thickness", "m", s.flow->smallest_thickness, not_given, {}, ", under the rolls, loaded");
+  else if (free_slab)
+    add("smallest_thickness", "m", s.question.bite.strip.exit_thickness, not_given, {},
+        ", under the rolls, loaded: as given");
 }
+}  // namespace
 
 void add_bite_results(RunContext &run, const BiteStudy &s)
 {
@@ -177,9 +152,9 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
   auto checks                = beside(s, force_in);
   if (!std::isnan(s.question.force))
     checks.push_back({s.question.force_name, s.question.force, ""});
-  const double error = error_of(s, state.force, coarse_force, force_in);
+  const double error = bite_error(s, state.force, coarse_force, force_in);
   add("force", "N", state.force, error, std::move(checks));
-  add("torque", "N m", state.torque, error_of(s, state.torque, coarse_torque, torque_in), beside(s, torque_in),
+  add("torque", "N m", state.torque, bite_error(s, state.torque, coarse_torque, torque_in), beside(s, torque_in),
       ", of one roll");
   add("friction", "1", state.friction, not_given);
   add("film_thickness", "m", state.film_thickness, not_given);
@@ -188,10 +163,13 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
   add("arc_length", "m", state.arc_length, not_given);
   add("sticking_length", "m", state.sticking_length, not_given);
   add("forward_slip", "1", state.forward_slip,
-      error_of(s, state.forward_slip, s.flow ? s.flow->coarse_slip : not_given, slip_in), beside(s, slip_in));
-  add("neutral_angle", "rad", neutral_in(s.chosen()), not_given, beside(s, neutral_in));
+      bite_error(s, state.forward_slip, s.flow ? s.flow->coarse_slip : not_given, slip_in), beside(s, slip_in));
+  const auto neutral = [&](const BiteAnswer &a) { return bite::neutral_angle(s.question.bite, a.state); };
+  add("neutral_angle", "rad", neutral(s.chosen()), not_given, beside(s, neutral),
+      ", at the axis of the roll: asin of its distance from the line of centres over the roll's own radius");
   add("peak_pressure", "Pa", state.peak_pressure, not_given,
       beside(s, [](const BiteAnswer &a) { return a.state.peak_pressure; }));
+  add_thicknesses(s, add);
   add("entry_speed", "m/s", state.entry_speed, not_given);
   add("exit_speed", "m/s", state.exit_speed, not_given);
   const std::pair<const char *, Input> inputs[] = {
@@ -263,10 +241,32 @@ void add_path_plateau(const BiteStudy &s, BiteSpring &spring)
   p.method += fmt::format(", nodal force over nodal displacement, {:g} % left out at each end; {} nodes, falls as "
                           "1/nodes",
                           100 * s.question.setup.path_trim, path.nodes);
-  p.checks = {
-      {"sum of nodal forces over mean displacement",          path.sum,                             "does not depend on the mesh"},
-      {"flattening of one roll, closed form, over the nodes", spring.flattening.value / path.nodes, ""                           }
+  // The one other reading of the flattening: the section of the roll under the pressure found.
+  spring.flattening.checks = {
+      {"finite elements of the roll's section, sum of nodal forces over mean displacement", path.sum,
+       "reads the mean over the arc, the closed form its middle"}
   };
+  spring.flattening.error_estimate = apart(path.sum, spring.flattening.value);
+  p.checks                         = {
+                              {"sum of nodal forces over mean displacement",          path.sum,                             "does not depend on the mesh"},
+                              {"flattening of one roll, closed form, over the nodes", spring.flattening.value / path.nodes, ""                           }
+  };
+}
+// Plastic slope and the flattening of both rolls in series; what is not known of the flattening comes with it.
+void add_combined(const BiteStudy &s, BiteSpring &spring)
+{
+  const bite::BiteStiffness &k = s.chosen().stiffness;
+  const double coarse_slope    = s.flow ? s.flow->coarse_slope : not_given;
+  const double coarse          = 1 / (1 / coarse_slope + 2 / k.flattening);
+  const double of_flattening   = 2 * k.combined / k.flattening * spring.flattening.error_estimate;
+  spring.combined              = plain(s, s.chosen());
+  spring.combined.unit         = "N/m";
+  spring.combined.value        = k.combined;
+  spring.combined.method = model_text(s.chosen()) + ", plastic slope in series with the flattening of both rolls";
+  spring.combined.checks = beside(s, combined_in);
+  spring.combined.error_estimate = bite_error(s, k.combined, coarse, combined_in);
+  if (!std::isnan(of_flattening))
+    spring.combined.error_estimate += of_flattening;
 }
 }  // namespace
 
@@ -279,7 +279,7 @@ BiteSpring bite_spring(const BiteStudy &s)
   spring.plastic_slope                = plain(s, chosen);
   spring.plastic_slope.unit           = "N/m";
   spring.plastic_slope.value          = chosen.stiffness.plastic_slope;
-  spring.plastic_slope.error_estimate = error_of(s, chosen.stiffness.plastic_slope, coarse, slope_in);
+  spring.plastic_slope.error_estimate = bite_error(s, chosen.stiffness.plastic_slope, coarse, slope_in);
   spring.plastic_slope.method += ", -dF/dh_exit at fixed entry thickness, arc held";
   spring.plastic_slope.checks = beside(s, slope_in);
   if (!std::isnan(chosen.stiffness.plastic_slope_following))
@@ -292,12 +292,9 @@ BiteSpring bite_spring(const BiteStudy &s)
   spring.flattening        = plain(s, chosen);
   spring.flattening.unit   = "N/m";
   spring.flattening.value  = chosen.stiffness.flattening;
-  spring.flattening.method = "closed form, elastic flattening of one roll on the arc";
-  spring.combined          = spring.plastic_slope;
-  spring.combined.value    = chosen.stiffness.combined;
-  spring.combined.method   = model_text(chosen) + ", plastic slope in series with the flattening of both rolls";
-  spring.combined.checks   = beside(s, [](const BiteAnswer &a) { return a.stiffness.combined; });
+  spring.flattening.method = "closed form, elastic flattening of one roll on the arc of the loaded roll";
   add_path_plateau(s, spring);
+  add_combined(s, spring);
   return spring;
 }
 
@@ -319,6 +316,17 @@ void note_bite(RunContext &run, const BiteStudy &s)
     run.assume(where + remark);
   if (!s.slab().refused.empty())
     run.warn(where + "the slab theory that stands beside has no answer: " + s.slab().refused);
+  const bool free_arc = s.chosen().key == "karman-elastic-arc" ||
+                        (&s.chosen() == s.find("fe") && s.flow->elastic && s.question.setup.arc == "elastic");
+  if (free_arc)
+    run.assume(where +
+               "strip.exit_thickness is the smallest thickness of the strip under elastic rolls; the strip "
+               "springs back from there to bite." +
+               s.question.pass + ".exit_thickness");
+  if (s.beyond_circle())
+    run.warn(where + (s.find("karman-elastic-arc")
+                          ? "the accuracies hold the distance to the free arc, which is no circle"
+                          : "no free arc was found to compare with: force and K4 are stated without an accuracy"));
   for (const BiteAnswer &answer : s.answers)
     if (!answer.refused.empty() && answer.key != "fe" && &answer != &s.slab())
       run.assume(where + answer.key + " has no answer: " + answer.refused);

@@ -2,9 +2,6 @@
 #include "app/bite_study.h"
 
 namespace mill {
-/// Keys of the case file that a bite depends on.
-std::vector<std::string> bite_inputs(const BiteQuestion &question);
-
 /// bite.<pass>.* of the chosen model and bite.<pass>.<model>.* of all.
 void add_bite_results(RunContext &run, const BiteStudy &study);
 

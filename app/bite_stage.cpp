@@ -27,6 +27,8 @@ void check_pass(const bite::RollBite &bite, const BiteSetup &setup, const Pass &
     bite::solve_slab(bite, {slab_model(setup).theory, bite::Arc::rigid});
   } catch (const InputError &e) {
     problems.push_back({pass.place, "pass \"" + pass.name + "\": " + e.problems.front().message, {}});
+  } catch (const SolverError &e) {
+    problems.push_back({pass.place, "pass \"" + pass.name + "\": " + e.what(), {}});
   }
 }
 
@@ -74,7 +76,7 @@ void check_bites(const Case &the_case)
 }
 
 Parameter solve_bite_stiffness(RunContext &run, const FourHigh &stand, const Pass &pass, const double force,
-                               const bool first)
+                               const bool first, const bool curves)
 {
   BiteQuestion q;
   q.bite                = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
@@ -89,7 +91,8 @@ Parameter solve_bite_stiffness(RunContext &run, const FourHigh &stand, const Pas
   const BiteSpring spring = bite_spring(study);
   if (first) {
     add_bite_spring(run, spring);
-    write_bite_curves(run, study);
+    if (curves)
+      write_bite_curves(run, study);
   }
   return spring.combined;
 }

@@ -1,6 +1,8 @@
 #include "app/bite_study.h"
 #include "app/bite_roll_stage.h"
 #include "app/strip_flow_stage.h"
+#include "bite/flattening.h"
+#include "core/mesh_pair.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -104,6 +106,33 @@ const BiteAnswer &BiteStudy::chosen() const
   return fe ? *fe : slab();
 }
 
+bool BiteStudy::beyond_circle() const
+{
+  const BiteAnswer &answer = chosen();
+  const bool circle        = question.setup.arc == "hitchcock" ||
+                      (question.setup.arc == "elastic" && answer.key == "fe" && !flow->elastic);
+  return circle && bite::beyond_hitchcock(question.bite, answer.state.flattened_radius);
+}
+
+namespace {
+// What the accuracy of the chosen answer asks for beside the models that stand there anyway.
+void add_for_accuracy(BiteStudy &study)
+{
+  const bite::SlabModel free{Theory::karman, Arc::elastic};
+  if (study.beyond_circle() && !study.find("karman-elastic-arc"))  // on a half plane: no section was made
+    study.answers.insert(study.answers.begin() + 1, ask(study, "karman-elastic-arc", free));
+  if (study.slab().key != "karman-elastic-arc" || !study.slab().refused.empty() || study.flexibility_error == 0)
+    return;
+  BiteStudy softer;
+  softer.question    = study.question;
+  softer.flexibility = study.flexibility;
+  softer.flexibility.influence *= 1 + study.flexibility_error;
+  BiteAnswer answer = ask(softer, "karman-elastic-arc", free);
+  if (answer.refused.empty())
+    study.softer = std::move(answer);
+}
+}  // namespace
+
 BiteStudy study_bite(RunContext &run, const BiteQuestion &question)
 {
   BiteStudy study;
@@ -112,7 +141,7 @@ BiteStudy study_bite(RunContext &run, const BiteQuestion &question)
   if (question.setup.arc == "elastic" || (question.setup.arc == "hitchcock" && question.curves)) {
     auto roll               = roll_flexibility(run, question);
     study.flexibility       = std::move(roll.flexibility);
-    study.flexibility_error = roll.error_estimate;
+    study.flexibility_error = mesh_pair_safety * roll.error_estimate;
   }
   {
     StageTimer timer(run, "bite, slab theories, " + question.pass);
@@ -129,6 +158,7 @@ BiteStudy study_bite(RunContext &run, const BiteQuestion &question)
   }
   if (question.setup.method == "fe")
     add_finite_elements(run, study);
+  add_for_accuracy(study);
   return study;
 }
 

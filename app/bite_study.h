@@ -51,9 +51,11 @@ struct BiteStudy {
   std::exception_ptr failure;        ///< of the finite elements: the slab theories stand all the same
   bite::ArcFlexibility flexibility;  ///< of the roll's section; empty with a rigid arc
   double flexibility_error = 0;      ///< -, of its shape, from two meshes
+  std::optional<BiteAnswer> softer;  ///< the chosen slab theory on a section softer by that error; free arc only
   const BiteAnswer *find(const std::string &key) const;  ///< nullptr: not asked, or refused
   const BiteAnswer &slab() const;                        ///< the chosen slab theory
   const BiteAnswer &chosen() const;                      ///< that gives K4
+  bool beyond_circle() const;  ///< the chosen answer is on Hitchcock's circle, beyond its range
 };
 
 /// Solves one pass.

@@ -1,5 +1,6 @@
 #include "app/chatter_question.h"
 #include "app/bite_stage.h"
+#include "core/provenance.h"
 #include "dynamics/mill_model.h"
 #include "dynamics/modal_model.h"
 #include <algorithm>
@@ -91,25 +92,8 @@ std::vector<dynamics::StructureNumber> numbers_of(const ChatterCase &spec)
 
 std::vector<std::string> keys_of(const ChatterCase &spec, const std::size_t condition)
 {
-  std::vector<std::string> keys{"work_roll.diameter",    "steel.youngs_modulus",    "steel.poisson_ratio",
-                                "strip.youngs_modulus",  "strip.initial_thickness", "strip.flow_stress.k",
-                                "stand.entry_distance",  "stand.exit_distance",     "analysis.linearisation",
-                                "strip.flow_stress.law", "strip.flow_stress.eps0",  "strip.flow_stress.n",
-                                "strip.flow_stress.k0",  "strip.flow_stress.table"};
-  if (spec.strip.friction.law == "film")
-    for (const char *key : {"oil.viscosity", "oil.pressure_viscosity", "oil.film_factor", "oil.friction.mu0",
-                            "oil.friction.mu1", "oil.friction.decay"})
-      keys.push_back(key);
-  else
-    keys.push_back("strip.friction");
-  if (spec.model)
-    keys.push_back("stand.from");
-  else
-    for (const char *key : {"stand.masses", "stand.stiffnesses", "stand.dampings"})
-      keys.push_back(key);
-  for (const char *key : {"entry_thickness", "exit_thickness", "entry_tension", "exit_tension", "width", "speed"})
-    keys.push_back(fmt::format("condition.{}.{}", condition, key));
-  return keys;
+  return joined(chatter_bite_keys(spec, condition), keys_in(fmt::format("condition.{}", condition), "speed"),
+                chatter_stand_keys(spec), keys_in("analysis", "speeds"));
 }
 
 }  // namespace
@@ -196,24 +180,15 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
                     : dynamics::modal_numbers(stand.dynamics.model == "beam" ? beam : craig_bampton);
   q.structure = q.structures.front().name + " model of this run, modal damping " +
                 fmt::format("{:g} %", 100 * stand.dynamics.modal_damping);
-  q.inputs = {"strip.entry_thickness",
-              "strip.exit_thickness",
-              "strip.entry_tension",
-              "strip.exit_tension",
-              "strip.width",
-              "strip.friction",
-              "strip.flow_stress",
-              "strip.youngs_modulus",
-              "stand.entry_distance",
-              "stand.exit_distance",
-              "analysis.linearisation",
-              "dynamics.model",
-              "dynamics.modal_damping",
-              "work_roll.barrel_diameter"};
-  for (const Parameter *p : {&chain.model.M[2], &chain.model.M[3], &chain.model.K[2], &chain.model.K[4]})
-    for (const std::string &key : p->inputs)
-      if (std::find(q.inputs.begin(), q.inputs.end(), key) == q.inputs.end())
-        q.inputs.push_back(key);
+  const auto p = std::size_t(std::find_if(stand.passes.begin(), stand.passes.end(),
+                                          [&](const Pass &one) { return one.name == pass.name; }) -
+                             stand.passes.begin());
+  q.inputs     = joined(slab_keys({stand.strip, stand.bite, p, "work_roll.barrel_diameter"}),
+                        keys_in(fmt::format("pass.{}", p), "speed"), keys_in("strip", "youngs_modulus"),
+                        keys_in("stand", "entry_distance exit_distance"), keys_in("analysis", "linearisation speeds"),
+                        keys_in("dynamics", "modal_damping"), detailed_model_keys(),
+                        chain_mode_keys(chain.model, settings, Half::upper),
+                        chain_mode_keys(chain.model, settings, Half::lower));
   return asked;
 }
 }  // namespace mill

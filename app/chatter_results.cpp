@@ -115,7 +115,7 @@ void add_searches(RunContext &run, const ChatterStudy &s, const std::string &gro
     const Adder add{run, s, "chatter",
                     "eigenvalues of stand, bite and strip; " + stand + ", " + scheme + " linearisation",
                     speed_text(other.found.speed)};
-    const std::string name = group + "." + slug(other.name) + ".";
+    const std::string name = group + "." + other.name + ".";
     add(name + "critical_speed", "m/s", other.found.speed);
     add(name + "frequency", "Hz", other.found.frequency);
     if (other.mode && !other.mode->body.empty())

@@ -1,9 +1,11 @@
 #include "app/command_line.h"
+#include "app/console.h"
 #include "app/run_context.h"
 #include "core/sparse.h"
 #include "fem/elastic_body.h"
 #include "meshes/gmsh_scope.h"
 #include <CLI/CLI.hpp>
+#include <sstream>
 
 namespace mill {
 namespace {
@@ -95,7 +97,10 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &e) {
-    exit_code = app.exit(e) == 0 ? 0 : 2;
+    std::ostringstream out, err;
+    exit_code = app.exit(e, out, err) == 0 ? 0 : 2;
+    console::print(out.str());
+    console::say(err.str());
     return {};
   }
   c.verb = app.get_subcommands().front()->get_name();

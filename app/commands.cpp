@@ -1,15 +1,19 @@
 #include "app/commands.h"
+#include "app/address_space.h"
 #include "app/bearing_model.h"
 #include "app/bite_stage.h"
 #include "app/chatter_stage.h"
 #include "app/console.h"
 #include "app/mass_table.h"
+#include "app/out_of_memory.h"
 #include "app/pipeline.h"
+#include "app/run_log.h"
 #include "app/trace_text.h"
 #include "app/verify_command.h"
 #include "core/files.h"
 #include "core/input_reference.h"
 #include "core/sparse.h"
+#include "core/visible_text.h"
 #include "fem/elastic_body.h"
 #include "report/html.h"
 #include "report/names.h"
@@ -19,10 +23,7 @@
 #include <ctime>
 #include <filesystem>
 #include <fmt/format.h>
-#include <iostream>
-#include <spdlog/sinks/basic_file_sink.h>
-#include <spdlog/sinks/stdout_sinks.h>
-#include <spdlog/spdlog.h>
+#include <new>
 #include <thread>
 
 namespace fs = std::filesystem;
@@ -49,24 +50,6 @@ std::string now()
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", std::localtime(&t));
   return text;
-}
-
-std::shared_ptr<spdlog::logger> make_log(const CommandLine &command, const OutputDir &out)
-{
-  std::vector<spdlog::sink_ptr> sinks;
-  for (const std::string &file : {out.file("millstand.log"), command.log})
-    if (!file.empty())
-      try {
-        sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_mt>(file, true));
-      } catch (const spdlog::spdlog_ex &e) {
-        throw InputError("the log " + file + " cannot be written: " + e.what());
-      }
-  if (command.verbose)
-    sinks.push_back(std::make_shared<spdlog::sinks::stderr_sink_mt>());
-  auto log = std::make_shared<spdlog::logger>("millstand", sinks.begin(), sinks.end());
-  log->set_pattern("%Y-%m-%d %H:%M:%S.%e %v");
-  log->flush_on(spdlog::level::info);
-  return log;
 }
 
 // Share of the time that each stage of a cold run takes, for the time left.
@@ -136,15 +119,17 @@ bool is_beside_a_condition(const std::string &name)
 
 void print_table(const Results &results)
 {
-  fmt::print("{:<34} {:>22} {:>9}  {}\n", "result", "value", "error", "at");
+  using console::print;
+  print(fmt::format("{:<34} {:>22} {:>9}  {}\n", "result", "value", "error", "at"));
   for (const auto &[name, p] : results.values) {
     if (report::is_of_one_model(name) || is_beside_a_condition(name))
       continue;  // side by side in the report
-    fmt::print("{:<34} {:>22} {:>9}  {}\n", name, engineering(p),
-               std::isnan(p.error_estimate) ? "-" : fmt::format("{:.2g} %", 100 * p.error_estimate), p.at);
+    print(fmt::format("{:<34} {:>22} {:>9}  {}\n", visible(name, true), engineering(p),
+                      std::isnan(p.error_estimate) ? "-" : fmt::format("{:.2g} %", 100 * p.error_estimate),
+                      visible(p.at, true)));
   }
   for (const std::string &warning : results.warnings)
-    fmt::print("warning: {}\n", warning);
+    print("warning: " + visible(warning, true) + "\n");
 }
 
 Goal goal_of(const std::string &verb)
@@ -185,8 +170,8 @@ int run_chain(const CommandLine &command)
   check_conditions(the_case);
   require_fitting(command.verb, the_case);
   const OutputDir out(command.output.empty() ? "out/" + the_case.name : command.output, the_case,
-                      command.force_overwrite);
-  const auto log = make_log(command, out);
+                      command.force_overwrite, run_id_of(the_case, command.verb, command.force));
+  const RunLog log(out, command.log, command.verbose);
   console::ProgressBar bar(expected_stages(the_case), command.quiet);
   RunContext run{the_case, out, cache_folder(command, out), command.fresh};
   std::error_code cache_error;
@@ -195,14 +180,20 @@ int run_chain(const CommandLine &command)
              "); nothing is kept for the next run");
     run.cache = out.staging();
   }
-  run.threads = command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
-  run.started = now();
+  const int wanted =
+      command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
+  run.threads       = threads_that_start(threads_that_fit(wanted));
+  run.started       = now();
   run.progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
-  run.progress.log  = [&](const std::string &line) { log->info(line); };
+  run.progress.log  = [&](const std::string &line) { log.line(line); };
   set_blas_threads(run.threads);
+  reserve_address_space(run.threads);
   fem::set_assembly_threads(run.threads);
-  log->info("millstand {} {} {}", version(), command.verb, command.target);
-  log->info("BLAS {}", blas_in_use());
+  if (run.threads < wanted)
+    log.line(fmt::format("{} threads in place of {}: more do not fit (ulimit -v) or do not start (ulimit -u)",
+                         run.threads, wanted));
+  log.line("millstand " + version() + " " + command.verb + " " + command.target);
+  log.line("BLAS " + blas_in_use());
   if (is_reference_blas(blas_in_use()))
     run.warn("the BLAS in use is the reference one (" + blas_in_use() +
              "), 6 to 20 times slower than OpenBLAS; install libopenblas0-openmp");
@@ -211,29 +202,35 @@ int run_chain(const CommandLine &command)
   out.write("resolved.toml", the_case.resolved);
   out.write("run.json", manifest_json(run));
   const auto store = [&](const std::string &status) {
-    out.write("results.json", results_json(run.results, the_case.name, status));
+    out.write("results.json", results_json(run.results, the_case.name, status, out.run_id()));
     out.write("run.json", manifest_json(run));
     StageTimer timer(run, "report");
     out.write("report.html", report::html_report(out.staging()));
     out.publish();
+    log.require_complete();
+  };
+  const auto fail = [&](const SolverError &e) {
+    bar.finish();
+    run.warn(e.report.what);
+    store("failed: " + e.report.what);
+    throw SolverError(e);
   };
   try {
     run_stages(run, goal_of(command.verb), command.force);
   } catch (const SolverError &e) {
-    bar.finish();
-    run.warn(e.report.what);
-    store("failed: " + e.report.what);
-    throw;
+    fail(e);
+  } catch (const std::bad_alloc &) {
+    fail(out_of_memory(stage_in_progress()));
   }
   bar.finish();
   store(run.results.warnings.empty() ? "ok" : "warnings");
   if (!command.quiet) {
     print_table(run.results);
     if (!run.summary.empty())
-      fmt::print("\n{}\n", run.summary);
+      console::print("\n" + run.summary + "\n");
     if (command.verb == "masses")
-      fmt::print("\n{}", mass_table(run.results));
-    fmt::print("report: {}/report.html\n", out.path());
+      console::print("\n" + mass_table(run.results));
+    console::print("report: " + out.path() + "/report.html\n");
   }
   return 0;
 }
@@ -242,7 +239,7 @@ int write_template(const CommandLine &command)
 {
   const std::string text = template_of(command.target);
   if (command.output.empty()) {
-    std::cout << text;
+    console::print(text);
     return 0;
   }
   if (fs::exists(command.output) && !command.force_overwrite)
@@ -250,11 +247,23 @@ int write_template(const CommandLine &command)
   write_atomically(command.output, text);
   return 0;
 }
+// From what is stored; a run whose publishing was interrupted comes first.
+int write_report(const std::string &directory)
+{
+  {
+    const FolderLock alone(directory);  // a run that ends now publishes before or after
+    finish_publishing(directory);
+    write_atomically(directory + "/report.html", report::html_report(directory));
+  }
+  console::print("report: " + directory + "/report.html\n");
+  return 0;
+}
 }  // namespace
 
 std::string current_manifest()
 {
-  return fs::exists(manifest_path) ? manifest_path : "";
+  std::error_code ignored;
+  return fs::exists(manifest_path, ignored) ? manifest_path : "";
 }
 
 int carry_out(const CommandLine &command)
@@ -267,25 +276,25 @@ int carry_out(const CommandLine &command)
     check_fits(the_case);
     check_bites(the_case);
     check_conditions(the_case);
-    fmt::print("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, the_case.title);
+    console::print(
+        fmt::format("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, visible(the_case.title, true)));
+    for (const std::string &sentence : said_of_bearings(the_case))
+      console::print(visible(sentence, true) + "\n");
     return 0;
   }
   if (command.verb == "trace") {
     const TraceOptions options{command.target, command.key, command.sets, command.output, command.full};
-    std::cout << trace_text(trace(options), !command.quiet);
+    console::print(trace_text(trace(options), !command.quiet));
     return 0;
   }
   if (command.verb == "verify")
     return verify_command({command.names, command.list, command.quiet, command.markdown, command.threads});
   if (command.verb == "schema") {
-    std::cout << case_schema();
+    console::print(case_schema());
     return 0;
   }
-  if (command.verb == "report") {
-    write_atomically(command.target + "/report.html", report::html_report(command.target));
-    fmt::print("report: {}/report.html\n", command.target);
-    return 0;
-  }
+  if (command.verb == "report")
+    return write_report(command.target);
   return run_chain(command);
 }
 }  // namespace mill

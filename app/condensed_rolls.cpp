@@ -1,8 +1,11 @@
 #include "app/condensed_rolls.h"
 #include "core/files.h"
+#include "core/record_text.h"
+#include "fem/members.h"
 #include "fem/roll_cache.h"
 #include "meshes/contact_mesh_size.h"
 #include "meshes/gmsh_scope.h"
+#include "meshes/members.h"
 #include <filesystem>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -14,22 +17,15 @@ namespace {
 // Raised by hand when meshing or condensation changes what it computes.
 constexpr const char *stage_version = "condensation 3";
 
-std::string key_of(const RollGeometry &g, const meshes::RollMeshSize &s, const Material &m,
-                   const fem::CondenseOptions &o)
+fem::CondenseOptions options_of(const CondenseWish &wanted, const bool companion)
 {
-  const auto &c = s.section;
-  return hash_of(
-      fmt::format("{} {} {} | {} {} {} {} {} {} | {} {} {} {} {} {} {} {} {} {} | {} {} | {} {} {} {} {} {}",
-                  stage_version, fem::library_version(), meshes::library_version(), g.radius, g.half_length,
-                  g.neck_radius, g.neck_length, g.seat_centre, g.contact_half_length, c.first_element, c.growth,
-                  c.patch_elements, c.depth_elements, c.depth_growth, c.far_growth, c.sector_elements, s.end_layer,
-                  s.layer_growth, s.largest_layer, m.youngs_modulus, m.poisson_ratio, s.break_at, o.slab,
-                  o.both_sides, o.odd_squeeze, o.tractions, o.keep_fields));
-}
-
-double free_memory()
-{
-  return 0.8 * double(sysconf(_SC_AVPHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
+  fem::CondenseOptions options;
+  options.slab        = wanted.slab;
+  options.both_sides  = !wanted.slab && (wanted.both_sides || companion);
+  options.odd_squeeze = !wanted.slab;  // for the joint stiffness
+  options.tractions   = wanted.tractions;
+  options.keep_fields = companion;
+  return options;
 }
 
 std::shared_ptr<const fem::CondensedRoll> condensed(RunContext &run, const std::string &name,
@@ -38,15 +34,9 @@ std::shared_ptr<const fem::CondensedRoll> condensed(RunContext &run, const std::
                                                     const bool companion)
 {
   StageTimer timer(run, "condensation, " + name + (companion ? ", coarse mesh" : ""));
-  fem::CondenseOptions options;
-  options.slab           = wanted.slab;
-  options.both_sides     = !wanted.slab && (wanted.both_sides || companion);
-  options.odd_squeeze    = !wanted.slab;  // for the joint stiffness
-  options.tractions      = wanted.tractions;
-  options.keep_fields    = companion;
-  options.memory         = free_memory();
-  const std::string key  = key_of(geometry, size, steel, options);
-  const std::string file = run.cache + "/roll-" + key + ".bin";
+  const fem::CondenseOptions options = options_of(wanted, companion);
+  const std::string key              = hash_of(roll_inputs(geometry, size, steel, wanted, companion));
+  const std::string file             = run.cache + "/roll-" + key + ".bin";
   std::string note;
   auto stored = run.fresh && !run.made.count(key) ? std::nullopt : fem::load_roll(file, key, &note);
   if (!note.empty())
@@ -80,6 +70,13 @@ std::shared_ptr<const fem::CondensedRoll> condensed(RunContext &run, const std::
   return std::make_shared<const fem::CondensedRoll>(std::move(roll));
 }
 }  // namespace
+
+std::string roll_inputs(const RollGeometry &geometry, const meshes::RollMeshSize &size, const Material &steel,
+                        const CondenseWish &wanted, const bool companion)
+{
+  return record_text(stage_version, fem::library_version(), meshes::library_version(), geometry, size,
+                     at_rest(steel), options_of(wanted, companion));
+}
 
 CondensedPair condensed_pair(RunContext &run, const std::string &name, const RollGeometry &geometry,
                              const meshes::RollMeshSize &size, const Material &steel, const CondenseWish &wanted)

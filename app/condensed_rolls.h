@@ -19,7 +19,12 @@ struct CondenseWish {
   bool tractions  = false;  ///< friction
 };
 
-/// Meshes and condenses a roll, or takes both from the cache; the key is everything the result depends on.
+/// Everything that a condensed roll depends on, as text; its hash is the key of the cache.
+/// @param companion  on the coarse mesh, whose size is given
+std::string roll_inputs(const RollGeometry &geometry, const meshes::RollMeshSize &size, const Material &steel,
+                        const CondenseWish &wanted, bool companion);
+
+/// Meshes and condenses a roll, or takes both from the cache.
 /// @param name  as the user calls the roll: "backup roll"
 CondensedPair condensed_pair(RunContext &run, const std::string &name, const RollGeometry &geometry,
                              const meshes::RollMeshSize &size, const Material &steel, const CondenseWish &wanted);

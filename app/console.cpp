@@ -1,11 +1,55 @@
 #include "app/console.h"
+#include "core/error_list.h"
+#include "core/visible_text.h"
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 #include <vector>
 
 namespace mill::console {
+namespace {
+void put(const std::string &text)
+{
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+[[noreturn]] void output_failed(const int error)
+{
+  throw OutputError(std::string("standard output cannot be written: ") + std::strerror(error));
+}
+}  // namespace
+
+void open_standard_files()
+{
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(number, F_GETFD) < 0)
+      ::open("/dev/null",
+             number == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // used the wrong way round: an error, as closed
+}
+
+void print(const std::string &text)
+{
+  const std::string shown = visible(text);
+  if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size())
+    output_failed(errno);
+}
+
+void flush()
+{
+  if (std::fflush(stdout) != 0)
+    output_failed(errno);
+}
+
+void say(const std::string &text)
+{
+  put(visible(text));
+}
+
 struct ProgressBar::State {
   std::vector<std::pair<std::string, double>> stages;
   bool quiet, terminal;
@@ -49,11 +93,10 @@ void ProgressBar::show(const std::string &stage, const double fraction)
     const int filled = int(30 * s.done);
     const std::string left =
         s.done > 0.02 ? fmt::format("{:.0f} s left", elapsed.count() * (1 - s.done) / s.done) : "";
-    fmt::print(stderr, "\r\033[K[{}{}] {:3} %  {}  {}", std::string(filled, '#'), std::string(30 - filled, '.'),
-               percent, stage, left);
-    std::fflush(stderr);
+    put(fmt::format("\r\033[K[{}{}] {:3} %  {}  {}", std::string(filled, '#'), std::string(30 - filled, '.'),
+                    percent, visible(stage, true), left));
   } else if (percent / 10 > s.last_percent / 10 || s.last_percent < 0) {
-    fmt::print(stderr, "{:3} %  {}\n", percent, stage);
+    say(fmt::format("{:3} %  {}\n", percent, stage));
     s.last_percent = percent;
   }
 }
@@ -61,33 +104,37 @@ void ProgressBar::show(const std::string &stage, const double fraction)
 void ProgressBar::finish()
 {
   if (!state->quiet && state->terminal)
-    fmt::print(stderr, "\r\033[K");
+    put("\r\033[K");
 }
 
 void show(const InputError &error)
 {
-  for (const Problem &problem : error.problems)
-    fmt::print(stderr, "{}\n", render(problem));
+  say(render_list(error.problems));
 }
 
 void show(const SolverError &error)
 {
   const auto &r = error.report;
-  fmt::print(stderr, "{}\n", r.what);
+  say(visible(r.what, true) + "\n");
   if (!r.where.empty())
-    fmt::print(stderr, "  {}\n", r.where);
+    say("  " + visible(r.where, true) + "\n");
   for (const auto &[name, text] : {
            std::pair{"usual cause", r.cause },
            std::pair{"change",      r.remedy},
            std::pair{"kept",        r.kept  }
   })
     if (!text.empty())
-      fmt::print(stderr, "  {:<12}  {}\n", name, text);
+      say(fmt::format("  {:<12}  {}\n", name, visible(text, true)));
+}
+
+void show(const OutputError &error)
+{
+  say(std::string("error: ") + error.what() + "\n");
 }
 
 void show_bug(const std::exception &error, const std::string &manifest)
 {
-  fmt::print(stderr, "millstand failed on its own account: {}\n", error.what());
-  fmt::print(stderr, "please report this with the case file{}\n", manifest.empty() ? "" : " and " + manifest);
+  say(std::string("millstand failed on its own account: ") + error.what() + "\n" +
+      "please report this with the case file" + (manifest.empty() ? "" : " and " + manifest) + "\n");
 }
 }  // namespace mill::console

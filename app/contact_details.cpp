@@ -2,6 +2,7 @@
 #include "app/contact_slope.h"
 #include "app/contact_stage.h"
 #include "core/csv.h"
+#include "core/mesh_pair.h"
 #include "fem/contact_readings.h"
 #include "fem/frictional_pair.h"
 #include <cmath>
@@ -18,9 +19,6 @@ Parameter computed(const std::string &unit, const double value, const double err
   p.method         = method;
   p.at             = in_kN(load);
   p.error_estimate = error;
-  p.inputs         = {"steel.youngs_modulus",      "steel.poisson_ratio", "work_roll.barrel_diameter",
-                      "work_roll.barrel_length",   "work_roll.crown",     "backup_roll.barrel_diameter",
-                      "backup_roll.barrel_length", "backup_roll.crown"};
   return p;
 }
 
@@ -48,7 +46,7 @@ void add_contact_length(RunContext &run, const ContactModel &m, const std::strin
   const double coarse               = at(m.in_stand_coarse).length;
   const double whole                = m.closed_form.length;
   // A mesh tells where a contact ends to one station.
-  Parameter p = computed("m", length, std::max(difference(coarse, length), edge / length), load,
+  Parameter p = computed("m", length, std::max(mesh_pair_error(length, coarse), edge / length), load,
                          "contact FEM, stations that carry load, held as in the stand");
   p.checks.push_back({"length over which the barrels face each other", whole, ""});
   run.results.add("contact." + name + ".contact_length", p);
@@ -102,7 +100,8 @@ void add_joint(RunContext &run, const ContactModel &m, const std::string &name, 
                        const double beside) {
     const double value = fine(row, column);
     const double error =
-        value == 0 ? 0 : std::max(difference(coarse(row, column), value), difference(exact(row, column), value));
+        value == 0 ? 0
+                   : std::max(mesh_pair_error(value, coarse(row, column)), difference(exact(row, column), value));
     Parameter p = computed(unit, value, error, load, method);
     p.checks.push_back({check, beside, "uniform load, no barrel ends"});
     p.checks.push_back({"mesh twice as coarse", coarse(row, column), ""});
@@ -136,12 +135,12 @@ void add_friction(RunContext &run, const FourHigh &stand, const ContactModel &m,
              twice  = effect(*m.backup.coarse, *m.work.coarse, 2 * steps);
   Parameter p       = computed(
             "N/m", tangent.value * fine.ratio,
-            tangent.error_estimate + difference(coarse.ratio, fine.ratio) + difference(twice.ratio, coarse.ratio), load,
+            tangent.error_estimate + mesh_pair_error(fine.ratio, coarse.ratio) + difference(twice.ratio, coarse.ratio),
+            load,
             fmt::format("contact FEM, {}.tangent times {:.5f}, the tangent with Coulomb friction {:g} "
                               "over that without on the same mesh, loaded from zero in {} equal steps, "
                               "{:.0f} % of the touching nodes slip",
                         K, fine.ratio, settings.friction, steps, 100 * fine.slipping));
-  p.inputs.push_back("contact." + name + ".friction");
   p.checks.push_back({"without friction", tangent.value, "equal materials: nearly uncoupled"});
   p.checks.push_back({"effect of friction on a mesh twice as coarse", tangent.value * coarse.ratio, ""});
   p.checks.push_back(
@@ -159,7 +158,7 @@ void add_one_sidedness(RunContext &run, const ContactModel &m, const std::string
   const double L      = m.closed_form.length;
   const auto add      = [&](const char *what, const char *unit, const double value, const double on_coarse,
                        const double scale, const double beside) {
-    const double error = std::abs(on_coarse - value) / std::max(std::abs(value), 1e-6 * scale);
+    const double error = mesh_pair_safety * std::abs(on_coarse - value) / std::max(std::abs(value), 1e-6 * scale);
     Parameter p        = computed(unit, value, error, load, "contact FEM, held as in the stand");
     p.checks.push_back({"squeezed between mirrored contacts", beside, "another way of holding the rolls"});
     p.checks.push_back({"mesh twice as coarse", on_coarse, ""});
@@ -176,7 +175,7 @@ void add_largest_pressure(RunContext &run, const ContactModel &m, const FourHigh
     return fem::pressure_map(pair, fem::solve_load(pair, load)).maxCoeff();
   };
   const double peak = largest(m.in_stand), coarse = largest(m.in_stand_coarse);
-  Parameter p = computed("Pa", peak, difference(coarse, peak), load,
+  Parameter p = computed("Pa", peak, mesh_pair_error(peak, coarse), load,
                          "contact FEM, largest nodal pressure of the patch, held as in the stand; at a sharp end "
                          "it grows with the mesh");
   p.checks.push_back(

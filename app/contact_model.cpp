@@ -30,6 +30,20 @@ double drop_at(const FourHigh &stand, const ContactSettings &settings, const dou
          reduce::crossing_gap(between, settings.cross_angle, settings.axis_offset, z);
 }
 
+// Part of the stand in which the barrels face each other, m; the mirror image for the lower rolls.
+std::pair<double, double> facing_part(const FourHigh &stand)
+{
+  const double shift = stand.work_roll.axial_shift, L_work = 0.5 * stand.work_roll.barrel_length,
+               L_backup = 0.5 * stand.backup_roll.barrel_length;
+  return {std::max(-L_backup, shift - L_work), std::min(L_backup, shift + L_work)};
+}
+
+reduce::CylinderPair closed_form(const FourHigh &stand)
+{
+  const auto [low, high] = facing_part(stand);
+  return {stand.work_roll.barrel_diameter, stand.backup_roll.barrel_diameter, high - low, stand.steel};
+}
+
 bool reaches_patch_edge(const fem::ContactPair &pair, const double load)
 {
   const auto point = fem::solve_load(pair, load);
@@ -108,32 +122,37 @@ bool is_one_sided(const FourHigh &stand, const ContactSettings &settings)
          (settings.cross_angle != 0 && settings.axis_offset != 0);
 }
 
+PlannedPair planned_rolls(const FourHigh &stand, const ContactSettings &settings, const double largest_load,
+                          const double reach)
+{
+  const double b         = reduce::line_contact(closed_form(stand), largest_load).half_width;
+  const auto [low, high] = facing_part(stand);
+  const double shift     = stand.work_roll.axial_shift;
+  const auto size        = meshes::roll_contact_size(b, settings.elements_per_half_width, reach);
+  const auto planned     = [&](const Roll &roll, const double from, const double to) {
+    PlannedRoll plan{geometry_of(roll, std::max(std::abs(from), std::abs(to))), size};
+    plan.size.break_at = std::abs(from + to) > 1e-9 ? std::min(std::abs(from), std::abs(to)) : 0;
+    return plan;
+  };
+  PlannedPair pair{planned(stand.backup_roll, low, high), planned(stand.work_roll, low - shift, high - shift), {}};
+  pair.wanted.both_sides = is_one_sided(stand, settings);
+  pair.wanted.tractions  = !std::isnan(settings.friction);
+  return pair;
+}
+
 ContactModel contact_model(RunContext &run, const FourHigh &stand, const std::string &name,
                            const ContactSettings &settings, const double largest_load)
 {
-  // Part of the stand in which the barrels face each other; the mirror image for the lower rolls.
-  const double shift = stand.work_roll.axial_shift, L_work = 0.5 * stand.work_roll.barrel_length,
-               L_backup = 0.5 * stand.backup_roll.barrel_length;
-  const double low = std::max(-L_backup, shift - L_work), high = std::min(L_backup, shift + L_work);
-  const double facing = high - low;
   ContactModel m;
   m.extent       = is_one_sided(stand, settings) ? fem::Extent::whole : fem::Extent::quarter;
-  m.closed_form  = {stand.work_roll.barrel_diameter, stand.backup_roll.barrel_diameter, facing, stand.steel};
+  m.closed_form  = closed_form(stand);
   const double b = reduce::line_contact(m.closed_form, largest_load).half_width;
-  CondenseWish wanted;
-  wanted.both_sides = m.extent == fem::Extent::whole;
-  wanted.tractions  = !std::isnan(settings.friction);
   // Crown, bending and a narrow strip gather the load, so the contact may be wider than that of a uniform load.
-  for (double reach = 1.5; reach < 12; reach *= 1.5) {
-    const auto size      = meshes::roll_contact_size(b, settings.elements_per_half_width, reach);
-    const auto condensed = [&](const char *roll_name, const Roll &roll, const double from, const double to) {
-      auto own     = size;
-      own.break_at = std::abs(from + to) > 1e-9 ? std::min(std::abs(from), std::abs(to)) : 0;
-      return condensed_pair(run, roll_name, geometry_of(roll, std::max(std::abs(from), std::abs(to))), own,
-                            stand.steel, wanted);
-    };
-    m.backup = condensed("backup roll", stand.backup_roll, low, high);
-    m.work   = condensed("work roll", stand.work_roll, low - shift, high - shift);
+  for (double reach = first_reach; reach < 12; reach *= 1.5) {
+    const auto plan = planned_rolls(stand, settings, largest_load, reach);
+    m.backup =
+        condensed_pair(run, "backup roll", plan.backup.geometry, plan.backup.size, stand.steel, plan.wanted);
+    m.work = condensed_pair(run, "work roll", plan.work.geometry, plan.work.size, stand.steel, plan.wanted);
     make_pairs(m, name, stand, settings);
     if (!reaches_patch_edge(m.mirrored, largest_load) && !reaches_patch_edge(m.in_stand, largest_load))
       return m;

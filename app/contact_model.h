@@ -32,6 +32,24 @@ Eigen::VectorXd even_drop(const FourHigh &stand, const ContactSettings &settings
 /// True when the two sides of mid-length carry different loads.
 bool is_one_sided(const FourHigh &stand, const ContactSettings &settings);
 
+/// A roll as it is to be meshed.
+struct PlannedRoll {
+  RollGeometry geometry;
+  meshes::RollMeshSize size;
+};
+struct PlannedPair {
+  PlannedRoll backup, work;
+  CondenseWish wanted;
+};
+
+/// Both rolls of a contact, meshed for loads up to `largest_load`.
+/// @param reach  width of the patch over that of the contact
+PlannedPair planned_rolls(const FourHigh &stand, const ContactSettings &settings, double largest_load,
+                          double reach);
+/// One of two cylinders in plane strain.
+PlannedRoll planned_cylinder(const TwoCylinders &spec, double diameter);
+constexpr double first_reach = 1.5;  // of the patch that is tried first
+
 /// Meshes and condenses the two rolls for loads up to `largest_load`; widens the patch until no load reaches its
 /// edge.
 /// @param name  "upper" or "lower"

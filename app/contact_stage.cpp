@@ -4,6 +4,7 @@
 #include "app/contact_model.h"
 #include "app/contact_slope.h"
 #include "app/second_engine.h"
+#include "core/mesh_pair.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -21,7 +22,8 @@ struct Study {
   std::string twin;  // contact that is the same one, already written
 };
 
-// Swept range: that of the case, or a decade below the smallest and twice the largest working load.
+}  // namespace
+
 std::array<double, 2> swept_range(const std::string &name, const ContactSettings &settings,
                                   const std::vector<double> &loads)
 {
@@ -38,6 +40,7 @@ std::array<double, 2> swept_range(const std::string &name, const ContactSettings
   return settings.loads;
 }
 
+namespace {
 // A second opinion widens the error estimate to the spread.
 void beside(Parameter &p, const std::string &who, const double value)
 {
@@ -47,26 +50,12 @@ void beside(Parameter &p, const std::string &who, const double value)
   p.error_estimate = std::fmax(p.error_estimate, difference(value, p.value));  // NaN: none yet
 }
 
-Parameter blank(const Study &s, const std::string &unit, const double load, const std::string &reference)
+Parameter blank(const std::string &unit, const double load, const std::string &reference)
 {
   Parameter p;
   p.unit   = unit;
   p.method = "contact FEM, " + reference;
   p.at     = in_kN(load);
-  p.inputs = {"steel.youngs_modulus",
-              "steel.poisson_ratio",
-              "work_roll.barrel_diameter",
-              "work_roll.barrel_length",
-              "work_roll.neck_diameter",
-              "work_roll.total_length",
-              "work_roll.crown",
-              "backup_roll.barrel_diameter",
-              "backup_roll.barrel_length",
-              "backup_roll.neck_diameter",
-              "backup_roll.neck_length",
-              "backup_roll.crown",
-              "contact." + s.name + ".loads",
-              "contact." + s.name + ".elements_per_half_width"};
   return p;
 }
 
@@ -82,7 +71,7 @@ void add_curvature(RunContext &run, const Study &s, const std::string &prefix, c
   const auto hertz = reduce::line_contact(s.model.closed_form, F);
   // (3.5a) and (3.5b) differ by one in the bracket.
   const double A_over_L = 1 / hertz.secant - 1 / hertz.tangent;
-  Parameter curvature   = blank(s, "N/m2", F, s.mirrored.reference);
+  Parameter curvature   = blank("N/m2", F, s.mirrored.reference);
   curvature.value       = fine;
   curvature.checks.push_back(
       {"Hertz line contact, K^3 A/(F L)", std::pow(hertz.tangent, 3) * A_over_L / F, "no barrel ends"});
@@ -102,9 +91,9 @@ void add_held(RunContext &run, const Study &s, const std::string &prefix, const 
     second = slope_of(s.second->in_stand, F);
   const auto add = [&](const char *what, const double value, const double on_coarse, const double exact,
                        const double by_second, const Parameter &mirrored) {
-    Parameter h      = blank(s, "N/m", F, s.in_stand.reference);
+    Parameter h      = blank("N/m", F, s.in_stand.reference);
     h.value          = value;
-    h.error_estimate = std::max(difference(on_coarse, value), difference(exact, value));
+    h.error_estimate = std::max(mesh_pair_error(value, on_coarse), difference(exact, value));
     h.checks.push_back(
         {"rolls squeezed between mirrored contacts", mirrored.value, "another datum and no bending"});
     h.checks.push_back({coarse_mesh, on_coarse, ""});
@@ -129,17 +118,17 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
   const auto held             = slope_at(s.model.in_stand, s.in_stand, F);
   const std::string held_note = "bending, strip width, backup roll balanced by shear";
 
-  Parameter tangent = blank(s, "N/m", F, s.mirrored.reference);
+  Parameter tangent = blank("N/m", F, s.mirrored.reference);
   Parameter secant  = tangent;
   tangent.value     = fine.tangent;
   tangent.error_estimate =
-      std::max(difference(coarse.tangent, fine.tangent), difference(fine.exact, fine.tangent));
+      std::max(mesh_pair_error(fine.tangent, coarse.tangent), difference(fine.exact, fine.tangent));
   tangent.checks.push_back({"Hertz line contact, infinitely long (3.5b)", hertz.tangent, "no barrel ends"});
   tangent.checks.push_back({"active set of this one load (2.8)", fine.exact, "steps as nodes come into contact"});
   tangent.checks.push_back({coarse_mesh, coarse.tangent, ""});
   tangent.checks.push_back({"rolls held as in the stand", held.tangent, held_note});
   secant.value          = fine.secant;
-  secant.error_estimate = difference(coarse.secant, fine.secant);
+  secant.error_estimate = mesh_pair_error(fine.secant, coarse.secant);
   secant.checks.push_back({"Johnson, axis to axis (3.5a)", hertz.secant, "upper end of the band of closed forms"});
   secant.checks.push_back({"Foeppl (3.8)", laws.foeppl, ""});
   secant.checks.push_back({"half space (3.9)", laws.half_space, ""});
@@ -187,9 +176,9 @@ void add_section(RunContext &run, const Study &s, const FourHigh &stand, const d
       std::abs(0.5 * M_PI * fine.half_width[mid] * fine.peak_pressure[mid] / fine.line_load[mid] - 1);
   const auto add = [&](const std::string &what, const std::string &unit, const double value, const double second,
                        const double other, const double closed, const std::string &reference) {
-    Parameter p      = blank(s, unit, F, reference);
+    Parameter p      = blank(unit, F, reference);
     p.value          = value;
-    p.error_estimate = std::max(difference(second, value), what == "approach" ? 0. : misfit);
+    p.error_estimate = std::max(mesh_pair_error(value, second), what == "approach" ? 0. : misfit);
     p.checks.push_back({"Hertz line contact", closed, ""});
     p.checks.push_back({coarse_mesh, second, ""});
     beside(p, second_engine, other);

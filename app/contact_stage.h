@@ -14,6 +14,13 @@ struct SolvedContact {
   std::vector<Parameter> secant;   ///< (passes) N/m
 };
 
+/// Loads, N, that the curve of a contact runs over: those of the case, or from a tenth of the smallest to twice
+/// the largest working load.
+/// @param loads  (passes) N, working loads
+/// @throws InputError  a given range that does not hold a working load
+std::array<double, 2> swept_range(const std::string &name, const ContactSettings &settings,
+                                  const std::vector<double> &loads);
+
 /// Solves the roll contacts upper (K3) and lower (K5) by finite elements at the working loads, writes
 /// curves/contact-*.csv and fields/*.vtu, and adds K3.*, K5.* and contact.*.* to the results.
 /// @param loads  (passes) N, working loads

@@ -1,7 +1,8 @@
-#include "app/condensed_rolls.h"
 #include "app/contact_files.h"
+#include "app/contact_model.h"
 #include "app/contact_slope.h"
 #include "app/contact_stage.h"
+#include "core/mesh_pair.h"
 #include "fem/contact_study.h"
 #include "meshes/contact_mesh_size.h"
 #include <algorithm>
@@ -9,21 +10,26 @@
 #include <fmt/format.h>
 
 namespace mill {
-void solve_cylinders(RunContext &run, const TwoCylinders &spec)
+PlannedRoll planned_cylinder(const TwoCylinders &spec, const double diameter)
 {
   const ContactSettings &c = spec.contact;
   const reduce::CylinderPair metre{spec.upper_diameter, spec.lower_diameter, 1, spec.steel};
   const auto half_width = [&](const double q) { return reduce::line_contact(metre, q).half_width; };
-  const double smaller  = std::min(spec.upper_diameter, spec.lower_diameter);
-  const auto slab       = [&](const std::string &name, const double diameter) {
-    RollGeometry g;
-    g.radius      = 0.5 * diameter;
-    g.half_length = smaller / 20;
-    auto size =
-        meshes::slab_contact_size(half_width(c.loads[0]), half_width(c.loads[1]), c.elements_per_half_width);
-    size.end_layer = size.largest_layer = g.half_length;
-    auto pair                           = condensed_pair(run, name, g, size, spec.steel, {true, false, false});
-    return pair;
+  PlannedRoll plan;
+  plan.geometry.radius      = 0.5 * diameter;
+  plan.geometry.half_length = std::min(spec.upper_diameter, spec.lower_diameter) / 20;
+  plan.size = meshes::slab_contact_size(half_width(c.loads[0]), half_width(c.loads[1]), c.elements_per_half_width);
+  plan.size.end_layer = plan.size.largest_layer = plan.geometry.half_length;
+  return plan;
+}
+
+void solve_cylinders(RunContext &run, const TwoCylinders &spec)
+{
+  const ContactSettings &c = spec.contact;
+  const reduce::CylinderPair metre{spec.upper_diameter, spec.lower_diameter, 1, spec.steel};
+  const auto slab = [&](const std::string &name, const double diameter) {
+    const PlannedRoll plan = planned_cylinder(spec, diameter);
+    return condensed_pair(run, name, plan.geometry, plan.size, spec.steel, {true, false, false});
   };
   const CondensedPair upper = slab("upper cylinder", spec.upper_diameter),
                       lower = slab("lower cylinder", spec.lower_diameter);
@@ -53,14 +59,11 @@ void solve_cylinders(RunContext &run, const TwoCylinders &spec)
     s.unit           = unit;
     s.method         = "contact FEM, plane strain, " + fine.reference;
     s.at             = fmt::format("{:.6g} N/mm", c.at / 1e3);
-    s.error_estimate = difference(other, value);
+    s.error_estimate = mesh_pair_error(value, other);
     if (what == "half_width" || what == "peak_pressure")
       s.error_estimate = std::max(s.error_estimate, misfit);
     if (what == "tangent")
       s.error_estimate = std::max(s.error_estimate, difference(slope.exact, value));
-    s.inputs = {
-        "upper.diameter",  "lower.diameter",     "steel.youngs_modulus", "steel.poisson_ratio",
-        "contact.line.at", "contact.line.loads", "contact.line.samples", "contact.line.elements_per_half_width"};
     s.checks = std::move(checks);
     s.checks.push_back({"mesh twice as coarse", other, ""});
     run.results.add("contact.line." + what, s);

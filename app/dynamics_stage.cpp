@@ -1,5 +1,6 @@
 #include "app/dynamics_stage.h"
 #include "core/csv.h"
+#include "core/provenance.h"
 #include "dynamics/mill_model.h"
 #include "dynamics/modes.h"
 #include "dynamics/response.h"
@@ -8,61 +9,33 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace mill {
 namespace {
-using Keys = std::vector<std::string>;
-
-void add_keys(Keys &keys, const Keys &more)
+// Keys behind both halves of the chain.
+KeyList inputs_of(const LumpedModel &model, const DynamicsSettings &settings)
 {
-  for (const std::string &key : more)
-    if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      keys.push_back(key);
+  return joined(chain_mode_keys(model, settings, Half::upper), chain_mode_keys(model, settings, Half::lower));
 }
 
-// Keys behind the vertical chain; those of the bite only where its spring is in it.
-Keys inputs_of(const LumpedModel &model, const DynamicsSettings &settings)
+// Error of a frequency from the errors of springs and masses: half the strain-energy share of a spring, and half
+// the kinetic share of a mass, is how the frequency follows it.  One without an error leaves the frequency
+// without.
+void state_error(Parameter &f, const dynamics::Modes &modes, const Eigen::Index mode, const LumpedModel &model)
 {
-  Keys keys;
-  for (const Parameter &mass : model.M)
-    add_keys(keys, mass.inputs);
-  for (std::size_t i = 0; i < model.K.size(); ++i)
-    if (i != 3 || settings.force_meaning != "measured")
-      add_keys(keys, model.K[i].inputs);
-  add_keys(keys, {"dynamics.force_meaning", "dynamics.frame"});
-  return keys;
-}
-
-// Keys behind the rolls on their bearings.
-Keys horizontal_inputs(const LumpedModel &model)
-{
-  Keys keys;
-  for (std::size_t i = 1; i < 5; ++i)
-    add_keys(keys, model.M[i].inputs);
-  for (const Parameter &bearing : model.Kzc)
-    add_keys(keys, bearing.inputs);
-  add_keys(keys, {"frame.chock_to_housing_stiffness", "work_roll.chock_mass_upper", "work_roll.chock_mass_lower"});
-  return keys;
-}
-
-// Relative error of a frequency from the errors that springs and masses state: half the strain-energy share of a
-// spring, and half the kinetic share of a mass, is how the frequency follows it.  NaN when none states any.
-double frequency_error(const dynamics::Modes &modes, const Eigen::Index mode, const LumpedModel &model)
-{
-  double sum     = 0;
-  bool stated    = false;
-  const auto add = [&](const Parameter &parameter, const double share) {
-    if (std::isnan(parameter.error_estimate))
+  constexpr double no_share = 1e-5;  // too little to matter even of a spring that is twice as stiff
+  f.error_estimate          = 0;
+  const auto add            = [&](const std::string &name, const Parameter &part, const double share) {
+    if (share < no_share)
       return;
-    sum += 0.5 * share * parameter.error_estimate;
-    stated = true;
+    f.error_estimate += 0.5 * share * part.error_estimate;
+    if (std::isnan(part.error_estimate))
+      f.error_lacks = joined(f.error_lacks, part.error_lacks.empty() ? KeyList{name} : part.error_lacks);
   };
   for (int j = 0; j < 7; ++j)
-    add(model.K[j], modes.strain_share(mode, j));
+    add("K" + std::to_string(j + 1), model.K[std::size_t(j)], modes.strain_share(mode, j));
   for (int j = 0; j < 6; ++j)
-    add(model.M[j], modes.kinetic_share(mode, j));
-  return stated ? sum : std::numeric_limits<double>::quiet_NaN();
+    add("M" + std::to_string(j + 1), model.M[std::size_t(j)], modes.kinetic_share(mode, j));
 }
 
 double in_g(const double acceleration)
@@ -90,22 +63,34 @@ ForceRecord force_of(const Pass &pass)
   return dynamics::synthetic_force(noise);
 }
 
+namespace {
+// The damped chain: its poles need not belong to the undamped modes one by one.
+void write_poles(RunContext &run, const dynamics::MillModel &chain)
+{
+  const auto poles = dynamics::poles(chain);
+  const auto n     = Eigen::Index(poles.size());
+  Eigen::VectorXd frequency(n), damping(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    frequency[i] = poles[std::size_t(i)].frequency;
+    damping[i]   = poles[std::size_t(i)].damping;
+  }
+  Table table;
+  table.add("pole", "", Eigen::VectorXd::LinSpaced(n, 1, double(n)))
+      .add("frequency", "Hz", frequency)
+      .add("damping", "", damping);
+  run.out.write("curves/poles.csv", csv_text(table));
+}
+}  // namespace
+
 void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings,
                const double chock_seat, const std::array<double, 2> chock_mass)
 {
   StageTimer timer(run, "modes");
   const auto chain = dynamics::mill_model(model, settings);
   const auto modes = dynamics::modes(chain);
-  const auto poles = dynamics::poles(chain);
   const auto n     = modes.frequency.size();
   Table table;
-  table.add("mode", "", Eigen::VectorXd::LinSpaced(n, 1, double(n)))
-      .add("frequency", "Hz", modes.frequency)
-      .add("damping", "", Eigen::VectorXd::Constant(n, settings.modal_damping));
-  // Poles come in ascending frequency like the modes; with real poles among them they are no longer one to one.
-  if (Eigen::Index(poles.size()) == n)
-    for (Eigen::Index i = 0; i < n; ++i)
-      table.columns[2][i] = poles[std::size_t(i)].damping;
+  table.add("mode", "", Eigen::VectorXd::LinSpaced(n, 1, double(n))).add("frequency", "Hz", modes.frequency);
   for (Eigen::Index j = 0; j < n; ++j) {
     Eigen::VectorXd y(n);
     for (Eigen::Index i = 0; i < n; ++i)
@@ -115,24 +100,16 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
   for (std::size_t s = 0; s < chain.springs.size(); ++s)
     table.add("energy_" + chain.springs[s].name, "", modes.strain_share.col(Eigen::Index(s)));
   run.out.write("curves/modes.csv", csv_text(table));
+  write_poles(run, chain);
   for (Eigen::Index i = 0; i < n; ++i) {
     Parameter f;
-    f.value          = modes.frequency[i];
-    f.unit           = "Hz";
-    f.method         = "six-mass chain, force " + settings.force_meaning;
-    f.at             = model.at;
-    f.error_estimate = frequency_error(modes, i, model);
-    f.inputs         = inputs_of(model, settings);
-    // Rayleigh's quotient of the mode's own shape, from the springs one by one.
-    double strain = 0;
-    for (const auto &spring : chain.springs) {
-      const double a = spring.from == dynamics::ground ? 0 : modes.shape(spring.from, i);
-      const double b = spring.to == dynamics::ground ? 0 : modes.shape(spring.to, i);
-      strain += spring.stiffness * (a - b) * (a - b);
-    }
-    f.checks = {
-        {"Rayleigh quotient of the shape, spring by spring", std::sqrt(strain) / (2 * M_PI), ""}
-    };
+    f.value  = modes.frequency[i];
+    f.unit   = "Hz";
+    f.method = "six-mass chain, force " + settings.force_meaning;
+    f.at     = model.at;
+    state_error(f, modes, i, model);
+    f.inputs = chain_mode_keys(model, settings,
+                               modes.kinetic_share.row(i).head(3).sum() > 0.5 ? Half::upper : Half::lower);
     run.results.add("f" + std::to_string(i + 1), f);
   }
 
@@ -162,13 +139,9 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
     f.unit   = "Hz";
     f.method = "rolls on their bearings, " + horizontal.labels[std::size_t(mover)] +
                (std::isnan(chock_seat) ? ", chock seats rigid" : "");
-    f.at         = model.at;
-    f.inputs     = horizontal_inputs(model);
-    double worst = 0;
-    for (const Parameter &k : model.Kzc)
-      if (!std::isnan(k.error_estimate))
-        worst = std::max(worst, 0.5 * k.error_estimate);
-    f.error_estimate = worst > 0 ? worst : std::numeric_limits<double>::quiet_NaN();
+    f.at          = model.at;
+    f.inputs      = horizontal_mode_keys(model, horizontal.labels[std::size_t(mover)], !std::isnan(chock_seat));
+    f.error_lacks = {"mass that moves along the pass line: the vertical equivalent mass stands in"};
     run.results.add("fh" + std::to_string(i + 1), f);
   }
   if (std::isnan(chock_seat))
@@ -200,13 +173,8 @@ PassModel pass_model(const LumpedModel &model, const DynamicsSettings &settings)
 {
   const auto chain = dynamics::mill_model(model, settings);
   const auto modes = dynamics::modes(chain);
-  PassModel p{dynamics::driven_model(chain), "six-mass chain",
-              modes.frequency.maxCoeff(),    0,
-              inputs_of(model, settings),    {}};
-  for (Eigen::Index i = 0; i < modes.frequency.size(); ++i)
-    if (const double e = frequency_error(modes, i, model); !std::isnan(e))
-      p.error = std::max(p.error, e);
-  return p;
+  return {
+      dynamics::driven_model(chain), "six-mass chain", modes.frequency.maxCoeff(), inputs_of(model, settings), {}};
 }
 
 PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &chain,
@@ -219,16 +187,12 @@ PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &cha
   PassModel p{dynamics::driven_model(modal),
               stand.model.name == "beam" ? "rolls as beams" : "rolls as reduced finite elements",
               limit,
-              0,
               inputs_of(chain, settings),
               {},
               limit};
   // Modes up to the limit are trusted; those above are driven too, since they give way under slower forces.
-  for (Eigen::Index i = 0; i < stand.modes.frequency.size() && stand.modes.frequency[i] <= limit; ++i) {
+  for (Eigen::Index i = 0; i < stand.modes.frequency.size() && stand.modes.frequency[i] <= limit; ++i)
     p.highest_mode = stand.modes.frequency[i];
-    if (const double e = stand.modes.error_estimate[i]; !std::isnan(e))
-      p.error = std::max(p.error, e);
-  }
   return p;
 }
 
@@ -277,23 +241,20 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
 
   const Eigen::VectorXd upper = response.acceleration.col(dynamics::upper_work_roll);
   const Eigen::VectorXd lower = response.acceleration.col(dynamics::lower_work_roll);
-  // A peak is seen low by what the highest mode turns between two samples; half the output rate shows what it does
-  // here. The level follows the springs and masses like the frequencies do.
-  const double turned = std::min(M_PI / 2, M_PI * highest / settings.output_rate);
-  const auto coarse   = dynamics::mill_response(model.driven, force, 0.5 * settings.output_rate);
+  // Half the output rate shows what the sampling does; the rest of what a level is unsure of nobody knows.
+  const auto coarse = dynamics::mill_response(model.driven, force, 0.5 * settings.output_rate);
   const auto add = [&](const std::string &what, const std::string &roll, const double value, const double second,
                        std::vector<Check> checks) {
-    const double unseen = what == "peak_g" ? 1 - std::cos(turned) : 0;
     Parameter p;
-    p.value          = value;
-    p.unit           = "g";
-    p.method         = model.method + ", exact first-order hold, force " + settings.force_meaning;
-    p.at             = fmt::format("{:.1f} kN mean, {:.3f} kN peak to peak", statistics.mean / 1e3,
-                                   (statistics.largest - statistics.smallest) / 1e3);
-    p.error_estimate = std::max(std::abs(second / value - 1), unseen) + model.error;
-    p.inputs         = model.inputs;
-    p.inputs.insert(p.inputs.end(), {"pass.force", "dynamics.modal_damping", "dynamics.output_rate"});
-    p.checks = std::move(checks);
+    p.value       = value;
+    p.unit        = "g";
+    p.method      = model.method + ", exact first-order hold, force " + settings.force_meaning;
+    p.at          = fmt::format("{:.1f} kN mean, {:.3f} kN peak to peak", statistics.mean / 1e3,
+                                (statistics.largest - statistics.smallest) / 1e3);
+    p.error_lacks = {"dynamics.modal_damping", "spectrum of pass.force", "dynamics.model: modes that it lacks"};
+    p.inputs      = model.inputs;
+    p.checks      = std::move(checks);
+    p.checks.push_back({"half the output rate", second, "what the sampling moves"});
     run.results.add(pass.name + "." + what + "." + roll, p);
   };
   std::vector<Check> measured_rms[2], measured_peak[2];

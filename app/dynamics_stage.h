@@ -11,7 +11,7 @@ namespace mill {
 /// Force record of a pass: its file, or the synthetic noise its keys describe.
 ForceRecord force_of(const Pass &pass);
 
-/// Natural frequencies and shapes: f1.., fh1.. and curves/modes*.csv.
+/// Natural frequencies and shapes: f1.., fh1.., curves/modes*.csv and curves/poles.csv.
 void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings, double chock_seat,
                std::array<double, 2> chock_mass);
 
@@ -20,7 +20,6 @@ struct PassModel {
   dynamics::DrivenModel driven;
   std::string method;               ///< "six-mass chain"
   double highest_mode = 0;          ///< Hz
-  double error        = 0;          ///< -, of its frequencies
   std::vector<std::string> inputs;  ///< keys behind it
   std::vector<double> missing;      ///< Hz, modes of the stand that it cannot show
   double limit = not_given;         ///< Hz, above which its modes are not trusted; NaN: not known

@@ -59,8 +59,8 @@ void add_housing(RunContext &run, const FourHigh &stand, const Frame &before, co
   const auto K = post_beam_stiffness(stand.frame), M = post_beam_mass(stand.frame);
   const std::string how = fmt::format("housing by finite elements, {} unknowns of a quarter", statics.n_unknowns);
   for (std::size_t i = 0; i < part_names.size(); ++i) {
-    const bool upper = i < 2;
-    Parameter spring = computed(K[i], "N/m", how, statics.error[upper ? 0 : 1], reduce::housing_keys());
+    Parameter spring =
+        computed(K[i], "N/m", how, statics.flexibility_error[i], reduce::housing_keys(stand.housing, false));
     if (beams.flexibility[i] > 0)
       spring.checks.push_back(
           {"frame of Timoshenko beams (23.10)", 1 / beams.flexibility[i], "corners half rigid"});
@@ -70,7 +70,7 @@ void add_housing(RunContext &run, const FourHigh &stand, const Frame &before, co
     const double moved = M[i] / statics.reduced_mass[i];
     Parameter mass =
         computed(M[i], "kg", how + ", kinetic energy of the static shape, at the chain's point (4.13a)",
-                 statics.error[upper ? 2 : 3], reduce::housing_keys());
+                 statics.mass_error[i], reduce::housing_keys(stand.housing, true));
     mass.checks.push_back({"frame of Timoshenko beams (23.10)", moved * beams.reduced_mass[i], ""});
     mass.checks.push_back({"a third of a post, 17/35 of a beam on two posts", moved * rule[i], ""});
     mass.checks.push_back(
@@ -116,34 +116,24 @@ void resolve_screwdown(RunContext &run, FourHigh &stand)
 }
 }  // namespace
 
-FrameErrors resolve_frame(RunContext &run, FourHigh &stand)
+void resolve_frame(RunContext &run, FourHigh &stand)
 {
   const Frame before = stand.frame;
   if (!stand.housing.present()) {
     resolve_screwdown(run, stand);
-    return {};
+    return;
   }
   const fem::HousingStatics statics = resolve_housing(run, stand);
   resolve_screwdown(run, stand);
   stand.frame = reduce::with_masses_at_the_chain(stand.frame, given_value(stand, "K1"), given_value(stand, "K7"));
+  for (std::size_t i = 0; i < part_names.size(); ++i) {
+    const bool upper                                                 = i < 2;
+    stand.frame.tolerance[std::string(part_names[i]) + "_stiffness"] = statics.error[upper ? 0 : 1];
+    stand.frame.tolerance[std::string(part_names[i]) + "_mass"]      = statics.error[upper ? 2 : 3];
+  }
   add_housing(run, stand, before, statics);
   if (stand.dynamics.frame == "closed")
     run.assume(
         "a drawn housing is closed by itself: dynamics.frame = \"closed\" concerns the six masses and the beams");
-  return {statics.error[0], statics.error[1], statics.error[2], statics.error[3]};
-}
-
-void add_frame_errors(LumpedModel &model, const FourHigh &stand, const FrameErrors &errors)
-{
-  const Frame &f  = stand.frame;
-  const auto into = [&](Parameter &p, const double error, const double share) {
-    if (p.source != Source::computed || std::isnan(error))
-      return;
-    p.error_estimate = error * share;
-  };
-  into(model.K[0], errors.K1, model.K[0].value * (1 / f.upper_post_stiffness + 1 / f.upper_beam_stiffness));
-  into(model.K[6], errors.K7, model.K[6].value * (1 / f.lower_post_stiffness + 1 / f.lower_beam_stiffness));
-  into(model.M[0], errors.M1, (f.upper_post_mass + f.upper_beam_mass) / model.M[0].value);
-  into(model.M[5], errors.M6, (f.lower_post_mass + f.lower_beam_mass) / model.M[5].value);
 }
 }  // namespace mill

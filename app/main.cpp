@@ -2,24 +2,38 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/fast_blas.h"
+#include "app/out_of_memory.h"
+#include <filesystem>
+#include <new>
 #include <stdexcept>
 #include <string>
 
-int main(int argc, char **argv)
+namespace {
+using namespace mill;
+
+int carry_out_command(int argc, char **argv)
 {
-  using namespace mill;
-  use_fast_blas(argv);
-  int exit_code      = 0;
-  const auto command = parse_command_line(argc, argv, exit_code);
-  if (!command)
-    return exit_code;
   try {
-    return carry_out(*command);
+    int exit_code      = 0;
+    const auto command = parse_command_line(argc, argv, exit_code);
+    if (command)
+      exit_code = carry_out(*command);
+    console::flush();
+    return exit_code;
   } catch (const InputError &e) {
     console::show(e);
     return 2;
   } catch (const SolverError &e) {
     console::show(e);
+    return 3;
+  } catch (const console::OutputError &e) {
+    console::show(e);
+    return 3;
+  } catch (const std::filesystem::filesystem_error &e) {  // a disk or a permission
+    console::say("error: " + e.path1().string() + ": " + e.code().message() + "\n");
+    return 3;
+  } catch (const std::bad_alloc &) {
+    console::show(out_of_memory(stage_in_progress()));
     return 3;
   } catch (const std::string &message) {  // what Gmsh throws
     console::show_bug(std::runtime_error("Gmsh: " + message), current_manifest());
@@ -28,4 +42,15 @@ int main(int argc, char **argv)
     console::show_bug(e, current_manifest());
     return 1;
   }
+}
+}  // namespace
+
+int main(int argc, char **argv)
+{
+  console::open_standard_files();
+  end_with_a_sentence();
+  use_fast_blas(argv);
+  const int exit_code = carry_out_command(argc, argv);
+  end_as_meant();
+  return exit_code;
 }

@@ -33,13 +33,16 @@ std::string mass_table(const Results &results)
     if (!p)
       continue;
     const bool roll     = i > 1 && i < 6;
-    const double closed = beside(*p, "closed-form shape"), solid = beside(*p, "all points");
+    const double closed = beside(*p, "shapes of the chain"), solid = beside(*p, "all points");
     const double integral = beside(*p, "finite-element axis shape"), published = beside(*p, "published");
+    const double beams     = beside(*p, "rolls as stepped beams");  // where the chain's rolls are solid
     const bool from_solid  = roll && !std::isnan(closed);
     const bool from_closed = roll && !std::isnan(solid);
     text += fmt::format("{:<4}{}{}{}{}{}{:>9}  {}\n", "M" + std::to_string(i), cell(p->value),
-                        cell(from_closed ? p->value : closed), cell(integral), cell(from_solid ? p->value : solid),
-                        cell(published),
+                        cell(!std::isnan(beams) ? beams
+                             : from_closed      ? p->value
+                                                : closed),
+                        cell(integral), cell(from_solid ? p->value : solid), cell(published),
                         std::isnan(published) ? "-" : fmt::format("{:+.2f} %", 100 * (p->value / published - 1)),
                         source_text(*p));
   }

@@ -2,10 +2,13 @@
 #include "app/models_file.h"
 #include "core/csv.h"
 #include "core/lumped_model.h"
+#include "core/mesh_pair.h"
+#include "core/provenance.h"
 #include "reduce/beam_stand.h"
 #include "reduce/component_stand.h"
 #include "reduce/kept_modes.h"
 #include "reduce/six_masses.h"
+#include "reduce/stand_errors.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -45,29 +48,6 @@ std::vector<std::string> keys_of(const LumpedModel &model)
   return keys;
 }
 
-// What K3, K5, K_Zy and a drawn frame are unsure of, carried to a frequency by the share of strain energy.
-double spring_error(const reduce::StandWithModes &s, const Eigen::Index mode, const reduce::LumpedStand &chain)
-{
-  double sum = 0;
-  for (std::size_t c = 0; c < s.model.connections.size(); ++c) {
-    const std::string &name = s.model.connections[c].name;
-    double error            = 0;
-    for (const auto &[spring, p] : {
-             std::pair<std::string, const Parameter *>("K3", &chain.model.K[2]),
-             {"K5",        &chain.model.K[4]  },
-             {"K1",        &chain.model.K[0]  },
-             {"K7",        &chain.model.K[6]  },
-             {"Kzc upper", &chain.model.Kzc[1]},
-             {"Kzc lower", &chain.model.Kzc[2]},
-             {"K_Zy",      &chain.K_Zy_upper  }
-    })
-      if (name.find(spring) != std::string::npos && !std::isnan(p->error_estimate))
-        error = std::max(error, p->error_estimate);
-    sum += 0.5 * error * s.modes.strain(Eigen::Index(c), mode);
-  }
-  return sum;
-}
-
 void write_modes(RunContext &run, const reduce::StandWithModes &s)
 {
   const auto n = s.modes.frequency.size();
@@ -92,7 +72,8 @@ const char *title_of(const std::string &model)
 }
 
 void add_frequencies(RunContext &run, const reduce::StandWithModes &s, const reduce::StandWithModes &other,
-                     const Eigen::MatrixXd &mac, const reduce::LumpedStand &chain, const double limit)
+                     const Eigen::MatrixXd &mac, const reduce::FrequencyErrors &errors,
+                     const reduce::LumpedStand &chain, const double limit)
 {
   const auto pairs = reduce::pair_modes(mac, other.modes.frequency, s.modes.frequency);
   for (Eigen::Index i = 0; i < s.modes.frequency.size() && s.modes.frequency[i] <= limit; ++i) {
@@ -101,9 +82,9 @@ void add_frequencies(RunContext &run, const reduce::StandWithModes &s, const red
     f.unit           = "Hz";
     f.method         = title_of(s.model.name);
     f.at             = chain.model.at;
-    const double own = s.modes.error_estimate[i];
-    f.error_estimate = (std::isnan(own) ? 0 : own) + spring_error(s, i, chain);
-    f.inputs         = keys_of(chain.model);
+    f.error_estimate = s.modes.error_estimate[i] + errors.error[i];
+    f.error_lacks    = errors.lacks[std::size_t(i)];
+    f.inputs         = joined(keys_of(chain.model), detailed_model_keys());
     for (const reduce::ModePair &pair : pairs)
       if (pair.mode == i && pair.other >= 0) {
         f.checks.push_back({title_of(other.model.name), other.modes.frequency[pair.other],
@@ -242,27 +223,10 @@ StandModels stand_models(const FourHigh &stand, const reduce::LumpedStand &chain
   // The residual of the modes left out, and what a coarser mesh moves.
   auto &error = m.craig_bampton.modes.error_estimate;
   for (Eigen::Index i = 0; i < std::min(error.size(), coarse.modes.frequency.size()); ++i)
-    error[i] = (std::isnan(error[i]) ? 0 : error[i]) +
-               std::abs(coarse.modes.frequency[i] / m.craig_bampton.modes.frequency[i] - 1);
+    error[i] += mesh_pair_error(m.craig_bampton.modes.frequency[i], coarse.modes.frequency[i],
+                                roll_mesh_gain(stand.dynamics));
   m.verdict = reduce::chain_verdict(m.craig_bampton, m.chain, limit, "the finite-element model");
   return m;
-}
-
-void add_solid_roll(reduce::LumpedStand &chain, const Component &backup_roll, const std::string &reference)
-{
-  Parameter &beam = chain.K_ZW;
-  if (beam.source != Source::computed)
-    return;
-  const double solid  = 1 / reduce::roll_flexibility(backup_roll, reference);
-  const double spread = std::abs(solid / beam.value - 1);
-  beam.checks.push_back(
-      {"solid roll by finite elements (22.13)", solid, "its shoulder gives way, a beam's does not"});
-  beam.error_estimate = spread;
-  for (const std::size_t i : {std::size_t(1), std::size_t(5)})
-    if (Parameter &k = chain.model.K[i]; k.source == Source::computed) {
-      k.checks.push_back({"with the solid roll's K_ZW", 1 / (1 / k.value + 1 / solid - 1 / beam.value), ""});
-      k.error_estimate = (std::isnan(k.error_estimate) ? 0 : k.error_estimate) + spread * k.value / beam.value;
-    }
 }
 
 reduce::FeMasses add_fe_masses(LumpedModel &chain, const FourHigh &stand, const StandModels &models)
@@ -273,15 +237,13 @@ reduce::FeMasses add_fe_masses(LumpedModel &chain, const FourHigh &stand, const 
     if (p.source != Source::computed)
       continue;
     if (stand.dynamics.mass_source == "fe") {
-      p.checks.push_back({"closed-form shape (4.14)-(4.16)", p.value, p.method});
+      p.checks.push_back({"shapes of the chain (4.14)-(4.16)", p.value, p.method});
       p.checks.push_back({"finite-element axis shape, same integrals (22.14)", fe.integral[i], ""});
       p.method = "kinetic energy of all points of the finite-element shape (22.15)";
-      p.error_estimate =
-          (std::isnan(p.error_estimate) ? 0 : p.error_estimate) + std::abs(fe.integral[i] / fe.solid[i] - 1);
+      p.error_estimate += std::abs(fe.integral[i] / fe.solid[i] - 1);
       p.value = fe.solid[i];
     } else {
-      p.error_estimate =
-          (std::isnan(p.error_estimate) ? 0 : p.error_estimate) + std::abs(fe.solid[i] / p.value - 1);
+      p.error_estimate += std::abs(fe.solid[i] / p.value - 1);
       // First, since a reader sees the first check beside the number.
       p.checks.insert(p.checks.begin(),
                       {
@@ -303,8 +265,17 @@ void compare_models(RunContext &run, const FourHigh &stand, const reduce::Lumped
   write_modes(run, models.beam);
   write_modes(run, models.craig_bampton);
   const Eigen::MatrixXd mac = reduce::mac_between(models.craig_bampton, models.beam);
-  add_frequencies(run, models.beam, models.craig_bampton, mac, chain, limit);
-  add_frequencies(run, models.craig_bampton, models.beam, mac.transpose(), chain, limit);
+  const auto springs = reduce::stand_springs(stand, chain), on_bearing = reduce::stand_springs(stand, chain, true);
+  const auto beams = [](const FourHigh &s, const reduce::StandSprings &k) {
+    return reduce::beam_stand(s, k, beam_elements);
+  };
+  const auto solids = [&](const FourHigh &s, const reduce::StandSprings &k) {
+    return reduce::component_stand(s, k, components.fine);
+  };
+  add_frequencies(run, models.beam, models.craig_bampton, mac,
+                  reduce::frequency_errors(models.beam, stand, springs, chain, beams), chain, limit);
+  add_frequencies(run, models.craig_bampton, models.beam, mac.transpose(),
+                  reduce::frequency_errors(models.craig_bampton, stand, on_bearing, chain, solids), chain, limit);
   const auto riders = reduce::riders_of(stand);
   for (const auto *model : {&models.beam, &models.craig_bampton}) {
     const auto six = reduce::six_masses(model->model, riders, stand.dynamics.mass_reference,
@@ -314,7 +285,6 @@ void compare_models(RunContext &run, const FourHigh &stand, const reduce::Lumped
     run.out.write("lumped_model-" + model->model.name + ".toml",
                   lumped_model_toml(own, run.the_case, run.out.path()));
   }
-  auto springs = reduce::stand_springs(stand, chain, true);
   ModelsFile file{stand, chain, models, masses, models.verdict.sentences, {}, {}, {}, "", ""};
   file.masses_needed = reduce::masses_needed(models.craig_bampton, limit, most_masses, &models.chain);
   const int enough   = reduce::masses_enough(file.masses_needed, 0.05);
@@ -326,11 +296,11 @@ void compare_models(RunContext &run, const FourHigh &stand, const reduce::Lumped
           : fmt::format("Even {} masses at the places looked at do not show every vertical mode below {:g} Hz "
                         "within 5 %; drive dynamics.model = \"craig-bampton\" instead.",
                         file.masses_needed.empty() ? 6 : file.masses_needed.back().masses, limit));
-  file.breakdown = reduce::closed_form_breakdown(stand, chain);
+  file.breakdown = reduce::chain_breakdown(stand, chain);
   for (auto &mass : reduce::model_breakdown(stand, models.craig_bampton.model, stand.dynamics.mass_reference))
     if (!stand.housing.present() || (mass.mass != "M1" && mass.mass != "M6"))  // a housing is one body there
       file.breakdown.push_back(std::move(mass));
-  file.kept              = kept_modes(stand, springs, components.fine, limit);
+  file.kept              = kept_modes(stand, on_bearing, components.fine, limit);
   file.source_beam       = fmt::format("stepped Timoshenko beams, {} elements per span", beam_elements);
   file.source_components = fmt::format(
       "work roll: {}; backup roll: {}{}", components.fine.work_roll.source, components.fine.backup_roll.source,
@@ -348,7 +318,7 @@ void add_model_checks(RunContext &run, const StandModels &models)
         const double fe = models.craig_bampton.modes.frequency[pair.other];
         p.checks.insert(p.checks.begin(), Check{"rolls as reduced finite elements", fe,
                                                 fmt::format("modal assurance {:.3f}", pair.mac)});
-        p.error_estimate = (std::isnan(p.error_estimate) ? 0 : p.error_estimate) + std::abs(fe / p.value - 1);
+        p.error_estimate += std::abs(fe / p.value - 1);
       }
 }
 

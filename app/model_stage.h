@@ -18,9 +18,6 @@ struct StandModels {
 /// Builds them for a chain; modes up to twice the frequency limit, with error estimates from coarser meshes.
 StandModels stand_models(const FourHigh &stand, const reduce::LumpedStand &chain, const ComponentSets &components);
 
-/// K_ZW of the meshed backup roll beside that of the beam, and what the difference means for K2 and K6.
-void add_solid_roll(reduce::LumpedStand &chain, const Component &backup_roll, const std::string &reference);
-
 /// Equivalent masses M2..M5 by the shapes of the finite elements: checks beside the closed forms, or the values
 /// themselves when the case asks for them (dynamics.mass_source).
 /// @return  as they are by both roads

@@ -190,7 +190,7 @@ Json breakdown_json(const std::vector<reduce::MassBreakdown> &all)
 Json routes_json(const ModelsFile &file)
 {
   Json out          = Json::array();
-  const auto closed = reduce::closed_form_breakdown(file.stand, file.chain);
+  const auto closed = reduce::chain_breakdown(file.stand, file.chain);
   for (std::size_t i = 0; i < 6; ++i) {
     const std::string name = "M" + std::to_string(i + 1);
     const bool roll        = i > 0 && i < 5;
@@ -199,7 +199,7 @@ Json routes_json(const ModelsFile &file)
         std::find_if(closed.begin(), closed.end(), [&](const auto &mass) { return mass.mass == name; });
     out.push_back({
         {"mass",        name                                                                                },
-        {"closed_form", found == closed.end() ? Json(nullptr) : number(found->value)                        },
+        {"chain",       found == closed.end() ? Json(nullptr) : number(found->value)                        },
         {"fe_integral", roll ? number(file.masses.integral[i - 1]) : Json(nullptr)                          },
         {"fe_solid",    roll ? number(file.masses.solid[i - 1]) : Json(nullptr)                             },
         {"published",

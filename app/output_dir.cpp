@@ -1,14 +1,10 @@
 #include "app/output_dir.h"
 #include "core/errors.h"
 #include "core/files.h"
-#include <csignal>
-#include <cstdlib>
-#include <fcntl.h>
+#include "core/run_identity.h"
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sys/file.h>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -20,80 +16,37 @@ std::string owner_of(const std::string &directory)
   const std::string manifest = directory + "/run.json";
   if (!fs::exists(manifest))
     return "";
-  const auto json = nlohmann::json::parse(read_text(manifest), nullptr, false);
-  return json.is_object() ? json.value("case", "") : "";
-}
-
-// Everything a run may leave at the top of its folder.
-const char *const files[]   = {"resolved.toml",
-                               "results.json",
-                               "lumped_model.toml",
-                               "lumped_model-beam.toml",
-                               "lumped_model-craig-bampton.toml",
-                               "run.json",
-                               "millstand.log",
-                               "report.html"};
-const char *const folders[] = {"curves", "response", "fields"};
-
-bool is_staging(const fs::path &entry)
-{
-  return entry.filename().string().rfind(".run-", 0) == 0;
+  const auto json  = nlohmann::json::parse(read_text(manifest), nullptr, false);
+  const bool named = json.is_object() && json.contains("case") && json["case"].is_string();
+  return named ? json["case"].get<std::string>() : "";
 }
 
 // Nothing but what an interrupted run left behind.
 bool is_free(const std::string &directory)
 {
-  std::error_code error;
-  for (const auto &entry : fs::directory_iterator(directory, error))
-    if (!is_staging(entry.path()) && entry.path().filename() != "cache")
+  for (const auto &entry : fs::directory_iterator(directory))
+    if (!is_staging(entry.path().filename().string()) && entry.path().filename() != "cache")
       return false;
   return true;
 }
-
-// Staging folders of runs that are no longer alive.
-void remove_leftovers(const std::string &directory)
-{
-  std::error_code error;
-  for (const auto &entry : fs::directory_iterator(directory, error))
-    if (is_staging(entry.path())) {
-      const int pid = std::atoi(entry.path().filename().string().substr(5).c_str());
-      if (pid > 0 && ::kill(pid, 0) != 0)
-        fs::remove_all(entry.path(), error);
-    }
-}
-
-// Runs of one case that end together publish one after the other, and one that starts sees a whole folder. The
-// lock is the kernel's and goes with the process; a file system that knows no locks leaves the renames unguarded,
-// as they were.
-class PublishLock {
-public:
-  explicit PublishLock(const std::string &directory)
-      : folder(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
-  {
-    if (folder >= 0)
-      ::flock(folder, LOCK_EX);
-  }
-  ~PublishLock()
-  {
-    if (folder >= 0)
-      ::close(folder);
-  }
-  PublishLock(const PublishLock &)            = delete;
-  PublishLock &operator=(const PublishLock &) = delete;
-
-private:
-  int folder;
-};
 }  // namespace
 
-OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite)
-    : directory(std::move(path)), staged(directory + "/.run-" + std::to_string(::getpid()))
+OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite, std::string run_id)
+    : directory(std::move(path)), id(std::move(run_id))
 {
+  const auto require = [&](const std::error_code &error) {
+    if (error)
+      throw InputError("the folder " + directory + " cannot be made: " + error.message() +
+                       "; choose another with -o");
+  };
   std::error_code error;
   if (fs::exists(directory, error) && !fs::is_directory(directory, error))
     throw InputError(directory + " is a file, not a folder; choose another with -o");
-  const PublishLock complete(directory);  // no run is in the middle of publishing here
-  if (fs::exists(directory, error) && !is_free(directory) && !overwrite) {
+  fs::create_directories(directory, error);
+  require(error);
+  const FolderLock alone(directory);  // no run is in the middle of publishing here
+  finish_publishing(directory);
+  if (!is_free(directory) && !overwrite) {
     const std::string owner = owner_of(directory);
     if (owner.empty())
       throw InputError("the folder " + directory +
@@ -102,19 +55,14 @@ OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite)
       throw InputError("the folder " + directory + " holds the results of the case '" + owner +
                        "'; choose another with -o, or give --force-overwrite");
   }
-  remove_leftovers(directory);
-  for (const char *part : {"", "/curves", "/response", "/fields"}) {
-    fs::create_directories(staged + part, error);
-    if (error)
-      throw InputError("the folder " + directory + " cannot be made: " + error.message() +
-                       "; choose another with -o");
+  require_replaceable(directory);
+  if (alone.held())
+    remove_leftovers(directory);
+  staged = std::make_unique<Staging>(directory);
+  for (const char *part : {"curves", "response", "fields"}) {
+    fs::create_directory(file(part), error);
+    require(error);
   }
-}
-
-OutputDir::~OutputDir()
-{
-  std::error_code ignored;
-  fs::remove_all(staged, ignored);
 }
 
 const std::string &OutputDir::path() const
@@ -122,48 +70,31 @@ const std::string &OutputDir::path() const
   return directory;
 }
 
+const std::string &OutputDir::run_id() const
+{
+  return id;
+}
+
 const std::string &OutputDir::staging() const
 {
-  return staged;
+  return staged->path();
 }
 
 std::string OutputDir::file(const std::string &name) const
 {
-  return staged + "/" + name;
+  return staging() + "/" + name;
 }
 
 void OutputDir::write(const std::string &name, const std::string &text) const
 {
-  write_atomically(file(name), text);
+  const bool is_toml = fs::path(name).extension() == ".toml";
+  write_atomically(file(name), is_toml ? run_id_line(id) + text : text);
 }
 
 void OutputDir::publish() const
 {
-  const PublishLock alone(directory);
-  std::error_code error;
-  const auto fail = [&](const std::string &name) {
-    throw InputError(directory + "/" + name + " cannot be written: " + error.message() +
-                     "; choose another folder with -o");
-  };
-  for (const char *folder : folders) {
-    const std::string target = directory + "/" + folder, old = staged + "/." + folder;
-    if (fs::exists(target, error))
-      fs::rename(target, old, error);
-    if (!error && !fs::is_empty(file(folder), error))
-      fs::rename(file(folder), target, error);
-    if (error)
-      fail(folder);
-    fs::remove_all(old, error);
-  }
-  for (const char *name : files) {
-    const std::string target = directory + "/" + name;
-    if (fs::exists(file(name), error))
-      fs::rename(file(name), target, error);
-    else
-      fs::remove(target, error);
-    if (error)
-      fail(name);
-  }
+  const FolderLock alone(directory);
+  publish_results(staging(), directory);
 }
 
 void check_file_names(const Case &the_case)
@@ -183,13 +114,14 @@ void check_file_names(const Case &the_case)
           {pass.place, "pass.name is longer than 100 characters; it names the files of the pass", {}});
     for (const char *ending : {"", "-spectrum", "-measured"}) {
       const std::string file = "response/" + slug(pass.name) + ending + ".csv";
-      if (const auto other = written.find(file); other != written.end())
+      if (const auto other = written.find(file); other != written.end()) {
         problems.push_back({pass.place,
                             "pass.name = \"" + pass.name + "\" and \"" + other->second.name + "\" both write " +
                                 file + "; rename one of them",
                             {other->second.place}});
-      else
-        written[file] = pass;
+        break;
+      }
+      written[file] = pass;
     }
   }
   if (!problems.empty())

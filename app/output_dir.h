@@ -1,34 +1,35 @@
 #pragma once
 #include "core/files.h"
+#include "core/result_folder.h"
 #include "core/stand.h"
+#include <memory>
 #include <string>
 
 namespace mill {
 /// Folder of a run.  Nothing of another case is overwritten by surprise, and what a folder shows belongs to one
 /// run: files are written into a staging folder inside it and take the place of the earlier ones together, in
-/// publish().
+/// publish() (core/result_folder.h).
 class OutputDir {
 public:
-  /// Creates the folder and its staging folder with curves/, response/ and fields/.
+  /// Creates the folder and its staging folder with curves/, response/ and fields/; what was staged and not
+  /// published goes with this object.
   /// @throws InputError  the folder holds files of another case or of no run (unless `overwrite`), or cannot be
   /// written
-  OutputDir(std::string path, const Case &of, bool overwrite);
-  /// Removes what was staged and not published: the earlier results stay as they were.
-  ~OutputDir();
-  OutputDir(const OutputDir &)            = delete;
-  OutputDir &operator=(const OutputDir &) = delete;
+  OutputDir(std::string path, const Case &of, bool overwrite, std::string run_id);
 
   const std::string &path() const;                  ///< of the folder
+  const std::string &run_id() const;                ///< of what is staged here (core/run_identity.h)
   const std::string &staging() const;               ///< where files are until they are published
   std::string file(const std::string &name) const;  ///< path of a staged file
-  void write(const std::string &name, const std::string &text) const;
+  void write(const std::string &name, const std::string &text) const;  ///< a TOML file begins with the run_id
 
   /// Puts the staged files in the place of those of the earlier run; what that run wrote and this one did not is
   /// removed.
   void publish() const;
 
 private:
-  std::string directory, staged;
+  std::string directory, id;
+  std::unique_ptr<Staging> staged;
 };
 
 /// @throws InputError  two passes whose names lead to the same file names, or a name too long for one

@@ -6,8 +6,10 @@
 #include "app/dynamics_stage.h"
 #include "app/frame_stage.h"
 #include "app/model_stage.h"
+#include "app/result_inputs.h"
 #include "core/csv.h"
 #include "core/lumped_model.h"
+#include "core/provenance.h"
 #include "reduce/lumped_stand.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -20,9 +22,14 @@ void add_model(RunContext &run, const LumpedModel &model, const std::string &pre
     run.results.add(prefix + "M" + std::to_string(i + 1), model.M[i]);
   for (int i = 0; i < 7; ++i)
     run.results.add(prefix + "K" + std::to_string(i + 1), model.K[i]);
-  for (int i = 0; i < 4; ++i)
+  run.results.add(prefix + "C", model.C);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::string name = prefix + "Kzc" + std::to_string(i + 1);
     if (!std::isnan(model.Kzc[i].value))
-      run.results.add(prefix + "Kzc" + std::to_string(i + 1), model.Kzc[i]);
+      run.results.add(name, model.Kzc[i]);
+    if (!std::isnan(model.Kzc_across[i].value))
+      run.results.add(name + "_across", model.Kzc_across[i]);
+  }
 }
 
 // Published values of the case beside the computed ones, under the plain name and beside tangent or plastic slope.
@@ -56,6 +63,12 @@ bool has_force(const Pass &pass)
   return !pass.force_file.empty() || !std::isnan(pass.synthetic_range[0]);
 }
 
+// K4 over reduction, tension and friction says nothing of masses and modes.
+bool draws_bite_curves(const Goal goal)
+{
+  return goal == Goal::stiffness || goal == Goal::simulate;
+}
+
 // What a pass drives: the six masses, or the model that the case asks for.
 PassModel model_of_pass(const FourHigh &stand, const reduce::LumpedStand &chain, const StandModels &models)
 {
@@ -84,37 +97,41 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
                       "accelerations to the second",
                       stand.passes[p].name, in_kN(loads[p]), in_kN(forces[p].force.mean())));
   }
-  const FrameErrors frame_errors = resolve_frame(run, stand);
+  set_given_inputs(stand.given);
+  resolve_frame(run, stand);
   ComponentSets components;  // before the contacts: what the meshes cannot show is said at once
-  if (goal >= Goal::masses)
-    components = stand_components(run, stand);
+  if (goal >= Goal::masses || stand.backup_roll.bending_model == "solid")
+    components = stand_components(run, stand, goal >= Goal::masses);
   const auto contacts     = solve_contacts(run, stand, loads);
   const auto all_bearings = solve_bearings(run, stand, loads);
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
     const Pass &pass     = stand.passes[p];
     const bool first     = p == 0;
     const auto &bearings = all_bearings[p];
-    const Parameter K4   = solve_bite_stiffness(run, stand, pass, loads[p], first);
+    const Parameter K4   = solve_bite_stiffness(run, stand, pass, loads[p], first, draws_bite_curves(goal));
     reduce::ChainInputs in;
     in.K3         = contacts.at("upper").tangent[p];
     in.K5         = contacts.at("lower").tangent[p];
     in.K4         = K4;
-    in.K_Zy_upper = in.K_Zy_lower = bearings.K_Zy;
-    in.Kzc                        = bearings.Kzc;
-    in.at                         = in_kN(loads[p]);
-    auto chain                    = reduce::lumped_stand(stand, in);
-    add_frame_errors(chain.model, stand, frame_errors);
+    in.K_Zy_upper = bearings.K_Zy_upper;
+    in.K_Zy_lower = bearings.K_Zy_lower;
+    in.Kzc        = bearings.Kzc;
+    in.Kzc_across = bearings.Kzc_across;
+    in.solid      = solid_rolls(components, stand.dynamics);
+    in.at         = in_kN(loads[p]);
+    set_inputs(in, stand, p);
+    auto chain = reduce::lumped_stand(stand, in);
     StandModels models;
     reduce::FeMasses fe_masses{};
     if (goal >= Goal::masses) {
-      models = stand_models(stand, chain, components);
-      add_solid_roll(chain, components.fine.backup_roll, stand.dynamics.mass_reference);
+      models    = stand_models(stand, chain, components);
       fe_masses = add_fe_masses(chain.model, stand, models);
     }
     add_model(run, chain.model, first ? "" : pass.name + ".");
     if (first) {
       run.results.add("K_ZW", chain.K_ZW);
       run.results.add("K_Zy", chain.K_Zy_upper);
+      run.results.add("K_Zy_lower", chain.K_Zy_lower);
       write_shapes(run, chain);
       run.out.write("lumped_model.toml", lumped_model_toml(chain.model, run.the_case, run.out.path()));
     }
@@ -123,6 +140,7 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
                 {2 * stand.work_roll.chock_mass_upper, 2 * stand.work_roll.chock_mass_lower});
     if (goal >= Goal::masses && first) {
       compare_models(run, stand, chain, models, components, fe_masses);
+      add_housing_frequencies(run, stand, components);
       add_model_checks(run, models);
     }
     if (goal == Goal::chatter)
@@ -147,7 +165,8 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
 
 void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::string &force_file)
 {
-  const LumpedModel model = lumped_model_of(run.the_case);
+  LumpedModel model = lumped_model_of(run.the_case);
+  set_given_inputs(model);
   add_model(run, model, "");
   run.out.write("lumped_model.toml", lumped_model_toml(model, run.the_case, run.out.path()));
   if (goal >= Goal::modes)
@@ -179,5 +198,6 @@ void run_stages(RunContext &run, const Goal goal, const std::string &force_file)
     solve_chatter_case(run, *chatter);
   else
     solve_cylinders(run, std::get<TwoCylinders>(run.the_case.spec));
+  set_inputs(run.results, run.the_case);
 }
 }  // namespace mill

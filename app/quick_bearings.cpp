@@ -1,5 +1,4 @@
 #include "app/bearing_model.h"
-#include "app/bearing_results.h"
 #include "app/bearing_study.h"
 #include "app/contact_stage.h"
 #include "app/quick_parts.h"
@@ -49,8 +48,13 @@ KeyList closed_bearing_keys(const RollerBearing &b, const bool loaded_askew)
   add(rounded, "profile_load");
   add(rounded || b.profile == "iso" || elastic, "roller_diameter");
   add(rounded || elastic, "youngs_modulus poisson_ratio pitch_diameter bore outside_diameter");
-  add(loaded_askew, "width row_hands tilt_lever pitch_diameter");
-  return joined(keys_in("bearing." + b.name, names));
+  add(loaded_askew, "width row_hands pitch_diameter");
+  add(loaded_askew && std::isnan(b.pitch_diameter), "bore outside_diameter");
+  KeyList keys;  // of what a run reads of this bearing
+  for (const std::string &key : keys_in("bearing." + b.name, names))
+    if (loaded_askew || holds(bearing_keys(b), key))
+      keys.push_back(key);
+  return keys;
 }
 
 bearing::AssemblyState solved(const RollerBearing &b, const bearing::RingDrive &drive, const double cage_angle = 0)
@@ -73,51 +77,48 @@ double bearing_load(const FourHigh &stand, const bool backup, const ContactSetti
     return std::hypot((F + 2 * bending) / 2, across);
   return std::hypot(bending > 0 ? bending : F / 20, across);
 }
-
-KeyList bearing_load_keys(const FourHigh &stand, const bool backup, const std::string &contact,
-                          const ContactSettings &settings, const KeyList &load_keys)
-{
-  const Roll &roll = backup ? stand.backup_roll : stand.work_roll;
-  const bool bent  = stand.work_roll.bending_force[0] + stand.work_roll.bending_force[1] != 0;
-  KeyList keys     = keys_in(backup ? "backup_roll" : "work_roll", "bearing bearing_load");
-  if (!std::isnan(roll.bearing_load))
-    return keys;
-  if (backup || !bent || settings.axis_offset != 0)
-    keys = joined(keys, load_keys);
-  if (settings.axis_offset != 0)
-    keys = joined(keys, keys_in("work_roll", "barrel_diameter"), keys_in("backup_roll", "barrel_diameter"));
-  return joined(keys, keys_in("work_roll", "bending_force"), keys_in("contact." + contact, "axis_offset"));
-}
 }  // namespace
 
-std::array<QuickResult, 5> quick_bearings(const FourHigh &stand, const double F, const KeyList &load_keys)
+std::vector<QuickResult> quick_bearings(const FourHigh &stand, const double F, const std::size_t pass)
 {
-  std::array<QuickResult, 5> all;
+  std::vector<QuickResult> all;
+  const auto add_both = [&](const QuickResult &one, const char *name) {
+    QuickResult r = one;
+    r.name        = name;
+    r.parameter.value *= 2;
+    all.push_back(r);
+  };
   for (int i = 0; i < 4; ++i) {
-    const bool backup      = i == 0 || i == 3;
-    const std::string side = i < 2 ? "upper" : "lower";
-    const auto &contact    = i < 2 ? stand.upper_contact : stand.lower_contact;
-    const auto &b          = bearing_of(stand.bearings, (backup ? stand.backup_roll : stand.work_roll).bearing);
-    const double load      = bearing_load(stand, backup, contact, F);
-    const auto drive       = bearing::radial_drive(load);
-    const KeyList loading  = bearing_load_keys(stand, backup, side, contact, load_keys);
-    QuickResult &r         = all[std::size_t(i)];
-    r.name                 = fmt::format("Kzc{}", i + 1);
-    r.parameter.value      = bearing::radial_tangent(solved(b, drive), drive);
-    r.parameter.unit       = "N/m";
-    r.parameter.method     = closed_method(b);
-    r.parameter.at         = in_kN(load) + " on one bearing";
-    r.load                 = load;
-    r.closed               = joined(loading, closed_bearing_keys(b, false));
-    r.parameter.inputs     = by_elements(b) ? joined(r.closed, bearing_inputs(b)) : r.closed;
-    r.road                 = backup ? "bearings of the backup rolls" : "bearings of the work rolls";
-    r.file                 = "bearing/assembly";
-    r.equation             = "(5.23)";
-    r.stands_for           = by_elements(b) ? model_name(b) : "";
+    const bool backup   = i == 0 || i == 3;
+    const auto &contact = i < 2 ? stand.upper_contact : stand.lower_contact;
+    const auto &b       = bearing_of(stand.bearings, (backup ? stand.backup_roll : stand.work_roll).bearing);
+    const double load   = bearing_load(stand, backup, contact, F);
+    const auto drive    = bearing::radial_drive(load);
+    const auto state    = solved(b, drive);
+    QuickResult r;
+    r.name             = fmt::format("Kzc{}", i + 1);
+    r.parameter.value  = bearing::radial_tangent(state, drive);
+    r.parameter.unit   = "N/m";
+    r.parameter.method = closed_method(b);
+    r.parameter.at     = in_kN(load) + " on one bearing";
+    r.load             = load;
+    r.closed =
+        joined(seat_load_keys(stand, backup, i < 2 ? "upper" : "lower", pass), closed_bearing_keys(b, false));
+    r.parameter.inputs = seat_keys(stand, std::size_t(i), pass);
+    r.road             = backup ? "bearings of the backup rolls" : "bearings of the work rolls";
+    r.file             = "bearing/assembly";
+    r.equation         = "(5.23)";
+    r.stands_for       = by_elements(b) ? model_name(b) : "";
+    all.push_back(r);
+    if (backup)
+      add_both(r, i == 0 ? "K_Zy" : "K_Zy_lower");
+    r.name += "_across";
+    r.parameter.value = stiffness_along(state, drive, 1);
+    r.parameter.method += ", across the load";
+    r.file       = "app/bearing_across";
+    r.stands_for = by_elements(b) ? model_name(b) + ", a block chock on its liner" : "";
+    all.push_back(r);
   }
-  all[4]                 = all[0];
-  all[4].name            = "K_Zy";
-  all[4].parameter.value = 2 * all[0].parameter.value;
   return all;
 }
 
@@ -138,10 +139,11 @@ std::vector<QuickResult> quick_bearing_case(const BearingCase &spec)
     r.parameter.unit   = unit;
     r.parameter.method = closed_method(b);
     r.closed           = joined(keys_in("load", "bearing radial axial tilt cage_angle"),
-                                closed_bearing_keys(b, spec.load.tilt != 0 || spec.load.axial != 0),
-                                keys_in("model", "roller_law tilt_lever slices"));
-    r.parameter.inputs =
-        by_elements(b) ? joined(r.closed, bearing_inputs(b), keys_in("model", "rings")) : r.closed;
+                                closed_bearing_keys(b, spec.load.tilt != 0 || spec.load.axial != 0));
+    r.parameter.inputs = bearing_case_keys(spec);
+    for (const std::string &key : r.parameter.inputs)  // [model] says again what the bearing says
+      if (key.rfind("model.", 0) == 0 && holds(r.closed, "bearing." + b.name + key.substr(5)))
+        r.closed.push_back(key);
     r.road       = "equilibrium of all rollers";
     r.file       = "bearing/assembly";
     r.equation   = equation;
@@ -150,7 +152,7 @@ std::vector<QuickResult> quick_bearing_case(const BearingCase &spec)
   };
   add("Kzc.tangent", "N/m", bearing::radial_tangent(state, drive), "(5.23)");
   add("Kzc.secant", "N/m", bearing::radial_secant(state), "(5.22)");
-  add("Kzc.tangent_across", "N/m", stiffness_along(state, drive, 1), "(5.23)");
+  add("Kzc.tangent_across", "N/m", bearing::stiffness_along(state, drive, 1), "(5.23)");
   add("Kzc.axial", "N/m", state.tangent(2, 2), "(5.23)");
   add("Kzc.roller_max", "N", state.roller_load.maxCoeff(), "(5.22)");
   return all;

@@ -7,52 +7,25 @@
 // The bite by a slab theory, for the quick chain.
 namespace mill {
 namespace {
-// Keys of the strip's flow stress and friction that their laws read.
-KeyList law_keys(const Strip &strip)
-{
-  const std::string &flow = strip.flow_stress.law, &rub = strip.friction.law;
-  std::string names = "flow_stress.law friction.law friction.shear_limit";
-  const auto add    = [&](const bool used, const char *more) { names += used ? std::string(" ") + more : ""; };
-  add(flow == "table", "flow_stress.table initial_thickness");
-  add(flow != "table", "flow_stress.k");
-  add(flow != "table" && flow != "constant", "flow_stress.n initial_thickness");
-  add(flow == "swift" || flow == "reduction-power", "flow_stress.eps0");
-  add(flow == "ludwik" || flow == "voce", "flow_stress.k0");
-  add(rub == "coulomb", "friction friction.coefficient");
-  add(rub == "factor", "friction.entry_factor friction.exit_factor");
-  add(rub == "speed", "friction.scale friction.at_unit_speed friction.per_log_speed");
-  add(rub == "film", "friction.mu0 friction.mu1 friction.decay friction.viscosity friction.pressure_viscosity "
-                     "friction.film_factor");
-  return keys_in("strip", names);
-}
-
 // One number of the bite with what is known before it is solved.
 QuickResult bite_result(const std::string &name, const Strip &strip, const BiteSetup &setup, const int pass,
                         const std::string &roll_key)
 {
-  const bool elements    = setup.method == "fe";
-  const bool fast        = strip.friction.law == "speed" || strip.friction.law == "film";
-  const std::string both = "entry_thickness exit_thickness";
-  const std::string full = both + " entry_tension exit_tension";
-  const std::string own  = fmt::format("pass.{}", pass);
-  const KeyList solid    = joined(KeyList{roll_key}, keys_in("steel", "youngs_modulus poisson_ratio"));
+  const bool elements = setup.method == "fe";
+  const bool wide     = name.rfind("K4", 0) == 0 || follows_width(name.substr(name.rfind('.') + 1));
+  const BiteRun run{strip, setup, std::size_t(pass), roll_key, wide};
   QuickResult r;
-  r.name = name;
-  if (name == "K4.flattening")  // geometry and steel alone, (8.12)
-    r.closed = joined(keys_in("strip", "width " + both), keys_in(own, both), solid);
-  else
-    r.closed = joined(keys_in("strip", full), law_keys(strip), keys_in(own, full + (fast ? " speed" : "")), solid,
-                      keys_in("bite", "theory arc"));
-  if (name.find("forward_slip") == std::string::npos && name.find("peak_pressure") == std::string::npos)
-    r.closed = joined(keys_in("strip", "width"), r.closed);
-  r.parameter.inputs = joined(r.closed, keys_in("bite", "method"));
-  if (elements)
-    r.parameter.inputs = joined(r.parameter.inputs, keys_in("bite", "strip elements_along elements_through"),
-                                keys_in("strip", "youngs_modulus poisson_ratio"));
-  r.road       = "roll bite";
-  r.file       = elements ? "fem/strip_flow" : "bite/slab_bite";
-  r.equation   = "(8.13)";
-  r.stands_for = elements ? "finite elements of the strip, fem/strip_flow" : "";
+  r.name             = name;
+  r.parameter.inputs = bite_keys(run);
+  // An arc of any shape is Hitchcock's here, without the elastic zones that make it one.
+  BiteSetup closed = setup;
+  closed.arc       = setup.arc == "rigid" ? "rigid" : "hitchcock";
+  r.closed         = joined(slab_keys({strip, closed, run.pass, roll_key, wide}),
+                    elements ? KeyList{} : keys_in("bite", "theory"));
+  r.road           = "roll bite";
+  r.file           = elements ? "fem/strip_flow" : "bite/slab_bite";
+  r.equation       = "(8.13)";
+  r.stands_for     = elements ? "finite elements of the strip, fem/strip_flow" : "";
   return r;
 }
 
@@ -62,10 +35,13 @@ struct SlabAnswer {
   std::string method;
 };
 
-// The slab theory of [bite]; an arc of any shape needs the section of the roll, so Hitchcock's stands for it.
+// The slab theory of [bite], or Karman's for finite elements, which know no theory; an arc of any shape needs the
+// section of the roll, so Hitchcock's stands for it.
 SlabAnswer solve_bite(const bite::RollBite &bite, const BiteSetup &setup)
 {
   bite::SlabModel model = slab_model(setup);
+  if (setup.method == "fe")
+    model.theory = bite::Theory::karman;
   if (model.arc == bite::Arc::elastic)
     model.arc = bite::Arc::hitchcock;
   model.curve_points = 0;

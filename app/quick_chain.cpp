@@ -18,20 +18,6 @@ bool has_force(const Pass &pass)
   return !pass.force_file.empty() || !std::isnan(pass.synthetic_range[0]);
 }
 
-KeyList force_keys(const Pass &pass, const std::size_t p)
-{
-  const bool recorded = !pass.force_file.empty();
-  return keys_in(fmt::format("pass.{}", p),
-                 recorded ? "force" : "synthetic_range synthetic_duration synthetic_bandwidth synthetic_seed");
-}
-
-// What the working load is made from: its own key, or the record whose mean it is.
-KeyList load_keys(const Pass &pass, const std::size_t p)
-{
-  const KeyList own = keys_in(fmt::format("pass.{}", p), "load");
-  return std::isnan(pass.load) ? joined(own, force_keys(pass, p)) : own;
-}
-
 // A given value replaces the computed one; its only input is its own key.
 bool is_given(const GivenValues &given, const std::string &name)
 {
@@ -52,20 +38,11 @@ QuickResult given_result(const std::string &name, const Parameter &parameter)
 const std::array<const char *, 6> mass_names{"M1", "M2", "M3", "M4", "M5", "M6"};
 const std::array<const char *, 7> spring_names{"K1", "K2", "K3", "K4", "K5", "K6", "K7"};
 
-// What of the chain a mode or a response follows.  With the measured force the bite has no spring, and in the open
-// frame nothing else joins the upper half to the lower one.
-enum class Half { upper, lower };
-
-std::vector<std::string> chain_parts(const std::string &prefix, const DynamicsSettings &settings, const Half half)
+// Names of the chain's numbers with the prefix of a pass.
+std::vector<std::string> with_prefix(std::vector<std::string> parts, const std::string &prefix)
 {
-  const bool measured = settings.force_meaning == "measured", apart = measured && settings.frame == "open";
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < 6; ++i)
-    if (!apart || (i < 3) == (half == Half::upper))
-      parts.push_back(prefix + mass_names[i]);
-  for (std::size_t i = 0; i < 7; ++i)
-    if ((i != 3 || !measured) && (!apart || (i < 3) == (half == Half::upper)))
-      parts.push_back(prefix + spring_names[i]);
+  for (std::string &part : parts)
+    part = prefix + part;
   return parts;
 }
 
@@ -93,13 +70,20 @@ void add_modes(Results &all, const LumpedModel &model, const DynamicsSettings &s
     r.parameter.value  = modes.frequency[i];
     r.parameter.unit   = "Hz";
     r.parameter.method = "six-mass chain";
-    r.from             = chain_parts("", settings, half);
+    r.from             = chain_parts(settings, half);
     r.road             = "modes of the chain";
     r.file             = "dynamics/modes";
     r.equation         = "(6.11)";
     inherit(r, all, {"dynamics.force_meaning", "dynamics.frame"});
     all.push_back(r);
   }
+}
+
+// What a roll feels along the pass line; a lumped model may know one stiffness only.
+std::string bearing_across(const Results &all, const int roll)
+{
+  const std::string along = fmt::format("Kzc{}", roll + 1);
+  return find(all, along + "_across") ? along + "_across" : along;
 }
 
 void add_horizontal_modes(Results &all, const LumpedModel &model, const double chock_seat,
@@ -111,9 +95,7 @@ void add_horizontal_modes(Results &all, const LumpedModel &model, const double c
   const auto horizontal = dynamics::horizontal_model(model, seats);
   if (horizontal.M.size() == 0)
     return;
-  const auto modes           = dynamics::modes(horizontal);
-  const char *const rolls[]  = {"upper backup roll", "upper work roll", "lower work roll", "lower backup roll"};
-  const char *const masses[] = {"M2", "M3", "M4", "M5"};
+  const auto modes = dynamics::modes(horizontal);
   for (Eigen::Index i = 0; i < modes.frequency.size(); ++i) {
     Eigen::Index mover = 0;
     modes.kinetic_share.row(i).maxCoeff(&mover);
@@ -123,20 +105,12 @@ void add_horizontal_modes(Results &all, const LumpedModel &model, const double c
     r.parameter.value  = modes.frequency[i];
     r.parameter.unit   = "Hz";
     r.parameter.method = label + " on its bearings";
-    KeyList own;
-    for (int roll = 0; roll < 4; ++roll) {
-      if (label.find(rolls[roll]) == std::string::npos)
-        continue;
-      r.from = {masses[roll], fmt::format("Kzc{}", roll + 1)};
-      if (roll == 1 || roll == 2)
-        own.push_back("frame.chock_to_housing_stiffness");
-      if ((roll == 1 || roll == 2) && !std::isnan(chock_seat))
-        own.push_back(roll == 1 ? "work_roll.chock_mass_upper" : "work_roll.chock_mass_lower");
-    }
+    for (const std::size_t roll : rolls_in(label))
+      r.from = {fmt::format("M{}", roll + 2), bearing_across(all, int(roll))};
     r.road     = "horizontal motion on the bearings";
     r.file     = "dynamics/mill_model";
     r.equation = "(6.9)";
-    inherit(r, all, own);
+    inherit(r, all, chock_seat_keys(label, !std::isnan(chock_seat)));
     all.push_back(r);
   }
 }
@@ -144,9 +118,12 @@ void add_horizontal_modes(Results &all, const LumpedModel &model, const double c
 void add_response(Results &all, const LumpedModel &model, const DynamicsSettings &settings, const Pass &pass,
                   const std::size_t p, const std::string &prefix, QuickMemory &memory)
 {
-  KeyList own = joined(force_keys(pass, p), keys_in("dynamics", "modal_damping force_meaning frame"));
-  if (settings.force_meaning != "measured")
-    own.push_back("given.C");
+  // The six masses are driven here whatever dynamics.model says, and white force has no samples.
+  const KeyList all_own = response_keys(settings, pass, p);
+  KeyList own;
+  for (const std::string &key : all_own)
+    if (!holds(detailed_model_keys(), key) && key != "dynamics.output_rate")
+      own.push_back(key);
   const bool other_model = settings.model != "six-mass";
   const auto add         = [&](const char *name, const double value, const Half half, const bool white) {
     QuickResult r;
@@ -155,16 +132,14 @@ void add_response(Results &all, const LumpedModel &model, const DynamicsSettings
     r.parameter.unit  = "g";
     r.parameter.method =
         white ? "six-mass chain under white force of the same rms" : "six-mass chain, exact first-order hold";
-    r.from       = chain_parts(prefix, settings, half);
+    r.from       = with_prefix(chain_parts(settings, half), prefix);
     r.road       = white ? "response to white force of the same size" : "response to the force of " + pass.name;
     r.file       = white ? "app/quick_response" : "dynamics/response";
     r.equation   = white ? "(24.3)" : "(7.2)";
     r.stands_for = other_model && !white ? "dynamics.model = \"" + settings.model + "\"" : "";
     inherit(r, all, white ? own : joined(own, keys_in("dynamics", "output_rate")));
     if (!white)
-      r.parameter.inputs.push_back("dynamics.model");
-    if (!white && other_model)
-      r.parameter.inputs = joined(r.parameter.inputs, keys_in("dynamics", "frequency_limit elements_per_radius"));
+      r.parameter.inputs = joined(r.parameter.inputs, all_own);
     all.push_back(r);
   };
   const auto levels = driven_levels(model, settings, pass, memory);
@@ -189,18 +164,18 @@ double factor(const SpringFactors &factors, const std::string &name)
 void add_springs(Results &all, const FourHigh &stand, const std::size_t p, const std::string &prefix,
                  const double load, const SpringFactors &factors)
 {
-  const KeyList loading = load_keys(stand.passes[p], p);
-  const auto bearings   = quick_bearings(stand, load, loading);
-  std::vector<QuickResult> made{quick_contact(stand, "upper", load, loading),
-                                quick_contact(stand, "lower", load, loading)};
-  for (const std::size_t i : {0, 3, 4, 1, 2})  // backup rolls, then work rolls
-    made.push_back(bearings[i]);
+  const auto bearings = quick_bearings(stand, load, p);
+  std::vector<QuickResult> made{quick_contact(stand, "upper", load, p), quick_contact(stand, "lower", load, p)};
+  made.insert(made.end(), bearings.begin(), bearings.end());
   made.push_back(quick_bite(stand, int(p)));
   for (QuickResult &r : made) {
     r.parameter.value *= factor(factors, prefix + r.name);
-    if (is_given(stand.given, r.name)) {
-      r      = given_result(r.name, stand.given.at(r.name).parameter);
-      r.load = load;
+    const std::string given = r.name == "K_Zy_lower" ? "K_Zy" : r.name;  // one value for both backup rolls
+    if (is_given(stand.given, given)) {
+      const std::string name = r.name;
+      r                      = given_result(given, stand.given.at(given).parameter);
+      r.name                 = name;
+      r.load                 = load;
     }
     r.name = prefix + r.name;
     for (std::string &part : r.from)
@@ -209,8 +184,20 @@ void add_springs(Results &all, const FourHigh &stand, const std::size_t p, const
   }
 }
 
+// The closed form of a backup roll that a run meshes, times what the last run found.
+Parameter bent_beam(const FourHigh &stand, const double found)
+{
+  Parameter p;
+  p.value  = found / reduce::BentBackupRoll(reduce::backup_beam(stand)).flexibility(stand.dynamics.mass_reference);
+  p.unit   = "N/m";
+  p.method = "stepped Timoshenko beam, " + stand.dynamics.mass_reference + " reference";
+  p.inputs = reduce::backup_roll_keys(false);
+  return p;
+}
+
 // The chain twice: with the keys that closed forms follow, whose numbers count, and with all keys of a run.
-LumpedModel add_chain(Results &all, const FourHigh &stand, const std::string &prefix, const std::string &at)
+LumpedModel add_chain(Results &all, const FourHigh &stand, const std::string &prefix, const std::string &at,
+                      const SpringFactors &factors)
 {
   const auto made   = [&](const char *name) { return *find(all, prefix + name); };
   const auto spring = [&](const char *name) {
@@ -222,45 +209,54 @@ LumpedModel add_chain(Results &all, const FourHigh &stand, const std::string &pr
     throw InputError("K4 belongs to the chain with force_meaning = \"" + stand.dynamics.force_meaning +
                      "\", and its slab theory has " + made("K4").parameter.method);
   FourHigh tagged = stand;
-  for (auto &[name, value] : tagged.given)
-    value.parameter.inputs = {"given." + name};
+  set_given_inputs(tagged.given);
   reduce::ChainInputs in;
-  in.K3         = spring("K3");
-  in.K4         = spring("K4");
-  in.K5         = spring("K5");
-  in.K_Zy_upper = in.K_Zy_lower = spring("K_Zy");
-  in.Kzc                        = {spring("Kzc1"), spring("Kzc2"), spring("Kzc3"), spring("Kzc4")};
-  in.at                         = at;
-  const auto chain              = reduce::lumped_stand(tagged, in);
-  const auto inputs_of          = [&](const char *name) { return made(name).parameter.inputs; };
-  auto full                     = reduce::chain_keys(
-                          {inputs_of("K3"), inputs_of("K4"), inputs_of("K5"), inputs_of("K_Zy"), inputs_of("K_Zy")});
+  in.K3            = spring("K3");
+  in.K4            = spring("K4");
+  in.K5            = spring("K5");
+  in.K_Zy_upper    = spring("K_Zy");
+  in.K_Zy_lower    = spring("K_Zy_lower");
+  in.Kzc           = {spring("Kzc1"), spring("Kzc2"), spring("Kzc3"), spring("Kzc4")};
+  in.Kzc_across    = {spring("Kzc1_across"), spring("Kzc2_across"), spring("Kzc3_across"), spring("Kzc4_across")};
+  in.at            = at;
+  const bool solid = stand.backup_roll.bending_model == "solid";
+  if (solid && !is_given(stand.given, "K_ZW"))
+    tagged.given["K_ZW"].parameter = bent_beam(stand, factor(factors, prefix + "K_ZW"));
+  const auto chain     = reduce::lumped_stand(tagged, in);
+  const auto inputs_of = [&](const char *name) { return made(name).parameter.inputs; };
+  auto full            = reduce::chain_keys({inputs_of("K3"), inputs_of("K4"), inputs_of("K5"), inputs_of("K_Zy"),
+                                             inputs_of("K_Zy_lower"), reduce::given_springs(stand), stand.housing.present()},
+                                            solid);
   for (KeyList &list : full)
     list = reduce::as_drawn(list, stand);
-  const auto add = [&](const std::string &name, const Parameter &p, const KeyList &inputs) {
+  // What the closed forms do not follow: meshes, and the fillets of a frame of beams.
+  const KeyList meshed = joined(mass_shape_keys(stand.dynamics), keys_in("housing", "fillet_radius"));
+  const auto add       = [&](const std::string &name, const Parameter &p, const KeyList &inputs) {
     if (is_given(stand.given, name)) {
       all.push_back(given_result(name, p));
     } else {
       const Station place = station_of(name, stand.dynamics.mass_reference);
       QuickResult r;
       r.parameter        = p;
-      r.closed           = p.inputs;
       r.parameter.inputs = joined(inputs, p.inputs);
-      r.road             = place.road;
-      r.file             = place.file;
-      r.equation         = place.equation;
-      r.own              = place.own;
+      for (const std::string &key : p.inputs)
+        if (!holds(meshed, key))
+          r.closed.push_back(key);
+      r.road     = place.road;
+      r.file     = place.file;
+      r.equation = place.equation;
+      r.own      = place.own;
       if (stand.dynamics.mass_source == "fe" && !place.from.empty() && name[0] == 'M')
         r.stands_for = "shapes of the rolls by finite elements, dynamics.mass_source = \"fe\"";
-      if (!place.from.empty() && name[0] == 'M')
-        r.parameter.inputs.push_back("dynamics.mass_source");
       for (const std::string &part : place.from)
         r.from.push_back(prefix + part);
       all.push_back(r);
     }
     all.back().name = prefix + name;
   };
-  add("K_ZW", chain.K_ZW, chain.K_ZW.inputs);
+  add("K_ZW", chain.K_ZW, reduce::backup_roll_keys(solid));
+  if (solid && !is_given(stand.given, "K_ZW"))
+    all.back().stands_for = "the roll by finite elements, backup_roll.bending_model = \"solid\"";
   for (const std::size_t i : {0, 1, 5, 6})
     add(spring_names[i], chain.model.K[i], full[6 + i]);
   for (std::size_t i = 0; i < 6; ++i)
@@ -277,7 +273,7 @@ Results four_high(const FourHigh &drawn, QuickMemory &memory, const SpringFactor
     const std::string prefix = p == 0 ? "" : pass.name + ".";
     const double load        = std::isnan(pass.load) ? remembered_force(pass, memory).force.mean() : pass.load;
     add_springs(all, stand, p, prefix, load, factors);
-    const LumpedModel model = add_chain(all, stand, prefix, fmt::format("{:.1f} kN", load / 1e3));
+    const LumpedModel model = add_chain(all, stand, prefix, fmt::format("{:.1f} kN", load / 1e3), factors);
     if (p == 0) {
       add_modes(all, model, stand.dynamics);
       add_horizontal_modes(all, model, stand.frame.chock_to_housing_stiffness,
@@ -308,6 +304,9 @@ Results lumped(const Case &the_case, const Lumped &spec, QuickMemory &memory)
   for (std::size_t p = 0; p < spec.passes.size(); ++p)
     if (has_force(spec.passes[p]))
       add_response(all, model, spec.dynamics, spec.passes[p], p, "", memory);
+  for (QuickResult &r : all)
+    for (KeyList *list : {&r.parameter.inputs, &r.closed, &r.own})
+      *list = of_kind(*list, the_case.kind);
   return all;
 }
 }  // namespace

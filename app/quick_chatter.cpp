@@ -5,33 +5,6 @@
 
 // Bite and critical speed of every condition: the same functions as a run, without curves and maps.
 namespace mill {
-namespace {
-const char *const body_keys = "stand.masses stand.stiffnesses stand.dampings stand.from";
-
-KeyList words(const std::string &list)
-{
-  KeyList keys;
-  for (const std::string &word : split(list, " "))
-    keys.push_back(word);
-  return keys;
-}
-
-KeyList bite_keys(const ChatterCase &spec, const std::size_t i)
-{
-  KeyList keys = words("work_roll.diameter steel.youngs_modulus steel.poisson_ratio strip.initial_thickness "
-                       "strip.flow_stress.law strip.flow_stress.k strip.flow_stress.eps0 strip.flow_stress.n "
-                       "strip.flow_stress.k0 strip.flow_stress.table");
-  keys         = joined(keys, words(spec.strip.friction.law == "film"
-                                        ? "oil.viscosity oil.pressure_viscosity oil.film_factor oil.friction.mu0 "
-                                                  "oil.friction.mu1 oil.friction.decay"
-                                        : "strip.friction strip.friction.law strip.friction.coefficient "
-                                                  "strip.friction.scale strip.friction.at_unit_speed "
-                                                  "strip.friction.per_log_speed"));
-  return joined(keys, keys_in(fmt::format("condition.{}", i),
-                              "entry_thickness exit_thickness entry_tension exit_tension width"));
-}
-}  // namespace
-
 std::vector<QuickResult> quick_chatter(const ChatterCase &spec)
 {
   std::vector<QuickResult> all;
@@ -39,10 +12,8 @@ std::vector<QuickResult> quick_chatter(const ChatterCase &spec)
     const ChatterQuestion q = chatter_question(spec, i);
     const std::string name  = q.condition.name;
     const KeyList speed     = {fmt::format("condition.{}.speed", i)};
-    const KeyList bite      = bite_keys(spec, i);
-    const KeyList around    = words("stand.entry_distance stand.exit_distance strip.youngs_modulus "
-                                       "analysis.linearisation");
-    const KeyList stand     = joined(around, words(body_keys));
+    const KeyList bite      = chatter_bite_keys(spec, i);
+    const KeyList stand     = chatter_stand_keys(spec);
     const KeyList range     = {"analysis.speeds"};
     const auto add = [&](const std::string &result, const char *unit, const double value, const KeyList &keys,
                          const char *road, const char *file, const char *equation) {
@@ -79,7 +50,7 @@ std::vector<QuickResult> quick_chatter(const ChatterCase &spec)
         "dynamics/chatter_speed", "(25.4)");
     for (std::size_t v = 0; v < q.variants.size(); ++v) {
       const std::string of = spec.variants[v].name;
-      add("chatter." + name + ".variant." + slug(of) + ".critical_speed", "m/s",
+      add("chatter." + name + ".variant." + of + ".critical_speed", "m/s",
           dynamics::critical_speed(q.variants[v].stand, q.bite, q.scheme, chatter_range(q)).speed,
           joined(searched, keys_in("variant." + of, "masses stiffnesses dampings entry_distance exit_distance")),
           "search over the speed", "dynamics/chatter_speed", "(25.4)");

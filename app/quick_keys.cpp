@@ -2,15 +2,6 @@
 #include <sstream>
 
 namespace mill {
-KeyList keys_in(const std::string &section, const std::string &names)
-{
-  std::istringstream words(names);
-  KeyList keys;
-  for (std::string name; words >> name;)
-    keys.push_back(section + "." + name);
-  return keys;
-}
-
 namespace {
 KeyList words_of(const std::string &text)
 {
@@ -56,7 +47,7 @@ Station station_of(const std::string &name, const std::string &reference)
   if (name == "K2")
     return spring("(4.1b)", "K_Zy K_ZW");
   if (name == "K6")
-    return spring("(4.1c)", "K_Zy K_ZW");
+    return spring("(4.1c)", "K_Zy_lower K_ZW");
   if (name == "K7")
     return spring("(4.1d)", "");
   if (name == "M2")
@@ -68,7 +59,7 @@ Station station_of(const std::string &name, const std::string &reference)
   if (name == "M4")
     return mass("(4.16)", "K7 K6 K5", work_roll_keys("chock_mass_lower"));
   if (name == "M5")
-    return mass("(4.15)", "K7 K_Zy K_ZW K6", roll_keys("backup_roll", "neck_length", "chock_mass_lower"));
+    return mass("(4.15)", "K7 K_Zy_lower K_ZW K6", roll_keys("backup_roll", "neck_length", "chock_mass_lower"));
   return {"sum of reduced masses", "reduce/equivalent_mass", "(4.13)"};
 }
 }  // namespace mill

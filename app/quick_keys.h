@@ -1,33 +1,9 @@
 #pragma once
-#include <algorithm>
+#include "core/provenance.h"
 #include <string>
 #include <vector>
 
-// Lists of keys of the case file, as a Parameter carries them.
 namespace mill {
-using KeyList = std::vector<std::string>;
-
-/// "frame", "a b" -> frame.a, frame.b
-KeyList keys_in(const std::string &section, const std::string &names);
-
-inline bool holds(const KeyList &list, const std::string &key)
-{
-  return std::find(list.begin(), list.end(), key) != list.end();
-}
-
-/// All keys of the lists in order, each once.
-template <class... Lists> KeyList joined(const Lists &...lists)
-{
-  KeyList all;
-  const auto add = [&](const KeyList &list) {
-    for (const std::string &key : list)
-      if (!holds(all, key))
-        all.push_back(key);
-  };
-  (add(lists), ...);
-  return all;
-}
-
 /// Where a number of the chain comes from.
 struct Station {
   std::string road;               ///< "springs in series"

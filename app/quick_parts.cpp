@@ -9,10 +9,6 @@
 
 namespace mill {
 namespace {
-// Profile of a barrel: only contact elements see it.
-const char *const profile_keys =
-    " crown crown_table crown_polynomial thermal_crown thermal_crown_table end_chamfer_length end_chamfer_depth";
-
 // Length on which the barrels face each other.
 double facing_length(const FourHigh &stand)
 {
@@ -24,7 +20,7 @@ double facing_length(const FourHigh &stand)
 }  // namespace
 
 QuickResult quick_contact(const FourHigh &stand, const std::string &name, const double load,
-                          const KeyList &load_keys)
+                          const std::size_t pass)
 {
   const reduce::CylinderPair pair{stand.work_roll.barrel_diameter, stand.backup_roll.barrel_diameter,
                                   facing_length(stand), stand.steel};
@@ -37,16 +33,12 @@ QuickResult quick_contact(const FourHigh &stand, const std::string &name, const 
   r.load             = load;
   r.closed           = joined(keys_in("steel", "youngs_modulus poisson_ratio"),
                               keys_in("work_roll", "barrel_diameter barrel_length axial_shift"),
-                              keys_in("backup_roll", "barrel_diameter barrel_length"), load_keys);
-  r.parameter.inputs =
-      joined(r.closed, keys_in("work_roll", std::string("neck_diameter total_length") + profile_keys),
-             keys_in("backup_roll", std::string("neck_diameter neck_length") + profile_keys),
-             keys_in("contact." + name,
-                     "loads samples elements_per_half_width tilt load_offset cross_angle axis_offset"));
-  r.road       = "contact of the rolls, by the mesh of both";
-  r.file       = "reduce/contact_stiffness";
-  r.equation   = "(3.7)";
-  r.stands_for = "contact finite elements, fem/contact_study";
+                              keys_in("backup_roll", "barrel_diameter barrel_length"), load_keys(stand.passes[pass], pass));
+  r.parameter.inputs = contact_keys(stand, name, pass);
+  r.road             = "contact of the rolls, by the mesh of both";
+  r.file             = "reduce/contact_stiffness";
+  r.equation         = "(3.7)";
+  r.stands_for       = "contact finite elements, fem/contact_study";
   return r;
 }
 
@@ -92,7 +84,7 @@ std::vector<QuickResult> quick_cylinders(const TwoCylinders &pair)
     r.parameter.at     = fmt::format("{:.6g} N/mm", q / 1e3);
     r.closed           = joined(keys_in("upper", "diameter"), keys_in("lower", "diameter"),
                                 keys_in("steel", "youngs_modulus poisson_ratio"), keys_in("contact.line", "at"));
-    r.parameter.inputs = joined(r.closed, keys_in("contact.line", "loads samples elements_per_half_width"));
+    r.parameter.inputs = cylinder_keys();
     r.road             = "contact of the two cylinders";
     r.file             = "fem/contact_study";
     r.equation         = equation;

@@ -23,12 +23,12 @@ struct QuickResult {
 };
 
 /// K3 ("upper") or K5 ("lower"): Hertz line contact over the length on which the barrels face each other.  (3.5b)
-/// @param load       N
-/// @param load_keys  what the load was made from
-QuickResult quick_contact(const FourHigh &stand, const std::string &name, double load, const KeyList &load_keys);
+/// @param load  N, of the pass
+QuickResult quick_contact(const FourHigh &stand, const std::string &name, double load, std::size_t pass);
 
-/// Kzc1..Kzc4, then K_Zy: laminae between rigid rings at the load of each bearing.  (5.2), (5.23)
-std::array<QuickResult, 5> quick_bearings(const FourHigh &stand, double rolling_force, const KeyList &load_keys);
+/// Kzc1..Kzc4, along and across the load, K_Zy and K_Zy_lower: laminae between rigid rings at the load of each
+/// bearing. (5.2), (5.23)
+std::vector<QuickResult> quick_bearings(const FourHigh &stand, double rolling_force, std::size_t pass);
 
 /// K4 of one pass by the slab theory of [bite] on Hitchcock's or a rigid arc.  (8.13)
 /// The value is NaN where the theory has no answer; the method then says why.

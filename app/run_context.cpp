@@ -1,12 +1,15 @@
 #include "app/run_context.h"
+#include "app/out_of_memory.h"
 #include "bearing/geometry.h"
 #include "core/files.h"
+#include "core/run_identity.h"
 #include "core/sparse.h"
 #include "fem/elastic_body.h"
 #include "meshes/gmsh_scope.h"
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -29,15 +32,32 @@ void RunContext::assume(const std::string &sentence)
   progress.note("assumed: " + sentence);
 }
 
+namespace {
+// The stages that run, the innermost last; one that an exception leaves stays, so that it can be named.
+std::vector<std::string> &stages_in_progress()
+{
+  static std::vector<std::string> stages;
+  return stages;
+}
+}  // namespace
+
+std::string stage_in_progress()
+{
+  return stages_in_progress().empty() ? "" : stages_in_progress().back();
+}
+
 StageTimer::StageTimer(RunContext &s, std::string name)
     : run(s), stage(std::move(name)), start(std::chrono::steady_clock::now())
 {
+  stages_in_progress().push_back(stage);
 }
 
 StageTimer::~StageTimer()
 {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   run.times.push_back({stage, elapsed.count(), cached});
+  if (std::uncaught_exceptions() == 0)
+    stages_in_progress().pop_back();
 }
 
 std::string version()
@@ -80,6 +100,7 @@ void add_bearings(json &manifest, const std::vector<RollerBearing> &bearings)
         {"roller_cone_angle",   b.roller_cone_angle       },
         {"cup_angle",           b.cup_angle               },
         {"row_hands",           b.row_hands               },
+        {"row_hands_assumed",   int(b.row_hands_assumed)  },
         {"chock_width",         b.chock_width             },
         {"chock_height",        b.chock_height            },
         {"chock_support_width", b.chock_support_width     },
@@ -98,28 +119,56 @@ void add_passes(json &manifest, const std::vector<Pass> &passes, const std::stri
         {"force_meaning", force_meaning                                          }
     });
 }
+
+// Files beside the case that a run reads.
+std::vector<std::string> input_files(const Case &the_case, const std::string &force_file)
+{
+  std::vector<std::string> files{force_file};
+  const auto add_passes_of = [&](const auto &spec) {
+    for (const Pass &pass : spec.passes)
+      files.insert(files.end(), {pass.force_file, pass.measured_file});
+  };
+  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
+    add_passes_of(*stand);
+  if (const auto *lumped = std::get_if<Lumped>(&the_case.spec))
+    add_passes_of(*lumped);
+  if (const auto *bite = std::get_if<BiteCase>(&the_case.spec))
+    add_passes_of(*bite);
+  if (const auto *chatter = std::get_if<ChatterCase>(&the_case.spec))
+    files.push_back(chatter->stand.from);
+  files.erase(std::remove(files.begin(), files.end(), ""), files.end());
+  return files;
+}
 }  // namespace
+
+std::string run_id_of(const Case &the_case, const std::string &verb, const std::string &force_file)
+{
+  std::string all = version() + "\n" + verb + "\n" + the_case.resolved;
+  for (const std::string &file : input_files(the_case, force_file))
+    all += "\n" + hash_of(read_text(file));
+  return hash_of(all);
+}
 
 std::string manifest_json(const RunContext &run)
 {
   const Case &c = run.the_case;
   json manifest{
-      {"program",   "millstand"                    },
-      {"version",   version()                      },
-      {"case",      c.name                         },
-      {"case_path", c.path                         },
-      {"kind",      c.kind                         },
-      {"title",     c.title                        },
-      {"run_id",    hash_of(version() + c.resolved)},
-      {"date",      run.started                    },
-      {"threads",   run.threads                    },
-      {"blas",      blas_in_use()                  },
+      {"program",   "millstand"     },
+      {"version",   version()       },
+      {"case",      c.name          },
+      {"case_path", c.path          },
+      {"kind",      c.kind          },
+      {"title",     c.title         },
+      {"run_id",    run.out.run_id()},
+      {"date",      run.started     },
+      {"threads",   run.threads     },
+      {"blas",      blas_in_use()   },
       {"versions",
        {{"deal.II", fem::library_version()},
         {"Gmsh", meshes::library_version()},
         {"Eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
                       std::to_string(EIGEN_MINOR_VERSION)},
-        {"compiler", __VERSION__}}                 }
+        {"compiler", __VERSION__}}  }
   };
   for (const StageTime &time : run.times)
     manifest["timings"].push_back({
@@ -127,6 +176,8 @@ std::string manifest_json(const RunContext &run)
         {"seconds", time.seconds},
         {"cached",  time.cached }
     });
+  for (const auto &[file, sum] : checksums_below(run.out.staging()))
+    manifest["files"][file] = sum;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   manifest["peak_memory"] = 1024. * double(usage.ru_maxrss);

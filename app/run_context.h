@@ -48,6 +48,10 @@ private:
 
 std::string version();  ///< "0.1.0"
 
-/// run.json: versions, BLAS, threads, timings, memory, geometry, passes.
+/// Hash of all that decides the results of a run: version, verb, resolved case, bytes of the records and models
+/// that the case names.  @param force_file  record that replaces those of the passes; empty: none
+std::string run_id_of(const Case &the_case, const std::string &verb, const std::string &force_file);
+
+/// run.json: versions, BLAS, threads, timings, memory, geometry, passes, checksums of the files staged so far.
 std::string manifest_json(const RunContext &run);
 }  // namespace mill

@@ -1,8 +1,10 @@
 #include "app/second_engine.h"
 #include "app/contact_stage.h"
 #include "core/files.h"
+#include "core/record_text.h"
 #include "fem/contact_study.h"
 #include "fem/fourier_contact.h"
+#include "fem/members.h"
 #include "fem/roll_cache.h"
 #include "meshes/gmsh_scope.h"
 #include "meshes/meridian.h"
@@ -22,14 +24,7 @@ fem::FourierRoll fourier_roll(RunContext &run, const std::string &name, const Ro
                               const fem::FourierOptions &options, const Eigen::VectorXd &edge)
 {
   StageTimer timer(run, "Fourier series, " + name);
-  std::string stations;
-  for (const double e : edge)
-    stations += fmt::format(" {}", e);
-  const std::string key = hash_of(
-      fmt::format("{} {} {} | {} {} {} {} {} {} | {} {} | {} {} {} {} |{}", stage_version, fem::library_version(),
-                  meshes::library_version(), g.radius, g.half_length, g.neck_radius, g.neck_length, g.seat_centre,
-                  g.contact_half_length, m.youngs_modulus, m.poisson_ratio, options.all_orders, options.ratio,
-                  options.half_width, options.both_sides, stations));
+  const std::string key  = hash_of(fourier_inputs(g, m, options, edge));
   const std::string file = run.cache + "/fourier-" + key + ".bin";
   std::string note;
   auto stored = run.fresh && !run.made.count(key) ? std::nullopt : fem::load_fourier_roll(file, key, &note);
@@ -76,6 +71,13 @@ ContactCurve counted_from_touch(const fem::FourierPair &pair, ContactCurve curve
   return curve;
 }
 }  // namespace
+
+std::string fourier_inputs(const RollGeometry &geometry, const Material &steel, const fem::FourierOptions &options,
+                           const Eigen::VectorXd &edge)
+{
+  return record_text(stage_version, fem::library_version(), meshes::library_version(), geometry, at_rest(steel),
+                     options, edge);
+}
 
 std::optional<SecondEngine> solve_again(RunContext &run, const FourHigh &stand, const ContactModel &model,
                                         const std::string &name, const ContactSettings &settings,
@@ -151,7 +153,6 @@ void add_line_load_spread(RunContext &run, const std::string &name, const Barrel
   p.method = "largest difference of the line load between the two engines over the largest line load, held as in "
              "the stand, nine half widths at each end of the contact left out";
   p.at     = in_kN(first.load);
-  p.inputs = {"contact." + name + ".loads", "contact." + name + ".elements_per_half_width"};
   p.checks.push_back({"two engines that agree", 0, "meshes, elements and treatment of the contact differ"});
   run.results.add("contact." + name + ".line_load_spread", p);
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include "app/contact_model.h"
 #include "core/records.h"
+#include "fem/fourier_roll.h"
 #include <optional>
 
 namespace mill {
@@ -9,6 +10,11 @@ struct SecondEngine {
   ContactCurve mirrored, in_stand;         ///< as the curves of the first engine, at the same loads
   BarrelProfile mirrored_at, in_stand_at;  ///< at the first working load
 };
+
+/// Everything that a roll's Fourier series depends on, as text; its hash is the key of the cache.
+/// @param edge  m, of the stations; empty: those of the mesh
+std::string fourier_inputs(const RollGeometry &geometry, const Material &steel, const fem::FourierOptions &options,
+                           const Eigen::VectorXd &edge);
 
 /// Condenses both rolls (or takes them from the cache) and sweeps the loads.  Nothing for shifted rolls or bending
 /// forces on the chocks, which this engine does not know; the run then says so.

@@ -1,12 +1,19 @@
 #include "app/stand_components.h"
 #include "core/files.h"
+#include "core/mesh_pair.h"
+#include "core/record_text.h"
 #include "fem/component_cache.h"
 #include "fem/housing_component.h"
+#include "fem/members.h"
 #include "fem/roll_component.h"
 #include "meshes/gmsh_scope.h"
 #include "meshes/housing.h"
+#include "meshes/members.h"
 #include "meshes/roll.h"
+#include "reduce/chain_keys.h"
+#include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
 #include <functional>
@@ -50,11 +57,6 @@ Component cached(RunContext &run, const std::string &name, const std::string &in
   return made;
 }
 
-std::string text_of(const Material &m)
-{
-  return fmt::format("{} {} {}", m.youngs_modulus, m.poisson_ratio, m.density);
-}
-
 // A mesh that follows waves to the frequency limit: as fine as the case says, or finer.
 struct RollMesh {
   std::unique_ptr<fem::ElasticBody> body;
@@ -85,6 +87,13 @@ RollMesh mesh_of(RunContext &run, const std::string &name, const RollGeometry &g
                   limit, name, reach, remedy));
 }
 
+// The same of the housing, whose meshes are of second order (housing-mesh-order).
+double housing_mesh_gain()
+{
+  const int through = meshes::HousingMeshSize().through;
+  return std::pow(double(through) / std::max(2, through - 1), 2);
+}
+
 struct ReducedRoll {
   Component fine, coarse;
 };
@@ -95,29 +104,24 @@ ReducedRoll roll(RunContext &run, const std::string &name, const Roll &drawn, co
   const double limit   = stand.dynamics.frequency_limit;
   fem::RollComponentOptions options;
   options.frequency_limit = limit;
-  const auto inputs       = [&](const std::string &mesh) {
-    return fmt::format("{} {} {} {} {} | {} | {} {} {}", g.radius, g.half_length, g.neck_radius, g.neck_length,
-                             g.seat_centre, text_of(stand.steel), mesh, options.n_barrel, limit);
-  };
-  const int asked      = stand.dynamics.elements_per_radius;
-  const auto first     = std::to_string(asked);
-  int used             = asked;
-  const auto fine_mesh = [&] {
+  const int asked         = stand.dynamics.elements_per_radius;
+  int used                = asked;
+  const auto fine_mesh    = [&] {
     RollMesh mesh = mesh_of(run, name, g, stand.steel, used);
     while (mesh.reach < limit && used < finest)
       mesh = mesh_of(run, name, g, stand.steel, ++used);
     if (mesh.reach < limit)
       refuse_limit(run, limit, name, mesh.reach,
-                   fmt::format(" or give dynamics.elements_per_radius above {}, which takes long", used));
+                      fmt::format(" or give dynamics.elements_per_radius above {}, which takes long", used));
     if (used != asked)
       run.progress.note(fmt::format("{}: {} elements per radius, for waves of {:g} Hz", name, used, limit));
     return mesh;
   };
   ReducedRoll reduced;
-  reduced.fine   = cached(run, name, inputs(first), [&] {
+  reduced.fine   = cached(run, name, roll_component_inputs(drawn, stand, false), [&] {
     return fem::roll_component(name, *fine_mesh().body, g, stand.steel, options).component;
   });
-  reduced.coarse = cached(run, name + ", coarse mesh", inputs(first + " coarse"), [&] {
+  reduced.coarse = cached(run, name + ", coarse mesh", roll_component_inputs(drawn, stand, true), [&] {
     if (used == asked)
       fine_mesh();  // the finer one may come from the cache: how fine it was is found again
     const RollMesh mesh = mesh_of(run, name, g, stand.steel, used - 1);
@@ -129,18 +133,20 @@ ReducedRoll roll(RunContext &run, const std::string &name, const Roll &drawn, co
   return reduced;
 }
 
+meshes::HousingMeshSize housing_size(const FourHigh &stand, const bool coarse)
+{
+  meshes::HousingMeshSize size;
+  size.longest = fem::longest_housing_element(stand.housing, stand.dynamics.frequency_limit);
+  if (coarse)
+    size.through = std::max(2, size.through - 1);
+  return size;
+}
+
 Component housing(RunContext &run, const FourHigh &stand, const bool fine)
 {
   const MillHousing &h = stand.housing;
-  meshes::HousingMeshSize size;
-  size.longest = fem::longest_housing_element(h, stand.dynamics.frequency_limit);
-  if (!fine)
-    size.through = std::max(2, size.through - 1);
-  const std::string inputs = fmt::format(
-      "{} {} {} {} {} {} {} {} {} {} | {} | {} {} {} {}", h.thickness, h.post_width, h.window_width,
-      h.window_height, h.upper_beam_height, h.lower_beam_height, h.fillet_radius, h.foot_height, h.screw_pad,
-      h.seat_pad, text_of(h.steel), size.through, size.stretch, size.longest, stand.dynamics.frequency_limit);
-  return cached(run, fine ? "housing" : "housing, coarse mesh", inputs, [&] {
+  const auto size      = housing_size(stand, !fine);
+  return cached(run, fine ? "housing" : "housing, coarse mesh", housing_component_inputs(stand, !fine), [&] {
     const std::string path = fmt::format("{}/housing-{}.msh", run.out.staging(), ::getpid());
     const MeshFile mesh    = meshes::mesh_housing(h, size, path);
     const fem::ElasticBody body(mesh, h.steel, 2);
@@ -153,7 +159,19 @@ Component housing(RunContext &run, const FourHigh &stand, const bool fine)
 }
 }  // namespace
 
-ComponentSets stand_components(RunContext &run, const FourHigh &stand)
+std::string roll_component_inputs(const Roll &drawn, const FourHigh &stand, const bool coarse)
+{
+  fem::RollComponentOptions options;
+  options.frequency_limit = stand.dynamics.frequency_limit;
+  return record_text(fem::vibrating_roll(drawn), stand.steel, stand.dynamics.elements_per_radius, coarse, options);
+}
+
+std::string housing_component_inputs(const FourHigh &stand, const bool coarse)
+{
+  return record_text(stand.housing, housing_size(stand, coarse), stand.dynamics.frequency_limit);
+}
+
+ComponentSets stand_components(RunContext &run, const FourHigh &stand, const bool with_housing)
 {
   ReducedRoll work = roll(run, "work roll", stand.work_roll, stand);
   run.progress.at("components", 0.3);
@@ -163,11 +181,51 @@ ComponentSets stand_components(RunContext &run, const FourHigh &stand)
       {std::move(work.fine),   std::move(backup.fine),   std::nullopt},
       {std::move(work.coarse), std::move(backup.coarse), std::nullopt}
   };
-  if (stand.housing.present()) {
+  sets.present = true;
+  if (with_housing && stand.housing.present()) {
     sets.coarse.housing = housing(run, stand, false);
     sets.fine.housing   = housing(run, stand, true);
   }
   run.progress.at("components", 1);
   return sets;
+}
+
+double roll_mesh_gain(const DynamicsSettings &settings)
+{
+  const double n = settings.elements_per_radius;
+  return std::pow(n / (n - 1), fem::shoulder_order);
+}
+
+reduce::SolidRolls solid_rolls(const ComponentSets &c, const DynamicsSettings &settings)
+{
+  if (!c.present)
+    return {};
+  return {&c.fine.work_roll, &c.fine.backup_roll, &c.coarse.work_roll, &c.coarse.backup_roll,
+          roll_mesh_gain(settings)};
+}
+
+void add_housing_frequencies(RunContext &run, const FourHigh &stand, const ComponentSets &components)
+{
+  if (!components.fine.housing)
+    return;
+  const Component &fine = *components.fine.housing, &coarse = *components.coarse.housing;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(fine.K, fine.M),
+      beside(coarse.K, coarse.M);
+  const auto n = std::min(modes.eigenvalues().size(), beside.eigenvalues().size());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double squared = modes.eigenvalues()[i], f = std::sqrt(squared) / (2 * M_PI);
+    if (f > stand.dynamics.frequency_limit)
+      break;
+    const Eigen::VectorXd q = modes.eigenvectors().col(i).head(fine.n_interface());
+    Parameter p;
+    p.value          = f;
+    p.unit           = "Hz";
+    p.method         = "bare housing on its feet, alike on both sides, " + fine.source;
+    p.error_estimate = mesh_pair_error(f, std::sqrt(beside.eigenvalues()[i]) / (2 * M_PI), housing_mesh_gain()) +
+                       0.5 * squared * q.dot(fine.residual * q);  // (22.9)
+    p.inputs = reduce::housing_keys(stand.housing, true);
+    p.inputs.push_back("dynamics.frequency_limit");
+    run.results.add("housing.f" + std::to_string(i + 1), p);
+  }
 }
 }  // namespace mill

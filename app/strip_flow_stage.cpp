@@ -1,69 +1,26 @@
 #include "app/strip_flow_stage.h"
 #include "app/strip_flow_store.h"
+#include "bite/members.h"
 #include "core/cache_entry.h"
 #include "core/files.h"
+#include "core/parallel.h"
+#include "core/record_text.h"
+#include "fem/elastic_body.h"
 #include "fem/strip_elastic.h"
 #include "meshes/strip_flow.h"
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
-#include <cstring>
 #include <fmt/format.h>
-#include <future>
 
 namespace mill {
 namespace {
 // Raised by hand when the finite-element bite changes what it computes.
-constexpr const char *flow_version = "strip flow 2";
+constexpr const char *flow_version = "strip flow 3";
 constexpr const char *flow_kind = "millstand bite 1", *point_kind = "millstand bite point 1";
 
-std::string exact(const double value)
-{
-  return fmt::format("{:a} ", value);
-}
-
-// Everything the state depends on.
 std::string key_of(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
 {
-  const Strip &s      = q.bite.strip;
-  const FlowStress &k = s.flow_stress;
-  const Friction &f   = s.friction;
-  std::string text    = std::string(flow_version) + " " + k.law + " " + f.law + " " + q.setup.strip + " " +
-                     q.setup.arc + fmt::format(" {} {} ", q.setup.elements_along, q.setup.elements_through);
-  for (const double value : {s.width,
-                             s.entry_thickness,
-                             s.exit_thickness,
-                             s.entry_tension,
-                             s.exit_tension,
-                             s.initial_thickness,
-                             s.youngs_modulus,
-                             s.poisson_ratio,
-                             k.k,
-                             k.eps0,
-                             k.n,
-                             k.k0,
-                             f.coefficient,
-                             f.shear_limit,
-                             f.entry_factor,
-                             f.exit_factor,
-                             f.scale,
-                             f.at_unit_speed,
-                             f.per_log_speed,
-                             q.bite.roll_radius,
-                             q.bite.roll_speed,
-                             q.bite.gap_rate,
-                             q.bite.roll.youngs_modulus,
-                             q.bite.roll.poisson_ratio})
-    text += exact(value);
-  for (const auto &row : k.table)
-    text += exact(row[0]) + exact(row[1]);
-  if (flexibility) {
-    const auto &m = flexibility->influence;
-    std::string bytes(std::size_t(m.size()) * sizeof(double), '\0');
-    std::memcpy(bytes.data(), m.data(), bytes.size());
-    text += hash_of(bytes) + exact(flexibility->position[0]);
-  }
-  return hash_of(text);
+  return hash_of(flow_inputs(q, flexibility));
 }
 
 // What an earlier run kept under the key, unless the run is a fresh one.
@@ -174,6 +131,7 @@ FlowAnswer elastic_answer(RunContext &run, const FlowQuestion &q, const bite::Ar
   answer.coarse_force       = coarse.flow.state.force;
   answer.coarse_torque      = coarse.flow.state.torque;
   answer.coarse_slope       = slope_of(coarse.flow);
+  answer.coarse_slip        = coarse.flow.state.forward_slip;
   answer.elastic            = true;
   answer.smallest_thickness = fine.smallest_thickness;
   answer.elastic_entry      = fine.elastic_entry;
@@ -184,6 +142,12 @@ FlowAnswer elastic_answer(RunContext &run, const FlowQuestion &q, const bite::Ar
   return answer;
 }
 }  // namespace
+
+std::string flow_inputs(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
+{
+  return record_text(flow_version, fem::library_version(), q.bite, flow_settings(q.setup),
+                     flexibility ? *flexibility : bite::ArcFlexibility());
+}
 
 FlowAnswer solve_flow(RunContext &run, const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
 {
@@ -278,17 +242,7 @@ std::vector<std::optional<FlowPoint>> solve_flow_points(RunContext &run,
                      std::nullopt, ""});
     place.push_back(i);
   }
-  std::atomic<std::size_t> next{0}, done{0};
-  const auto work = [&] {
-    for (std::size_t i; (i = next++) < tasks.size(); ++done)
-      solve_point(tasks[i]);
-  };
-  std::vector<std::future<void>> others;
-  for (int t = 1; t < run.threads; ++t)
-    others.push_back(std::async(std::launch::async, work));
-  work();
-  for (auto &other : others)
-    other.get();
+  share_tasks(long(tasks.size()), run.threads, [&](const long i) { solve_point(tasks[std::size_t(i)]); });
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     std::remove(tasks[i].mesh.path.c_str());
     if (tasks[i].point)

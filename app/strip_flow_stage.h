@@ -9,6 +9,10 @@ struct FlowQuestion {
   std::string pass;
 };
 
+/// Everything that a finite-element bite depends on, as text; its hash is the key of the cache.
+/// @param flexibility  of the roll's section; nullptr: a circle or a rigid roll
+std::string flow_inputs(const FlowQuestion &question, const bite::ArcFlexibility *flexibility);
+
 /// Solves a bite by finite elements on the wanted mesh and on elements twice as large, or takes both from the
 /// cache.
 /// @throws SolverError  no convergence; the last converged level is part of the message

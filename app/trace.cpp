@@ -1,5 +1,8 @@
 #include "app/trace.h"
+#include "app/result_inputs.h"
 #include "core/files.h"
+#include "core/result_folder.h"
+#include "core/run_identity.h"
 #include "core/stand.h"
 #include "core/units.h"
 #include <algorithm>
@@ -212,6 +215,7 @@ std::optional<StoredRun> stored_run(const TraceOptions &options, const Case &the
   StoredRun run;
   run.folder             = options.folder.empty() ? "out/" + the_case.name : options.folder;
   const std::string file = run.folder + "/results.json";
+  require_published(run.folder);
   if (!std::filesystem::exists(file))
     return {};
   const auto json = nlohmann::json::parse(read_text(file), nullptr, false);
@@ -221,7 +225,15 @@ std::optional<StoredRun> stored_run(const TraceOptions &options, const Case &the
     if (entry.is_object() && entry.contains("value") && entry["value"].is_number())
       run.values[name] = entry["value"].get<double>();
   const std::string resolved = run.folder + "/resolved.toml";
-  run.same_inputs = std::filesystem::exists(resolved) && same_values(read_text(resolved), the_case.resolved);
+  if (!std::filesystem::exists(resolved)) {
+    run.same_inputs = false;
+    return run;
+  }
+  const std::string inputs = read_text(resolved);
+  const auto run_id        = json.find("run_id");
+  if (run_id != json.end() && run_id->is_string())
+    require_one_run(file, run_id->get<std::string>(), resolved, run_id_of_toml(inputs));
+  run.same_inputs = same_values(inputs, the_case.resolved);
   return run;
 }
 
@@ -300,6 +312,8 @@ Trace trace(const TraceOptions &options, QuickMemory &memory)
         line.moves = holds(line.result.closed, key.name);
   }
   keep_reached(trace, the_case, std::move(lines));
+  if (trace.lines.empty())
+    trace.beside = beside_the_chain(the_case, key.name);
   if (run) {
     trace.run_folder  = run->folder;
     trace.same_inputs = run->same_inputs;

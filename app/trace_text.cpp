@@ -161,8 +161,10 @@ std::string trace_text(const Trace &trace, const bool notes)
   }
   for (const auto &[road, results] : roads)
     text += "  -> " + road + "\n" + results;
-  if (trace.lines.empty())
-    text += "  reaches no spring, mass, frequency or acceleration: " + trace.key.row.meaning + "\n";
+  if (trace.lines.empty() && !trace.beside.empty())
+    text += "  -> only in a run: " + listed(trace.beside) + "\n";
+  else if (trace.lines.empty())
+    text += "  reaches no result of this case: " + trace.key.row.meaning + "\n";
   if (!notes)
     return text;
   if (!trace.reason.empty())

@@ -422,11 +422,14 @@ struct BearingAssembly::Implementation {
         const RollerTriangle triangle = roller_triangle(b, Q, model.centrifugal_force);
         s.inner_load(r, j)            = triangle.cone;
         s.rib_force(r, j)             = triangle.rib;
-        s.loaded_rollers[r] += at.rollers.on_raceway[std::size_t(i)];
         const Eigen::Vector2d normal(std::cos(places.azimuth[j]), std::sin(places.azimuth[j]));
         s.row_radial[r] += Q * std::cos(b.cup_angle) * normal.dot(towards);
         s.row_axial[r] += Q * std::sin(b.cup_angle) * places.hand[r];
       }
+    const double heaviest = s.roller_load.maxCoeff();
+    for (Index i = 0; i < count(); ++i)
+      s.loaded_rollers[i / Z] +=
+          at.rollers.on_raceway[std::size_t(i)] && carries(s.roller_load(i / Z, i % Z), heaviest);
     // A load that is only rounding, as of an axial load on a full ring, has no direction and no shares.
     if (radial > 1e-9 * s.roller_load.sum())
       s.row_share = s.row_radial / radial;

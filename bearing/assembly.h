@@ -52,7 +52,7 @@ struct AssemblyState {
   Eigen::VectorXd row_radial;      ///< (rows) N, force of the row along the total radial load
   Eigen::VectorXd row_axial;       ///< (rows) N, in z
   Eigen::VectorXd row_share;  ///< (rows) -, of the radial load; negative: loaded on the far side; 0 without it
-  Eigen::VectorXi loaded_rollers;  ///< (rows), rollers that both raceways press
+  Eigen::VectorXi loaded_rollers;  ///< (rows), rollers that both raceways press, by more than rounding: carries()
   Eigen::VectorXd azimuth;         ///< (Z) rad, from the support
   Eigen::VectorXd ring_motion;     ///< (rows Z modes) m, how far the rings give way; empty: rigid
   int iterations  = 0;
@@ -62,6 +62,9 @@ struct AssemblyState {
 /// Radial stiffness along the radial load, N/m: loads of the other load-driven components kept, motions of the
 /// motion-driven ones kept.  0 without a radial load.
 double radial_tangent(const AssemblyState &state, const RingDrive &drive);
+/// d F / d u along one axis (0..4), N/m, or N m for the turns (3, 4): loads of the other load-driven components
+/// kept, motions of the motion-driven ones kept.
+double stiffness_along(const AssemblyState &state, const RingDrive &drive, int axis);
 /// Radial load over the motion along it, from the concentric position, N/m.
 double radial_secant(const AssemblyState &state);
 
@@ -76,15 +79,14 @@ struct AssemblyCurve {
 /// Roller at azimuth psi in a row of hand s, cup angle a, slice at x along the contact line:
 ///   approach = n . (motion of the inner ring there) + offset - ring bending
 ///   n        = (cos a cos psi, cos a sin psi, s sin a)
-/// The offset is what clearance or end play takes or what preload gives.  With tilt_lever "radial" the axial
-/// motion R * rotation of the raceway is left out of the approach and its moment out of the loads; "full" counts
-/// both. The energy is convex, so Newton's method with the exact second derivative and a line search on the slope
-/// of the energy finds the one equilibrium from any start. Source: ISO/TS 16281; T. C. Lim, R. Singh, J. Sound
-/// Vib. 139 (1990) 179.
+/// The offset is what clearance or end play takes or what preload gives.  A turn of the ring moves the raceway's
+/// rim axially too, by the radius times the turn: (p x n), in the approach and in the moments. The energy is
+/// convex, so Newton's method with the exact second derivative and a line search on the slope of the energy finds
+/// the one equilibrium from any start. Source: ISO/TS 16281; T. C. Lim, R. Singh, J. Sound Vib. 139 (1990) 179.
 class BearingAssembly {
 public:
-  /// @throws InputError   apex condition not closed by more than 0.5 deg; several rows without width; row_hands or
-  ///                      tilt_lever unknown; flexibility of another number of rows; preload on a radial bearing
+  /// @throws InputError   apex condition not closed by more than 0.5 deg; several rows without width; row_hands
+  ///                      unknown; flexibility of another number of rows; preload on a radial bearing
   /// @throws SolverError  no offsets of the rows give the preload
   explicit BearingAssembly(BearingModel model);
   ~BearingAssembly();

@@ -57,6 +57,21 @@ double radial_tangent(const AssemblyState &state, const RingDrive &drive)
   return 1 / towards.dot(K.fullPivLu().solve(towards));
 }
 
+double stiffness_along(const AssemblyState &state, const RingDrive &drive, const int axis)
+{
+  std::vector<Eigen::Index> free;
+  Eigen::Index place = 0;
+  for (int i = 0; i < 5; ++i)
+    if (!drive.by_motion[std::size_t(i)] || i == axis) {
+      if (i == axis)
+        place = Eigen::Index(free.size());
+      free.push_back(i);
+    }
+  const Eigen::VectorXd along = Eigen::VectorXd::Unit(Eigen::Index(free.size()), place);
+  const Eigen::MatrixXd K     = state.tangent(free, free);
+  return 1 / K.fullPivLu().solve(along)[place];
+}
+
 double radial_secant(const AssemblyState &state)
 {
   const double radial = state.load.head<2>().norm();

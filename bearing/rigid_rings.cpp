@@ -2,6 +2,7 @@
 #include "bearing/clearance.h"
 #include "bearing/geometry.h"
 #include "bearing/roller_law.h"
+#include "bearing/roller_set.h"
 #include <cmath>
 #include <sstream>
 
@@ -10,32 +11,44 @@ namespace {
 /// What stays the same while the ring moves.
 struct RigidRings {
   RollerLaw law;
-  double cosine;             ///< of the cup contact angle
-  double half_clearance;     ///< m, radial; negative with interference or preload
-  double tilt;               ///< rad
-  Eigen::VectorXd position;  ///< (rows) m
-  Eigen::VectorXd azimuth;   ///< (rollers) rad
-  bool rows_equal;           ///< no tilt: one row is computed and counts for all
+  double cosine;          ///< of the cup contact angle
+  double half_clearance;  ///< m, radial; negative with interference or preload
+  double tilt;            ///< rad
+  Eigen::VectorXd
+      lever;  ///< (rows) m, radial travel of a row's raceways, seen along their normal, for a unit tilt
+  Eigen::VectorXd azimuth;  ///< (rollers) rad
+  bool rows_equal;          ///< no tilt: one row is computed and counts for all
 };
+
+// z - R s tan(alpha): the row's distance, and the axial motion of its rim.
+Eigen::VectorXd levers(const RollerBearing &b)
+{
+  const double rim      = pitch_diameter(b) / 2 * std::tan(b.cup_angle);
+  Eigen::VectorXd lever = row_positions(b);
+  for (Eigen::Index r = 0; r < lever.size(); ++r)
+    lever[r] -= rim * (b.row_hands.at(std::size_t(r) % b.row_hands.size()) == '+' ? 1 : -1);
+  return lever;
+}
 
 RigidRings rigid_rings(const RollerBearing &b, const double tilt)
 {
   require_closed_apex(b);
   const RollerLaw law = roller_law(b);
   const double cosine = std::cos(b.cup_angle);
-  RigidRings rings{law,      cosine, -approach_offset(b, law) / cosine, tilt, row_positions(b), roller_azimuths(b),
-                   tilt == 0};
-  if (!rings.rows_equal && !rings.position.allFinite())
-    throw InputError("bearing." + b.name +
-                     ": a tilted ring needs the bearing width, from which the row positions follow");
+  RigidRings rings{law, cosine, -approach_offset(b, law) / cosine, tilt, levers(b), roller_azimuths(b), tilt == 0};
+  if (!rings.rows_equal && !rings.lever.allFinite())
+    throw InputError(
+        "bearing." + b.name +
+        ": a tilted ring needs the width and the pitch diameter of the bearing, from which the places "
+        "of the rollers follow");
   return rings;
 }
 
 /// Approach of a roller's middle, normal to the raceway, (5.11).
 double approach(const RigidRings &rings, const double displacement, const Eigen::Index row, const double azimuth)
 {
-  const double z = rings.rows_equal ? 0 : rings.position[row];
-  return rings.cosine * ((displacement + z * rings.tilt) * std::cos(azimuth) - rings.half_clearance);
+  const double lever = rings.rows_equal ? 0 : rings.lever[row];
+  return rings.cosine * ((displacement + lever * rings.tilt) * std::cos(azimuth) - rings.half_clearance);
 }
 
 /// Tilt of a roller in its axial plane, (5.12).
@@ -65,7 +78,7 @@ RadialForce row_force(const RigidRings &rings, const double displacement, const 
 
 RadialForce bearing_force(const RigidRings &rings, const double displacement)
 {
-  const auto rows = rings.position.size();
+  const auto rows = rings.lever.size();
   RadialForce sum;
   if (rings.rows_equal) {
     const RadialForce one = row_force(rings, displacement, 0);
@@ -94,9 +107,11 @@ double beyond(const RigidRings &rings, const double load)
 /// Newton's method inside a bracket that only shrinks; where Newton leaves it, the bracket is halved.
 double equilibrium(const RigidRings &rings, const double load)
 {
-  double low  = 0,
-         high = beyond(rings, load);  // rows and rollers balance at zero displacement, with or without tilt
-  double x    = high;
+  double low = rings.rows_equal
+                   ? 0
+                   : -(rings.lever * rings.tilt).maxCoeff(),  // where no row is pressed along the load
+      high   = beyond(rings, load);
+  double x   = high;
   for (int i = 0; i < 200; ++i) {
     const RadialForce at           = bearing_force(rings, x);
     (at.force > load ? high : low) = x;
@@ -116,7 +131,7 @@ double equilibrium(const RigidRings &rings, const double load)
 /// Loads of all rollers at a displacement, and the state they make.
 BearingState state_at(const RigidRings &rings, const double load, const double displacement)
 {
-  const auto rows = rings.position.size(), rollers = rings.azimuth.size();
+  const auto rows = rings.lever.size(), rollers = rings.azimuth.size();
   BearingState state;
   state.load         = load;
   state.tilt         = rings.tilt;
@@ -133,9 +148,12 @@ BearingState state_at(const RigidRings &rings, const double load, const double d
                                             roller_tilt(rings, rings.azimuth[j]))
                                     .load;
   }
-  state.loaded_rollers = (state.roller_load.array() > 0).cast<int>().rowwise().sum();
   Eigen::Index r, j;
-  state.roller_max      = state.roller_load.maxCoeff(&r, &j);
+  state.roller_max = state.roller_load.maxCoeff(&r, &j);
+  state.loaded_rollers =
+      state.roller_load.unaryExpr([&](const double Q) { return int(carries(Q, state.roller_max)); })
+          .rowwise()
+          .sum();
   state.roller_approach = approach(rings, displacement, r, rings.azimuth[j]);
   state.roller_secant   = state.roller_max / state.roller_approach;
   state.roller_tangent =

@@ -26,10 +26,12 @@ struct BearingState {
 ///
 /// @param bearing      tapered or cylindrical; `radial_clearance` is diametral, measured radially on the drawing
 /// @param radial_load  N, > 0, of the whole bearing
-/// @param tilt         rad, of the inner ring; needs `width`, from which the row positions follow
+/// @param tilt         rad, of the inner ring; needs `width` and a pitch diameter, from which the places of the
+///                     rollers follow, and takes `row_hands`: the rim's axial motion counts
 ///
 /// @throws InputError   load not positive (no roller would carry, or the stiffness would be zero);
-///                      apex condition not closed by more than 0.5 deg; tilt without width; profile or law unknown
+///                      apex condition not closed by more than 0.5 deg; tilt without width or pitch diameter;
+///                      profile or law unknown
 /// @throws SolverError  no displacement found in 200 steps: NaN among the inputs
 /// Bracketed Newton: the force never falls as the ring moves, so the root is unique and always found.
 /// Cost rows x rollers x laminae powers per step (one row without tilt), some 8 steps; under 5 ms for 4 x 39 x 41.

@@ -1,5 +1,6 @@
 #include "bearing/ring_flexibility.h"
 #include "core/errors.h"
+#include <algorithm>
 #include <cmath>
 
 namespace mill::bearing {
@@ -101,6 +102,40 @@ RingFlexibility stiffer(RingFlexibility rings, const double factor)
   rings.chock_cosine /= factor;
   rings.chock_sine /= factor;
   return rings;
+}
+
+namespace {
+// (n rows modes)^2, or without order 0: what moves by cos (sin) m psi, orders beyond the chock's own from the
+// round cup.
+MatrixXd around_the_cup(const RingFlexibility &r, const bool sine, const int harmonics)
+{
+  const Index size = Index(r.rows) * r.modes, first = sine ? 1 : 0;
+  const MatrixXd &chock = sine ? r.chock_sine : r.chock_cosine;
+  if (r.chock_harmonics > harmonics || Index(r.outer.size()) < harmonics)
+    throw InputError("rings: " + std::to_string(harmonics) + " orders of the cup are wanted, " +
+                     std::to_string(r.outer.size()) + " are there");
+  MatrixXd out = MatrixXd::Zero((harmonics - first) * size, (harmonics - first) * size);
+  out.topLeftCorner(chock.rows(), chock.cols()) = chock;
+  for (Index m = std::max<Index>(first, r.chock_harmonics); m < harmonics; ++m)
+    out.block((m - first) * size, (m - first) * size, size, size) = r.outer[std::size_t(m)];
+  return out;
+}
+}  // namespace
+
+RingFlexibility with_surroundings_of(RingFlexibility fine, const RingFlexibility &companion,
+                                     const RingFlexibility &other, const int harmonics)
+{
+  for (const auto *r : {&companion, &other})
+    if (r->rows != fine.rows || r->modes != fine.modes)
+      throw InputError("rings: two sets with another number of rows or polynomials");
+  for (const bool sine : {false, true})
+    (sine ? fine.chock_sine : fine.chock_cosine) = around_the_cup(fine, sine, harmonics) +
+                                                   around_the_cup(other, sine, harmonics) -
+                                                   around_the_cup(companion, sine, harmonics);
+  for (int m = 0; m < harmonics; ++m)
+    fine.outer[std::size_t(m)].setZero();
+  fine.chock_harmonics = harmonics;
+  return fine;
 }
 
 MatrixXd line_modes(const VectorXd &position, const double length, const int modes)

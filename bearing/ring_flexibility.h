@@ -33,6 +33,13 @@ Eigen::MatrixXd flexibility_at(const RingFlexibility &rings, const Eigen::Vector
 /// The same bodies of a modulus `factor` times as large.
 RingFlexibility stiffer(RingFlexibility rings, double factor);
 
+/// `fine` with the surroundings of the cup exchanged: fine + (other - companion) in the first `harmonics` orders,
+/// in which a chock is told from a round housing.  Shorter waves do not reach it.
+/// @param companion  the bodies of `fine` on the meshes of `other`
+/// @throws InputError  another number of rows or modes; fewer than `harmonics` orders
+RingFlexibility with_surroundings_of(RingFlexibility fine, const RingFlexibility &companion,
+                                     const RingFlexibility &other, int harmonics);
+
 /// (n, modes): P_a at the positions (n, m, from mid-roller) on a roller of this length (m).
 Eigen::MatrixXd line_modes(const Eigen::VectorXd &position, double length, int modes);
 }  // namespace mill::bearing

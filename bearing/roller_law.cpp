@@ -54,6 +54,19 @@ double bracketed_approach(const RollerLaw &law, const double load)
 }
 }  // namespace
 
+RollerLaw stiffened(RollerLaw law, const double factor)
+{
+  if (!(factor > 0))
+    throw InputError("roller: the factor on the load must be positive");
+  // With q' = factor q in (5.2) and (5.16) the approach stays.
+  law.lamina_constant *= factor;
+  law.influence /= factor;
+  law.kappa /= factor;
+  for (double *line_load : {&law.reference_line_load, &law.separate_line_load, &law.shared_line_load})
+    *line_load *= factor;
+  return law;
+}
+
 RingWalls ring_walls(const RollerBearing &b)
 {
   const double D_pw = pitch_diameter(b);

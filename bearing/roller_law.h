@@ -27,6 +27,10 @@ struct RollerLaw {
 /// @throws InputError  influence of another size, not positive definite; kappa, slice length or p_ref not positive
 RollerLaw with_limits(RollerLaw law);
 
+/// The law of a roller that carries `factor` times the load of this one at every approach.
+/// @throws InputError  factor not positive
+RollerLaw stiffened(RollerLaw law, double factor);
+
 /// Walls of the two rings behind the raceways at mid-roller.
 struct RingWalls {
   double inner = 0;  ///< m

@@ -16,8 +16,6 @@ Eigen::VectorXd row_hands(const RollerBearing &b)
 
 RollerPlaces roller_places(const RollerBearing &b, const double cage_angle, const int modes)
 {
-  if (b.tilt_lever != "radial" && b.tilt_lever != "full")
-    throw InputError("bearing." + b.name + ": tilt_lever \"" + b.tilt_lever + "\" is not known; radial or full");
   RollerPlaces places;
   places.rows    = b.rows;
   places.rollers = b.rollers_per_row;
@@ -31,12 +29,11 @@ RollerPlaces roller_places(const RollerBearing &b, const double cage_angle, cons
   const double R = pitch_diameter(b) / 2, ca = std::cos(b.cup_angle), sa = std::sin(b.cup_angle);
   if (!(R > 0))
     throw InputError("bearing." + b.name + ": needs pitch_diameter, or bore and outside_diameter");
-  const double rim = b.tilt_lever == "full" ? R : 0;  // axial motion of the raceway as the ring turns about x or y
-  places.press     = Eigen::MatrixXd::Zero(Eigen::Index(b.rows) * b.rollers_per_row * modes, 5);
+  places.press = Eigen::MatrixXd::Zero(Eigen::Index(b.rows) * b.rollers_per_row * modes, 5);
   for (int r = 0; r < b.rows; ++r)
     for (int j = 0; j < b.rollers_per_row; ++j) {
       const double c = std::cos(places.azimuth[j]), s = std::sin(places.azimuth[j]);
-      const double lever = places.z[r] * ca - rim * places.hand[r] * sa;  // (p x n), about x: -s, about y: +c
+      const double lever       = places.z[r] * ca - R * places.hand[r] * sa;  // (p x n), about x: -s, about y: +c
       const Eigen::Index first = Eigen::Index(r * b.rollers_per_row + j) * modes;
       places.press.row(first) << ca * c, ca * s, places.hand[r] * sa, -lever * s, lever * c;
       // Along the line the lever grows by one metre for each metre, whatever the angle: (t x n) = (-s, c).

@@ -15,8 +15,7 @@ struct RollerPlaces {
 };
 
 /// @param modes  at least 2
-/// @throws InputError  several rows without width; hands other than + and -; unknown tilt_lever; bearing without
-///                     pitch diameter
+/// @throws InputError  several rows without width; hands other than + and -; bearing without pitch diameter
 RollerPlaces roller_places(const RollerBearing &bearing, double cage_angle, int modes);
 
 /// (rows) +1, -1 from row_hands, repeated over the rows.

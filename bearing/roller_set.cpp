@@ -59,6 +59,11 @@ RollerTriangle roller_triangle(const RollerBearing &b, const double cup, const d
           std::max(0.0, (cup * std::sin(outer - inner) + centrifugal * std::sin(inner)) / base)};
 }
 
+bool carries(const double load, const double heaviest)
+{
+  return load > 1e-9 * heaviest;
+}
+
 double least_cup_load(const RollerBearing &b, const double centrifugal)
 {
   const double rib = rib_angle(b);

@@ -44,6 +44,10 @@ RollerTriangle roller_triangle(const RollerBearing &bearing, double cup, double 
 /// N, load of the cup on a roller that has left the cone and is held by rib and centrifugal force alone.
 double least_cup_load(const RollerBearing &bearing, double centrifugal);
 
+/// Whether a roller carries: more than 1e-9 of the heaviest one.  A roller at right angles to the load is pressed
+/// by the rounding of its cosine alone, some 1e-18 of that.
+bool carries(double load, double heaviest);
+
 /// rad, of the rib's normal against the radial direction's normal: the given one, else along the roller's axis,
 /// 90 deg less the angle of that axis.
 double rib_angle(const RollerBearing &bearing);

@@ -1,6 +1,7 @@
 #include "bite/bland_ford.h"
 #include "bite/curves.h"
 #include "bite/flattening.h"
+#include "bite/sentence.h"
 #include "bite/slab_checks.h"
 #include <algorithm>
 
@@ -86,7 +87,15 @@ BiteState solve_bland_ford(const RollBite &bite, const Arc arc, const int curve_
   if (arc == Arc::elastic)
     throw InputError("the theory of Bland and Ford is closed on circular arcs only; take the Karman slab for an "
                      "elastic arc");
-  const Strip &s         = bite.strip;
+  const Strip &s           = bite.strip;
+  const bool open_at_entry = entry_starts_from_nothing(s);
+  if (open_at_entry && s.entry_tension != 0)
+    throw InputError(sentence("strip.entry_tension = ", s.entry_tension / 1e6,
+                              " MPa: the theory of Bland and Ford divides it by the flow stress at the entry, "
+                              "which strip.flow_stress.law = \"",
+                              s.flow_stress.law,
+                              "\" leaves open for a strip without strain; take karman, or give "
+                              "strip.initial_thickness"));
   const HillRules &rules = hill_rules(bite);
   BiteState state;
   state.model            = arc == Arc::rigid ? "Bland-Ford slab, rigid arc" : "Bland-Ford slab, Hitchcock's arc";
@@ -124,7 +133,7 @@ BiteState solve_bland_ford(const RollBite &bite, const Arc arc, const int curve_
     state.entry_speed = c.entry_speed;
     state.exit_speed  = c.exit_speed;
   }
-  if (state.entry_flow_stress == 0)
+  if (open_at_entry)
     state.force_by[int(Input::entry_tension)] = state.torque_by[int(Input::entry_tension)] = not_given;
   const double F_h = by(state.force_by, Input::exit_thickness), F_R = by(state.force_by, Input::arc_radius);
   state.force_by_exit_following = arc == Arc::rigid ? F_h : following_slope(bite, state.force, F_h, F_R);

@@ -132,12 +132,9 @@ SidesOfHill<T> bland_ford_force(const Laws &strip, const PassInputs<T> &in, cons
       }
       sum += half * part;
     };
-    if (strip.flow_stress.law == "table") {  // smooth between its rows: the rule of 12 points
-      const std::vector<T> angles = smooth_pieces(strip.flow_stress, in, from, to);
-      for (std::size_t p = 1; p < angles.size(); ++p)
-        piece(angles[p - 1], angles[p]);
-    } else
-      piece(from, to);
+    const std::vector<T> angles = smooth_pieces(strip.flow_stress, in, from, to);
+    for (std::size_t p = 1; p < angles.size(); ++p)
+      piece(angles[p - 1], angles[p]);
     return sum;
   };
   return {c.entry_factor / in.entry_thickness * scale * side(c.neutral_angle, c.entry_angle, true),

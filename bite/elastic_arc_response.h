@@ -131,10 +131,7 @@ private:
   T yield(const T &thickness) const
   {
     using std::log;
-    T strain = log(in.strain_reference / thickness);
-    if (value_of(strain) < 1e-14)
-      strain = T(0.0);
-    return in.flow_factor * flow_stress(in.law, strain);
+    return in.flow_factor * flow_stress(in.law, T(log(in.strain_reference / thickness)));
   }
   struct Place {
     T x, h, dh, k;  // dh: slope of the thickness

@@ -6,6 +6,7 @@
 
 namespace mill::bite {
 namespace {
+constexpr double hitchcock_range    = 5;     // R'/R up to which the formula is used in practice
 constexpr double largest_flattening = 20;    // R'/R; Hitchcock's ellipse has lost its meaning long before
 constexpr int most_evaluations      = 2000;  // plain iteration next to a double root takes hundreds
 
@@ -24,6 +25,17 @@ double flattening_compliance(const RollBite &bite)
 double hitchcock_radius(const RollBite &bite, const double force)
 {
   return bite.roll_radius * (1 + flattening_compliance(bite) * force / reduction(bite));
+}
+
+bool beyond_hitchcock(const RollBite &bite, const double radius)
+{
+  return radius > hitchcock_range * bite.roll_radius;
+}
+
+std::string beyond_hitchcock_note(const RollBite &bite, const double radius)
+{
+  return sentence("R'/R = ", radius / bite.roll_radius, " is beyond ", hitchcock_range,
+                  ", where Hitchcock's circular arc no longer holds");
 }
 
 FlattenedArc flattened_arc(const RollBite &bite, const std::function<double(double)> &force_of_radius)

@@ -1,6 +1,7 @@
 #pragma once
 #include "bite/bite.h"
 #include <functional>
+#include <string>
 
 // Hitchcock's flattened roll for any slab theory.  theory.md 8.4
 namespace mill::bite {
@@ -9,6 +10,12 @@ double flattening_compliance(const RollBite &bite);
 
 /// R' of (8.9) under a known force.  m
 double hitchcock_radius(const RollBite &bite, double force);
+
+/// True where R' has left the range in which the arc under the pressure is still close to a circle, R'/R above 5.
+bool beyond_hitchcock(const RollBite &bite, double radius);
+
+/// The sentence on it for the report.
+std::string beyond_hitchcock_note(const RollBite &bite, double radius);
 
 struct FlattenedArc {
   double radius   = 0;  ///< m, smallest R' that carries its own force

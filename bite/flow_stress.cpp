@@ -22,6 +22,14 @@ std::size_t table_interval(const std::vector<std::array<double, 2>> &rows, const
   return i;
 }
 
+bool starts_from_nothing(const FlowStress &law, const double strain)
+{
+  if (law.law == "swift" || law.law == "reduction-power")
+    return law.eps0 + strain < least_strain;
+  const bool without_start = law.law == "power" || ((law.law == "ludwik" || law.law == "voce") && law.k0 == 0);
+  return without_start && strain < least_strain;
+}
+
 void refuse_law(const std::string &law)
 {
   throw InputError("strip.flow_stress.law = \"" + law +

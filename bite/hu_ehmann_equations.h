@@ -57,12 +57,9 @@ void visit_arc(const Strip &strip, const PassInputs<T> &in, const GaussRule &rul
       visit(T(rule.weight[i] * half * h), T(scale * tangent), h, stress_at(strip.flow_stress, in, h));
     }
   };
-  if (strip.flow_stress.law == "table") {
-    const std::vector<T> angles = smooth_pieces(strip.flow_stress, in, a, b);
-    for (std::size_t p = 1; p < angles.size(); ++p)
-      piece(angles[p - 1], angles[p]);
-  } else
-    piece(a, b);
+  const std::vector<T> angles = smooth_pieces(strip.flow_stress, in, a, b);
+  for (std::size_t p = 1; p < angles.size(); ++p)
+    piece(angles[p - 1], angles[p]);
 }
 
 /// Friction at a factor of one and thinning between two angles, Pa: integrals of k (1 + x^2/R^2)/h and k h'/h.

@@ -40,6 +40,18 @@ Inlet<Wide> inlet_of(const RollBite &bite, const CircularBite &s, const double r
   return in;
 }
 
+/// Steps of the integration for one flattened state; cold passes take some hundreds.
+constexpr int most_steps = 40000;
+
+[[noreturn]] void refuse_slow_flattening(const RollBite &bite, const double radius, const int steps)
+{
+  throw SolverError(
+      {"roll bite: the flattened radius is not found",
+       sentence("R'/R = ", radius / bite.roll_radius, " and still moving after ", steps, " steps along the arc"),
+       "a strip that is far too thin or too hard for this roll",
+       "a smaller work roll, less friction, more tension, or a thicker strip.exit_thickness", ""});
+}
+
 /// A bite on a circle with the friction that belongs to it.
 struct Lubricated {
   CircularBite bite;
@@ -107,9 +119,8 @@ void add_notes(const RollBite &bite, BiteState &state, const Arc arc)
   else if (!factor && state.sticking_length > 0)
     state.remarks.push_back(sentence("the friction stress is at its limit over ", state.sticking_length * 1e3,
                                      " mm of an arc of ", (state.arc_length - state.exit_position) * 1e3, " mm"));
-  if (arc == Arc::hitchcock && state.flattened_radius > 5 * bite.roll_radius)
-    state.notes.push_back(sentence("R'/R = ", state.flattened_radius / bite.roll_radius,
-                                   " is beyond 5, where Hitchcock's circular arc no longer holds"));
+  if (arc == Arc::hitchcock && beyond_hitchcock(bite, state.flattened_radius))
+    state.notes.push_back(beyond_hitchcock_note(bite, state.flattened_radius));
   if (strip.exit_thickness < 0.1e-3)
     state.notes.push_back(sentence("exit thickness ", strip.exit_thickness * 1e3,
                                    " mm: below about 0.1 mm a zone without slip forms, in which mu p is not the "
@@ -162,8 +173,12 @@ BiteState solve_karman(const RollBite &bite, const Theory theory, const Arc arc,
     last.mu       = 0.05;
     double radius = bite.roll_radius;
     if (arc == Arc::hitchcock) {
+      int steps               = 0;
       const FlattenedArc flat = flattened_arc(bite, [&](const double r) {
         last = lubricated(bite, theory, r, last, quick);
+        steps += last.bite.steps;
+        if (steps > most_steps)
+          refuse_slow_flattening(bite, r, steps);
         return strip.width * last.bite.force.value;
       });
       radius                  = flat.radius;
@@ -173,6 +188,15 @@ BiteState solve_karman(const RollBite &bite, const Theory theory, const Arc arc,
     const CircularBite &s   = solved.bite;
     if (s.skids)
       refuse_skidding(bite, theory, radius, solved.mu, options);
+    if (s.least_pressure < 0)
+      throw InputError(
+          sentence("strip.entry_tension = ", strip.entry_tension / 1e6,
+                   " MPa and strip.exit_tension = ", strip.exit_tension / 1e6,
+                   " MPa draw the strip thinner than the rolls do: the pressure between them would fall "
+                   "to ",
+                   s.least_pressure / 1e6,
+                   " MPa; less tension, more friction or a smaller reduction is "
+                   "needed"));
     Wide force = widened(s.force), torque = widened(s.torque);
     if (needs_speed(strip.friction)) {
       const Inlet<Wide> inlet = inlet_of(bite, s, radius);

@@ -25,10 +25,17 @@ template <class T> T input(const double value, const Input which, const double s
 std::vector<FlowPiece> flow_pieces(const FlowStress &law, const double reference, const double h1, const double h2,
                                    const double radius, const bool small_angles)
 {
-  if (law.law != "table")
-    return {
+  const auto coordinate = [&](const double h) {
+    return std::sqrt((h - h2) * (small_angles ? radius : 0.25 / radius));
+  };
+  if (law.law != "table") {
+    std::vector<FlowPiece> pieces{
         {0, law}
     };
+    if (const double h = reference * std::exp(-strain_of_growth(law)); h > h2 && h < h1)
+      pieces.push_back({coordinate(h), law});
+    return pieces;
+  }
   // Of a table one straight line after the other: between its kinks everything is smooth.
   const std::size_t first = table_interval(law.table, std::log(reference / h2));
   const std::size_t last  = table_interval(law.table, std::log(reference / h1));
@@ -41,7 +48,7 @@ std::vector<FlowPiece> flow_pieces(const FlowStress &law, const double reference
     line.k         = (b[1] - a[1]) / (b[0] - a[0]);
     line.k0        = a[1] - line.k * a[0];
     const double h = std::max(h2, reference * std::exp(-b[0]));
-    pieces.push_back({std::sqrt((h - h2) * (small_angles ? radius : 0.25 / radius)), line});
+    pieces.push_back({coordinate(h), line});
   }
   pieces.front().from = 0;
   return pieces;
@@ -229,6 +236,17 @@ void sample_arc(Hill &hill, const double t_n, const int points, CircularBite &ou
   }
 }
 
+// Pressure at the steps of one branch up to the neutral point, Pa.
+double least_pressure(BranchPath &path, const double t_n)
+{
+  double least    = INFINITY;
+  const bool down = path.nodes().front().t > t_n;
+  for (const PathNode &node : path.nodes())
+    if (down ? node.t >= t_n : node.t <= t_n)
+      least = std::min(least, path.slice_at(node.t, node.y[0]).pressure);
+  return least;
+}
+
 double limited_length(const BranchPath &path, const SliceInputs<double> &in, const double end)
 {
   double length     = 0;
@@ -347,6 +365,7 @@ CircularBite solve_on_circle(const RollBite &bite, const Theory theory, const do
   out.neutral_position = along(in, t_n);
   out.peak_pressure    = std::max(d.pressure, e.pressure);
   out.sticking_length  = limited_length(hill.exit, in, t_n) + limited_length(hill.entry, in, t_n);
+  out.least_pressure   = std::min(least_pressure(hill.exit, t_n), least_pressure(hill.entry, t_n));
   const double limit   = 0.5 * d.yield;
   out.largest_shear    = in.factor_law ? std::max(value_of(in.entry_factor), value_of(in.exit_factor))
                                        : mu * out.peak_pressure / limit;
@@ -354,6 +373,7 @@ CircularBite solve_on_circle(const RollBite &bite, const Theory theory, const do
     sample_arc(hill, t_n, options.points, out);
     out.peak_pressure = std::max(out.peak_pressure, out.pressure.maxCoeff());
   }
+  out.steps = hill.exit.attempts() + hill.entry.attempts();
   return out;
 }
 

@@ -22,12 +22,14 @@ struct CircularBite {
   double neutral_position = 0;      ///< m
   double sticking_length  = 0;      ///< m, with friction at its limit
   double peak_pressure    = 0;      ///< Pa
-  double largest_shear    = 0;      ///< -, mu p over the shear yield stress
-  Eigen::VectorXd position;         ///< (n) m
-  Eigen::VectorXd thickness;        ///< (n) m
-  Eigen::VectorXd pressure;         ///< (n) Pa
-  Eigen::VectorXd shear;            ///< (n) Pa
-  Eigen::VectorXd slip;             ///< (n) -
+  double least_pressure   = 0;  ///< Pa, at the steps of the integration; negative: the rolls would have to pull
+  double largest_shear    = 0;  ///< -, mu p over the shear yield stress
+  int steps               = 0;  ///< of the integration, tried: its cost
+  Eigen::VectorXd position;     ///< (n) m
+  Eigen::VectorXd thickness;    ///< (n) m
+  Eigen::VectorXd pressure;     ///< (n) Pa
+  Eigen::VectorXd shear;        ///< (n) Pa
+  Eigen::VectorXd slip;         ///< (n) -
 };
 
 /// Bite on a circle of the given radius.

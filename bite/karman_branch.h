@@ -69,9 +69,16 @@ public:
     }
     s.yield         = yield(s.thickness);
     const T mean    = f / s.thickness;
-    const T limit   = 0.5 * s.yield * (side_ > 0 ? in.entry_factor : in.exit_factor);
+    const T &factor = side_ > 0 ? in.entry_factor : in.exit_factor;
+    const T limit   = 0.5 * s.yield * factor;
     const bool slip = !in.factor_law && !at_limit;
-    if (!in.wedge) {
+    // A roll does not pull at the strip: no friction there, and who solves for the bite refuses the state.
+    // Friction of the other sign would make the pressure run away.
+    const bool pulls = slip && value_of(mean) + value_of(s.yield) < 0;
+    if (pulls) {
+      s.pressure = mean + s.yield;
+      s.shear    = T(0.0);
+    } else if (!in.wedge) {
       s.pressure = mean + s.yield;
       s.shear    = slip ? in.friction * s.pressure : limit;
     } else {
@@ -80,7 +87,7 @@ public:
       if (slip)
         s.pressure = slipping_pressure(mean, s.yield, lever, phi);
       else
-        s.pressure = mean + s.yield * wedge_value(T(limit / (0.5 * s.yield)), phi) - double(side_) * limit * lever;
+        s.pressure = mean + s.yield * wedge_value(factor, phi) - double(side_) * limit * lever;
       s.shear = slip ? in.friction * s.pressure : limit;
     }
     if (in.limited && !in.factor_law)
@@ -103,12 +110,7 @@ public:
   T yield(const T &thickness) const
   {
     using std::log;
-    T strain = log(in.strain_reference / thickness);
-    // The first slice of a strip without history has strain nil up to rounding, which a power law does not
-    // forgive.
-    if (value_of(strain) < 1e-14)
-      strain = T(0.0);
-    return in.flow_factor * flow_stress(in.pieces[piece].law, strain);
+    return in.flow_factor * flow_stress(in.pieces[piece].law, T(log(in.strain_reference / thickness)));
   }
 
 private:

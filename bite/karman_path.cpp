@@ -1,4 +1,5 @@
 #include "bite/karman_path.h"
+#include "bite/sentence.h"
 #include "core/errors.h"
 #include <algorithm>
 #include <cmath>
@@ -6,7 +7,8 @@
 namespace mill::bite {
 BranchPath::BranchPath(const SliceInputs<double> &inputs, const int side, const double start, const double f,
                        const double far_end, const double tolerance)
-    : in_(inputs), equation_(inputs, side), side_(side), proposed_((far_end - start) / 3)
+    : in_(inputs), equation_(inputs, side), side_(side), span_(std::abs(far_end - start)),
+      proposed_((far_end - start) / 3)
 {
   PathNode node{
       start, {f, 0, 0},
@@ -65,6 +67,15 @@ PathNode BranchPath::event(const PathNode &from, const double length)
   return stepped(from, 0.5 * (a + b));
 }
 
+void BranchPath::refuse_crawling(const PathNode &at, const double length) const
+{
+  throw SolverError({"roll bite: the pressure could not be integrated along the arc",
+                     sentence("after ", n_attempts_, " steps it stands at ", at.t / span_,
+                              " of the arc, with steps of ", std::abs(length) / span_),
+                     "a strip far thinner than the arc is long, or friction just at its limit",
+                     "check strip.exit_thickness, strip.friction and the tensions", ""});
+}
+
 PathNode BranchPath::step_towards(const double target)
 {
   const PathNode from = nodes_.back();
@@ -82,6 +93,8 @@ PathNode BranchPath::step_towards(const double target)
   double length = proposed_;
   bool whole    = false;
   for (int attempt = 0; attempt < 60; ++attempt) {
+    if (++n_attempts_ > 400 + 20 * int(in_.pieces.size()))
+      refuse_crawling(from, length);
     whole = std::abs(length) >= std::abs(stop - from.t) * (1 - 1e-12);
     if (whole)
       length = stop - from.t;

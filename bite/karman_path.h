@@ -27,12 +27,17 @@ public:
     return nodes_;
   }
   PathNode node_before(double t) const;  ///< last node not beyond t
+  int attempts() const                   ///< steps tried so far, a measure of the cost
+  {
+    return n_attempts_;
+  }
 
 private:
   void extend(double target);
   PathNode step_towards(double target);
   PathNode stepped(const PathNode &from, double length, double *error = nullptr);
   double excess(const PathNode &node);
+  [[noreturn]] void refuse_crawling(const PathNode &at, double length) const;
   PathNode event(const PathNode &from, double length);
   bool beyond(double a, double b) const
   {
@@ -42,9 +47,11 @@ private:
   const SliceInputs<double> &in_;
   SliceEquation<double> equation_;
   int side_;
+  double span_;      // of the arc, in t
   double proposed_;  // length of the next step, signed
   Branch<double> scale_;
-  int n_events_ = 0;
+  int n_events_   = 0;
+  int n_attempts_ = 0;
   std::vector<PathNode> nodes_;
 };
 

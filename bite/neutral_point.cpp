@@ -29,4 +29,9 @@ int find_neutral_point(BiteState &s, const double least)
                                                      (s.position[i] - s.position[i - 1]);
   return changes;
 }
+
+double neutral_angle(const RollBite &bite, const BiteState &state)
+{
+  return std::asin(state.neutral_position / bite.roll_radius);
+}
 }  // namespace mill::bite

@@ -79,12 +79,11 @@ inline PassInputs<std::complex<double>> complex_inputs(const RollBite &bite, con
   return in;
 }
 
-/// k_f at a thickness, (8.1); rounding at the entry must not make a negative strain.
+/// k_f at a thickness, (8.1).
 template <class Law, class T> T stress_at(const Law &law, const PassInputs<T> &in, const T &thickness)
 {
   using std::log;
-  const T strain = log(in.initial_thickness / thickness);
-  return in.flow_stress * flow_stress(law, value_of(strain) < 0 ? T(0.0) : strain);
+  return in.flow_stress * flow_stress(law, T(log(in.initial_thickness / thickness)));
 }
 
 /// 1 - tension / flow stress; without tension it is one even where an unhardened strip has no flow stress at all.
@@ -119,24 +118,29 @@ T strip_speed(const PassInputs<T> &in, const T &entry_speed, const T &entry_posi
          (in.exit_thickness + x * x / in.radius);
 }
 
-/// Angles t of x = sqrt(R h_d) tan t at which the flow stress has a kink, between `from` and `to`, with both ends.
+/// Angles t of x = sqrt(R h_d) tan t at which the flow stress has a kink (rows of a table) or its curvature jumps
+/// (growth()), between `from` and `to`, with both ends.
 template <class Law, class T>
 std::vector<T> smooth_pieces(const Law &law, const PassInputs<T> &in, const T &from, const T &to)
 {
   using std::atan;
-  using std::exp;
   using std::sqrt;
   std::vector<T> angles{from};
   std::vector<T> inside;
-  for (const auto &row : law.table) {
-    const T h = in.initial_thickness * std::exp(-row[0]);
-    if (law.law != "table" || value_of(h) <= value_of(in.exit_thickness))
-      continue;
+  const auto cut = [&](const double strain) {
+    const T h = in.initial_thickness * std::exp(-strain);
+    if (!std::isfinite(strain) || value_of(h) <= value_of(in.exit_thickness))
+      return;
     const T angle = atan(sqrt(h / in.exit_thickness - 1.0));
     for (const T &t : {angle, -angle})  // a closing gap ends behind the line of centres
       if (value_of(t) > value_of(from) && value_of(t) < value_of(to))
         inside.push_back(t);
-  }
+  };
+  if (law.law == "table")
+    for (const auto &row : law.table)
+      cut(row[0]);
+  else
+    cut(strain_of_growth(law));
   std::sort(inside.begin(), inside.end(), [](const T &a, const T &b) { return value_of(a) < value_of(b); });
   angles.insert(angles.end(), inside.begin(), inside.end());
   angles.push_back(to);

@@ -37,8 +37,7 @@ Sticking<T> sticking(const T &radius, const double arm, const T &h1, const T &h2
 template <class T> T stress_at(const RollBite &bite, const T &reference, const T &h)
 {
   using std::log;
-  const T strain = log(reference / h);
-  return flow_stress(bite.strip.flow_stress, value_of(strain) < 0 ? T(0.0) : strain);
+  return flow_stress(bite.strip.flow_stress, T(log(reference / h)));
 }
 
 /// Mean over the arc, in x; the reference of the strain goes with the entry where it is not given.

@@ -34,6 +34,11 @@ std::string model_name(const SlabModel &model);
 /// Cost: closed forms some 10 us on a given arc, below 0.2 ms with flattening.
 BiteState solve_slab(const RollBite &bite, const SlabModel &model, const ArcFlexibility *flexibility = nullptr);
 
+/// Thickness with which the strip leaves the stand, under its front tension, m.  On a circle that of the gap (the
+/// slab is rigid-plastic there); on a free arc Strip::exit_thickness is the smallest thickness under load, and the
+/// strip springs back to where (17.12) has no pressure left.
+double leaving_thickness(const RollBite &bite, const BiteState &state, Arc arc);
+
 /// The four stiffnesses of a solved state.  theory.md 8.5
 BiteStiffness slab_stiffness(const RollBite &bite, const BiteState &state);
 }  // namespace mill::bite

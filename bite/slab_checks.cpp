@@ -1,4 +1,5 @@
 #include "bite/slab_checks.h"
+#include "bite/flattening.h"
 #include "bite/friction.h"
 #include "bite/pass_inputs.h"
 #include "bite/sentence.h"
@@ -31,6 +32,11 @@ void check_pass(const RollBite &bite)
     throw InputError(sentence("strip.initial_thickness = ", s.initial_thickness * 1e3,
                               " mm is below strip.entry_thickness = ", s.entry_thickness * 1e3,
                               " mm: the strip would have been rolled thicker"));
+  if (s.entry_thickness - s.exit_thickness >= 2 * bite.roll_radius)
+    throw InputError(sentence("strip.entry_thickness = ", s.entry_thickness * 1e3,
+                              " mm less strip.exit_thickness = ", s.exit_thickness * 1e3,
+                              " mm is more than rolls of a diameter of ", bite.roll_radius * 2e3,
+                              " mm can take off: the entry lies beyond their axes"));
   const auto in             = pass_inputs<double>(bite, bite.roll_radius);
   const double entry_stress = stress_at(s.flow_stress, in, in.entry_thickness);
   const double exit_stress  = stress_at(s.flow_stress, in, in.exit_thickness);
@@ -51,6 +57,13 @@ void check_pass(const RollBite &bite)
                               "roll speed is not given"));
 }
 
+bool entry_starts_from_nothing(const Strip &strip)
+{
+  return starts_from_nothing(strip.flow_stress, std::isnan(strip.initial_thickness)
+                                                    ? 0
+                                                    : std::log(strip.initial_thickness / strip.entry_thickness));
+}
+
 void check_coulomb(const RollBite &bite)
 {
   const Friction &law = bite.strip.friction;
@@ -63,7 +76,8 @@ void check_coulomb(const RollBite &bite)
     if (!(law.mu0 > 0 && law.mu1 >= 0 && law.decay >= 0))
       throw InputError("strip.friction: the film law needs mu0 > 0, mu1 >= 0 and decay >= 0");
     const auto in = pass_inputs<double>(bite, bite.roll_radius);
-    if (!(stress_at(bite.strip.flow_stress, in, in.entry_thickness) > bite.strip.entry_tension))
+    if (entry_starts_from_nothing(bite.strip) ||
+        !(stress_at(bite.strip.flow_stress, in, in.entry_thickness) > bite.strip.entry_tension))
       throw InputError(
           "strip.friction.law = \"film\": the strip yields at no pressure at the entry, so the film has "
           "nothing to carry there; a flow stress law that starts above zero is needed");
@@ -114,7 +128,6 @@ void refuse_neutral_point(const std::string &friction, const double angle_of_bit
 std::vector<std::string> range_notes(const RollBite &bite, const BiteState &state, const double friction_for_angle)
 {
   std::vector<std::string> notes;
-  const double ratio = state.flattened_radius / bite.roll_radius;
   if (state.bite_angle > friction_for_angle)
     notes.push_back(sentence("the angle of bite ", state.bite_angle, " rad is larger than the friction ",
                              friction_for_angle,
@@ -123,9 +136,8 @@ std::vector<std::string> range_notes(const RollBite &bite, const BiteState &stat
     notes.push_back(
         sentence("the friction stress reaches ", state.largest_shear,
                  " times the shear yield stress: the strip would stick, which Coulomb friction does not know"));
-  if (ratio > flattening_range)
-    notes.push_back(sentence("R'/R = ", ratio, " is beyond ", flattening_range,
-                             ", where Hitchcock's circular arc no longer holds"));
+  if (beyond_hitchcock(bite, state.flattened_radius))
+    notes.push_back(beyond_hitchcock_note(bite, state.flattened_radius));
   return notes;
 }
 }  // namespace mill::bite

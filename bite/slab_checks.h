@@ -7,6 +7,9 @@ namespace mill::bite {
 /// @throws InputError  with the key, its value and what is allowed
 void check_pass(const RollBite &bite);
 
+/// True where the strip's flow stress at the entry is left open by its law.
+bool entry_starts_from_nothing(const Strip &strip);
+
 /// Checks a Coulomb, speed or film law.  @throws InputError
 void check_coulomb(const RollBite &bite);
 

@@ -25,11 +25,25 @@ void apply(const Model &model, RollerBearing &bearing, Reading &reading)
   };
   one("roller_law", bearing.roller_law, model.said.roller_law);
   one("rings", bearing.rings, model.said.rings);
-  one("tilt_lever", bearing.tilt_lever, model.said.tilt_lever);
   one("slices", bearing.slices, model.said.slices);
 }
 
-RollerBearing read_bearing(const Node::Entry &entry, const Model &model, Reading &reading)
+// What was assumed stays open in the echo too, so that it runs to the same results.
+RollerBearing as_given(RollerBearing bearing)
+{
+  if (bearing.row_hands_assumed)
+    bearing.row_hands.clear();
+  if (bearing.chock_assumed) {
+    bearing.chock.clear();
+    bearing.chock_width = bearing.chock_height = bearing.chock_length = not_given;
+  }
+  if (bearing.support_assumed)
+    bearing.chock_support_width = bearing.chock_support_gap = not_given;
+  return bearing;
+}
+
+RollerBearing read_bearing(const Node::Entry &entry, const Model &model, const std::string &on_backup_roll,
+                           Reading &reading)
 {
   RollerBearing bearing;
   bearing.name = entry.key;
@@ -37,14 +51,15 @@ RollerBearing read_bearing(const Node::Entry &entry, const Model &model, Reading
   read(section, bearing_rows(), bearing, reading);
   if (bearing.name == model.bearing)
     apply(model, bearing, reading);
-  complete_bearing(bearing, reading);
+  complete_bearing(bearing, bearing.name == on_backup_roll, reading);
   reading.echo += fmt::format("\n[bearing.{}]\n{}", key_text(entry.key),
-                              resolved_lines(section.name, bearing_rows(), bearing, reading));
+                              resolved_lines(section.name, bearing_rows(), as_given(bearing), reading));
   check_bearing(bearing, reading);
   return bearing;
 }
 
-std::vector<RollerBearing> read_all(const Node &root, const Model &model, Reading &reading)
+std::vector<RollerBearing> read_all(const Node &root, const Model &model, const std::string &on_backup_roll,
+                                    Reading &reading)
 {
   std::vector<RollerBearing> bearings;
   const Section all = section_at(root, "bearing", reading);
@@ -52,7 +67,7 @@ std::vector<RollerBearing> read_all(const Node &root, const Model &model, Readin
     return bearings;  // whoever names one then says that it does not exist
   for (const Node::Entry &entry : all.node->entries)
     if (entry.value.kind == Node::Kind::table)
-      bearings.push_back(read_bearing(entry, model, reading));
+      bearings.push_back(read_bearing(entry, model, on_backup_roll, reading));
     else
       reading.add(entry.value.place, fmt::format("bearing.{} = {} is a value; a section [bearing.{}] is needed",
                                                  entry.key, shown(entry.value), entry.key));
@@ -60,9 +75,9 @@ std::vector<RollerBearing> read_all(const Node &root, const Model &model, Readin
 }
 }  // namespace
 
-std::vector<RollerBearing> read_bearings(const Node &root, Reading &reading)
+std::vector<RollerBearing> read_bearings(const Node &root, const std::string &on_backup_roll, Reading &reading)
 {
-  return read_all(root, {}, reading);
+  return read_all(root, {}, on_backup_roll, reading);
 }
 
 BearingCase read_bearing_case(const Node &root, Reading &reading)
@@ -74,7 +89,7 @@ BearingCase read_bearing_case(const Node &root, Reading &reading)
   Model model{spec.load.bearing, {}};
   if (const Section section = section_at(root, "model", reading); section.node)
     read(section, bearing_model_rows(), model.said, reading);
-  spec.bearings = read_all(root, model, reading);
+  spec.bearings = read_all(root, model, "", reading);
   reading.echo += "\n[load]\n" + resolved_lines("load", bearing_load_rows(), spec.load, reading);
   const Section motion = section_at(root, "dynamics", reading);
   read_and_echo(motion, motion.header(), bearing_motion_rows(), spec.motion, reading);

@@ -20,14 +20,6 @@ bool is_tapered(const RollerBearing &b)
   return b.type == "four-row tapered";
 }
 
-// Roller, cup and cone share one apex: sin(alpha_m) = (D_pw/D_we) tan(beta), cup angle alpha_m + beta, with beta
-// half the roller cone.
-double closing_cup_angle(const RollerBearing &b)
-{
-  const double beta = b.roller_cone_angle / 2;
-  return std::asin(pitch_diameter(b) / b.roller_diameter * std::tan(beta)) + beta;  // NaN: nothing closes
-}
-
 double closing_roller_diameter(const RollerBearing &b)
 {
   const double beta = b.roller_cone_angle / 2;
@@ -119,6 +111,14 @@ void check_angles(const RollerBearing &b, Reading &reading)
                {key("cup_angle"), key("roller_cone_angle")});
 }
 
+void check_arrangement(const RollerBearing &b, Reading &reading)
+{
+  const std::string key = "bearing." + b.name + ".row_hands", rows = "bearing." + b.name + ".rows";
+  if (reading.places.count(key) && reading.usable({key, rows}) && int(b.row_hands.size()) > b.rows)
+    contradict(reading, key, fmt::format("arranges {} rows; the bearing has {}", b.row_hands.size(), b.rows),
+               {rows});
+}
+
 void check_profile(const RollerBearing &b, Reading &reading)
 {
   const auto key = [&](const char *k) { return "bearing." + b.name + "." + k; };
@@ -174,7 +174,7 @@ void check_rings(const RollerBearing &b, Reading &reading)
                                     std::pair("width", b.width), std::pair("roller_diameter", b.roller_diameter)})
     if (std::isnan(value) && reading.usable({key(name)}))
       missing += (missing.empty() ? "" : ", ") + std::string(name);
-  if (missing.empty() && b.rings == "elastic" && b.chock != "rigid") {
+  if (missing.empty() && counts_its_chock(b)) {
     const double across = std::min(b.chock_width, b.chock_height);
     if (reading.usable({key("chock_width"), key("chock_height"), key("outside_diameter")}) &&
         across < 1.1 * b.outside_diameter)
@@ -200,7 +200,39 @@ void check_rings(const RollerBearing &b, Reading &reading)
 }
 }  // namespace
 
-void complete_bearing(RollerBearing &b, const Reading &reading)
+namespace {
+// What holds the chock, where the drawing does not say it.  A work roll's hangs on the bending cylinders at both
+// of its sides; a backup roll's is pressed on its face by screw and beam.
+void complete_support(RollerBearing &b, const bool of_backup_roll, const bool given)
+{
+  if (std::isnan(b.chock_width))
+    return;
+  b.support_assumed = !given && b.chock == "block";
+  const auto say    = [&](const char *key, const double value, const std::string &why) {
+    b.filled.push_back(
+           fmt::format("bearing.{}.{} is not given: {} assumed, {}", b.name, key, millimetres(value), why));
+  };
+  if (std::isnan(b.chock_support_width)) {
+    b.chock_support_width = b.chock_width;
+    say("chock_support_width", b.chock_width, "the width of the chock");
+  }
+  if (given || of_backup_roll)
+    return;
+  b.chock_support_gap = b.chock_width * 2 / 3;
+  say("chock_support_gap", b.chock_support_gap,
+      "two thirds of its width: two feet, as of a work roll's chock on its bending cylinders");
+}
+}  // namespace
+
+// Roller, cup and cone share one apex: sin(alpha_m) = (D_pw/D_we) tan(beta), cup angle alpha_m + beta, with beta
+// half the roller cone.
+double closing_cup_angle(const RollerBearing &b)
+{
+  const double beta = b.roller_cone_angle / 2;
+  return beta > 0 ? std::asin(pitch_diameter(b) / b.roller_diameter * std::tan(beta)) + beta : not_given;
+}
+
+void complete_bearing(RollerBearing &b, const bool of_backup_roll, const Reading &reading)
 {
   const std::string name = "bearing." + b.name;
   const auto left_out    = [&](const char *k) {
@@ -231,26 +263,26 @@ void complete_bearing(RollerBearing &b, const Reading &reading)
     b.roller_law = drawn ? "fe" : "iso";
   if (left_out("rings"))
     b.rings = drawn ? "elastic" : "rigid";
-  if (b.rings != "elastic" || b.chock == "rigid")
+  b.row_hands_assumed = is_tapered(b) && b.rows > 1 && left_out("row_hands");
+  if (!counts_its_chock(b))
     return;
+  b.chock_assumed = true;
+  for (const char *k : {"chock", "chock_width", "chock_height", "chock_length"})
+    b.chock_assumed = b.chock_assumed && left_out(k);
   const auto size = [&](double &value, const double filling, const char *k, const char *rule) {
     fill(value, filling, k, fmt::format("{} assumed, {}", millimetres(filling), rule));
   };
   size(b.chock_width, 1.7 * b.outside_diameter, "chock_width", "1.7 outside diameters");
   size(b.chock_height, 1.6 * b.outside_diameter, "chock_height", "1.6 outside diameters");
   size(b.chock_length, b.width, "chock_length", "the width of the bearing");
-  // A work roll's chock hangs on the bending cylinders at both of its sides.
-  const bool feet = left_out("chock_support_width") && left_out("chock_support_gap");
-  size(b.chock_support_width, b.chock_width, "chock_support_width", "the width of the chock");
-  if (feet)
-    size(b.chock_support_gap, b.chock_width * 2 / 3, "chock_support_gap",
-         "two thirds of its width: two feet, as of a work roll's chock on its bending cylinders");
+  complete_support(b, of_backup_roll, !left_out("chock_support_width") || !left_out("chock_support_gap"));
 }
 
 void check_bearing(const RollerBearing &bearing, Reading &reading)
 {
   check_sizes(bearing, reading);
   check_angles(bearing, reading);
+  check_arrangement(bearing, reading);
   check_profile(bearing, reading);
   check_fit(bearing, reading);
   check_rings(bearing, reading);

@@ -50,8 +50,11 @@ const std::vector<Field<RollerBearing>> &bearing_rows()
        "deg",                                                                                                           {0, 90},
        absent,                                                                                                                                  "70 deg",
        "of the rib's face normal against the radial plane; when absent along the roller's axis"                                                                                                                                                          },
-      {"row_hands",           &T::row_hands,           "+-+- | -+-+ | ++-- | --++ | + | -",                             any,          "+-+-",   "+-+-",
-       "axial direction in which the cup of each row carries, repeated over the rows"                                                                                                                                                                    },
+      {"row_hands",           &T::row_hands,           "+-+- | -+-+ | ++-- | --++ | +- | -+ | + | -",                   any,          absent,   "-+-+",
+       "arrangement of the rows: axial direction in which the cup of each row carries, repeated over the rows; +- "
+       "back to back, -+ face to face, -+-+ two double cones (TQO), +-+- two double cups (TQI). It decides the "
+       "row shares under tilt, the axial forces of the rows and the tilting stiffness; when absent +-+- is "
+       "assumed and the run warns"                                                                                                                                                                                                                       },
       {"radial_clearance",
        &T::radial_clearance,
        "mm",                                                                                                            {-1, 5},
@@ -106,15 +109,11 @@ const std::vector<Field<RollerBearing>> &bearing_rows()
        "are given, else iso"                                                                                                                                                                                                                             },
       {"rings",               &T::rings,               "elastic | rigid",                                               any,          absent,   "elastic",
        "whether rings, neck and chock give way; when absent elastic if their sizes are given, else rigid"                                                                                                                                                },
-      {"tilt_lever",          &T::tilt_lever,          "radial | full",                                                 any,          "radial", "radial",
-       "radial: tilt presses a row by its axial distance only, as in ISO/TS 16281; full: also by the axial motion "
-       "of "
-       "the raceway's rim"                                                                                                                                                                                                                               },
       {"slices",              &T::slices,              "count",                                                         {1, 1001},    41,       "41",                                                                          "laminae along one roller"},
-      {"chock",               &T::chock,               "block | round | rigid",                                         any,          "block",  "block",
+      {"chock",               &T::chock,               "block | round | rigid",                                         any,          absent,   "block",
        "what holds the cup when the rings are elastic: a block with a bore, supported on one face; a round "
-       "housing "
-       "as large as it; nothing that gives way"                                                                                                                                                                                                          },
+       "housing as large as it; nothing that gives way. When absent a block; with its sizes absent too, the cup "
+       "held counts in the accuracy"                                                                                                                                                                                                                     },
       {"chock_width",         &T::chock_width,         "mm",                                                            chock_size,   absent,   "600 mm",
        "across the load; when absent 1.7 outside diameters, assumed"                                                                                                                                                                                     },
       {"chock_height",        &T::chock_height,        "mm",                                                            chock_size,   absent,   "560 mm",
@@ -123,14 +122,13 @@ const std::vector<Field<RollerBearing>> &bearing_rows()
        "along the axis; when absent the width of the bearing, assumed"                                                                                                                                                                                   },
       {"chock_support_width", &T::chock_support_width, "mm",                                                            chock_size,   absent,   "600 mm",
        "of the face that carries the chock, centred on the line of the load; when absent the width of the chock, "
-       "assumed"                                                                                                                                                                                                                                         },
+       "assumed, and other supports count in the accuracy"                                                                                                                                                                                               },
       {"chock_support_gap",
        &T::chock_support_gap,
        "mm",                                                                                                            {0, 6000},
        absent,                                                                                                                                  "400 mm",
        "middle part of that face, which carries nothing: a chock on two feet; when absent none, or two thirds of "
-       "an "
-       "assumed support"                                                                                                                                                                                                                                 },
+       "an assumed support that is not a backup roll's"                                                                                                                                                                                                  },
   };
   return rows;
 }
@@ -173,7 +171,6 @@ const std::vector<Field<BearingModelInput>> &bearing_model_rows()
       {"roller_law", &T::roller_law, "fe | iso | palmgren | elastic", any,       absent, "fe",
        "as in [bearing.*], for the loaded bearing"                                                                     },
       {"rings",      &T::rings,      "elastic | rigid",               any,       absent, "elastic", "as in [bearing.*]"},
-      {"tilt_lever", &T::tilt_lever, "radial | full",                 any,       absent, "radial",  "as in [bearing.*]"},
       {"slices",     &T::slices,     "count",                         {1, 1001}, absent, "41",      "as in [bearing.*]"},
   };
   return rows;

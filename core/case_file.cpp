@@ -1,6 +1,9 @@
 // The only file that includes toml++.
 #include "core/case_file.h"
+#include "core/error_list.h"
 #include "core/files.h"
+#include "core/nesting.h"
+#include "core/run_identity.h"
 #include "core/units.h"
 #include <algorithm>
 #include <cctype>
@@ -139,6 +142,8 @@ Problem problem_of(const toml::parse_error &error, const std::string &file, cons
 
 toml::table parsed(const std::string &path, const std::string &text)
 {
+  if (const auto place = too_deep(text, path))
+    throw InputError(*place, nesting_refusal());
   try {
     return toml::parse(text, path);
   } catch (const toml::parse_error &error) {
@@ -149,6 +154,8 @@ toml::table parsed(const std::string &path, const std::string &text)
 // TOML where it is TOML, text where it is not: 'modal_damping=2 %' needs no quotes on a command line.
 Node override_value(const std::string &text, const Place &place)
 {
+  if (too_deep(text, place.file))
+    throw InputError(place, nesting_refusal());
   try {
     const toml::table table = toml::parse("v = " + text);
     if (table.size() == 1)
@@ -218,8 +225,11 @@ void lay_over(Node &root, const std::string &set)
   path.erase(path.find_last_not_of(" \t") + 1);
   std::string value = set.substr(equals + 1);
   value.erase(0, std::min(value.find_first_not_of(" \t"), value.size()));
-  Node *node = &root;
-  for (const std::string &key : split_at_dots(path)) {
+  Node *node       = &root;
+  const auto parts = split_at_dots(path);
+  if (parts.size() > std::size_t(deepest_nesting))
+    throw InputError(place, nesting_refusal());
+  for (const std::string &key : parts) {
     if (key.empty())
       throw InputError(place, "an override has the form section.key=value");
     node = &child(*node, key, place, path);
@@ -241,7 +251,7 @@ std::string shown(const Node &node)
 {
   switch (node.kind) {
   case Node::Kind::text:
-    return '"' + node.text + '"';
+    return '"' + shortened(node.text) + '"';
   case Node::Kind::integer:
   case Node::Kind::real:
     return number_text(node.number);
@@ -264,7 +274,8 @@ std::string shown(const Node &node)
 Node read_case_file(const std::string &path, const std::vector<std::string> &sets)
 {
   const std::string text = read_text(path);
-  Node root              = node_of(parsed(path, text), path);
+  require_unmixed(path, text);
+  Node root = node_of(parsed(path, text), path);
   std::vector<Problem> problems;
   for (const std::string &set : sets)
     try {

@@ -137,7 +137,9 @@ void add_rows(ordered_json &object, const SectionRows &section)
 {
   const std::vector<std::string> &drawable = drawable_frame_keys();
   for (const Row &row : section.rows) {
-    ordered_json type   = section.name == "given" || section.name == "published" ? given_type() : type_of(row);
+    ordered_json type   = (section.name == "given" || section.name == "published") && !is_tolerance(row.key)
+                              ? given_type()
+                              : type_of(row);
     type["description"] = description(row);
     object["properties"][row.key] = std::move(type);
     const bool drawn =

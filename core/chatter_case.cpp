@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
+#include <set>
 
 namespace mill {
 namespace {
@@ -113,15 +115,15 @@ void read_variants(const Node &root, ChatterCase &spec, Reading &reading)
   const Section all = section_at(root, "variant", reading);
   if (!all.node)
     return;
+  std::map<std::string, std::string> named;  // what tells results apart -> variant
   for (const Node::Entry &entry : all.node->entries)
     if (entry.value.kind == Node::Kind::table) {
       spec.variants.push_back(read_variant(entry, spec, reading));
-      for (std::size_t v = 0; v + 1 < spec.variants.size(); ++v)
-        if (slug(spec.variants[v].name) == slug(entry.key))
-          reading.add(entry.key_place,
-                      fmt::format("variant.{} and variant.{} name the same results; only letters of the "
-                                  "Latin alphabet and digits tell them apart, whatever their case",
-                                  entry.key, spec.variants[v].name));
+      if (const auto [other, is_new] = named.emplace(slug(entry.key), entry.key); !is_new)
+        reading.add(entry.key_place,
+                    fmt::format("variant.{} and variant.{} name the same results; only letters of the "
+                                "Latin alphabet and digits tell them apart, whatever their case",
+                                entry.key, other->second));
     } else
       reading.add(entry.value.place, fmt::format("variant.{} = {} is a value; a section [variant.{}] is needed",
                                                  entry.key, shown(entry.value), entry.key));
@@ -184,8 +186,13 @@ bool read_strip_of_chatter(const Node &root, ChatterCase &spec, Reading &reading
   return entry != nullptr;
 }
 
+// Conditions before the one that is checked, by name and by the name of their files.
+struct EarlierConditions {
+  std::map<std::string, std::size_t> by_name, by_slug;
+};
+
 void check_condition(const std::vector<RollingCondition> &all, const std::size_t i, const ChatterCase &spec,
-                     Reading &reading)
+                     EarlierConditions &earlier, Reading &reading)
 {
   const RollingCondition &c = all[i];
   const auto key            = [&](const char *k) { return fmt::format("condition.{}.{}", i, k); };
@@ -206,29 +213,25 @@ void check_condition(const std::vector<RollingCondition> &all, const std::size_t
   if (c.name.find('.') != std::string::npos)
     contradict(reading, key("name"), "contains a dot, which parts the names of results; take a dash or a blank",
                {});
-  const auto place_of = [&](const std::string &name) {
-    return std::find_if(all.begin(), all.begin() + std::ptrdiff_t(i),
-                        [&](const auto &o) { return o.name == name; }) -
-           all.begin();
-  };
-  if (const auto j = place_of(c.name); std::size_t(j) < i)
+  const auto after            = earlier.by_name.find(c.after);
+  const auto [same, is_new]   = earlier.by_name.emplace(c.name, i);
+  const auto [file, own_file] = earlier.by_slug.emplace(slug(c.name), i);
+  if (!is_new)
     contradict(reading, key("name"), "is the name of an earlier condition as well",
-               {fmt::format("condition.{}.name", j)});
-  else
-    for (std::size_t k = 0; k < i; ++k)
-      if (slug(all[k].name) == slug(c.name))
-        contradict(reading, key("name"),
-                   "names the same files as an earlier condition, chatter-" + slug(c.name) +
-                       "*: only letters of the Latin alphabet and digits tell file names apart",
-                   {fmt::format("condition.{}.name", k)});
+               {fmt::format("condition.{}.name", same->second)});
+  else if (!own_file)
+    contradict(reading, key("name"),
+               "names the same files as an earlier condition, chatter-" + slug(c.name) +
+                   "*: only letters of the Latin alphabet and digits tell file names apart",
+               {fmt::format("condition.{}.name", file->second)});
   if (c.after.empty() || !reading.usable({key("after")}))
     return;
-  const auto before = std::size_t(place_of(c.after));
-  if (before == i) {
+  if (after == earlier.by_name.end() || after->second == i) {
     contradict(reading, key("after"), "is not the name of an earlier condition", {});
     return;
   }
-  const auto match = [&](const char *mine, const double here, const char *other, const double there,
+  const std::size_t before = after->second;
+  const auto match         = [&](const char *mine, const double here, const char *other, const double there,
                          const std::string &what) {
     const std::string theirs = fmt::format("condition.{}.{}", before, other);
     if (reading.usable({key(mine), theirs}) && std::abs(here - there) > 1e-9 * std::abs(there))
@@ -243,10 +246,11 @@ void check_condition(const std::vector<RollingCondition> &all, const std::size_t
 void check_one_tandem(const std::vector<RollingCondition> &all, Reading &reading)
 {
   std::string last, last_key;
+  std::set<std::string> names;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string key = fmt::format("condition.{}.after", i);
-    const bool known      = std::any_of(all.begin(), all.begin() + std::ptrdiff_t(i),
-                                        [&](const RollingCondition &c) { return c.name == all[i].after; });
+    const bool known      = names.count(all[i].after) > 0;
+    names.insert(all[i].name);
     if (all[i].after.empty() || !known || !reading.usable({key}))
       continue;
     if (!last.empty() && all[i].after != last)
@@ -283,8 +287,9 @@ void read_conditions(const Node &root, ChatterCase &spec, Reading &reading)
     read_and_echo({&node, name}, "[[condition]]", condition_rows(), condition, reading);
     spec.conditions.push_back(condition);
   }
+  EarlierConditions earlier;
   for (std::size_t i = 0; i < spec.conditions.size(); ++i)
-    check_condition(spec.conditions, i, spec, reading);
+    check_condition(spec.conditions, i, spec, earlier, reading);
   check_one_tandem(spec.conditions, reading);
 }
 }  // namespace

@@ -43,38 +43,99 @@ std::string trimmed(const std::string_view text)
   return std::string(text.substr(first, last - first + 1));
 }
 
+// The first of these that stands outside quotes separates the columns.
 char separator_of(const std::string_view line)
 {
-  for (const char separator : {';', '\t', ','})
-    if (line.find(separator) != std::string_view::npos)
-      return separator;
+  for (const char separator : {';', '\t', ','}) {
+    bool in_quotes = false;
+    for (const char c : line) {
+      in_quotes = in_quotes != (c == '"');
+      if (c == separator && !in_quotes)
+        return separator;
+    }
+  }
   return ',';
 }
 
-std::vector<Cell> cells_of(const std::string_view line, const char separator, const int number)
-{
-  std::vector<Cell> cells;
-  std::size_t begin = 0;
-  int column        = 1;
-  while (true) {
-    const std::size_t end = std::min(line.find(separator, begin), line.size());
-    const auto raw        = line.substr(begin, end - begin);
-    const auto blanks     = std::min(raw.find_first_not_of(" \t"), raw.size());
-    std::string text      = trimmed(raw);
-    if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
-      text = trimmed(std::string_view(text).substr(1, text.size() - 2));
-    cells.push_back({std::move(text), number, column + int(blanks)});
-    column += 1 + int(std::count_if(raw.begin(), raw.end(), [](const char c) { return (c & 0xC0) != 0x80; }));
-    if (end == line.size())
-      return cells;
-    begin = end + 1;
+// One cell from the line, quoted as in RFC 4180 or as it stands; `at` moves behind it.
+class CellReader {
+public:
+  CellReader(const std::string &file, const std::string_view line, const char separator, const int number)
+      : file_(file), line_(line), separator_(separator), number_(number)
+  {
   }
-}
+  std::vector<Cell> cells()
+  {
+    std::vector<Cell> all;
+    do {
+      skip_blanks();
+      const int column = column_;
+      all.push_back({at_ < line_.size() && line_[at_] == '"' ? quoted_text() : plain_text(), number_, column});
+    } while (step_over_separator());
+    return all;
+  }
+
+private:
+  void skip_blanks()
+  {
+    while (at_ < line_.size() && line_[at_] != separator_ && (line_[at_] == ' ' || line_[at_] == '\t'))
+      step();
+  }
+  void step()
+  {
+    column_ += (line_[at_++] & 0xC0) != 0x80;  // characters, not bytes
+  }
+  bool step_over_separator()
+  {
+    if (at_ == line_.size())
+      return false;
+    step();
+    return true;
+  }
+  std::string plain_text()
+  {
+    const std::size_t begin = at_;
+    while (at_ < line_.size() && line_[at_] != separator_)
+      step();
+    return trimmed(line_.substr(begin, at_ - begin));
+  }
+  // Between quotes, a doubled one standing for itself.
+  std::string quoted_text()
+  {
+    const Place open{file_, number_, column_};
+    std::string text;
+    step();
+    while (true) {
+      if (at_ == line_.size())
+        throw InputError(open, "this quote is not closed on its line");
+      const char c = line_[at_];
+      step();
+      if (c != '"')
+        text += c;
+      else if (at_ < line_.size() && line_[at_] == '"') {
+        text += '"';
+        step();
+      } else
+        break;
+    }
+    skip_blanks();
+    if (at_ < line_.size() && line_[at_] != separator_)
+      throw InputError({file_, number_, column_},
+                       "something follows a closing quote; a quote inside quotes is doubled");
+    return trimmed(text);
+  }
+
+  const std::string &file_;
+  std::string_view line_;
+  char separator_;
+  int number_, column_ = 1;
+  std::size_t at_ = 0;
+};
 
 // "force [kN]" -> name and unit.
 Header header_of(const Cell &cell)
 {
-  const auto open = cell.text.find('[');
+  const auto open = cell.text.rfind('[');
   if (open == std::string::npos || cell.text.back() != ']')
     return {cell.text, "", false, cell.line, cell.column};
   return {trimmed(std::string_view(cell.text).substr(0, open)),
@@ -108,11 +169,11 @@ Sheet sheet_of(const std::string &path)
       continue;
     if (sheet.header.empty()) {
       sheet.separator = separator_of(line);
-      for (const Cell &cell : cells_of(line, sheet.separator, number))
+      for (const Cell &cell : CellReader(path, line, sheet.separator, number).cells())
         sheet.header.push_back(header_of(cell));
       continue;
     }
-    sheet.rows.push_back(cells_of(line, sheet.separator, number));
+    sheet.rows.push_back(CellReader(path, line, sheet.separator, number).cells());
     if (const auto n = sheet.rows.back().size(); n != sheet.header.size())
       throw InputError(Place{path, number, 1},
                        fmt::format("this line has {} cells, the header has {}; a decimal comma needs ';' or tab "
@@ -209,6 +270,24 @@ void require_increasing(const Sheet &sheet, const Eigen::VectorXd &time)
     }
 }
 
+// "name [unit]" as a cell of one line, in quotes where RFC 4180 wants them or where the reader would take it for
+// something else. A name that ends like a unit gets an empty one.
+std::string header_text(std::string name, const std::string &unit)
+{
+  for (char &c : name)
+    if (c == '\n' || c == '\r')
+      c = ' ';
+  const bool like_a_unit = unit.empty() && !name.empty() && name.back() == ']';
+  const std::string cell = name + (like_a_unit ? " []" : unit.empty() ? "" : " [" + unit + "]");
+  const bool plain       = cell.find_first_of(",;\t\"") == std::string::npos && cell.rfind('#', 0) != 0;
+  if (plain)
+    return cell;
+  std::string quoted = "\"";
+  for (const char c : cell)
+    quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
 std::vector<std::string> notes_of(const Sheet &sheet)
 {
   auto notes = sheet.notes;
@@ -238,7 +317,7 @@ std::string csv_text(const Table &table)
 {
   std::string text;
   for (std::size_t c = 0; c < table.names.size(); ++c)
-    text += (c ? "," : "") + table.names[c] + (table.units[c].empty() ? "" : " [" + table.units[c] + "]");
+    text += (c ? "," : "") + header_text(table.names[c], table.units[c]);
   text += '\n';
   const Eigen::Index n_rows = table.columns.empty() ? 0 : table.columns.front().size();
   for (Eigen::Index r = 0; r < n_rows; ++r) {

@@ -14,7 +14,7 @@ struct Table {
   const Eigen::VectorXd *column(const std::string &name) const;  ///< nullptr when absent
 };
 
-/// Text of a table: comma separated, 17 significant digits at most, '\n', header "name [unit]".
+/// Text of a table: commas, 17 digits at most, '\n', header "name [unit]" in quotes where RFC 4180 wants them.
 std::string csv_text(const Table &table);
 /// Reads a file that csv_text wrote.  @throws InputError
 Table read_table(const std::string &path);

@@ -1,18 +1,38 @@
-#include "core/errors.h"
+#include "core/error_list.h"
+#include "core/files.h"
+#include "core/visible_text.h"
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
+#include <map>
+#include <sstream>
 #include <tuple>
 
 namespace mill {
 namespace {
 constexpr std::size_t longest_line =
     160;  // characters shown of a line, so that a data file does not fill the screen
+constexpr std::size_t longest_message = 4000;  // characters; a sentence of this program has some 300
 
-std::vector<std::string> lines_of(const std::string &path)
+// The lines of the files that one list of problems is about; each is read once.
+class Sources {
+public:
+  const std::vector<std::string> &lines(const std::string &path)
+  {
+    const auto [known, is_new] = files.try_emplace(path);
+    if (is_new && !path.empty())
+      known->second = lines_of(path);
+    return known->second;
+  }
+
+private:
+  static std::vector<std::string> lines_of(const std::string &path);
+  std::map<std::string, std::vector<std::string>> files;
+};
+
+std::vector<std::string> Sources::lines_of(const std::string &path)
 {
   std::vector<std::string> lines;
-  std::ifstream file(path);
+  std::istringstream file(text_if_readable(path).value_or(""));  // what cannot be read has no lines
   for (std::string line; std::getline(file, line);) {
     if (!line.empty() && line.back() == '\r')
       line.pop_back();
@@ -26,16 +46,16 @@ std::size_t n_characters(const std::string &utf8)
   return std::size_t(std::count_if(utf8.begin(), utf8.end(), [](const char c) { return (c & 0xC0) != 0x80; }));
 }
 
-// First characters of a line, never half of a UTF-8 character.
-std::string shortened(const std::string &line)
+// First characters of a text, never half of a UTF-8 character.
+std::string cut_to(const std::string &text, const std::size_t n)
 {
-  if (n_characters(line) <= longest_line)
-    return line;
+  if (text.size() <= n || n_characters(text) <= n)
+    return text;
   std::size_t bytes = 0, characters = 0;
-  for (; bytes < line.size(); ++bytes)
-    if ((line[bytes] & 0xC0) != 0x80 && characters++ == longest_line)
+  for (; bytes < text.size(); ++bytes)
+    if ((text[bytes] & 0xC0) != 0x80 && characters++ == n)
       break;
-  return line.substr(0, bytes) + " ...";
+  return text.substr(0, bytes) + " ...";
 }
 
 // White space as wide as what stands before the column; a tab stays a tab.
@@ -69,13 +89,13 @@ std::string head(const Place &place)
   if (place.file.empty())
     return "";
   if (place.line == 0)
-    return place.file + ": ";
+    return shortened(place.file) + ": ";
   return fmt::format("{}:{}:{}: ", place.file, place.line, place.column);
 }
 
-std::string excerpt(const Place &place)
+std::string excerpt(const Place &place, Sources &sources)
 {
-  const auto lines = lines_of(place.file);
+  const auto &lines = sources.lines(place.file);
   if (place.line < 1 || place.line > int(lines.size()))
     return "";
   const std::string &line = lines[std::size_t(place.line - 1)];
@@ -90,7 +110,7 @@ std::string excerpt(const Place &place)
 }
 
 // The places of a contradiction, one line each, in the order of the file.
-std::string excerpts(std::vector<Place> places)
+std::string excerpts(std::vector<Place> places, Sources &sources)
 {
   struct Shown {
     int at;
@@ -100,7 +120,7 @@ std::string excerpts(std::vector<Place> places)
   std::vector<Shown> shown;
   std::size_t widest = 0;
   for (const Place &place : places) {
-    const auto lines = lines_of(place.file);
+    const auto &lines = sources.lines(place.file);
     if (place.line < 1 || place.line > int(lines.size())) {
       shown.push_back({0, "    ", place.file, ""});
       continue;
@@ -122,21 +142,49 @@ std::string excerpts(std::vector<Place> places)
   return text;
 }
 
+std::string rendered(const Problem &problem, const std::string &severity, Sources &sources)
+{
+  const std::string first = head(problem.place) + severity + ": " + cut_to(problem.message, longest_message);
+  if (problem.related.empty())
+    return first + excerpt(problem.place, sources);
+  std::vector<Place> places = problem.related;
+  places.push_back(problem.place);
+  return first + excerpts(std::move(places), sources);
+}
+
+// What stands below the problems that are shown of a list; nothing when all are.
+std::string rest_of(const std::vector<Problem> &problems)
+{
+  if (problems.size() <= most_problems_shown)
+    return "";
+  const auto n = problems.size() - most_problems_shown;
+  return fmt::format("and {} more error{}; mend these and check again", n, n == 1 ? "" : "s");
+}
+
 std::string joined(const std::vector<Problem> &problems)
 {
   std::string text;
-  for (const Problem &problem : problems)
-    text += (text.empty() ? "" : "\n") + head(problem.place) + "error: " + problem.message;
-  return text;
+  for (std::size_t i = 0; i < std::min(problems.size(), most_problems_shown); ++i)
+    text += (i ? "\n" : "") + head(problems[i].place) + "error: " + problems[i].message;
+  const std::string rest = rest_of(problems);
+  return rest.empty() ? text : text + "\n" + rest;
 }
 
+// In the order of the file; what a message quotes from a file stays one line of plain text.
 std::vector<Problem> sorted(std::vector<Problem> problems)
 {
+  for (Problem &problem : problems)
+    problem.message = visible(problem.message, true);
   std::stable_sort(problems.begin(), problems.end(),
                    [](const Problem &a, const Problem &b) { return a.place < b.place; });
   return problems;
 }
 }  // namespace
+
+std::string shortened(const std::string &text)
+{
+  return cut_to(text, longest_line);
+}
 
 bool operator<(const Place &a, const Place &b)
 {
@@ -160,11 +208,18 @@ SolverError::SolverError(Report r) : std::runtime_error(r.what), report(std::mov
 
 std::string render(const Problem &problem, const std::string &severity)
 {
-  const std::string first = head(problem.place) + severity + ": " + problem.message;
-  if (problem.related.empty())
-    return first + excerpt(problem.place);
-  std::vector<Place> places = problem.related;
-  places.push_back(problem.place);
-  return first + excerpts(std::move(places));
+  Sources sources;
+  return rendered(problem, severity, sources);
+}
+
+std::string render_list(const std::vector<Problem> &problems)
+{
+  Sources sources;
+  std::string text;
+  const std::size_t n_shown = std::min(problems.size(), most_problems_shown);
+  for (std::size_t i = 0; i < n_shown; ++i)
+    text += rendered(problems[i], "error", sources) + "\n";
+  const std::string rest = rest_of(problems);
+  return rest.empty() ? text : text + rest + "\n";
 }
 }  // namespace mill

@@ -1,4 +1,5 @@
 #include "core/fields.h"
+#include "core/error_list.h"
 #include "core/units.h"
 #include <algorithm>
 #include <cctype>
@@ -288,8 +289,8 @@ void refuse_unknown_keys(const Section &section, const std::vector<Row> &rows,
   for (const Node::Entry &entry : section.node->entries)
     if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
       const std::string what = entry.value.section && section.name.empty()
-                                   ? fmt::format("unknown section [{}]", entry.key)
-                                   : fmt::format("unknown key '{}' in {}", entry.key, section.header());
+                                   ? fmt::format("unknown section [{}]", shortened(entry.key))
+                                   : fmt::format("unknown key '{}' in {}", shortened(entry.key), section.header());
       reading.add(entry.key_place, what + suggestion(entry.key, known));
     }
 }

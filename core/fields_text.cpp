@@ -157,8 +157,8 @@ std::string suggestion(const std::string &word, const std::vector<std::string> &
   std::size_t fewest = word.size() / 3 + 1;  // more than a third of the letters wrong is another word
   for (const std::string &candidate : known) {
     list += (list.empty() ? "" : ", ") + candidate;
-    if (word.size() > 3 * candidate.size() + 3)
-      continue;  // cannot be near, and a very long word would make the table of distances large
+    if (std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size()) >= fewest)
+      continue;  // each letter too many is a slip; a very long word would make the table of distances large
     if (const auto slips = slips_between(word, candidate); slips < fewest) {
       fewest = slips;
       best   = candidate;

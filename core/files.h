@@ -1,14 +1,32 @@
 #pragma once
+#include <optional>
 #include <string>
 
 namespace mill {
-/// Writes beside the target and renames, so that an interrupted run leaves the old file or the new one, never
-/// half.
-/// @throws InputError when the folder cannot be written, with the path and the system's reason
+/// Writes beside the target under a name that nobody else has, and renames, so that an interrupted run leaves the
+/// old file or the new one, never half.  A target that is a link is replaced, not followed.
+/// @throws InputError when it cannot be written, with the path and the system's reason; a pipe or a device is
+/// refused
 void write_atomically(const std::string &path, const std::string &text);
 
-/// Whole file as text.  @throws InputError
+/// Whole file as text.  A pipe, a device or a socket is refused: reading it may never end.
+/// @throws InputError  not there, no regular file, or not readable to its end
 std::string read_text(const std::string &path);
+
+/// As read_text, but nothing where that would throw.
+std::optional<std::string> text_if_readable(const std::string &path);
+
+/// 16 hex digits from the system's random numbers: names what processes on several machines or in several
+/// containers write beside each other, where process numbers repeat.
+std::string random_name();
+
+/// Name for what is written aside before it takes the place of `path`, in the same folder: "path.<random>.part".
+/// Whoever creates it uses O_EXCL or a library that writes new files.
+std::string name_aside(const std::string &path, const std::string &ending = ".part");
+
+/// Puts a file or folder on the disk (fsync); a file system that cannot do so for folders is no error.
+/// @throws InputError with the path and the system's reason
+void sync_to_disk(const std::string &path);
 
 /// 64-bit FNV-1a as 16 hex digits: names caches and notices changes, not for security.
 std::string hash_of(const std::string &bytes);

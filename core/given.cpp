@@ -92,6 +92,24 @@ std::optional<GivenValue> read_one(const Row &row, const Section &given, Reading
   return result;
 }
 
+// K1_tolerance beside K1; a value that keeps an error estimate of its own has no room for another.
+std::map<std::string, double> given_tolerances(const std::vector<Row> &rows, const Section &given,
+                                               Reading &reading)
+{
+  std::string echo;
+  std::swap(echo, reading.echo);  // resolved.toml says it as the error estimate of the value
+  const auto tolerance = read_tolerances(rows, given, reading);
+  std::swap(echo, reading.echo);
+  for (const auto &entry : tolerance) {
+    const std::string &key = entry.first;
+    const std::string own  = given.key(tolerance_key(key));
+    if (!given.node->find(key))
+      reading.add(reading.place(own), fmt::format("{} belongs to {}, which is not given; give both or neither",
+                                                  reading.said(own), given.key(key)));
+  }
+  return tolerance;
+}
+
 // One sentence for all that a lumped case lacks.
 void report_missing(const Section &given, const std::vector<Row> &rows, Reading &reading)
 {
@@ -151,10 +169,25 @@ GivenValues read_given(const Node &root, const std::string &name, const std::str
   const Section given = section_at(root, name, reading);
   const auto &rows    = given_rows(kind, name == "published");
   report_missing(given, rows, reading);
-  refuse_unknown_keys(given, rows, {}, reading);
+  const bool replaces = name == "given";  // what only stands beside a result needs no error of its own
+  std::vector<std::string> others;
+  if (replaces)
+    for (const Row &row : tolerance_rows(rows))
+      others.push_back(row.key);
+  refuse_unknown_keys(given, rows, others, reading);
+  const auto tolerance = replaces ? given_tolerances(rows, given, reading) : std::map<std::string, double>();
   reading.echo += "\n[" + name + "]\n";
   for (const Row &row : rows)
-    if (const auto value = read_one(row, given, reading)) {
+    if (auto value = read_one(row, given, reading)) {
+      if (const auto found = tolerance.find(row.key); found != tolerance.end()) {
+        const std::string error = given.key(row.key) + ".error_estimate";
+        if (!std::isnan(value->parameter.error_estimate))
+          contradict(reading, given.key(tolerance_key(row.key)), "says again, or otherwise, what stands there",
+                     {error});
+        value->parameter.error_estimate = found->second;
+      }
+      if (replaces && std::isnan(value->parameter.error_estimate))
+        value->parameter.error_lacks = {given.key(tolerance_key(row.key))};
       values[row.key] = *value;
       reading.echo += row.key + " = " + given_toml(row, value->parameter) + "\n";
     }

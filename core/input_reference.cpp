@@ -104,7 +104,8 @@ std::string template_section(const Filled &filled)
   std::string text =
       filled.header.empty() ? "" : fmt::format("\n{}  # {}\n", filled.header, filled.section->meaning);
   for (const Row &row : filled.section->rows)
-    text += template_line(row, filled);
+    if (!is_tolerance(row.key))  // optional, and as many as there are values
+      text += template_line(row, filled);
   if (filled.off)
     for (std::size_t at = 1; at < text.size(); at = text.find('\n', at) + 1)
       if (text.compare(at, 2, "# ") != 0)
@@ -240,6 +241,9 @@ std::string input_reference()
       text += section_reference(section);
   }
   return text +
+         "\nA key `..._tolerance` of `[frame]` or `[given]` becomes the error estimate of its value and of what "
+         "follows\n"
+         "from it; without it such results state no error and say which key they lack.\n"
          "\nA value of `[given]` or `[published]` is a quantity or a table that keeps where it comes from:\n"
          "`K3 = { value = \"4.02e10 N/m\", source = \"computed: contact FEM\", at = \"976.2 kN\", "
          "error_estimate = 0.01,\n"

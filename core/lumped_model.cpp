@@ -1,7 +1,6 @@
 #include "core/lumped_model.h"
 #include "core/given.h"
 #include "core/stand.h"
-#include <cassert>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -59,11 +58,13 @@ const DynamicsSettings &dynamics_of(const Case &c)
 // Parameter by the name it has in [given].
 const Parameter &entry(const LumpedModel &model, const std::string &name)
 {
-  const auto index = std::size_t(name.back() - '1');
   if (name == "C")
     return model.C;
-  if (name.size() > 2)
-    return model.Kzc[index];
+  if (name.compare(0, 3, "Kzc") == 0) {
+    const auto index = std::size_t(name[3] - '1');
+    return name.size() > 4 ? model.Kzc_across[index] : model.Kzc[index];
+  }
+  const auto index = std::size_t(name.back() - '1');
   return name[0] == 'M' ? model.M[index] : model.K[index];
 }
 }  // namespace
@@ -80,8 +81,10 @@ LumpedModel lumped_model_of(const Case &lumped_case)
     take("M" + std::to_string(i + 1), model.M[i]);
   for (std::size_t i = 0; i < model.K.size(); ++i)
     take("K" + std::to_string(i + 1), model.K[i]);
-  for (std::size_t i = 0; i < model.Kzc.size(); ++i)
+  for (std::size_t i = 0; i < model.Kzc.size(); ++i) {
     take("Kzc" + std::to_string(i + 1), model.Kzc[i]);
+    take("Kzc" + std::to_string(i + 1) + "_across", model.Kzc_across[i]);
+  }
   model.C.value  = 0;
   model.C.unit   = "N s/m";
   model.C.source = Source::assumed;

@@ -29,6 +29,9 @@ struct Parameter {
   std::string method;  ///< "contact FEM", "series springs"; empty when given
   std::string at;      ///< load or state it belongs to, with unit: "976.2 kN"; empty when it has none
   double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< relative; NaN: none can be stated
+  /// Why none can be stated: keys of the case file, or results, whose own error is not known.  Empty beside a
+  /// number.
+  std::vector<std::string> error_lacks;
   std::vector<std::string> inputs;  ///< keys of the case file it was made from, "work_roll.barrel_diameter"
   std::vector<Check> checks;
 };

@@ -1,6 +1,6 @@
 #include "core/results.h"
-#include <cassert>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 namespace mill {
 namespace {
@@ -15,7 +15,9 @@ ordered_json json_of(const Parameter &parameter)
       {"at",     parameter.at          }
   };
   json["error_estimate"] = parameter.error_estimate;  // NaN, none can be stated, becomes null
-  json["inputs"]         = parameter.inputs;
+  if (!parameter.error_lacks.empty())
+    json["error_lacks"] = parameter.error_lacks;  // why there is none
+  json["inputs"] = parameter.inputs;
   if (!parameter.checks.empty()) {
     json["checks"] = ordered_json::array();
     for (const Check &check : parameter.checks)
@@ -31,7 +33,8 @@ ordered_json json_of(const Parameter &parameter)
 
 void Results::add(const std::string &name, Parameter parameter)
 {
-  assert(!find(name) && "a result is added once");
+  if (find(name))
+    throw std::logic_error("the result " + name + " is made twice");
   values.emplace_back(name, std::move(parameter));
 }
 
@@ -43,13 +46,16 @@ const Parameter *Results::find(const std::string &name) const
   return nullptr;
 }
 
-std::string results_json(const Results &results, const std::string &case_name, const std::string &status)
+std::string results_json(const Results &results, const std::string &case_name, const std::string &status,
+                         const std::string &run_id)
 {
   ordered_json json{
       {"schema", 1        },
       {"case",   case_name},
       {"status", status   }
   };
+  if (!run_id.empty())
+    json["run_id"] = run_id;
   json["values"] = ordered_json::object();
   for (const auto &[name, parameter] : results.values)
     json["values"][name] = json_of(parameter);

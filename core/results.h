@@ -16,5 +16,7 @@ struct Results {
 };
 
 /// results.json, schema 1: 17 digits, UTF-8, '\n'; NaN is written as null.
-std::string results_json(const Results &results, const std::string &case_name, const std::string &status);
+/// @param run_id  which run the file is of (core/run_identity.h); empty: left out
+std::string results_json(const Results &results, const std::string &case_name, const std::string &status,
+                         const std::string &run_id = "");
 }  // namespace mill

@@ -1,5 +1,6 @@
 #include "core/sparse.h"
 #include "core/errors.h"
+#include "core/memory.h"
 #include <algorithm>
 #include <cholmod.h>
 #include <dlfcn.h>
@@ -14,6 +15,19 @@ void dpotri_(const char *uplo, const int *n, double *a, const int *lda, int *inf
 
 namespace mill {
 namespace {
+// `available`: what the caller leaves for it; 0: everything.
+SolverError no_memory(const std::string &what, const double needed, const double available = 0)
+{
+  const MemoryLeft left = memory_left();
+  return SolverError({"out of memory: " + what + (needed > 0 ? " needs " + megabytes(needed) : ""),
+                      (available > 0 ? megabytes(available) + " may be taken for it: " : "") +
+                          megabytes(left.bytes) + " are left, the end is set by " + left.end,
+                      "a finer mesh than this machine or this limit can hold",
+                      "a coarser mesh (contact.*.elements_per_half_width, dynamics.elements_per_radius), fewer "
+                      "threads (--threads), or a higher limit",
+                      ""});
+}
+
 // Node graph of the unknowns that are not retained, and METIS' order of it.
 std::vector<int> nested_dissection(const SymmetricSparse &K, const std::vector<int> &node_of,
                                    const std::vector<char> &is_retained)
@@ -49,8 +63,13 @@ std::vector<int> nested_dissection(const SymmetricSparse &K, const std::vector<i
   idx_t options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(options);
   options[METIS_OPTION_SEED] = 1;  // results must not depend on the clock
-  if (n > 0)
-    METIS_NodeND(&n, start.data(), adjacent.data(), nullptr, options, order.data(), inverse.data());
+  const int status =
+      n > 0 ? METIS_NodeND(&n, start.data(), adjacent.data(), nullptr, options, order.data(), inverse.data())
+            : METIS_OK;
+  if (status == METIS_ERROR_MEMORY)
+    throw no_memory("ordering a matrix of " + std::to_string(K.rows()) + " unknowns", 0);
+  if (status != METIS_OK)
+    throw std::logic_error("METIS refuses the graph of a stiffness matrix");
   std::vector<int> nodes(n);
   for (idx_t i = 0; i < n; ++i)
     nodes[i] = node_of_vertex[order[i]];
@@ -116,22 +135,28 @@ CondensingFactor::CondensingFactor(const SymmetricSparse &K, const std::vector<i
   A.itype         = CHOLMOD_LONG;
   A.xtype         = CHOLMOD_REAL;
   A.dtype         = CHOLMOD_DOUBLE;
-  A.sorted = A.packed = 1;
-  self->L             = cholmod_l_analyze_p(&A, order.data(), nullptr, 0, &self->common);
-  self->cost          = {self->common.lnz, self->common.fl, 8. * double(self->L->xsize)};
-  if (available > 0 && self->cost.bytes > available)
-    throw SolverError(
-        {"the factor of " + std::to_string(n) + " unknowns needs " + std::to_string(int(self->cost.bytes / 1e6)) +
-             " MB, " + std::to_string(int(available / 1e6)) + " MB are available",
-         "", "a finer mesh than this machine can hold", "lower contact.*.elements_per_half_width", ""});
+  A.sorted = A.packed      = 1;
+  const std::string matrix = "a stiffness matrix of " + std::to_string(n) + " unknowns";
+  self->L                  = cholmod_l_analyze_p(&A, order.data(), nullptr, 0, &self->common);
+  if (!self->L)
+    throw no_memory("analysing " + matrix, 0);
+  self->cost = {self->common.lnz, self->common.fl, 8. * double(self->L->xsize)};
+  // While it factorises, CHOLMOD holds a permuted copy of the matrix and the update of one front; of the Schur
+  // complement there are the factor, the inverse and what the caller makes of it.
+  const double copies = 16. * double(K.nonZeros()) + 8. * double(self->L->maxcsize);
+  const double needed = self->cost.bytes + copies + 3 * 8. * double(m) * double(m);
+  if (needed > (available > 0 ? available : memory_left().bytes))
+    throw no_memory("the factor of " + matrix + " with what is made of it", needed, available);
   // Postordering may renumber columns; the retained unknowns must still be the last, in their order.
   const auto *perm = static_cast<const SuiteSparse_long *>(self->L->Perm);
   for (int i = 0; i < m; ++i)
     if (perm[n - m + i] != retained[i])
       throw std::logic_error("retained unknowns are not last in the factor");
   cholmod_l_factorize(&A, self->L, &self->common);
+  if (self->common.status == CHOLMOD_OUT_OF_MEMORY)
+    throw no_memory("the factor of " + matrix, needed);
   if (self->common.status != CHOLMOD_OK || self->L->minor < std::size_t(n))
-    throw SolverError({"a stiffness matrix of " + std::to_string(n) + " unknowns is not positive definite",
+    throw SolverError({matrix + " is not positive definite",
                        "the factorisation stopped at unknown " + std::to_string(self->L->minor),
                        "a body that is not held, or an inverted element", "check the supports and the geometry",
                        ""});
@@ -167,13 +192,15 @@ Eigen::MatrixXd CondensingFactor::schur_factor() const
 Eigen::MatrixXd CondensingFactor::solve(const Eigen::MatrixXd &B) const
 {
   cholmod_dense b{};
-  b.nrow = b.d      = B.rows();
-  b.ncol            = B.cols();
-  b.nzmax           = B.size();
-  b.x               = const_cast<double *>(B.data());
-  b.xtype           = CHOLMOD_REAL;
-  b.dtype           = CHOLMOD_DOUBLE;
-  cholmod_dense *x  = cholmod_l_solve(CHOLMOD_A, self->L, &b, &self->common);
+  b.nrow = b.d     = B.rows();
+  b.ncol           = B.cols();
+  b.nzmax          = B.size();
+  b.x              = const_cast<double *>(B.data());
+  b.xtype          = CHOLMOD_REAL;
+  b.dtype          = CHOLMOD_DOUBLE;
+  cholmod_dense *x = cholmod_l_solve(CHOLMOD_A, self->L, &b, &self->common);
+  if (!x)
+    throw no_memory("solving for " + std::to_string(B.cols()) + " loads", 16. * double(B.size()));
   Eigen::MatrixXd X = Eigen::Map<Eigen::MatrixXd>(static_cast<double *>(x->x), B.rows(), B.cols());
   cholmod_l_free_dense(&x, &self->common);
   return X;

@@ -25,8 +25,8 @@ public:
   /// @param node_of   (n) node each unknown belongs to; METIS orders the graph of nodes, which is three times
   /// smaller
   /// @param retained  (m) unknowns to keep, in the order wanted in schur_factor(); may be empty
-  /// @param available bytes the factor may take; 0: do not check
-  /// @throws SolverError  predicted memory above `available` (before factorising), or K not positive definite
+  /// @param available bytes that may be taken; 0: what the process has left (core/memory.h)
+  /// @throws SolverError  factor, Schur complement and its inverse need more (known before), or K is not definite
   CondensingFactor(const SymmetricSparse &K, const std::vector<int> &node_of, const std::vector<int> &retained,
                    double available = 0);
   ~CondensingFactor();

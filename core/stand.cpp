@@ -1,6 +1,6 @@
+#include "core/require.h"
 #include "core/stand_reader.h"
 #include <algorithm>
-#include <cassert>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -78,7 +78,7 @@ const RollerBearing &bearing_of(const std::vector<RollerBearing> &bearings, cons
 {
   const auto found = std::find_if(bearings.begin(), bearings.end(),
                                   [&](const RollerBearing &bearing) { return bearing.name == name; });
-  assert(found != bearings.end() && "the reader has checked that every bearing that is named exists");
+  require(found != bearings.end(), "there is no bearing " + name);  // the reader has checked every name
   return *found;
 }
 

@@ -32,10 +32,12 @@ struct Roll {
   double end_chamfer_depth            = 0;                 ///< m, on the radius
   double axial_shift                  = 0;                 ///< m, upper work roll towards z > 0
   std::array<double, 2> bending_force = {0, 0};  ///< N, chocks at z > 0 and z < 0, towards the backup roll
-  std::string bearing;                           ///< name of a [bearing.*]
-  double bearing_mass     = 0;                   ///< kg, per side
-  double chock_mass_upper = 0;                   ///< kg, per side, in the upper half of the stand
-  double chock_mass_lower = 0;                   ///< kg, per side, in the lower half
+  std::string bending_model = "solid";  ///< solid | beam, of the backup roll: where the chain's K_ZW and shapes
+                                        ///< come from
+  std::string bearing;          ///< name of a [bearing.*]
+  double bearing_mass     = 0;  ///< kg, per side
+  double chock_mass_upper = 0;  ///< kg, per side, in the upper half of the stand
+  double chock_mass_lower = 0;  ///< kg, per side, in the lower half
   double bearing_load =
       not_given;  ///< N, radial load of one bearing; absent: F/2 (backup), F/20 assumed (work roll)
 };
@@ -52,7 +54,8 @@ struct Frame {
   double lower_post_stiffness = 0, lower_beam_stiffness = 0, lower_packing_stiffness = 0;       ///< N/m
   double load_cell_stiffness = not_given;  ///< N/m, absent: rigid
   double chock_to_housing_stiffness =
-      not_given;  ///< N/m, Kx of each work roll, both sides together; absent: rigid
+      not_given;                            ///< N/m, Kx of each work roll, both sides together; absent: rigid
+  std::map<std::string, double> tolerance;  ///< -, relative, of the members above by their keys, as far as given
 };
 
 /// Mill housing of one side, a closed window frame of one thickness; the other side is the same.  x along the pass
@@ -160,7 +163,8 @@ struct DynamicsSettings {
   Place force_meaning_place;
 };
 
-/// Values that replace computed ones, by name: M1..M6, K1..K7, Kzc1..Kzc4, C, K_Zy, K_ZW.
+/// Values that replace computed ones, by name: M1..M6, K1..K7, Kzc1..Kzc4, Kzc1_across..Kzc4_across, C, K_Zy,
+/// K_ZW. A tolerance given beside a value is its error estimate.
 struct GivenValue {
   Parameter parameter;
   Place place;

@@ -72,8 +72,12 @@ void check_roll(const std::string &name, const Roll &roll, Reading &reading)
 void check_file(const std::string &key, const std::string &file, Reading &reading)
 {
   std::error_code ignored;
-  if (!file.empty() && !std::filesystem::is_regular_file(file, ignored))
-    reading.add(reading.place(key), fmt::format("{}: there is no file {}", reading.said(key), file));
+  if (file.empty() || std::filesystem::is_regular_file(file, ignored))
+    return;
+  reading.add(reading.place(key),
+              fmt::format(std::filesystem::exists(file, ignored) ? "{}: {} is no regular file; name one"
+                                                                 : "{}: there is no file {}",
+                          reading.said(key), file));
 }
 }  // namespace
 

@@ -1,4 +1,5 @@
 #include "core/stand_reader.h"
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace mill {
@@ -41,13 +42,18 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   read_and_echo(steel, steel.header(), steel_rows(), stand.steel, reading);
   stand.work_roll   = read_work_roll(root, reading);
   stand.backup_roll = read_backup_roll(root, reading);
-  stand.bearings    = read_bearings(root, reading);
+  stand.bearings    = read_bearings(root, stand.backup_roll.bearing, reading);
   stand.housing     = read_housing(root, stand.steel, reading);
   stand.screwdown   = read_screwdown(root, reading);
   const bool drawn  = section_at(root, "housing", reading).node != nullptr;
-  stand.frame       = read_frame(root, frame_keys_behind(drawn, stand.screwdown), reading);
-  stand.strip       = read_strip(root, reading);
-  stand.passes      = read_passes(root, pass_rows(), reading);
+  const auto backup = std::find_if(stand.bearings.begin(), stand.bearings.end(),
+                                   [&](const RollerBearing &b) { return b.name == stand.backup_roll.bearing; });
+  const bool known  = backup != stand.bearings.end();
+  stand.frame = read_frame(root, frame_keys_behind(drawn, stand.screwdown, known ? &*backup : nullptr), reading);
+  if (known)
+    drop_counted_chocks(stand.frame, *backup, reading);
+  stand.strip  = read_strip(root, reading);
+  stand.passes = read_passes(root, pass_rows(), reading);
   check_passes(stand.passes, reading);
   if (const Section contact = section_at(root, "contact", reading); contact.node)
     refuse_unknown_keys(contact, {}, {"upper", "lower"}, reading);

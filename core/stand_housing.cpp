@@ -83,6 +83,15 @@ const std::vector<std::string> behind_housing{
     "upper_post_mass",      "upper_beam_mass",      "lower_post_mass",      "lower_beam_mass",
     "upper_post_stiffness", "upper_beam_stiffness", "lower_post_stiffness", "lower_beam_stiffness"};
 
+struct ChockSpring {
+  const char *key;
+  double Frame::*stiffness;
+};
+constexpr std::array<ChockSpring, 2> chock_springs{
+    {{"upper_chock_stiffness", &Frame::upper_chock_stiffness},
+     {"lower_chock_stiffness", &Frame::lower_chock_stiffness}}
+};
+
 void check_housing(const MillHousing &h, Reading &reading)
 {
   const auto key = [](const char *name) { return std::string("housing.") + name; };
@@ -191,7 +200,8 @@ const std::vector<std::string> &drawable_frame_keys()
   return keys;
 }
 
-std::vector<std::string> frame_keys_behind(const bool housing, const Screwdown &screwdown)
+std::vector<std::string> frame_keys_behind(const bool housing, const Screwdown &screwdown,
+                                           const RollerBearing *backup_bearing)
 {
   std::vector<std::string> keys;
   if (housing)
@@ -203,7 +213,26 @@ std::vector<std::string> frame_keys_behind(const bool housing, const Screwdown &
     keys.push_back("piston_stiffness");
   if (!std::isnan(screwdown.load_cell_height))
     keys.push_back("load_cell_stiffness");
+  if (backup_bearing && counts_its_chock(*backup_bearing))
+    for (const ChockSpring &chock : chock_springs)
+      keys.push_back(chock.key);
   return keys;
+}
+
+void drop_counted_chocks(Frame &frame, RollerBearing &bearing, const Reading &reading)
+{
+  if (!counts_its_chock(bearing))
+    return;
+  for (const ChockSpring &chock : chock_springs) {
+    const std::string key = std::string("frame.") + chock.key;
+    if (reading.places.count(key) && reading.usable({key}))
+      bearing.filled.push_back(fmt::format(
+          "{} is left out of the chain: bearing.{} gives way with its chock (rings = \"elastic\", chock = "
+          "\"{}\"), "
+          "which the stiffness of the bearing counts already; chock = \"rigid\" leaves the chock to [frame]",
+          reading.said(key), bearing.name, bearing.chock));
+    frame.*chock.stiffness = INFINITY;
+  }
 }
 
 Frame read_frame(const Node &root, const std::vector<std::string> &needless, Reading &reading)
@@ -216,7 +245,16 @@ Frame read_frame(const Node &root, const std::vector<std::string> &needless, Rea
       set_member(row, Value(not_given), frame);
     }
   const Section section = section_at(root, "frame", reading);
-  read_and_echo(section, section.header(), rows, frame, reading);
+  std::vector<std::string> tolerances;
+  for (const Row &row : tolerance_rows(rows_of(rows)))
+    tolerances.push_back(row.key);
+  read_and_echo(section, section.header(), rows, frame, reading, tolerances);
+  frame.tolerance = read_tolerances(rows_of(rows), section, reading);
+  for (const Field<Frame> &row : rows)
+    if (frame.tolerance.count(row.key) && std::isnan(std::get<double>(member_value(row, frame))) &&
+        std::find(needless.begin(), needless.end(), row.key) == needless.end())
+      contradict(reading, "frame." + tolerance_key(row.key),
+                 std::string("belongs to frame.") + row.key + ", which is not given; give both or neither", {});
   return frame;
 }
 }  // namespace mill

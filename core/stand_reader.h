@@ -15,7 +15,14 @@ BiteSetup read_bite_setup(const Node &root, Reading &reading);
 MillHousing read_housing(const Node &root, const Material &steel, Reading &reading);
 Screwdown read_screwdown(const Node &root, Reading &reading);
 /// Keys of [frame] that need not be given beside them.
-std::vector<std::string> frame_keys_behind(bool housing, const Screwdown &screwdown);
+/// @param backup_bearing  null: unknown
+std::vector<std::string> frame_keys_behind(bool housing, const Screwdown &screwdown,
+                                           const RollerBearing *backup_bearing);
+/// The chocks of [frame] beside a backup bearing that counts its own chock: not counted again, and said.
+void drop_counted_chocks(Frame &frame, RollerBearing &backup_bearing, const Reading &reading);
+/// Values of tolerance_rows(), by the keys of the quantities they belong to; appended to the echo.
+std::map<std::string, double> read_tolerances(const std::vector<Row> &rows, const Section &section,
+                                              Reading &reading);
 /// [frame]; what is needless and not given is NaN.
 Frame read_frame(const Node &root, const std::vector<std::string> &needless, Reading &reading);
 DynamicsSettings read_dynamics(const Node &root, const std::vector<Field<DynamicsSettings>> &rows,
@@ -33,10 +40,12 @@ ChatterCase read_chatter(const Node &root, Reading &reading);
 StandSpan read_stand_span(const Node &root, Reading &reading);
 ChatterAnalysis read_chatter_analysis(const Node &root, Reading &reading);
 /// All [bearing.*], completed and checked.
-std::vector<RollerBearing> read_bearings(const Node &root, Reading &reading);
+/// @param on_backup_roll  name of the one that carries the backup rolls
+std::vector<RollerBearing> read_bearings(const Node &root, const std::string &on_backup_roll, Reading &reading);
 /// Fills in what follows from the rest of a bearing: a member left out of the apex condition, the law and rings
 /// that its drawing allows, sizes of the chock.  Each is noted in `filled`.
-void complete_bearing(RollerBearing &bearing, const Reading &reading);
+/// @param of_backup_roll  its chock is not carried on two feet
+void complete_bearing(RollerBearing &bearing, bool of_backup_roll, const Reading &reading);
 
 /// Two keys that cannot both be right: the problem stands at the first, the others are shown with it.
 void contradict(Reading &reading, const std::string &key, const std::string &why,

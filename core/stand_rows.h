@@ -19,7 +19,7 @@ struct PassInput : Pass {
 
 /// [model] of kind = "bearing": what of the loaded bearing's model it says again.
 struct BearingModelInput {
-  std::string roller_law, rings, tilt_lever;
+  std::string roller_law, rings;
   int slices = 0;
 };
 
@@ -83,6 +83,11 @@ const std::vector<std::string> &drawable_frame_keys();
 /// Rows of [given]; they share a reader of their own because a value may carry its source.
 /// @param published  of [published], which may hold more than what could replace a computed value
 const std::vector<Row> &given_rows(const std::string &kind, bool published = false);
+
+/// How far a value may be off, given beside it: one row KEY_tolerance for every quantity of `rows`.
+std::vector<Row> tolerance_rows(const std::vector<Row> &rows);
+bool is_tolerance(const std::string &key);
+std::string tolerance_key(const std::string &key);  ///< "K1_tolerance" of "K1"
 
 /// One section of a kind of case, as schema, template and reference need it.
 struct SectionRows {

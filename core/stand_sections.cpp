@@ -78,7 +78,18 @@ std::vector<Row> made_given_rows(const bool lumped)
         {0.001, 1e9},
         absent,
         "2.01e4 kN/mm",
-        std::string("radial stiffness of one bearing, ") + bearing_text[i]
+        std::string("radial stiffness of one bearing along its load, ") + bearing_text[i]
+    });
+  for (int i = 0; i < 4; ++i)
+    rows.push_back({
+        "Kzc" + number(i) + "_across",
+        Kind::quantity,
+        "kN/mm",
+        {0.001, 1e9},
+        absent,
+        "2.01e4 kN/mm",
+        std::string("the same across its load, for the horizontal motion; when absent that along the load, ") +
+            bearing_text[i]
     });
   rows.push_back({
       "C", Kind::quantity, "N s/m", {0, 1e12},
@@ -106,6 +117,14 @@ std::vector<Row> made_given_rows(const bool lumped)
   }
   return rows;
 }
+
+std::vector<Row> with_tolerances(std::vector<Row> rows)
+{
+  const auto tolerances = tolerance_rows(rows);
+  rows.insert(rows.end(), tolerances.begin(), tolerances.end());
+  return rows;
+}
+
 std::vector<SectionRows> chatter_sections(const SectionRows &head)
 {
   using Repeat = SectionRows::Repeat;
@@ -173,8 +192,10 @@ std::vector<SectionRows> sections_of(const std::string &kind)
                              "friction between roll and strip, where it is no number", rows_of(friction_rows())};
   const SectionRows bite{"bite", Repeat::once, false, "how the roll bite is computed", rows_of(bite_rows())};
   const SectionRows given{"given", Repeat::once, kind == "lumped",
-                          "values that replace computed ones, each a quantity or { value, source, ... }",
-                          given_rows(kind)};
+                          "values that replace computed ones, each a quantity or { value, source, ... }; "
+                          "KEY_tolerance beside one says "
+                          "how far it may be off",
+                          with_tolerances(given_rows(kind))};
   if (kind == "two-cylinders")
     return {
         head,
@@ -214,31 +235,33 @@ std::vector<SectionRows> sections_of(const std::string &kind)
   return {
       head,
       steel,
-      {"work_roll",     Repeat::once,  true,  "both work rolls",                                   rows_of(work_roll_rows())       },
-      {"backup_roll",   Repeat::once,  true,  "both backup rolls",                                 rows_of(backup_roll_rows())     },
-      {"bearing",       Repeat::named, true,  "a roller bearing, named by the rolls",              rows_of(bearing_rows())         },
+      {"work_roll",     Repeat::once,  true,  "both work rolls",                                   rows_of(work_roll_rows())             },
+      {"backup_roll",   Repeat::once,  true,  "both backup rolls",                                 rows_of(backup_roll_rows())           },
+      {"bearing",       Repeat::named, true,  "a roller bearing, named by the rolls",              rows_of(bearing_rows())               },
       {"frame",         Repeat::once,  true,
         "masses already reduced to the moving point; stiffnesses of the whole stand, both sides together; what a "
-       "drawing in [housing] or [screwdown] replaces may be left out",                              rows_of(frame_rows())           },
+       "drawing in [housing] or [screwdown] replaces may be left out, and KEY_tolerance beside a value says how "
+       "far it "
+       "may be off",                                                                                with_tolerances(rows_of(frame_rows()))},
       {"housing",       Repeat::once,  false,
         "mill housing of each side as drawn, a closed window frame; replaces masses and stiffnesses of posts and "
-       "beams",                                                                                     rows_of(housing_rows())         },
+       "beams",                                                                                     rows_of(housing_rows())               },
       {"screwdown",     Repeat::once,  false,
-        "screw-down of each side as drawn; each part replaces a stiffness of the frame",            rows_of(screwdown_rows())       },
+        "screw-down of each side as drawn; each part replaces a stiffness of the frame",            rows_of(screwdown_rows())             },
       strip,
       flow_stress,
       friction,
       pass,
-      {"contact.upper", Repeat::once,  false, "contact of the upper rolls, K3",                    rows_of(roll_contact_rows())    },
-      {"contact.lower", Repeat::once,  false, "contact of the lower rolls, K5",                    rows_of(roll_contact_rows())    },
+      {"contact.upper", Repeat::once,  false, "contact of the upper rolls, K3",                    rows_of(roll_contact_rows())          },
+      {"contact.lower", Repeat::once,  false, "contact of the lower rolls, K5",                    rows_of(roll_contact_rows())          },
       bite,
       dynamics,
       {"stand",         Repeat::once,  false, "the strip around the stand, for millstand chatter",
-        rows_of(stand_span_rows())                                                                                                  },
-      {"analysis",      Repeat::once,  false, "how chatter is searched",                           rows_of(chatter_analysis_rows())},
+        rows_of(stand_span_rows())                                                                                                        },
+      {"analysis",      Repeat::once,  false, "how chatter is searched",                           rows_of(chatter_analysis_rows())      },
       given,
       {"published",     Repeat::once,  false,
-        "published or measured values to stand beside the computed ones; nothing is replaced",      published_rows                  }
+        "published or measured values to stand beside the computed ones; nothing is replaced",      published_rows                        }
   };
 }
 }  // namespace mill

@@ -1,6 +1,7 @@
 #include "core/stand_reader.h"
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 
 namespace mill {
 namespace {
@@ -105,16 +106,22 @@ void check_names_a_file(const std::string &key, const std::string &name, Reading
 
 void check_pass_names(const std::vector<Pass> &passes, Reading &reading)
 {
+  std::map<std::string, std::size_t> first;  // pass that has a name
   for (std::size_t i = 0; i < passes.size(); ++i) {
     const auto key          = [](const std::size_t k) { return fmt::format("pass.{}.name", k); };
     const std::string &name = passes[i].name;
     if (!reading.usable({key(i)}))
       continue;
     check_names_a_file(key(i), name, reading);
-    for (std::size_t j = 0; j < i; ++j)
-      if (passes[j].name == name)
-        contradict(reading, key(i), "is the name of an earlier pass as well", {key(j)});
+    if (const auto [earlier, is_new] = first.emplace(name, i); !is_new)
+      contradict(reading, key(i), "is the name of an earlier pass as well", {key(earlier->second)});
   }
+  for (const auto &[name, i] : first)  // results of "a.fe" and of the model fe of "a" would have one name
+    for (auto dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1))
+      if (const auto other = first.find(name.substr(0, dot)); other != first.end())
+        contradict(reading, fmt::format("pass.{}.name", i),
+                   "continues the name of another pass after a dot, which parts the names of results; take a dash",
+                   {fmt::format("pass.{}.name", other->second)});
 }
 
 void check_passes_in_bite(const std::vector<Pass> &passes, const Strip &strip, Reading &reading)

@@ -12,7 +12,11 @@ const std::vector<Field<StripInput>> &strip_rows()
   static const std::vector<Field<T>> rows{
       {"width",             &T::width,           "mm",  {10, 6000},    required, "1000 mm", "width of the strip"},
       {"entry_thickness",   &T::entry_thickness, "mm",  {0.01, 1000},  required, "8 mm",    "before the bite"   },
-      {"exit_thickness",    &T::exit_thickness,  "mm",  {0.005, 1000}, required, "5 mm",    "behind the bite"   },
+      {"exit_thickness",
+       &T::exit_thickness,
+       "mm",                                            {0.005, 1000},
+       required,                                                                 "5 mm",
+       "behind the bite; with bite.arc = \"elastic\" the smallest thickness under load"                         },
       {"entry_tension",     &T::entry_tension,   "MPa", {0, 2000},     0,        "0 MPa",   "back tension"      },
       {"exit_tension",      &T::exit_tension,    "MPa", {0, 2000},     0,        "0 MPa",   "front tension"     },
       {"initial_thickness",

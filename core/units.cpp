@@ -1,8 +1,8 @@
 #include "core/units.h"
-#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <system_error>
 
 namespace mill {
@@ -193,7 +193,8 @@ const Unit *find_unit(const std::string_view spelling)
 const Unit &unit(const std::string_view symbol)
 {
   const Unit *found = find_unit(symbol);
-  assert(found && "a unit named in a table of this program must be in the list");
+  if (!found)
+    throw std::logic_error("there is no unit " + std::string(symbol));  // a table of this program names it
   return *found;
 }
 

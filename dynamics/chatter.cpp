@@ -1,9 +1,9 @@
 #include "dynamics/chatter.h"
 #include "bite/bland_ford.h"
 #include "core/errors.h"
+#include "core/require.h"
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace mill::dynamics {
@@ -30,7 +30,7 @@ Eigen::MatrixXd chatter_matrix(const ChatterStandModel &stand, const bite::Linea
 {
   const StandStructure &s = stand.structure;
   const Eigen::Index n    = s.n();
-  assert(stand.entry_distance > 0 && stand.exit_distance > 0);
+  require(stand.entry_distance > 0 && stand.exit_distance > 0, "the strip of a stand has no length");
   const auto &[P, Q, F, mu, xn] = by;
   const double entry            = stand.strip_modulus / stand.entry_distance,
                exit             = stand.strip_modulus / stand.exit_distance;

@@ -1,11 +1,11 @@
 #include "dynamics/chatter_history.h"
 #include "core/errors.h"
+#include "core/require.h"
 #include "dynamics/matrix_exponential.h"
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <complex>
 #include <fmt/format.h>
@@ -60,7 +60,7 @@ ChatterHistory linear_history(const ChatterStandModel &stand, const bite::Linear
 {
   const StandStructure &s = stand.structure;
   const Eigen::Index n    = s.n();
-  assert(start.size() == 2 * n + 2);
+  require(start.size() == 2 * n + 2, "the initial state does not belong to this stand");
   if (!(duration > 0) || !(rate > 0) || !std::isfinite(duration * rate))
     throw InputError(
         fmt::format("a history needs a duration and a rate above zero, not {} s and {} Hz", duration, rate));

@@ -1,7 +1,6 @@
 #include "dynamics/chatter_speed.h"
 #include "core/errors.h"
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>

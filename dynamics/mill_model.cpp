@@ -1,8 +1,8 @@
 #include "dynamics/mill_model.h"
 #include "core/errors.h"
+#include "core/require.h"
 #include "dynamics/modes.h"
 #include <Eigen/Cholesky>
-#include <cassert>
 #include <cmath>
 
 namespace mill::dynamics {
@@ -68,9 +68,9 @@ MillModel mill_model(const LumpedModel &lumped, const DynamicsSettings &settings
   model.M.resize(6);
   for (int i = 0; i < 6; ++i)
     model.M[i] = lumped.M[std::size_t(i)].value;
-  assert((model.M.array() > 0).all());
+  require((model.M.array() > 0).all(), "a mass of the chain is not above zero");
   model.K = assemble(6, model.springs);  // (6.2)
-  assert(model.K.allFinite());
+  require(model.K.allFinite(), "a spring of the chain is not a finite number");
   model.b                  = Eigen::VectorXd::Zero(6);
   model.b[upper_work_roll] = 1;
   model.b[lower_work_roll] = -1;
@@ -114,8 +114,11 @@ void add_roll(const HorizontalRoll &roll, std::vector<double> &masses, MillModel
 
 MillModel horizontal_model(const LumpedModel &lumped, const ChockSeats &seats)
 {
-  const auto Kzc = [&](const int i) { return seats.bearings_per_roll * lumped.Kzc[std::size_t(i - 1)].value; };
-  const auto M   = [&](const int i) { return lumped.M[std::size_t(i - 1)].value; };
+  const auto Kzc = [&](const int i) {
+    const double across = lumped.Kzc_across[std::size_t(i - 1)].value;
+    return seats.bearings_per_roll * (std::isnan(across) ? lumped.Kzc[std::size_t(i - 1)].value : across);
+  };
+  const auto M                            = [&](const int i) { return lumped.M[std::size_t(i - 1)].value; };
   const std::vector<HorizontalRoll> rolls = {
       {"upper backup roll", "Kzc1", "",    M(2), Kzc(1), not_given,          0                  },
       {"upper work roll",   "Kzc2", "Kx1", M(3), Kzc(2), seats.stiffness[0], seats.chock_mass[0]},

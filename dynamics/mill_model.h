@@ -56,7 +56,8 @@ struct ChockSeats {
   int bearings_per_roll            = 2;            ///< the two ends of a roll, in parallel
 };
 
-/// Horizontal motion of the rolls on their bearings, work rolls in series with the seats of their chocks.
+/// Horizontal motion of the rolls on their bearings, work rolls in series with the seats of their chocks.  A
+/// bearing yields as it does across its load (Kzc_across), or as along it (Kzc) where nothing else is known.
 /// Unknowns are the rolls 2..5 and, for a seat that yields under a chock with mass, that chock pair.  A roll whose
 /// Kzc is unknown (NaN) is left out.  A clearance of the chock in its window would make Kx one-sided; a linear
 /// model cannot show that.  b and C are zero: without an offset of the work rolls the bite does not push sideways.

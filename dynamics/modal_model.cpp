@@ -1,13 +1,13 @@
 #include "dynamics/modal_model.h"
+#include "core/require.h"
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace mill::dynamics {
 ModalModel modal_model(const StandModel &stand, const Eigen::VectorXd &frequency, const Eigen::MatrixXd &shape,
                        const double damping, const double highest, const double gap_damper)
 {
-  assert(frequency.size() == shape.cols());
+  require(frequency.size() == shape.cols(), "every shape needs a frequency");
   const Eigen::Index n       = std::upper_bound(frequency.begin(), frequency.end(), highest) - frequency.begin();
   const Eigen::MatrixXd kept = shape.leftCols(n);
   ModalModel model;

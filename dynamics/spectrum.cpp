@@ -1,6 +1,6 @@
 #include "dynamics/spectrum.h"
+#include "core/require.h"
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <complex>
 #include <unsupported/Eigen/FFT>
@@ -29,7 +29,8 @@ Spectrum amplitude_spectral_density(const Eigen::VectorXd &signal, const double 
   if (segment_length == 0)
     segment_length = chosen_length(n);
   const Eigen::Index L = segment_length, hop = std::max<Eigen::Index>(L / 2, 1), lines = L / 2 + 1;
-  assert(L >= 2 && L <= n && power_of_two_within(L) == L);
+  require(L >= 2 && L <= n && power_of_two_within(L) == L,
+          "a segment of a spectrum is a power of two and no longer than the record");
 
   // periodic Hann window: its shifts by L/2 add up to one
   const Eigen::ArrayXd window =

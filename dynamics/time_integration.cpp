@@ -1,11 +1,11 @@
 #include "dynamics/time_integration.h"
+#include "core/require.h"
 #include "dynamics/matrix_exponential.h"
 #include "dynamics/time_walk.h"
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <complex>
 #include <optional>
@@ -181,7 +181,8 @@ template <class Form> void march(Form form, const ForceRecord &force, const Outp
 HoldResult first_order_hold(const StateSpace &system, const ForceRecord &force, const double output_rate,
                             const HoldForm wanted)
 {
-  assert(force.time.size() >= 2 && force.time.size() == force.force.size() && output_rate > 0);
+  require(force.time.size() >= 2 && force.time.size() == force.force.size() && output_rate > 0,
+          "a force record needs two samples and a rate above zero");
   const OutputGrid grid = output_grid(force, output_rate);
   HoldResult result;
   result.form      = wanted;

@@ -1,5 +1,6 @@
 #include "fem/condensed_roll.h"
 #include "core/errors.h"
+#include "core/memory.h"
 #include "fem/free_unknowns.h"
 #include <algorithm>
 #include <cmath>
@@ -119,7 +120,11 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
     const auto axis      = parity.squeeze ? std::vector<int>() : body.axis();
     const bool traction  = options.tractions && parity.squeeze;
     const Retained kept  = choose(f, axis, patch, traction);
-    const CondensingFactor factor(f.K, f.node, kept.all, options.memory);
+    // Loads, solution and its copy on the free unknowns, then the field of every node.
+    const bool fields   = options.keep_fields && parity.squeeze;
+    const double values = fields ? n * (3. * double(f.unknown.size()) + 3. * double(body.nodes().rows())) : 0;
+    const double left   = options.memory > 0 ? options.memory : memory_left().bytes;
+    const CondensingFactor factor(f.K, f.node, kept.all, std::max(1., left - 8 * values));
     const Eigen::MatrixXd C = inverse_from_factor(factor.schur_factor()) / body.stiffness_unit();
     roll.n_unknowns         = int(f.unknown.size());
     roll.factor_bytes       = factor.cost().bytes;
@@ -155,7 +160,7 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
       out.seat_patch = along_y(patch);
       out.seat_axis  = along_y(axis);
     }
-    if (options.keep_fields && parity.squeeze) {
+    if (fields) {
       Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(roll.n_unknowns, n);
       for (int i = 0; i < n; ++i)
         if (const int place = f.place[3 * patch[i] + 1]; place >= 0)

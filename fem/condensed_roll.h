@@ -58,7 +58,7 @@ struct CondenseOptions {
   bool odd_squeeze = false;  ///< of them the squeeze alone: enough between mirrored contacts (joint stiffness)
   bool tractions   = false;  ///< tangential components too, of the squeeze parities
   bool keep_fields = false;  ///< keep the displacement fields of squeeze
-  double memory    = 0;      ///< bytes a factor may take, 0: do not check
+  double memory    = 0;      ///< bytes it may take, 0: what the process has left
 };
 
 /// Condenses a meshed roll.  Cost: one factorisation per parity.

@@ -1,5 +1,6 @@
 #include "fem/elastic_body.h"
 #include "core/errors.h"
+#include "core/files.h"
 #include <deal.II/base/multithread_info.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/work_stream.h>
@@ -14,10 +15,10 @@
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/numerics/data_out.h>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace mill::fem {
 using namespace dealii;
@@ -448,11 +449,11 @@ void ElasticBody::write_vtu(const std::string &path, const Eigen::VectorXd &disp
   GridTools::scale(self->mesh.unit, self->triangulation);  // pictures are in metres
   out.build_patches(self->mapping, self->fe.degree, DataOut<3>::curved_boundary);
   GridTools::scale(1 / self->mesh.unit, self->triangulation);
-  const std::string aside = path + ".part";
-  {
-    std::ofstream file(aside);
-    out.write_vtu(file);
-  }
-  std::filesystem::rename(aside, path);
+  DataOutBase::VtkFlags flags;
+  flags.print_date_and_time = false;  // the same run writes the same bits
+  out.set_flags(flags);
+  std::ostringstream text;
+  out.write_vtu(text);
+  write_atomically(path, text.str());
 }
 }  // namespace mill::fem

@@ -1,4 +1,5 @@
 #include "fem/housing.h"
+#include "core/mesh_pair.h"
 #include "fem/held_stiffness.h"
 #include <cmath>
 #include <deal.II/base/quadrature_lib.h>
@@ -139,13 +140,17 @@ HousingStatics housing_statics(const MillHousing &housing, const ElasticBody &qu
 
 void estimate_error(HousingStatics &fine, const HousingStatics &coarse, const double ratio)
 {
-  const auto share = [&](const double a, const double b) { return std::abs(b / a - 1) / (ratio * ratio - 1); };
+  const auto share = [&](const double a, const double b) { return mesh_pair_error(a, b, ratio * ratio); };
   const auto mass  = [](const HousingStatics &s, const HousingPart post, const HousingPart beam) {
     return s.reduced_mass[post] + s.reduced_mass[beam];
   };
   fine.error = {share(fine.u_screw, coarse.u_screw), share(fine.u_seat, coarse.u_seat),  // (23.9)
                 share(mass(fine, upper_post, upper_beam), mass(coarse, upper_post, upper_beam)),
                 share(mass(fine, lower_post, lower_beam), mass(coarse, lower_post, lower_beam))};
+  for (std::size_t i = 0; i < n_housing_parts; ++i) {
+    fine.flexibility_error[i] = share(fine.flexibility[i], coarse.flexibility[i]);
+    fine.mass_error[i]        = share(fine.reduced_mass[i], coarse.reduced_mass[i]);
+  }
 }
 
 Frame frame_with_housing(Frame frame, const HousingStatics &h)

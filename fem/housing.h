@@ -34,6 +34,7 @@ struct HousingStatics {
   int n_unknowns = 0;                                   ///< free ones of the quarter
   /// -, estimated shares of u_screw, u_seat, M1 part and M6 part; NaN: not estimated
   std::array<double, 4> error{not_given, not_given, not_given, not_given};
+  std::array<double, n_housing_parts> flexibility_error{}, mass_error{};  ///< -, the same of each part's share
 };
 
 /// Unknowns of the quarter held by its two planes of symmetry and at one node of a foot; nothing else keeps it
@@ -50,8 +51,8 @@ Eigen::VectorXd mean_vertical(const ElasticBody &quarter, const std::string &gro
 /// Cost: one factorisation; 0.5 s for 10 000 unknowns.
 HousingStatics housing_statics(const MillHousing &housing, const ElasticBody &quarter);
 
-/// Fills `error` of the finer of two solutions from meshes of `ratio` times as many elements through the posts:
-/// difference over ratio^2 - 1, since the flat sides of the fillets are of second order.  (23.9)
+/// Fills the errors of the finer of two solutions from meshes of `ratio` times as many elements through the posts:
+/// mesh_pair_error() with a gain of ratio^2, since the flat sides of the fillets are of second order.  (23.9)
 void estimate_error(HousingStatics &fine, const HousingStatics &coarse, double ratio);
 
 /// The frame with posts and beams, stiffness and reduced mass, from a housing.

@@ -248,11 +248,12 @@ RingResult ring_flexibility(const RingSections &sections, const RingMeshes &mesh
   if (coarse) {
     RingOptions same   = options;
     same.last_harmonic = int(std::max(c.rings.inner.size(), c.rings.outer.size())) - 1;
-    const Computed companion =
-        compute(sections, *coarse, same, [&](const double f) { progress.at("rings", share + (1 - share) * f); });
+    out.companion      = compute(sections, *coarse, same, [&](const double f) {
+                      progress.at("rings", share + (1 - share) * f);
+                    }).rings;
     const int Z        = 36;  // any number of rollers tells two meshes apart
     const double fine  = stribeck_flexibility(c.rings, Z);
-    out.error_estimate = std::abs(stribeck_flexibility(companion.rings, Z) / fine - 1);
+    out.error_estimate = std::abs(stribeck_flexibility(out.companion, Z) / fine - 1);
   }
   out.notes = notes(sections, out);
   return out;

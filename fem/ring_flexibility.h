@@ -15,6 +15,7 @@ struct RingOptions {
 
 struct RingResult {
   bearing::RingFlexibility flexibility;
+  bearing::RingFlexibility companion;  ///< the same on the coarser meshes; rows = 0: none
   double error_estimate =
       0;  ///< -, change of the whole flexibility under a Stribeck load, coarser mesh against this one
   double chock_difference = 0;     ///< -, block against round housing in the last harmonic of the block
@@ -28,7 +29,7 @@ struct RingResult {
 /// What rings, neck and chock give way under the rollers beyond the raceway pieces that the law of one roller
 /// counts. Bodies of revolution by one factorisation per harmonic; the block by one per parity.  theory.md 15
 /// @param meshes  of these sections
-/// @param coarse  a coarser set, for the error estimate; null: none (error_estimate 0)
+/// @param coarse  a coarser set, for companion and error estimate; null: none (error_estimate 0)
 /// @throws SolverError  a matrix is not positive definite
 /// Cost: some 10 s for four rows at mesh size 1, 1 GB.
 RingResult ring_flexibility(const RingSections &sections, const RingMeshes &meshes, const RingMeshes *coarse,

@@ -99,15 +99,22 @@ template <class Archive> void members(Archive &a, std::vector<Eigen::MatrixXd> &
     a.array(m);
 }
 
-template <class Archive> void members(Archive &a, RingResult &r)
+template <class Archive> void members(Archive &a, bearing::RingFlexibility &f)
 {
-  bearing::RingFlexibility &f = r.flexibility;
-  for (int *value : {&f.rows, &f.modes, &f.chock_harmonics, &r.n_section_unknowns, &r.n_chock_unknowns})
+  for (int *value : {&f.rows, &f.modes, &f.chock_harmonics})
     a.count(*value);
   members(a, f.inner);
   members(a, f.outer);
   a.array(f.chock_cosine);
   a.array(f.chock_sine);
+}
+
+template <class Archive> void members(Archive &a, RingResult &r)
+{
+  members(a, r.flexibility);
+  members(a, r.companion);
+  for (int *value : {&r.n_section_unknowns, &r.n_chock_unknowns})
+    a.count(*value);
   for (double *value : {&r.error_estimate, &r.chock_difference, &r.truncated, &r.indefinite})
     a.number(*value);
   a.texts(r.notes);

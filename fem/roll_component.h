@@ -24,6 +24,10 @@ struct RollComponent {
 /// Geometry that a roll is meshed with for its vibration, from the drawing.
 RollGeometry vibrating_roll(const Roll &roll);
 
+/// Order with the element size of energies of a roll with a sharp shoulder: twice the exponent of the displacement
+/// at a re-entrant corner of 270 degrees, 0.5445 (M. L. Williams, J. Appl. Mech. 19 (1952) 526).
+constexpr double shoulder_order = 2 * 0.5445;
+
 /// Eighth of a roll that moves up and down: u_y even about x, y and z = 0, free along y.  theory.md 21.4
 PartSupport roll_support(const ElasticBody &body);
 

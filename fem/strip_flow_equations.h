@@ -92,8 +92,7 @@ FlattenedArc flattened_arc(const StripPass &pass, const StripGrid &grid, const E
 /// Start: even flow through the gap.
 Eigen::VectorXd first_guess(const StripPass &pass, const StripGrid &grid);
 
-/// Flow stress over the unit of stress at a strain; the ends of a table and strains below 1e-4 count as the
-/// nearest strain of the law.
+/// Flow stress over the unit of stress at a strain.
 template <class T> T scaled_flow_stress(const StripPass &pass, const T &strain);
 
 /// Inside of strip_equations: the unknowns with the places their derivatives go to.
@@ -150,14 +149,6 @@ public:
 
 template <class T> T scaled_flow_stress(const StripPass &pass, const T &strain)
 {
-  const FlowStress &law = pass.bite->strip.flow_stress;
-  const double e        = bite::value_of(strain);
-  double low = law.law == "constant" ? -1e300 : 1e-4, high = 1e300;
-  if (law.law == "table" && law.table.size() > 1) {
-    low  = law.table.front()[0];
-    high = law.table.back()[0];
-  }
-  const T inside = e < low ? T(low) : e > high ? T(high) : strain;
-  return bite::flow_stress(law, inside) / pass.stress;
+  return bite::carried_flow_stress(pass.bite->strip.flow_stress, strain) / pass.stress;
 }
 }  // namespace mill::fem

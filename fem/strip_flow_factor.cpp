@@ -1,5 +1,6 @@
 #include "fem/strip_flow_factor.h"
 #include "core/sparse.h"
+#include <new>
 #include <omp.h>
 #include <suitesparse/umfpack.h>
 
@@ -17,6 +18,12 @@ struct OneThread {
     set_blas_threads(before);
   }
 };
+// A singular matrix is the caller's to judge; memory is not, and a smaller step would not help.
+void require_memory(const int status)
+{
+  if (status == UMFPACK_ERROR_out_of_memory)
+    throw std::bad_alloc();
+}
 }  // namespace
 
 struct UnsymmetricFactor::Implementation {
@@ -37,8 +44,9 @@ struct UnsymmetricFactor::Implementation {
     const OneThread alone;
     Eigen::VectorXd x(b.size());
     double info[UMFPACK_INFO];
-    umfpack_di_solve(system, matrix.outerIndexPtr(), matrix.innerIndexPtr(), matrix.valuePtr(), x.data(), b.data(),
-                     numeric, control, info);
+    const int status = umfpack_di_solve(system, matrix.outerIndexPtr(), matrix.innerIndexPtr(), matrix.valuePtr(),
+                                        x.data(), b.data(), numeric, control, info);
+    require_memory(status);
     return x;
   }
 };
@@ -62,11 +70,14 @@ bool UnsymmetricFactor::factorise(const Eigen::SparseMatrix<double> &matrix)
   umfpack_di_free_numeric(&self->numeric);
   if (!known) {
     umfpack_di_free_symbolic(&self->symbolic);
-    if (umfpack_di_symbolic(n, n, outer, inner, values, &self->symbolic, self->control, info) < 0)
+    const int status = umfpack_di_symbolic(n, n, outer, inner, values, &self->symbolic, self->control, info);
+    require_memory(status);
+    if (status < 0)
       return false;
   }
-  return umfpack_di_numeric(outer, inner, values, self->symbolic, &self->numeric, self->control, info) ==
-         UMFPACK_OK;
+  const int status = umfpack_di_numeric(outer, inner, values, self->symbolic, &self->numeric, self->control, info);
+  require_memory(status);
+  return status == UMFPACK_OK;
 }
 
 Eigen::VectorXd UnsymmetricFactor::solve(const Eigen::VectorXd &b) const

@@ -1,4 +1,5 @@
 #include "fem/strip_flow_results.h"
+#include "bite/flattening.h"
 #include "bite/friction.h"
 #include "bite/neutral_point.h"
 #include "bite/sentence.h"
@@ -198,6 +199,8 @@ void add_notes(StripFlow &flow, const StripPass &pass)
   if (flow.negative_length > 0)
     s.notes.push_back(sentence("roll and strip pull at each other over ", flow.negative_length * 1e3,
                                " mm: more elements along the arc, or the release of the last spine"));
+  if (pass.model.arc == bite::Arc::hitchcock && bite::beyond_hitchcock(*pass.bite, s.flattened_radius))
+    s.notes.push_back(bite::beyond_hitchcock_note(*pass.bite, s.flattened_radius));
   if (pass.model.arc == bite::Arc::elastic)
     s.notes.push_back(
         "a rigid-plastic strip ends with a step of pressure, to which an elastic roll answers with a slope "

@@ -17,24 +17,10 @@ struct StripMaterial {
   double least_rate     = 0;        ///< -, rate of shear below which the strip creeps; 0: a sharp yield limit
 };
 
-/// Flow stress at a strain, scaled.  Laws that rise without bound at the first strain (power, Ludwik) see a strain
-/// that goes smoothly to nil at 1e-4; a kink there would stop Newton's method.  Ends of a table count on beyond
-/// it.
+/// Flow stress at a strain, scaled.
 template <class T> T material_flow_stress(const StripMaterial &m, const T &strain)
 {
-  using std::sqrt;
-  const FlowStress &law = *m.law;
-  const double e        = bite::value_of(strain);
-  if (law.law == "table" && law.table.size() > 1) {
-    const double low = law.table.front()[0], high = law.table.back()[0];
-    return bite::flow_stress(law, e < low ? T(low) : e > high ? T(high) : strain) / m.unit;
-  }
-  if (law.law == "constant" || law.law == "voce")
-    return bite::flow_stress(law, strain) / m.unit;
-  const bool offset = (law.law == "swift" || law.law == "reduction-power") && law.eps0 > 1e-3;
-  if (offset)
-    return bite::flow_stress(law, e < -0.5 * law.eps0 ? T(-0.5 * law.eps0) : strain) / m.unit;
-  return bite::flow_stress(law, T(0.5 * (strain + sqrt(strain * strain + 1e-8)))) / m.unit;
+  return bite::carried_flow_stress(*m.law, strain) / m.unit;
 }
 
 /// What drives one row of an element: at its two Radau points (a third of the way and the end) the velocity

@@ -1,4 +1,6 @@
 #include "reduce/chain_keys.h"
+#include "core/provenance.h"
+#include "reduce/screwdown.h"
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -29,40 +31,41 @@ template <class... Lists> Keys join(const Lists &...lists)
 }
 }  // namespace
 
-Keys backup_beam_keys()
+Keys backup_roll_keys(const bool solid)
 {
-  return join(in_section("backup_roll", "barrel_diameter barrel_length neck_diameter bearing_span"),
-              in_section("steel", "youngs_modulus poisson_ratio"), in_section("dynamics", "mass_reference"));
+  return join(in_section("backup_roll", "barrel_diameter barrel_length neck_diameter bearing_span bending_model"),
+              in_section("steel", "youngs_modulus poisson_ratio"), in_section("dynamics", "mass_reference"),
+              solid ? join(in_section("backup_roll", "neck_length"),
+                           in_section("dynamics", "elements_per_radius frequency_limit"))
+                    : Keys());
 }
 
-Keys housing_keys()
+Keys housing_keys(const MillHousing &housing, const bool mass)
 {
-  return in_section("housing",
-                    "thickness post_width window_width window_height upper_beam_height lower_beam_height "
-                    "fillet_radius foot_height screw_pad seat_pad youngs_modulus density");
+  const Keys shape =
+      in_section("housing", "thickness post_width window_width window_height upper_beam_height lower_beam_height "
+                            "fillet_radius foot_height screw_pad seat_pad youngs_modulus");
+  const auto of_rolls = [](const double own, const char *key) {
+    return std::isnan(own) ? Keys{std::string("steel.") + key} : Keys{};
+  };
+  return join(shape, of_rolls(housing.modulus, "youngs_modulus"), Keys{"steel.poisson_ratio"},
+              mass ? join(Keys{"housing.density"}, of_rolls(housing.density, "density")) : Keys{});
 }
 
 Keys as_drawn(const Keys &keys, const FourHigh &stand)
 {
-  const Screwdown &s  = stand.screwdown;
+  const auto replaced = frame_with_screwdown(stand.frame, stand.screwdown, stand.steel).replaced;
   const auto drawn_as = [&](const std::string &key) -> Keys {
     if (stand.housing.present() && (key.find("frame.upper_post_") == 0 || key.find("frame.upper_beam_") == 0 ||
                                     key.find("frame.lower_post_") == 0 || key.find("frame.lower_beam_") == 0))
-      return housing_keys();
-    if (key == "frame.oil_column_stiffness" && !std::isnan(s.stroke))
-      return in_section("screwdown", "piston_diameter stroke oil_modulus");
-    if (key == "frame.load_cell_stiffness" && !std::isnan(s.load_cell_height))
-      return in_section("screwdown", "load_cell_diameter load_cell_bore load_cell_height");
-    if (key == "frame.piston_stiffness") {
-      Keys parts;
-      if (!std::isnan(s.screw_length))
-        parts = join(parts, in_section("screwdown", "screw_diameter screw_length"));
-      if (!std::isnan(s.nut_height))
-        parts = join(parts, in_section("screwdown", "screw_diameter nut_outside_diameter nut_height nut_modulus"));
-      if (!std::isnan(s.piston_length))
-        parts = join(parts, in_section("screwdown", "piston_diameter piston_length"));
-      return parts.empty() ? Keys{key} : parts;
-    }
+      return housing_keys(stand.housing, key.find("_mass") != std::string::npos);
+    // A backup bearing that counts its chock has put it out of the chain.
+    if ((key == "frame.upper_chock_stiffness" && std::isinf(stand.frame.upper_chock_stiffness)) ||
+        (key == "frame.lower_chock_stiffness" && std::isinf(stand.frame.lower_chock_stiffness)))
+      return {};
+    for (const Replacement &drawn : replaced)
+      if (drawn.key == key)
+        return drawn.inputs;
     return {key};
   };
   Keys all;
@@ -71,29 +74,54 @@ Keys as_drawn(const Keys &keys, const FourHigh &stand)
   return all;
 }
 
-std::array<Keys, 13> chain_keys(const SpringKeys &s)
+std::map<std::string, Keys> given_springs(const FourHigh &stand)
 {
-  const Keys beam = backup_beam_keys();
+  std::map<std::string, Keys> keys;
+  for (const char *name : {"K1", "K7", "K_ZW"})
+    if (const auto given = stand.given.find(name); given != stand.given.end()) {
+      const Keys &inputs = given->second.parameter.inputs;
+      keys[name]         = inputs.empty() ? Keys{std::string("given.") + name} : inputs;
+    }
+  return keys;
+}
+
+std::array<Keys, 13> chain_keys(const SpringKeys &s, const bool solid)
+{
+  // A given spring replaces what it is made of, in the load path too.
+  const auto or_given = [&](const char *name, const Keys &keys) {
+    const auto given = s.given.find(name);
+    return given == s.given.end() ? keys : given->second;
+  };
+  const Keys beam = backup_roll_keys(solid);
   const Keys K1 =
       in_section("frame", "upper_post_stiffness upper_beam_stiffness piston_stiffness upper_packing_stiffness");
   const Keys K2 = join(in_section("frame", "oil_column_stiffness cylinder_body_stiffness upper_chock_stiffness"),
-                       s.K_Zy_upper, beam);
-  const Keys K6 = join(in_section("frame", "lower_chock_stiffness"), s.K_Zy_lower, beam);
+                       s.K_Zy_upper, or_given("K_ZW", beam));
+  const Keys K6 = join(in_section("frame", "lower_chock_stiffness"), s.K_Zy_lower, or_given("K_ZW", beam));
   const Keys K7 =
       in_section("frame", "lower_post_stiffness lower_beam_stiffness lower_packing_stiffness load_cell_stiffness");
 
+  const Keys upper_path = or_given("K1", K1), lower_path = or_given("K7", K7);
   const Keys density = in_section("steel", "density");
-  const Keys backup  = join(beam, in_section("backup_roll", "neck_length bearing_mass"), density);
-  const Keys barrel  = in_section("work_roll", "barrel_diameter barrel_length neck_diameter total_length");
-  const Keys work =
-      join(barrel, in_section("work_roll", "bearing_span bearing_mass"), in_section("strip", "width"), density);
-  const Keys M1 = in_section("frame", "upper_post_mass upper_beam_mass upper_packing_mass piston_mass");
+  // A given K_ZW scales a beam, whose shape then no longer depends on its modulus.
+  Keys drawn = beam;
+  if (s.given.count("K_ZW"))
+    drawn.erase(std::remove(drawn.begin(), drawn.end(), "steel.youngs_modulus"), drawn.end());
+  const Keys shape  = join(drawn, or_given("K_ZW", {}));
+  const Keys backup = join(shape, in_section("backup_roll", "neck_length bearing_mass"), density);
+  const Keys barrel = in_section("work_roll", "barrel_diameter barrel_length neck_diameter total_length");
+  const Keys work   = join(barrel, in_section("work_roll", "bearing_span bearing_mass"),
+                           in_section("strip", "width"), density, Keys{"steel.youngs_modulus"}, shape);
+  // The masses of a drawn housing are reduced to where the chain has its point.
+  const Keys M1 = join(in_section("frame", "upper_post_mass upper_beam_mass upper_packing_mass piston_mass"),
+                       s.drawn_housing ? upper_path : Keys{});
   const Keys M2 = join(backup, in_section("backup_roll", "chock_mass_upper"),
-                       in_section("frame", "cylinder_mass balance_mass"), K1, K2);
-  const Keys M3 = join(work, in_section("work_roll", "chock_mass_upper"), s.K3, K1, K2);
-  const Keys M4 = join(work, in_section("work_roll", "chock_mass_lower"), s.K5, K7, K6);
-  const Keys M5 = join(backup, in_section("backup_roll", "chock_mass_lower"), K7, K6);
-  const Keys M6 = in_section("frame", "lower_post_mass lower_beam_mass load_cell_mass lower_packing_mass");
+                       in_section("frame", "cylinder_mass balance_mass"), upper_path, K2);
+  const Keys M3 = join(work, in_section("work_roll", "chock_mass_upper"), s.K3, upper_path, K2);
+  const Keys M4 = join(work, in_section("work_roll", "chock_mass_lower"), s.K5, lower_path, K6);
+  const Keys M5 = join(backup, in_section("backup_roll", "chock_mass_lower"), lower_path, K6);
+  const Keys M6 = join(in_section("frame", "lower_post_mass lower_beam_mass load_cell_mass lower_packing_mass"),
+                       s.drawn_housing ? lower_path : Keys{});
   return {M1, M2, M3, M4, M5, M6, K1, K2, s.K3, s.K4, s.K5, K6, K7};
 }
 }  // namespace mill::reduce

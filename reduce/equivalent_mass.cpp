@@ -61,14 +61,14 @@ double lower_frame_mass(const Frame &f)
   return f.lower_post_mass + f.lower_beam_mass + f.load_cell_mass + f.lower_packing_mass;
 }
 
-double backup_shape(const SteppedBeam &beam, const double bearing_displacement, const double x)
+double backup_shape(const BentBackupRoll &bent, const double bearing_displacement, const double x)
 {
-  return bearing_displacement + deflection(beam, x);
+  return bearing_displacement + bent.deflection(x);
 }
 
-double upper_backup_mass(const FourHigh &stand, const SteppedBeam &beam, const Flexibilities &u)
+double upper_backup_mass(const FourHigh &stand, const BentBackupRoll &bent, const Flexibilities &u)
 {
-  const auto f2    = [&](double x) { return backup_shape(beam, u.bearing_upper, x); };
+  const auto f2    = [&](double x) { return backup_shape(bent, u.bearing_upper, x); };
   const Roll &roll = stand.backup_roll;
   return 2 *
          equivalent_mass(f2, half_backup_roll(stand),
@@ -81,9 +81,9 @@ double upper_backup_mass(const FourHigh &stand, const SteppedBeam &beam, const F
                          u.roll_upper);
 }
 
-double lower_backup_mass(const FourHigh &stand, const SteppedBeam &beam, const Flexibilities &u)
+double lower_backup_mass(const FourHigh &stand, const BentBackupRoll &bent, const Flexibilities &u)
 {
-  const auto f2    = [&](double x) { return backup_shape(beam, u.bearing_lower, x); };
+  const auto f2    = [&](double x) { return backup_shape(bent, u.bearing_lower, x); };
   const Roll &roll = stand.backup_roll;
   return 2 * equivalent_mass(f2, half_backup_roll(stand),
                              {
@@ -93,18 +93,21 @@ double lower_backup_mass(const FourHigh &stand, const SteppedBeam &beam, const F
                              u.roll_lower);
 }
 
-double work_shape(const BedShape &bed, const SteppedBeam &backup, const double backup_reference, const double x)
+double work_shape(const BentWorkRoll &bent, const BentBackupRoll &backup, const double backup_reference,
+                  const double x)
 {
-  return backup_reference - drop(backup, std::min(std::abs(x), backup.half_barrel)) + deflection(bed, x);
+  const double on_barrel = std::min(std::abs(x), backup.half_barrel);
+  const double drop      = backup.deflection(0) - backup.deflection(on_barrel);
+  return backup_reference - drop + bent.deflection(x);
 }
 
-double work_roll_mass(const FourHigh &stand, const BedShape &bed, const SteppedBeam &backup,
+double work_roll_mass(const FourHigh &stand, const BentWorkRoll &bent, const BentBackupRoll &backup,
                       const double backup_reference, const double chock_mass)
 {
   const Roll &roll       = stand.work_roll;
-  const auto f1          = [&](double x) { return work_shape(bed, backup, backup_reference, x); };
+  const auto f1          = [&](double x) { return work_shape(bent, backup, backup_reference, x); };
   const double h         = roll.barrel_length / 2;
-  const double edge      = std::min(bed.roll.half_strip, h);  // the shape has a kink in its fourth derivative here
+  const double edge      = std::min(bent.half_strip, h);  // the shape has a kink in its fourth derivative here
   const double per_meter = barrel_mass_per_length(roll, stand.steel);
   return 2 * equivalent_mass(f1,
                              {

@@ -1,5 +1,5 @@
 #pragma once
-#include "reduce/beam_shapes.h"
+#include "reduce/roll_shapes.h"
 #include "reduce/spring_chain.h"
 #include <functional>
 #include <vector>
@@ -30,23 +30,23 @@ double equivalent_mass(const std::function<double(double)> &shape, const std::ve
 double upper_frame_mass(const Frame &frame);
 double lower_frame_mass(const Frame &frame);
 
-/// M2, kg: upper backup roll, its bearings and chocks, cylinders and balance gear, (4.14).  `beam` is the roll,
+/// M2, kg: upper backup roll, its bearings and chocks, cylinders and balance gear, (4.14).  `bent` is the roll,
 /// `u` the load path; u.roll_upper is the reference, so the choice mid or mean is made by the K_ZW that went into
 /// it.
-double upper_backup_mass(const FourHigh &stand, const SteppedBeam &beam, const Flexibilities &u);
+double upper_backup_mass(const FourHigh &stand, const BentBackupRoll &bent, const Flexibilities &u);
 
 /// M5, kg: lower backup roll, bearings and chocks, (4.15).
-double lower_backup_mass(const FourHigh &stand, const SteppedBeam &beam, const Flexibilities &u);
+double lower_backup_mass(const FourHigh &stand, const BentBackupRoll &bent, const Flexibilities &u);
 
 /// f2 at x, m/N: displacement of the backup roll from the ground, (4.11).
-double backup_shape(const SteppedBeam &beam, double bearing_displacement, double x);
+double backup_shape(const BentBackupRoll &bent, double bearing_displacement, double x);
 
 /// f1 at x, m/N: displacement of the work roll from the ground, (4.12).
 /// @param backup_reference  m/N, displacement of the backup roll's reference point: u2
-double work_shape(const BedShape &bed, const SteppedBeam &backup, double backup_reference, double x);
+double work_shape(const BentWorkRoll &bent, const BentBackupRoll &backup, double backup_reference, double x);
 
 /// M3 or M4, kg: work roll with bearings and chocks, reference mid-length, (4.16).
 /// @param chock_mass  kg, per side
-double work_roll_mass(const FourHigh &stand, const BedShape &bed, const SteppedBeam &backup,
+double work_roll_mass(const FourHigh &stand, const BentWorkRoll &bent, const BentBackupRoll &backup,
                       double backup_reference, double chock_mass);
 }  // namespace mill::reduce

@@ -1,15 +1,10 @@
 #pragma once
-#include "core/component.h"
 #include "core/stand.h"
 #include "core/stand_model.h"
 #include "reduce/lumped_stand.h"
 #include <array>
 
 namespace mill::reduce {
-/// 1/K_ZW of a roll component: load of 1 N even over the barrel, seats held, m/N.  theory.md (22.13)
-/// @param reference  "mid": displacement of mid-length; "mean": mean over the barrel
-double roll_flexibility(const Component &roll, const std::string &reference = "mid");
-
 /// f1 and f2 of a stand model under a bite force of 1 N, at the stations of its lines.
 struct StandShapes {
   RollShape f1_upper, f1_lower;  ///< work rolls, mid-length to end
@@ -24,7 +19,4 @@ struct FeMasses {
 };
 /// @param reference  "mid" | "mean", of the backup rolls
 FeMasses fe_masses(const FourHigh &stand, const StandModel &model, const std::string &reference = "mid");
-
-/// Value of a sampled shape at x (m): cubic through the stations, not across the barrel end.
-double value_at(const RollShape &shape, double x, double kink);
 }  // namespace mill::reduce

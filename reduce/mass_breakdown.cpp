@@ -137,31 +137,20 @@ std::vector<PartMass> lower_frame_parts(const Frame &f)
 }
 }  // namespace
 
-std::vector<MassBreakdown> closed_form_breakdown(const FourHigh &stand, const LumpedStand &chain)
+std::vector<MassBreakdown> chain_breakdown(const FourHigh &stand, const LumpedStand &chain)
 {
-  const bool mean   = stand.dynamics.mass_reference == "mean";
-  SteppedBeam beam  = backup_beam(stand);
-  const double bend = chain.K_ZW.value * (mean ? mean_flexibility(beam) : mid_flexibility(beam));
-  for (BeamSection *section : {&beam.barrel, &beam.neck}) {  // a given K_ZW scales the roll, as in lumped_stand
-    section->bending *= bend;
-    section->shear *= bend;
-  }
   const Flexibilities &u = chain.flexibility;
   const Roll &work       = stand.work_roll;
   Displacements d;
-  const auto bed = [&](const double K) {
-    return bed_shape({work.barrel_length / 2, stand.strip.width / 2, K / work.barrel_length,
-                      round_section(work.barrel_diameter, stand.steel).bending});
-  };
   const double reference2[2] = {u.roll_upper, u.roll_lower}, seat2[2] = {u.bearing_upper, u.bearing_lower};
   for (int side = 0; side < 2; ++side) {
-    const BedShape shape = bed(chain.model.K[side == 0 ? 2 : 4].value);
-    d.f1[side]           = [=](double x) { return work_shape(shape, beam, reference2[side], x); };
-    d.f2[side]           = [=](double x) { return backup_shape(beam, seat2[side], x); };
-    d.reference1[side]   = d.f1[side](0);
-    d.reference2[side]   = reference2[side];
-    d.seat1[side]        = d.f1[side](work.bearing_span / 2);
-    d.seat2[side]        = seat2[side];
+    const BentWorkRoll &bent = chain.work[std::size_t(side)];
+    d.f1[side]               = [&, side](double x) { return work_shape(bent, chain.backup, reference2[side], x); };
+    d.f2[side]               = [&, side](double x) { return backup_shape(chain.backup, seat2[side], x); };
+    d.reference1[side]       = d.f1[side](0);
+    d.reference2[side]       = reference2[side];
+    d.seat1[side]            = d.f1[side](work.bearing_span / 2);
+    d.seat2[side]            = seat2[side];
   }
   d.frame[0] = u.frame_upper;
   d.frame[1] = u.frame_lower;
@@ -169,7 +158,7 @@ std::vector<MassBreakdown> closed_form_breakdown(const FourHigh &stand, const Lu
   d.chock[0] = u.chock_upper;
   d.chock[1] = u.frame_lower;
   d.edge     = stand.strip.width / 2;
-  return all_masses(stand, d, "closed form", upper_frame_parts(stand.frame), lower_frame_parts(stand.frame));
+  return all_masses(stand, d, "chain", upper_frame_parts(stand.frame), lower_frame_parts(stand.frame));
 }
 
 std::vector<MassBreakdown> model_breakdown(const FourHigh &stand, const StandModel &model,

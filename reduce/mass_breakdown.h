@@ -16,13 +16,13 @@ struct PartMass {
 /// One of M1..M6 as the sum of its parts: sum of `equivalent` = value.
 struct MassBreakdown {
   std::string mass;   ///< "M2"
-  std::string route;  ///< "closed form" | "finite elements"
+  std::string route;  ///< "chain" | "finite elements"
   std::vector<PartMass> parts;
   double value = 0;  ///< kg
 };
 
-/// M1..M6 by the closed-form shapes of the chain, before given values replace any.  theory.md 22.5
-std::vector<MassBreakdown> closed_form_breakdown(const FourHigh &stand, const LumpedStand &chain);
+/// M1..M6 by the shapes of the chain, before given values replace any.  theory.md 22.5
+std::vector<MassBreakdown> chain_breakdown(const FourHigh &stand, const LumpedStand &chain);
 
 /// M1..M6 by the static shape of a stand model: the integrals of (4.14)-(4.16) part by part.
 /// @param reference  "mid" | "mean", of the backup rolls

@@ -1,4 +1,5 @@
 #include "reduce/spring_chain.h"
+#include "core/stand_rows.h"
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -50,6 +51,19 @@ Frame with_masses_at_the_chain(Frame f, const double K1, const double K7)
   for (double *mass : {&f.lower_post_mass, &f.lower_beam_mass})
     *mass *= std::pow(seat / lower, 2);
   return f;
+}
+
+std::vector<FrameValue> frame_values(const Frame &frame)
+{
+  std::vector<FrameValue> values;
+  for (const Field<Frame> &row : frame_rows()) {
+    const auto member = std::get<double Frame::*>(row.member);
+    const auto given  = frame.tolerance.find(row.key);
+    if (!std::isnan(frame.*member))
+      values.push_back(
+          {member, given == frame.tolerance.end() ? not_given : given->second, "frame." + tolerance_key(row.key)});
+  }
+  return values;
 }
 
 SeriesSprings series_springs(const Frame &f, const PathSprings &path)

@@ -1,5 +1,7 @@
 #pragma once
 #include "core/stand.h"
+#include <string>
+#include <vector>
 
 namespace mill::reduce {
 /// Springs of the load path that the frame does not bring along, whole stand.
@@ -16,6 +18,16 @@ struct SeriesSprings {
   double K6 = 0;  ///< N/m, lower backup roll to lower frame, (4.1c)
   double K7 = 0;  ///< N/m, lower frame, (4.1d)
 };
+
+/// A mass or stiffness of the frame that may be off.
+struct FrameValue {
+  double Frame::*member;
+  double error;               ///< -, relative; NaN: nobody says
+  std::string tolerance_key;  ///< that would say it, "frame.piston_mass_tolerance"
+};
+
+/// All of [frame] that is there.
+std::vector<FrameValue> frame_values(const Frame &frame);
 
 /// Series springs of the stand.  @throws InputError  a spring not positive, named
 SeriesSprings series_springs(const Frame &frame, const PathSprings &path);

@@ -1,5 +1,6 @@
 #include "reduce/stand_modes.h"
 #include "core/errors.h"
+#include "core/mesh_pair.h"
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -108,7 +109,7 @@ StandModes stand_modes(const StandModel &stand, const double limit)
 void estimate_errors(StandModes &fine, const StandModes &coarse)
 {
   for (Eigen::Index k = 0; k < std::min(fine.frequency.size(), coarse.frequency.size()); ++k)
-    fine.error_estimate[k] = std::abs(coarse.frequency[k] / fine.frequency[k] - 1) / 3;
+    fine.error_estimate[k] = mesh_pair_error(fine.frequency[k], coarse.frequency[k], 4);
 }
 
 Eigen::MatrixXd static_solution(const StandModel &stand, const Eigen::MatrixXd &right)

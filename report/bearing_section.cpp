@@ -1,3 +1,4 @@
+#include "core/roller_bearing.h"
 #include "report/bearing_figures.h"
 #include "report/names.h"
 #include "report/number.h"
@@ -21,14 +22,29 @@ bool is_compared(const Run &run, const std::string &bearing)
   return run.manifest.kind == "bearing" || run.table(path_of(bearing, "law"));
 }
 
+// Which rows lean which way decides what a tilt does: said, and whether anybody has confirmed it.
+std::string arrangement_sentence(const BearingInfo &info)
+{
+  const double rows = info("rows"), angle = info("cup_angle");
+  if (!(rows > 1) || !(angle > 0) || info.hands.empty())
+    return "";
+  const bool assumed = info("row_hands_assumed") > 0;
+  return " Rows: <code>" + escaped(arrangement_name(info.hands, int(rows))) + "</code>" +
+         (assumed ? ", <b>assumed</b>: the case does not give <code>row_hands</code>" : ", as the case gives it") +
+         ". The arrangement decides how a tilt shares the load between the rows, their axial forces and the "
+         "stiffness against tilting.";
+}
+
 void sketch(Page &page, const Run &run, const std::string &bearing)
 {
-  const auto drawings = bearing_sketch(run.bearing(bearing));
+  const BearingInfo info = run.bearing(bearing);
+  const auto drawings    = bearing_sketch(info);
   if (!drawings.empty())
     page.figure(drawings,
                 "The bearing in its chock, to scale. Every row carries axially in one direction only; what "
-                "two rows of opposite hand carry cancels as long as nothing tilts. The load points "
-                "downwards, towards the face that carries the chock.");
+                "two rows of opposite hand carry cancels as long as nothing tilts." +
+                    arrangement_sentence(info) +
+                    " The load points downwards, towards the face that carries the chock.");
 }
 
 void stiffness(Page &page, const Run &run, const std::string &bearing)

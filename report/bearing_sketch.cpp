@@ -23,14 +23,18 @@ struct Size {
 
 bool read(const BearingInfo &bearing, Size &size)
 {
-  const auto mm = [&](const char *key) { return 1e3 * bearing(key); };
-  size = {mm("bore"),           mm("outside_diameter"),         mm("width"),          mm("pitch_diameter"),
-          mm("roller_length"),  mm("roller_diameter"),          bearing("cup_angle"), bearing("roller_cone_angle"),
-          int(bearing("rows")), int(bearing("rollers_per_row"))};
+  const auto mm     = [&](const char *key) { return 1e3 * bearing(key); };
+  const double rows = bearing("rows"), rollers = bearing("rollers_per_row");
+  if (!(rows >= 1 && rows <= 100 && rollers >= 1 && rollers <= 1000))
+    return false;  // a damaged run.json: a loop over what it says might not end
+  size = {mm("bore"),           mm("outside_diameter"),       mm("width"),
+          mm("pitch_diameter"), mm("roller_length"),          mm("roller_diameter"),
+          bearing("cup_angle"), bearing("roller_cone_angle"), int(rows),
+          int(rollers)};
   if (!(size.pitch > 0))
     size.pitch = 0.5 * (size.bore + size.outside);
   return size.bore > 0 && size.outside > size.bore && size.width > 0 && size.length > 0 && size.roller > 0 &&
-         size.angle >= 0 && size.cone >= 0 && bearing("rows") > 0 && bearing("rollers_per_row") > 0;
+         size.angle >= 0 && size.cone >= 0;
 }
 
 // One row: the roller between the raceways that follow it.  Hand +1 carries towards +z: its contact normal points

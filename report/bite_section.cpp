@@ -78,7 +78,7 @@ void models(Page &page, const Run &run, const BitePass &pass)
 
 void one_pass(Page &page, const Run &run, const BitePass &pass)
 {
-  page.heading("Bite of " + escaped(pass.name));
+  page.heading("Bite of " + pass.name);
   along_the_arc(page, run, pass);
   field(page, run, pass);
   models(page, run, pass);

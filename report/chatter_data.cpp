@@ -129,7 +129,7 @@ ChatterTandem tandem_of(const Json &json)
 std::optional<Json> object_in(const fs::path &path, std::vector<std::string> &problems)
 {
   try {
-    Json json = Json::parse(read_text(path.string()));
+    Json json = json_of(read_text(path.string()));
     if (json.is_object())
       return json;
   } catch (const nlohmann::json::exception &) {

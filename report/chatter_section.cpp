@@ -165,7 +165,7 @@ void trust(Page &page, const ChatterCondition &condition)
 
 void whole_condition(Page &page, const Run &run, const ChatterCondition &condition)
 {
-  page.heading("Condition " + escaped(condition.name));
+  page.heading("Condition " + condition.name);
   answer_box(page, chatter_answer(condition));
   over_the_speed(page, run, condition);
   maps(page, run, condition, {"reduction", "tension", "viscosity"});
@@ -178,7 +178,7 @@ void whole_condition(Page &page, const Run &run, const ChatterCondition &conditi
 // What differs from the first condition, in two figures.
 void short_condition(Page &page, const Run &run, const ChatterCondition &condition)
 {
-  page.heading("Condition " + escaped(condition.name));
+  page.heading("Condition " + condition.name);
   answer_box(page, chatter_answer(condition));
   figure(
       page, {chatter_growth(run, condition, 510), chatter_map(run, condition, "reduction")},

@@ -1,7 +1,27 @@
 #include "report/json_entries.h"
+#include "core/errors.h"
+#include <cmath>
 #include <limits>
 
 namespace mill::report {
+void require_flat(const std::string &json)
+{
+  constexpr int deepest = 64;  // what this program writes has seven levels
+  int depth             = 0;
+  bool in_text          = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (c == '\\' && in_text)
+      ++i;
+    else if (c == '"')
+      in_text = !in_text;
+    else if (!in_text && (c == '[' || c == '{') && ++depth > deepest)
+      throw InputError("this JSON nests deeper than 64 levels");
+    else if (!in_text && (c == ']' || c == '}'))
+      --depth;
+  }
+}
+
 const Json *entry_of(const Json &object, const char *key)
 {
   if (!object.is_object())
@@ -22,8 +42,9 @@ double number(const Json &object, const char *key)
 
 int count(const Json &object, const char *key)
 {
-  const Json *value = entry_of(object, key);
-  return value && value->is_number() ? int(value->get<double>()) : 0;
+  const Json *value   = entry_of(object, key);
+  const double number = value && value->is_number() ? value->get<double>() : 0;
+  return std::abs(number) < 1e9 ? int(number) : 0;
 }
 
 bool flag(const Json &object, const char *key)

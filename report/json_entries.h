@@ -8,6 +8,18 @@
 namespace mill::report {
 using Json = nlohmann::json;
 
+/// Values are copied and walked through with a stack frame for each level.
+/// @throws InputError  the text nests deeper than anything this program writes
+void require_flat(const std::string &json);
+
+/// A text as JSON.  @throws InputError  as require_flat;  nlohmann::json::exception  not JSON, or a number too
+/// large
+template <class J = Json> J json_of(const std::string &text)
+{
+  require_flat(text);
+  return J::parse(text);
+}
+
 const Json *entry_of(const Json &object, const char *key);  ///< nullptr when absent
 double number_of(const Json *value);
 double number(const Json &object, const char *key);

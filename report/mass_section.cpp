@@ -154,7 +154,7 @@ std::string side_by_side(const std::vector<std::string> &drawings)
   return all + "</div>\n";
 }
 
-// A number and how far it is from the closed form.
+// A number and how far it is from the chain's.
 std::string number_cell(const double value, const double reference)
 {
   std::string text = std::abs(value) < 1e4 ? fixed(value, 1) : fixed(value, 0);
@@ -167,11 +167,11 @@ std::string routes_table(const ModelData &data)
 {
   std::string body;
   for (const MassRoutes &row : data.routes)
-    body += "<tr><th scope=\"row\">" + escaped(row.mass) + "</th>" + number_cell(row.closed_form, NAN) +
-            number_cell(row.fe_integral, row.closed_form) + number_cell(row.fe_solid, row.closed_form) +
-            number_cell(row.published, row.closed_form) + "</tr>\n";
+    body += "<tr><th scope=\"row\">" + escaped(row.mass) + "</th>" + number_cell(row.chain, NAN) +
+            number_cell(row.fe_integral, row.chain) + number_cell(row.fe_solid, row.chain) +
+            number_cell(row.published, row.chain) + "</tr>\n";
   return body.empty() ? ""
-                      : "<table><thead><tr><th>mass</th><th>closed-form shape [kg]</th><th>finite-element shape "
+                      : "<table><thead><tr><th>mass</th><th>shape of the chain [kg]</th><th>finite-element shape "
                         "[kg]</th><th>kinetic energy of the solid [kg]</th><th>published "
                         "[kg]</th></tr></thead>\n<tbody>\n" +
                             body + "</tbody></table>\n";
@@ -186,7 +186,7 @@ void mass_section(Page &page, const ModelData &data)
     return;
   page.section("masses", "Equivalent masses");
   if (!table.empty())
-    page.table(table, "Every equivalent mass by every route; in brackets how far it is from the closed form. The "
+    page.table(table, "Every equivalent mass by every route; in brackets how far it is from the chain's. The "
                       "first two take the published integrals along the roll axis, with the shape of a beam and "
                       "with that of the meshed roll; the third adds up the motion of all its material.");
   if (!drawings.empty())

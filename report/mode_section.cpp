@@ -35,7 +35,6 @@ void draw_arrow(Svg &svg, const double x, const double y, const double displacem
 std::string shapes(const Table &modes)
 {
   const Eigen::VectorXd frequency = values_of(modes, {"frequency", "Hz"});
-  const Eigen::VectorXd damping   = values_of(modes, {"damping", "%"});
   Svg svg(label_width + double(frequency.size()) * column, head + 6 * row + 28,
           "shapes of the modes, displacement relative to the largest");
   for (int mass = 0; mass < 6; ++mass) {
@@ -47,8 +46,6 @@ std::string shapes(const Table &modes)
     const double x = label_width + (double(mode) + 0.5) * column;
     svg.text(x, 18, "f" + std::to_string(mode + 1), "title", Anchor::middle);
     svg.text(x, 36, fixed(frequency[mode], 1) + " Hz", "t strong", Anchor::middle);
-    if (damping.size() == frequency.size())
-      svg.text(x, 53, "damping " + significant(damping[mode], 2) + " %", "t", Anchor::middle);
     for (int mass = 0; mass < 6; ++mass) {
       const Eigen::VectorXd y = values_of(modes, {"y" + std::to_string(mass + 1), "-"});
       if (y.size() != frequency.size())
@@ -93,13 +90,10 @@ std::string energy_shares(const Table &modes)
 std::string horizontal_table(const Table &modes)
 {
   const Eigen::VectorXd frequency = values_of(modes, {"frequency", "Hz"});
-  const Eigen::VectorXd damping   = values_of(modes, {"damping", "%"});
   std::string heading             = "<th>mode</th><th>frequency [Hz]</th>";
-  if (damping.size() == frequency.size())
-    heading += "<th>damping [%]</th>";
   std::vector<Eigen::VectorXd> shapes;
   for (const std::string &name : modes.names)
-    if (name != "mode" && name != "frequency" && name != "damping") {
+    if (name != "mode" && name != "frequency") {
       const Eigen::VectorXd shape = values_of(modes, {name, "-"});
       if (shape.size() != frequency.size())
         continue;
@@ -113,8 +107,6 @@ std::string horizontal_table(const Table &modes)
   for (Eigen::Index mode = 0; mode < frequency.size(); ++mode) {
     rows += "<tr><th scope=\"row\">fh" + std::to_string(mode + 1) + "</th><td class=\"num\"><b>" +
             fixed(frequency[mode], 1) + "</b></td>";
-    if (damping.size() == frequency.size())
-      rows += "<td class=\"num\">" + significant(damping[mode], 2) + "</td>";
     for (const Eigen::VectorXd &shape : shapes)
       rows += "<td class=\"num\">" + fixed(shape[mode], 2) + "</td>";
     rows += "</tr>\n";
@@ -122,6 +114,18 @@ std::string horizontal_table(const Table &modes)
   return "<table><thead><tr>" + heading + "</tr></thead>\n<tbody>\n" + rows + "</tbody></table>\n";
 }
 
+std::string pole_table(const Table &poles)
+{
+  const Eigen::VectorXd frequency = values_of(poles, {"frequency", "Hz"});
+  const Eigen::VectorXd damping   = values_of(poles, {"damping", "%"});
+  std::string rows;
+  for (Eigen::Index i = 0; i < std::min(frequency.size(), damping.size()); ++i)
+    rows += "<tr><td class=\"num\">" + fixed(frequency[i], 1) + "</td><td class=\"num\">" +
+            significant(damping[i], 3) + "</td></tr>\n";
+  return "<table><thead><tr><th>natural frequency of the pole [Hz]</th><th>damping ratio [%]</th></tr></thead>\n"
+         "<tbody>\n" +
+         rows + "</tbody></table>\n";
+}
 }  // namespace
 
 void mode_section(Page &page, const Run &run)
@@ -140,6 +144,10 @@ void mode_section(Page &page, const Run &run)
         "spring with a share of 50&nbsp;% moves it by a quarter of its own relative change.");
   } else
     page.absent("Mode shapes and energy shares are", "curves/modes.csv");
+  if (const Table *poles = run.table("curves/poles"))
+    page.table(pole_table(*poles),
+               "Poles of the chain with its dampers, of which real ones stand by themselves; with a "
+               "damper in the bite they are not those of the undamped modes above.");
   if (const Table *modes = run.table("curves/modes-horizontal"))
     page.table(horizontal_table(*modes),
                "Horizontal modes: rolls on their bearings and chock seats, uncoupled from "

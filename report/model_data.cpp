@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "report/json_entries.h"
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 
@@ -122,7 +123,7 @@ ModelData data_of(const Json &json)
     data.masses_needed.push_back(mass_count_of(masses));
   if (const Json *kept = entry_of(json, "kept_modes")) {
     for (const double n : numbers(*kept, "kept"))
-      data.kept_modes.kept.push_back(n == n ? int(n) : 0);
+      data.kept_modes.kept.push_back(std::abs(n) < 1e9 ? int(n) : 0);
     data.kept_modes.frequency = numbers(*kept, "frequency");
     data.kept_modes.error =
         matrix(*kept, "error", Eigen::Index(data.kept_modes.kept.size()), data.kept_modes.frequency.size());
@@ -130,7 +131,7 @@ ModelData data_of(const Json &json)
   for (const Json &breakdown : list(json, "breakdown"))
     data.breakdown.push_back(breakdown_of(breakdown));
   for (const Json &route : list(json, "routes"))
-    data.routes.push_back({text(route, "mass"), number(route, "closed_form"), number(route, "fe_integral"),
+    data.routes.push_back({text(route, "mass"), number(route, "chain"), number(route, "fe_integral"),
                            number(route, "fe_solid"), number(route, "published")});
   return data;
 }
@@ -167,7 +168,7 @@ ModelData read_models(const std::string &run_directory)
   broken.problem = "curves/models.json is not what this program writes, so the models of the stand are not shown; "
                    "run the case again.";
   try {
-    const Json json = Json::parse(read_text(path.string()));
+    const Json json = json_of(read_text(path.string()));
     return json.is_object() ? data_of(json) : broken;
   } catch (const nlohmann::json::exception &) {
     return broken;

@@ -77,13 +77,13 @@ struct MassPart {
 
 struct MassBreakdown {
   std::string mass;   ///< "M2"
-  std::string route;  ///< "closed form", "finite elements"
+  std::string route;  ///< "chain", "finite elements"
   std::vector<MassPart> parts;
 };
 
 struct MassRoutes {
   std::string mass;                                      ///< "M2"
-  double closed_form, fe_integral, fe_solid, published;  ///< kg
+  double chain, fe_integral, fe_solid, published;  ///< kg
 };
 
 struct ModelData {

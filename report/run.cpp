@@ -1,7 +1,9 @@
 #include "report/run.h"
 #include "core/errors.h"
 #include "core/files.h"
+#include "core/run_identity.h"
 #include "report/curves.h"
+#include "report/json_entries.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -25,12 +27,16 @@ Place place_of_byte(const std::string &path, const std::string &text, const std:
 
 Json parsed(const std::string &path)
 {
-  const std::string text = read_text(path);
+  const std::string text   = read_text(path);
+  const std::string remedy = "; run the case again, or restore the file as the program wrote it";
   try {
-    return Json::parse(text);
+    return json_of<Json>(text);
   } catch (const nlohmann::json::parse_error &error) {
-    throw InputError(place_of_byte(path, text, error.byte),
-                     "this is not JSON any more; run the case again, or restore the file as the program wrote it");
+    throw InputError(place_of_byte(path, text, error.byte), "this is not JSON any more" + remedy);
+  } catch (const nlohmann::json::exception &) {
+    throw InputError(Place{path, 1, 1}, "this holds a number that no computer stores" + remedy);
+  } catch (const InputError &error) {
+    throw InputError(Place{path, 1, 1}, error.problems.front().message + remedy);
   }
 }
 
@@ -82,13 +88,15 @@ Result result_of(const std::string &name, const Json &entry)
                 text_at(entry, "at"),
                 number_at(entry, "error_estimate"),
                 texts_at(entry, "inputs"),
-                {}};
+                {},
+                texts_at(entry, "error_lacks")};
   for (const Json &check : list_at(entry, "checks"))
     result.checks.push_back({text_at(check, "name"), number_at(check, "value"), text_at(check, "note")});
   return result;
 }
 
-void read_results(const std::string &path, Run &run)
+// Returns the run_id; empty when the file states none.
+std::string read_results(const std::string &path, Run &run)
 {
   const Json json = parsed(path);
   try {
@@ -100,6 +108,7 @@ void read_results(const std::string &path, Run &run)
     run.assumptions = texts_at(json, "assumptions");
     for (const auto &[name, entry] : json.at("values").items())
       run.results.push_back(result_of(name, entry));
+    return text_at(json, "run_id");
   } catch (const nlohmann::json::exception &) {
     throw InputError(Place{path, 1, 1},
                      "this is JSON, but not a results.json of this program: \"case\", \"status\" "
@@ -148,10 +157,24 @@ Manifest manifest_of(const Json &json)
   return m;
 }
 
-void read_manifest(const std::string &path, Run &run)
+using Checksums = std::map<std::string, std::string>;
+
+Checksums checksums_of(const Json &manifest)
+{
+  Checksums sums;
+  const Json files = object_at(manifest, "files");
+  for (const auto &[name, sum] : files.items())
+    sums[name] = sum.get<std::string>();
+  return sums;
+}
+
+// Returns the checksums of the other files; none where the file states none.
+Checksums read_manifest(const std::string &path, Run &run)
 {
   try {
-    run.manifest = manifest_of(parsed(path));
+    const Json json = parsed(path);
+    run.manifest    = manifest_of(json);
+    return checksums_of(json);
   } catch (const InputError &) {
     run.remarks.push_back(
         "run.json is missing or cannot be read: run id, date, versions, timings and the geometry "
@@ -160,9 +183,10 @@ void read_manifest(const std::string &path, Run &run)
     run.remarks.push_back("run.json holds an entry of the wrong type: run id, date, versions, timings and the "
                           "geometry of the sketch are left out.");
   }
+  return {};
 }
 
-void read_tables(const std::string &folder, Run &run)
+void read_tables(const std::string &folder, const Checksums &of_this_run, Run &run)
 {
   namespace fs         = std::filesystem;
   const fs::path where = fs::path(run.directory) / folder;
@@ -172,6 +196,10 @@ void read_tables(const std::string &folder, Run &run)
     if (file.path().extension() != ".csv")
       continue;
     const std::string name = folder + "/" + file.path().stem().string();
+    if (!of_this_run.empty() && !of_this_run.count(name + ".csv")) {
+      run.remarks.push_back(name + ".csv is not of this run and is left out.");
+      continue;
+    }
     try {
       run.tables[name] = read_table(file.path().string());
     } catch (const InputError &error) {
@@ -226,10 +254,13 @@ Run read_run(const std::string &directory)
     throw InputError(Place{(folder / "results.json").string(), 0, 0},
                      "there is no results.json in " + directory +
                          "; name the folder that `millstand run` has written, or run the case first");
-  read_results((folder / "results.json").string(), run);
-  read_manifest((folder / "run.json").string(), run);
-  read_tables("curves", run);
-  read_tables("response", run);
+  const std::string results = (folder / "results.json").string(), manifest = (folder / "run.json").string();
+  const std::string run_id  = read_results(results, run);
+  const Checksums checksums = read_manifest(manifest, run);
+  require_one_run(results, run_id, manifest, run.manifest.run_id);
+  require_unchanged(directory, checksums, run.manifest.run_id);
+  read_tables("curves", checksums, run);
+  read_tables("response", checksums, run);
   fill_loads(run);
   std::sort(run.remarks.begin(), run.remarks.end());  // the order of a directory is not defined
   return run;

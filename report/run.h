@@ -9,14 +9,15 @@
 namespace mill::report {
 /// One entry of results.json.
 struct Result {
-  std::string name;                 ///< "K3.tangent"
-  double value;                     ///< SI; NaN when the run stored none
-  std::string unit;                 ///< SI unit, "N/m", "1"
-  std::string source;               ///< "computed: contact FEM", "given", ...
-  std::string at;                   ///< load or state, "976.2 kN"; empty when it has none
-  double error_estimate;            ///< relative; NaN: none can be stated
-  std::vector<std::string> inputs;  ///< keys of the case file
-  std::vector<Check> checks;        ///< independent values beside it
+  std::string name;                      ///< "K3.tangent"
+  double value;                          ///< SI; NaN when the run stored none
+  std::string unit;                      ///< SI unit, "N/m", "1"
+  std::string source;                    ///< "computed: contact FEM", "given", ...
+  std::string at;                        ///< load or state, "976.2 kN"; empty when it has none
+  double error_estimate;                 ///< relative; NaN: none can be stated
+  std::vector<std::string> inputs;       ///< keys of the case file
+  std::vector<Check> checks;             ///< independent values beside it
+  std::vector<std::string> error_lacks;  ///< why none can be stated: inputs whose own error is not known
 };
 
 struct PassInfo {
@@ -71,7 +72,7 @@ struct Run {
 /// Reads results.json, run.json and every table in curves/ and response/.  Without run.json, or with a table that
 /// cannot be read, the run is still a run: a remark says what is missing.
 ///
-/// @throws InputError  no results.json, or not the JSON this program writes; names file, line and column
+/// @throws InputError  no results.json, not the JSON this program writes (names the place), or files of two runs
 /// Cost: reads every table once, about 0.2 s per million numbers.
 Run read_run(const std::string &directory);
 }  // namespace mill::report

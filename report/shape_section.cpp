@@ -75,7 +75,7 @@ void add_lines(Plot &plot, const Roll &roll, const std::string &side, const Pen 
 {
   const bool both = has_elements(roll);
   add_line(plot, roll.table, {"x", "m"}, {roll.symbol + "_" + side, flexibility},
-           side + " roll" + (both ? ", closed form" : ""), closed);
+           side + " roll" + (both ? ", chain" : ""), closed);
   add_line(plot, roll.table, {"x", "m"}, {roll.symbol + "_" + side + "_fe", flexibility},
            side + " roll, finite elements", elements);
 }
@@ -199,21 +199,26 @@ void shape_section(Page &page, const Run &run)
       own.push_back(drawing);
   }
   if (!drawings.empty())
-    page.figure(drawings,
-                "How far each cross-section moves from the ground up when the bite pushes with one "
-                "meganewton. A mass counts with the square of this displacement over that of its reference "
-                "point, which is where the equivalent masses M2 to M5 come from. The backup roll "
-                "bends between its bearings (triangles); the work roll lies on the backup roll and is "
-                "pressed by the strip, so its necks move least. Below each diagram the roll to scale along the "
-                "same axis, with what holds it and what loads it." +
-                    std::string(elements ? " Solid lines are closed forms (stepped Timoshenko beam, beam on a "
-                                           "bed of contact springs), dashed lines the meshed roll."
-                                         : ""));
+    page.figure(
+        drawings,
+        "How far each cross-section moves from the ground up when the bite pushes with one "
+        "meganewton. A mass counts with the square of this displacement over that of its reference "
+        "point, which is where the equivalent masses M2 to M5 come from. The backup roll "
+        "bends between its bearings (triangles); the work roll lies on the backup roll and is "
+        "pressed by the strip, so its necks move least. Below each diagram the roll to scale along the "
+        "same axis, with what holds it and what loads it." +
+            std::string(
+                elements ? " Solid lines are the shapes of the chain (each roll under its own even load, or as a "
+                           "stepped beam where backup_roll.bending_model says so), dashed lines the "
+                           "rolls of the whole stand by finite elements."
+                         : ""));
   if (elements && !own.empty())
     page.figure(own,
                 "The same shapes counted from the roll's own bearings, so that only its bending, its shear and "
-                "the contact are left: <b>where solid and dashed lines part, the beam is not the roll</b>, "
-                "mostly at the step from barrel to neck." +
+                "the contact are left: <b>where solid and dashed lines part, the roll of the chain is not that of "
+                "the stand</b>: "
+                "a beam gives way too little at the step from barrel to neck, and the contact loads a barrel "
+                "unevenly." +
                     how_far_apart(run, rolls));
   if (!backup)
     page.absent("The backup roll's shape is", "curves/shape-backup-roll.csv");

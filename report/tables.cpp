@@ -145,6 +145,15 @@ std::string accuracy_cell(const Result &result)
     const std::string size = percent(std::abs(result.error_estimate));
     return "\u00b1" + (size[0] == '+' ? size.substr(1) : size);
   }
+  if (!result.error_lacks.empty()) {
+    constexpr std::size_t most = 2;
+    std::string lacks;
+    for (std::size_t i = 0; i < std::min(most, result.error_lacks.size()); ++i)
+      lacks += (i == 0 ? "" : ", ") + result.error_lacks[i];
+    if (result.error_lacks.size() > most)
+      lacks += " and " + std::to_string(result.error_lacks.size() - most) + " more";
+    return "\u2013<small>not known of " + escaped(lacks) + "</small>";
+  }
   for (const char *origin : {"given", "published", "measured", "assumed"})
     if (result.source.rfind(origin, 0) == 0)
       return std::string("\u2013<small>") + origin + ", not computed here</small>";

@@ -22,7 +22,9 @@ std::string label_of(const double value)
 
 Ticks linear_ticks(const double low, const double high, const int wanted)
 {
-  const double step  = nice_step((high - low) / wanted);
+  const double step = nice_step((high - low) / wanted);
+  if (!(step > 0) || !std::isfinite(step) || !(std::max(std::abs(low), std::abs(high)) < 1e15 * step))
+    return {};  // a range beyond the digits of a double has no ticks, and counting them might not end
   const int decimals = std::max(0, -int(std::floor(std::log10(step) + rounding)));
   Ticks ticks;
   const double last = std::floor(high / step + rounding);
@@ -35,6 +37,8 @@ Ticks linear_ticks(const double low, const double high, const int wanted)
 
 Ticks log_ticks(const double low, const double high, const int wanted)
 {
+  if (!(low > 0) || !std::isfinite(high))
+    return {};
   const int first   = int(std::floor(std::log10(low) + rounding));
   const int last    = int(std::floor(std::log10(high) + rounding));
   const bool few    = std::log10(high / low) < 2;

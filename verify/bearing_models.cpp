@@ -41,7 +41,6 @@ bearing::BearingModel bearing_hh926700()
   b.rib_angle         = 70.20 * degree;
   b.preload           = 100;
   b.youngs_modulus    = 210e9;
-  b.tilt_lever        = "full";
   model.roller        = bearing::luo_law(b, 167.35 * mm, 230.51 * mm);
 
   const double speed      = 1200 * 2 * M_PI / 60;

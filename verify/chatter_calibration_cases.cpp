@@ -235,7 +235,7 @@ std::vector<Case> chatter_calibration_cases()
   std::vector<Case> cases;
   const auto add = [&](const char *name, const std::string &problem, const std::string &source, const char *reason,
                        std::vector<Check> (*run)()) {
-    cases.push_back({name, "benchmark", problem, source, reason, run});
+    cases.push_back({name, "regression", problem, source, reason, run});
   };
   add("chatter-growth",
       stands +

@@ -244,7 +244,8 @@ std::vector<Check> damping_scales()
       const std::string where   = fmt::format("scale {:g} N s/m, condition {}: ", row[0], condition);
       if (std::isnan(row[condition])) {
         checks.push_back(absolute(where + "speeds at which a root grows up to 32 m/s", "-",
-                                  double(found.crossings.size()) + (found.verdict != dynamics::Verdict::stable), 0, 0));
+                                  double(found.crossings.size()) + (found.verdict != dynamics::Verdict::stable), 0,
+                                  0));
         checks.push_back(reported(where + "largest growth rate", "1/s", found.margin, 0));
       } else
         checks.push_back(absolute(where + "critical speed", "m/s", found.speed, row[condition], 1e-5));
@@ -319,11 +320,11 @@ std::vector<Case> chatter_stand_cases()
                        const char *reason, std::vector<Check> (*run)()) {
     cases.push_back({name, kind, problem, source, reason, run});
   };
-  add("chatter-free-modes", "unit",
+  add("chatter-free-modes", "regression",
       "Stand D, a four-high of six masses without strip: natural frequencies and ratios of critical damping.",
       liu + "stand_D.frequencies, stand_D.damping", "1e-6: eigenvalues of 6 x 6 and 12 x 12 matrices.",
       free_stand);
-  add("chatter-eigenvalues", "benchmark",
+  add("chatter-eigenvalues", "regression",
       stands + "Stand D in condition 2 at 18.2 m/s, derivatives in sequence: 14 eigenvalues.",
       liu + "eigenvalues.condition_2",
       "1e-6 of the modulus; 1e-4 1/s for the growth rate of the critical mode, a difference of terms 1e4 times as "
@@ -335,7 +336,7 @@ std::vector<Case> chatter_stand_cases()
           "of the structure per force is 1 at every eigenvalue of the 14 x 14 matrix.",
       "theory.md (25.7): determinant of the coupled system",
       "1e-10: rounding of the loop next to a pole of the structure.", scalar_loop);
-  add("chatter-critical-speed", "benchmark",
+  add("chatter-critical-speed", "regression",
       stands +
           "Lowest roll speed at which a mode begins to grow, with the steady bite solved anew at every speed: "
           "five readings of the stand in two conditions, and stand D in two further linearisations. The "
@@ -347,15 +348,15 @@ std::vector<Case> chatter_stand_cases()
                "halving. Beside it stand B, whose dampers of 1e8 N s/m spread the roots over five decades: there "
                "the same array in double precision finds unstable roots where none is.",
       liu + "v_crit.D.seq, by eigenvalues", "2e-6 m/s: halving; counts exact.", routh);
-  add("chatter-printed-signs", "benchmark",
+  add("chatter-printed-signs", "regression",
       stands + "Negative test: with the signs as printed in the source (force of opposite sign on the work rolls, "
                "gap as their sum) stand D in condition 2 is unstable at every speed.",
       liu + "as_printed_signs", "1e-4: largest of 14 eigenvalues.", printed_signs);
-  add("chatter-process-damping", "benchmark",
+  add("chatter-process-damping", "regression",
       stands + "What bite and tensions take from or add to the damping of the gap at 128 Hz in condition 2: it "
                "changes its sign between 15 and 18.2 m/s.",
       liu + "process_damping", "1e-6: closed form of exact derivatives.", damping_of_the_process);
-  add("chatter-damping-scale", "benchmark",
+  add("chatter-damping-scale", "regression",
       stands + "Stand D at 4.95 m between the stands with all its dampers on scales from none to 1e8 N s/m.",
       liu + "damping_exponent", "1e-5 m/s: root finding of the reference; stable throughout: exact.",
       damping_scales);

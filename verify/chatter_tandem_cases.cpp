@@ -309,7 +309,6 @@ std::vector<Check> study()
   const double flow_in = s.at.stands[1].state.entry_speed, flow_out = s.at.stands[0].state.exit_speed;
   std::vector<Check> checks{
       reported("first stand alone: critical speed (of the last stand)", "m/s", s.stand[0].speed, lowest),
-      reported("second stand alone", "m/s", s.stand[1].speed, lowest),
       reported("tension shared", "m/s", s.tension.speed, lowest),
       reported("tension shared, waviness arriving later", "m/s", v, lowest),
       reported("its frequency", "Hz", s.full.frequency, s.tension.frequency),

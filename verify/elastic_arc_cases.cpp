@@ -107,7 +107,7 @@ std::vector<Case> elastic_arc_cases()
                        const char *reason, const std::function<std::vector<Check>()> &run) {
     cases.push_back({name, kind, problem, source, reason, run});
   };
-  add("elastic-arc", "verification",
+  add("elastic-arc", "regression",
       "BI-18: rolls of any shape as half planes, elastic zones of the strip, homogeneous slices with small "
       "angles, uncapped Coulomb friction; Newton on all pressures with 100, 200 and 400 graded points",
       "relaxation with 1600 even points by an independent program: 7566.97, 7568.40, 7568.72 N (B5) and 7979.36, "

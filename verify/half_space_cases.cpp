@@ -249,7 +249,7 @@ std::vector<Check> flat_punch()
   return checks;
 }
 
-// The same sphere contact in millimetres and megapascals, ten times as large, and a hundred times as stiff.
+// The same sphere contact in millimetres and megapascals, and ten times as large.
 std::vector<Check> scale_invariance()
 {
   const Paraboloid p{half_spaces(steel, steel), 1000, 10 * mm, 10 * mm, 12, 12};
@@ -272,8 +272,6 @@ std::vector<Check> scale_invariance()
   };
   std::vector<Check> checks = scaled("mm and MPa", 1e3, 1e-6);
   for (const Check &c : scaled("10 x geometry", 10, 1))
-    checks.push_back(c);
-  for (const Check &c : scaled("100 x modulus", 1, 100))
     checks.push_back(c);
   return checks;
 }
@@ -304,7 +302,7 @@ std::vector<Case> half_space_cases()
                        std::string(method) +
                        " The contact is longer than the rolls are thick: a test of the operator, not of rolls.",
                    hertz, "0.5 %: 26 rectangles on the half width, each 150 times as long as wide", crowned_pair});
-  cases.push_back({"roller-log", "verification",
+  cases.push_back({"roller-log", "regression",
                    "Steel roller R 12.5, L 40, with logarithmic profile on a steel half space, 20 kN. " +
                        std::string(method) + " Rows from 0.5 mm in the middle to 0.05 mm at the end.",
                    roller,
@@ -312,7 +310,7 @@ std::vector<Case> half_space_cases()
                    "18 mm, the profile's purpose",
                    roller_log});
   cases.push_back(
-      {"roller-sharp", "verification",
+      {"roller-sharp", "regression",
        "The roller of roller-log, straight to a sharp end, end rows of 0.2, 0.05 and 0.02 mm. " +
            std::string(method) +
            " The pressure at the end grows without limit and is flagged, not reported: the largest pressure grows "
@@ -327,8 +325,8 @@ std::vector<Case> half_space_cases()
        "K. L. Johnson, Contact Mechanics (1985), 2.8, 3.4 and 5.3",
        "0.5 % and 1 %: the stepped rim leaves 0.1 % and 0.3 %", flat_punch});
   cases.push_back({"scale-invariance-half-space", "verification",
-                   "The contact of sphere-half-space with 144 pressures in millimetres and megapascals, ten times "
-                   "as large, and with a hundred times the modulus.",
+                   "The contact of sphere-half-space with 144 pressures in millimetres and megapascals, and ten "
+                   "times as large.",
                    "dimensional analysis: the result is a function of ratios only",
                    "1e-10: round-off of the solution of some 100 equations, amplified by their condition",
                    scale_invariance});

@@ -19,14 +19,7 @@ std::vector<Check> identities()
   for (const double part : s.energy)
     energy += part;
 
-  const auto same   = solved(mirrored(h), coarse);
-  MillHousing twice = h;
-  for (double *length :
-       {&twice.thickness, &twice.post_width, &twice.window_width, &twice.window_height, &twice.upper_beam_height,
-        &twice.lower_beam_height, &twice.fillet_radius, &twice.foot_height, &twice.screw_pad, &twice.seat_pad})
-    *length *= 2;
-  const auto large = solved(twice, coarse);
-
+  const auto same = solved(mirrored(h), coarse);
   fem::HousingComponentOptions static_only;
   static_only.n_modes          = 0;
   const Component c            = fem::housing_component(h, body, static_only);
@@ -38,17 +31,11 @@ std::vector<Check> identities()
   return {
       relative("strain energy of the parts over the work of the force", "-", energy / (s.u_screw - s.u_seat), 1,
                tight),
-      relative("shares of posts and beam over the flexibility, upper", "-",
-               (s.flexibility[fem::upper_post] + s.flexibility[fem::upper_beam]) / s.u_screw, 1, tight),
-      relative("shares of posts and beam over the flexibility, lower", "-",
-               -(s.flexibility[fem::lower_post] + s.flexibility[fem::lower_beam]) / s.u_seat, 1, tight),
       at_most("force left over at a node, of the force on a pad", "-", s.force_error, tight),
       relative("mirrored housing: seat over screw", "-", same.u_seat / same.u_screw, -1, tight),
       relative("mirrored housing: lower over upper mass", "-", lower_mass(same) / upper_mass(same), 1, tight),
       at_most("mirrored housing: energy exchanged at the feet, of the flexibility", "-",
               std::abs(same.exchanged) / same.u_screw, tight),
-      relative("all lengths twice: flexibility", "-", large.u_screw / s.u_screw, 0.5, tight),
-      relative("all lengths twice: mass", "-", upper_mass(large) / upper_mass(s), 8, tight),
       relative("component: screw under the bite force", "-", pads[0] / s.u_screw, 1, tight),
       relative("component: seat under the bite force", "-", pads[1] / s.u_seat, 1, tight),
       relative("component: kinetic energy of the static shape over that of the parts", "-",
@@ -191,7 +178,7 @@ std::vector<Check> mesh_order()
   return {
       {"order of the screw's displacement", "-", low, 1.7, 0, Judged::at_least},
       at_most("difference to the extrapolated displacement over the estimate", "-",
-              std::abs(middle.u_screw / limit - 1) / middle.error[0], 1.3),
+              std::abs(middle.u_screw / limit - 1) / middle.error[0], 1),
       at_most("estimated error of the screw's displacement", "-", middle.error[0], 0.005),
       at_most("estimated error of the seat's displacement", "-", middle.error[1], 0.005),
       at_most("estimated error of the M1 part", "-", middle.error[2], 0.01),
@@ -246,10 +233,10 @@ std::vector<Case> housing_cases()
   };
   add("housing-identities", "unit",
       "Housing of a 1400 mm stand (assumed dimensions) by quadratic hexahedra, some 3000 unknowns of a quarter, "
-      "under a unit bite force: energy is work, parts add up, a mirrored housing answers alike, lengths scale, "
+      "under a unit bite force: the energy of the parts is the work, a mirrored housing answers alike, "
       "and the component carries the same load.",
-      "balance of energy; symmetry; similarity", "exact relations of the discrete problem; rounding is some 1e-13",
-      identities);
+      "balance of energy; symmetry; statics of the component",
+      "exact relations of the discrete problem; rounding is some 1e-13", identities);
   add("housing-long-posts", "verification",
       "Two stocky beams 20, 40 and 80 m apart: what the posts add per metre, and what of their mass rises with "
       "the screw.",
@@ -274,10 +261,10 @@ std::vector<Case> housing_cases()
       "The assumed housing on meshes of 2, 4 and 6 elements through posts and beams: observed order, and "
       "whether the error estimated from two of them covers the difference to the extrapolated value.",
       "three meshes against each other",
-      "flat sides of the fillets and the jump of pressure at the pads' edges are of second order; 1.7 and 1.3 "
-      "leave room for meshes that are not nested",
+      "flat sides of the fillets and the jump of pressure at the pads' edges are of second order; 1.7 "
+      "leaves room for meshes that are not nested; the factor of safety of the estimate is there to cover that",
       mesh_order);
-  add("housing-demo", "benchmark",
+  add("housing-demo", "verification",
       "Stiffness and reduced mass of the assumed housing beside the values of the demo stand, which were fitted "
       "to published totals and are no evidence; frames of beams around it.",
       "frames of beams with and without rigid corners; demo stand",

@@ -405,14 +405,14 @@ std::vector<Case> inhomogeneous_cases()
                        const char *reason, const std::function<std::vector<Check>()> &run) {
     cases.push_back({name, kind, problem, source, reason, run});
   };
-  add("karman-passes", "benchmark",
+  add("karman-passes", "regression",
       "BI-01, homogeneous: horizontal equilibrium of slices on the circular arc, Coulomb friction limited by the "
       "shear yield stress, integrated from both ends by an extrapolated midpoint rule of order 12",
       tables, ode, homogeneous_passes);
-  add("orowan-passes", "benchmark",
+  add("orowan-passes", "regression",
       "BI-01, inhomogeneous: the same with the stress of a plastic wedge; the pressure is implicit in every slice",
       tables, ode, inhomogeneous_passes);
-  add("karman-parabola", "benchmark",
+  add("karman-parabola", "regression",
       "the homogeneous equation on a parabola, without the friction's share of the vertical force: what Bland and "
       "Ford start from",
       tables, "1e-8: printed digits", parabolas);
@@ -437,30 +437,30 @@ std::vector<Case> inhomogeneous_cases()
       "1e-6: the truncation of the differences with steps of 1e-3 (the kink of the friction's limit included); "
       "1e-10 for the identity; printed digits",
       derivatives);
-  add("slab-plastic-slopes", "benchmark", "BI-15: -dF/dh2 of eight passes by both theories, arc held",
+  add("slab-plastic-slopes", "regression", "BI-15: -dF/dh2 of eight passes by both theories, arc held",
       "differences of the fourth order by an independent program", "1e-5: printed with six digits",
       plastic_slopes);
-  add("slab-following-slopes", "benchmark",
+  add("slab-following-slopes", "regression",
       "BI-15: -dF/dh2 with Hitchcock's radius following the force, at the flattened state of each pass",
       "differences of flattened states, by an independent program and by the product",
       "1e-5: printed with six digits; 1e-6 against own differences (truncation)", following_slopes);
-  add("demo-slope-integrated", "benchmark",
+  add("demo-slope-integrated", "regression",
       "BI-16: the stiffnesses called K4 of the demo pass, homogeneous and inhomogeneous, 1 m wide",
       "independent program; flattening and series in closed form", "1e-5: printed with six digits",
       demo_stiffnesses);
-  add("slab-flattened", "benchmark", "BI-17: both theories with Hitchcock's radius, first root",
+  add("slab-flattened", "regression", "BI-17: both theories with Hitchcock's radius, first root",
       "fixed point iterated to 1e-11 by an independent program", "1e-7 on the force, printed digits on R'/R",
       flattened_passes);
   add("slab-beyond-five", "unit",
       "BI-22: fifth pass of a cluster mill, flattened more than five times, is flagged; a harder strip under more "
       "friction has no flattened radius and is an error",
       "no number: what has to be said", "exact", beyond_five);
-  add("karman-cold-conditions", "benchmark",
+  add("karman-cold-conditions", "regression",
       "CH-04: two working conditions of a cold tandem mill, hardening by reduction, homogeneous slices on the "
       "parabola at given radius and friction, no limit of the friction stress",
       "independent integration to 1e-11 (entries slab.condition_1, slab.condition_2)",
       "1e-8: integration on both sides; 1e-7 where the radius is iterated as well", cold_conditions);
-  add("karman-cluster-passes", "benchmark",
+  add("karman-cluster-passes", "regression",
       "CL-04: three passes of a cluster mill with the flow stress that fits their force, homogeneous slices on "
       "parabola and circle",
       "independent integration (entries tuned_k.pass_1, _3, _5: slab_parabola, slab_arc)",

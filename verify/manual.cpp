@@ -4,102 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <iterator>
 
 namespace mill::verify {
 namespace {
-// Below this the deviation of a check that passes is round-off, which differs from machine to machine.
-constexpr double round_off = 1e-9;
-
-// Seven digits, as a decimal fraction where that is readable.
-std::string number(const double value)
-{
-  const double size = std::abs(value);
-  if (!(size >= 1e-3 && size < 1e9))
-    return fmt::format("{:.6g}", value);
-  const int before = std::max(0, int(std::floor(std::log10(size))) + 1);
-  std::string text = fmt::format("{:.{}f}", value, std::max(0, 7 - before));
-  if (text.find('.') != std::string::npos)
-    text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.')
-    text.pop_back();
-  return text;
-}
-
-std::string share(const double value)
-{
-  return std::abs(value) >= 1e-5 ? fmt::format("{:.2g} %", 100 * value) : fmt::format("{:.1g}", value);
-}
-
-double relative_deviation(const Check &c)
-{
-  return (c.result - c.reference) / std::abs(c.reference);
-}
-
-std::string deviation(const Check &c)
-{
-  if (!std::isfinite(c.result))
-    return "-";
-  switch (c.judged) {
-  case Judged::at_least:
-  case Judged::at_most:
-    return "-";
-  case Judged::absolute: {
-    const double d    = c.result - c.reference;
-    const bool hidden = passes(c) && std::abs(d) < round_off * std::max(1., std::abs(c.reference));
-    return hidden ? "< 1e-9" : fmt::format("{:+.2g}", d);
-  }
-  case Judged::relative:
-  case Judged::reported:
-    break;
-  }
-  if (c.reference == 0)
-    return "-";
-  const double d = relative_deviation(c);
-  return passes(c) && std::abs(d) < round_off ? "< 1e-9" : (d > 0 ? "+" : "") + share(d);
-}
-
-std::string tolerance(const Check &c)
-{
-  switch (c.judged) {
-  case Judged::relative:
-    return share(c.tolerance);
-  case Judged::absolute:
-    return c.tolerance == 0 ? "exact" : fmt::format("{} {}", number(c.tolerance), c.unit == "-" ? "" : c.unit);
-  case Judged::at_least:
-    return "at least";
-  case Judged::at_most:
-    return "at most";
-  case Judged::reported:
-    return "reported";
-  }
-  return "";
-}
-
-std::string result(const Check &c)
-{
-  // A residual that is as small as it should be: only its order is a result.
-  if (c.judged == Judged::at_most && std::abs(c.reference) <= round_off && passes(c))
-    return "below " + number(c.reference);
-  if (c.judged == Judged::absolute && c.reference == 0 && passes(c) && std::abs(c.result) < round_off)
-    return "0";
-  return number(c.result);
-}
-
-std::string trimmed(std::string text)
-{
-  while (!text.empty() && text.back() == ' ')
-    text.pop_back();
-  return text;
-}
-
-std::size_t n_passed(const std::vector<Check> &checks)
-{
-  return std::size_t(std::count_if(checks.begin(), checks.end(), [](const Check &c) { return passes(c); }));
-}
-
 // Width on the screen: characters, not bytes.
 std::size_t width(const std::string &utf8)
 {
@@ -114,6 +24,13 @@ Row cells(const CheckText &t)
 }
 
 const Row heads{"quantity", "result", "unit", "reference", "deviation", "tolerance", "verdict"};
+
+std::string trimmed(std::string text)
+{
+  while (!text.empty() && text.back() == ' ')
+    text.pop_back();
+  return text;
+}
 
 std::string aligned(const std::vector<Row> &rows)
 {
@@ -135,19 +52,13 @@ std::string aligned(const std::vector<Row> &rows)
   return text;
 }
 
-std::string verdict_text(const Verdict verdict)
+// A known deviation below a table; `of` names its case, or is empty there.
+std::string known_lines(const std::string &of, const KnownText &k)
 {
-  switch (verdict) {
-  case Verdict::pass:
-    return "pass";
-  case Verdict::fail:
-    return "FAIL";
-  case Verdict::known_deviation:
-    return "known deviation";
-  case Verdict::reported:
-    return "-";
-  }
-  return "";
+  std::string text = fmt::format("  known deviation, {}{}: {} {}, asked {} ({})\n    cause: {}\n    remedy: {}\n",
+                                 of, k.check.quantity, k.check.result, k.check.unit, k.check.reference,
+                                 k.check.deviation, k.cause, k.remedy);
+  return k.moved.empty() ? text : text + "    FAIL: " + k.moved + "\n";
 }
 
 std::string first_sentence(const std::string &text)
@@ -164,35 +75,34 @@ std::string message_of(const std::exception &e)
 }
 }  // namespace
 
-CheckText check_text(const Check &c)
-{
-  return {c.quantity,
-          result(c),
-          c.unit,
-          number(c.reference),
-          deviation(c),
-          trimmed(tolerance(c)),
-          verdict_text(verdict(c))};
-}
-
-std::string table_cell(std::string text)
-{
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
-    text.insert(at, "\\");
-  return text;
-}
-
 bool passes(const Outcome &outcome)
 {
-  return outcome.error.empty() && !outcome.checks.empty() && n_passed(outcome.checks) == outcome.checks.size();
+  return outcome.error.empty() && outcome.skipped.empty() && !outcome.checks.empty() &&
+         tally(outcome.checks).failed == 0;
+}
+
+std::string verdict_text(const Outcome &outcome)
+{
+  if (!outcome.skipped.empty())
+    return "skipped";
+  if (!passes(outcome))
+    return "FAIL";
+  const Tally t = tally(outcome.checks);
+  if (t.known > 0)
+    return "known deviation";
+  return t.judged() > 0 ? "pass" : "reported";
 }
 
 Outcome run(const Case &page)
 {
   const auto start = std::chrono::steady_clock::now();
-  Outcome outcome{page, {}, 0, ""};
+  Outcome outcome{page, {}, 0, "", "", ""};
   try {
     outcome.checks = page.run();
+    if (page.ran_with)
+      outcome.ran_with = page.ran_with();
+  } catch (const Skipped &e) {
+    outcome.skipped = e.what();
   } catch (const std::exception &e) {
     outcome.error = message_of(e);
   }
@@ -243,56 +153,55 @@ std::string outcome_text(const Outcome &o)
   std::string text = o.page.name + " (" + o.page.kind + "): " + o.page.problem + "\n";
   if (!o.checks.empty())
     text += aligned(rows);
-  if (!o.error.empty())
+  for (const KnownText &k : known_deviations(o.checks))
+    text += known_lines("", k);
+  if (!o.skipped.empty())
+    text += "  skipped: " + o.skipped + "\n";
+  else if (!o.error.empty())
     text += "  stopped: " + o.error + "\n";
   else if (o.checks.empty())
     text += "  the case checks nothing: FAIL\n";
+  if (!o.ran_with.empty())
+    text += "  with: " + o.ran_with + "\n";
   return text + "  tolerance: " + o.page.tolerance_reason + "\n  source: " + o.page.source +
          fmt::format("\n  time: {:.2f} s\n", o.seconds);
 }
 
 std::string summary_text(const std::vector<Outcome> &outcomes)
 {
-  std::size_t good = 0, n_checks = 0, good_checks = 0;
-  std::string failed;
+  Tally sum;
+  std::vector<std::string> failed, skipped, needs;
+  std::size_t good = 0;
   for (const Outcome &o : outcomes) {
-    good += passes(o);
-    n_checks += o.checks.size();
-    good_checks += n_passed(o.checks);
-    if (!passes(o))
-      failed += (failed.empty() ? "; failed: " : ", ") + o.page.name;
+    const Tally t = tally(o.checks);
+    sum           = {sum.passed + t.passed, sum.failed + t.failed, sum.known + t.known, sum.reported + t.reported};
+    if (!o.skipped.empty()) {
+      skipped.push_back(o.page.name);
+      if (std::find(needs.begin(), needs.end(), o.skipped) == needs.end())
+        needs.push_back(o.skipped);
+    } else if (!passes(o))
+      failed.push_back(o.page.name);
+    else
+      good += t.judged() + t.known > 0;
   }
-  return fmt::format("{} of {} cases pass, {} of {} checks{}", good, outcomes.size(), good_checks, n_checks,
-                     failed);
+  std::string text = fmt::format("{} of {} cases pass, {} of {} judged checks", good, good + failed.size(),
+                                 sum.passed, sum.judged());
+  if (sum.known > 0)
+    text += fmt::format("; {} known deviation{}", sum.known, sum.known == 1 ? "" : "s");
+  if (sum.reported > 0)
+    text += fmt::format("; {} value{} reported beside a reference, not judged", sum.reported,
+                        sum.reported == 1 ? "" : "s");
+  if (!skipped.empty())
+    text += fmt::format("; skipped: {} ({})", fmt::join(skipped, ", "), fmt::join(needs, "; "));
+  return text + (failed.empty() ? "" : fmt::format("; failed: {}", fmt::join(failed, ", ")));
 }
 
-std::string manual_page(const std::vector<Outcome> &outcomes)
+std::string known_text(const std::vector<Outcome> &outcomes)
 {
-  std::string text =
-      "# Verification manual\n\n"
-      "Problems with a known answer, run by `millstand verify` and by the tests; this page is written by\n"
-      "`millstand verify --markdown docs/verification.md`. Kinds: *unit* is a closed form or kernel in "
-      "isolation,\n"
-      "*verification* the whole numerical chain against an exact reference, *benchmark* a comparison with "
-      "published or\n"
-      "peer numbers. A deviation below 1e-9 is round-off and not shown.\n\n" +
-      summary_text(outcomes) + ".\n\n| case | kind | verdict |\n|---|---|---|\n";
+  std::string text;
   for (const Outcome &o : outcomes)
-    text += fmt::format("| [{0}](#{0}) | {1} | {2} |\n", o.page.name, o.page.kind, passes(o) ? "pass" : "FAIL");
-  for (const Outcome &o : outcomes) {
-    text += fmt::format("\n## {}\n\n{}\n\n", o.page.name, o.page.problem);
-    if (!o.error.empty())
-      text += "Stopped: " + o.error + "\n\n";
-    text += "| quantity | result | unit | reference | deviation | tolerance | verdict |\n"
-            "|---|---:|---|---:|---:|---:|---|\n";
-    for (const Check &c : o.checks) {
-      text += "|";
-      for (const std::string &entry : cells(check_text(c)))
-        text += " " + table_cell(entry) + " |";
-      text += "\n";
-    }
-    text += "\nTolerance: " + o.page.tolerance_reason + "\n\nSource: " + o.page.source + "\n";
-  }
+    for (const KnownText &k : known_deviations(o.checks))
+      text += known_lines(o.page.name + ": ", k);
   return text;
 }
 }  // namespace mill::verify

@@ -1,5 +1,5 @@
 #pragma once
-#include "verify/verification.h"
+#include "verify/check_text.h"
 
 // The verification manual as text: for the console and for docs/verification.md.
 namespace mill::verify {
@@ -7,14 +7,20 @@ namespace mill::verify {
 struct Outcome {
   Case page;
   std::vector<Check> checks;
-  double seconds = 0;  ///< s, wall time of the run
-  std::string error;   ///< what stopped it; empty when it ran to the end
+  double seconds = 0;    ///< s, wall time of the run
+  std::string error;     ///< what stopped it; empty when it ran to the end
+  std::string skipped;   ///< what it needs and this machine has not; empty when it was run
+  std::string ran_with;  ///< Case::ran_with, after the run
 };
 
-/// All checks pass, there is one, and nothing stopped the case.
+/// There is a check, none fails, and nothing stopped the case or made it be skipped.
 bool passes(const Outcome &outcome);
 
-/// Runs a case; an exception becomes Outcome::error, so that the others still run.
+/// "pass", "known deviation" (passes, with such a check), "reported" (passes, nothing is judged), "FAIL",
+/// "skipped".
+std::string verdict_text(const Outcome &outcome);
+
+/// Runs a case; an exception becomes Outcome::error (or skipped), so that the others still run.
 Outcome run(const Case &page);
 
 /// Cases of these names, or of these families, in the order of the names; all of them for no name.
@@ -28,17 +34,12 @@ std::string list_text(const std::vector<Case> &cases);
 /// verdict), then reason, source and time.
 std::string outcome_text(const Outcome &outcome);
 
-/// "14 of 15 cases pass, 61 of 62 checks; failed: cgs1-small"
+/// "14 of 15 cases pass, 61 of 62 judged checks; 1 known deviation; 7 values reported beside a reference, not
+/// judged; skipped: peer-rolls; failed: cgs1-small", then what the skipped cases need.
 std::string summary_text(const std::vector<Outcome> &outcomes);
 
-/// What is printed of a check; a page that is out of date is found by comparing these with its cells.
-struct CheckText {
-  std::string quantity, result, unit, reference, deviation, tolerance, verdict;
-};
-CheckText check_text(const Check &check);
-
-/// Text as the cell of a Markdown table, where a bar would end it.
-std::string table_cell(std::string text);
+/// Every known deviation with result, asked reference, cause and remedy; empty when there is none.
+std::string known_text(const std::vector<Outcome> &outcomes);
 
 /// docs/verification.md.  No times, and no digits of round-off, so that the page changes only when a result does.
 std::string manual_page(const std::vector<Outcome> &outcomes);

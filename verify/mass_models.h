@@ -6,7 +6,7 @@
 
 namespace mill::verify {
 /// Its chain at 976.2175 kN with the contact springs and bearing stiffness of the reference, without the bite.
-reduce::LumpedStand demo_chain(const FourHigh &stand);
+reduce::LumpedStand demo_chain(const FourHigh &stand, const reduce::SolidRolls &rolls = {});
 
 /// Cases of the stand of beams and of components, theory.md 22; part of mass_cases().
 std::vector<Case> stand_model_cases();

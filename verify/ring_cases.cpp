@@ -1,4 +1,5 @@
 #include "bearing/assembly.h"
+#include "bearing/rigid_rings.h"
 #include "bearing/ring_sections.h"
 #include "fem/chock_flexibility.h"
 #include "fem/harmonic_body.h"
@@ -192,23 +193,28 @@ std::vector<Check> chock_round()
 
 // ---- ring-rigid-limit, ring-mesh ------------------------------------------------------------------------------
 
+// Rings, neck and block a thousand times as stiff as steel, in the assembly, against the bracketed search for one
+// displacement between rigid rings.
 std::vector<Check> ring_rigid_limit()
 {
-  RingSections sections = bearing::ring_sections(mill_bearing("block"));
+  const RollerBearing bearing = mill_bearing("block");
+  RingSections sections       = bearing::ring_sections(bearing);
+  sections.material.youngs_modulus *= 1000;
   const ScratchRings scratch(sections, {0.4, 0.6}, "limit");
   fem::RingOptions options;
   options.last_harmonic   = 20;
   options.chock_harmonics = 3;
-  const auto soft         = fem::ring_flexibility(sections, scratch.meshes, nullptr, options).flexibility;
-  sections.material.youngs_modulus *= 1000;
-  const auto hard    = fem::ring_flexibility(sections, scratch.meshes, nullptr, options).flexibility;
-  const double whole = fem::stribeck_flexibility(soft, 39);
-  double entries     = (1000 * hard.chock_cosine - soft.chock_cosine).norm() / soft.chock_cosine.norm();
-  for (std::size_t m = 0; m < soft.inner.size(); ++m)
-    entries = std::max(entries, (1000 * hard.inner[m] - soft.inner[m]).norm() / soft.inner[0].norm());
-  return {relative("flexibility, modulus x 1000", "nm/MN", 1e15 * fem::stribeck_flexibility(hard, 39),
-                   1e15 * whole / 1000, 1e-8),
-          at_most("all entries x 1000 against the soft ones", "-", entries, 1e-8)};
+  auto model              = bearing::rigid_model(bearing);
+  model.rings             = fem::ring_flexibility(sections, scratch.meshes, nullptr, options).flexibility;
+  const double load       = 1e6;
+  const auto drive        = bearing::radial_drive(load);
+  const auto stiff        = bearing::BearingAssembly(model).solve(drive);
+  const auto rigid        = bearing::solve_bearing(bearing, load);
+  return {relative("displacement", "um", stiff.motion[0] / 1e-6, rigid.displacement / 1e-6, 1e-3),
+          relative("tangent", "kN/mm", bearing::radial_tangent(stiff, drive) / 1e6, rigid.tangent / 1e6, 1e-3),
+          relative("heaviest roller", "kN", stiff.roller_load.maxCoeff() / 1e3, rigid.roller_max / 1e3, 1e-3),
+          at_most("largest difference of a roller load / heaviest", "-",
+                  (stiff.roller_load - rigid.roller_load).cwiseAbs().maxCoeff() / rigid.roller_max, 1e-3)};
 }
 
 // Flexibility of the mill bearing's rings under a radial load.
@@ -271,13 +277,21 @@ std::vector<Check> chock_m_shape()
   const auto middle  = solved();
   const auto secant  = [](const bearing::AssemblyState &state) { return bearing::radial_secant(state) / 1e6; };
   Check off{"heaviest roller, block on two feet", "deg", heaviest(feet), 15, 0, Judged::at_least};
-  return {off,
-          at_most("the same, at most", "deg", heaviest(feet), 30),
-          reported("heaviest roller, block on its middle", "deg", heaviest(middle), 0),
-          reported("heaviest roller, rigid rings", "deg", heaviest(rigid), 0),
-          reported("secant, block on two feet / rigid rings", "kN/mm", secant(feet), secant(rigid)),
-          reported("secant, block on its middle / rigid rings", "kN/mm", secant(middle), secant(rigid)),
-          relative("secant, modulus x 1000 / rigid rings", "kN/mm", secant(stiff), secant(rigid), 1e-3)};
+  // Asked of any elastic chock.
+  Check behind{"heaviest roller, block on its middle", "deg", heaviest(middle), 15, 0, Judged::at_least};
+  return {
+      off,
+      at_most("the same, at most", "deg", heaviest(feet), 30),
+      known_deviation(behind, {0, 4.6,
+                               "a block carried right behind the heaviest rollers is stiffest on the load line: "
+                               "the shortest way to the support; it moves the load off the line where it can bend "
+                               "away from it, on two feet or hung from its far side",
+                               "the drawing of the published chock, with its support; or a bound that names the "
+                               "support"}),
+      reported("heaviest roller, rigid rings", "deg", heaviest(rigid), 0),
+      reported("secant, block on two feet / rigid rings", "kN/mm", secant(feet), secant(rigid)),
+      reported("secant, block on its middle / rigid rings", "kN/mm", secant(middle), secant(rigid)),
+      relative("secant, modulus x 1000 / rigid rings", "kN/mm", secant(stiff), secant(rigid), 1e-3)};
 }
 }  // namespace
 
@@ -322,10 +336,13 @@ std::vector<Case> ring_cases()
        "product, what the block's coarse mesh lines get wrong in the meridian is taken off with a "
        "section on the same lines; harmonics must not mix, 1e-6",
        chock_round});
-  cases.push_back({"ring-rigid-limit", "verification",
-                   "Rings, neck and chock of the mill bearing with a thousandfold modulus, coarse meshes.",
-                   "linear elasticity: a thousandth of the flexibility", "rounding of two factorisations",
-                   ring_rigid_limit});
+  cases.push_back(
+      {"ring-rigid-limit", "verification",
+       "Rings, neck and chock of the mill bearing by finite elements with a thousandfold modulus on coarse "
+       "meshes, in the assembled bearing under 1 MN.",
+       "the rigid-ring solver, a bracketed search for one displacement that shares nothing with rings "
+       "and assembly but the law of one roller",
+       "rings as flexible as the rollers leave 1/1000 of their part", ring_rigid_limit});
   cases.push_back(
       {"ring-mesh", "verification",
        "Flexibility of rings, neck and housing of the mill bearing under a radial load spread by "
@@ -337,7 +354,8 @@ std::vector<Case> ring_cases()
                    "260 mm carried by two feet of 100 mm at the ends of its face, and by the middle 300 mm of it.",
                    "Lin, Sun, Peng, Engineering Mechanics 38(1) (2021) 231: the heaviest roller lies 15 to 30 "
                    "degrees off the load line; rigid rings: the assembly without flexibility",
-                   "a range: dimensions and support of the published chock are not known. The load is M-shaped "
+                   "a range: dimensions and support of the published chock are not known, and it was asked for of "
+                   "any elastic chock. The load is M-shaped "
                    "where the block can bend away from the rollers on the load line, that is on two feet; carried "
                    "right behind them it is not. The rings' share of the deflection, 0.7 of the rollers', becomes "
                    "0.07 % with a thousandfold modulus",

@@ -373,11 +373,11 @@ std::vector<Case> cluster_slab_cases()
                        const char *reason, std::vector<Check> (*run)()) {
     cases.push_back({name, kind, problem, source, reason, run});
   };
-  add("cluster-inputs", "unit",
+  add("cluster-inputs", "regression",
       "Five passes of a cluster mill, 0.260 to 0.095 mm: tension stresses, rotation, friction by "
       "the speed law in its four readings.",
       brusa + "tension_stress, kinematics.omega, friction", "1e-9: closed forms.", cluster_inputs);
-  add("cluster-vector", "unit",
+  add("cluster-vector", "regression",
       "Pass 1 (0.260 -> 0.180 mm, R 34.8 mm, tensions 38 and 35 kN) at k 1200 MPa, mu 0.06: Bland and "
       "Ford, rigid and flattened.",
       brusa + "vector.bland_ford, vector.hitchcock", "1e-8 closed form; 1e-9 root in R'.", cluster_vector);
@@ -387,12 +387,12 @@ std::vector<Case> cluster_slab_cases()
       brusa + "tuned_k.*",
       "1e-9: closed form and integration to 1e-12; 1e-8 and 1e-6 on the full equation: ODE tolerances.",
       cluster_slab_equation);
-  add("cluster-tuned", "benchmark",
+  add("cluster-tuned", "regression",
       "Passes 1, 3, 5: flow stress that returns the printed force, at friction by the speed law and "
       "0.03 to 0.10, rigid and flattened; power; friction factor of equal force." +
           fitted,
       brusa + "tuned_k.*", "1e-7: root finding within the reference.", cluster_tuned);
-  add("cluster-hardening", "benchmark",
+  add("cluster-hardening", "regression",
       "Hardening law fitted to passes 1, 3, 5, the forces it gives and the friction that would be "
       "needed; Y of pass 1 kept for all." +
           fitted,

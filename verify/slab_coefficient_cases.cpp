@@ -170,7 +170,7 @@ std::vector<Case> film_coefficient_cases()
                        const char *reason, std::vector<Check> (*run)()) {
     cases.push_back({name, kind, problem, source, reason, run});
   };
-  add("film-coefficients", "benchmark",
+  add("film-coefficients", "regression",
       pass + "Derivatives of speeds, force, friction and neutral point by gap, gap "
              "rate, tensions and entry thickness in three linearisations, by automatic differentiation.",
       liu + "coefficients.*", "1e-8: exact derivatives at a state of 1e-13.", film_coefficients);

@@ -157,17 +157,42 @@ std::vector<Check> enough_masses()
       checks.push_back(
           reported(fmt::format("{} places: modes right to 5 % of {}", row.masses, row.modes_below_limit), "-",
                    row.right, row.modes_below_limit));
-  const ChainVerdict verdict = chain_verdict(stand, chain, 1000, "the beam model");
-  const auto lumped          = std::find_if(rows.begin(), rows.end(), [](const MassesRow &row) {
+  const auto lumped = std::find_if(rows.begin(), rows.end(), [](const MassesRow &row) {
     return row.added == "the chain of six lumped masses";
   });
-  checks.push_back({"six lumped masses: modes missing", "-", double(lumped->missing.size()),
-                    double(verdict.missing.size()), 0, Judged::absolute});
   checks.push_back({"six lumped masses: modes right to 5 %", "-", double(lumped->right), 2, 0, Judged::absolute});
   checks.push_back({"six lumped masses: worst error of a mode that is shown", "-", lumped->worst_error, 0.24, 5e-3,
                     Judged::absolute});
   checks.push_back({"20 places: modes missing", "-", double(rows.back().missing.size()), 0, 0, Judged::absolute});
   checks.push_back(at_most("20 places: worst error", "-", rows.back().worst_error, 0.05));
+  return checks;
+}
+
+// The chain whose rolls are components made from fine beams: it takes none of the closed forms.
+std::vector<Check> chain_of_components()
+{
+  std::vector<Check> checks;
+  for (const std::string reference : {"mid", "mean"}) {
+    FourHigh drawing                = demo_stand();
+    drawing.dynamics.mass_reference = reference;
+    const Component work            = beam_component("work roll", drawing.work_roll, drawing.steel, 6, 1000),
+                    backup          = beam_component("backup roll", drawing.backup_roll, drawing.steel, 6, 1000);
+    const auto chain                = [&](const char *model) {
+      drawing.backup_roll.bending_model = model;
+      return demo_chain(drawing, {&work, &backup, &work, &backup, 2});
+    };
+    const LumpedStand beams = chain("beam"), components = chain("solid");
+    const auto add = [&](const std::string &name, const Parameter &result, const Parameter &closed,
+                         const double tolerance) {
+      checks.push_back(
+          relative(reference + " reference: " + name, result.unit, result.value, closed.value, tolerance));
+    };
+    add("K_ZW", components.K_ZW, beams.K_ZW, 1e-3);
+    add("K2", components.model.K[1], beams.model.K[1], 1e-3);
+    add("K6", components.model.K[5], beams.model.K[5], 1e-3);
+    for (const std::size_t i : {1, 2, 3, 4})
+      add("M" + std::to_string(i + 1), components.model.M[i], beams.model.M[i], i == 1 || i == 4 ? 1e-3 : 1e-2);
+  }
   return checks;
 }
 
@@ -212,11 +237,12 @@ std::vector<Check> component_against_beam()
 std::vector<Case> stand_model_cases()
 {
   std::vector<Case> cases;
-  const auto add = [&](const std::string &name, const std::string &problem, const std::string &source,
-                       const std::string &reason, const std::function<std::vector<Check>()> &run) {
-    cases.push_back({name, "verification", problem, source, reason, run});
-  };
   const std::string program = "independent program (entry ";
+  const auto add            = [&](const std::string &name, const std::string &problem, const std::string &source,
+                       const std::string &reason, const std::function<std::vector<Check>()> &run) {
+    const bool beforehand = source.rfind(program, 0) == 0;
+    cases.push_back({name, beforehand ? "regression" : "verification", problem, source, reason, run});
+  };
   const std::string digits =
       "same elements on both sides; modes 6 to 14 agree to 4e-7 when each node is given a "
       "rotary inertia of its mass times (1 mm)^2, which the reference seems to have against "
@@ -250,6 +276,15 @@ std::vector<Case> stand_model_cases()
       "the modes of the beam stand itself; the two stand modes and the 24 % of the upper-frame mode stand in the "
       "document of the reference",
       "counted numbers; 20 places are to show every mode below 1000 Hz to 5 %", enough_masses);
+  add("mass-solid-rolls",
+      "Chain of the demo stand with backup_roll.bending_model = \"solid\", its rolls components made from fine "
+      "beams, "
+      "against the chain of closed forms.",
+      "stepped Timoshenko beam in closed form; beam on an elastic foundation in closed form",
+      "beam elements are exact at their nodes, the load is spread by six Legendre functions; the work roll's "
+      "closed "
+      "form is an Euler beam, and shear makes w1(0) 1.8 % larger, of which M3 and M4 feel a part",
+      chain_of_components);
   add("stand-components",
       "The same stand put together from components (six barrel functions, seat, modes) that were made from fine "
       "beams, against the stand of fine beams itself.",

@@ -2,6 +2,7 @@
 #include "bite/half_plane.h"
 #include "fem/strip_elastic.h"
 #include "verify/bite_passes.h"
+#include "verify/free_arc_slab.h"
 #include "verify/verification.h"
 #include <algorithm>
 #include <cmath>
@@ -219,9 +220,9 @@ std::vector<Check> rigid_roll()
 std::vector<Check> elastic_roll()
 {
   std::vector<Check> checks;
-  const std::map<std::string, std::array<double, 3>> published{
-      {"B5", {7568.72, 1.160, 11.453}},
-      {"B6", {7971.13, 1.862, 6.675} }
+  const std::map<std::string, std::array<double, 2>> published{
+      {"B5", {7568.72, 11.453}},
+      {"B6", {7971.13, 6.675} }
   };
   for (const auto &[name, slab] : published) {
     const bite::RollBite b         = reference_pass(name);
@@ -231,16 +232,25 @@ std::vector<Check> elastic_roll()
     const double F      = per_width(b, state) / 1e3;
     checks.push_back(
         relative(n + "force per width against the slab on the same arc", "N/mm", F, with.force / 1e3, 0.02));
-    if (name == "B5")
-      checks.push_back(relative(n + "against the slab whose elastic ends know no friction, with its own arc",
-                                "N/mm", F, slab[0], 0.05));
-    else
-      checks.push_back(reported(n + "against the slab whose elastic ends know no friction, with its own arc",
-                                "N/mm", F, slab[0]));
+    const FreeArcSlab third = slab_on_free_arc(b, 800, true), plain = slab_on_free_arc(b, 800, false);
+    checks.push_back(relative(n + "against the slab with friction in its ends, with its own arc, by relaxation",
+                              "N/mm", F, third.force / 1e3, 0.03));
+    checks.push_back(relative(n + "that relaxation without friction in the ends against the reference", "N/mm",
+                              plain.force / 1e3, slab[0], 0.003));
+    const Check without_friction = relative(
+        n + "against the slab whose elastic ends know no friction, with its own arc", "N/mm", F, slab[0], 0.05);
+    checks.push_back(
+        name == "B5"
+            ? without_friction
+            : known_deviation(without_friction, {9552.75, 10,
+                                                 "the reference keeps the stress along the strip constant in its "
+                                                 "elastic ends; with the friction there the same slab, on its "
+                                                 "own arc and by a program of its own, gives 9731 N/mm",
+                                                 "friction in the elastic ends, (19.16), in the reference"}));
     checks.push_back(reported(n + "the same ends on the arc found here", "N/mm", F, without.force / 1e3));
-    checks.push_back(reported(n + "end of the contact behind the line of centres", "mm",
-                              -state.flow.state.exit_position * 1e3, slab[1]));
-    checks.push_back(relative(n + "entry", "mm", state.flow.entry_position * 1e3, slab[2], 0.05));
+    checks.push_back(relative(n + "end of the contact behind the line of centres, against that relaxation", "mm",
+                              -state.flow.state.exit_position * 1e3, third.exit * 1e3, 0.1));
+    checks.push_back(relative(n + "entry", "mm", state.flow.entry_position * 1e3, slab[1], 0.05));
     checks.push_back(
         {n + "lines of the mesh end the contact", "-", double(state.ends_fitted), 1, 0, Judged::at_least});
     const Eigen::VectorXd &p = state.flow.state.pressure;
@@ -289,8 +299,6 @@ std::vector<Check> balances()
     checks.push_back(relative(n + "mean stress far behind the bite", "MPa", stress / height / 1e6,
                               strip.exit_tension / 1e6, 1e-6));
     checks.push_back(reported(n + "largest residual stress", "MPa", largest / 1e6, 0));
-    checks.push_back(
-        at_most(n + "residual stress over the flow stress", "-", largest / s.flow.state.exit_flow_stress, 1));
   }
   return checks;
 }
@@ -391,11 +399,15 @@ std::vector<Case> strip_elastic_cases()
               "there "
               "raises the whole hill behind the neutral point, and with it the flattening.",
       "slab by this case on the arc found here; slab with its own arc and elastic ends without friction, 1600 "
-      "points, F "
-      "7568.72 and 7971.13 N/mm",
-      "2 % and 5 %: shear, mesh; B6 is not judged by the slab without friction in its ends, which is 8 % low on "
-      "the same "
-      "arc and 17 % low with its own",
+      "points, F 7568.72 and 7971.13 N/mm; the same by a relaxation written for this case, with 800 points and "
+      "with or "
+      "without friction in the ends (1600 points with it: 7877.6 and 9730.7 N/mm)",
+      "2 % on the same arc: shear, mesh; 3 % with its own arc, which flattens further under what differs; 5 % of "
+      "the "
+      "slab without friction in its ends, which B6 does not meet; 0.3 % between the two relaxations: grid, and "
+      "Poisson's ratio of the strip (0.3 here, 0.28 there); 10 % of the place: the last millimetre carries next "
+      "to no "
+      "pressure",
       elastic_roll);
   add("strip-elastic-light-pass",
       model + ", 1.5 % off a strip of 0.4 mm under 100 MPa on both sides, 16 x 3 elements: the strip loads and "

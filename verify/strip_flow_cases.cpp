@@ -71,8 +71,11 @@ std::vector<Check> demo_pass()
   checks.push_back(inside("horizontal forces over k h1", "-", flow.balance.force_x, 0, 1e-6));
   checks.push_back(inside("power brought in over power spent - 1", "-", flow.balance.power, 0, 1e-8));
   checks.push_back(inside("sign changes of slip", "-", flow.slip_changes, 1, 0));
-  checks.push_back(reported("unknowns", "-", flow.n_unknowns, flow.n_unknowns));
-  checks.push_back(at_most("time of one cold start with derivatives", "s", flow.seconds, 20));
+  checks.push_back(at_most("unknowns", "-", flow.n_unknowns, 15000));
+  double systems = 0;  // each assembled and factorised
+  for (const fem::StripFlowLevel &level : flow.history)
+    systems += level.iterations;
+  checks.push_back(at_most("systems solved from the cold start", "-", systems, 100));
   return checks;
 }
 
@@ -87,7 +90,7 @@ std::vector<Check> thin_strip()
   for (const char *name : {"B5", "B6"}) {
     const fem::StripFlow flow = rolled(reference_pass(name), 24);
     checks.push_back(relative(std::string(name) + ", hardening: force per width against Karman's slab", "N/mm",
-                              flow.state.force / 1e3, karman_force(reference_pass(name)) / 1e3, 0.05));
+                              flow.state.force / 1e3, karman_force(reference_pass(name)) / 1e3, 0.03));
     checks.push_back(
         inside(std::string(name) + ": power brought in over power spent - 1", "-", flow.balance.power, 0, 1e-8));
     // Homogeneous strain is the least; the surface has more.
@@ -288,9 +291,22 @@ std::vector<Check> flattened_roll()
     const bite::RollBite b     = reference_pass(name);
     const fem::StripFlow flow  = rolled(b, 24, circle);
     const bite::BiteState slab = bite::solve_karman(b, bite::Theory::karman, bite::Arc::hitchcock);
-    const double tolerance     = std::string(name) == "B1" ? 0.075 : 0.03;
-    checks.push_back(relative(std::string(name) + ": force on Hitchcock's arc against the slab", "N/mm",
-                              flow.state.force / 1e3, slab.force / 1e3, tolerance));
+    const Check force = relative(std::string(name) + ": force on Hitchcock's arc against the slab", "N/mm",
+                                 flow.state.force / 1e3, slab.force / 1e3, 0.03);
+    checks.push_back(
+        std::string(name) != "B1"
+            ? force
+            : known_deviation(force, {928.616, 0.5,
+                                      "the homogeneous slab does not know that friction helps a strip "
+                                      "of arc over thickness 4 to yield: 6.7 % on a rigid roll too "
+                                      "(strip-flow-demo-pass), where finite elements and reference "
+                                      "program agree within 0.1 %",
+                                      "the inhomogeneous slab, which is judged below"}));
+    if (std::string(name) == "B1") {
+      const double orowan = bite::solve_karman(b, bite::Theory::orowan, bite::Arc::hitchcock).force;
+      checks.push_back(relative("B1: the same against the inhomogeneous slab", "N/mm", flow.state.force / 1e3,
+                                orowan / 1e3, 0.03));
+    }
     checks.push_back(relative(std::string(name) + ": R'/R against the slab", "-",
                               flow.state.flattened_radius / b.roll_radius, slab.flattened_radius / b.roll_radius,
                               0.02));
@@ -332,30 +348,29 @@ std::vector<Case> strip_flow_cases()
       "a bound, not a value: no tolerance; below it only the creep of the smeared yield is left, far below 1 % of "
       "the speed",
       idle_rolls);
-  add("strip-flow-demo-pass", "verification",
+  add("strip-flow-demo-pass", "regression",
       "B1: R 210, 8 -> 5 mm, k 28 MPa, mu 0.2, no tension. " + model +
           ", 48 x 12 elements on arc and half thickness.",
       limits,
       "0.8 % = uncertainty of the limit 0.16 % and of the smearing and mesh 0.3 % each; balances follow from the "
       "discrete equations and close to the tolerance of Newton's method",
       demo_pass);
-  add("strip-flow-thin", "verification",
+  add("strip-flow-thin", "regression",
       "B8 (perfectly plastic, 48 x 12) and the hardening passes B5, B6 (24 x 6) with tensions: thin lubricated "
       "strip.",
       limits + "; Karman's slab, integrated, theory.md 17",
-      "B8 0.7 % of the reference, whose limit is +-0.1 %, plus mesh; 3 % and 5 % of the slab, which leaves out "
-      "the work of shearing",
+      "B8 0.7 % of the reference, whose limit is +-0.1 %, plus mesh; 3 % of the slab, which leaves out the work "
+      "of shearing",
       thin_strip);
-  add("strip-flow-thick", "verification",
+  add("strip-flow-thick", "regression",
       "B3, B4, B7 and B9: arc over mean thickness 0.83, 1.56, 1.05 and 0.39, 48 x 12 elements. The force lies "
       "below the homogeneous slab in three of them and above it in the thickest.",
       limits, "1 %: singular edge of entry and the place where the strip leaves the roll", thick_strip);
-  add("strip-flow-sticking", "verification",
-      "B2: the demo pass with friction at the shear yield stress all along.",
+  add("strip-flow-sticking", "regression", "B2: the demo pass with friction at the shear yield stress all along.",
       limits + "; Sims' closed form, theory.md (17.9)",
       "1.5 %: the reference converged on the finest mesh only; 5 % of Sims, who leaves out the angle of the arc",
       sticking);
-  add("strip-flow-mesh", "verification",
+  add("strip-flow-mesh", "regression",
       "B1 on 12 x 3, 24 x 6 and 48 x 12 elements twice: equal elements with the surface followed, and graded "
       "elements with the contact from the geometric entry to the line of centres. The limits come from opposite "
       "sides.",
@@ -368,7 +383,7 @@ std::vector<Case> strip_flow_cases()
       "mesh of 24 x 6 elements; B1 and the hardening pass B5, on a rigid roll and on Hitchcock's arc.",
       "central difference, step a thousandth of the reduction or less; K4 225 +- 3 by the reference program",
       "1e-5: truncation of the difference", exact_derivatives);
-  add("strip-flow-regularisation", "benchmark",
+  add("strip-flow-regularisation", "verification",
       "B1 on 24 x 6 elements with a third of the smeared yield, and with ten times the smeared slip.",
       "the reference program: -0.05 % and -0.11 %", "0.3 %: what the smearing may cost", regularisation);
   add("strip-flow-slab-ratio", "verification",
@@ -384,8 +399,8 @@ std::vector<Case> strip_flow_cases()
       "elastic half plane.",
       "Karman's slab on Hitchcock's circle, and on an elastic half plane with elastic zones of the strip, "
       "theory.md 17",
-      "3 % as on a rigid roll, for B1 (arc over thickness 4) 7.5 %: shearing eases yielding by 6.7 % there on a "
-      "rigid roll; R' follows the force; 5 % on the half plane, where the slab has elastic zones and the strip "
+      "3 % as on a rigid roll; R' follows the force; 5 % on the half plane, where the slab has elastic zones and "
+      "the strip "
       "here has none",
       flattened_roll);
   return cases;

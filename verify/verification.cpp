@@ -1,4 +1,6 @@
 #include "verify/verification.h"
+#include "verify/peer.h"
+#include <algorithm>
 #include <cmath>
 
 namespace mill::verify {
@@ -60,31 +62,107 @@ bool passes(const Check &c)
   return verdict(c) != Verdict::fail;
 }
 
+Tally tally(const std::vector<Check> &checks)
+{
+  Tally t;
+  for (const Check &c : checks)
+    switch (verdict(c)) {
+    case Verdict::pass:
+      ++t.passed;
+      break;
+    case Verdict::fail:
+      ++t.failed;
+      break;
+    case Verdict::known_deviation:
+      ++t.known;
+      break;
+    case Verdict::reported:
+      ++t.reported;
+      break;
+    }
+  return t;
+}
+
+double allowed_change(const Check &c)
+{
+  if (c.known)
+    return c.known->spread;
+  switch (c.judged) {
+  case Judged::relative:
+    return c.tolerance * std::abs(c.reference);
+  case Judged::absolute:
+    return c.tolerance;
+  case Judged::at_least:
+  case Judged::at_most:
+    return std::max(0.1 * std::abs(c.reference), 0.01 * std::abs(c.result));
+  case Judged::reported:
+    return 0.01 * std::max(std::abs(c.reference), std::abs(c.result));
+  }
+  return 0;
+}
+
+const std::vector<Kind> &kinds()
+{
+  static const std::vector<Kind> all{
+      {"unit",         "a closed form or kernel in isolation"                                           },
+      {"verification", "the whole numerical chain against an exact reference or an independent method"  },
+      {"benchmark",    "a comparison with published numbers or with another program"                    },
+      {"regression",   "values computed beforehand by the program that belongs to the specification: another "
+                     "code of the same equations, no measurement and no publication"}
+  };
+  return all;
+}
+
+const std::vector<Group> &groups()
+{
+  static const std::vector<Group> all{
+      {"ClosedForms",        "contact", closed_forms             },
+      {"HalfSpace",          "contact", half_space_cases         },
+      {"Section",            "contact", section_cases            },
+      {"Solid",              "contact", solid_cases              },
+      {"Friction",           "contact", friction_cases           },
+      {"Nonlinear",          "contact", nonlinear_cases          },
+      {"Roll",               "contact", roll_cases               },
+      {"Bearing",            "bearing", bearing_cases            },
+      {"Roller",             "bearing", roller_cases             },
+      {"Ring",               "bearing", ring_cases               },
+      {"BearingMotion",      "bearing", bearing_motion_cases     },
+      {"Slab",               "bite",    slab_cases               },
+      {"Inhomogeneous",      "bite",    inhomogeneous_cases      },
+      {"ElasticArc",         "bite",    elastic_arc_cases        },
+      {"StripFlow",          "bite",    strip_flow_cases         },
+      {"StripElastic",       "bite",    strip_elastic_cases      },
+      {"RollArc",            "bite",    roll_arc_cases           },
+      {"Mass",               "masses",  mass_cases               },
+      {"Component",          "masses",  component_cases          },
+      {"Housing",            "masses",  housing_cases            },
+      {"ChatterStand",       "chatter", chatter_stand_cases      },
+      {"ChatterMotion",      "chatter", chatter_motion_cases     },
+      {"ChatterSensitivity", "chatter", chatter_sensitivity_cases},
+      {"ChatterTandem",      "chatter", chatter_tandem_cases     },
+      {"Peer",               "peer",    peer_cases               }
+  };
+  return all;
+}
+
+std::vector<Case> cases_of(const Group &group)
+{
+  std::vector<Case> cases = group.cases();
+  for (Case &c : cases) {
+    c.family = group.family;
+    // The bite under an oil film is part of both; families are parted by blanks.
+    if (c.name.rfind("film-", 0) == 0)
+      c.family += " chatter";
+  }
+  return cases;
+}
+
 std::vector<Case> all_cases()
 {
   std::vector<Case> all;
-  const auto add = [&](const std::string &family, std::vector<Case> cases) {
-    for (Case &c : cases) {
-      c.family = family;
-      if (c.name.rfind("film-", 0) ==
-          0)  // the bite under an oil film is part of both; families are parted by blanks
-        c.family += " chatter";
+  for (const Group &group : groups())
+    for (Case &c : cases_of(group))
       all.push_back(std::move(c));
-    }
-  };
-  for (const auto cases :
-       {closed_forms, half_space_cases, section_cases, solid_cases, friction_cases, nonlinear_cases, roll_cases})
-    add("contact", cases());
-  for (const auto cases : {bearing_cases, roller_cases, ring_cases, bearing_motion_cases})
-    add("bearing", cases());
-  for (const auto cases :
-       {slab_cases, inhomogeneous_cases, elastic_arc_cases, strip_flow_cases, strip_elastic_cases, roll_arc_cases})
-    add("bite", cases());
-  for (const auto cases : {mass_cases, component_cases, housing_cases})
-    add("masses", cases());
-  for (const auto cases :
-       {chatter_stand_cases, chatter_motion_cases, chatter_sensitivity_cases, chatter_tandem_cases})
-    add("chatter", cases());
   return all;
 }
 }  // namespace mill::verify

@@ -1,6 +1,8 @@
 #pragma once
+#include <cstddef>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,7 @@ struct Check {
   std::string quantity;  ///< "peak pressure"
   std::string unit;      ///< as printed: "MPa", "um", "-"
   double result, reference, tolerance;
-  Judged judged = Judged::relative;
+  Judged judged                       = Judged::relative;
   std::optional<KnownDeviation> known = std::nullopt;
 };
 
@@ -42,6 +44,25 @@ Verdict verdict(const Check &check);
 /// Verdict is not fail.
 bool passes(const Check &check);
 
+/// How many checks of each verdict.
+struct Tally {
+  std::size_t passed   = 0;
+  std::size_t failed   = 0;
+  std::size_t known    = 0;  ///< known deviations
+  std::size_t reported = 0;  ///< not judged
+
+  std::size_t judged() const
+  {
+    return passed + failed;
+  }
+};
+Tally tally(const std::vector<Check> &checks);
+
+/// How far two results of one check may be apart, in its unit, before a written one is out of date: the tolerance;
+/// the spread of a known deviation; 1 % of a reported value; of a bound 10 % of it or 1 % of the result (a
+/// residual far below its bound is round-off, which differs from machine to machine).
+double allowed_change(const Check &check);
+
 Check relative(const std::string &quantity, const std::string &unit, double result, double reference,
                double tolerance);
 Check at_most(const std::string &quantity, const std::string &unit, double result, double limit);
@@ -53,15 +74,38 @@ Check known_deviation(Check asked, const KnownDeviation &known);
 /// One page of the manual.
 struct Case {
   std::string name;              ///< "cgs1-small"
-  std::string kind;              ///< "unit", "verification", "benchmark"
+  std::string kind;              ///< "unit", "verification", "benchmark", "regression": see kinds()
   std::string problem;           ///< what is solved, with which method and how many unknowns; one or two sentences
   std::string source;            ///< of the reference
   std::string tolerance_reason;  ///< why this tolerance and no other
   std::function<std::vector<Check>()> run;
-  std::string family = "";  ///< "contact" or "bearing": a name for all its cases; set by all_cases
+  std::string family                    = "";       ///< "contact": a name for all its cases; set by cases_of
+  std::function<std::string()> ran_with = nullptr;  ///< of a peer: program, version, date of the run, for the page
 };
 
-/// All cases, in the order of the manual.
+/// Thrown by Case::run when what the case needs is not on this machine; says what and how to get it.
+struct Skipped : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A kind of case and what its reference is.
+struct Kind {
+  std::string name, meaning;
+};
+const std::vector<Kind> &kinds();
+
+/// The cases of one source file; the suite runs each group as one test (tests/verify.cmake).
+struct Group {
+  std::string name;    ///< "BearingMotion"
+  std::string family;  ///< "bearing"
+  std::function<std::vector<Case>()> cases;
+};
+const std::vector<Group> &groups();
+
+/// Cases of a group with their families.
+std::vector<Case> cases_of(const Group &group);
+
+/// All cases, in the order of the manual: group by group.
 std::vector<Case> all_cases();
 
 // One function per family, each in a file of its name.

@@ -296,18 +296,65 @@ TEST(LumpedStand, EveryNumberCarriesItsProof)
   EXPECT_EQ(model.C.source, Source::assumed);
 }
 
-// Errors follow the springs: K2 takes K2/K_Zy of the bearing's error, K1 and the frame masses state none.
+// Every mass and stiffness of the frame within 3 %, K_ZW within 4 %.
+FourHigh with_tolerances(FourHigh stand)
+{
+  for (const FrameValue &part : frame_values(stand.frame)) {
+    const std::string key = part.tolerance_key.substr(std::string("frame.").size());
+    stand.frame.tolerance[key.substr(0, key.size() - std::string("_tolerance").size())] = 0.03;
+  }
+  stand.given["K_ZW"].parameter = spring(68123188538.0, 0.04);
+  return stand;
+}
+
+// An error that nobody states is not zero: the value has none and names what it lacks.
+TEST(LumpedStand, AnUnknownErrorIsNotZero)
+{
+  const LumpedStand chain  = lumped_stand(demo_stand(), inputs_at(working_load, 0.02, 0.05));
+  const LumpedModel &model = chain.model;
+  for (const Parameter *p : {&model.K[0], &model.K[1], &model.K[5], &model.K[6], &model.M[0], &model.M[1],
+                             &model.M[2], &model.M[3], &model.M[4], &model.M[5]}) {
+    EXPECT_TRUE(std::isnan(p->error_estimate));
+    EXPECT_FALSE(p->error_lacks.empty());
+  }
+  EXPECT_EQ(model.K[2].error_estimate, 0.02);
+  EXPECT_TRUE(contains(model.K[0].error_lacks, "frame.upper_post_stiffness_tolerance"));
+  EXPECT_FALSE(contains(model.K[0].error_lacks, "frame.oil_column_stiffness_tolerance"));
+  EXPECT_TRUE(contains(model.K[1].error_lacks, "frame.oil_column_stiffness_tolerance"));
+  EXPECT_TRUE(contains(model.K[1].error_lacks, "K_ZW")) << "a beam without a solid roll beside it";
+  EXPECT_FALSE(contains(model.M[4].error_lacks, "frame.oil_column_stiffness_tolerance")) << "the lower half";
+}
+
+// K2 takes K2/K_i of the error of each of its springs; what adds up has the error of its parts.
 TEST(LumpedStand, ErrorEstimatesArePropagated)
 {
-  const LumpedModel model = lumped_model(demo_stand(), inputs_at(working_load, 0.02, 0.05));
-  EXPECT_TRUE(std::isnan(model.K[0].error_estimate));
-  EXPECT_TRUE(std::isnan(model.M[0].error_estimate));
-  EXPECT_EQ(model.K[2].error_estimate, 0.02);
-  EXPECT_TRUE(near(model.K[1].error_estimate, 0.05 * model.K[1].value / K_Zy(working_load),
-                   within(1e-6, "central difference of a series spring")));
+  const FourHigh stand    = with_tolerances(demo_stand());
+  const LumpedModel model = lumped_model(stand, inputs_at(working_load, 0.02, 0.05));
+  const auto difference   = within(1e-6, "central difference of springs in series");
+  EXPECT_TRUE(near(model.K[0].error_estimate, 0.03, difference));
+  EXPECT_TRUE(near(model.M[0].error_estimate, 0.03, difference));
+  const Frame &f    = stand.frame;
+  const double flex = 0.03 / f.oil_column_stiffness + 0.03 / f.cylinder_body_stiffness +
+                      0.03 / f.upper_chock_stiffness + 0.05 / K_Zy(working_load) + 0.04 / 68123188538.0;
+  EXPECT_TRUE(near(model.K[1].error_estimate, flex * model.K[1].value, difference));
+  EXPECT_TRUE(model.K[1].error_lacks.empty());
   EXPECT_GT(model.M[2].error_estimate, 0);
-  EXPECT_LT(model.M[2].error_estimate, 0.02);
-  EXPECT_TRUE(std::isnan(lumped_model(demo_stand(), inputs_at(working_load, 0.02)).K[1].error_estimate));
+  EXPECT_TRUE(std::isnan(lumped_model(stand, inputs_at(working_load, 0.02)).K[1].error_estimate));
+}
+
+// A given K1 stands in the way of all masses of its half, and states its own error.
+TEST(LumpedStand, TheErrorOfAGivenSpringReachesTheMasses)
+{
+  FourHigh stand         = with_tolerances(demo_stand());
+  const auto error_of_M2 = [&] {
+    return lumped_model(stand, inputs_at(working_load, 0.02, 0.05)).M[1].error_estimate;
+  };
+  stand.given["K1"].parameter = spring(6.3e9, 0);
+  const double exact          = error_of_M2();
+  stand.given["K1"].parameter = spring(6.3e9, 0.1);
+  EXPECT_GT(error_of_M2(), exact);
+  stand.given["K1"].parameter = spring(6.3e9);
+  EXPECT_TRUE(std::isnan(error_of_M2()));
 }
 
 TEST(LumpedStand, RefusesAMissingSpring)

@@ -154,6 +154,16 @@ TEST(Library, NeverPrintsExitsOrReadsTheEnvironment)
           << source.name << ":" << i + 1 << ": " << source.lines[i];
 }
 
+// An assert is gone in what users run; core/require.h is not.
+TEST(Library, ChecksWhatItReliesOnInEveryBuild)
+{
+  for (const Source &s : sources(stages))
+    for (const std::string &include : includes(s)) {
+      EXPECT_NE(include, "cassert") << s.name;
+      EXPECT_NE(include, "assert.h") << s.name;
+    }
+}
+
 TEST(Tests, EveryTestExpectsSomething)
 {
   for (const Source &source : sources({"tests"})) {

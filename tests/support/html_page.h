@@ -66,6 +66,8 @@ inline void expect_sound(const std::string &html, const std::string &what)
   EXPECT_EQ(unbalanced(page), "") << what;
   for (const char *bad : {">nan", "\"nan", " nan", ",nan", ">inf", "\"inf", ",inf", "-nan", "no finite value"})
     EXPECT_EQ(count(page, bad), 0) << what << ": " << bad;
+  for (const char *twice : {"&amp;amp;", "&amp;lt;", "&amp;gt;", "&amp;quot;", "&amp;#39;"})
+    EXPECT_EQ(count(page, twice), 0) << what << ": escaped twice, " << twice;
   EXPECT_EQ(count(html, "<figure>"), count(html, "<figcaption>")) << what;
 }
 

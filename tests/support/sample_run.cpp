@@ -106,10 +106,11 @@ SampleChain chain_of()
 
 void write_modes(const fs::path &curves, const SampleChain &chain)
 {
-  Csv columns = Csv()
-                    .with("mode []", VectorXd::LinSpaced(6, 1, 6))
-                    .with("frequency [Hz]", chain.frequency)
-                    .with("damping []", VectorXd::Constant(6, 0.01));
+  Csv columns = Csv().with("mode []", VectorXd::LinSpaced(6, 1, 6)).with("frequency [Hz]", chain.frequency);
+  write_csv(curves / "poles.csv", Csv()
+                                      .with("pole []", VectorXd::LinSpaced(6, 1, 6))
+                                      .with("frequency [Hz]", chain.frequency)
+                                      .with("damping []", VectorXd::Constant(6, 0.01)));
   MatrixXd y = chain.shapes;
   for (int mode = 0; mode < 6; ++mode) {
     Eigen::Index largest;

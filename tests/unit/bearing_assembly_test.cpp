@@ -6,7 +6,6 @@
 #include "tests/support/near.h"
 #include "tests/support/smooth_rings.h"
 #include <Eigen/Geometry>
-#include <chrono>
 #include <cmath>
 
 using namespace mill;
@@ -81,7 +80,6 @@ TEST(BearingAssembly, SlicesBalanceTheLoad)
 {
   for (const bool elastic : {false, true}) {
     BearingModel model             = elastic_model(4, "elastic");
-    model.bearing.tilt_lever       = "full";
     model.bearing.radial_clearance = 40e-6;
     if (!elastic)
       model.rings = {};
@@ -247,6 +245,37 @@ TEST(BearingAssembly, HandsDecideWhichRowsCarryAxially)
   }
 }
 
+// The roller at 90 deg is pressed by the rounding of its cosine; 40 rollers have 19 between -81 and 81 deg.
+TEST(BearingAssembly, ARollerAtRightAnglesDoesNotCount)
+{
+  RollerBearing b   = demo_bearing(20);
+  b.rollers_per_row = 40;
+  for (const double clearance : {0., -1e-6}) {
+    b.radial_clearance = clearance;
+    const auto state   = BearingAssembly(rigid_model(b)).solve(radial_drive(1e6));
+    EXPECT_EQ(state.loaded_rollers[0], clearance < 0 ? 21 : 19) << "pressed by interference it does count";
+  }
+}
+
+// A turn of the ring presses roller j by (p x n).theta: worked out from the vectors, row by row.
+TEST(BearingAssembly, ATurnPressesByItsFullMoment)
+{
+  const RollerBearing b = demo_bearing(20);
+  RingDrive drive;
+  drive.by_motion  = {true, true, true, true, true};
+  drive.value      = {0, 0, 0, 1e-4, 2e-4};
+  const auto state = BearingAssembly(rigid_model(b)).solve(drive);
+  const double a = b.cup_angle, R = 0.25 * (b.bore + b.outside_diameter);
+  const double hand[] = {1, -1, 1, -1};
+  for (int r = 0; r < 4; ++r)
+    for (int j = 0; j < 39; ++j) {
+      const double psi = state.azimuth[j];
+      const Eigen::Vector3d p(R * std::cos(psi), R * std::sin(psi), (r - 1.5) * b.width / 4),
+          n(std::cos(a) * std::cos(psi), std::cos(a) * std::sin(psi), hand[r] * std::sin(a));
+      EXPECT_NEAR(state.roller_approach(r, j), Eigen::Vector3d(1e-4, 2e-4, 0).dot(p.cross(n)), 1e-15);
+    }
+}
+
 // Turned by a pitch: 0.01 % without clearance, 1.7 % with 0.1 mm at 1 MN, rigid rings, ISO law.
 TEST(CageVariation, OverOnePitch)
 {
@@ -330,12 +359,12 @@ TEST(BearingAssembly, CurveKeepsWhatConverged)
 TEST(BearingAssembly, AnyMixOfLoadsConverges)
 {
   int most = 0, solved = 0;
-  for (const char *lever : {"radial", "full"})
+  for (const char *hands : {"+-+-", "++--"})
     for (const char *law : {"iso", "elastic"})
       for (const double clearance : {0.0, 1e-4, -5e-5, 2e-3})
         for (const bool elastic : {false, true}) {
           BearingModel model             = elastic_model(3, law);
-          model.bearing.tilt_lever       = lever;
+          model.bearing.row_hands        = hands;
           model.bearing.radial_clearance = clearance;
           if (!elastic)
             model.rings = {};
@@ -361,9 +390,6 @@ TEST(BearingAssembly, RefusesContradictions)
   RollerBearing b  = demo_bearing(20);
   b.row_hands      = "+x";
   EXPECT_THROW(built(b), InputError);
-  b            = demo_bearing(20);
-  b.tilt_lever = "half";
-  EXPECT_THROW(built(b), InputError);
   b       = demo_bearing(20);
   b.width = not_given;
   EXPECT_THROW(built(b), InputError);
@@ -373,16 +399,19 @@ TEST(BearingAssembly, RefusesContradictions)
   EXPECT_THROW(BearingAssembly(std::move(model)), InputError);
 }
 
-// One state of 4 x 39 rollers on elastic rings in well under the second that is asked for.
-TEST(BearingAssembly, IsFast)
+// Work is counted, not timed: a load that follows another starts from its state, and Newton's method then needs
+// few steps; each costs one pass over 4 x 39 rollers and one solution with the rings.
+TEST(BearingAssembly, ACurveTakesFewSteps)
 {
-  const auto begin = std::chrono::steady_clock::now();
   BearingAssembly assembly(elastic_model(20, "elastic"));
   std::vector<RingDrive> drives;
   for (int i = 1; i <= 20; ++i)
     drives.push_back(radial_drive(1e5 * i));
-  const auto curve     = assembly.curve(drives);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  EXPECT_EQ(curve.states.size(), 20u);
-  EXPECT_LT(seconds, 10) << "20 loads";
+  const auto curve = assembly.curve(drives);
+  ASSERT_EQ(curve.states.size(), 20u);
+  int steps = 0;
+  for (const auto &state : curve.states)
+    steps += state.iterations;
+  EXPECT_GT(steps, 0);
+  EXPECT_LE(steps, 20 * 10);
 }

@@ -173,6 +173,16 @@ TEST(BearingReport, AnglesAndCountsAreShownAsOneReadsThem)
   EXPECT_TRUE(says(html, "ISO/TS 16281, rigid rings: 25.0\u00a0% <span class=\"deviation\">(\u22124.5 points)"));
 }
 
+TEST(BearingReport, SaysHowTheRowsAreArranged)
+{
+  auto run = read_run(write_sample_run(bearing_sample()));
+  EXPECT_TRUE(says(html_page(run), "+-+-, pairs back to back: two double cups (TQI)</code>, as the case gives it"));
+  run.manifest.bearings["trb"].size["row_hands_assumed"] = 1;
+  EXPECT_TRUE(says(html_page(run), "(TQI)</code>, <b>assumed</b>: the case does not give <code>row_hands</code>"));
+  run.manifest.bearings["trb"].size["cup_angle"] = 0;
+  EXPECT_FALSE(says(html_page(run), "back to back"));
+}
+
 TEST(BearingReport, WithoutDimensionsThereIsNoSketch)
 {
   EXPECT_TRUE(bearing_sketch({}).empty());

@@ -300,3 +300,17 @@ TEST(BiteReport, PageIsSmall)
                     without = html_page(read_run(write_sample_run()));
   EXPECT_LT(with.size() - without.size(), 400e3);
 }
+
+TEST(BiteReport, NamesOfPassesAreEscapedOnce)
+{
+  const fs::path file = fs::path(run_with_bites()) / "results.json";
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  std::string json = text.str();
+  for (std::size_t at; (at = json.find("bite.pass 1.")) != std::string::npos;)
+    json.replace(at, 11, "bite.pass <1>");
+  std::ofstream(file) << json;
+  const std::string html = html_report(file.parent_path().string());
+  EXPECT_NE(html.find("Bite of pass &lt;1&gt;</h3>"), std::string::npos);
+  EXPECT_EQ(html.find("&amp;lt;"), std::string::npos);
+}

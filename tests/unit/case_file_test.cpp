@@ -163,3 +163,38 @@ TEST_F(CaseFile, ValuesAreShownAsWritten)
   EXPECT_EQ(shown(root.find("e")->value), "[1]");
   EXPECT_EQ(shown(root.find("f")->value), "{...}");
 }
+
+namespace {
+std::string repeated(const std::string &text, const int n)
+{
+  std::string all;
+  for (int i = 0; i < n; ++i)
+    all += text;
+  return all;
+}
+}  // namespace
+
+// 40 000 names in one key ended in a stack overflow, in the parser and wherever a tree is walked or taken apart.
+TEST_F(CaseFile, NestingIsBoundedBeforeItIsParsed)
+{
+  const std::string why =
+      "this nests deeper than 16 levels, which no key of a case does; look for a bracket that is "
+      "not closed or for dots in place of values";
+  const int n = 40000;
+  EXPECT_EQ(refusal("x = 1\n" + repeated("a.", n) + "b = 1\n"), "2:32: " + why);
+  EXPECT_EQ(refusal("[" + repeated("a.", n) + "b]\n"), "1:33: " + why);
+  EXPECT_EQ(refusal("x = " + repeated("[", n)), "1:21: " + why);
+  EXPECT_EQ(refusal("x = " + repeated("{a=", n)), "1:53: " + why);
+  EXPECT_EQ(refusal("x = [\"\"\"a\"\"\"\", {" + repeated("a.", n) + "b = 1}]"), "1:48: " + why);
+  EXPECT_EQ(refusal("x = 1", {repeated("a.", n) + "b=1"}).substr(0, 8), "--set a.");
+  EXPECT_NE(refusal("x = 1", {"y=" + repeated("[", n)}).find(why), std::string::npos);
+}
+
+TEST_F(CaseFile, DotsAndBracketsInStringsAndCommentsAreNoNesting)
+{
+  const std::string dots = repeated("a.[{", 50);
+  EXPECT_EQ(refusal("# " + dots + "\nx = \"" + dots + "\\\"\" # " + dots + "\ny = '" + dots + "'\nz = \"\"\"\n" +
+                    dots + "\"\"\"\"\"\nw = \'\'\'" + dots + "\'\'\'\n\"" + dots + "\" = 1\n"),
+            "accepted");
+  EXPECT_EQ(refusal("a.b.c.d.e.f.g.h = [[[[{x.y.z = [1.5, 2.5]}]]]]"), "accepted");
+}

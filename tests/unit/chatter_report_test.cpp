@@ -137,6 +137,18 @@ TEST(ChatterReport, TextsOfFilesAreEscaped)
   EXPECT_FALSE(says(html, "a <note>"));
 }
 
+TEST(ChatterReport, NamesAreEscapedOnce)
+{
+  const fs::path run  = sample::run_with_chatter();
+  const fs::path file = run / "curves" / "chatter-2.json";
+  auto json           = nlohmann::ordered_json::parse(std::ifstream(file));
+  json["condition"]   = "2 & <b>";
+  std::ofstream(file) << json.dump();
+  const std::string html = html_report(run.string());
+  EXPECT_TRUE(says(html, "Condition 2 &amp; &lt;b&gt;</h3>"));
+  expect_sound(html, "a name with marks");
+}
+
 TEST(ChatterReport, EveryFileMayBeMissing)
 {
   const fs::path run = sample::run_with_chatter();

@@ -85,6 +85,32 @@ TEST_F(Csv, QuotedCells)
   expect_three_samples("\"time [s]\";\"force [kN]\"\n\"0\";\"976,2\"\n0.001;975.5\n0.0025;-1\n");
 }
 
+// RFC 4180, 2.6 and 2.7: a cell with the separator or a quote stands in quotes, a quote in it is doubled.
+TEST_F(Csv, QuotedHeadersWithSeparatorsAndQuotes)
+{
+  expect_three_samples(
+      "\"time [s]\",\"a,b \"\"c\"\" [m]\", \"force [kN]\"\n0,1,976.2\n0.001,1,975.5\n0.0025,1,-1\n");
+  expect_three_samples("time [s],\"x;y [m]\",force [kN]\n0,1,976.2\n0.001,1,975.5\n0.0025,1,-1\n");
+  EXPECT_EQ(refusal("time [s],\"force [kN]\n0,976\n1,976\n"), "1:10: this quote is not closed on its line");
+  EXPECT_EQ(refusal("time [s],\"force\" [kN]\n0,976\n1,976\n"),
+            "1:18: something follows a closing quote; a quote inside quotes is doubled");
+}
+
+TEST_F(Csv, NamesOfATableComeBackWhateverTheyHold)
+{
+  Table table;
+  for (const char *name :
+       {"housing,_screw", "a;b", "\"quoted\"", "tab\there", "# no comment", "[x]", "K [given]", "\u00e4"})
+    table.add(name, "g", Eigen::Vector2d(1, 2)).add(name, "", Eigen::Vector2d(3, 4));
+  const std::string text = csv_text(table);
+  EXPECT_EQ(text.substr(0, text.find("a;b")), "\"housing,_screw [g]\",\"housing,_screw\",\"");
+  write_atomically(path, text);
+  const Table back = read_table(path);
+  EXPECT_EQ(back.names, table.names);
+  EXPECT_EQ(back.units, table.units);
+  EXPECT_EQ(back.columns[3][1], 4);
+}
+
 TEST_F(Csv, WhatIsRefusedSaysWhereAndWhy)
 {
   EXPECT_EQ(refusal(""), "1:1: the file is empty; a header such as \"time [s], force [kN]\" and data are needed");

@@ -1,5 +1,5 @@
 // What the user sees of a mistake: place, line, caret.
-#include "core/errors.h"
+#include "core/error_list.h"
 #include "core/files.h"
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -102,6 +102,28 @@ TEST_F(Rendered, ALongLineIsCut)
   });
   EXPECT_LT(text.size(), 500u);
   EXPECT_NE(text.find(" ..."), std::string::npos);
+}
+
+TEST_F(Rendered, AListIsCutAndSaysHowManyMore)
+{
+  std::vector<Problem> problems(200, Problem{
+                                         {file, 2, 1},
+                                         "wrong", {{file, 1, 1}  }
+  });
+  const std::string text = render_list(problems);
+  EXPECT_EQ(text.substr(0, text.find('\n')), file + ":2:1: error: wrong");
+  EXPECT_NE(text.find("\nand 150 more errors; mend these and check again\n"), std::string::npos);
+  problems.resize(51);
+  EXPECT_NE(render_list(problems).find("\nand 1 more error; mend"), std::string::npos);
+  EXPECT_NE(std::string(InputError(problems).what()).find("\nand 1 more error; mend"), std::string::npos);
+  EXPECT_EQ(InputError(problems).problems.size(), 51u);
+  problems.resize(2);
+  EXPECT_EQ(render_list(problems), render(problems[0]) + "\n" + render(problems[1]) + "\n");
+}
+
+TEST_F(Rendered, AMessageOfAMillionLettersIsCut)
+{
+  EXPECT_LT(render({{"--set " + std::string(1000000, 'k')}, std::string(1000000, 'm'), {}}).size(), 5000u);
 }
 
 TEST(Errors, ProblemsAreSortedByPlace)

@@ -1,8 +1,11 @@
 // Whole files: written at once or not at all, read back byte by byte.
 #include "core/errors.h"
 #include "core/files.h"
+#include <fcntl.h>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <regex>
+#include <sys/stat.h>
 #include <unistd.h>
 
 using namespace mill;
@@ -28,14 +31,19 @@ protected:
   }
 };
 
-std::string message(const std::string &path)
+template <class Action> std::string refusal(const Action &action)
 {
   try {
-    write_atomically(path, "x");
+    action();
   } catch (const InputError &error) {
     return error.what();
   }
   return "";
+}
+
+std::string message(const std::string &path)
+{
+  return refusal([&] { write_atomically(path, "x"); });
 }
 }  // namespace
 
@@ -88,19 +96,44 @@ TEST_F(Files, AReadOnlyFolderIsNamedWithTheReason)
 
 TEST_F(Files, WhatCannotBeReadSaysWhy)
 {
-  const std::string path = (folder / "none").string();
-  try {
-    read_text(path);
-    FAIL() << "a missing file was read";
-  } catch (const InputError &error) {
-    EXPECT_EQ(error.what(), path + ": error: cannot be read: No such file or directory");
-  }
-  try {
-    read_text(folder.string());
-    FAIL() << "a folder was read";
-  } catch (const InputError &error) {
-    EXPECT_EQ(error.what(), folder.string() + ": error: cannot be read: it is a folder");
-  }
+  const std::string none = (folder / "none").string();
+  EXPECT_EQ(refusal([&] { read_text(none); }), none + ": error: cannot be read: No such file or directory");
+  EXPECT_EQ(refusal([&] { read_text(folder.string()); }),
+            folder.string() + ": error: cannot be read: it is a folder");
+  EXPECT_FALSE(text_if_readable(none));
+  EXPECT_FALSE(text_if_readable(folder.string()));
+}
+
+// Opening a pipe that nobody writes to, or reading a device without end, would be waited for for ever.
+TEST_F(Files, PipesAndDevicesAreNeitherReadNorReplaced)
+{
+  const std::string pipe = (folder / "pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(refusal([&] { read_text(pipe); }),
+            pipe + ": error: cannot be read: it is a named pipe; name a regular file");
+  EXPECT_EQ(message(pipe), pipe + ": error: cannot be written: it is a named pipe; name a regular file");
+  EXPECT_EQ(refusal([] { read_text("/dev/zero"); }),
+            "/dev/zero: error: cannot be read: it is a device; name a regular file");
+  EXPECT_EQ(message("/dev/null"), "/dev/null: error: cannot be written: it is a device; name a regular file");
+  EXPECT_EQ(n_entries(), 1u);
+}
+
+TEST_F(Files, ALinkIsReplacedAndNotFollowed)
+{
+  const std::string theirs = (folder / "theirs").string(), link = (folder / "link").string();
+  write_atomically(theirs, "theirs");
+  fs::create_symlink(theirs, link);
+  write_atomically(link, "ours");
+  EXPECT_EQ(read_text(theirs), "theirs");
+  EXPECT_EQ(read_text(link), "ours");
+  EXPECT_FALSE(fs::is_symlink(link));
+}
+
+TEST_F(Files, NamesAsideAreRandomAndInTheSameFolder)
+{
+  const std::string a = name_aside("x/y.msh", ".msh"), b = name_aside("x/y.msh", ".msh");
+  EXPECT_TRUE(std::regex_match(a, std::regex("x/y\\.msh\\.[0-9a-f]{16}\\.msh"))) << a;
+  EXPECT_NE(a, b);
 }
 
 TEST(Hash, IsFnv1a)

@@ -87,3 +87,15 @@ TEST(HorizontalModel, LeavesOutARollWhoseBearingIsUnknown)
   EXPECT_EQ(modes(horizontal_model(published_stand(), ChockSeats{})).frequency.size(), 0)
       << "nothing known, no modes";
 }
+
+// A bearing yields along the pass line as it does across its load; only without that number as it does along it.
+TEST(HorizontalModel, TakesTheStiffnessInItsOwnDirection)
+{
+  auto stand                = stand_on_bearings(2e10);
+  const double as_both      = frequency_of(horizontal_model(stand, {}), "upper work roll");
+  stand.Kzc_across[1].value = 0.5e10;
+  const auto model          = horizontal_model(stand, {});
+  EXPECT_TRUE(near(frequency_of(model, "upper work roll"), as_both / 2, closed_form));
+  EXPECT_TRUE(near(frequency_of(model, "lower work roll"),
+                   frequency_of(horizontal_model(stand_on_bearings(2e10), {}), "lower work roll"), closed_form));
+}

@@ -175,6 +175,9 @@ TEST(HousingStatics, VtuHoldsTheDisplacement)
   std::ifstream in(file.path);
   const std::string text((std::istreambuf_iterator<char>(in)), {});
   EXPECT_NE(text.find("displacement_y_m"), std::string::npos);
+  const std::string head = text.substr(0, text.find("<VTKFile"));
+  EXPECT_NE(head.find("deal.II"), std::string::npos) << "no head at all?";
+  EXPECT_EQ(head.find(':'), std::string::npos) << "the time of day: " << head;  // the same run, the same bits
 }
 
 TEST(HousingComponent, StandsOnItsFeetWithScrewAndSeat)

@@ -82,3 +82,10 @@ TEST(Results, BytesThatAreNoUtf8DoNotBreakTheFile)
   results.warnings = {"a name with a stray byte: \xff"};
   EXPECT_NO_THROW(nlohmann::json::parse(results_json(results, "\xc3", "ok")));
 }
+
+TEST(Results, ANameTwiceIsNoticedInEveryBuild)
+{
+  Results results = sample();
+  EXPECT_THROW(results.add("K3.tangent", Parameter{}), std::logic_error);
+  EXPECT_EQ(results.values.size(), 2u);
+}

@@ -89,3 +89,22 @@ TEST(RingFlexibility, RefusesOtherSizes)
   rings.chock_sine.resize(1, 1);
   EXPECT_THROW(flexibility_at(rings, azimuths(4, 0)), InputError);
 }
+
+// Exchanged on one mesh nothing of the mesh is left; a round set and a chock with the same matrices are one thing.
+TEST(RingFlexibility, SurroundingsAreExchanged)
+{
+  const int rows = 2, modes = 2, n = 4;
+  const RingFlexibility round = smooth_rings(rows, modes, 1e-10, 0), block = smooth_rings(rows, modes, 1e-10, n);
+  const VectorXd psi   = azimuths(7, 0.1);
+  const auto exchanged = with_surroundings_of(block, block, round, n);
+  EXPECT_LT((flexibility_at(exchanged, psi) - flexibility_at(round, psi)).norm(),
+            1e-14 * flexibility_at(round, psi).norm());
+  RingFlexibility coarse = stiffer(block, 1.1), other = stiffer(round, 1.1);
+  other.outer.resize(n);
+  const MatrixXd change = flexibility_at(with_surroundings_of(block, coarse, other, n), psi) -
+                          flexibility_at(block, psi),
+                 exact = flexibility_at(round, psi) - flexibility_at(block, psi);
+  EXPECT_LT((change - exact / 1.1).norm(), 1e-14 * exact.norm()) << "shorter waves are those of the fine mesh";
+  other.outer.resize(n - 1);
+  EXPECT_THROW(with_surroundings_of(block, coarse, other, n), InputError);
+}

@@ -1,3 +1,4 @@
+#include "bearing/chock_supports.h"
 #include "bearing/geometry.h"
 #include "bearing/ring_sections.h"
 #include "core/errors.h"
@@ -138,4 +139,31 @@ TEST(RingSections, RefusesALandForWhichThereIsNoRoom)
   datum.land        = not_given;
   datum.depth_outer = -1;
   expect_says(message([](auto &) {}, datum), {"depth", "positive"});
+}
+
+TEST(ChockSupports, AreThoseThatNobodyRuledOut)
+{
+  const auto names = [](const RollerBearing &b) {
+    std::string all;
+    for (const bearing::ChockSupport &other : bearing::open_supports(b)) {
+      EXPECT_EQ(bearing::support_name(other.bearing), other.name);
+      EXPECT_NO_THROW(ring_sections(other.bearing));
+      all += other.name + "; ";
+    }
+    return all;
+  };
+  RollerBearing b = mill_bearing();
+  b.rings         = "elastic";
+  EXPECT_EQ(names(b), "") << "its support was given";
+  b.support_assumed     = true;
+  b.chock_support_width = b.chock_width;
+  EXPECT_EQ(names(b), "chock on two feet; chock on the middle of its face; ");
+  b.chock_support_gap = b.chock_width * 2 / 3;
+  b.chock_assumed     = true;
+  EXPECT_EQ(names(b), "chock on its whole face; chock on the middle of its face; cup held; ");
+  b.chock = "rigid";
+  EXPECT_EQ(names(b), "");
+  b       = mill_bearing();
+  b.rings = "rigid";
+  EXPECT_EQ(names(b), "");
 }

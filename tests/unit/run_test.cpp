@@ -1,10 +1,12 @@
 #include "core/errors.h"
+#include "core/files.h"
 #include "report/run.h"
 #include "tests/support/near.h"
 #include "tests/support/sample_run.h"
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 using namespace mill;
 using namespace mill::report;
@@ -85,4 +87,52 @@ TEST(Run, MissingAndBrokenCompanionsBecomeRemarks)
   EXPECT_EQ(run.remarks[0].substr(0, 22), "curves/modes.csv canno");
   EXPECT_EQ(run.remarks[1].substr(0, 19), "run.json is missing");
   EXPECT_EQ(run.table("curves/modes"), nullptr);
+}
+
+TEST(Run, FilesOfTwoRunsAreRefused)
+{
+  const std::string directory = write_sample_run();
+  const auto changed          = [&](const std::string &file, const nlohmann::json &patch) {
+    auto json = nlohmann::json::parse(read_text(directory + "/" + file));
+    json.merge_patch(patch);
+    overwrite(directory + "/" + file, json.dump(1));
+  };
+  changed("run.json", {
+                          {"run_id", "a1"                                                                       },
+                          {"files",  {{"curves/modes.csv", hash_of(read_text(directory + "/curves/modes.csv"))}}}
+  });
+  changed("results.json", {
+                              {"run_id", "b2"}
+  });
+  EXPECT_EQ(message_of(directory), "results.json:0:0: is of run b2, but run.json beside it of run a1: the folder "
+                                   "mixes two runs; run the case again");
+  changed("results.json", {
+                              {"run_id", "a1"}
+  });
+  const auto run = read_run(directory);
+  EXPECT_TRUE(run.table("curves/modes"));
+  EXPECT_EQ(run.table("curves/contact-upper"), nullptr) << "not in the list of this run";
+  ASSERT_FALSE(run.remarks.empty());
+  EXPECT_NE(run.remarks.front().find("is not of this run and is left out"), std::string::npos);
+  overwrite(directory + "/curves/modes.csv", read_text(directory + "/curves/modes.csv") + "\n");
+  EXPECT_EQ(
+      message_of(directory),
+      "modes.csv:0:0: is not the file that run a1 wrote: it was changed since, or is of another run; run the "
+      "case again, or put the file back");
+}
+
+// 200 000 levels overflowed the stack wherever a value was copied; 1e400 was called our own mistake.
+TEST(Run, NestingAndNumbersBeyondAllBoundsAreRefused)
+{
+  const std::string again     = "; run the case again, or restore the file as the program wrote it";
+  const std::string directory = write_sample_run(), results = directory + "/results.json";
+  const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+  overwrite(results, "{\"values\": {\"a\": {\"value\": 1, \"checks\": " + deep + "}}}");
+  EXPECT_EQ(message_of(directory), "results.json:1:1: this JSON nests deeper than 64 levels" + again);
+  overwrite(results, "{\"values\": {\"a\": {\"value\": 1e400}}}");
+  EXPECT_EQ(message_of(directory), "results.json:1:1: this holds a number that no computer stores" + again);
+  overwrite(results, "{\"case\": \"[[{\\\"[[\", \"status\": \"ok\", \"values\": {}}");
+  overwrite(directory + "/run.json", "{\"versions\": {\"a\": " + deep + "}}");
+  EXPECT_EQ(message_of(directory), "no error");
+  EXPECT_EQ(read_run(directory).remarks.size(), 1u) << "run.json";
 }

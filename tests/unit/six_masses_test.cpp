@@ -91,7 +91,7 @@ TEST(MassBreakdown, PartsAddUpInBothRoutes)
     drawing.dynamics.mass_reference = reference;
     const LumpedStand chain         = demo_chain(drawing);
     const StandModel stand          = demo_beams(drawing);
-    const auto closed = closed_form_breakdown(drawing, chain), model = model_breakdown(drawing, stand, reference);
+    const auto closed = chain_breakdown(drawing, chain), model = model_breakdown(drawing, stand, reference);
     const FeMasses routes = fe_masses(drawing, stand, reference);
     for (std::size_t i = 0; i < 6; ++i) {
       double closed_sum = 0, model_sum = 0;
@@ -123,7 +123,7 @@ TEST(MassBreakdown, GivenRollStiffnessScalesTheRoll)
   K.source                = Source::measured;
   drawing.given["K_ZW"]   = {K, {}};
   const LumpedStand chain = demo_chain(drawing);
-  const auto parts        = closed_form_breakdown(drawing, chain);
+  const auto parts        = chain_breakdown(drawing, chain);
   EXPECT_TRUE(near(parts[1].value, chain.model.M[1].value, within(1e-12, "the same integrals")));
   const StandModel stand = demo_beams(drawing, 24);
   const SixMasses six    = six_masses(stand, riders_of(drawing));

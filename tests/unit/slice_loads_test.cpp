@@ -166,3 +166,18 @@ TEST(SliceLoads, RefusesWhatDoesNotFit)
   thin.pitch_diameter = 0.28;  // the cone's raceway below the bore
   EXPECT_THROW(roller_law(thin), InputError);
 }
+
+// The same approaches, factor times the loads: what "the contact elements carry 2 % more" means for a bearing.
+TEST(SliceLoads, AStiffenedLawCarriesMoreAtTheSameApproach)
+{
+  for (const char *kind : {"iso", "elastic"}) {
+    RollerBearing b = with_profile("iso");
+    b.roller_law    = kind;
+    const auto law = with_limits(roller_law(b)), more = stiffened(law, 1.02);
+    const VectorXd d = approach(law, 25e-6, 2e-4);
+    const auto q = slice_loads(law, d, all_directions(law)), p = slice_loads(more, d, all_directions(law));
+    EXPECT_LT((p.load - 1.02 * q.load).norm(), 1e-12 * q.load.norm()) << kind;
+    EXPECT_LT((p.slope - 1.02 * q.slope).norm(), 1e-9 * q.slope.norm()) << kind;
+  }
+  EXPECT_THROW(stiffened(connected(demo_bearing(), 1e4), 0), InputError);
+}

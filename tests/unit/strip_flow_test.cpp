@@ -1,7 +1,9 @@
 #include "bite/friction.h"
 #include "bite/half_plane.h"
+#include "bite/karman.h"
 #include "core/errors.h"
 #include "core/files.h"
+#include "fem/strip_elastic.h"
 #include "fem/strip_flow.h"
 #include "meshes/strip_flow.h"
 #include <cmath>
@@ -295,4 +297,29 @@ TEST(StripFlow, WritesItsFields)
     EXPECT_NE(text.find(std::string("Name=\"") + field + "\""), std::string::npos) << field;
   EXPECT_EQ(text.find("nan"), std::string::npos);
   std::filesystem::remove(path);
+}
+
+// An unhardened strip of a power law, which rises from nothing: slab, rigid-plastic and elastic-plastic strip see
+// one flow stress at the entry.
+TEST(StripFlow, OneLawForSlabAndBothStrips)
+{
+  bite::RollBite b             = demo();
+  b.roll_radius                = 0.25;
+  b.strip.entry_thickness      = 2e-3;
+  b.strip.exit_thickness       = 1.5e-3;
+  b.strip.friction.coefficient = 0.06;
+  b.strip.flow_stress          = {"power", 900e6, 0, 0.3, 0, {}};
+  const bite::BiteState slab   = bite::solve_karman(b, bite::Theory::karman, bite::Arc::rigid);
+  const fem::StripFlow rigid   = solve(b);
+  fem::StripElasticModel model;
+  model.elements_along            = 12;
+  model.elements_through          = 2;
+  model.derivatives               = false;
+  const fem::StripElastic elastic = fem::solve_elastic_strip(b, model);
+  const double entry              = 900e6 * std::pow(0.5e-4, 0.3);  // theory.md (8.1a) at nil
+  for (const double stress :
+       {slab.entry_flow_stress, rigid.state.entry_flow_stress, elastic.flow.state.entry_flow_stress})
+    EXPECT_NEAR(stress / entry, 1, 1e-12);
+  EXPECT_NEAR(rigid.state.force / slab.force, 1, 0.03) << "thin strip: shear and a mesh of 12 x 3";
+  EXPECT_NEAR(elastic.flow.state.force / slab.force, 1.06, 0.06) << "its elastic ends carry some per cent more";
 }

@@ -37,3 +37,13 @@ TEST(Ticks, LogarithmicDecades)
   EXPECT_EQ(log_ticks(1e-6, 1e-3, 6).labels.front(), "10\u207b\u2076");
   EXPECT_LE(log_ticks(1e-12, 1e12, 6).at.size(), 7u) << "a wide range labels only some of its decades";
 }
+
+TEST(Ticks, OfARangeWithoutDigitsThereAreNone)
+{
+  for (const auto &[low, high] : {std::pair(-1e308, 1e308), std::pair(-5e-324, 5e-324), std::pair(1e300, 1e300),
+                                  std::pair(1.0, double(NAN)), std::pair(0.0, double(INFINITY))})
+    EXPECT_LE(linear_ticks(low, high, 6).at.size(), 20u) << low << " .. " << high;
+  EXPECT_TRUE(log_ticks(0, 1, 6).at.empty());
+  EXPECT_TRUE(log_ticks(1, INFINITY, 6).at.empty());
+  EXPECT_FALSE(log_ticks(1e-300, 1e300, 6).at.empty());
+}

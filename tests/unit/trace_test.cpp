@@ -109,6 +109,22 @@ TEST(Trace, PowerLawsHaveTheirExponents)
   EXPECT_TRUE(near(line(load, "Kzc4").slope, 0.1, within(1e-6, "power law; equilibrium solved to 1e-9")));
 }
 
+// The lower bearings carry the load of the lower half: an offset of its rolls moves K6 and leaves K2.
+TEST(Trace, LowerBearingsFollowTheLowerHalf)
+{
+  QuickMemory memory;
+  const auto even = quick_chain(read_case(demo), memory);
+  const auto bent = quick_chain(read_case(demo, {"contact.lower.axis_offset=400 mm"}), memory);
+  const auto at   = [](const std::vector<QuickResult> &all, const char *name) {
+    return find(all, name)->parameter.value;
+  };
+  const double e = 0.4 / ((0.420 + 1.450) / 2);
+  EXPECT_TRUE(near(at(bent, "K_Zy_lower") / at(bent, "K_Zy"), std::pow(1 + e * e, 0.05),
+                   within(1e-6, "Palmgren's tangent goes with load^0.1; equilibrium solved to 1e-9")));
+  EXPECT_EQ(at(bent, "K2"), at(even, "K2"));
+  EXPECT_GT(at(bent, "K6"), at(even, "K6"));
+}
+
 TEST(Trace, ZerosWordsAndAbsentKeysHaveNoPercent)
 {
   const Trace mass = traced({demo, "work_roll.chock_mass_upper", {}, nowhere});
@@ -139,7 +155,7 @@ TEST(Trace, ZerosWordsAndAbsentKeysHaveNoPercent)
 
   const Trace title = traced({demo, "title", {}, nowhere});
   EXPECT_EQ(trace_text(title), "title = \"1400 four-high, demo stand\"  (cases/four-high-1400.toml:12)\n"
-                               "  reaches no spring, mass, frequency or acceleration: headline of the report\n"
+                               "  reaches no result of this case: headline of the report\n"
                                "No elasticity: a name has no size.\n");
 }
 

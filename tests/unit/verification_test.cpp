@@ -1,4 +1,5 @@
 #include "core/errors.h"
+#include "core/fields.h"
 #include "verify/manual.h"
 #include <cmath>
 #include <fstream>
@@ -19,6 +20,13 @@ Check check(const double result, const double reference, const double tolerance,
 Case page(const std::string &name, const std::vector<Check> &checks)
 {
   return {name, "unit", "A spring. It is linear.", "Hooke", "exact arithmetic", [checks] { return checks; }};
+}
+
+// Asked is 100 within 1 %; recorded is 105.
+Check deviating(const double result)
+{
+  return known_deviation(check(result, 100, 0.01, Judged::relative),
+                         {105, 0.5, "the spring is bent", "a new spring"});
 }
 
 bool contains(const std::string &text, const std::string &part)
@@ -50,9 +58,51 @@ TEST(Judging, EachKindHasItsBound)
 
 TEST(Judging, WhatIsNotANumberFails)
 {
-  for (const Judged judged : {Judged::relative, Judged::absolute, Judged::at_least, Judged::at_most})
-    EXPECT_FALSE(passes(check(std::nan(""), 1, 1, judged)));
+  for (const Judged judged :
+       {Judged::relative, Judged::absolute, Judged::at_least, Judged::at_most, Judged::reported})
+    EXPECT_EQ(verdict(check(std::nan(""), 1, 1, judged)), Verdict::fail);
+  EXPECT_EQ(verdict(deviating(std::nan(""))), Verdict::fail);
   EXPECT_FALSE(passes(check(INFINITY, 1, 1, Judged::relative)));
+}
+
+TEST(Judging, AKnownDeviationFailsWhenItMovesAndWhenItIsGone)
+{
+  EXPECT_EQ(verdict(deviating(105.3)), Verdict::known_deviation);
+  EXPECT_EQ(verdict(deviating(106)), Verdict::fail);
+  EXPECT_EQ(verdict(deviating(100)), Verdict::fail);
+  // Also when the spread reaches into the asked tolerance.
+  EXPECT_EQ(verdict(known_deviation(check(100.9, 100, 0.01, Judged::relative), {105, 5, "", ""})), Verdict::fail);
+  EXPECT_EQ(verdict_text(run(page("bent", {deviating(105)}))), "known deviation");
+  EXPECT_TRUE(passes(run(page("bent", {deviating(105)}))));
+}
+
+TEST(Judging, ACaseThatOnlyReportsIsNotCounted)
+{
+  const Outcome reports = run(page("reports", {check(2, 1, 0, Judged::reported)}));
+  EXPECT_EQ(verdict_text(reports), "reported");
+  EXPECT_EQ(summary_text({reports, run(page("judges", {check(1, 1, 0, Judged::absolute)}))}),
+            "1 of 1 cases pass, 1 of 1 judged checks; 1 value reported beside a reference, not judged");
+}
+
+TEST(Judging, ASkippedCaseNeitherPassesNorFails)
+{
+  Case needs            = page("peer", {});
+  needs.run             = []() -> std::vector<Check> { throw Skipped("needs a peer"); };
+  const Outcome skipped = run(needs);
+  EXPECT_EQ(verdict_text(skipped), "skipped");
+  EXPECT_FALSE(passes(skipped));
+  EXPECT_TRUE(contains(outcome_text(skipped), "skipped: needs a peer")) << outcome_text(skipped);
+  EXPECT_EQ(summary_text({run(page("good", {check(1, 1, 0, Judged::absolute)})), skipped}),
+            "1 of 1 cases pass, 1 of 1 judged checks; skipped: peer (needs a peer)");
+}
+
+TEST(Judging, AWrittenResultMayChangeWithinTheTolerance)
+{
+  EXPECT_DOUBLE_EQ(allowed_change(check(-99, -100, 0.01, Judged::relative)), 1);
+  EXPECT_DOUBLE_EQ(allowed_change(check(0.1, 0, 0.5, Judged::absolute)), 0.5);
+  EXPECT_DOUBLE_EQ(allowed_change(deviating(105)), 0.5);
+  EXPECT_DOUBLE_EQ(allowed_change(check(3e-14, 1e-12, 0, Judged::at_most)), 1e-13);
+  EXPECT_DOUBLE_EQ(allowed_change(check(200, 100, 0, Judged::reported)), 2);
 }
 
 TEST(Judging, ACaseThatStopsOrChecksNothingFails)
@@ -79,7 +129,21 @@ TEST(Printing, ShowsDeviationToleranceAndVerdict)
   EXPECT_EQ(check_text(check(2953.4694, 2953.469, 1e-3, Judged::absolute)).tolerance, "0.001 N");
   EXPECT_EQ(check_text(check(4615384.6, 4615384.6, 1e-3, Judged::relative)).result, "4615385");
   EXPECT_EQ(check_text(check(0.3, 2, 0, Judged::at_least)).tolerance, "at least");
-  EXPECT_EQ(check_text(check(0.3, 2, 0, Judged::reported)).verdict, "-");
+  EXPECT_EQ(check_text(check(0.3, 2, 0, Judged::reported)).verdict, "reported");
+  EXPECT_EQ(check_text(deviating(105)).verdict, "known deviation");
+  EXPECT_EQ(check_text(deviating(105)).deviation, "+5 %");
+}
+
+TEST(Printing, AKnownDeviationTellsCauseAndRemedy)
+{
+  const std::string text = known_text({run(page("bent", {deviating(105)}))});
+  EXPECT_EQ(text, "  known deviation, bent: force: 105 N, asked 100 (+5 %)\n    cause: the spring is bent\n"
+                  "    remedy: a new spring\n");
+  EXPECT_TRUE(contains(outcome_text(run(page("bent", {deviating(105)}))), "    cause: the spring is bent\n"));
+  EXPECT_TRUE(
+      contains(known_text({run(page("bent", {deviating(110)}))}), "FAIL: recorded was 105 with a spread of 0.5"));
+  EXPECT_TRUE(
+      contains(known_text({run(page("bent", {deviating(100)}))}), "FAIL: the asked reference is reached now"));
 }
 
 TEST(Printing, HidesTheDigitsOfRoundOff)
@@ -117,8 +181,11 @@ TEST(Printing, SummaryCountsAndNamesWhatFailed)
 {
   const auto good = run(page("good", {check(1, 1, 0, Judged::absolute)}));
   const auto bad  = run(page("bad", {check(1, 1, 0, Judged::absolute), check(2, 1, 0, Judged::absolute)}));
-  EXPECT_EQ(summary_text({good}), "1 of 1 cases pass, 1 of 1 checks");
-  EXPECT_EQ(summary_text({good, bad}), "1 of 2 cases pass, 2 of 3 checks; failed: bad");
+  const auto rest = run(page("rest", {deviating(105), check(2, 1, 0, Judged::reported)}));
+  EXPECT_EQ(summary_text({good}), "1 of 1 cases pass, 1 of 1 judged checks");
+  EXPECT_EQ(summary_text({good, bad}), "1 of 2 cases pass, 2 of 3 judged checks; failed: bad");
+  EXPECT_EQ(summary_text({good, rest}), "2 of 2 cases pass, 1 of 1 judged checks; 1 known deviation; "
+                                        "1 value reported beside a reference, not judged");
 }
 
 TEST(Selecting, TakesNamesInTheirOrderAndNamesTheNearest)
@@ -147,13 +214,41 @@ TEST(Page, HasNoTimesAndEscapesBars)
   EXPECT_TRUE(contains(manual_page({fast}), "| \\|z\\| up to 18 | 1 | N | 1 | < 1e-9 | 10 % | pass |"));
 }
 
+TEST(Page, ExplainsTheVerdictsAndListsTheKnownDeviations)
+{
+  const std::string text = manual_page({run(page("bent", {deviating(105)}))});
+  for (const char *part :
+       {"\n| pass | ", "\n| FAIL | ", "\n| known deviation | ", "\n| reported | ", "\n| regression | ",
+        "| [bent](#bent) | force | 105 N | 100 | +5 % | 1 % | the spring is bent | a new spring |\n",
+        "| [bent](#bent) | unit | 0 | 1 | 0 | known deviation |\n"})
+    EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
+}
+
+TEST(Page, CellsAreReadAsTheyAreWritten)
+{
+  EXPECT_EQ(cells_of_line("| " + table_cell("|z| up to 18") + " | 1 | N |"),
+            (std::vector<std::string>{table_cell("|z| up to 18"), "1", "N"}));
+  EXPECT_TRUE(cells_of_line("no table").empty());
+}
+
+TEST(Manual, TheSuiteRunsEveryGroup)
+{
+  std::vector<std::string> known;
+  for (const Group &group : groups())
+    known.push_back(group.name);
+  EXPECT_EQ(split(MANUAL_GROUPS, ","), known) << "tests/verify.cmake lists the groups that CTest runs";
+}
+
 TEST(Manual, NamesAreUniqueAndEveryTextIsThere)
 {
   std::set<std::string> names;
+  std::set<std::string> known;
+  for (const verify::Kind &kind : kinds())
+    known.insert(kind.name);
   for (const Case &c : all_cases()) {
     EXPECT_TRUE(names.insert(c.name).second) << c.name;
     EXPECT_TRUE(std::regex_match(c.name, std::regex("[a-z0-9]+(-[a-z0-9]+)*"))) << c.name;
-    EXPECT_TRUE(c.kind == "unit" || c.kind == "verification" || c.kind == "benchmark") << c.name << ": " << c.kind;
+    EXPECT_TRUE(known.count(c.kind)) << c.name << ": " << c.kind;
     EXPECT_FALSE(c.problem.empty() || c.source.empty() || c.tolerance_reason.empty()) << c.name;
     EXPECT_TRUE(bool(c.run)) << c.name;
   }

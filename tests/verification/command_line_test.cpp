@@ -276,5 +276,9 @@ TEST(CommandLine, HelpVersionAndMistakes)
   EXPECT_EQ(millstand("report " + scratch("empty")).exit_code, 2);
   const auto check = millstand("check cases/four-high-1400.toml");
   EXPECT_EQ(check.exit_code, 0);
-  EXPECT_EQ(check.out, "cases/four-high-1400.toml: no errors (four-high \"1400 four-high, demo stand\")\n");
+  EXPECT_EQ(check.out,
+            "cases/four-high-1400.toml: no errors (four-high \"1400 four-high, demo stand\")\n"
+            "bearing.trb: the apex condition closes at a cup angle of 19.66 deg; cup_angle is 19.66 deg\n"
+            "bearing.trb: row_hands is not given; +-+-, pairs back to back: two double cups (TQI) is "
+            "assumed\n");
 }

@@ -1,0 +1,46 @@
+// Little address space (ulimit -v): every limit ends with results or with a sentence and exit code 3. Before, the
+// BLAS asked for its buffers for ever, and what was too little for a factor was called our own mistake.
+#include "tests/support/program.h"
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+namespace {
+Outcome with_address_space(const int megabytes, const std::string &arguments)
+{
+  rlimit before{};
+  getrlimit(RLIMIT_AS, &before);
+  const rlimit tight{rlim_t(megabytes) << 20, before.rlim_max};
+  setrlimit(RLIMIT_AS, &tight);
+  const Outcome outcome = millstand(arguments);
+  setrlimit(RLIMIT_AS, &before);
+  return outcome;
+}
+
+bool says(const std::string &text, const std::string &what)
+{
+  return text.find(what) != std::string::npos;
+}
+}  // namespace
+
+TEST(MemoryLimits, BelowTheBuffersOfTheBlasItIsSaidAtOnce)
+{
+  const Outcome outcome = with_address_space(600, "check cases/two-cylinders.toml");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_TRUE(says(outcome.err, "out of memory: 629 MB of address space are allowed (ulimit -v), at least "))
+      << outcome.err;
+  EXPECT_TRUE(says(outcome.err, "  change        a higher limit\n")) << outcome.err;
+}
+
+TEST(MemoryLimits, EveryLimitEndsWithResultsOrASentence)
+{
+  for (const int megabytes : {800, 860, 920, 1000, 3000}) {
+    const Outcome outcome = with_address_space(megabytes, "run cases/two-cylinders.toml -q --fresh -o " +
+                                                              scratch("tight") + " --cache " + scratch("cache"));
+    const bool refused    = says(outcome.err, "out of memory") && says(outcome.err, "  change        ");
+    EXPECT_TRUE(outcome.exit_code == 0 || (outcome.exit_code == 3 && refused))
+        << megabytes << " MB, exit code " << outcome.exit_code << "\n"
+        << outcome.err;
+    if (megabytes == 3000)
+      EXPECT_EQ(outcome.exit_code, 0) << "what the case needs is well below this";
+  }
+}
