@@ -6,9 +6,12 @@
 
 namespace mill {
 namespace {
+constexpr double worst_result    = 1e-3;  // a smooth sweep reaches 1e-5
+constexpr double worst_companion = 1e-2;  // steps of a mesh twice as coarse, still a line contact
+
 // Nothing where it is no line contact: a crown is being closed, or only the ends touch.
 std::optional<reduce::ContactStiffness> fitted(const ContactCurve &curve, const double load,
-                                               const double worst_fit = 1e-3)
+                                               const double worst_fit = worst_result)
 {
   try {
     return reduce::contact_stiffness(curve, load, worst_fit);
@@ -21,9 +24,11 @@ std::optional<reduce::ContactStiffness> fitted(const ContactCurve &curve, const 
 ContactSlope slope_at(const fem::ContactPair &pair, const ContactCurve &curve, const double load, const Role role)
 {
   const auto point = fem::solve_load(pair, load);
-  const auto fit   = fitted(curve, load, role == Role::companion ? 1e-2 : 1e-3);
+  const auto fit   = fitted(curve, load, role == Role::companion ? worst_companion : worst_result);
+  // The steps of a coarse mesh leave its slope, but nothing of its second derivative.
+  const bool smooth = fit && fit->fit_error <= worst_result;
   return {fit ? fit->tangent : point.tangent, load / point.approach, point.tangent,
-          fit ? fit->curvature : not_given};
+          smooth ? fit->curvature : not_given};
 }
 
 ContactSlope slope_of(const ContactCurve &curve, const double load)

@@ -84,7 +84,7 @@ std::vector<QuickResult> quick_cylinders(const TwoCylinders &pair)
     r.parameter.at     = fmt::format("{:.6g} N/mm", q / 1e3);
     r.closed           = joined(keys_in("upper", "diameter"), keys_in("lower", "diameter"),
                                 keys_in("steel", "youngs_modulus poisson_ratio"), keys_in("contact.line", "at"));
-    r.parameter.inputs = cylinder_keys();
+    r.parameter.inputs = cylinder_keys(r.name);
     r.road             = "contact of the two cylinders";
     r.file             = "fem/contact_study";
     r.equation         = equation;

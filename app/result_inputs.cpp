@@ -101,9 +101,9 @@ std::optional<KeyList> inputs_of(const Lumped &lumped, const Results &results, c
   return made ? std::optional<KeyList>(of_kind(made->inputs, "lumped")) : std::nullopt;
 }
 
-std::optional<KeyList> inputs_of(const TwoCylinders &, const Results &, const std::string &)
+std::optional<KeyList> inputs_of(const TwoCylinders &, const Results &, const std::string &name)
 {
-  return cylinder_keys();
+  return cylinder_keys(name);
 }
 
 std::optional<KeyList> inputs_of(const BearingCase &spec, const Results &, const std::string &name)

@@ -89,10 +89,12 @@ KeyList contact_keys(const FourHigh &stand, const std::string &name, const std::
                 keys_but("contact." + name, rows_of(roll_contact_rows()), "friction path_trim"), loads);
 }
 
-KeyList cylinder_keys()
+KeyList cylinder_keys(const std::string &result)
 {
-  return joined(keys_in("upper", "diameter"), keys_in("lower", "diameter"), elastic_steel(),
-                keys_in("contact.line", "at loads elements_per_half_width"));
+  const bool of_curve = result == "contact.line.tangent";
+  return joined(
+      keys_in("upper", "diameter"), keys_in("lower", "diameter"), elastic_steel(),
+      keys_in("contact.line", std::string("at loads elements_per_half_width") + (of_curve ? " samples" : "")));
 }
 
 // Bearings

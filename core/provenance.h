@@ -42,7 +42,8 @@ KeyList load_keys_of_all(const std::vector<Pass> &passes);
 /// @param name  "upper" or "lower"
 KeyList contact_keys(const FourHigh &stand, const std::string &name, std::size_t p);
 /// The same of kind "two-cylinders".
-KeyList cylinder_keys();
+/// @param result  "contact.line.tangent": the slope of a curve knows how it was sampled
+KeyList cylinder_keys(const std::string &result);
 
 /// A bearing by the model of its case: FE law or a formula, elastic or rigid rings.
 KeyList bearing_keys(const RollerBearing &bearing);

@@ -431,18 +431,13 @@ std::vector<Check> engine_agreement()
     checks.push_back({how + ": approach", "m", one.approach, two.approach, 0.005});
     checks.push_back({how + ": tangent", "N/m", slope(solid), slope(series), 0.01});
     const auto profile = fem::barrel_profile(solid, one);
-    const auto worst   = [&](const double end) {
-      double largest = 0;
-      for (double z = 0.02; z <= end + 1e-9; z += 0.001)
-        largest = std::max(largest, std::abs(interpolated(series.z, two.line_load, z) /
-                                                 interpolated(profile.z, profile.line_load, z) -
-                                             1));
-      return largest;
-    };
+    double worst       = 0;
+    for (double z = 0.02; z <= 0.69; z += 0.01)
+      worst = std::max(
+          worst,
+          std::abs(interpolated(series.z, two.line_load, z) / interpolated(profile.z, profile.line_load, z) - 1));
     checks.push_back(
-        {how + ": line load, largest difference up to 690 mm", "-", worst(0.69), 0, 0.01, Judged::absolute});
-    for (const double end : {0.695, 0.697, 0.698, 0.699, 0.7})
-      checks.push_back(reported(how + fmt::format(": line load, up to {}", end), "-", worst(end), 0));
+        {how + ": line load, largest difference up to 690 mm", "-", worst, 0, 0.01, Judged::absolute});
   };
   const Eigen::VectorXd straight = Eigen::VectorXd::Zero(A.roll.grid.n_z),
                         plain    = Eigen::VectorXd::Zero(C.edge.size() - 1);

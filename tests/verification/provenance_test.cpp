@@ -84,8 +84,9 @@ std::string text_of(const Case &the_case, const std::string &name)
     return roller_inputs(bearing, 1e5) + ring_inputs(bearing) + record_text(spec->load.loads);
   }
   if (const auto *pair = std::get_if<TwoCylinders>(&the_case.spec)) {
-    const auto plan = planned_cylinder(*pair, pair->upper_diameter);
-    return roll_inputs(plan.geometry, plan.size, pair->steel, {true, false, false}, false);
+    const auto plan         = planned_cylinder(*pair, pair->upper_diameter);
+    const std::string rolls = roll_inputs(plan.geometry, plan.size, pair->steel, {true, false, false}, false);
+    return name == "contact.line.tangent" ? rolls + record_text(pair->contact.samples) : rolls;
   }
   return "";
 }
