@@ -73,6 +73,7 @@ TEST(BiteCorners, ThatOnceHung)
       pass(0.02, 0.005, 725, constant, 0.2, 0.01, 27.999972),
       pass(1000, 100, 210, {"swift", 1e4 * MPa, 10, 0.2, 0, {}}, 0.2, 1, 9900, 9999),
       pass(0.1, 0.005, 1500, constant, 1, 1),
+      pass(0.26, 0.005, 34.8, {"constant", 1180 * MPa, 0, 0, 0, {}}, 0.059523, 1, 289.41, 385.04),
   };
   for (const RollBite &bite : corners)
     for (const Theory theory : {Theory::karman, Theory::orowan, Theory::bland_ford})
