@@ -50,7 +50,11 @@ KeyList closed_bearing_keys(const RollerBearing &b, const bool loaded_askew)
   add(rounded || elastic, "youngs_modulus poisson_ratio pitch_diameter bore outside_diameter");
   add(loaded_askew, "width row_hands pitch_diameter");
   add(loaded_askew && std::isnan(b.pitch_diameter), "bore outside_diameter");
-  return joined(keys_in("bearing." + b.name, names));
+  KeyList keys;  // of what a run reads of this bearing
+  for (const std::string &key : keys_in("bearing." + b.name, names))
+    if (loaded_askew || holds(bearing_keys(b), key))
+      keys.push_back(key);
+  return keys;
 }
 
 bearing::AssemblyState solved(const RollerBearing &b, const bearing::RingDrive &drive, const double cage_angle = 0)

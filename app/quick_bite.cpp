@@ -22,12 +22,10 @@ QuickResult bite_result(const std::string &name, const Strip &strip, const BiteS
   closed.arc       = setup.arc == "rigid" ? "rigid" : "hitchcock";
   r.closed         = joined(slab_keys({strip, closed, run.pass, roll_key, wide}),
                     elements ? KeyList{} : keys_in("bite", "theory"));
-  if (name == "K4.flattening")
-    r.closed = r.parameter.inputs = flattening_keys(run);
-  r.road       = "roll bite";
-  r.file       = elements ? "fem/strip_flow" : "bite/slab_bite";
-  r.equation   = "(8.13)";
-  r.stands_for = elements ? "finite elements of the strip, fem/strip_flow" : "";
+  r.road           = "roll bite";
+  r.file           = elements ? "fem/strip_flow" : "bite/slab_bite";
+  r.equation       = "(8.13)";
+  r.stands_for     = elements ? "finite elements of the strip, fem/strip_flow" : "";
   return r;
 }
 

@@ -33,8 +33,6 @@ std::optional<KeyList> contact_inputs(const FourHigh &stand, const std::string &
 std::optional<KeyList> bite_inputs(const BiteRun &bite, const std::string &name, const std::string &pass)
 {
   const std::string own = "bite." + pass + ".";
-  if (name == "K4.flattening")
-    return flattening_keys(bite);
   if (name == "K4.path_plateau")
     return joined(bite_keys(bite), keys_in("bite", "path_trim"));
   if (begins(name, "K4."))

@@ -205,13 +205,6 @@ KeyList slab_keys(const BiteRun &bite)
                 bite.setup.arc == "elastic" ? keys_in("strip", "youngs_modulus poisson_ratio") : KeyList{});
 }
 
-KeyList flattening_keys(const BiteRun &bite)
-{
-  const std::string both = "entry_thickness exit_thickness";
-  return joined(keys_in("strip", "width " + both), keys_in(pass_section(bite.pass), both), KeyList{bite.roll_key},
-                elastic_steel());
-}
-
 KeyList bite_keys(const BiteRun &bite)
 {
   const KeyList keys = joined(slab_keys(bite), keys_in("bite", "method"));

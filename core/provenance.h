@@ -70,8 +70,6 @@ struct BiteRun {
 bool follows_width(const std::string &quantity);
 /// Results of the model that gives K4.
 KeyList bite_keys(const BiteRun &bite);
-/// The flattening of one roll, from geometry and steel alone, (8.12).
-KeyList flattening_keys(const BiteRun &bite);
 /// Results of a slab theory beside it.
 KeyList slab_keys(const BiteRun &bite);
 

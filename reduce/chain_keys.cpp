@@ -103,11 +103,15 @@ std::array<Keys, 13> chain_keys(const SpringKeys &s, const bool solid)
 
   const Keys upper_path = or_given("K1", K1), lower_path = or_given("K7", K7);
   const Keys density = in_section("steel", "density");
-  const Keys backup =
-      join(beam, or_given("K_ZW", {}), in_section("backup_roll", "neck_length bearing_mass"), density);
+  // A given K_ZW scales a beam, whose shape then no longer depends on its modulus.
+  Keys drawn = beam;
+  if (s.given.count("K_ZW"))
+    drawn.erase(std::remove(drawn.begin(), drawn.end(), "steel.youngs_modulus"), drawn.end());
+  const Keys shape  = join(drawn, or_given("K_ZW", {}));
+  const Keys backup = join(shape, in_section("backup_roll", "neck_length bearing_mass"), density);
   const Keys barrel = in_section("work_roll", "barrel_diameter barrel_length neck_diameter total_length");
-  const Keys work =
-      join(barrel, in_section("work_roll", "bearing_span bearing_mass"), in_section("strip", "width"), density);
+  const Keys work   = join(barrel, in_section("work_roll", "bearing_span bearing_mass"),
+                           in_section("strip", "width"), density, Keys{"steel.youngs_modulus"}, shape);
   // The masses of a drawn housing are reduced to where the chain has its point.
   const Keys M1 = join(in_section("frame", "upper_post_mass upper_beam_mass upper_packing_mass piston_mass"),
                        s.drawn_housing ? upper_path : Keys{});

@@ -1,8 +1,8 @@
 mill_test(repo_rules_test LABEL rules)
 
 # The program from outside, verb by verb.
-foreach(name command_line_test bearing_command_test bite_command_test masses_command_test chatter_command_test
-             hostile_places_test memory_limits_test)
+foreach(name command_line_test verify_command_test bearing_command_test bite_command_test masses_command_test
+             chatter_command_test hostile_places_test memory_limits_test)
   mill_test(${name} LABEL verification TIMEOUT 600 LINK mill::core)
   target_sources(${name} PRIVATE support/program.cpp)
   target_compile_definitions(${name} PRIVATE MILLSTAND_PROGRAM="$<TARGET_FILE:millstand>")

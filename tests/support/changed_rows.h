@@ -43,7 +43,7 @@ inline std::vector<std::string> other_values(const mill::TraceKey &key)
       }));
   if (row.kind == Kind::table)  // examples of tables are straight lines
     values.push_back(row.form == "mm, um"  ? R"([["-10 mm", "3 um"], ["10 mm", "5 um"]])"
-                     : row.form == "1, um" ? R"([[2, "30 um"]])"
+                     : row.form == "1, um" ? R"([[2, "40 um"]])"
                                            : mill::example_toml(row));
   else
     values.push_back(mill::example_toml(row));

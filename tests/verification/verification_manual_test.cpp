@@ -70,4 +70,4 @@ TEST_P(GroupOfCases, Passes)
 }
 
 INSTANTIATE_TEST_SUITE_P(Manual, GroupOfCases, testing::ValuesIn(groups()),
-                         [](const auto &info) { return info.param.name; });
+                         [](const auto &group) { return group.param.name; });
