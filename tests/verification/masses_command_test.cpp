@@ -230,6 +230,8 @@ TEST(Housing, DrawingReplacesTheFrame)
                    within(1e-12, "sum of the reduced masses")));
   EXPECT_GT(values.at("K1").at("error_estimate").get<double>(), 0);
   EXPECT_TRUE(lacks(values.at("K7"), "frame.lower_packing_stiffness_tolerance"));
+  EXPECT_TRUE(lacks(values.at("frame.oil_column_stiffness"), "frame.oil_column_stiffness_tolerance"));
+  EXPECT_EQ(values.at("frame.piston_stiffness").at("error_estimate"), 0.01);
   EXPECT_GT(at("housing.f1"), 10) << "the bare housing on its feet";
   EXPECT_GT(at("housing.f2"), at("housing.f1"));
   EXPECT_GT(values.at("housing.f1").at("error_estimate").get<double>(), 0);
