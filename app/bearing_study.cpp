@@ -188,8 +188,9 @@ double error_of(const BearingStudy &s, const StateNumber &number)
     return not_given;
   const auto change = [&](const StudyVariant &v) { return std::abs(number(v.at) / value - 1); };
   double sum = 0, support = 0;
-  for (const StudyVariant &v : s.companions)
-    sum += mesh_pair_safety * change(v);  // one neighbour each, as of one pair of meshes
+  const std::size_t meshes = s.parts.companions.size();  // these come first; the others are other models
+  for (std::size_t i = 0; i < s.companions.size(); ++i)
+    sum += (i < meshes ? mesh_pair_safety : 1) * change(s.companions[i]);
   for (const StudyVariant &v : s.supports)
     support = std::max(support, change(v));
   return sum + support;

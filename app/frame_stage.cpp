@@ -1,5 +1,6 @@
 #include "app/frame_stage.h"
 #include "core/errors.h"
+#include "core/stand_rows.h"
 #include "fem/housing.h"
 #include "meshes/housing.h"
 #include "reduce/chain_keys.h"
@@ -109,6 +110,12 @@ void resolve_screwdown(RunContext &run, FourHigh &stand)
   const reduce::FrameWithScrewdown done = reduce::frame_with_screwdown(stand.frame, stand.screwdown, stand.steel);
   for (const reduce::Replacement &spring : done.replaced) {
     Parameter p = computed(spring.after, "N/m", spring.parts + " by formula", not_given, spring.inputs);
+    // Nobody knows how far a formula is off, but who draws the part may say.
+    const std::string own = spring.key.substr(std::string("frame.").size());
+    if (const auto said = stand.frame.tolerance.find(own); said != stand.frame.tolerance.end())
+      p.error_estimate = said->second;
+    else
+      p.error_lacks = {tolerance_key(spring.key)};
     add_given(p, spring.before);
     run.results.add(spring.key, p);
   }
@@ -126,6 +133,7 @@ void resolve_frame(RunContext &run, FourHigh &stand)
   const fem::HousingStatics statics = resolve_housing(run, stand);
   resolve_screwdown(run, stand);
   stand.frame = reduce::with_masses_at_the_chain(stand.frame, given_value(stand, "K1"), given_value(stand, "K7"));
+  // The chain is made of the whole of post and beam, whose error is not that of either share.
   for (std::size_t i = 0; i < part_names.size(); ++i) {
     const bool upper                                                 = i < 2;
     stand.frame.tolerance[std::string(part_names[i]) + "_stiffness"] = statics.error[upper ? 0 : 1];
