@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <gmsh.h>
-#include <unistd.h>
 
 namespace mill::meshes {
 namespace {
@@ -44,7 +43,7 @@ std::string missing_of_mesh(const std::string &text)
 
 void write_mesh(const std::string &path)
 {
-  const std::string aside = path + "." + std::to_string(::getpid()) + ".msh";  // Gmsh goes by the ending
+  const std::string aside = name_aside(path, ".msh");  // Gmsh goes by the ending
   std::string missing;
   try {
     gmsh::write(aside);

@@ -20,13 +20,13 @@ const std::string quick = "modes cases/published-1400.toml -q -o ";
 Outcome soon(const std::string &arguments)
 {
   const std::string program = "'" MILLSTAND_PROGRAM "'";
-  return millstand("--version >/dev/null; timeout 20 " + program + " " + arguments);
+  return millstand("--version >/dev/null; timeout 100 " + program + " " + arguments);
 }
 
 // As `soon`, with redirections of its own; only the exit code and what it wrote to `err` come back.
 Outcome redirected(const std::string &arguments_and_redirections, const std::string &err)
 {
-  const std::string command = "cd '" MILLSTAND_SOURCE_DIR "' && timeout 20 '" MILLSTAND_PROGRAM "' " +
+  const std::string command = "cd '" MILLSTAND_SOURCE_DIR "' && timeout 100 '" MILLSTAND_PROGRAM "' " +
                               arguments_and_redirections + " </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), "",
