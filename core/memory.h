@@ -4,8 +4,8 @@
 namespace mill {
 /// What this process may still take, and what sets the end.
 struct MemoryLeft {
-  double bytes = 0;  ///< bytes
-  std::string end;  ///< "the memory of this machine", "the 600 MB of address space allowed (ulimit -v)"
+  double bytes = 0;  ///< byte
+  std::string end;   ///< "the memory of this machine", "the 600 MB of address space allowed (ulimit -v)"
 };
 
 /// The least of what the machine has free, what a container allows (cgroup v1 and v2) and what is left of the
