@@ -168,7 +168,7 @@ const std::vector<std::string> frame{"frame.*", "housing.*", "screwdown.*"};
 const std::string profile =
     " crown crown_table crown_polynomial thermal_crown thermal_crown_table end_chamfer_length "
     "end_chamfer_depth";
-const std::string seat       = " bearing bearing_mass bearing_load chock_mass_upper chock_mass_lower";
+const std::string seat = " bearing bearing_mass bearing_load chock_mass_upper chock_mass_lower bending_model";
 const std::string no_inertia = "density yield_stress";
 
 std::vector<std::string> not_seen_by_a_roll_mesh()
@@ -194,7 +194,7 @@ std::vector<std::string> not_seen_by_a_bearing()
                          "bending_force bearing_mass chock_mass_upper chock_mass_lower" +
                              profile) +
          of("backup_roll", "barrel_diameter barrel_length neck_diameter neck_length bearing_span bearing_mass "
-                           "chock_mass_upper chock_mass_lower" +
+                           "chock_mass_upper chock_mass_lower bending_model" +
                                profile) +
          std::vector<std::string>{"steel.*",   "strip.*",       "bite.*",
                                   "contact.*", "bearing.crb.*", "bearing.trb.type"};
