@@ -1,6 +1,7 @@
 #include "core/errors.h"
 #include "dynamics/chatter_delay.h"
 #include "dynamics/chatter_tandem.h"
+#include "tests/support/refusal.h"
 #include <Eigen/LU>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -64,16 +65,6 @@ Eigen::MatrixXd column(const std::initializer_list<double> &values)
   return c;
 }
 
-std::string refusal(const std::function<void()> &call)
-{
-  try {
-    call();
-  } catch (const InputError &error) {
-    return error.problems.at(0).message;
-  }
-  return "nothing was refused";
-}
-
 TEST(Tandem, MassFlowTiesTheSpeeds)
 {
   const TandemLine line   = three_stands();
@@ -129,10 +120,11 @@ TEST(Tandem, RefusesStripThatDoesNotFit)
   line                                   = three_stands();
   line.stands[1].bite.strip.exit_tension = 175e6;
   line.stands[2].bite.strip.width        = 1.2;
-  EXPECT_EQ(refusals([&] { check_tandem(line); }), "tandem: the tension behind four is 175 MPa and before five 170 "
-                                                  "MPa; it is the same strip, give both the same\n"
-                                                  "tandem: the width behind four is 1100 mm and before five 1200 "
-                                                  "mm; it is the same strip, give both the same");
+  EXPECT_EQ(refusals([&] { check_tandem(line); }),
+            "tandem: the tension behind four is 175 MPa and before five 170 "
+            "MPa; it is the same strip, give both the same\n"
+            "tandem: the width behind four is 1100 mm and before five 1200 "
+            "mm; it is the same strip, give both the same");
   line = three_stands();
   line.distance.pop_back();
   line.entry_distance = 0;
