@@ -26,7 +26,7 @@ TEST(MemoryLimits, BelowTheBuffersOfTheBlasItIsSaidAtOnce)
 {
   const Outcome outcome = with_address_space(600, "check cases/two-cylinders.toml");
   EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_TRUE(says(outcome.err, "out of memory: 629 MB of address space are allowed (ulimit -v), at least "))
+  EXPECT_TRUE(says(outcome.err, "out of memory: 600 MB of address space are allowed (ulimit -v), at least "))
       << outcome.err;
   EXPECT_TRUE(says(outcome.err, "  change        a higher limit\n")) << outcome.err;
 }

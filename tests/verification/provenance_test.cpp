@@ -56,7 +56,7 @@ std::string text_of(const FourHigh &stand, const std::string &name)
     return text;
   }
   if (name.rfind("Kzc", 0) == 0) {
-    const bool backup   = name == "Kzc1" || name == "Kzc4";
+    const bool backup   = name[3] == '1' || name[3] == '4';
     const auto &bearing = bearing_of(stand.bearings, (backup ? stand.backup_roll : stand.work_roll).bearing);
     if (bearing.roller_law != "fe" && bearing.rings != "elastic")
       return "";
@@ -64,7 +64,7 @@ std::string text_of(const FourHigh &stand, const std::string &name)
     std::string text = roller_inputs(bearing, 1e5) + ring_inputs(bearing);
     for (std::size_t p = 0; p < stand.passes.size(); ++p)
       for (const QuickResult &seat : quick_bearings(stand, load_of(stand.passes[p]), p))
-        if (seat.name != "K_Zy" && (seat.name == "Kzc1" || seat.name == "Kzc4") == backup)
+        if (seat.name.size() == 4 && seat.name != "K_Zy" && (seat.name == "Kzc1" || seat.name == "Kzc4") == backup)
           text += number_text(seat.load);
     return text;
   }
@@ -189,12 +189,17 @@ std::string every_flow_stress(const std::string &law, const std::string &k)
 const std::vector<std::string> tapered{"bearing.trb.roller_total_length=34 mm",
                                        "bearing.trb.radial_clearance=0.02 mm"};
 
-// Of a stand: the type of a bearing follows from its angles and is not changed alone; what is not given yet stands
-// in no list of what it would replace.  The bite's elements are kept under all constants of all laws.
+// Of a stand: the type of a bearing follows from its angles and is not changed alone, nor does an end play or
+// a preload stand beside a clearance; the closed forms bend one beam whatever bending_model says; another bearing
+// puts the horizontal modes in another order; slices of a plain roller are seen across the load only; what is not
+// given yet stands in no list of what it would replace.  The bite's elements are kept under all constants of all
+// laws.
 const Exceptions of_a_stand{
-    {"bearing.trb.type",     "bearing.crb.type", "given.*"},
-    { "strip.initial_thickness", "strip.youngs_modulus", "strip.poisson_ratio",                    "strip.flow_stress.*",
-     "strip.friction.*", "pass.0.speed"}
+    {"bearing.trb.type",   "bearing.crb.type",         "bearing.trb.end_play", "bearing.trb.preload", "given.*",
+     "backup_roll.bending_model",                                                      "bearing.crb.slices", "bearing.crb.rings", "work_roll.bearing of fh3",
+     "bearing.trb.profile of fh3"},
+    {"strip.initial_thickness", "strip.youngs_modulus", "strip.poisson_ratio",                                             "strip.flow_stress.*",
+     "strip.friction.*",                                                   "pass.0.speed"}
 };
 
 Exceptions also(Exceptions known, const std::vector<std::string> &not_moved)
@@ -280,8 +285,8 @@ TEST(Provenance, OfBitesByEveryLaw)
       expect_complete(
           {
               "cases/cold-strip.toml",
-              {every_friction, std::string("strip.friction.law=") + friction, every_flow_stress(flow, "1180 MPa"),
-                "bite.method=slab"}
+              {every_friction, std::string("strip.friction.law=") + friction, "strip.friction.coefficient=0.1",
+                every_flow_stress(flow, "1180 MPa"), "bite.method=slab"}
       },
           {{"strip.friction", "strip.friction.shear_limit"}, {}});
     }
