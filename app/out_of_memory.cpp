@@ -15,7 +15,7 @@ void say(const char *text)
     return;  // nobody listens
 }
 
-bool meant = false;
+bool meant = false, refused = false;
 
 // libgomp exits where it can start no thread or has no memory for one, and says so itself.
 void end_of_a_library()
@@ -29,6 +29,8 @@ void end_of_a_library()
 
 [[noreturn]] void end_here()
 {
+  if (refused)
+    ::_exit(3);  // the sentence is said; what a library does behind it is no news
   try {
     if (const auto error = std::current_exception())
       std::rethrow_exception(error);
@@ -38,6 +40,11 @@ void end_of_a_library()
         "memory\n");
     ::_exit(3);
   } catch (const std::exception &e) {
+    if (std::strstr(e.what(), "pthread_create")) {
+      say("a thread of a library could not be started\n  change        fewer threads (--threads), or higher limits "
+          "(ulimit -u, -v)\n");
+      ::_exit(3);
+    }
     say("millstand failed on its own account: ");
     say(e.what());
     say("\n");
@@ -50,6 +57,7 @@ void end_of_a_library()
 
 SolverError out_of_memory(const std::string &stage)
 {
+  refused = true;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   const MemoryLeft left = memory_left();

@@ -113,7 +113,9 @@ std::vector<QuickResult> quick_bearings(const FourHigh &stand, const double F, c
     if (backup)
       add_both(r, i == 0 ? "K_Zy" : "K_Zy_lower");
     r.name += "_across";
-    r.parameter.value = stiffness_along(state, drive, 1);
+    r.closed           = joined(r.closed, keys_in("bearing." + b.name, "slices"));
+    r.parameter.inputs = seat_across_keys(stand, std::size_t(i), pass);
+    r.parameter.value  = stiffness_along(state, drive, 1);
     r.parameter.method += ", across the load";
     r.file       = "app/bearing_across";
     r.stands_for = by_elements(b) ? model_name(b) + ", a block chock on its liner" : "";

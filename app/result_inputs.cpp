@@ -170,7 +170,9 @@ void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, const std::
   springs.K4.inputs         = bite_keys({stand.strip, stand.bite, pass, "work_roll.barrel_diameter"});
   springs.K_Zy_upper.inputs = seat_keys(stand, 0, pass);
   springs.K_Zy_lower.inputs = seat_keys(stand, 3, pass);
-  for (std::size_t i = 0; i < springs.Kzc.size(); ++i)
-    springs.Kzc[i].inputs = springs.Kzc_across[i].inputs = seat_keys(stand, i, pass);
+  for (std::size_t i = 0; i < springs.Kzc.size(); ++i) {
+    springs.Kzc[i].inputs        = seat_keys(stand, i, pass);
+    springs.Kzc_across[i].inputs = seat_across_keys(stand, i, pass);
+  }
 }
 }  // namespace mill

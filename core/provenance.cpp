@@ -149,13 +149,21 @@ KeyList seat_keys(const FourHigh &stand, const std::size_t i, const std::size_t 
   const bool backup = i == 0 || i == 3;
   const auto &b     = bearing_of(stand.bearings, (backup ? stand.backup_roll : stand.work_roll).bearing);
   KeyList keys      = seat_load_keys(stand, backup, i < 2 ? "upper" : "lower", p);
-  if (b.roller_law == "fe")  // one mesh for the heaviest load that any pass puts on this bearing
+  if (b.roller_law == "fe") {  // one mesh for the heaviest load that any pass puts on this bearing
+    keys = joined(keys, KeyList{"work_roll.bearing", "backup_roll.bearing"});
     for (std::size_t other = 0; other < stand.passes.size(); ++other)
       for (const bool at_backup : {false, true})
         if ((at_backup ? stand.backup_roll : stand.work_roll).bearing == b.name)
           keys = joined(keys, seat_load_keys(stand, at_backup, "upper", other),
                         seat_load_keys(stand, at_backup, "lower", other));
+  }
   return joined(keys, bearing_keys(b));
+}
+
+KeyList seat_across_keys(const FourHigh &stand, const std::size_t i, const std::size_t p)
+{
+  const Roll &roll = i == 0 || i == 3 ? stand.backup_roll : stand.work_roll;
+  return joined(seat_keys(stand, i, p), keys_in("bearing." + roll.bearing, "slices"));
 }
 
 KeyList bearing_case_keys(const BearingCase &spec)
@@ -280,7 +288,9 @@ KeyList horizontal_mode_keys(const LumpedModel &model, const std::string &label,
 {
   KeyList keys = chock_seat_keys(label, seat_given);
   for (const std::size_t roll : rolls_in(label))
-    keys = joined(keys, model.M[roll + 1].inputs, model.Kzc[roll].inputs);
+    keys =
+        joined(keys, model.M[roll + 1].inputs,
+               std::isnan(model.Kzc_across[roll].value) ? model.Kzc[roll].inputs : model.Kzc_across[roll].inputs);
   return keys;
 }
 

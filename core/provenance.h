@@ -52,6 +52,8 @@ KeyList bearing_keys(const RollerBearing &bearing);
 KeyList seat_load_keys(const FourHigh &stand, bool backup, const std::string &contact, std::size_t p);
 /// Kzc1 .. Kzc4 of a stand, i = 0 .. 3, under the load of a pass.
 KeyList seat_keys(const FourHigh &stand, std::size_t i, std::size_t p);
+/// Kzc1_across .. Kzc4_across: rollers beside the load line press their slices unevenly whatever their profile.
+KeyList seat_across_keys(const FourHigh &stand, std::size_t i, std::size_t p);
 /// Kzc.* of kind "bearing".
 KeyList bearing_case_keys(const BearingCase &spec);
 

@@ -42,7 +42,7 @@ inline std::vector<std::string> other_values(const mill::TraceKey &key)
         return row.kind == Kind::count ? x + (step > 0 ? 1 : -1) : x == 0 ? step : x * (1 + step);
       }));
   if (row.kind == Kind::table)  // examples of tables are straight lines
-    values.push_back(row.form == "mm, um"  ? R"([["-10 mm", "4 um"], ["10 mm", "4 um"]])"
+    values.push_back(row.form == "mm, um"  ? R"([["-10 mm", "0 um"], ["0 mm", "4 um"], ["10 mm", "0 um"]])"
                      : row.form == "1, um" ? R"([[2, "40 um"]])"
                                            : mill::example_toml(row));
   else

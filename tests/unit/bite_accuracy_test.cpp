@@ -48,7 +48,7 @@ TEST(BiteAccuracy, CountsTheSlabTheoryBesideTheMeshes)
 {
   BiteStudy s = by_elements();
   EXPECT_TRUE(near(bite_error(s, 100, 98, force_of), 0.07, exact));
-  EXPECT_TRUE(near(bite_error(s, 100, 88, force_of), 0.12, exact));
+  EXPECT_TRUE(near(bite_error(s, 100, 88, force_of), 1.25 * 0.12, exact)) << "two meshes, theory.md (1.5)";
   EXPECT_TRUE(std::isnan(bite_error(s, 100, not_given, force_of))) << "no second mesh: not known";
   s.answers[0].refused = "no flattened radius";
   EXPECT_TRUE(near(bite_error(s, 100, 98, force_of), 0.04, exact)) << "the next theory stands beside";
