@@ -41,7 +41,8 @@ void end_of_a_library()
     ::_exit(3);
   } catch (const std::exception &e) {
     if (std::strstr(e.what(), "pthread_create")) {
-      say("a thread of a library could not be started\n  change        fewer threads (--threads), or higher limits "
+      say("a thread of a library could not be started\n  change        fewer threads (--threads), or higher "
+          "limits "
           "(ulimit -u, -v)\n");
       ::_exit(3);
     }

@@ -12,8 +12,8 @@ struct VerifyOptions {
   int threads = 0;                 ///< 0: all processors
 };
 
-/// Runs cases of the verification manual and prints them.  Returns 0 when all pass, 3 when one does not, 4 when none
-/// fails but some were skipped because a program they compare with is not installed (the summary says which).
+/// Runs cases of the verification manual and prints them.  Returns 0 when all pass, 3 when one does not, 4 when
+/// none fails but some were skipped because a program they compare with is not installed (the summary says which).
 /// @throws InputError  an unknown name, with the nearest known one; --markdown with only some of the cases; a file
 /// that
 ///                     cannot be written

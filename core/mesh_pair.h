@@ -2,9 +2,9 @@
 #include <cmath>
 
 namespace mill {
-/// Safety of an error that is known from one pair of meshes only.  theory.md 1.3, (1.5); P. J. Roache, J. Fluids Eng. 116
-/// (1994) 405: 1.25 where the order has been seen on three meshes, which the verification manual does for each
-/// kind of mesh.
+/// Safety of an error that is known from one pair of meshes only.  theory.md 1.3, (1.5); P. J. Roache, J. Fluids
+/// Eng. 116 (1994) 405: 1.25 where the order has been seen on three meshes, which the verification manual does for
+/// each kind of mesh.
 constexpr double mesh_pair_safety = 1.25;
 
 /// Relative error of a value from a finer and a coarser mesh.

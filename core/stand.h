@@ -34,10 +34,10 @@ struct Roll {
   std::array<double, 2> bending_force = {0, 0};  ///< N, chocks at z > 0 and z < 0, towards the backup roll
   std::string bending_model = "solid";  ///< solid | beam, of the backup roll: where the chain's K_ZW and shapes
                                         ///< come from
-  std::string bearing;          ///< name of a [bearing.*]
-  double bearing_mass     = 0;  ///< kg, per side
-  double chock_mass_upper = 0;  ///< kg, per side, in the upper half of the stand
-  double chock_mass_lower = 0;  ///< kg, per side, in the lower half
+  std::string bearing;                  ///< name of a [bearing.*]
+  double bearing_mass     = 0;          ///< kg, per side
+  double chock_mass_upper = 0;          ///< kg, per side, in the upper half of the stand
+  double chock_mass_lower = 0;          ///< kg, per side, in the lower half
   double bearing_load =
       not_given;  ///< N, radial load of one bearing; absent: F/2 (backup), F/20 assumed (work roll)
 };

@@ -1,55 +1,28 @@
 #include "reduce/chain_keys.h"
 #include "core/provenance.h"
 #include "reduce/screwdown.h"
-#include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace mill::reduce {
-namespace {
-/// "frame", "a b" -> frame.a, frame.b
-Keys in_section(const std::string &section, const std::string &names)
-{
-  std::istringstream words(names);
-  Keys keys;
-  for (std::string name; words >> name;)
-    keys.push_back(section + "." + name);
-  return keys;
-}
-
-/// All keys of the lists in order, each once.
-template <class... Lists> Keys join(const Lists &...lists)
-{
-  Keys all;
-  const auto add = [&](const Keys &list) {
-    for (const std::string &key : list)
-      if (std::find(all.begin(), all.end(), key) == all.end())
-        all.push_back(key);
-  };
-  (add(lists), ...);
-  return all;
-}
-}  // namespace
-
 Keys backup_roll_keys(const bool solid)
 {
-  return join(in_section("backup_roll", "barrel_diameter barrel_length neck_diameter bearing_span bending_model"),
-              in_section("steel", "youngs_modulus poisson_ratio"), in_section("dynamics", "mass_reference"),
-              solid ? join(in_section("backup_roll", "neck_length"),
-                           in_section("dynamics", "elements_per_radius frequency_limit"))
-                    : Keys());
+  return joined(keys_in("backup_roll", "barrel_diameter barrel_length neck_diameter bearing_span bending_model"),
+                keys_in("steel", "youngs_modulus poisson_ratio"), keys_in("dynamics", "mass_reference"),
+                solid ? joined(keys_in("backup_roll", "neck_length"),
+                               keys_in("dynamics", "elements_per_radius frequency_limit"))
+                      : Keys());
 }
 
 Keys housing_keys(const MillHousing &housing, const bool mass)
 {
   const Keys shape =
-      in_section("housing", "thickness post_width window_width window_height upper_beam_height lower_beam_height "
-                            "fillet_radius foot_height screw_pad seat_pad youngs_modulus");
+      keys_in("housing", "thickness post_width window_width window_height upper_beam_height lower_beam_height "
+                         "fillet_radius foot_height screw_pad seat_pad youngs_modulus");
   const auto of_rolls = [](const double own, const char *key) {
     return std::isnan(own) ? Keys{std::string("steel.") + key} : Keys{};
   };
-  return join(shape, of_rolls(housing.modulus, "youngs_modulus"), Keys{"steel.poisson_ratio"},
-              mass ? join(Keys{"housing.density"}, of_rolls(housing.density, "density")) : Keys{});
+  return joined(shape, of_rolls(housing.modulus, "youngs_modulus"), Keys{"steel.poisson_ratio"},
+                mass ? joined(Keys{"housing.density"}, of_rolls(housing.density, "density")) : Keys{});
 }
 
 Keys as_drawn(const Keys &keys, const FourHigh &stand)
@@ -70,7 +43,7 @@ Keys as_drawn(const Keys &keys, const FourHigh &stand)
   };
   Keys all;
   for (const std::string &key : keys)
-    all = join(all, drawn_as(key));
+    all = joined(all, drawn_as(key));
   return all;
 }
 
@@ -94,34 +67,34 @@ std::array<Keys, 13> chain_keys(const SpringKeys &s, const bool solid)
   };
   const Keys beam = backup_roll_keys(solid);
   const Keys K1 =
-      in_section("frame", "upper_post_stiffness upper_beam_stiffness piston_stiffness upper_packing_stiffness");
-  const Keys K2 = join(in_section("frame", "oil_column_stiffness cylinder_body_stiffness upper_chock_stiffness"),
-                       s.K_Zy_upper, or_given("K_ZW", beam));
-  const Keys K6 = join(in_section("frame", "lower_chock_stiffness"), s.K_Zy_lower, or_given("K_ZW", beam));
+      keys_in("frame", "upper_post_stiffness upper_beam_stiffness piston_stiffness upper_packing_stiffness");
+  const Keys K2 = joined(keys_in("frame", "oil_column_stiffness cylinder_body_stiffness upper_chock_stiffness"),
+                         s.K_Zy_upper, or_given("K_ZW", beam));
+  const Keys K6 = joined(keys_in("frame", "lower_chock_stiffness"), s.K_Zy_lower, or_given("K_ZW", beam));
   const Keys K7 =
-      in_section("frame", "lower_post_stiffness lower_beam_stiffness lower_packing_stiffness load_cell_stiffness");
+      keys_in("frame", "lower_post_stiffness lower_beam_stiffness lower_packing_stiffness load_cell_stiffness");
 
   const Keys upper_path = or_given("K1", K1), lower_path = or_given("K7", K7);
-  const Keys density = in_section("steel", "density");
+  const Keys density = keys_in("steel", "density");
   // A given K_ZW scales a beam, whose shape then no longer depends on its modulus.
   Keys drawn = beam;
   if (s.given.count("K_ZW"))
     drawn.erase(std::remove(drawn.begin(), drawn.end(), "steel.youngs_modulus"), drawn.end());
-  const Keys shape  = join(drawn, or_given("K_ZW", {}));
-  const Keys backup = join(shape, in_section("backup_roll", "neck_length bearing_mass"), density);
-  const Keys barrel = in_section("work_roll", "barrel_diameter barrel_length neck_diameter total_length");
-  const Keys work   = join(barrel, in_section("work_roll", "bearing_span bearing_mass"),
-                           in_section("strip", "width"), density, Keys{"steel.youngs_modulus"}, shape);
+  const Keys shape  = joined(drawn, or_given("K_ZW", {}));
+  const Keys backup = joined(shape, keys_in("backup_roll", "neck_length bearing_mass"), density);
+  const Keys barrel = keys_in("work_roll", "barrel_diameter barrel_length neck_diameter total_length");
+  const Keys work   = joined(barrel, keys_in("work_roll", "bearing_span bearing_mass"), keys_in("strip", "width"),
+                             density, Keys{"steel.youngs_modulus"}, shape);
   // The masses of a drawn housing are reduced to where the chain has its point.
-  const Keys M1 = join(in_section("frame", "upper_post_mass upper_beam_mass upper_packing_mass piston_mass"),
-                       s.drawn_housing ? upper_path : Keys{});
-  const Keys M2 = join(backup, in_section("backup_roll", "chock_mass_upper"),
-                       in_section("frame", "cylinder_mass balance_mass"), upper_path, K2);
-  const Keys M3 = join(work, in_section("work_roll", "chock_mass_upper"), s.K3, upper_path, K2);
-  const Keys M4 = join(work, in_section("work_roll", "chock_mass_lower"), s.K5, lower_path, K6);
-  const Keys M5 = join(backup, in_section("backup_roll", "chock_mass_lower"), lower_path, K6);
-  const Keys M6 = join(in_section("frame", "lower_post_mass lower_beam_mass load_cell_mass lower_packing_mass"),
-                       s.drawn_housing ? lower_path : Keys{});
+  const Keys M1 = joined(keys_in("frame", "upper_post_mass upper_beam_mass upper_packing_mass piston_mass"),
+                         s.drawn_housing ? upper_path : Keys{});
+  const Keys M2 = joined(backup, keys_in("backup_roll", "chock_mass_upper"),
+                         keys_in("frame", "cylinder_mass balance_mass"), upper_path, K2);
+  const Keys M3 = joined(work, keys_in("work_roll", "chock_mass_upper"), s.K3, upper_path, K2);
+  const Keys M4 = joined(work, keys_in("work_roll", "chock_mass_lower"), s.K5, lower_path, K6);
+  const Keys M5 = joined(backup, keys_in("backup_roll", "chock_mass_lower"), lower_path, K6);
+  const Keys M6 = joined(keys_in("frame", "lower_post_mass lower_beam_mass load_cell_mass lower_packing_mass"),
+                         s.drawn_housing ? lower_path : Keys{});
   return {M1, M2, M3, M4, M5, M6, K1, K2, s.K3, s.K4, s.K5, K6, K7};
 }
 }  // namespace mill::reduce

@@ -39,17 +39,6 @@ const Words words[] = {
     {"entry_thickness",               "entry thickness"                                              },
 };
 
-// What one looks for first; the rest stands in the section and in the full table.
-bool is_in_short(const std::string &quantity)
-{
-  for (const char *one :
-       {"force", "friction", "film_thickness", "flattened_radius", "forward_slip", "critical_speed", "frequency",
-        "growth_rate", "margin", "critical_speed_without_delay", "speed_stable_for_any_distance"})
-    if (quantity == one)
-      return true;
-  return false;
-}
-
 std::string words_of(const std::string &part)
 {
   const auto found =

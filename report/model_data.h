@@ -82,7 +82,7 @@ struct MassBreakdown {
 };
 
 struct MassRoutes {
-  std::string mass;                                      ///< "M2"
+  std::string mass;                                ///< "M2"
   double chain, fe_integral, fe_solid, published;  ///< kg
 };
 

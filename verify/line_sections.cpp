@@ -22,37 +22,33 @@ double sagitta(const double radius, const double x)
   return x * x / (radius + std::sqrt(radius * radius - x * x));
 }
 
-}  // namespace
-
-double line_load_at(const double R1, const double R2, const Material &material, const double half_width,
-                    const double approach)
+// Two cylinders, each balanced by an equal load on its opposite generator; non-matching grids on the two patches,
+// for half widths of contact from `small` to `large` (m).
+fem::BodyPair two_discs(const double R1, const double R2, const Material &material, const double small,
+                        const double large)
 {
-  const auto first  = disc_section(R1, half_width, half_width, 24, material),
-             second = disc_section(R2, half_width, half_width, 17, material);
-  const auto slave  = condensed_patch(first, held_quarter(first)),
-             master = condensed_patch(second, held_quarter(second));
-  fem::PairOptions options;
-  options.gap = [&](const VectorXd &x) { return sagitta(R1, x[0]) + sagitta(R2, x[0]); };
-  const auto pair =
-      fem::pair_bodies({&slave, {}, Vector2d(0, -R1)}, upside_down(master, R2), {master_moves_down()}, options);
-  contact::ActiveSet solver(pair.problem);
-  return 2 * solver.solve(by_motion(approach)).resultant[0];  // half of the width is meshed
-}
-
-namespace {
-// Two cylinders, each balanced by an equal load on its opposite generator; non-matching grids on the two patches.
-std::vector<Check> line_pair(const double R1, const double R2, const Material &material,
-                             const std::vector<LineLoad> &loads, const bool only_tangent)
-{
-  const double small = loads.front().b, large = loads.back().b;
   const auto first  = disc_section(R1, small, large, 24, material),
              second = disc_section(R2, small, large, 17, material);
   const auto slave  = condensed_patch(first, held_quarter(first)),
              master = condensed_patch(second, held_quarter(second));
   fem::PairOptions options;
   options.gap = [&](const VectorXd &x) { return sagitta(R1, x[0]) + sagitta(R2, x[0]); };
-  const auto pair =
-      fem::pair_bodies({&slave, {}, Vector2d(0, -R1)}, upside_down(master, R2), {master_moves_down()}, options);
+  return fem::pair_bodies({&slave, {}, Vector2d(0, -R1)}, upside_down(master, R2), {master_moves_down()}, options);
+}
+}  // namespace
+
+double line_load_at(const double R1, const double R2, const Material &material, const double half_width,
+                    const double approach)
+{
+  contact::ActiveSet solver(two_discs(R1, R2, material, half_width, half_width).problem);
+  return 2 * solver.solve(by_motion(approach)).resultant[0];  // half of the width is meshed
+}
+
+namespace {
+std::vector<Check> line_pair(const double R1, const double R2, const Material &material,
+                             const std::vector<LineLoad> &loads, const bool only_tangent)
+{
+  const auto pair = two_discs(R1, R2, material, loads.front().b, loads.back().b);
   contact::ActiveSet solver(pair.problem);
   std::vector<Check> checks;
   for (const LineLoad &load : loads) {

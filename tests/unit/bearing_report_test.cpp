@@ -176,7 +176,8 @@ TEST(BearingReport, AnglesAndCountsAreShownAsOneReadsThem)
 TEST(BearingReport, SaysHowTheRowsAreArranged)
 {
   auto run = read_run(write_sample_run(bearing_sample()));
-  EXPECT_TRUE(says(html_page(run), "+-+-, pairs back to back: two double cups (TQI)</code>, as the case gives it"));
+  EXPECT_TRUE(
+      says(html_page(run), "+-+-, pairs back to back: two double cups (TQI)</code>, as the case gives it"));
   run.manifest.bearings["trb"].size["row_hands_assumed"] = 1;
   EXPECT_TRUE(says(html_page(run), "(TQI)</code>, <b>assumed</b>: the case does not give <code>row_hands</code>"));
   run.manifest.bearings["trb"].size["cup_angle"] = 0;
