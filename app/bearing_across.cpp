@@ -59,6 +59,8 @@ Parameter bearing_across(RunContext &run, const BearingStudy &s, const std::vect
   p.error_estimate = parts.roller ? std::abs(s.slice_deviation) : std::abs(iso / by_law(q, "palmgren") - 1);
   for (const BearingVariant &companion : parts.companions)
     p.error_estimate += mesh_pair_error(p.value, across(companion.model, q), 2);
+  if (liner && q.bearing.support_assumed)  // nobody said that the liner carries the whole side
+    p.error_estimate += std::abs(s.tangent_across / p.value - 1);
   p.checks = {
       {"ISO/TS 16281, rigid rings", iso, ""}
   };
