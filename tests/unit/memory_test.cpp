@@ -1,8 +1,7 @@
 #include "core/memory.h"
+#include "tests/support/address_space.h"
 #include <cmath>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 using namespace mill;
@@ -20,15 +19,12 @@ TEST(MemoryLeft, TheAddressSpaceIsWhatTheLimitLeaves)
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "the sanitizer maps terabytes of address space";
 #endif
-  long pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  const rlim_t allowed = rlim_t(pages * sysconf(_SC_PAGESIZE)) + 50000000;
-  rlimit before{};
-  ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
-  const rlimit tight{allowed, before.rlim_max};
-  ASSERT_EQ(setrlimit(RLIMIT_AS, &tight), 0);
-  const MemoryLeft left = memory_left();
-  ASSERT_EQ(setrlimit(RLIMIT_AS, &before), 0);
+  const rlim_t allowed  = mapped_address_space() + 50000000;
+  const MemoryLeft left = [&] {
+    const AddressSpaceLimit tight(allowed);
+    EXPECT_TRUE(tight.set);
+    return memory_left();
+  }();
   EXPECT_GT(left.bytes, 40e6) << "what the reading itself takes is small";
   EXPECT_LE(left.bytes, 50e6);
   EXPECT_EQ(left.end, "the " + megabytes(double(allowed)) + " of address space that are allowed (ulimit -v)");

@@ -1,8 +1,7 @@
 #include "core/errors.h"
 #include "core/parallel.h"
-#include <fstream>
+#include "tests/support/address_space.h"
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 using mill::share_tasks;
@@ -34,14 +33,11 @@ TEST(ShareTasks, WithoutRoomForThreadsTheWorkIsDoneAllTheSame)
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "the sanitizer maps terabytes of address space";
 #endif
-  long pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  rlimit before{};
-  ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
-  const rlimit tight{rlim_t(pages * sysconf(_SC_PAGESIZE)) + (4u << 20), before.rlim_max};
   std::vector<int> calls(1000, 0);
-  ASSERT_EQ(setrlimit(RLIMIT_AS, &tight), 0);
-  share_tasks(long(calls.size()), 64, [&](const long i) { ++calls[std::size_t(i)]; });
-  ASSERT_EQ(setrlimit(RLIMIT_AS, &before), 0);
+  {
+    const AddressSpaceLimit tight(mapped_address_space() + (4u << 20));
+    ASSERT_TRUE(tight.set);
+    share_tasks(long(calls.size()), 64, [&](const long i) { ++calls[std::size_t(i)]; });
+  }
   EXPECT_EQ(calls, std::vector<int>(1000, 1));
 }

@@ -1,19 +1,15 @@
 // Little address space (ulimit -v): every limit ends with results or with a sentence and exit code 3. Before, the
 // BLAS asked for its buffers for ever, and what was too little for a factor was called our own mistake.
+#include "tests/support/address_space.h"
 #include "tests/support/program.h"
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 namespace {
 Outcome with_address_space(const int megabytes, const std::string &arguments)
 {
-  rlimit before{};
-  getrlimit(RLIMIT_AS, &before);
-  const rlimit tight{rlim_t(megabytes) << 20, before.rlim_max};
-  setrlimit(RLIMIT_AS, &tight);
-  const Outcome outcome = millstand(arguments);
-  setrlimit(RLIMIT_AS, &before);
-  return outcome;
+  const AddressSpaceLimit tight(rlim_t(megabytes) << 20);
+  EXPECT_TRUE(tight.set);
+  return millstand(arguments);
 }
 
 bool says(const std::string &text, const std::string &what)
