@@ -1,9 +1,9 @@
 #include "app/command_line.h"
 #include "app/console.h"
 #include "app/run_context.h"
-#include "core/sparse.h"
-#include "fem/elastic_body.h"
-#include "meshes/gmsh_scope.h"
+#include "core/numerics/sparse.h"
+#include "fem/body/elastic_body.h"
+#include "meshes/common/gmsh_scope.h"
 #include <CLI/CLI.hpp>
 #include <sstream>
 

@@ -1,6 +1,6 @@
 #include "app/console.h"
-#include "core/error_list.h"
-#include "core/visible_text.h"
+#include "core/case/error_list.h"
+#include "core/case/visible_text.h"
 #include <cerrno>
 #include <chrono>
 #include <cstdio>

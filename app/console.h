@@ -1,6 +1,6 @@
 #pragma once
-#include "core/errors.h"
-#include "core/progress.h"
+#include "core/case/errors.h"
+#include "core/process/progress.h"
 #include <memory>
 #include <stdexcept>
 #include <string>

@@ -1,5 +1,5 @@
 #include "app/out_of_memory.h"
-#include "core/memory.h"
+#include "core/process/memory.h"
 #include <cstdlib>
 #include <cstring>
 #include <exception>

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/errors.h"
+#include "core/case/errors.h"
 #include <string>
 
 namespace mill {

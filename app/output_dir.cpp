@@ -1,7 +1,7 @@
 #include "app/output_dir.h"
-#include "core/errors.h"
-#include "core/files.h"
-#include "core/run_identity.h"
+#include "core/case/errors.h"
+#include "core/records/files.h"
+#include "core/records/run_identity.h"
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>

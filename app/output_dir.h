@@ -1,14 +1,14 @@
 #pragma once
-#include "core/files.h"
-#include "core/result_folder.h"
-#include "core/stand.h"
+#include "core/records/files.h"
+#include "core/records/result_folder.h"
+#include "core/model/stand.h"
 #include <memory>
 #include <string>
 
 namespace mill {
 /// Folder of a run.  Nothing of another case is overwritten by surprise, and what a folder shows belongs to one
 /// run: files are written into a staging folder inside it and take the place of the earlier ones together, in
-/// publish() (core/result_folder.h).
+/// publish() (core/records/result_folder.h).
 class OutputDir {
 public:
   /// Creates the folder and its staging folder with curves/, response/ and fields/; what was staged and not
@@ -18,7 +18,7 @@ public:
   OutputDir(std::string path, const Case &of, bool overwrite, std::string run_id);
 
   const std::string &path() const;                  ///< of the folder
-  const std::string &run_id() const;                ///< of what is staged here (core/run_identity.h)
+  const std::string &run_id() const;                ///< of what is staged here (core/records/run_identity.h)
   const std::string &staging() const;               ///< where files are until they are published
   std::string file(const std::string &name) const;  ///< path of a staged file
   void write(const std::string &name, const std::string &text) const;  ///< a TOML file begins with the run_id

@@ -1,11 +1,11 @@
 #include "app/run_context.h"
 #include "app/out_of_memory.h"
 #include "bearing/geometry.h"
-#include "core/files.h"
-#include "core/run_identity.h"
-#include "core/sparse.h"
-#include "fem/elastic_body.h"
-#include "meshes/gmsh_scope.h"
+#include "core/records/files.h"
+#include "core/records/run_identity.h"
+#include "core/numerics/sparse.h"
+#include "fem/body/elastic_body.h"
+#include "meshes/common/gmsh_scope.h"
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>

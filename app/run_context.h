@@ -1,8 +1,8 @@
 #pragma once
 #include "app/output_dir.h"
-#include "core/progress.h"
-#include "core/results.h"
-#include "core/stand.h"
+#include "core/process/progress.h"
+#include "core/records/results.h"
+#include "core/model/stand.h"
 #include <chrono>
 #include <set>
 #include <string>

@@ -1,7 +1,7 @@
 #include "app/run_log.h"
 #include "app/output_dir.h"
-#include "core/errors.h"
-#include "core/visible_text.h"
+#include "core/case/errors.h"
+#include "core/case/visible_text.h"
 #include <algorithm>
 #include <cerrno>
 #include <cstring>

@@ -1,12 +1,12 @@
 #include "app/verify_command.h"
 #include "app/address_space.h"
 #include "app/console.h"
-#include "core/errors.h"
-#include "core/files.h"
-#include "core/sparse.h"
-#include "fem/elastic_body.h"
+#include "core/case/errors.h"
+#include "core/records/files.h"
+#include "core/numerics/sparse.h"
+#include "fem/body/elastic_body.h"
 #include "verify/manual.h"
-#include "verify/peer_calculix.h"
+#include "verify/peer/calculix.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <thread>

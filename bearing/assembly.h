@@ -1,7 +1,7 @@
 #pragma once
 #include "bearing/ring_flexibility.h"
 #include "bearing/roller_law.h"
-#include "core/stand.h"
+#include "core/model/stand.h"
 #include <Eigen/Core>
 #include <array>
 #include <memory>

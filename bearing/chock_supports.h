@@ -1,5 +1,5 @@
 #pragma once
-#include "core/roller_bearing.h"
+#include "core/model/roller_bearing.h"
 #include <string>
 #include <vector>
 

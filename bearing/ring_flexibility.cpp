@@ -1,5 +1,5 @@
 #include "bearing/ring_flexibility.h"
-#include "core/errors.h"
+#include "core/case/errors.h"
 #include <algorithm>
 #include <cmath>
 

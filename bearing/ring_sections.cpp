@@ -1,6 +1,6 @@
 #include "bearing/ring_sections.h"
 #include "bearing/geometry.h"
-#include "core/errors.h"
+#include "core/case/errors.h"
 #include <algorithm>
 #include <cmath>
 #include <sstream>

@@ -1,6 +1,6 @@
 #pragma once
-#include "core/ring_sections.h"
-#include "core/roller_bearing.h"
+#include "core/model/ring_sections.h"
+#include "core/model/roller_bearing.h"
 
 namespace mill::bearing {
 /// What the law of one roller already counts of the rings.

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/stand.h"
+#include "core/model/stand.h"
 #include <Eigen/Core>
 
 namespace mill::bearing {

@@ -1,8 +1,8 @@
 // Timing of the slab theories of the bite.  Goals: a state with all derivatives in 20 us on a given arc and in 200
 // us with the flattening; a map of 10 000 K4 in 2 s.
-#include "bite/bland_ford.h"
-#include "bite/linear_coefficients.h"
-#include "bite/stiffness_map.h"
+#include "bite/slab/bland_ford.h"
+#include "bite/linear/linear_coefficients.h"
+#include "bite/linear/stiffness_map.h"
 #include "tests/support/demo_pass.h"
 #include "tests/support/film_pass.h"
 #include <benchmark/benchmark.h>

@@ -7,13 +7,13 @@
 //     x = 0          u_x = 0                      z = 0 and z = 700 mm   u_z = 0
 //     lower, y = 0   u_y = 0                      upper, y = 0           u_y = -approach
 // The upper roll is the mesh of the smaller one, mirrored.  Units of the deck: mm, N, MPa.
-#include "core/errors.h"
-#include "core/sparse.h"
-#include "fem/contact_study.h"
-#include "fem/elastic_body.h"
-#include "meshes/contact_mesh_size.h"
-#include "meshes/gmsh_scope.h"
-#include "reduce/line_contact.h"
+#include "core/case/errors.h"
+#include "core/numerics/sparse.h"
+#include "fem/roll/contact_study.h"
+#include "fem/body/elastic_body.h"
+#include "meshes/roll/contact_mesh_size.h"
+#include "meshes/common/gmsh_scope.h"
+#include "reduce/chain/line_contact.h"
 #include <algorithm>
 #include <array>
 #include <chrono>

@@ -1,9 +1,9 @@
 // Timing of chatter on the published stand.  Goals: one search for the critical speed 20 ms, a map of 200 x 200
 // cells 5 s on two processors, one second of nonlinear motion one second.
-#include "dynamics/chatter_map.h"
-#include "dynamics/chatter_run.h"
-#include "dynamics/chatter_sensitivity.h"
-#include "dynamics/chatter_speed.h"
+#include "dynamics/chatter/map.h"
+#include "dynamics/chatter/run.h"
+#include "dynamics/chatter/sensitivity.h"
+#include "dynamics/chatter/speed.h"
 #include "tests/support/film_pass.h"
 #include <benchmark/benchmark.h>
 

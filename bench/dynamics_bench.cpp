@@ -1,7 +1,7 @@
 // Timing of the lumped model.  Goal: 10 s of force at 20 kHz through six masses in at most 0.1 s.
-#include "dynamics/response.h"
-#include "dynamics/rolling_force.h"
-#include "dynamics/spectrum.h"
+#include "dynamics/response/response.h"
+#include "dynamics/response/rolling_force.h"
+#include "dynamics/response/spectrum.h"
 #include <benchmark/benchmark.h>
 
 using namespace mill;

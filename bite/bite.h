@@ -1,6 +1,6 @@
 #pragma once
-#include "core/material.h"
-#include "core/strip.h"
+#include "core/model/material.h"
+#include "core/model/strip.h"
 #include <Eigen/Core>
 #include <array>
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 #include "bite/bite.h"
-#include "core/members.h"
+#include "core/records/members.h"
 
-// Member lists of what a bite is given; see core/members.h.
+// Member lists of what a bite is given; see core/records/members.h.
 namespace mill::bite {
 // Of the rolls only their flattening is followed.
 template <class Io> void each_member(Io &&io, const RollBite &record)

@@ -1,6 +1,6 @@
 #pragma once
 #include "bite/bite.h"
-#include "core/gauss.h"
+#include "core/numerics/gauss.h"
 
 namespace mill::bite {
 /// Rules on -1..1 for both sides of the neutral point, node -1 towards the exit.

@@ -1,5 +1,5 @@
 #include "contact/active_factor.h"
-#include "core/errors.h"
+#include "core/case/errors.h"
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>

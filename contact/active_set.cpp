@@ -4,7 +4,7 @@
 #include "contact/mode_equations.h"
 #include "contact/reachable.h"
 #include "contact/set_by_continuation.h"
-#include "core/errors.h"
+#include "core/case/errors.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>

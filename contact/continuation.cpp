@@ -1,5 +1,5 @@
 #include "contact/continuation.h"
-#include "core/errors.h"
+#include "core/case/errors.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
 #include "contact/friction.h"
 #include "contact/active_set.h"
 #include "contact/mode_equations.h"
-#include "core/errors.h"
+#include "core/case/errors.h"
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/stand.h"
+#include "core/model/stand.h"
 #include <Eigen/Core>
 
 // Surface displacement of elastic half spaces under uniform tractions.  theory.md 10

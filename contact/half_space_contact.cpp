@@ -1,6 +1,6 @@
 #include "contact/half_space_contact.h"
-#include "core/errors.h"
-#include "core/gauss.h"
+#include "core/case/errors.h"
+#include "core/numerics/gauss.h"
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "contact/mortar.h"
 #include "contact/segments.h"
-#include "core/errors.h"
+#include "core/case/errors.h"
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>

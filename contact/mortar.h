@@ -1,5 +1,5 @@
 #pragma once
-#include "core/surface.h"
+#include "core/model/surface.h"
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "contact/segments.h"
 #include "contact/mortar.h"
-#include "core/gauss.h"
+#include "core/numerics/gauss.h"
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>

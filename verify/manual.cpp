@@ -1,6 +1,6 @@
 #include "verify/manual.h"
-#include "core/errors.h"
-#include "core/fields.h"
+#include "core/case/errors.h"
+#include "core/case/fields.h"
 #include <algorithm>
 #include <array>
 #include <chrono>

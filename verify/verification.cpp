@@ -1,5 +1,5 @@
 #include "verify/verification.h"
-#include "verify/peer.h"
+#include "verify/peer/peer.h"
 #include <algorithm>
 #include <cmath>
 

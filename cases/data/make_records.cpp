@@ -2,7 +2,7 @@
 //
 // Published are only the ranges of the two passes (preprint doi 10.21203/rs.3.rs-1441429/v1).  The records have
 // exactly these ranges; that the force is white up to 1 kHz is an assumption.
-#include "dynamics/rolling_force.h"
+#include "dynamics/response/rolling_force.h"
 #include <cstdio>
 #include <exception>
 #include <string>

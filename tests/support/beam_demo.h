@@ -1,7 +1,7 @@
 #pragma once
-#include "reduce/beam_stand.h"
-#include "reduce/stand_modes.h"
-#include "verify/demo_drawing.h"
+#include "reduce/stand/beam_stand.h"
+#include "reduce/stand/stand_modes.h"
+#include "verify/stand/demo_drawing.h"
 
 /// The demo stand as a model of beams, for tests of what is made from it.
 inline mill::FourHigh demo_drawing()

@@ -1,6 +1,6 @@
 #pragma once
-#include "app/trace_key.h"
-#include "core/stand_rows.h"
+#include "app/trace/trace_key.h"
+#include "core/case/stand_rows.h"
 #include <fmt/format.h>
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/strip.h"
+#include "core/model/strip.h"
 #include <vector>
 
 /// One friction law of every kind that is no plain coefficient: speed, film, factor.

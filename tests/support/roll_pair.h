@@ -1,6 +1,6 @@
 #pragma once
-#include "fem/contact_study.h"
-#include "meshes/contact_mesh_size.h"
+#include "fem/roll/contact_study.h"
+#include "meshes/roll/contact_mesh_size.h"
 #include <memory>
 #include <string>
 

@@ -1,8 +1,0 @@
-#pragma once
-#include "app/bite_study.h"
-#include "fem/bite_roll.h"
-
-namespace mill {
-/// Flexibility of the work roll's surface in the bite, from its section on two meshes.
-fem::BiteRollResult roll_flexibility(RunContext &run, const BiteQuestion &question);
-}  // namespace mill

@@ -1,8 +1,0 @@
-#pragma once
-#include "core/results.h"
-#include <string>
-
-namespace mill {
-/// M1..M6 by every road beside the published values, as `millstand masses` prints them; empty without M2.
-std::string mass_table(const Results &results);
-}  // namespace mill

@@ -1,0 +1,109 @@
+#include "app/stages/bearing_files.h"
+#include "app/stages/bearing_published.h"
+#include "app/stages/bearing_results.h"
+#include "app/stages/bearing_stage.h"
+#include "bearing/clearance.h"
+#include "core/records/csv.h"
+#include "dynamics/bearing/dynamics.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+std::vector<double> log_spaced(const std::array<double, 2> &range, const int n)
+{
+  std::vector<double> out;
+  for (int i = 0; i < n; ++i)
+    out.push_back(range[0] * std::pow(range[1] / range[0], double(i) / (n - 1)));
+  return out;
+}
+
+// The mass swings on the computed curve; its force is the same in every direction, as that of a round bearing.
+void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &study)
+{
+  const BearingExcitation &e = spec.motion;
+  if (std::isnan(e.mass))
+    return;
+  StageTimer timer(run, "bearing dynamics");
+  dynamics::BearingOscillator mass;
+  mass.mass    = e.mass;
+  mass.damping = e.damping;
+  const auto n = Eigen::Index(study.curve.states.size());
+  mass.curve.displacement.resize(n);
+  mass.curve.force.resize(n);
+  mass.curve.tangent.resize(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto &at             = study.curve.states[std::size_t(i)];
+    mass.curve.displacement[i] = at.motion[0];
+    mass.curve.force[i]        = at.load[0];
+    mass.curve.tangent[i]      = bearing::radial_tangent(at, study.drive);
+  }
+  mass.mean_load    = {spec.load.radial, 0};
+  mass.direction    = {std::cos(e.direction), std::sin(e.direction)};
+  mass.amplitude    = e.amplitude;
+  mass.frequency    = e.frequency;
+  const auto motion = dynamics::simulate(mass, e.duration, e.output_rate);
+  run.out.write("response/bearing-" + slug(spec.load.bearing) + ".csv",
+                csv_text(dynamics::bearing_response_table(motion)));
+  run.out.write("curves/bearing-" + slug(spec.load.bearing) + "-spectrum.csv",
+                csv_text(dynamics::bearing_spectrum_table(motion)));
+  const auto add = [&](const std::string &name, const std::string &unit, const double value,
+                       const std::string &method, std::vector<Check> checks = {}) {
+    Parameter p;
+    p.value  = value;
+    p.unit   = unit;
+    p.method = method;
+    p.at =
+        fmt::format("{:.4g} kN, {:.4g} kN at {:.4g} Hz", spec.load.radial / 1e3, e.amplitude / 1e3, e.frequency);
+    p.checks = std::move(checks);
+    p.inputs = {"dynamics.mass",      "dynamics.damping",   "dynamics.amplitude",
+                "dynamics.frequency", "dynamics.direction", "load.radial"};
+    run.results.add("Kzc.motion." + name, p);
+  };
+  const double linear = std::sqrt(study.tangent / e.mass) / (2 * M_PI);
+  add("frequency", "Hz", motion.frequency_along, "small motions about the load, on the interpolated curve",
+      {
+          {"tangent of the assembled bearing", linear, ""}
+  });
+  add("frequency_across", "Hz", motion.frequency_across,
+      "small motions across the load, on the interpolated curve",
+      {
+          {"tangent of the assembled bearing across the load",
+           std::sqrt(study.tangent_across / e.mass) / (2 * M_PI),
+           "a bearing in a chock is not the same all round"}
+  });
+  add("spectrum_peak", "Hz", motion.spectrum_peak, "highest line of the acceleration's spectrum");
+  add("peak_acceleration", "m/s2", motion.peak_acceleration, "time integration on the bearing's curve");
+  add("peak_force", "N", motion.peak_force, "time integration on the bearing's curve");
+  add("without_contact", "1", motion.without_contact, "share of the time, from the instants of loss and return");
+  for (const std::string &note : motion.notes)
+    run.assume(note);
+}
+}  // namespace
+
+void solve_bearing_case(RunContext &run, const BearingCase &spec)
+{
+  BearingQuestion q;
+  q.bearing         = bearing_of(spec.bearings, spec.load.bearing);
+  q.radial          = spec.load.radial;
+  q.axial           = spec.load.axial;
+  q.tilt            = spec.load.tilt;
+  q.cage_angle      = spec.load.cage_angle;
+  q.loads           = log_spaced(spec.load.loads, spec.load.samples);
+  q.published       = spec.published;
+  q.published_total = "Kzc";
+  const auto parts  = bearing_parts(run, q.bearing, largest_roller_load(q));
+  const auto study  = study_bearing(run, parts, q);
+  auto inputs       = bearing_inputs(q.bearing);
+  for (const char *key : {"radial", "axial", "tilt", "cage_angle"})
+    inputs.push_back(std::string("load.") + key);
+  add_bearing_results(run, "Kzc", study, inputs);
+  add_published_results(run, "Kzc", study, inputs);
+  note_bearing(run, "Kzc", study);
+  write_bearing(run, study);
+  if (q.cage_angle == 0)  // the field is symmetric about the load line
+    write_chock(run, q.bearing, study.at.roller_load);
+  drive_mass(run, spec, study);
+}
+}  // namespace mill

@@ -1,0 +1,147 @@
+#include "app/stages/bearing_stage.h"
+#include "app/stages/bearing_across.h"
+#include "app/stages/bearing_files.h"
+#include "app/stages/bearing_published.h"
+#include "app/stages/bearing_results.h"
+#include "app/output_dir.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+namespace mill {
+namespace {
+/// One of the four places of a bearing in the stand.
+struct Seat {
+  const char *name;     // of the result
+  const char *section;  // of the case
+  const Roll *roll;
+  const ContactSettings *contact;
+  bool backup;
+};
+
+std::array<Seat, 4> seats_of(const FourHigh &s)
+{
+  return {
+      {{"Kzc1", "backup_roll", &s.backup_roll, &s.upper_contact, true},
+       {"Kzc2", "work_roll", &s.work_roll, &s.upper_contact, false},
+       {"Kzc3", "work_roll", &s.work_roll, &s.lower_contact, false},
+       {"Kzc4", "backup_roll", &s.backup_roll, &s.lower_contact, true}}
+  };
+}
+
+/// Radial load of one bearing and where it comes from.
+struct SeatLoad {
+  double value;  // N
+  std::string said;
+  bool assumed = false;
+};
+
+// Vertical: half the rolling force on a backup bearing, bending on that of a work roll; across: half of what the
+// offset of the rolls pushes sideways, F e / (R1 + R2).
+SeatLoad load_of(const FourHigh &stand, const Seat &seat, const double F)
+{
+  if (!std::isnan(seat.roll->bearing_load))
+    return {seat.roll->bearing_load, std::string(seat.section) + ".bearing_load"};
+  const double between = (stand.work_roll.barrel_diameter + stand.backup_roll.barrel_diameter) / 2;
+  const double across  = 0.5 * F * std::abs(seat.contact->axis_offset) / between;
+  const double bending = 0.5 * std::abs(stand.work_roll.bending_force[0] + stand.work_roll.bending_force[1]);
+  const std::string sideways =
+      across > 0 ? fmt::format(" and {:.4g} kN across from the rolls' offset", across / 1e3) : "";
+  if (seat.backup)
+    return {std::hypot((F + 2 * bending) / 2, across),
+            "half the rolling force" + std::string(bending > 0 ? ", bending added" : "") + sideways};
+  if (bending > 0)
+    return {std::hypot(bending, across), "the bending force of its chock" + sideways};
+  return {std::hypot(F / 20, across), "a twentieth of the rolling force for balance and bending" + sideways, true};
+}
+
+std::vector<double> around(const double load)
+{
+  constexpr int n = 20;
+  std::vector<double> loads;
+  for (int i = 0; i < n; ++i)
+    loads.push_back(load * std::pow(100., double(i) / (n - 1) - 0.6));
+  return loads;
+}
+
+Parameter both(Parameter bearing)
+{
+  bearing.value *= 2;
+  bearing.method += ", two bearings";
+  for (Check &check : bearing.checks)
+    check.value *= 2;
+  return bearing;
+}
+
+void report_seat(RunContext &run, const Seat &seat, const SeatLoad &load, const BearingStudy &study,
+                 const std::vector<std::string> &inputs)
+{
+  add_bearing_results(run, seat.name, study, inputs);
+  if (std::string(seat.name) != "Kzc1" && std::string(seat.name) != "Kzc2")
+    return;  // the lower half has the same bearings
+  add_published_results(run, seat.name, study, inputs);
+  write_bearing(run, study);
+  note_bearing(run, seat.name, study);
+  const auto &bending = seat.roll->bending_force;
+  if (!seat.backup && bending[0] != bending[1])
+    run.assume(fmt::format(
+        "work_roll.bending_force differs between the chocks: {} is that of a bearing under the mean", seat.name));
+  if (load.assumed)
+    run.assume(std::string(seat.section) + ".bearing_load is not given: " + load.said);
+}
+}  // namespace
+
+std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand,
+                                          const std::vector<double> &forces)
+{
+  const auto seats = seats_of(stand);
+  // One mesh per bearing, for the heaviest load that any pass puts on it.
+  std::map<std::string, BearingParts> parts;
+  std::map<std::string, double> largest;
+  const auto question = [&](const Seat &seat, const double load, const bool curve) {
+    BearingQuestion q;
+    q.bearing = bearing_of(stand.bearings, seat.roll->bearing);
+    q.radial  = load;
+    if (curve)
+      q.loads = around(load);
+    if (!seat.backup) {
+      q.published       = stand.published;
+      q.published_total = seat.name;
+    }
+    return q;
+  };
+  for (const Seat &seat : seats)
+    for (const double F : forces) {
+      double &bound = largest[seat.roll->bearing];
+      bound         = std::max(bound, largest_roller_load(question(seat, load_of(stand, seat, F).value, true)));
+    }
+  for (const auto &[name, bound] : largest)
+    parts[name] = bearing_parts(run, bearing_of(stand.bearings, name), bound);
+  std::vector<StandBearings> out(forces.size());
+  for (std::size_t p = 0; p < forces.size(); ++p) {
+    std::map<std::string, BearingStudy> done;  // same bearing, same load
+    std::map<std::string, Parameter> across;
+    for (std::size_t i = 0; i < seats.size(); ++i) {
+      const Seat &seat    = seats[i];
+      const SeatLoad load = load_of(stand, seat, forces[p]);
+      const auto key      = seat.roll->bearing + fmt::format(" {} {}", load.value, seat.backup);
+      if (!done.count(key))
+        done[key] = study_bearing(run, parts.at(seat.roll->bearing), question(seat, load.value, p == 0));
+      const BearingStudy &study = done.at(key);
+      auto inputs               = bearing_inputs(study.question.bearing);
+      inputs.insert(inputs.begin(),
+                    {std::string(seat.section) + ".bearing", std::string(seat.section) + ".bearing_load"});
+      out[p].Kzc[i] = tangent_of(study, inputs);
+      if (!across.count(key))
+        across[key] = bearing_across(run, study, inputs);
+      out[p].Kzc_across[i] = across.at(key);
+      if (p == 0)
+        report_seat(run, seat, load, study, inputs);
+    }
+    out[p].K_Zy_upper = both(out[p].Kzc[0]);
+    out[p].K_Zy_lower = both(out[p].Kzc[3]);
+  }
+  return out;
+}
+}  // namespace mill

@@ -1,0 +1,24 @@
+#pragma once
+#include "app/run_context.h"
+#include "core/model/stand.h"
+#include <array>
+#include <vector>
+
+namespace mill {
+/// Radial stiffness of the roll-neck bearings at one working load.
+struct StandBearings {
+  std::array<Parameter, 4>
+      Kzc;  ///< N/m, tangent of one bearing: upper backup, upper work, lower work, lower backup
+  std::array<Parameter, 4> Kzc_across;  ///< N/m, across the load, the chock on its liners
+  Parameter K_Zy_upper, K_Zy_lower;     ///< N/m, both bearings of the upper, of the lower backup roll, tangent
+};
+
+/// Solves the bearings of the stand at the loads that each rolling force puts on them; for the first one Kzc1..4.*
+/// go into the results and curves/bearing-*.csv are written.
+/// @param rolling_forces  N, one per pass
+std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand,
+                                          const std::vector<double> &rolling_forces);
+
+/// The same for kind = "bearing": Kzc.*, curves, and the motion of a mass on the bearing when one is given.
+void solve_bearing_case(RunContext &run, const BearingCase &spec);
+}  // namespace mill

@@ -1,0 +1,194 @@
+#include "app/stages/chatter_question.h"
+#include "app/stages/bite_stage.h"
+#include "core/records/provenance.h"
+#include "dynamics/response/mill_model.h"
+#include "dynamics/response/modal_model.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+using dynamics::ChatterStandModel;
+
+bite::Linearisation scheme_of(const ChatterAnalysis &analysis)
+{
+  if (analysis.linearisation == "consistent")
+    return bite::Linearisation::implicit;
+  return analysis.linearisation == "frozen-friction" ? bite::Linearisation::frozen_friction
+                                                     : bite::Linearisation::sequential;
+}
+
+bite::RollBite bite_of(const ChatterCase &spec, const RollingCondition &c)
+{
+  bite::RollBite bite;
+  bite.strip                 = spec.strip;
+  bite.strip.width           = c.width;
+  bite.strip.entry_thickness = c.entry_thickness;
+  bite.strip.exit_thickness  = c.exit_thickness;
+  bite.strip.entry_tension   = c.entry_tension;
+  bite.strip.exit_tension    = c.exit_tension;
+  bite.roll_radius           = 0.5 * spec.roll_diameter;
+  bite.roll                  = spec.steel;
+  bite.roll_speed            = c.speed;
+  return bite;
+}
+
+// The chain without strip between the rolls: the bite is what chatter adds.
+DynamicsSettings chain_settings(const double modal_damping, const std::string &frame)
+{
+  DynamicsSettings settings;
+  settings.modal_damping = modal_damping;
+  settings.force_meaning = "measured";
+  settings.frame         = frame;
+  return settings;
+}
+
+dynamics::StandStructure chain_structure(const LumpedModel &model, const DynamicsSettings &settings)
+{
+  return dynamics::structure_of(dynamics::mill_model(model, settings));
+}
+
+std::array<double, 6> masses_of(const LumpedModel &model)
+{
+  std::array<double, 6> m;
+  for (std::size_t i = 0; i < 6; ++i)
+    m[i] = model.M[i].value;
+  return m;
+}
+
+// K1, K2, K3, K5, K6, K7: the bite's K4 is left out.
+std::array<double, 6> springs_of(const LumpedModel &model)
+{
+  const auto &K = model.K;
+  return {K[0].value, K[1].value, K[2].value, K[4].value, K[5].value, K[6].value};
+}
+
+ChatterStandModel stand_of(const ChatterCase &spec, const ChatterStand &stand)
+{
+  ChatterStandModel model;
+  const bool own_dampers = !std::isnan(stand.dampings[0]);
+  if (spec.model && !own_dampers)
+    model.structure = chain_structure(*spec.model, chain_settings(spec.modal_damping, "open"));
+  else if (spec.model)
+    model.structure =
+        dynamics::six_mass_structure(masses_of(*spec.model), springs_of(*spec.model), stand.dampings);
+  else
+    model.structure = dynamics::six_mass_structure(stand.masses, stand.stiffnesses, stand.dampings);
+  model.entry_distance = stand.entry_distance;
+  model.exit_distance  = stand.exit_distance;
+  model.strip_modulus  = spec.strip.youngs_modulus;
+  return model;
+}
+
+std::vector<dynamics::StructureNumber> numbers_of(const ChatterCase &spec)
+{
+  if (!spec.model)
+    return dynamics::six_mass_numbers(spec.stand.masses, spec.stand.stiffnesses, spec.stand.dampings);
+  if (!std::isnan(spec.stand.dampings[0]))
+    return dynamics::six_mass_numbers(masses_of(*spec.model), springs_of(*spec.model), spec.stand.dampings);
+  return dynamics::chain_numbers(*spec.model, chain_settings(spec.modal_damping, "open"));
+}
+
+std::vector<std::string> keys_of(const ChatterCase &spec, const std::size_t condition)
+{
+  return joined(chatter_bite_keys(spec, condition), keys_in(fmt::format("condition.{}", condition), "speed"),
+                chatter_stand_keys(spec), keys_in("analysis", "speeds"));
+}
+
+}  // namespace
+
+ChatterQuestion chatter_question(const ChatterCase &spec, const std::size_t condition)
+{
+  const ChatterStandModel stand = stand_of(spec, spec.stand);
+  ChatterQuestion q;
+  q.condition  = spec.conditions[condition];
+  q.label      = "condition " + q.condition.name;
+  q.bite       = bite_of(spec, q.condition);
+  q.stand      = stand;
+  q.structure  = spec.model ? "six masses of " + spec.stand.from : "six masses as given";
+  q.scheme     = scheme_of(spec.analysis);
+  q.analysis   = spec.analysis;
+  q.film_range = spec.film_range;
+  for (const ChatterVariant &variant : spec.variants)
+    q.variants.push_back({variant.name, stand_of(spec, variant.stand)});
+  q.structures = {
+      {"six masses", stand}
+  };
+  q.numbers = numbers_of(spec);
+  q.inputs  = keys_of(spec, condition);
+  return q;
+}
+
+StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const reduce::LumpedStand &chain,
+                               const StandModels &models)
+{
+  StandQuestion asked;
+  ChatterQuestion &q  = asked.question;
+  q.bite              = mill::bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
+  const Strip &strip  = q.bite.strip;
+  RollingCondition &c = q.condition;
+  c.name              = pass.name;
+  q.label             = pass.name;
+  c.place             = pass.place;
+  c.entry_thickness   = strip.entry_thickness;
+  c.exit_thickness    = strip.exit_thickness;
+  c.entry_tension     = strip.entry_tension;
+  c.exit_tension      = strip.exit_tension;
+  c.width             = strip.width;
+  c.speed             = pass.speed;
+  q.analysis          = stand.analysis;
+  q.scheme            = scheme_of(stand.analysis);
+  if (std::isnan(c.speed)) {
+    q.speed_assumed = true;
+    c.speed         = 0.5 * (stand.analysis.speeds[0] + stand.analysis.speeds[1]);
+    asked.assumed.push_back(
+        fmt::format("{}: the speed of the rolls is not given (pass.speed); {:.4g} m/s, the middle of the range "
+                    "searched, stands for it",
+                    pass.name, c.speed));
+  }
+  constexpr double usual_distance = 5;  // m
+  const auto distance             = [&](const double given, const char *key) {
+    if (!std::isnan(given))
+      return given;
+    asked.assumed.push_back(
+                    fmt::format("stand.{} is not given: {:g} m of free strip are assumed", key, usual_distance));
+    return usual_distance;
+  };
+  const double entry = distance(stand.span.entry_distance, "entry_distance");
+  const double exit  = distance(stand.span.exit_distance, "exit_distance");
+  const auto around  = [&](dynamics::StandStructure structure) {
+    return ChatterStandModel{std::move(structure), entry, exit, strip.youngs_modulus};
+  };
+  const auto settings = chain_settings(stand.dynamics.modal_damping, stand.dynamics.frame);
+  const auto modal    = [&](const reduce::StandWithModes &model) {
+    return dynamics::modal_model(model.model, model.modes.frequency, model.modes.shape, settings.modal_damping,
+                                    2 * stand.dynamics.frequency_limit);
+  };
+  const auto beam = modal(models.beam), craig_bampton = modal(models.craig_bampton);
+  q.structures = {
+      {"six-mass", around(chain_structure(chain.model, settings))},
+      {"beam",          around(dynamics::structure_of(beam))                                      },
+      {"craig-bampton",          around(dynamics::structure_of(craig_bampton))}
+  };
+  const auto chosen = std::find_if(q.structures.begin(), q.structures.end(),
+                                   [&](const NamedStand &s) { return s.name == stand.dynamics.model; });
+  std::rotate(q.structures.begin(), chosen, chosen + 1);
+  q.stand     = q.structures.front().stand;
+  q.numbers   = stand.dynamics.model == "six-mass"
+                    ? dynamics::chain_numbers(chain.model, settings)
+                    : dynamics::modal_numbers(stand.dynamics.model == "beam" ? beam : craig_bampton);
+  q.structure = q.structures.front().name + " model of this run, modal damping " +
+                fmt::format("{:g} %", 100 * stand.dynamics.modal_damping);
+  const auto p = std::size_t(std::find_if(stand.passes.begin(), stand.passes.end(),
+                                          [&](const Pass &one) { return one.name == pass.name; }) -
+                             stand.passes.begin());
+  q.inputs     = joined(slab_keys({stand.strip, stand.bite, p, "work_roll.barrel_diameter"}),
+                        keys_in(fmt::format("pass.{}", p), "speed"), keys_in("strip", "youngs_modulus"),
+                        keys_in("stand", "entry_distance exit_distance"), keys_in("analysis", "linearisation speeds"),
+                        keys_in("dynamics", "modal_damping"), detailed_model_keys(),
+                        chain_mode_keys(chain.model, settings, Half::upper),
+                        chain_mode_keys(chain.model, settings, Half::lower));
+  return asked;
+}
+}  // namespace mill

@@ -1,0 +1,19 @@
+#pragma once
+#include "app/stages/chatter_study.h"
+#include "app/stages/model_stage.h"
+#include "reduce/stand/lumped_stand.h"
+
+// From a case to what is asked about chatter.
+namespace mill {
+ChatterQuestion chatter_question(const ChatterCase &spec, std::size_t condition);
+
+/// A pass of a four-high stand as a working condition.
+struct StandQuestion {
+  ChatterQuestion question;
+  std::vector<std::string> assumed;  ///< what the case does not say, one sentence each
+};
+
+/// On the model that dynamics.model names, the others beside it.
+StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const reduce::LumpedStand &chain,
+                               const StandModels &models);
+}  // namespace mill

@@ -1,0 +1,380 @@
+#include "app/stages/chatter_results.h"
+#include "dynamics/chatter/loop.h"
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+using dynamics::Verdict;
+
+double apart(const double a, const double b)
+{
+  return std::abs(a / b - 1);
+}
+
+std::string speed_text(const double speed)
+{
+  return fmt::format("{:.4g} m/s", speed);
+}
+
+// How far the other linearisations and the other models of the same stand are from the chosen one; without a film
+// all linearisations are one, and a single model then tells nothing of its error.
+double spread(const ChatterStudy &s, double dynamics::StandSpeed::*value)
+{
+  double widest    = 0;
+  const auto widen = [&](const std::vector<OtherSearch> &searches) {
+    for (const OtherSearch &other : searches)
+      if (other.found.verdict == Verdict::crossing)
+        widest = std::max(widest, apart(other.found.*value, s.found.*value));
+  };
+  widen(s.schemes);
+  widen(s.structures);
+  return widest > 1e-9 ? widest : not_given;
+}
+
+struct Adder {
+  RunContext &run;
+  const ChatterStudy &study;
+  std::string family;  // "bite" or "chatter"
+  std::string method, at;
+  void operator()(const std::string &name, const std::string &unit, const double value,
+                  const double error = not_given, std::vector<Check> checks = {}) const
+  {
+    if (std::isnan(value))
+      return;
+    Parameter p;
+    p.value          = value;
+    p.unit           = unit;
+    p.method         = method;
+    p.at             = at;
+    p.error_estimate = error;
+    p.checks         = std::move(checks);
+    p.inputs         = study.question.inputs;
+    run.results.add(family + "." + study.question.condition.name + "." + name, p);
+  }
+};
+
+void beside(std::vector<Check> &checks, const char *name, const double value, const char *note = "")
+{
+  if (!std::isnan(value))
+    checks.push_back({name, value, note});
+}
+
+void add_bite(RunContext &run, const ChatterStudy &s)
+{
+  if (!s.working)
+    return;
+  const RollingCondition &c    = s.question.condition;
+  const bite::BiteState &state = s.working->state;
+  const Adder add{run, s, "bite", state.model, speed_text(c.speed)};
+  const auto by_karman = [&](const char *name, const char *unit, const double value, const double karman,
+                             const double published, const double measured) {
+    std::vector<Check> checks;
+    beside(checks, "slab equation without the simplification of Bland and Ford", karman);
+    beside(checks, "published", published, c.note.c_str());
+    beside(checks, "measured", measured);
+    add(name, unit, value, std::isnan(karman) ? not_given : apart(karman, value), std::move(checks));
+  };
+  const bite::BiteState none{};
+  const bite::BiteState &k = s.karman ? *s.karman : none;
+  const auto other         = [&](const double value) { return s.karman ? value : not_given; };
+  by_karman("force", "N", state.force, other(k.force), c.published_force, c.measured_force);
+  by_karman("friction", "1", state.friction, other(k.friction), c.published_friction, not_given);
+  by_karman("film_thickness", "m", state.film_thickness, other(k.film_thickness), not_given, not_given);
+  by_karman("flattened_radius", "m", state.flattened_radius, other(k.flattened_radius), not_given, not_given);
+  by_karman("forward_slip", "1", state.forward_slip, other(k.forward_slip), not_given, not_given);
+  by_karman("entry_speed", "m/s", state.entry_speed, other(k.entry_speed), not_given, not_given);
+  by_karman("exit_speed", "m/s", state.exit_speed, other(k.exit_speed), not_given, not_given);
+  by_karman("neutral_position", "m", state.neutral_position, other(k.neutral_position), not_given, not_given);
+  by_karman("arc_length", "m", state.arc_length, other(k.arc_length), not_given, not_given);
+  by_karman("torque", "N m", state.torque, other(k.torque), not_given, not_given);
+  const Adder slope{run, s, "bite", "exact derivative, " + s.question.analysis.linearisation + " linearisation",
+                    speed_text(c.speed)};
+  const auto &[P, Q, F, mu, xn] = s.working->by;
+  const char *by[]              = {"gap", "gap_rate", "entry_tension", "exit_tension", "entry_thickness"};
+  const char *P_unit[]          = {"1/s", "1", "m/(s Pa)", "m/(s Pa)", "1/s"};
+  const char *F_unit[]          = {"N/m", "N s/m", "m2", "m2", "N/m"};
+  for (int i = 0; i < 5; ++i) {
+    slope(std::string("P.") + by[i], P_unit[i], P[i]);
+    slope(std::string("Q.") + by[i], P_unit[i], Q[i]);
+    slope(std::string("F.") + by[i], F_unit[i], F[i]);
+  }
+}
+
+void add_searches(RunContext &run, const ChatterStudy &s, const std::string &group,
+                  const std::vector<OtherSearch> &searches)
+{
+  const bool schemes = group == "scheme";
+  for (const OtherSearch &other : searches) {
+    if (other.found.verdict != Verdict::crossing)
+      continue;  // its verdict stands in the file of the condition
+    const std::string stand  = schemes ? s.question.structure : group + " " + other.name;
+    const std::string scheme = schemes ? other.name : s.question.analysis.linearisation;
+    const Adder add{run, s, "chatter",
+                    "eigenvalues of stand, bite and strip; " + stand + ", " + scheme + " linearisation",
+                    speed_text(other.found.speed)};
+    const std::string name = group + "." + other.name + ".";
+    add(name + "critical_speed", "m/s", other.found.speed);
+    add(name + "frequency", "Hz", other.found.frequency);
+    if (other.mode && !other.mode->body.empty())
+      add(name + "work_roll_ratio", "1", other.mode->work_roll_ratio);
+  }
+}
+
+// Above what rounding makes of a mode that the bite does not reach.
+bool grows(const std::complex<double> &root)
+{
+  return root.real() > 1e-9 * std::abs(root);
+}
+
+// At the working speed: does it grow, and do two counts that know no eigenvalues agree?
+void add_growth(RunContext &run, const ChatterStudy &s, const std::string &method)
+{
+  const RollingCondition &c = s.question.condition;
+  const Adder working{run, s, "chatter", method, speed_text(c.speed)};
+  std::vector<Check> growth, frequency;
+  if (s.in_time) {
+    beside(growth, "record of the time simulation", s.in_time->growth);
+    beside(frequency, "record of the time simulation", s.in_time->frequency);
+  }
+  working("growth_rate", "1/s", s.growth, not_given, growth);
+  if (s.working_mode)
+    working("working_frequency", "Hz", s.working_mode->frequency, not_given, frequency);
+  if (s.routh_unstable >= 0 && s.working) {
+    const auto roots = dynamics::eigenvalues(dynamics::chatter_matrix(s.question.stand, s.working->by));
+    const auto n     = std::count_if(roots.begin(), roots.end(), grows);
+    working("unstable_roots", "1", double(n), not_given,
+            {
+                {"Routh's array in extended precision", double(s.routh_unstable),   ""},
+                {"Nyquist's criterion",                 double(s.nyquist_unstable), ""}
+    });
+  }
+}
+
+void add_stability(RunContext &run, const ChatterStudy &s)
+{
+  const RollingCondition &c = s.question.condition;
+  const std::string system  = s.question.structure + ", " + s.question.analysis.linearisation + " linearisation";
+  const Adder critical{run, s, "chatter", "eigenvalues of stand, bite and strip; " + system,
+                       s.found.verdict == Verdict::crossing ? speed_text(s.found.speed) : ""};
+  std::vector<Check> checks;
+  beside(checks, "Routh's array in extended precision", s.speed_by_routh);
+  for (const OtherSearch &other : s.schemes)
+    if (other.name != s.question.analysis.linearisation)
+      beside(checks, (other.name + " linearisation").c_str(), other.found.speed,
+             "what follows a disturbance decides about the speed");
+  beside(checks, "published", c.published_critical_speed, c.note.c_str());
+  beside(checks, "measured", c.measured_critical_speed);
+  critical("critical_speed", "m/s", s.found.speed, spread(s, &dynamics::StandSpeed::speed), checks);
+  std::vector<Check> frequency;
+  if (!std::isnan(s.found.frequency)) {
+    const auto peak =
+        std::find_if(s.records.begin(), s.records.end(), [](const auto &r) { return r.name == "at"; });
+    if (peak != s.records.end() && peak->history.gap.size() > 0)
+      try {
+        beside(frequency, "time simulation at this speed",
+               dynamics::mode_near(dynamics::record_modes(peak->history.gap, 1e-4), s.found.frequency).frequency);
+      } catch (const SolverError &) {
+        // the disturbance did not excite this mode
+      }
+  }
+  critical("frequency", "Hz", s.found.frequency, spread(s, &dynamics::StandSpeed::frequency), frequency);
+  critical("margin", "1/s", s.found.margin);
+  critical("margin_speed", "m/s", s.found.margin_speed);
+  critical("lowest_speed_with_bite", "m/s", s.found.below.empty() ? not_given : s.found.lowest_bite);
+
+  if (!s.question.speed_assumed)
+    add_growth(run, s, critical.method);
+  if (s.mode) {
+    const Adder shape{run, s, "chatter", "eigenvector of the least stable mode; " + system,
+                      speed_text(s.found.at ? s.found.speed : c.speed)};
+    shape("work_roll_ratio", "1", s.mode->work_roll_ratio);
+    shape("force_phase", "deg", s.mode->force_phase);
+    shape("entry_tension_phase", "deg", s.mode->entry_tension_phase);
+    shape("exit_tension_phase", "deg", s.mode->exit_tension_phase);
+    shape("friction_phase", "deg", s.mode->friction_phase);
+    const auto &point = s.found.at ? s.found.at : s.working;
+    if (point && s.mode->frequency > 0)
+      shape("process_damping", "N s/m", dynamics::process_damping(s.question.stand, point->by, s.mode->frequency));
+  }
+  if (s.run && s.cycle.settled && s.cycle.amplitude > 0) {
+    const Adder cycle{run, s, "chatter", "time simulation with the whole bite; " + system,
+                      speed_text(s.run_speed)};
+    cycle("limit_cycle_amplitude", "m", s.cycle.amplitude);
+    cycle("limit_cycle_frequency", "Hz", s.cycle.frequency);
+  }
+  add_searches(run, s, "scheme", s.schemes);
+  add_searches(run, s, "variant", s.variants);
+  if (s.structures.size() > 1)
+    add_searches(run, s, "structure", s.structures);
+}
+
+// What moves friction, critical speed and growth; NaN ones are left out.
+void add_sensitivities(RunContext &run, const ChatterStudy &s)
+{
+  if (!s.sensitivities)
+    return;
+  const Adder working{run, s, "chatter", "exact derivative d ln / d ln", speed_text(s.question.condition.speed)};
+  const Adder critical{run, s, "chatter", "exact derivative d ln / d ln",
+                       s.found.verdict == Verdict::crossing ? speed_text(s.found.speed) : ""};
+  for (const dynamics::Sensitivity &one : s.sensitivities->inputs) {
+    const auto halves = [&](double dynamics::FiniteChange::*member) {
+      std::vector<Check> checks;
+      beside(checks, "from changes of -10 % and +10 %", (one.raised.*member - one.lowered.*member) / 0.2,
+             "over a wide span; far off where the curve bends");
+      return checks;
+    };
+    working("friction_slope." + one.key, "1", one.friction, not_given, halves(&dynamics::FiniteChange::friction));
+    critical("speed_slope." + one.key, "1", one.critical_speed, not_given,
+             halves(&dynamics::FiniteChange::critical_speed));
+  }
+}
+
+std::string span(double low, double high, const std::string &unit)
+{
+  const std::string end = unit.empty() ? "" : " " + unit;
+  return (low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} .. {:.4g}", low, high)) + end;
+}
+}  // namespace
+
+std::string verdict_sentence(const ChatterStudy &s)
+{
+  return s.question.label + ": " +
+         dynamics::sentence(s.found, {s.question.analysis.speeds[0], s.question.analysis.speeds[1]});
+}
+
+void add_chatter_results(RunContext &run, const ChatterStudy &s)
+{
+  const RollingCondition &c = s.question.condition;
+  add_bite(run, s);
+  add_stability(run, s);
+  add_sensitivities(run, s);
+  const double draft = c.entry_thickness - c.exit_thickness;
+  if (2 * s.question.analysis.disturbance > 0.05 * draft)
+    run.warn(fmt::format("{}: the histories start with a gap that is open by {:.3g} um, more than a twentieth of "
+                         "the draft: linear motion of that size means little (analysis.disturbance)",
+                         s.question.label, 2e6 * s.question.analysis.disturbance));
+  if (c.entry_tension == 0 || c.exit_tension == 0)
+    run.warn(s.question.label +
+             ": a strip without tension goes slack at the first vibration, where the linear model "
+             "lets its tension fall below zero; the critical speed is that of a strip kept taut");
+  for (const std::string &remark : s.remarks)
+    run.assume(s.question.label + ": " + remark);
+  if (!s.working)
+    run.warn(fmt::format("{} has no steady bite at its working speed of {:.4g} m/s: {}", s.question.label, c.speed,
+                         s.no_bite));
+  else if (grows(s.working_mode->root) && !s.question.speed_assumed)
+    run.warn(fmt::format("{} chatters at its working speed of {:.4g} m/s: vibration of {:.4g} Hz grows by a "
+                         "factor of e in {:.3g} s",
+                         s.question.label, c.speed, s.working_mode->frequency, 1 / s.growth));
+  if (!s.working)
+    return;
+  for (const std::string &note : s.working->state.notes)
+    run.warn(s.question.label + ": " + note);
+  const double film = s.working->state.film_thickness;
+  const bool known  = !std::isnan(s.question.film_range[0]);
+  const double e    = s.question.bite.strip.friction.decay;
+  const std::array<double, 2> range =
+      known ? s.question.film_range : std::array<double, 2>{std::log(1 / 0.95) / e, std::log(1 / 0.05) / e};
+  if (!std::isnan(film) && (film < range[0] || film > range[1]))
+    run.warn(fmt::format("{}: the oil film of {:.3g} um is outside {:.3g} .. {:.3g} um, {}", s.question.label,
+                         1e6 * film, 1e6 * range[0], 1e6 * range[1],
+                         known ? "over which the friction was measured (oil.film_range)"
+                               : "where the friction law still tells films apart (5 to 95 % of mu1; give "
+                                 "oil.film_range if it was measured over other films)"));
+}
+
+std::vector<PublishedRow> published_rows(const ChatterStudy &s)
+{
+  const RollingCondition &c = s.question.condition;
+  std::vector<PublishedRow> rows;
+  const auto add = [&](const char *quantity, const char *unit, const double here, const double published,
+                       const double measured) {
+    if (!std::isnan(published) || !std::isnan(measured))
+      rows.push_back({quantity, unit, here, published, measured});
+  };
+  add("critical speed", "m/s", s.found.speed, c.published_critical_speed, c.measured_critical_speed);
+  add("rolling force", "kN", s.working ? s.working->state.force / 1e3 : not_given, c.published_force / 1e3,
+      c.measured_force / 1e3);
+  add("friction", "-", s.working ? s.working->state.friction : not_given, c.published_friction, not_given);
+  return rows;
+}
+
+std::string published_table(const std::vector<ChatterStudy> &studies)
+{
+  std::string text;
+  const auto cell = [](const double x) { return std::isnan(x) ? std::string("-") : fmt::format("{:.5g}", x); };
+  const auto off  = [](const double here, const double there) {
+    return std::isnan(here) || std::isnan(there) ? std::string("-")
+                                                  : fmt::format("{:+.1f} %", 100 * (here / there - 1));
+  };
+  for (const ChatterStudy &s : studies)
+    for (const PublishedRow &row : published_rows(s))
+      text += fmt::format("{:<10} {:<16} {:<5} {:>10} {:>10} {:>9} {:>10} {:>9}\n", s.question.condition.name,
+                          row.quantity, row.unit, cell(row.here), cell(row.published),
+                          off(row.here, row.published), cell(row.measured), off(row.here, row.measured));
+  if (text.empty())
+    return text;
+  return fmt::format("{:<10} {:<16} {:<5} {:>10} {:>10} {:>9} {:>10} {:>9}\n", "condition", "quantity", "unit",
+                     "here", "published", "", "measured", "") +
+         text;
+}
+
+std::vector<Conclusion> conclusions(const ChatterStudy &s)
+{
+  std::vector<Conclusion> out;
+  if (s.variants.empty() || s.found.verdict != Verdict::crossing || !s.mode)
+    return out;
+  // the stand itself counts as one of the readings
+  std::vector<const dynamics::StandSpeed *> found{&s.found};
+  std::vector<const dynamics::ChatterMode *> modes{&*s.mode};
+  bool all_cross = true;
+  for (const OtherSearch &v : s.variants) {
+    all_cross = all_cross && v.mode.has_value();
+    if (v.mode) {
+      found.push_back(&v.found);
+      modes.push_back(&*v.mode);
+    }
+  }
+  const auto [slow, fast] =
+      std::minmax_element(found.begin(), found.end(), [](auto *a, auto *b) { return a->speed < b->speed; });
+  const auto [low, high] = std::minmax_element(found.begin(), found.end(),
+                                               [](auto *a, auto *b) { return a->frequency < b->frequency; });
+  const auto add         = [&](const std::string &text, const bool holds, const std::string &detail) {
+    out.push_back({text, holds, detail});
+  };
+  add("There is a critical speed", all_cross,
+      all_cross ? "in every reading" : "some reading has none in the range searched");
+  const bool fitted =
+      std::any_of(s.question.variants.begin(), s.question.variants.end(),
+                  [&](const NamedStand &v) { return v.stand.entry_distance != s.question.stand.entry_distance; });
+  add("The critical speed", (*fast)->speed / (*slow)->speed < 1.05,
+      span((*slow)->speed, (*fast)->speed, "m/s") +
+          (fitted
+               ? "; the readings differ in their distances too: where those were fitted to this speed, agreement "
+                 "is by construction"
+               : ""));
+  add("The chatter frequency", (*high)->frequency / (*low)->frequency < 1.05,
+      span((*low)->frequency, (*high)->frequency, "Hz"));
+  const auto same = [&](const auto &question) {
+    return std::all_of(modes.begin(), modes.end(), question) || std::none_of(modes.begin(), modes.end(), question);
+  };
+  const auto extent = [&](double dynamics::ChatterMode::*member, const std::string &unit) {
+    const auto [a, b] =
+        std::minmax_element(modes.begin(), modes.end(), [&](auto *x, auto *y) { return x->*member < y->*member; });
+    return span((*a)->*member, (*b)->*member, unit);
+  };
+  add("Which work roll moves more", same([](const auto *m) { return m->work_roll_ratio > 1; }),
+      "upper over lower " + extent(&dynamics::ChatterMode::work_roll_ratio, ""));
+  add("The force is against the gap", same([](const auto *m) { return std::abs(m->force_phase) > 150; }),
+      extent(&dynamics::ChatterMode::force_phase, "deg"));
+  add("The back tension lags the gap",
+      same([](const auto *m) { return std::abs(m->entry_tension_phase + 90) < 60; }),
+      extent(&dynamics::ChatterMode::entry_tension_phase, "deg"));
+  add("Friction follows the force", same([](const auto *m) { return std::abs(m->force_to_friction) < 30; }),
+      extent(&dynamics::ChatterMode::force_to_friction, "deg"));
+  return out;
+}
+}  // namespace mill

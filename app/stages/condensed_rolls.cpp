@@ -1,0 +1,89 @@
+#include "app/stages/condensed_rolls.h"
+#include "core/records/files.h"
+#include "core/records/record_text.h"
+#include "fem/body/members.h"
+#include "fem/roll/roll_cache.h"
+#include "meshes/roll/contact_mesh_size.h"
+#include "meshes/common/gmsh_scope.h"
+#include "meshes/common/members.h"
+#include <filesystem>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+namespace {
+// Raised by hand when meshing or condensation changes what it computes.
+constexpr const char *stage_version = "condensation 3";
+
+fem::CondenseOptions options_of(const CondenseWish &wanted, const bool companion)
+{
+  fem::CondenseOptions options;
+  options.slab        = wanted.slab;
+  options.both_sides  = !wanted.slab && (wanted.both_sides || companion);
+  options.odd_squeeze = !wanted.slab;  // for the joint stiffness
+  options.tractions   = wanted.tractions;
+  options.keep_fields = companion;
+  return options;
+}
+
+std::shared_ptr<const fem::CondensedRoll> condensed(RunContext &run, const std::string &name,
+                                                    const RollGeometry &geometry, const meshes::RollMeshSize &size,
+                                                    const Material &steel, const CondenseWish &wanted,
+                                                    const bool companion)
+{
+  StageTimer timer(run, "condensation, " + name + (companion ? ", coarse mesh" : ""));
+  const fem::CondenseOptions options = options_of(wanted, companion);
+  const std::string key              = hash_of(roll_inputs(geometry, size, steel, wanted, companion));
+  const std::string file             = run.cache + "/roll-" + key + ".bin";
+  std::string note;
+  auto stored = run.fresh && !run.made.count(key) ? std::nullopt : fem::load_roll(file, key, &note);
+  if (!note.empty())
+    run.progress.note(note);
+  if (stored) {
+    run.progress.note(name + ": condensed roll taken from " + file);
+    timer.cached = true;
+    return std::make_shared<const fem::CondensedRoll>(std::move(*stored));
+  }
+  const std::string mesh_file = run.out.staging() + "/roll-" + key + ".msh";
+  const MeshFile mesh         = meshes::mesh_roll(name, geometry, size, mesh_file);
+  const fem::ElasticBody body(mesh, steel, 2);
+  fem::CondensedRoll roll;
+  try {
+    roll = fem::condense(body, geometry, options, run.progress);
+  } catch (SolverError &e) {
+    e.report.what = name + ": " + e.report.what;
+    throw;
+  }
+  if (options.keep_fields)
+    roll.field_mesh = read_text(mesh_file);
+  fs::remove(mesh_file);
+  run.progress.note(fmt::format("{}: {} elements, {} unknowns, {} retained, factor {:.0f} MB", name, mesh.n_cells,
+                                roll.n_unknowns, roll.grid.area.size(), roll.factor_bytes / 1e6));
+  try {
+    fem::save_roll(file, key, roll);
+    run.made.insert(key);
+  } catch (const InputError &e) {
+    run.warn(std::string("a condensed roll could not be kept for the next run: ") + e.what());  // but it is good
+  }
+  return std::make_shared<const fem::CondensedRoll>(std::move(roll));
+}
+}  // namespace
+
+std::string roll_inputs(const RollGeometry &geometry, const meshes::RollMeshSize &size, const Material &steel,
+                        const CondenseWish &wanted, const bool companion)
+{
+  return record_text(stage_version, fem::library_version(), meshes::library_version(), geometry, size,
+                     at_rest(steel), options_of(wanted, companion));
+}
+
+CondensedPair condensed_pair(RunContext &run, const std::string &name, const RollGeometry &geometry,
+                             const meshes::RollMeshSize &size, const Material &steel, const CondenseWish &wanted)
+{
+  CondensedPair pair;
+  pair.coarse = condensed(run, name, geometry, meshes::coarsened(size), steel, wanted, true);
+  pair.fine   = condensed(run, name, geometry, size, steel, wanted, false);
+  return pair;
+}
+}  // namespace mill

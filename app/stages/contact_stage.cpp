@@ -1,0 +1,300 @@
+#include "app/stages/contact_stage.h"
+#include "app/stages/contact_details.h"
+#include "app/stages/contact_files.h"
+#include "app/stages/contact_model.h"
+#include "app/stages/contact_slope.h"
+#include "app/stages/second_engine.h"
+#include "core/numerics/mesh_pair.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+// One contact with everything that its results are made of.
+struct Study {
+  std::string name;  // "upper"
+  std::string K;     // "K3"
+  ContactModel model;
+  ContactCurve mirrored, in_stand, coarse, in_stand_coarse;
+  std::optional<SecondEngine> second;
+  std::string twin;  // contact that is the same one, already written
+};
+
+}  // namespace
+
+std::array<double, 2> swept_range(const std::string &name, const ContactSettings &settings,
+                                  const std::vector<double> &loads)
+{
+  const auto [least, most] = std::minmax_element(loads.begin(), loads.end());
+  if (std::isnan(settings.loads[0]))
+    return {0.1 * *least, 2 * *most};
+  for (const double load : loads)
+    if (load < settings.loads[0] || load > settings.loads[1])
+      throw InputError(
+          settings.loads_place,
+          fmt::format("contact.{}.loads = {} .. {} does not hold the working load of {}; a curve is never "
+                      "extrapolated, widen the range",
+                      name, in_kN(settings.loads[0]), in_kN(settings.loads[1]), in_kN(load)));
+  return settings.loads;
+}
+
+namespace {
+// A second opinion widens the error estimate to the spread.
+void beside(Parameter &p, const std::string &who, const double value)
+{
+  if (std::isnan(value))
+    return;
+  p.checks.push_back({who, value, ""});
+  p.error_estimate = std::fmax(p.error_estimate, difference(value, p.value));  // NaN: none yet
+}
+
+Parameter blank(const std::string &unit, const double load, const std::string &reference)
+{
+  Parameter p;
+  p.unit   = unit;
+  p.method = "contact FEM, " + reference;
+  p.at     = in_kN(load);
+  return p;
+}
+
+const char *const second_engine = "second engine, Fourier series";
+const char *const coarse_mesh   = "mesh twice as coarse";
+
+// Of a line contact the tangent compliance falls by A/F per newton (3.5b).
+void add_curvature(RunContext &run, const Study &s, const std::string &prefix, const double F, const double fine,
+                   const double coarse, const double second)
+{
+  if (std::isnan(fine))
+    return;
+  const auto hertz = reduce::line_contact(s.model.closed_form, F);
+  // (3.5a) and (3.5b) differ by one in the bracket.
+  const double A_over_L = 1 / hertz.secant - 1 / hertz.tangent;
+  Parameter curvature   = blank("N/m2", F, s.mirrored.reference);
+  curvature.value       = fine;
+  curvature.checks.push_back(
+      {"Hertz line contact, K^3 A/(F L)", std::pow(hertz.tangent, 3) * A_over_L / F, "no barrel ends"});
+  beside(curvature, coarse_mesh, coarse);
+  beside(curvature, second_engine, second);
+  run.results.add(prefix + s.K + ".curvature", curvature);
+}
+
+// Tangent and secant with the rolls held as in the stand: by the same comparisons as those between mirrored
+// contacts, each for its own quantity.
+void add_held(RunContext &run, const Study &s, const std::string &prefix, const double F, const ContactSlope &held,
+              const Parameter &tangent, const Parameter &secant)
+{
+  const auto coarse = slope_at(s.model.in_stand_coarse, s.in_stand_coarse, F, Role::companion);
+  std::optional<ContactSlope> second;
+  if (s.second)
+    second = slope_of(s.second->in_stand, F);
+  const auto add = [&](const char *what, const double value, const double on_coarse, const double exact,
+                       const double by_second, const Parameter &mirrored) {
+    Parameter h      = blank("N/m", F, s.in_stand.reference);
+    h.value          = value;
+    h.error_estimate = std::max(mesh_pair_error(value, on_coarse), difference(exact, value));
+    h.checks.push_back(
+        {"rolls squeezed between mirrored contacts", mirrored.value, "another datum and no bending"});
+    h.checks.push_back({coarse_mesh, on_coarse, ""});
+    beside(h, second_engine, by_second);
+    h.inputs.insert(h.inputs.end(), {"strip.width", "backup_roll.bearing_span"});
+    run.results.add(prefix + s.K + ".in_stand_" + what, h);
+  };
+  add("tangent", held.tangent, coarse.tangent, held.exact, second ? second->tangent : not_given, tangent);
+  add("secant", held.secant, coarse.secant, held.secant, second ? second->secant : not_given, secant);
+}
+
+// K.tangent, K.secant and their values with the rolls held as in the stand, at one working load.
+std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const std::string &prefix, const double F)
+{
+  const auto fine             = slope_at(s.model.mirrored, s.mirrored, F);
+  const auto coarse           = slope_at(s.model.coarse, s.coarse, F, Role::companion);
+  const auto hertz            = reduce::line_contact(s.model.closed_form, F);
+  const auto laws             = reduce::secant_laws(s.model.closed_form, F);
+  const auto middle           = fem::barrel_profile(s.model.mirrored, fem::solve_load(s.model.mirrored, F));
+  const auto mid              = fem::middle_station(s.model.mirrored.grid);
+  const double section_secant = s.model.closed_form.length * middle.line_load[mid] / middle.approach[mid];
+  const auto held             = slope_at(s.model.in_stand, s.in_stand, F);
+  const std::string held_note = "bending, strip width, backup roll balanced by shear";
+
+  Parameter tangent = blank("N/m", F, s.mirrored.reference);
+  Parameter secant  = tangent;
+  tangent.value     = fine.tangent;
+  tangent.error_estimate =
+      std::max(mesh_pair_error(fine.tangent, coarse.tangent), difference(fine.exact, fine.tangent));
+  tangent.checks.push_back({"Hertz line contact, infinitely long (3.5b)", hertz.tangent, "no barrel ends"});
+  tangent.checks.push_back({"active set of this one load (2.8)", fine.exact, "steps as nodes come into contact"});
+  tangent.checks.push_back({coarse_mesh, coarse.tangent, ""});
+  tangent.checks.push_back({"rolls held as in the stand", held.tangent, held_note});
+  secant.value          = fine.secant;
+  secant.error_estimate = mesh_pair_error(fine.secant, coarse.secant);
+  secant.checks.push_back({"Johnson, axis to axis (3.5a)", hertz.secant, "upper end of the band of closed forms"});
+  secant.checks.push_back({"Foeppl (3.8)", laws.foeppl, ""});
+  secant.checks.push_back({"half space (3.9)", laws.half_space, ""});
+  secant.checks.push_back({"Palmgren (3.10)", laws.palmgren, "lower end of the band"});
+  secant.checks.push_back({"mid-length section over the whole length", section_secant,
+                           "what is left of the difference belongs to the barrel ends"});
+  secant.checks.push_back({coarse_mesh, coarse.secant, ""});
+  secant.checks.push_back({"rolls held as in the stand", held.secant, held_note});
+  std::optional<ContactSlope> second;
+  if (s.second) {
+    second = slope_of(s.second->mirrored, F);
+    beside(tangent, second_engine, second->tangent);
+    beside(secant, second_engine, second->secant);
+  }
+  run.results.add(prefix + s.K + ".tangent", tangent);
+  run.results.add(prefix + s.K + ".secant", secant);
+  add_curvature(run, s, prefix, F, fine.curvature, coarse.curvature, second ? second->curvature : not_given);
+  add_held(run, s, prefix, F, held, tangent, secant);
+  const double effect = held.tangent / fine.tangent - 1;
+  const std::string said =
+      fmt::format("{}{}.tangent is that of rolls squeezed between mirrored contacts, the spring that stands in "
+                  "series with the bending of the backup roll; held as in the stand the same pair has {:+.1f} %",
+                  prefix, s.K, 100 * effect);
+  if (std::abs(effect) > 0.05)
+    run.warn(said);
+  else if (prefix.empty())
+    run.assume(said);
+  if (middle.half_width[mid] == 0)
+    run.warn(fmt::format("contact {}: at {} the rolls do not touch at mid-length", s.name, in_kN(F)));
+  return {tangent, secant};
+}
+
+// Half width, peak pressure and approach at mid-length, and the files of one working load.
+void add_section(RunContext &run, const Study &s, const FourHigh &stand, const double F)
+{
+  const auto point  = fem::solve_load(s.model.mirrored, F);
+  const auto point2 = fem::solve_load(s.model.coarse, F);
+  const auto fine   = fem::barrel_profile(s.model.mirrored, point);
+  const auto coarse = fem::barrel_profile(s.model.coarse, point2);
+  const auto held   = fem::barrel_profile(s.model.in_stand, fem::solve_load(s.model.in_stand, F));
+  const auto hertz  = reduce::line_contact(s.model.closed_form, F);
+  const auto mid = fem::middle_station(s.model.mirrored.grid), mid2 = fem::middle_station(s.model.coarse.grid);
+  // Half width and peak are fitted apart (1.4); a parabola of them must carry the line load again.
+  const double misfit =
+      std::abs(0.5 * M_PI * fine.half_width[mid] * fine.peak_pressure[mid] / fine.line_load[mid] - 1);
+  const auto add = [&](const std::string &what, const std::string &unit, const double value, const double second,
+                       const double other, const double closed, const std::string &reference) {
+    Parameter p      = blank(unit, F, reference);
+    p.value          = value;
+    p.error_estimate = std::max(mesh_pair_error(value, second), what == "approach" ? 0. : misfit);
+    p.checks.push_back({"Hertz line contact", closed, ""});
+    p.checks.push_back({coarse_mesh, second, ""});
+    beside(p, second_engine, other);
+    run.results.add("contact." + s.name + "." + what, p);
+  };
+  const auto at_middle = [&](const Eigen::VectorXd &values) {
+    return s.second ? values[s.model.mirrored.grid.whole ? values.size() / 2 : 0] : not_given;
+  };
+  const BarrelProfile other = s.second ? s.second->mirrored_at : BarrelProfile();
+  add("half_width", "m", fine.half_width[mid], coarse.half_width[mid2], at_middle(other.half_width),
+      hertz.half_width, "at mid-length");
+  add("peak_pressure", "Pa", fine.peak_pressure[mid], coarse.peak_pressure[mid2], at_middle(other.peak_pressure),
+      hertz.peak_pressure, "at mid-length");
+  add("approach", "m", point.approach, point2.approach,
+      s.second ? F / slope_of(s.second->mirrored, F).secant : not_given, hertz.approach, s.mirrored.reference);
+  if (s.second) {
+    add_line_load_spread(run, s.name, held, s.second->in_stand_at);
+    run.out.write("curves/contact-" + s.name + "-barrel-second.csv",
+                  csv_text(barrel_table(s.second->in_stand_at)));
+    run.out.write("curves/contact-" + s.name + "-second.csv",
+                  csv_text(curve_table(s.second->mirrored, "N", "N/m")));
+  }
+
+  run.out.write("curves/contact-" + s.name + "-barrel.csv", csv_text(barrel_table(held)));
+  run.out.write("curves/contact-" + s.name + "-barrel-mirrored.csv", csv_text(barrel_table(fine)));
+  for (const auto &[which, roll] :
+       {std::pair("-backup-roll.vtu", &s.model.backup), std::pair("-work-roll.vtu", &s.model.work)}) {
+    const std::string file = "fields/contact-" + s.name + which;
+    if (s.twin.empty())
+      write_fields(run, file, *roll, stand.steel, point2.state);
+    else
+      std::filesystem::copy_file(run.out.file("fields/contact-" + s.twin + which), run.out.file(file),
+                                 std::filesystem::copy_options::overwrite_existing);
+  }
+}
+
+Study study_of(RunContext &run, const FourHigh &stand, const std::string &name, const std::string &K,
+               const ContactSettings &settings, const std::vector<double> &loads)
+{
+  const auto [low, high] = swept_range(name, settings, loads);
+  Study s{name, K, contact_model(run, stand, name, settings, high), {}, {}, {}, {}, {}, {}};
+  StageTimer timer(run, "contact " + name);
+  const auto range  = fem::log_spaced(low, high, settings.samples);
+  s.mirrored        = fem::sweep(s.model.mirrored, range, run.progress);
+  s.in_stand        = fem::sweep(s.model.in_stand, range, run.progress);
+  s.coarse          = fem::sweep(s.model.coarse, range, run.progress);
+  s.in_stand_coarse = fem::sweep(s.model.in_stand_coarse, range, run.progress);
+  // The second curve is smooth, every other load does; the largest is the last of both.
+  const auto every_other = fem::log_spaced(low, high, std::max(8, (settings.samples + 1) / 2));
+  s.second               = solve_again(run, stand, s.model, name, settings, every_other, loads[0]);
+  return s;
+}
+
+// Upper and lower rolls are the same pair under the same load: solved once.
+bool same_contact(const FourHigh &stand)
+{
+  const auto &a = stand.upper_contact, &b = stand.lower_contact;
+  const auto equal = [](const double x, const double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  return !is_one_sided(stand, a) && equal(a.loads[0], b.loads[0]) && equal(a.loads[1], b.loads[1]) &&
+         a.samples == b.samples && a.elements_per_half_width == b.elements_per_half_width &&
+         equal(a.tilt, b.tilt) && equal(a.load_offset, b.load_offset) && a.cross_angle == b.cross_angle &&
+         a.axis_offset == b.axis_offset && equal(a.friction, b.friction);
+}
+
+Study renamed(Study s, const std::string &name, const std::string &K)
+{
+  s.twin = s.name;
+  s.name = name;
+  s.K    = K;
+  for (ContactCurve *curve : {&s.mirrored, &s.in_stand, &s.coarse, &s.in_stand_coarse})
+    curve->name = name;
+  for (fem::ContactPair *pair : all_pairs(s.model))
+    pair->name = name;
+  return s;
+}
+
+SolvedContact report_study(RunContext &run, const FourHigh &stand, const Study &s, const ContactSettings &settings,
+                           const std::vector<double> &loads)
+{
+  const std::string &name = s.name, &K = s.K;
+  const auto &range = s.mirrored.load;
+  for (const double load : loads)
+    require_resolved(run, s.model, name, settings, load);
+  SolvedContact out;
+  out.curve = s.mirrored;
+  for (std::size_t p = 0; p < loads.size(); ++p) {
+    const auto [tangent, secant] = add_stiffness(run, s, p == 0 ? "" : stand.passes[p].name + ".", loads[p]);
+    out.tangent.push_back(tangent);
+    out.secant.push_back(secant);
+  }
+  add_section(run, s, stand, loads[0]);
+  add_contact_details(run, s.model, name, K, stand, settings, loads[0], range[range.size() - 1], out.tangent[0]);
+  run.out.write("curves/contact-" + name + ".csv", csv_text(curve_table(s.mirrored, "N", "N/m")));
+  run.out.write("curves/contact-" + name + "-in-stand.csv", csv_text(curve_table(s.in_stand, "N", "N/m")));
+  run.out.write("curves/contact-" + name + "-closed.csv",
+                csv_text(closed_table(s.model.closed_form, range, "N", "N/m")));
+  run.progress.note(fmt::format("contact {}: {} loads, largest complementarity residual {:.1e}", name,
+                                range.size(), s.mirrored.residual));
+  return out;
+}
+}  // namespace
+
+std::string in_kN(const double load)
+{
+  return fmt::format("{:.1f} kN", load / 1e3);
+}
+
+std::map<std::string, SolvedContact> solve_contacts(RunContext &run, const FourHigh &stand,
+                                                    const std::vector<double> &loads)
+{
+  std::map<std::string, SolvedContact> out;
+  const Study upper = study_of(run, stand, "upper", "K3", stand.upper_contact, loads);
+  const Study lower = same_contact(stand) ? renamed(upper, "lower", "K5")
+                                          : study_of(run, stand, "lower", "K5", stand.lower_contact, loads);
+  out["upper"]      = report_study(run, stand, upper, stand.upper_contact, loads);
+  out["lower"]      = report_study(run, stand, lower, stand.lower_contact, loads);
+  return out;
+}
+}  // namespace mill

@@ -1,0 +1,36 @@
+#pragma once
+#include "app/run_context.h"
+#include "core/records/lumped_model.h"
+#include "core/records/records.h"
+#include "core/model/stand.h"
+#include "dynamics/response/response.h"
+#include "reduce/stand/stand_comparison.h"
+#include <vector>
+
+namespace mill {
+/// Force record of a pass: its file, or the synthetic noise its keys describe.
+ForceRecord force_of(const Pass &pass);
+
+/// Natural frequencies and shapes: f1.., fh1.., curves/modes*.csv and curves/poles.csv.
+void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings, double chock_seat,
+               std::array<double, 2> chock_mass);
+
+/// A model as a pass drives it, with what is known of it.
+struct PassModel {
+  dynamics::DrivenModel driven;
+  std::string method;               ///< "six-mass chain"
+  double highest_mode = 0;          ///< Hz
+  std::vector<std::string> inputs;  ///< keys behind it
+  std::vector<double> missing;      ///< Hz, modes of the stand that it cannot show
+  double limit = not_given;         ///< Hz, above which its modes are not trusted; NaN: not known
+};
+PassModel pass_model(const LumpedModel &model, const DynamicsSettings &settings);
+/// @param chain  the lumped model of the same stand
+PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &chain,
+                     const DynamicsSettings &settings);
+
+/// Drives the model with the force of a pass: response/<pass>*.csv, peaks and rms beside published and measured
+/// ones.
+void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettings &settings, const Pass &pass,
+                   const ForceRecord &force);
+}  // namespace mill

@@ -1,0 +1,36 @@
+#pragma once
+#include "app/run_context.h"
+#include "app/stages/stand_components.h"
+#include "core/model/stand.h"
+#include "reduce/chain/fe_masses.h"
+#include "reduce/stand/lumped_stand.h"
+#include "reduce/stand/stand_comparison.h"
+
+namespace mill {
+/// The stand at one working load in three depths.
+struct StandModels {
+  reduce::StandWithModes chain;          ///< six masses
+  reduce::StandWithModes beam;           ///< rolls as beams
+  reduce::StandWithModes craig_bampton;  ///< rolls, and a drawn housing, as reduced finite elements
+  reduce::ChainVerdict verdict;          ///< what the six masses show of craig_bampton
+};
+
+/// Builds them for a chain; modes up to twice the frequency limit, with error estimates from coarser meshes.
+StandModels stand_models(const FourHigh &stand, const reduce::LumpedStand &chain, const ComponentSets &components);
+
+/// Equivalent masses M2..M5 by the shapes of the finite elements: checks beside the closed forms, or the values
+/// themselves when the case asks for them (dynamics.mass_source).
+/// @return  as they are by both roads
+reduce::FeMasses add_fe_masses(LumpedModel &chain, const FourHigh &stand, const StandModels &models);
+
+/// Writes curves/models.json, curves/modes-beam.csv, curves/modes-craig-bampton.csv, the lumped models made from
+/// the other two, and adds their frequencies to the results.
+void compare_models(RunContext &run, const FourHigh &stand, const reduce::LumpedStand &chain,
+                    const StandModels &models, const ComponentSets &components, const reduce::FeMasses &masses);
+
+/// Frequencies of the other models beside f1..f6, once those are there.
+void add_model_checks(RunContext &run, const StandModels &models);
+
+/// The model that the case wants driven; nullptr: the six masses.
+const reduce::StandWithModes *driven(const StandModels &models, const DynamicsSettings &settings);
+}  // namespace mill

@@ -1,0 +1,31 @@
+#pragma once
+#include "app/stages/contact_model.h"
+#include "core/records/records.h"
+#include "fem/roll/fourier_roll.h"
+#include <optional>
+
+namespace mill {
+/// The same contact by the Fourier engine, which shares neither mesh nor solver with the first.  theory.md 11
+struct SecondEngine {
+  ContactCurve mirrored, in_stand;         ///< as the curves of the first engine, at the same loads
+  BarrelProfile mirrored_at, in_stand_at;  ///< at the first working load
+};
+
+/// Everything that a roll's Fourier series depends on, as text; its hash is the key of the cache.
+/// @param edge  m, of the stations; empty: those of the mesh
+std::string fourier_inputs(const RollGeometry &geometry, const Material &steel, const fem::FourierOptions &options,
+                           const Eigen::VectorXd &edge);
+
+/// Condenses both rolls (or takes them from the cache) and sweeps the loads.  Nothing for shifted rolls or bending
+/// forces on the chocks, which this engine does not know; the run then says so.
+/// @throws SolverError  as the engine
+std::optional<SecondEngine> solve_again(RunContext &run, const FourHigh &stand, const ContactModel &model,
+                                        const std::string &name, const ContactSettings &settings,
+                                        const Eigen::VectorXd &loads, double working_load);
+
+/// Adds contact.<name>.line_load_spread: largest difference of the line load between the engines over its mean,
+/// where both are in contact and not within nine half widths of where it ends, since the pressure is singular at a
+/// sharp barrel end.
+void add_line_load_spread(RunContext &run, const std::string &name, const BarrelProfile &first,
+                          const BarrelProfile &second);
+}  // namespace mill

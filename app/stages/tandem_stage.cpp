@@ -1,0 +1,179 @@
+#include "app/stages/chatter_files.h"
+#include "app/stages/chatter_question.h"
+#include "app/stages/chatter_stage.h"
+#include "core/records/csv.h"
+#include "dynamics/tandem/tandem.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace mill {
+namespace {
+using Json = nlohmann::ordered_json;
+
+Json number(const double x)
+{
+  return std::isfinite(x) ? Json(x) : Json(nullptr);
+}
+
+// Conditions from the first stand to the last one, by what comes after what; empty: no tandem.
+std::vector<std::size_t> stands_in_order(const std::vector<RollingCondition> &all)
+{
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].after.empty())
+      continue;
+    const auto before = std::size_t(
+        std::find_if(all.begin(), all.end(), [&](const auto &c) { return c.name == all[i].after; }) - all.begin());
+    if (order.empty())
+      order.push_back(before);
+    order.push_back(i);
+  }
+  return order;
+}
+
+void add_results(RunContext &run, const dynamics::TandemStudy &study, const dynamics::TandemLine &line,
+                 const std::vector<std::string> &inputs)
+{
+  std::vector<Check> checks;
+  for (std::size_t i = 0; i < study.stand.size(); ++i)
+    if (!std::isnan(study.stand[i].speed))
+      checks.push_back({"stand " + line.stands[i].name + " alone", study.stand[i].speed,
+                        "the strip to its neighbours ends at constant speed"});
+  if (!std::isnan(study.tension.speed))
+    checks.push_back({"shared tension, no thickness from the stand before", study.tension.speed, ""});
+  const auto add = [&](const char *name, const char *unit, const double value, const char *method,
+                       std::vector<Check> beside = {}) {
+    if (std::isnan(value))
+      return;
+    Parameter p;
+    p.value  = value;
+    p.unit   = unit;
+    p.method = method;
+    p.at     = unit == std::string("m/s") ? fmt::format("{:.4g} m/s of the last stand", value)
+                                          : fmt::format("{:.4g} m/s of the last stand", study.full.speed);
+    p.inputs = inputs;
+    p.checks = std::move(beside);
+    run.results.add(std::string("chatter.tandem.") + name, p);
+  };
+  add("critical_speed", "m/s", study.full.speed, "roots of the coupled stands with the delay of the strip",
+      std::move(checks));
+  add("frequency", "Hz", study.full.frequency, "roots of the coupled stands with the delay of the strip");
+  add("critical_speed_without_delay", "m/s", study.tension.speed, "eigenvalues, shared tension only");
+  add("speed_stable_for_any_distance", "m/s", study.any_delay, "gain of the regenerative loop below one");
+}
+
+// At the speed at which the last condition works; mass flow then sets the speeds of the others.
+void judge_working_speed(RunContext &run, const dynamics::TandemLine &line, const double speed)
+{
+  try {
+    const auto root  = dynamics::tandem_root(line, speed);
+    const auto point = dynamics::tandem_point(line, speed);
+    Parameter growth;
+    growth.value  = root.real();
+    growth.unit   = "1/s";
+    growth.method = "rightmost root of the coupled stands with the delay of the strip";
+    growth.at     = fmt::format("{:.4g} m/s of the last stand", speed);
+    run.results.add("chatter.tandem.growth_rate", growth);
+    if (root.real() > 1e-9 * std::abs(root))
+      run.warn(fmt::format(
+          "the tandem chatters at {:.4g} m/s of its last stand: vibration of {:.4g} Hz grows by a factor "
+          "of e in {:.3g} s",
+          speed, std::abs(root.imag()) / (2 * M_PI), 1 / root.real()));
+    for (std::size_t i = 0; i + 1 < line.stands.size(); ++i) {
+      const double given = line.stands[i].bite.roll_speed, needed = point.stands[i].bite.roll_speed;
+      if (std::abs(given / needed - 1) > 0.01)
+        run.assume(fmt::format(
+            "tandem: mass flow makes the rolls of stand {} turn at {:.4g} m/s when the last stand works "
+            "at {:.4g} m/s; its condition says {:.4g} m/s, which its own results belong to",
+            line.stands[i].name, needed, speed, given));
+    }
+  } catch (const InputError &e) {
+    run.warn(fmt::format("the tandem has no steady bite at {:.4g} m/s of its last stand: {}", speed,
+                         e.problems.front().message));
+  } catch (const SolverError &e) {
+    run.warn(
+        fmt::format("the tandem has no steady bite at {:.4g} m/s of its last stand: {}", speed, e.report.what));
+  }
+}
+
+Json tandem_json(const dynamics::TandemStudy &study, const dynamics::TandemLine &line,
+                 const dynamics::SpeedRange &range)
+{
+  Json json{
+      {"stands", Json::array()}
+  };
+  for (const auto &stand : line.stands)
+    json["stands"].push_back(stand.name);
+  json["verdict"]        = word_of(study.full.verdict);
+  json["sentence"]       = dynamics::sentence(study.full, range);
+  json["critical_speed"] = number(study.full.speed);
+  json["frequency"]      = number(study.full.frequency);
+  json["without_delay"]  = number(study.tension.speed);
+  double alone           = not_given;
+  json["single"]         = Json::array();
+  for (std::size_t i = 0; i < study.stand.size(); ++i) {
+    alone = std::fmin(alone, study.stand[i].speed);
+    json["single"].push_back({
+        {"name",           line.stands[i].name         },
+        {"critical_speed", number(study.stand[i].speed)}
+    });
+  }
+  json["without_tension"] = number(alone);
+  json["any_delay"]       = number(study.any_delay);
+  json["shape"]           = Json::array();
+  for (const auto &share : study.share)
+    json["shape"].push_back({
+        {"label",     share.stand        },
+        {"amplitude", number(share.gap)  },
+        {"phase",     number(share.phase)}
+    });
+  json["sentences"] = study.sentences;
+  return json;
+}
+
+Table curve_table(const dynamics::TandemCurves &curves)
+{
+  Table table;
+  table.add("speed", "m/s", curves.speed).add("growth_rate", "1/s", curves.full);
+  table.add("growth_without_delay", "1/s", curves.tension).add("growth_alone", "1/s", curves.alone);
+  table.add("frequency", "Hz", curves.frequency).add("loop_gain", "-", curves.loop_gain);
+  return table;
+}
+}  // namespace
+
+void solve_tandem(RunContext &run, const ChatterCase &spec)
+{
+  const auto order = stands_in_order(spec.conditions);
+  if (order.empty())
+    return;
+  StageTimer timer(run, "chatter, tandem");
+  dynamics::TandemLine line;
+  ChatterQuestion last;
+  std::vector<std::string> inputs;
+  for (const std::size_t i : order) {
+    last = chatter_question(spec, i);
+    for (const std::string &key : last.inputs)
+      if (std::find(inputs.begin(), inputs.end(), key) == inputs.end())
+        inputs.push_back(key);
+    line.stands.push_back({spec.conditions[i].name, last.stand.structure, last.bite});
+  }
+  line.distance.assign(order.size() - 1, spec.stand.exit_distance);
+  line.entry_distance = spec.stand.entry_distance;
+  line.exit_distance  = spec.stand.exit_distance;
+  line.strip_modulus  = spec.strip.youngs_modulus;
+  line.scheme         = last.scheme;
+  const auto range    = chatter_range(last);
+  const auto study    = dynamics::tandem_study(line, range);
+  judge_working_speed(run, line, last.condition.speed);
+  add_results(run, study, line, inputs);
+  run.out.write("curves/chatter-tandem.json", tandem_json(study, line, range).dump(1) + "\n");
+  run.out.write("curves/chatter-tandem-speed.csv", csv_text(curve_table(study.curves)));
+  run.out.write("curves/chatter-tandem-lobes.csv", csv_text(curve_table(study.lobes)));
+  run.summary += "tandem: " + dynamics::sentence(study.full, range) + "\n";
+  run.assume(
+      "tandem: every stand has the structure of [stand], neighbours are stand.exit_distance apart; speeds are "
+      "those of the last stand's rolls");
+}
+}  // namespace mill

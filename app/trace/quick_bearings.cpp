@@ -1,0 +1,163 @@
+#include "app/stages/bearing_model.h"
+#include "app/stages/bearing_study.h"
+#include "app/stages/contact_stage.h"
+#include "app/trace/quick_parts.h"
+#include "bearing/assembly.h"
+#include <cmath>
+#include <fmt/format.h>
+
+// Bearings between rigid rings, for the quick chain.
+namespace mill {
+namespace {
+// The bearing that has a closed form: laminae between rigid rings.
+RollerBearing closed_bearing(RollerBearing b)
+{
+  if (b.roller_law == "fe")
+    b.roller_law = "iso";
+  b.rings = "rigid";
+  return with_row_places(std::move(b));
+}
+
+bool by_elements(const RollerBearing &b)
+{
+  return b.roller_law == "fe" || b.rings == "elastic";
+}
+
+std::string closed_method(const RollerBearing &b)
+{
+  const std::string law = b.roller_law == "palmgren"  ? "Palmgren's law of one roller"
+                          : b.roller_law == "elastic" ? "elastic line contact of one roller"
+                                                      : "laminae of ISO/TS 16281";
+  return law + ", rigid rings, bearing/assembly (5.23)";
+}
+
+// Keys of a bearing that its stiffness between rigid rings follows.
+// @param loaded_askew  by a tilt or an axial force: then the places of the rows count
+KeyList closed_bearing_keys(const RollerBearing &b, const bool loaded_askew)
+{
+  const bool three   = b.profile == "three-parameter";
+  const bool rounded = b.profile == "log" || b.profile == "lundberg" || three;
+  const bool elastic = b.roller_law == "elastic";
+  std::string names =
+      "rows rollers_per_row roller_length cup_angle radial_clearance end_play preload roller_law profile";
+  const auto add = [&](const bool used, const char *more) { names += used ? std::string(" ") + more : ""; };
+  add(b.profile != "none", "slices");
+  add(b.profile == "table", "profile_table");
+  add(b.profile == "crown" || three, "crown_drop");
+  add(three, "profile_share");
+  add(rounded, "profile_load");
+  add(rounded || b.profile == "iso" || elastic, "roller_diameter");
+  add(rounded || elastic, "youngs_modulus poisson_ratio pitch_diameter bore outside_diameter");
+  add(loaded_askew, "width row_hands pitch_diameter");
+  add(loaded_askew && std::isnan(b.pitch_diameter), "bore outside_diameter");
+  KeyList keys;  // of what a run reads of this bearing
+  for (const std::string &key : keys_in("bearing." + b.name, names))
+    if (loaded_askew || holds(bearing_keys(b), key))
+      keys.push_back(key);
+  return keys;
+}
+
+bearing::AssemblyState solved(const RollerBearing &b, const bearing::RingDrive &drive, const double cage_angle = 0)
+{
+  auto model       = bearing::rigid_model(closed_bearing(b));
+  model.cage_angle = cage_angle;
+  return bearing::BearingAssembly(model).solve(drive);
+}
+
+// Radial load of one bearing: as the bearing stage of a run puts it on.
+double bearing_load(const FourHigh &stand, const bool backup, const ContactSettings &contact, const double F)
+{
+  const Roll &roll = backup ? stand.backup_roll : stand.work_roll;
+  if (!std::isnan(roll.bearing_load))
+    return roll.bearing_load;
+  const double between = (stand.work_roll.barrel_diameter + stand.backup_roll.barrel_diameter) / 2;
+  const double across  = 0.5 * F * std::abs(contact.axis_offset) / between;
+  const double bending = 0.5 * std::abs(stand.work_roll.bending_force[0] + stand.work_roll.bending_force[1]);
+  if (backup)
+    return std::hypot((F + 2 * bending) / 2, across);
+  return std::hypot(bending > 0 ? bending : F / 20, across);
+}
+}  // namespace
+
+std::vector<QuickResult> quick_bearings(const FourHigh &stand, const double F, const std::size_t pass)
+{
+  std::vector<QuickResult> all;
+  const auto add_both = [&](const QuickResult &one, const char *name) {
+    QuickResult r = one;
+    r.name        = name;
+    r.parameter.value *= 2;
+    all.push_back(r);
+  };
+  for (int i = 0; i < 4; ++i) {
+    const bool backup   = i == 0 || i == 3;
+    const auto &contact = i < 2 ? stand.upper_contact : stand.lower_contact;
+    const auto &b       = bearing_of(stand.bearings, (backup ? stand.backup_roll : stand.work_roll).bearing);
+    const double load   = bearing_load(stand, backup, contact, F);
+    const auto drive    = bearing::radial_drive(load);
+    const auto state    = solved(b, drive);
+    QuickResult r;
+    r.name             = fmt::format("Kzc{}", i + 1);
+    r.parameter.value  = bearing::radial_tangent(state, drive);
+    r.parameter.unit   = "N/m";
+    r.parameter.method = closed_method(b);
+    r.parameter.at     = in_kN(load) + " on one bearing";
+    r.load             = load;
+    r.closed =
+        joined(seat_load_keys(stand, backup, i < 2 ? "upper" : "lower", pass), closed_bearing_keys(b, false));
+    r.parameter.inputs = seat_keys(stand, std::size_t(i), pass);
+    r.road             = backup ? "bearings of the backup rolls" : "bearings of the work rolls";
+    r.file             = "bearing/assembly";
+    r.equation         = "(5.23)";
+    r.stands_for       = by_elements(b) ? model_name(b) : "";
+    all.push_back(r);
+    if (backup)
+      add_both(r, i == 0 ? "K_Zy" : "K_Zy_lower");
+    r.name += "_across";
+    r.closed           = joined(r.closed, keys_in("bearing." + b.name, "slices"));
+    r.parameter.inputs = seat_across_keys(stand, std::size_t(i), pass);
+    r.parameter.value  = stiffness_along(state, drive, 1);
+    r.parameter.method += ", across the load";
+    r.file       = "app/stages/bearing_across";
+    r.stands_for = by_elements(b) ? model_name(b) + ", a block chock on its liner" : "";
+    all.push_back(r);
+  }
+  return all;
+}
+
+std::vector<QuickResult> quick_bearing_case(const BearingCase &spec)
+{
+  const RollerBearing &b = bearing_of(spec.bearings, spec.load.bearing);
+  auto drive             = bearing::radial_drive(spec.load.radial, spec.load.tilt);
+  if (spec.load.axial != 0) {
+    drive.value[2]     = spec.load.axial;
+    drive.by_motion[2] = false;
+  }
+  const auto state = solved(b, drive, spec.load.cage_angle);
+  std::vector<QuickResult> all;
+  const auto add = [&](const char *name, const char *unit, const double value, const char *equation) {
+    QuickResult r;
+    r.name             = name;
+    r.parameter.value  = value;
+    r.parameter.unit   = unit;
+    r.parameter.method = closed_method(b);
+    r.closed           = joined(keys_in("load", "bearing radial axial tilt cage_angle"),
+                                closed_bearing_keys(b, spec.load.tilt != 0 || spec.load.axial != 0));
+    r.parameter.inputs = bearing_case_keys(spec);
+    for (const std::string &key : r.parameter.inputs)  // [model] says again what the bearing says
+      if (key.rfind("model.", 0) == 0 && holds(r.closed, "bearing." + b.name + key.substr(5)))
+        r.closed.push_back(key);
+    r.road       = "equilibrium of all rollers";
+    r.file       = "bearing/assembly";
+    r.equation   = equation;
+    r.stands_for = by_elements(b) ? model_name(b) : "";
+    all.push_back(r);
+  };
+  add("Kzc.tangent", "N/m", bearing::radial_tangent(state, drive), "(5.23)");
+  add("Kzc.secant", "N/m", bearing::radial_secant(state), "(5.22)");
+  add("Kzc.tangent_across", "N/m", bearing::stiffness_along(state, drive, 1), "(5.23)");
+  add("Kzc.axial", "N/m", state.tangent(2, 2), "(5.23)");
+  add("Kzc.roller_max", "N", state.roller_load.maxCoeff(), "(5.22)");
+  return all;
+}
+
+}  // namespace mill

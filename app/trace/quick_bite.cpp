@@ -1,0 +1,102 @@
+#include "app/stages/bite_stage.h"
+#include "app/stages/bite_study.h"
+#include "app/trace/quick_parts.h"
+#include <algorithm>
+#include <fmt/format.h>
+
+// The bite by a slab theory, for the quick chain.
+namespace mill {
+namespace {
+// One number of the bite with what is known before it is solved.
+QuickResult bite_result(const std::string &name, const Strip &strip, const BiteSetup &setup, const int pass,
+                        const std::string &roll_key)
+{
+  const bool elements = setup.method == "fe";
+  const bool wide     = name.rfind("K4", 0) == 0 || follows_width(name.substr(name.rfind('.') + 1));
+  const BiteRun run{strip, setup, std::size_t(pass), roll_key, wide};
+  QuickResult r;
+  r.name             = name;
+  r.parameter.inputs = bite_keys(run);
+  // An arc of any shape is Hitchcock's here, without the elastic zones that make it one.
+  BiteSetup closed = setup;
+  closed.arc       = setup.arc == "rigid" ? "rigid" : "hitchcock";
+  r.closed         = joined(slab_keys({strip, closed, run.pass, roll_key, wide}),
+                    elements ? KeyList{} : keys_in("bite", "theory"));
+  r.road           = "roll bite";
+  r.file           = elements ? "fem/strip/rigid_plastic/strip_flow" : "bite/slab/slab_bite";
+  r.equation       = "(8.13)";
+  r.stands_for     = elements ? "finite elements of the strip, fem/strip/rigid_plastic/strip_flow" : "";
+  return r;
+}
+
+struct SlabAnswer {
+  bite::BiteState state;
+  bite::BiteStiffness stiffness;
+  std::string method;
+};
+
+// The slab theory of [bite], or Karman's for finite elements, which know no theory; an arc of any shape needs the
+// section of the roll, so Hitchcock's stands for it.
+SlabAnswer solve_bite(const bite::RollBite &bite, const BiteSetup &setup)
+{
+  bite::SlabModel model = slab_model(setup);
+  if (setup.method == "fe")
+    model.theory = bite::Theory::karman;
+  if (model.arc == bite::Arc::elastic)
+    model.arc = bite::Arc::hitchcock;
+  model.curve_points = 0;
+  SlabAnswer answer;
+  answer.state     = bite::solve_slab(bite, model);
+  answer.stiffness = bite::slab_stiffness(bite, answer.state);
+  answer.method    = bite::model_name(model) + ", bite/slab/slab_bite (8.13)";
+  return answer;
+}
+}  // namespace
+
+QuickResult quick_bite(const FourHigh &stand, const int pass)
+{
+  const auto bite =
+      bite_of(stand.strip, stand.passes[std::size_t(pass)], stand.work_roll.barrel_diameter, stand.steel);
+  QuickResult r    = bite_result("K4", bite.strip, stand.bite, pass, "work_roll.barrel_diameter");
+  r.parameter.unit = "N/m";
+  try {
+    const SlabAnswer answer = solve_bite(bite, stand.bite);
+    r.parameter.value       = answer.stiffness.combined;
+    r.parameter.method      = answer.method;
+  } catch (const InputError &e) {
+    r.parameter.method = "no answer: " + e.problems.front().message;
+  } catch (const SolverError &e) {
+    r.parameter.method = "no answer: " + e.report.what;
+  }
+  return r;
+}
+
+std::vector<QuickResult> quick_bite_case(const BiteCase &spec)
+{
+  std::vector<QuickResult> all;
+  for (std::size_t p = 0; p < spec.passes.size(); ++p) {
+    const auto bite         = bite_of(spec.strip, spec.passes[p], spec.roll_diameter, spec.steel);
+    const SlabAnswer answer = solve_bite(bite, spec.bite);
+    const auto add = [&](const std::string &name, const char *unit, const double value, const char *equation) {
+      QuickResult r      = bite_result(name, bite.strip, spec.bite, int(p), "work_roll.diameter");
+      r.parameter.unit   = unit;
+      r.parameter.value  = value;
+      r.parameter.method = answer.method;
+      r.equation         = equation;
+      all.push_back(r);
+    };
+    const std::string own = "bite." + spec.passes[p].name + ".";
+    add(own + "force", "N", answer.state.force, "(8.8)");
+    add(own + "torque", "N m", answer.state.torque, "(8.19)");
+    add(own + "forward_slip", "1", answer.state.forward_slip, "(8.7)");
+    add(own + "peak_pressure", "Pa", answer.state.peak_pressure, "(8.4)");
+    if (p > 0)
+      continue;  // as in a run: the spring is that of the first pass
+    add("K4.plastic_slope", "N/m", answer.stiffness.plastic_slope, "(8.10)");
+    add("K4.flattening", "N/m", answer.stiffness.flattening, "(8.12)");
+    add("K4.combined", "N/m", answer.stiffness.combined, "(8.13)");
+  }
+  return all;
+}
+
+}  // namespace mill

@@ -1,0 +1,61 @@
+#include "app/stages/chatter_question.h"
+#include "app/trace/quick_parts.h"
+#include "core/case/fields.h"
+#include <fmt/format.h>
+
+// Bite and critical speed of every condition: the same functions as a run, without curves and maps.
+namespace mill {
+std::vector<QuickResult> quick_chatter(const ChatterCase &spec)
+{
+  std::vector<QuickResult> all;
+  for (std::size_t i = 0; i < spec.conditions.size(); ++i) {
+    const ChatterQuestion q = chatter_question(spec, i);
+    const std::string name  = q.condition.name;
+    const KeyList speed     = {fmt::format("condition.{}.speed", i)};
+    const KeyList bite      = chatter_bite_keys(spec, i);
+    const KeyList stand     = chatter_stand_keys(spec);
+    const KeyList range     = {"analysis.speeds"};
+    const auto add = [&](const std::string &result, const char *unit, const double value, const KeyList &keys,
+                         const char *road, const char *file, const char *equation) {
+      QuickResult r;
+      r.name             = result;
+      r.parameter.unit   = unit;
+      r.parameter.value  = value;
+      r.parameter.method = std::string(file) + " " + equation;
+      r.parameter.inputs = keys;
+      r.closed           = keys;
+      r.road             = road;
+      r.file             = file;
+      r.equation         = equation;
+      all.push_back(r);
+    };
+    const ChatterSearch found = search_chatter(q);
+    const auto &state         = found.working ? found.working->state : bite::BiteState{};
+    const auto there          = [&](const double value) { return found.working ? value : not_given; };
+    const KeyList at_speed    = joined(bite, speed);
+    for (const auto &[quantity, unit, value] : {
+             std::tuple<const char *, const char *, double>{"force",            "N", state.force           },
+             {"friction",         "1", state.friction        },
+             {"flattened_radius", "m", state.flattened_radius},
+             {"forward_slip",     "1", state.forward_slip    }
+    })
+      add("bite." + name + "." + quantity, unit, there(value), at_speed, "steady bite", "bite/slab/bland_ford",
+          "(8.8)");
+    add("chatter." + name + ".growth_rate", "1/s", found.growth, joined(at_speed, stand), "stand, bite and strip",
+        "dynamics/chatter/chatter", "(25.4)");
+    const KeyList searched = joined(bite, stand, range);
+    add("chatter." + name + ".critical_speed", "m/s", found.found.speed, searched, "search over the speed",
+        "dynamics/chatter/speed", "(25.4)");
+    add("chatter." + name + ".frequency", "Hz", found.found.frequency, searched, "search over the speed",
+        "dynamics/chatter/speed", "(25.4)");
+    for (std::size_t v = 0; v < q.variants.size(); ++v) {
+      const std::string of = spec.variants[v].name;
+      add("chatter." + name + ".variant." + of + ".critical_speed", "m/s",
+          dynamics::critical_speed(q.variants[v].stand, q.bite, q.scheme, chatter_range(q)).speed,
+          joined(searched, keys_in("variant." + of, "masses stiffnesses dampings entry_distance exit_distance")),
+          "search over the speed", "dynamics/chatter/speed", "(25.4)");
+    }
+  }
+  return all;
+}
+}  // namespace mill

@@ -1,0 +1,19 @@
+#pragma once
+#include "core/records/provenance.h"
+#include <string>
+#include <vector>
+
+namespace mill {
+/// Where a number of the chain comes from.
+struct Station {
+  std::string road;               ///< "springs in series"
+  std::string file;               ///< that computes it
+  std::string equation;           ///< of docs/theory.md
+  std::vector<std::string> from;  ///< numbers of the chain it is made of
+  KeyList own;                    ///< keys that enter beside those
+};
+
+/// Of M1..M6, K1, K2, K6, K7 and K_ZW.
+/// @param reference  dynamics.mass_reference
+Station station_of(const std::string &name, const std::string &reference);
+}  // namespace mill

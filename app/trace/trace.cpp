@@ -1,0 +1,326 @@
+#include "app/trace/trace.h"
+#include "app/stages/result_inputs.h"
+#include "core/records/files.h"
+#include "core/records/result_folder.h"
+#include "core/records/run_identity.h"
+#include "core/model/stand.h"
+#include "core/case/units.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace mill {
+namespace {
+using Results = std::vector<QuickResult>;
+
+// A result that moves by less than this has not moved: eigenvalues of an unchanged block round differently.
+constexpr double rounding = 1e-11;
+
+struct Evaluation {
+  const TraceOptions &options;
+  QuickMemory &memory;
+  const SpringFactors &factors;
+  Results at(const std::string &path, const std::string &toml) const
+  {
+    auto sets = options.sets;
+    sets.push_back(path + "=" + toml);
+    return quick_chain(read_case(options.case_file, sets), memory, factors);
+  }
+  // Nothing where the case refuses the value; `why` then says so.
+  std::optional<Results> tried(const std::string &path, const std::string &toml, std::string &why) const
+  {
+    try {
+      return at(path, toml);
+    } catch (const InputError &e) {
+      why = e.problems.front().message;
+    } catch (const SolverError &e) {
+      why = e.report.what;
+    }
+    return {};
+  }
+};
+
+// Values of the key below and above, with the results there.
+struct Sides {
+  double x = 0, x_down = 0, x_up = 0;  // numbers as written
+  std::optional<Results> down, up;
+  std::optional<Results> middle;  // where giving the value of the key is another case than leaving it out
+};
+
+bool is_size(const Row &row)
+{
+  return row.kind == Kind::quantity || row.kind == Kind::number || row.kind == Kind::pair ||
+         row.kind == Kind::six ||
+         (row.kind == Kind::count && row.key != "schema" && row.key.find("seed") == std::string::npos);
+}
+
+Sides evaluate_sides(const TraceKey &key, const Evaluation &evaluation, std::string &why)
+{
+  const double x   = first_number(*key.value);
+  const auto sides = [&](const std::function<double(double)> &less, const std::function<double(double)> &more) {
+    Sides s{x, less(x), more(x), {}, {}};
+    s.down = evaluation.tried(key.path, changed_toml(*key.value, less), why);
+    s.up   = evaluation.tried(key.path, changed_toml(*key.value, more), why);  // what is said last counts
+    return s;
+  };
+  if (key.row.kind == Kind::count)
+    return sides([](double n) { return n - 1; }, [](double n) { return n + 1; });
+  if (x == 0)
+    return sides([](double v) { return v - 0.01; }, [](double v) { return v + 0.01; });
+  Sides first;
+  for (const double step : {1e-2, 1e-3, 1e-4}) {
+    Sides s = sides([step](double v) { return v * (1 - step); }, [step](double v) { return v * (1 + step); });
+    if (s.up && s.down)
+      return s;
+    if (!first.up && !first.down)
+      first = std::move(s);
+  }
+  return first;
+}
+
+double value_of(const Results &results, const std::string &name)
+{
+  const QuickResult *r = find(results, name);
+  return r ? r->parameter.value : not_given;
+}
+
+// ln(b/a), or its first order where one of them has another sign.
+double relative(const double a, const double b)
+{
+  return a * b > 0 ? std::log(b / a) : (b - a) / std::max(std::abs(a), std::abs(b));
+}
+
+bool differs(const double a, const double b)
+{
+  return std::isnan(a) != std::isnan(b) || std::abs(a - b) > rounding * std::max(std::abs(a), std::abs(b));
+}
+
+// Slope of ln y over ln x; over x itself, in percent, where x is zero.
+double slope(const double y_a, const double y_b, const double x_a, const double x_b, const bool from_zero)
+{
+  const double rise = y_a == y_b ? 0 : relative(y_a, y_b);
+  return from_zero ? 100 * rise / (x_b - x_a) : rise / std::log(x_b / x_a);
+}
+
+void add_slopes(TraceLine &line, const Sides &s, const bool from_zero)
+{
+  const double y      = s.middle ? value_of(*s.middle, line.result.name) : line.result.parameter.value;
+  const double y_up   = s.up ? value_of(*s.up, line.result.name) : not_given;
+  const double y_down = s.down ? value_of(*s.down, line.result.name) : not_given;
+  line.slope_up       = slope(y, y_up, s.x, s.x_up, from_zero);
+  line.slope_down     = slope(y_down, y, s.x_down, s.x, from_zero);
+  line.slope          = std::isnan(line.slope_up)     ? line.slope_down
+                        : std::isnan(line.slope_down) ? line.slope_up
+                                                      : slope(y_down, y_up, s.x_down, s.x_up, from_zero);
+  line.moves          = differs(y, std::isnan(y_up) ? y : y_up) || differs(y, std::isnan(y_down) ? y : y_down);
+}
+
+// Springs, masses and modes of later passes belong to a trace of a key of that pass only.
+bool is_of_later_pass(const Case &the_case, const std::string &result)
+{
+  const auto *stand = std::get_if<FourHigh>(&the_case.spec);
+  for (std::size_t p = 1; stand && p < stand->passes.size(); ++p)
+    if (result.rfind(stand->passes[p].name + ".", 0) == 0)
+      return result.find("_g.") == std::string::npos;
+  return false;
+}
+
+void keep_reached(Trace &trace, const Case &the_case, std::vector<TraceLine> lines)
+{
+  const std::string &key = trace.key.name;
+  std::vector<std::string> reached;
+  for (TraceLine &line : lines) {
+    const bool by_elements = holds(line.result.parameter.inputs, key) && !holds(line.result.closed, key);
+    // About zero a result may be even in the key, so that it is reached without a slope.
+    const bool even = trace.per != "%" && !trace.per.empty() && holds(line.result.closed, key);
+    if (!line.moves && !by_elements && !even)
+      continue;
+    line.moves = line.moves || even;
+    for (const std::string &part : line.result.from)
+      if (holds(reached, part))
+        line.through.push_back(part);
+    line.direct = line.through.empty() || holds(line.result.own, key);
+    reached.push_back(line.result.name);
+    const bool own_pass = key.rfind("pass.", 0) == 0 && key.rfind("pass.0.", 0) != 0;
+    if (own_pass || !is_of_later_pass(the_case, line.result.name))
+      trace.lines.push_back(std::move(line));
+  }
+}
+
+// Words and switches: every other one is tried, and a result that changes is reached.
+void try_words(const TraceKey &key, const Evaluation &evaluation, std::vector<TraceLine> &lines)
+{
+  std::vector<std::string> words;
+  if (key.row.kind == Kind::flag)
+    words = {key.value->flag ? "false" : "true"};
+  else
+    words = split(key.row.form, " | ");
+  for (const std::string &word : words) {
+    if (key.value && key.value->text == word)
+      continue;
+    std::string why;
+    const auto results = evaluation.tried(key.path, key.row.kind == Kind::flag ? word : quoted(word), why);
+    if (!results)
+      continue;
+    for (TraceLine &line : lines) {
+      const double y = line.result.parameter.value, other = value_of(*results, line.result.name);
+      if (!differs(y, other))
+        continue;
+      line.moves = true;
+      line.words.emplace_back(word, 100 * (other / y - 1));
+    }
+  }
+}
+
+std::string without_elasticity(const TraceKey &key)
+{
+  if (!key.value)
+    return "it is not given";
+  switch (key.row.kind) {
+  case Kind::table:
+    return "a table has no single size";
+  case Kind::path:
+    return "a file has no size";
+  case Kind::text:
+    return "a name has no size";
+  case Kind::choice:
+  case Kind::flag:
+    return "a word has no size; every other one is tried";
+  default:
+    return key.row.key == "schema" ? "a version has no size" : "a number that only names a record has no size";
+  }
+}
+
+struct StoredRun {
+  std::string folder;
+  bool same_inputs = true;
+  std::map<std::string, double> values;
+};
+
+// The same value of every key that both know: a later version may know more keys.
+bool same_values(const std::string &a, const std::string &b)
+{
+  const auto one = resolved_values(a), other = resolved_values(b);
+  return std::all_of(one.begin(), one.end(), [&](const auto &entry) {
+    const auto found = other.find(entry.first);
+    return found == other.end() || found->second == entry.second;
+  });
+}
+
+std::optional<StoredRun> stored_run(const TraceOptions &options, const Case &the_case)
+{
+  StoredRun run;
+  run.folder             = options.folder.empty() ? "out/" + the_case.name : options.folder;
+  const std::string file = run.folder + "/results.json";
+  require_published(run.folder);
+  if (!std::filesystem::exists(file))
+    return {};
+  const auto json = nlohmann::json::parse(read_text(file), nullptr, false);
+  if (!json.is_object() || !json.contains("values") || !json["values"].is_object())
+    return {};
+  for (const auto &[name, entry] : json["values"].items())
+    if (entry.is_object() && entry.contains("value") && entry["value"].is_number())
+      run.values[name] = entry["value"].get<double>();
+  const std::string resolved = run.folder + "/resolved.toml";
+  if (!std::filesystem::exists(resolved)) {
+    run.same_inputs = false;
+    return run;
+  }
+  const std::string inputs = read_text(resolved);
+  const auto run_id        = json.find("run_id");
+  if (run_id != json.end() && run_id->is_string())
+    require_one_run(file, run_id->get<std::string>(), resolved, run_id_of_toml(inputs));
+  run.same_inputs = same_values(inputs, the_case.resolved);
+  return run;
+}
+
+// What the run found for the springs over what closed forms give.
+SpringFactors run_factors(const StoredRun &run, const Results &base)
+{
+  SpringFactors factors;
+  for (const QuickResult &r : base) {
+    const auto stored = run.values.find(r.name);
+    const bool spring = !r.stands_for.empty() && stored != run.values.end();
+    if (spring && stored->second > 0 && r.parameter.value > 0)
+      factors[r.name] = stored->second / r.parameter.value;
+  }
+  return factors;
+}
+}  // namespace
+
+Trace trace(const TraceOptions &options)
+{
+  QuickMemory memory;
+  return trace(options, memory);
+}
+
+Trace trace(const TraceOptions &options, QuickMemory &memory)
+{
+  const Case the_case = read_case(options.case_file, options.sets);
+  Trace trace;
+  trace.base     = quick_chain(the_case, memory);
+  const auto run = stored_run(options, the_case);
+  trace.key      = find_key(the_case, options.sets, options.key, trace.base);
+  SpringFactors factors;
+  if (options.from_run) {
+    if (!run)
+      throw InputError(fmt::format("--full takes the springs of the last run, and there is none in {}; run "
+                                   "millstand run {} first, or leave --full out",
+                                   options.folder.empty() ? "out/" + the_case.name : options.folder,
+                                   options.case_file));
+    factors        = run_factors(*run, trace.base);
+    trace.base     = quick_chain(the_case, memory, factors);
+    trace.from_run = true;
+  }
+  const Evaluation evaluation{options, memory, factors};
+  std::vector<TraceLine> lines;
+  for (const QuickResult &result : trace.base) {
+    TraceLine line;
+    line.result = result;
+    line.moves  = false;
+    lines.push_back(line);
+  }
+  const TraceKey &key = trace.key;
+  if (key.value && is_size(key.row)) {
+    std::string why;
+    Sides s = evaluate_sides(key, evaluation, why);
+    if (key.stands_in)
+      s.middle = evaluation.tried(key.path, changed_toml(*key.value, [](const double v) { return v; }), why);
+    const bool from_zero = s.x == 0;
+    const std::string u = unit_written(*key.value), space = u.empty() ? "" : " " + u;
+    if (s.up || s.down) {
+      trace.per = from_zero ? (u.empty() ? "unit" : u) : "%";
+      trace.steps =
+          fmt::format("{:.6g}{} .. {:.6g}{}{}", s.down ? s.x_down : s.x, space, s.up ? s.x_up : s.x, space,
+                      key.row.kind == Kind::pair  ? ", both numbers of the pair alike"
+                      : key.row.kind == Kind::six ? ", all six numbers alike"
+                                                  : "");
+      for (TraceLine &line : lines)
+        add_slopes(line, s, from_zero);
+    } else {
+      trace.reason = "no other value near it is accepted: " + why;
+    }
+  } else {
+    trace.reason = without_elasticity(key);
+    if (key.row.kind == Kind::choice || key.row.kind == Kind::flag)
+      try_words(key, evaluation, lines);
+    else
+      for (TraceLine &line : lines)
+        line.moves = holds(line.result.closed, key.name);
+  }
+  keep_reached(trace, the_case, std::move(lines));
+  if (trace.lines.empty())
+    trace.beside = beside_the_chain(the_case, key.name);
+  if (run) {
+    trace.run_folder  = run->folder;
+    trace.same_inputs = run->same_inputs;
+    for (const QuickResult &r : trace.base)
+      if (const auto stored = run->values.find(r.name); stored != run->values.end())
+        trace.run.emplace_back(r.name, stored->second);
+  }
+  return trace;
+}
+}  // namespace mill

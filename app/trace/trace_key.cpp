@@ -1,0 +1,280 @@
+#include "app/trace/trace_key.h"
+#include "app/trace/quick_chain.h"
+#include "core/case/stand_rows.h"
+#include "core/case/units.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <sstream>
+
+namespace mill {
+namespace {
+// Of the sections that carry a name: bearings, or variants of a stand.
+std::vector<std::string> names_of(const Case &the_case)
+{
+  std::vector<std::string> names;
+  const auto add = [&](const auto &list) {
+    for (const auto &one : list)
+      names.push_back(one.name);
+  };
+  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
+    add(stand->bearings);
+  if (const auto *bearing = std::get_if<BearingCase>(&the_case.spec))
+    add(bearing->bearings);
+  if (const auto *chatter = std::get_if<ChatterCase>(&the_case.spec))
+    add(chatter->variants);
+  return names;
+}
+
+const std::vector<Pass> *passes_of(const Case &the_case)
+{
+  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
+    return &stand->passes;
+  if (const auto *lumped = std::get_if<Lumped>(&the_case.spec))
+    return &lumped->passes;
+  const auto *bite = std::get_if<BiteCase>(&the_case.spec);
+  return bite ? &bite->passes : nullptr;
+}
+
+// Of the sections in double brackets: passes, or conditions.
+std::size_t list_length(const Case &the_case)
+{
+  if (const auto *chatter = std::get_if<ChatterCase>(&the_case.spec))
+    return chatter->conditions.size();
+  const auto *passes = passes_of(the_case);
+  return passes ? passes->size() : 0;
+}
+
+const Node *at_path(const Node &root, const std::vector<std::string> &parts)
+{
+  const Node *node = &root;
+  for (const std::string &part : parts) {
+    if (node->kind == Node::Kind::array) {
+      const std::size_t index = std::size_t(std::stoi(part));
+      if (index >= node->items.size())
+        return nullptr;
+      node = &node->items[index];
+    } else {
+      const Node::Entry *entry = node->find(part);
+      if (!entry)
+        return nullptr;
+      node = &entry->value;
+    }
+  }
+  return node;
+}
+
+// Parts of a path whose quoted names may hold dots.
+std::vector<std::string> parts_of(const std::string &path)
+{
+  std::vector<std::string> parts(1);
+  bool inside = false;
+  for (const char c : path)
+    if (c == '"')
+      inside = !inside;
+    else if (c == '.' && !inside)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+// A value that is not given, but what the program takes instead has a size: its text and what it is.
+struct StandIn {
+  double value;  // SI
+  std::string said;
+};
+
+std::optional<StandIn> stand_in(const Case &the_case, const TraceKey &key, const std::vector<QuickResult> &quick)
+{
+  const auto computed = [&](const std::string &name, const std::string &said) -> std::optional<StandIn> {
+    const QuickResult *result = find(quick, name);
+    if (!result || std::isnan(result->parameter.value))
+      return {};
+    return StandIn{result->parameter.value, said};
+  };
+  if (key.name.rfind("given.", 0) == 0 && the_case.kind == "four-high")
+    return computed(key.row.key, "not given: computed");
+  const auto parts = parts_of(key.path);
+  if (const auto *passes = passes_of(the_case); passes && parts[0] == "pass") {
+    const auto p      = std::size_t(std::stoi(parts[1]));
+    const auto *stand = std::get_if<FourHigh>(&the_case.spec);
+    const auto *bite  = std::get_if<BiteCase>(&the_case.spec);
+    if (stand && key.row.key == "load") {
+      const QuickResult *contact = find(quick, (p == 0 ? "" : (*passes)[p].name + ".") + "K3");
+      if (contact && contact->load > 0)
+        return StandIn{contact->load, "not given: mean of the force record"};
+    }
+    const Strip *strip                                   = stand ? &stand->strip : bite ? &bite->strip : nullptr;
+    const std::pair<const char *, double Strip::*> own[] = {
+        {"entry_thickness", &Strip::entry_thickness},
+        {"exit_thickness",  &Strip::exit_thickness },
+        {"entry_tension",   &Strip::entry_tension  },
+        {"exit_tension",    &Strip::exit_tension   }
+    };
+    for (const auto &[name, member] : own)
+      if (strip && key.row.key == name)
+        return StandIn{strip->*member, "not given: that of [strip]"};
+  }
+  if (key.name == "strip.initial_thickness")
+    if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
+      return StandIn{stand->strip.entry_thickness, "not given: the entry thickness"};
+  if (key.row.key == "bearing_load")
+    if (const QuickResult *bearing = find(quick, parts[0] == "backup_roll" ? "Kzc1" : "Kzc2"))
+      return StandIn{bearing->load, parts[0] == "backup_roll" ? "not given: half the rolling force"
+                                                              : "not given: from the rolling force, assumed"};
+  return {};
+}
+}  // namespace
+
+std::map<std::string, std::string> resolved_values(const std::string &text)
+{
+  std::map<std::string, std::string> values;
+  std::istringstream lines(text);
+  std::string section, line;
+  int passes = 0;
+  while (std::getline(lines, line)) {
+    if (line.rfind("[[", 0) == 0) {
+      section = fmt::format("{}.{}.", line.substr(2, line.find("]]") - 2), passes++);
+    } else if (!line.empty() && line[0] == '[') {
+      section = line.substr(1, line.rfind(']') - 1) + ".";
+      section.erase(std::remove(section.begin(), section.end(), '"'), section.end());
+    } else if (const auto equals = line.find(" = "); equals != std::string::npos && line[0] != '#') {
+      std::string value = line.substr(equals + 3);
+      if (const auto mark = value.rfind("  # default"); mark != std::string::npos)
+        value.erase(mark);
+      values[section + line.substr(0, equals)] = value;
+    }
+  }
+  return values;
+}
+
+std::vector<TraceKey> keys_of(const Case &the_case)
+{
+  std::vector<TraceKey> keys;
+  const auto add = [&](const std::string &section, const std::string &path, const std::vector<Row> &rows) {
+    for (const Row &row : rows) {
+      TraceKey key;
+      key.name = section.empty() ? row.key : section + "." + row.key;
+      key.path = path.empty() ? row.key : path + "." + row.key;
+      key.row  = row;
+      keys.push_back(key);
+    }
+  };
+  for (const SectionRows &section : sections_of(the_case.kind)) {
+    if (section.repeat == SectionRows::Repeat::named) {
+      for (const std::string &name : names_of(the_case))
+        add(section.name + "." + name, section.name + "." + key_text(name), section.rows);
+    } else if (section.repeat == SectionRows::Repeat::list) {
+      for (std::size_t p = 0; p < list_length(the_case); ++p)
+        add(fmt::format("{}.{}", section.name, p), fmt::format("{}.{}", section.name, p), section.rows);
+    } else {
+      add(section.name, section.name, section.rows);
+    }
+  }
+  return keys;
+}
+
+TraceKey find_key(const Case &the_case, const std::vector<std::string> &sets, const std::string &name,
+                  const std::vector<QuickResult> &quick)
+{
+  const auto keys  = keys_of(the_case);
+  const auto found = std::find_if(keys.begin(), keys.end(),
+                                  [&](const TraceKey &key) { return key.name == name || key.path == name; });
+  if (found == keys.end()) {
+    // Within a section its keys are compared; a list of some two hundred would help nobody.
+    const auto dot            = name.rfind('.');
+    const std::string section = dot == std::string::npos ? "" : name.substr(0, dot + 1);
+    std::vector<std::string> all, leaves;
+    for (const TraceKey &known : keys) {
+      all.push_back(known.name);
+      if (known.name.rfind(section, 0) == 0 && known.name.find('.', section.size()) == std::string::npos)
+        leaves.push_back(known.name.substr(section.size()));
+    }
+    const bool inside = dot != std::string::npos && !leaves.empty();
+    std::string hint  = suggestion(inside ? name.substr(section.size()) : name, inside ? leaves : all);
+    if (const std::string mean = "; did you mean '"; inside && hint.rfind(mean, 0) == 0)
+      hint.insert(mean.size(), section);
+    if (!inside && hint.rfind("; known", 0) == 0)
+      hint = "; docs/input.md lists the keys of kind \"" + the_case.kind + "\"";
+    throw InputError("unknown key '" + name + "' in " + the_case.path + hint);
+  }
+  TraceKey key     = *found;
+  const auto parts = parts_of(key.path);
+  const Node root  = read_case_file(the_case.path, sets);
+  if (const auto place = the_case.places.find(key.name); place != the_case.places.end()) {
+    const Node *node = at_path(root, parts);
+    if (node && node->kind == Node::Kind::table && node->find("value"))
+      node = &node->find("value")->value;
+    if (node)
+      key.value = *node;
+    key.origin =
+        place->second.line > 0 ? fmt::format("{}:{}", place->second.file, place->second.line) : place->second.file;
+  } else {
+    const auto resolved = resolved_values(the_case.resolved);
+    const auto standard = resolved.find(key.name);
+    std::string toml    = standard == resolved.end() ? "" : standard->second;
+    double instead_of   = not_given;
+    key.origin          = "default";
+    if (toml.empty())
+      if (const auto instead = stand_in(the_case, key, quick)) {
+        toml       = key.row.kind == Kind::number ? number_text(instead->value)
+                                                  : quoted(quantity_text(instead->value, unit(key.row.form)));
+        key.origin = instead->said;
+        instead_of = key.row.kind == Kind::number ? instead->value : from_si(instead->value, unit(key.row.form));
+      }
+    if (!toml.empty()) {
+      auto with = sets;
+      with.push_back(key.path + "=" + toml);
+      const Node other = read_case_file(the_case.path, with);
+      if (const Node *node = at_path(other, parts))
+        key.value = *node;
+    }
+    key.stands_in = !std::isnan(instead_of);
+    if (key.value && key.stands_in) {
+      key.shown = fmt::format("{:.6g} {}", instead_of, unit_written(*key.value));
+      return key;
+    }
+  }
+  if (!key.value) {
+    key.shown  = "not given";
+    key.origin = key.row.meaning;
+    return key;
+  }
+  key.shown = key.value->kind == Node::Kind::text && key.row.kind != Kind::text && key.row.kind != Kind::path
+                  ? key.value->text
+                  : mill::shown(*key.value);
+  return key;
+}
+
+std::string changed_toml(const Node &value, const std::function<double(double)> &change)
+{
+  if (value.kind == Node::Kind::array) {
+    std::string list;
+    for (const Node &item : value.items)
+      list += (list.empty() ? "" : ", ") + changed_toml(item, change);
+    return "[" + list + "]";
+  }
+  if (value.kind != Node::Kind::text)
+    return number_text(change(value.number));
+  const ParsedQuantity quantity = parse_quantity(value.text);
+  return quoted(number_text(change(quantity.number)) + " " + quantity.unit->symbol);
+}
+
+double first_number(const Node &value)
+{
+  if (value.kind == Node::Kind::array)
+    return value.items.empty() ? 0 : first_number(value.items.front());
+  return value.kind == Node::Kind::text ? parse_quantity(value.text).number : value.number;
+}
+
+std::string unit_written(const Node &value)
+{
+  if (value.kind == Node::Kind::array)
+    return value.items.empty() ? "" : unit_written(value.items.front());
+  if (value.kind != Node::Kind::text)
+    return "";
+  const ParsedQuantity quantity = parse_quantity(value.text);
+  return quantity.unit ? quantity.unit->symbol : "";
+}
+}  // namespace mill

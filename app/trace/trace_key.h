@@ -1,0 +1,43 @@
+#pragma once
+#include "app/trace/quick_parts.h"
+#include "core/case/case_file.h"
+#include "core/case/fields.h"
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mill {
+/// One input of a case: its row, its value, and how it is changed.
+struct TraceKey {
+  std::string name;  ///< "backup_roll.barrel_diameter", "pass.0.load"
+  std::string path;  ///< as --set addresses it; names with dots in quotes
+  Row row{"", Kind::text, "text", {}, absent, "", ""};
+  std::optional<Node> value;  ///< as written, as the default, or what stands for it; nothing: not given
+  std::string shown;          ///< "1450 mm", "not given"
+  bool stands_in = false;     ///< the value is what the program takes where the key is not given
+  std::string origin;         ///< "cases/four-high-1400.toml:33", "default", "--set ...", or what stands for it
+};
+
+/// Every input that a case of this kind may have, with its bearings and passes; without values.
+std::vector<TraceKey> keys_of(const Case &the_case);
+
+/// One of them with its value.
+/// @param sets   as given to read_case
+/// @param quick  results of the case: a value that is not given but computed is found there
+/// @throws InputError  unknown key, with the nearest known one
+TraceKey find_key(const Case &the_case, const std::vector<std::string> &sets, const std::string &name,
+                  const std::vector<QuickResult> &quick);
+
+/// resolved.toml, full key -> value as TOML: what is given, defaults, what the reader filled in.
+std::map<std::string, std::string> resolved_values(const std::string &text);
+
+/// The value with every number changed by `change`, as TOML.
+/// @param change  number as written -> number
+std::string changed_toml(const Node &value, const std::function<double(double)> &change);
+
+/// First number of a value as written, and its unit ("" for a bare number).
+double first_number(const Node &value);
+std::string unit_written(const Node &value);
+}  // namespace mill

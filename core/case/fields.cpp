@@ -1,0 +1,298 @@
+#include "core/case/fields.h"
+#include "core/case/error_list.h"
+#include "core/case/units.h"
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+// Range ends and values meet after a conversion of units; both carry its rounding, some 1e-16 each.
+constexpr double rounding = 1e-14;
+
+bool inside(const double number, const Range &range)
+{
+  const auto slack = [](const double end) { return std::isfinite(end) ? rounding * std::abs(end) : 0; };
+  return number >= range.min - slack(range.min) && number <= range.max + slack(range.max);
+}
+
+// The value under the reader's eye: its row, its node, its full key, and where to complain.
+struct Item {
+  const Row &row;
+  const Node &node;
+  std::string key;
+  Reading &reading;
+  std::nullopt_t refuse(const std::string &why) const
+  {
+    reading.add(node.place, fmt::format("{} = {} {}", key, shown(node), why));
+    return std::nullopt;
+  }
+};
+
+// One number with the unit `form` ("1": bare).
+std::optional<double> scalar(const Item &item, const std::string &form, const Range &range)
+{
+  using Fault      = ParsedQuantity::Fault;
+  const Node &node = item.node;
+  const bool bare  = node.kind == Node::Kind::integer || node.kind == Node::Kind::real;
+  const auto want  = needed(item.row);
+  double number    = node.number;
+  double value     = number;
+  if (form == "1") {
+    if (!bare || !std::isfinite(number))
+      return item.refuse(fmt::format("is not a number; {}", want));
+  } else {
+    if (bare)
+      return item.refuse(fmt::format("has no unit; {}", want));
+    if (node.kind != Node::Kind::text)
+      return item.refuse(fmt::format("is no quantity; {}", want));
+    const ParsedQuantity parsed = parse_quantity(node.text);
+    if (parsed.fault == Fault::no_number)
+      return item.refuse(fmt::format("does not begin with a number; {}", want));
+    if (parsed.fault == Fault::no_unit)
+      return item.refuse(fmt::format("has no unit; {}", want));
+    if (parsed.fault == Fault::unknown_unit)
+      return item.refuse(fmt::format("has the unknown unit '{}'; {} (known units: {})", parsed.unit_text, want,
+                                     units_like(unit(form))));
+    if (!(parsed.unit->dimension == unit(form).dimension))
+      return item.refuse(fmt::format("is {}; {}", parsed.unit->quantity, want));
+    value  = parsed.value();
+    number = from_si(value, unit(form));
+  }
+  if (!inside(number, range))
+    return item.refuse(fmt::format("is outside {}", range_in(range, form)));
+  return value;
+}
+
+std::optional<Value> count(const Item &item)
+{
+  if (item.node.kind != Node::Kind::integer)
+    return item.refuse(fmt::format("is not a whole number; {}", needed(item.row)));
+  if (!inside(item.node.number, item.row.range))
+    return item.refuse(fmt::format("is outside {}", range_in(item.row.range, "count")));
+  return int(item.node.number);
+}
+
+std::optional<Value> words(const Item &item)
+{
+  const std::string &text = item.node.text;
+  if (item.node.kind != Node::Kind::text)
+    return item.refuse(fmt::format("is not a text; {}", needed(item.row)));
+  if (item.row.kind == Kind::choice) {
+    const auto choices = split(item.row.form, " | ");
+    if (std::find(choices.begin(), choices.end(), text) == choices.end())
+      return item.refuse(fmt::format("is unknown; {}", needed(item.row)));
+  } else if (item.row.kind == Kind::path) {
+    if (text.empty() || text.find('\0') != std::string::npos)
+      return item.refuse("is not the name of a file");
+    return (std::filesystem::path(item.reading.folder) / text).lexically_normal().string();
+  }
+  return text;
+}
+
+// As many numbers as there are forms, each with its unit and range; `what` they are called together.
+template <std::size_t n>
+std::optional<std::array<double, n>> several(const Item &item, const char *what,
+                                             const std::array<std::string, n> &forms,
+                                             const std::array<Range, n> &ranges)
+{
+  if (item.node.kind != Node::Kind::array || item.node.items.size() != n)
+    return item.refuse(fmt::format("is not {}; {}", what, needed(item.row)));
+  std::array<double, n> values{};
+  bool good = true;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Item one{item.row, item.node.items[i], fmt::format("{}[{}]", item.key, i), item.reading};
+    const auto value = scalar(one, forms[i], ranges[i]);
+    good             = good && value;
+    values[i]        = value.value_or(0);
+  }
+  return good ? std::optional(values) : std::nullopt;
+}
+
+// All of one form.
+template <std::size_t n> std::optional<Value> alike(const Item &item, const char *what)
+{
+  std::array<std::string, n> forms;
+  std::array<Range, n> ranges;
+  forms.fill(item.row.form);
+  ranges.fill(item.row.range);
+  if (const auto values = several<n>(item, what, forms, ranges))
+    return *values;
+  return std::nullopt;
+}
+
+std::optional<Value> table(const Item &item)
+{
+  const bool terms = item.row.key == "crown_polynomial";  // one term is a polynomial, one point is no table
+  if (item.node.kind != Node::Kind::array || item.node.items.size() < (terms ? 1 : 2))
+    return item.refuse(
+        fmt::format("is no list of {} or more; {}", terms ? "one pair" : "two pairs", needed(item.row)));
+  std::vector<std::array<double, 2>> pairs;
+  for (std::size_t i = 0; i < item.node.items.size(); ++i) {
+    const Item one{item.row, item.node.items[i], fmt::format("{}[{}]", item.key, i), item.reading};
+    const auto pair =
+        several<2>(one, "a pair", {column_form(item.row, 0), column_form(item.row, 1)}, {Range{}, item.row.range});
+    if (!pair)
+      return std::nullopt;
+    if (!pairs.empty() && !((*pair)[0] > pairs.back()[0])) {
+      one.refuse("does not increase in its first column; sort the pairs");
+      return std::nullopt;
+    }
+    pairs.push_back(*pair);
+  }
+  return pairs;
+}
+
+std::optional<Value> value_of(const Item &item)
+{
+  switch (item.row.kind) {
+  case Kind::quantity:
+  case Kind::number:
+    if (const auto value = scalar(item, item.row.form, item.row.range))
+      return *value;
+    return std::nullopt;
+  case Kind::count:
+    return count(item);
+  case Kind::flag:
+    if (item.node.kind != Node::Kind::flag)
+      return item.refuse("is neither true nor false");
+    return item.node.flag;
+  case Kind::choice:
+  case Kind::text:
+  case Kind::path:
+    return words(item);
+  case Kind::pair:
+    return alike<2>(item, "a pair");
+  case Kind::table:
+    return table(item);
+  case Kind::six:
+    return alike<6>(item, "a list of six");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void Reading::add(Place at, std::string message, std::vector<Place> related)
+{
+  problems.push_back({std::move(at), std::move(message), std::move(related)});
+}
+
+bool Reading::usable(const std::vector<std::string> &keys) const
+{
+  return std::none_of(keys.begin(), keys.end(), [&](const std::string &key) { return bad.count(key) > 0; });
+}
+
+Place Reading::place(const std::string &key) const
+{
+  const auto found = places.find(key);
+  return found == places.end() ? Place{file} : found->second;
+}
+
+std::string Reading::said(const std::string &key) const
+{
+  const auto found = written.find(key);
+  return found == written.end() ? key : key + " = " + found->second;
+}
+
+std::string Section::header() const
+{
+  return name.empty() ? "the top level" : "[" + name + "]";
+}
+
+std::string Section::key(const std::string &key) const
+{
+  return name.empty() ? key : name + "." + key;
+}
+
+Kind kind_of(const std::size_t member_index, const std::string &form)
+{
+  switch (member_index) {
+  case 0:
+    return form == "1" ? Kind::number : Kind::quantity;
+  case 1:
+    return Kind::count;
+  case 2:
+    return Kind::flag;
+  case 3:
+    return form == "text" ? Kind::text : form == "path" ? Kind::path : Kind::choice;
+  case 4:
+    return Kind::pair;
+  case 5:
+    return Kind::table;
+  default:
+    return Kind::six;
+  }
+}
+
+void report_missing_section(const Section &section, const std::vector<Row> &rows, Reading &reading)
+{
+  if (section.node || section.refused)
+    return;
+  std::string keys;
+  for (const Row &row : rows)
+    if (row.fallback.kind == Fallback::Kind::required)
+      keys += (keys.empty() ? "" : ", ") + row.key;
+  if (!keys.empty())
+    reading.add(Place{reading.file},
+                fmt::format("the section {} is missing; it needs {}", section.header(), keys));
+}
+
+std::optional<Value> default_of(const Row &row)
+{
+  const Fallback &fallback = row.fallback;
+  if (fallback.kind == Fallback::Kind::text)
+    return std::string(fallback.text);
+  if (fallback.kind != Fallback::Kind::number)
+    return std::nullopt;
+  if (row.kind == Kind::count)
+    return int(fallback.number);
+  if (row.kind == Kind::flag)
+    return fallback.number != 0;
+  return row.kind == Kind::quantity ? to_si(fallback.number, unit(row.form)) : fallback.number;
+}
+
+std::optional<Value> read_row(const Row &row, const Section &section, Reading &reading)
+{
+  const std::string key    = section.key(row.key);
+  const Node::Entry *entry = section.node ? section.node->find(row.key) : nullptr;
+  if (!entry) {
+    if (row.fallback.kind == Fallback::Kind::required) {
+      reading.bad.insert(key);
+      if (section.node)
+        reading.add(section.node->place, fmt::format("{} has no '{}'; add for example {} = {}", section.header(),
+                                                     row.key, row.key, example_toml(row)));
+    }
+    return default_of(row);
+  }
+  const auto value = value_of({row, entry->value, key, reading});
+  if (value) {
+    reading.places[key]  = entry->value.place;
+    reading.written[key] = shown(entry->value);
+  } else {
+    reading.bad.insert(key);
+  }
+  return value;
+}
+
+void refuse_unknown_keys(const Section &section, const std::vector<Row> &rows,
+                         const std::vector<std::string> &others, Reading &reading)
+{
+  if (!section.node)
+    return;
+  std::vector<std::string> known;
+  for (const Row &row : rows)
+    known.push_back(row.key);
+  known.insert(known.end(), others.begin(), others.end());
+  for (const Node::Entry &entry : section.node->entries)
+    if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
+      const std::string what = entry.value.section && section.name.empty()
+                                   ? fmt::format("unknown section [{}]", shortened(entry.key))
+                                   : fmt::format("unknown key '{}' in {}", shortened(entry.key), section.header());
+      reading.add(entry.key_place, what + suggestion(entry.key, known));
+    }
+}
+
+}  // namespace mill

@@ -1,0 +1,212 @@
+#pragma once
+#include "core/case/case_file.h"
+#include <array>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+// One row per parameter: reading, range check, echo, template, schema and input reference are all made from it.
+namespace mill {
+/// Both ends allowed, in the unit of the row.
+struct Range {
+  double min = -std::numeric_limits<double>::infinity();  ///< unit of the row
+  double max = std::numeric_limits<double>::infinity();   ///< unit of the row
+};
+
+/// Value when the key is absent: a number in the unit of the row, a text, or one of the two words below.
+struct Fallback {
+  enum class Kind { required, absent, number, text };
+  Kind kind        = Kind::required;
+  double number    = 0;  ///< unit of the row
+  const char *text = "";
+  constexpr Fallback(Kind k) : kind(k) {}
+  constexpr Fallback(double n) : kind(Kind::number), number(n) {}
+  constexpr Fallback(int n) : kind(Kind::number), number(n) {}
+  constexpr Fallback(const char *t) : kind(Kind::text), text(t) {}
+};
+constexpr Fallback required{Fallback::Kind::required};  ///< the key must be there
+constexpr Fallback absent{Fallback::Kind::absent};      ///< may be left out; the meaning says what happens then
+
+/// What a value looks like in the file; follows from the member of a row and from its form.
+enum class Kind {
+  quantity,  ///< double with a unit, "420 mm"
+  number,    ///< pure number, 0.2
+  count,     ///< whole number, 39
+  flag,      ///< true or false
+  choice,    ///< one of a list of words
+  text,
+  path,   ///< file, relative to the folder of the case file
+  pair,   ///< two quantities, ["100 kN", "2000 kN"]
+  table,  ///< list of pairs, [["-700 mm", "0 um"], ...]
+  six,    ///< list of six quantities, one for each body or spring of a stand
+};
+
+/// A value on its way between file and struct, SI.
+using Value = std::variant<double, int, bool, std::string, std::array<double, 2>,
+                           std::vector<std::array<double, 2>>, std::array<double, 6>>;
+
+/// A row without its destination: what documentation, schema and echo need.
+struct Row {
+  std::string key;
+  Kind kind;
+  std::string form;  ///< unit; "1" for a pure number; "a | b" for a choice; two units "mm, um" for a table
+  Range range;       ///< of the value, of all of a pair or of six, of the second column of a table
+  Fallback fallback;
+  std::string example;  ///< scalar without quotes, "420 mm"; pair and table as TOML
+  std::string meaning;
+};
+
+template <class T>
+using Member = std::variant<double T::*, int T::*, bool T::*, std::string T::*, std::array<double, 2> T::*,
+                            std::vector<std::array<double, 2>> T::*, std::array<double, 6> T::*>;
+
+/// One input parameter.  Whatever the program ever says about it is said here, once.
+template <class T> struct Field {
+  const char *key;
+  Member<T> member;     ///< destination, SI
+  const char *form;     ///< as Row::form; "text" and "path" for those
+  Range range;          ///< both ends allowed
+  Fallback fallback;    ///< value when the key is absent, `required` or `absent`
+  const char *example;  ///< shown in messages, used by the template
+  const char *meaning;  ///< one sentence
+};
+
+/// What reading a case has found so far: every problem, and where the good values stand.
+struct Reading {
+  std::string file;    ///< the case file as the user named it
+  std::string folder;  ///< of the case file; paths of the case start there
+  std::vector<Problem> problems;
+  std::map<std::string, Place> places;         ///< full key -> place of a value that was read and accepted
+  std::map<std::string, std::string> written;  ///< full key -> value as written, "\"420 mm\""
+  std::set<std::string> bad;                   ///< full keys whose value is missing or was refused
+  std::string echo;                            ///< resolved.toml so far
+  void add(Place place, std::string message, std::vector<Place> related = {});
+  bool usable(const std::vector<std::string> &keys) const;  ///< none of these is bad
+  Place place(const std::string &key) const;       ///< of a value; the file alone when the value is a default
+  std::string said(const std::string &key) const;  ///< "work_roll.barrel_diameter = \"420 mm\""
+};
+
+/// A section as the reader sees it: its node (nullptr: left out) and its full name "bearing.trb", "pass.0", ""
+/// (top).
+struct Section {
+  const Node *node = nullptr;
+  std::string name;
+  bool refused = false;                           ///< something else stands in its place, and that has been said
+  std::string header() const;                     ///< "[bearing.trb]"; "the top level" for the top
+  std::string key(const std::string &key) const;  ///< full key
+};
+
+Kind kind_of(std::size_t member_index, const std::string &form);
+
+/// One problem that lists the required keys of a section that is not there at all.
+void report_missing_section(const Section &section, const std::vector<Row> &rows, Reading &reading);
+
+/// Default of a row, SI; nothing when it is required or may be absent.
+std::optional<Value> default_of(const Row &row);
+
+/// Value of one row in a section, its default, or nothing (absent, or a problem that was added to `reading`).
+std::optional<Value> read_row(const Row &row, const Section &section, Reading &reading);
+
+/// Adds a problem for every key of the section that is neither a row nor one of `others`; at the top level
+/// `others` are the sections.
+void refuse_unknown_keys(const Section &section, const std::vector<Row> &rows,
+                         const std::vector<std::string> &others, Reading &reading);
+
+/// Value as TOML text in the row's unit, with the digits that read back as the same double; empty for "not given".
+std::string toml_of(const Row &row, const Value &value);
+std::string example_toml(const Row &row);  ///< the row's example as TOML
+std::string default_toml(const Row &row);  ///< the row's default as TOML; empty when it has none
+
+/// "; did you mean 'radial_clearance'?", or the list of what is known when nothing is near.
+std::string suggestion(const std::string &word, const std::vector<std::string> &known);
+
+/// "a length", "a whole number", "one of none | iso | log"; what a message says is needed.
+std::string needed(const Row &row);
+
+/// "a | b" -> a, b
+std::vector<std::string> split(const std::string &list, const std::string &separator);
+
+/// Text as a TOML string; a key in quotes only where TOML wants them.
+std::string quoted(const std::string &text);
+std::string key_text(const std::string &key);
+
+/// Unit of one column of a table row, or of any other row.
+std::string column_form(const Row &row, int column);
+
+/// A range with the unit `form`, "200 mm .. 2500 mm", "at least 3".
+std::string range_in(const Range &range, const std::string &form);
+
+/// "200 mm .. 2500 mm"; empty without a range.
+std::string range_text(const Row &row);
+
+template <class T> Row row_of(const Field<T> &f)
+{
+  return {f.key, kind_of(f.member.index(), f.form), f.form, f.range, f.fallback, f.example, f.meaning};
+}
+
+template <class T> std::vector<Row> rows_of(const std::vector<Field<T>> &fields)
+{
+  std::vector<Row> rows;
+  for (const Field<T> &field : fields)
+    rows.push_back(row_of(field));
+  return rows;
+}
+
+template <class T> Value member_value(const Field<T> &field, const T &in)
+{
+  Value value;
+  std::visit([&](auto member) { value.emplace<std::decay_t<decltype(in.*member)>>(in.*member); }, field.member);
+  return value;
+}
+
+template <class T> void set_member(const Field<T> &field, const Value &value, T &out)
+{
+  std::visit([&](auto member) { out.*member = std::get<std::decay_t<decltype(out.*member)>>(value); },
+             field.member);
+}
+
+/// Fills a struct from a section: every row, its default, and a problem for each key nobody knows.
+/// `others` are keys of the section that somebody else reads, such as sub-sections.
+template <class T>
+void read(const Section &section, const std::vector<Field<T>> &fields, T &out, Reading &reading,
+          const std::vector<std::string> &others = {})
+{
+  report_missing_section(section, rows_of(fields), reading);
+  for (const Field<T> &field : fields)
+    if (const auto value = read_row(row_of(field), section, reading))
+      set_member(field, *value, out);
+  refuse_unknown_keys(section, rows_of(fields), others, reading);
+}
+
+/// The same rows backwards: "key = value" lines of resolved.toml, defaults marked.  `name` is the full section
+/// name.
+template <class T>
+std::string resolved_lines(const std::string &name, const std::vector<Field<T>> &fields, const T &in,
+                           const Reading &reading)
+{
+  std::string text;
+  for (const Field<T> &field : fields) {
+    const Row row       = row_of(field);
+    const auto toml     = toml_of(row, member_value(field, in));
+    const auto full_key = name.empty() ? row.key : name + "." + row.key;
+    if (toml.empty())
+      text += "# " + row.key + " is not given\n";
+    else
+      text += row.key + " = " + toml + (reading.places.count(full_key) ? "" : "  # default") + "\n";
+  }
+  return text;
+}
+
+/// Reads a section and appends it to the echo under `header`, for instance "[[pass]]".
+template <class T>
+void read_and_echo(const Section &section, const std::string &header, const std::vector<Field<T>> &fields, T &out,
+                   Reading &reading, const std::vector<std::string> &others = {})
+{
+  read(section, fields, out, reading, others);
+  reading.echo += "\n" + header + "\n" + resolved_lines(section.name, fields, out, reading);
+}
+}  // namespace mill

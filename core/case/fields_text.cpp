@@ -1,0 +1,201 @@
+#include "core/case/fields.h"
+#include "core/case/units.h"
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+// What rows look like in words and in TOML.
+namespace mill {
+namespace {
+bool has_range(const Range &range)
+{
+  return std::isfinite(range.min) || std::isfinite(range.max);
+}
+
+std::string with_unit(const double number, const std::string &form)
+{
+  const bool whole       = std::abs(number) < 1e10 && number == std::floor(number);  // 1000000 rather than 1e+06
+  const std::string text = whole ? fmt::format("{:.0f}", number) : number_text(number);
+  return form == "1" || form == "count" ? text : text + " " + form;
+}
+
+// Damerau-Levenshtein distance, adjacent exchanges counted as one slip.
+std::size_t slips_between(const std::string &a, const std::string &b)
+{
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+std::string scalar_toml(const double value, const std::string &form)
+{
+  return form == "1" ? number_text(value) : quoted(quantity_text(value, unit(form)));
+}
+}  // namespace
+
+std::string column_form(const Row &row, const int column)
+{
+  return row.kind == Kind::table ? split(row.form, ", ")[std::size_t(column)] : row.form;
+}
+
+std::string range_in(const Range &range, const std::string &form)
+{
+  if (!std::isfinite(range.max))
+    return "at least " + with_unit(range.min, form);
+  if (!std::isfinite(range.min))
+    return "at most " + with_unit(range.max, form);
+  return with_unit(range.min, form) + " .. " + with_unit(range.max, form);
+}
+
+std::string quoted(const std::string &text)
+{
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      out += '\\';
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      out += fmt::format("\\u{:04X}", static_cast<unsigned char>(c));
+    else
+      out += c;
+  }
+  return out + '"';
+}
+
+std::vector<std::string> split(const std::string &list, const std::string &separator)
+{
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t at; (at = list.find(separator, begin)) != std::string::npos; begin = at + separator.size())
+    parts.push_back(list.substr(begin, at - begin));
+  parts.push_back(list.substr(begin));
+  return parts;
+}
+
+std::string key_text(const std::string &key)
+{
+  const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](const unsigned char c) {
+    return (c < 0x80 && std::isalnum(c)) || c == '_' || c == '-';
+  });
+  return bare ? key : quoted(key);
+}
+
+std::string toml_of(const Row &row, const Value &value)
+{
+  switch (row.kind) {
+  case Kind::quantity:
+  case Kind::number: {
+    const double number = std::get<double>(value);
+    return std::isnan(number) ? "" : scalar_toml(number, row.form);
+  }
+  case Kind::count:
+    return std::to_string(std::get<int>(value));
+  case Kind::flag:
+    return std::get<bool>(value) ? "true" : "false";
+  case Kind::choice:
+  case Kind::text: {
+    const auto &text = std::get<std::string>(value);
+    return text.empty() && row.fallback.kind == Fallback::Kind::absent ? "" : quoted(text);
+  }
+  case Kind::path: {
+    // absolute, because nobody knows yet in which folder the text will stand
+    const auto &path = std::get<std::string>(value);
+    return path.empty() ? "" : quoted(std::filesystem::absolute(path).lexically_normal().string());
+  }
+  case Kind::pair: {
+    const auto &pair = std::get<std::array<double, 2>>(value);
+    if (std::isnan(pair[0]))
+      return "";
+    return "[" + scalar_toml(pair[0], row.form) + ", " + scalar_toml(pair[1], row.form) + "]";
+  }
+  case Kind::six: {
+    const auto &six = std::get<std::array<double, 6>>(value);
+    if (std::isnan(six[0]))
+      return "";
+    std::string text;
+    for (const double number : six)
+      text += (text.empty() ? "[" : ", ") + scalar_toml(number, row.form);
+    return text + "]";
+  }
+  case Kind::table: {
+    std::string text;
+    for (const auto &pair : std::get<std::vector<std::array<double, 2>>>(value))
+      text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", scalar_toml(pair[0], column_form(row, 0)),
+                          scalar_toml(pair[1], column_form(row, 1)));
+    return text.empty() ? "" : "[" + text + "]";
+  }
+  }
+  return "";
+}
+
+std::string example_toml(const Row &row)
+{
+  const bool in_quotes =
+      row.kind == Kind::quantity || row.kind == Kind::choice || row.kind == Kind::text || row.kind == Kind::path;
+  return in_quotes ? quoted(row.example) : row.example;
+}
+
+std::string default_toml(const Row &row)
+{
+  const auto value = default_of(row);
+  return value ? toml_of(row, *value) : "";
+}
+
+std::string suggestion(const std::string &word, const std::vector<std::string> &known)
+{
+  std::string best, list;
+  std::size_t fewest = word.size() / 3 + 1;  // more than a third of the letters wrong is another word
+  for (const std::string &candidate : known) {
+    list += (list.empty() ? "" : ", ") + candidate;
+    if (std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size()) >= fewest)
+      continue;  // each letter too many is a slip; a very long word would make the table of distances large
+    if (const auto slips = slips_between(word, candidate); slips < fewest) {
+      fewest = slips;
+      best   = candidate;
+    }
+  }
+  return best.empty() ? "; known: " + list : "; did you mean '" + best + "'?";
+}
+
+std::string needed(const Row &row)
+{
+  const std::string example = example_toml(row);
+  switch (row.kind) {
+  case Kind::quantity:
+    return fmt::format("{} is needed, for example {}", unit(row.form).quantity, example);
+  case Kind::number:
+    return fmt::format("a pure number is needed, for example {}", example);
+  case Kind::count:
+    return fmt::format("a whole number is needed, for example {}", example);
+  case Kind::flag:
+    return "true or false is needed";
+  case Kind::choice:
+    return fmt::format("one of {} is needed", row.form);
+  case Kind::text:
+  case Kind::path:
+    return fmt::format("a text in quotes is needed, for example {}", example);
+  case Kind::pair:
+    return fmt::format("a pair such as {} is needed", example);
+  case Kind::table:
+    return fmt::format("a list of pairs such as {} is needed", example);
+  case Kind::six:
+    return fmt::format("a list of six such as {} is needed", example);
+  }
+  return "";
+}
+
+std::string range_text(const Row &row)
+{
+  return has_range(row.range) ? range_in(row.range, row.kind == Kind::count ? "count" : column_form(row, 1)) : "";
+}
+}  // namespace mill

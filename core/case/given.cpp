@@ -1,0 +1,196 @@
+#include "core/case/given.h"
+#include "core/case/stand_reader.h"
+#include "core/case/units.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+// Keys of { value = "...", source = "...", ... }.
+struct GivenInput {
+  std::string source, at, method;
+  double error_estimate = not_given;  // -, relative
+};
+const std::vector<Field<GivenInput>> &table_rows()
+{
+  using T = GivenInput;
+  static const std::vector<Field<T>> rows{
+      {"source",         &T::source,         "text", {},      "given", "published",   "given, published, measured, assumed or computed"},
+      {"method",         &T::method,         "text", {},      absent,  "contact FEM", "how it was computed or assumed"                 },
+      {"at",             &T::at,             "text", {},      absent,  "976.2 kN",    "load or state it belongs to"                    },
+      {"error_estimate", &T::error_estimate, "1",    {0, 10}, absent,  "0.01",        "relative"                                       },
+  };
+  return rows;
+}
+
+std::vector<std::string> read_inputs(const Section &section, Reading &reading)
+{
+  std::vector<std::string> inputs;
+  const Node::Entry *entry = section.node->find("inputs");
+  if (!entry)
+    return inputs;
+  const auto &items = entry->value.items;
+  const bool is_list =
+      entry->value.kind == Node::Kind::array &&
+      std::all_of(items.begin(), items.end(), [](const Node &i) { return i.kind == Node::Kind::text; });
+  if (!is_list)
+    reading.add(entry->value.place,
+                fmt::format("{} = {} is no list of keys, for example [\"work_roll.barrel_diameter\"]",
+                            section.key("inputs"), shown(entry->value)));
+  else
+    for (const Node &item : items)
+      inputs.push_back(item.text);
+  return inputs;
+}
+
+Parameter read_table(const Row &row, const Section &section, Reading &reading)
+{
+  Parameter parameter;
+  GivenInput input;
+  read(section, table_rows(), input, reading, {"value", "inputs"});
+  Row value_row      = row;
+  value_row.key      = "value";
+  value_row.fallback = required;
+  if (const auto value = read_row(value_row, section, reading))
+    parameter.value = std::get<double>(*value);
+  if (!parse_source(input.source, parameter))
+    reading.add(
+        reading.place(section.key("source")),
+        fmt::format("{} is unknown; given, published, measured, \"assumed: why\" or \"computed: how\" is needed",
+                    reading.said(section.key("source"))));
+  if (!input.method.empty())
+    parameter.method = input.method;
+  parameter.at             = input.at;
+  parameter.error_estimate = input.error_estimate;
+  parameter.inputs         = read_inputs(section, reading);
+  return parameter;
+}
+
+// Value with its place; nothing when absent or refused.
+std::optional<GivenValue> read_one(const Row &row, const Section &given, Reading &reading)
+{
+  const Node::Entry *entry = given.node ? given.node->find(row.key) : nullptr;
+  if (!entry)
+    return std::nullopt;
+  GivenValue result;
+  result.place          = entry->value.place;
+  const std::string key = given.key(row.key);
+  const auto n_problems = reading.problems.size();
+  if (entry->value.kind == Node::Kind::table) {
+    result.parameter = read_table(row, {&entry->value, key}, reading);
+  } else if (const auto value = read_row(row, given, reading)) {
+    result.parameter.value  = std::get<double>(*value);
+    result.parameter.source = Source::given;
+  }
+  if (reading.problems.size() > n_problems) {
+    reading.bad.insert(key);
+    return std::nullopt;
+  }
+  result.parameter.unit = row.form == "kN/mm" || row.form == "N/mm" ? "N/m" : row.form;
+  reading.places[key]   = result.place;
+  return result;
+}
+
+// K1_tolerance beside K1; a value that keeps an error estimate of its own has no room for another.
+std::map<std::string, double> given_tolerances(const std::vector<Row> &rows, const Section &given,
+                                               Reading &reading)
+{
+  std::string echo;
+  std::swap(echo, reading.echo);  // resolved.toml says it as the error estimate of the value
+  const auto tolerance = read_tolerances(rows, given, reading);
+  std::swap(echo, reading.echo);
+  for (const auto &entry : tolerance) {
+    const std::string &key = entry.first;
+    const std::string own  = given.key(tolerance_key(key));
+    if (!given.node->find(key))
+      reading.add(reading.place(own), fmt::format("{} belongs to {}, which is not given; give both or neither",
+                                                  reading.said(own), given.key(key)));
+  }
+  return tolerance;
+}
+
+// One sentence for all that a lumped case lacks.
+void report_missing(const Section &given, const std::vector<Row> &rows, Reading &reading)
+{
+  std::string missing;
+  const Row *first = nullptr;
+  for (const Row &row : rows)
+    if (row.fallback.kind == Fallback::Kind::required && !(given.node && given.node->find(row.key))) {
+      missing += (missing.empty() ? "" : ", ") + row.key;
+      first = first ? first : &row;
+    }
+  if (!first)
+    return;
+  const std::string where = given.node ? "[given] lacks " : "the section [given] is missing; it needs ";
+  reading.add(given.node ? given.node->place : Place{reading.file},
+              fmt::format("{}{}; add for example {} = {}", where, missing, first->key, example_toml(*first)));
+}
+}  // namespace
+
+bool parse_source(const std::string &text, Parameter &parameter)
+{
+  const auto colon       = text.find(": ");
+  const std::string name = text.substr(0, colon);
+  for (const Source source :
+       {Source::computed, Source::given, Source::published, Source::measured, Source::assumed})
+    if (name == name_of(source)) {
+      parameter.source = source;
+      parameter.method = colon == std::string::npos ? "" : text.substr(colon + 2);
+      return true;
+    }
+  return false;
+}
+
+std::string given_toml(const Row &row, const Parameter &parameter)
+{
+  const std::string value = toml_of(row, parameter.value);
+  const bool plain = parameter.source == Source::given && parameter.method.empty() && parameter.at.empty() &&
+                     parameter.inputs.empty() && std::isnan(parameter.error_estimate);
+  if (plain)
+    return value;
+  std::string text = fmt::format("{{ value = {}, source = {}", value, quoted(source_text(parameter)));
+  if (!parameter.at.empty())
+    text += ", at = " + quoted(parameter.at);
+  if (!std::isnan(parameter.error_estimate))
+    text += ", error_estimate = " + number_text(parameter.error_estimate);
+  if (!parameter.inputs.empty()) {
+    std::string list;
+    for (const std::string &input : parameter.inputs)
+      list += (list.empty() ? "" : ", ") + quoted(input);
+    text += ", inputs = [" + list + "]";
+  }
+  return text + " }";
+}
+
+GivenValues read_given(const Node &root, const std::string &name, const std::string &kind, Reading &reading)
+{
+  GivenValues values;
+  const Section given = section_at(root, name, reading);
+  const auto &rows    = given_rows(kind, name == "published");
+  report_missing(given, rows, reading);
+  const bool replaces = name == "given";  // what only stands beside a result needs no error of its own
+  std::vector<std::string> others;
+  if (replaces)
+    for (const Row &row : tolerance_rows(rows))
+      others.push_back(row.key);
+  refuse_unknown_keys(given, rows, others, reading);
+  const auto tolerance = replaces ? given_tolerances(rows, given, reading) : std::map<std::string, double>();
+  reading.echo += "\n[" + name + "]\n";
+  for (const Row &row : rows)
+    if (auto value = read_one(row, given, reading)) {
+      if (const auto found = tolerance.find(row.key); found != tolerance.end()) {
+        const std::string error = given.key(row.key) + ".error_estimate";
+        if (!std::isnan(value->parameter.error_estimate))
+          contradict(reading, given.key(tolerance_key(row.key)), "says again, or otherwise, what stands there",
+                     {error});
+        value->parameter.error_estimate = found->second;
+      }
+      if (replaces && std::isnan(value->parameter.error_estimate))
+        value->parameter.error_lacks = {given.key(tolerance_key(row.key))};
+      values[row.key] = *value;
+      reading.echo += row.key + " = " + given_toml(row, value->parameter) + "\n";
+    }
+  return values;
+}
+}  // namespace mill

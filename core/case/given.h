@@ -1,0 +1,11 @@
+#pragma once
+#include "core/case/stand_rows.h"
+
+namespace mill {
+/// "published", "computed: contact FEM", "assumed: F/20" -> source and method.  False for anything else.
+bool parse_source(const std::string &text, Parameter &parameter);
+
+/// One value of [given] as TOML: a plain quantity when nothing is known but that it was given, else an inline
+/// table with value, source, at, error_estimate and inputs.
+std::string given_toml(const Row &row, const Parameter &parameter);
+}  // namespace mill

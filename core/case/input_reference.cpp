@@ -1,0 +1,254 @@
+#include "core/case/input_reference.h"
+#include "core/case/errors.h"
+#include "core/case/stand_rows.h"
+#include "core/case/units.h"
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+namespace mill {
+namespace {
+using Repeat = SectionRows::Repeat;
+
+std::string form_text(const Row &row)
+{
+  switch (row.kind) {
+  case Kind::quantity:
+    return row.form;
+  case Kind::number:
+    return "number";
+  case Kind::count:
+    return "whole number";
+  case Kind::flag:
+    return "true, false";
+  case Kind::choice:
+    return row.form;
+  case Kind::text:
+    return "text";
+  case Kind::path:
+    return "path";
+  case Kind::pair:
+    return "pair, " + row.form;
+  case Kind::table:
+    return "pairs, " + row.form;
+  case Kind::six:
+    return "six, " + row.form;
+  }
+  return "";
+}
+
+std::string default_text(const Row &row)
+{
+  if (row.fallback.kind == Fallback::Kind::required)
+    return "required";
+  return row.fallback.kind == Fallback::Kind::absent ? "-" : default_toml(row);
+}
+
+// In a table of markdown a bar would end the cell.
+std::string cell(std::string text)
+{
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
+    text.insert(at, "\\");
+  return text;
+}
+
+std::string header_of(const SectionRows &section)
+{
+  if (section.name.empty())
+    return "top of the file";
+  if (section.repeat == Repeat::list)
+    return "[[" + section.name + "]]";
+  return "[" + section.name + (section.repeat == Repeat::named ? ".NAME]" : "]");
+}
+
+std::string section_reference(const SectionRows &section)
+{
+  std::string text = fmt::format("\n### `{}`{}\n\n{}.\n\n| key | form | range | default | example | meaning |\n"
+                                 "|---|---|---|---|---|---|\n",
+                                 header_of(section), section.needed ? "" : ", may be left out", section.meaning);
+  for (const Row &row : section.rows) {
+    const std::string limits = range_text(row);
+    text += fmt::format("| `{}` | {} | {} | {} | `{}` | {} |\n", row.key, cell(form_text(row)),
+                        limits.empty() ? "-" : limits, default_text(row), cell(example_toml(row)), row.meaning);
+  }
+  return text;
+}
+
+// What the template of a kind says beyond the examples of the rows: it must run without any other file.
+struct Filled {
+  std::string header;
+  const SectionRows *section;
+  std::map<std::string, std::string> values;  // TOML, instead of the example
+  std::vector<std::string> shown;             // optional keys that are set all the same
+  bool off = false;                           // every line a comment: something else says it already
+};
+
+std::string template_line(const Row &row, const Filled &filled)
+{
+  const auto own       = filled.values.find(row.key);
+  const auto &shown    = filled.shown;
+  const bool has_value = row.fallback.kind != Fallback::Kind::absent || own != filled.values.end() ||
+                         std::find(shown.begin(), shown.end(), row.key) != shown.end();
+  std::string value = own != filled.values.end() ? own->second : example_toml(row);
+  if (own == filled.values.end() && row.fallback.kind != Fallback::Kind::required && !default_toml(row).empty() &&
+      std::find(shown.begin(), shown.end(), row.key) == shown.end())
+    value = default_toml(row);
+  const std::string limits = range_text(row);
+  const std::string choice = row.kind == Kind::choice ? row.form + "; " : "";
+  return fmt::format("{}{} = {}  # {}{}{}\n", has_value ? "" : "# ", row.key, value, choice, row.meaning,
+                     limits.empty() ? "" : "; " + limits);
+}
+
+std::string template_section(const Filled &filled)
+{
+  std::string text =
+      filled.header.empty() ? "" : fmt::format("\n{}  # {}\n", filled.header, filled.section->meaning);
+  for (const Row &row : filled.section->rows)
+    if (!is_tolerance(row.key))  // optional, and as many as there are values
+      text += template_line(row, filled);
+  if (filled.off)
+    for (std::size_t at = 1; at < text.size(); at = text.find('\n', at) + 1)
+      if (text.compare(at, 2, "# ") != 0)
+        text.insert(at, "# ");
+  return text;
+}
+
+// The sections of a kind with the values its template needs.
+std::vector<Filled> filled_sections(const std::string &kind, const std::vector<SectionRows> &sections)
+{
+  std::vector<Filled> all;
+  for (const SectionRows &section : sections) {
+    if (section.name == "strip.friction" || section.name == "housing" || section.name == "screwdown" ||
+        section.name == "variant") {
+      all.push_back({header_of(section), &section, {}, {}, true});  // [strip], [frame], [stand] say it in numbers
+    } else if (section.name == "stand" && kind == "chatter") {
+      all.push_back({
+          "[stand]", &section, {               },
+            { "masses", "stiffnesses", "dampings", "entry_distance", "exit_distance"}
+      });
+    } else if (section.name == "strip.flow_stress" && kind == "chatter") {
+      all.push_back({
+          "[strip.flow_stress]",
+          &section,
+          {{"law", "\"reduction-power\""}, {"k", "\"829.64 MPa\""}, {"eps0", "0.00817"}, {"n", "0.3"}},
+          {"k"          }
+      });
+    } else if (section.name == "strip" && kind == "chatter") {
+      all.push_back({"[strip]", &section, {}, {"initial_thickness"}});
+    } else if (section.name == "work_roll" && kind == "chatter") {
+      all.push_back({"[work_roll]", &section, {{"diameter", "\"600 mm\""}}, {}});
+    } else if (section.name == "analysis" && kind == "chatter") {
+      all.push_back({"[analysis]", &section, {}, {"speeds"}});
+    } else if (section.name == "bearing" && kind == "bearing") {
+      all.push_back({
+          "[bearing.trb]",
+          &section,
+          {                   },
+          { "bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile",
+                   "chock_width", "chock_height", "chock_length", "chock_support_width", "chock_support_gap"}
+      });
+    } else if (section.name == "load") {
+      all.push_back({"[load]", &section, {}, {"loads"}});
+    } else if (section.name == "bearing") {
+      all.push_back({
+          "[bearing.trb]",
+          &section,
+          {         },
+          { "bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile"}
+      });
+      all.push_back({
+          "[bearing.crb]",
+          &section,
+          {{"type", "\"four-row cylindrical\""},
+                   {"rollers_per_row", "32"},
+                   {"roller_length", "\"110 mm\""},
+                   {"roller_diameter", "\"75 mm\""}},
+          {                         }
+      });
+    } else if (section.name == "pass" && kind == "bite") {
+      all.push_back({"[[pass]]", &section, {}, {}});
+    } else if (section.name == "pass") {
+      all.push_back({"[[pass]]", &section, {{"synthetic", "true"}}, {"synthetic_range"}});
+      all.push_back({
+          "[[pass]]",
+          &section,
+          {{"name", "\"pass 2\""},
+                   {"synthetic", "true"},
+                   {"synthetic_range", "[\"733.705 kN\", \"742.280 kN\"]"},
+                   {"synthetic_seed", "2"}},
+          {                                            }
+      });
+    } else if (section.name.empty()) {
+      const std::string title = kind == "two-cylinders" ? "two cylinders"
+                                : kind == "lumped"      ? "lumped model"
+                                : kind == "bearing"     ? "four-row tapered roller bearing"
+                                : kind == "bite"        ? "roll bite"
+                                : kind == "chatter"     ? "chatter of a stand"
+                                                        : "four-high stand";
+      all.push_back({
+          "", &section, {{"kind", quoted(kind)}, {"title", quoted(title)}},
+            {                      }
+      });
+    } else if (section.name == "strip.flow_stress") {
+      all.push_back({"[strip.flow_stress]", &section, {}, {"k"}});
+    } else {
+      all.push_back({header_of(section), &section, {}, {}});
+    }
+  }
+  return all;
+}
+}  // namespace
+
+std::string template_of(const std::string &kind)
+{
+  const auto &kinds = case_kinds();
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+    throw InputError(fmt::format("there is no template for the kind '{}'{}", kind, suggestion(kind, kinds)));
+  const auto sections = sections_of(kind);
+  std::string text =
+      fmt::format("# A case of kind \"{}\" that runs as it is.  Quantities are texts with a unit.\n\n", kind);
+  for (const Filled &filled : filled_sections(kind, sections))
+    text += template_section(filled);
+  return text;
+}
+
+std::string input_reference()
+{
+  std::string text =
+      "# Input reference\n\n"
+      "Printed by the program from the rows that also read the case file (`core/case/stand_rows.cpp`,\n"
+      "`core/case/stand_sections.cpp`); a test compares this page with them.\n\n"
+      "A case is a TOML file. Every value with a unit is a text, `\"1450 mm\"`; counts and pure numbers are\n"
+      "bare. Any unit of the right dimension may be used; both ends of a range are allowed. Paths start at the\n"
+      "folder of the case file. A key nobody knows is an error.\n\n"
+      "## Units\n\n| quantity | units |\n|---|---|\n";
+  std::map<std::string, bool> seen;
+  for (const Unit &u : all_units()) {
+    std::string symbols;
+    if (seen[u.quantity])
+      continue;
+    seen[u.quantity] = true;
+    for (const Unit &other : all_units())
+      if (std::string(other.quantity) == u.quantity)
+        symbols += (symbols.empty() ? "`" : ", `") + std::string(other.symbol) + "`";
+    text += fmt::format("| {} | {} |\n", u.quantity, symbols);
+  }
+  text += "\n`N.s/m`, `N*s/m` and `N s/m` are one unit, the micro sign counts as `u`, and `g` is the standard\n"
+          "acceleration of free fall, 9.80665 m/s2.\n";
+  for (const std::string &kind : case_kinds()) {
+    text += fmt::format("\n## kind = \"{}\"\n", kind);
+    for (const SectionRows &section : sections_of(kind))
+      text += section_reference(section);
+  }
+  return text +
+         "\nA key `..._tolerance` of `[frame]` or `[given]` becomes the error estimate of its value and of what "
+         "follows\n"
+         "from it; without it such results state no error and say which key they lack.\n"
+         "\nA value of `[given]` or `[published]` is a quantity or a table that keeps where it comes from:\n"
+         "`K3 = { value = \"4.02e10 N/m\", source = \"computed: contact FEM\", at = \"976.2 kN\", "
+         "error_estimate = 0.01,\n"
+         "inputs = [\"work_roll.barrel_diameter\"] }`. `source` is `given`, `published`, `measured`, "
+         "`assumed` or `computed`,\n"
+         "the last two followed by a colon and the reason or method; `method` may be written separately.\n";
+}
+}  // namespace mill

@@ -1,0 +1,122 @@
+#include "core/numerics/require.h"
+#include "core/case/stand_reader.h"
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+// Kinds of the file format that later versions will read.
+const std::vector<std::string> later_kinds{"cluster"};
+
+std::string listed(const std::vector<std::string> &words)
+{
+  std::string text;
+  for (const std::string &word : words)
+    text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+// Without a known schema and kind nothing else in the file can be judged, so these throw at once.
+CaseHead read_head(const Section &top, Reading &reading)
+{
+  CaseHead head;
+  for (const Field<CaseHead> &field : head_rows())
+    if (const auto value = read_row(row_of(field), top, reading))
+      set_member(field, *value, head);
+  if (reading.usable({"schema"}) && head.schema != 1)
+    reading.add(
+        reading.place("schema"),
+        fmt::format("{} belongs to another version of the file format; this version reads schema = 1, whose "
+                    "keys are listed in docs/input.md",
+                    reading.said("schema")));
+  const auto &kinds = case_kinds();
+  if (std::find(later_kinds.begin(), later_kinds.end(), head.kind) != later_kinds.end())
+    reading.add(reading.place("kind"), fmt::format("{} is not handled by this version; it handles {}",
+                                                   reading.said("kind"), listed(kinds)));
+  else if (reading.usable({"kind"}) && std::find(kinds.begin(), kinds.end(), head.kind) == kinds.end())
+    reading.add(reading.place("kind"),
+                fmt::format("{} is unknown{}", reading.said("kind"), suggestion(head.kind, kinds)));
+  if (!reading.problems.empty())
+    throw InputError(std::move(reading.problems));
+  return head;
+}
+
+// First parts of the section names: what may stand at the top level of this kind.
+std::vector<std::string> top_names(const std::string &kind)
+{
+  std::vector<std::string> names;
+  for (const SectionRows &section : sections_of(kind)) {
+    const std::string first = section.name.substr(0, section.name.find('.'));
+    if (!first.empty() && std::find(names.begin(), names.end(), first) == names.end())
+      names.push_back(first);
+  }
+  return names;
+}
+}  // namespace
+
+Section section_at(const Node &root, const std::string &name, Reading &reading)
+{
+  const Node *node = &root;
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end    = std::min(name.find('.', begin), name.size());
+    const Node::Entry *entry = node->find(name.substr(begin, end - begin));
+    if (!entry)
+      return {nullptr, name};
+    if (entry->value.kind != Node::Kind::table) {
+      reading.add(entry->value.place,
+                  fmt::format("{} = {} is a value; a section [{}] is needed", name, shown(entry->value), name));
+      return {nullptr, name, true};
+    }
+    node  = &entry->value;
+    begin = end + 1;
+  }
+  return {node, name};
+}
+
+const RollerBearing &bearing_of(const std::vector<RollerBearing> &bearings, const std::string &name)
+{
+  const auto found = std::find_if(bearings.begin(), bearings.end(),
+                                  [&](const RollerBearing &bearing) { return bearing.name == name; });
+  require(found != bearings.end(), "there is no bearing " + name);  // the reader has checked every name
+  return *found;
+}
+
+Case read_case(const std::string &path, const std::vector<std::string> &sets)
+{
+  const Node root                    = read_case_file(path, sets);
+  const std::filesystem::path file   = path;
+  const std::filesystem::path folder = file.parent_path();
+  Reading reading;
+  reading.file   = path;
+  reading.folder = folder.empty() ? "." : folder.string();
+
+  Case result;
+  const Section top{&root, ""};
+  const CaseHead head = read_head(top, reading);
+  result.path         = path;
+  result.name         = file.stem().string();
+  result.kind         = head.kind;
+  result.title        = head.title;
+  refuse_unknown_keys(top, rows_of(head_rows()), top_names(head.kind), reading);
+  reading.echo = resolved_lines("", head_rows(), head, reading);
+
+  if (head.kind == "four-high")
+    result.spec = read_four_high(root, reading);
+  else if (head.kind == "lumped")
+    result.spec = read_lumped(root, reading);
+  else if (head.kind == "bearing")
+    result.spec = read_bearing_case(root, reading);
+  else if (head.kind == "bite")
+    result.spec = read_bite_case(root, reading);
+  else if (head.kind == "chatter")
+    result.spec = read_chatter(root, reading);
+  else
+    result.spec = read_two_cylinders(root, reading);
+  if (!reading.problems.empty())
+    throw InputError(std::move(reading.problems));
+  result.resolved = std::move(reading.echo);
+  result.places   = std::move(reading.places);
+  return result;
+}
+}  // namespace mill

@@ -1,0 +1,80 @@
+#pragma once
+#include "core/case/stand_rows.h"
+
+// Reading of the kinds of case, section by section.
+namespace mill {
+/// Section "contact.upper" below the root; its node is null when it is left out.  A value where a section is
+/// wanted becomes a problem.
+Section section_at(const Node &root, const std::string &name, Reading &reading);
+
+/// [[pass]]; `root` may have none.
+std::vector<Pass> read_passes(const Node &root, const std::vector<Field<PassInput>> &rows, Reading &reading);
+Strip read_strip(const Node &root, Reading &reading);
+BiteSetup read_bite_setup(const Node &root, Reading &reading);
+/// [housing] and [screwdown]; without the section nothing is given.
+MillHousing read_housing(const Node &root, const Material &steel, Reading &reading);
+Screwdown read_screwdown(const Node &root, Reading &reading);
+/// Keys of [frame] that need not be given beside them.
+/// @param backup_bearing  null: unknown
+std::vector<std::string> frame_keys_behind(bool housing, const Screwdown &screwdown,
+                                           const RollerBearing *backup_bearing);
+/// The chocks of [frame] beside a backup bearing that counts its own chock: not counted again, and said.
+void drop_counted_chocks(Frame &frame, RollerBearing &backup_bearing, const Reading &reading);
+/// Values of tolerance_rows(), by the keys of the quantities they belong to; appended to the echo.
+std::map<std::string, double> read_tolerances(const std::vector<Row> &rows, const Section &section,
+                                              Reading &reading);
+/// [frame]; what is needless and not given is NaN.
+Frame read_frame(const Node &root, const std::vector<std::string> &needless, Reading &reading);
+DynamicsSettings read_dynamics(const Node &root, const std::vector<Field<DynamicsSettings>> &rows,
+                               Reading &reading);
+/// [given] (replaces computed values) or [published] (stands beside them).
+GivenValues read_given(const Node &root, const std::string &name, const std::string &kind, Reading &reading);
+
+FourHigh read_four_high(const Node &root, Reading &reading);
+Lumped read_lumped(const Node &root, Reading &reading);
+TwoCylinders read_two_cylinders(const Node &root, Reading &reading);
+BearingCase read_bearing_case(const Node &root, Reading &reading);
+BiteCase read_bite_case(const Node &root, Reading &reading);
+ChatterCase read_chatter(const Node &root, Reading &reading);
+/// [stand] and [analysis] of a four-high, for chatter of its computed structure.
+StandSpan read_stand_span(const Node &root, Reading &reading);
+ChatterAnalysis read_chatter_analysis(const Node &root, Reading &reading);
+/// All [bearing.*], completed and checked.
+/// @param on_backup_roll  name of the one that carries the backup rolls
+std::vector<RollerBearing> read_bearings(const Node &root, const std::string &on_backup_roll, Reading &reading);
+/// Fills in what follows from the rest of a bearing: a member left out of the apex condition, the law and rings
+/// that its drawing allows, sizes of the chock.  Each is noted in `filled`.
+/// @param of_backup_roll  its chock is not carried on two feet
+void complete_bearing(RollerBearing &bearing, bool of_backup_roll, const Reading &reading);
+
+/// Two keys that cannot both be right: the problem stands at the first, the others are shown with it.
+void contradict(Reading &reading, const std::string &key, const std::string &why,
+                const std::vector<std::string> &others);
+std::string millimetres(double length);  ///< "4.5 mm"
+std::string degrees(double angle);       ///< "19.66 deg"
+
+// Checks between keys.  Each compares only values that were accepted, and names both places.
+void check_work_roll(const WorkRollInput &roll, Reading &reading);
+void check_backup_roll(const Roll &roll, Reading &reading);
+void check_bearing(const RollerBearing &bearing, Reading &reading);
+/// @param key  that names the bearing, "work_roll.bearing"
+void check_bearing_name(const std::string &key, const std::string &bearing,
+                        const std::vector<RollerBearing> &bearings, Reading &reading);
+void check_bearing_load(const BearingCase &spec, Reading &reading);
+void check_strip(const Strip &strip, Reading &reading);
+/// Keys that the laws of flow stress and friction cannot do without.
+void check_flow_and_friction(const Strip &strip, Reading &reading);
+/// A name that becomes part of file names.
+void check_names_a_file(const std::string &key, const std::string &name, Reading &reading);
+void check_pass_names(const std::vector<Pass> &passes, Reading &reading);
+/// Thicknesses, tensions and speed of every pass against the strip.
+void check_passes_in_bite(const std::vector<Pass> &passes, const Strip &strip, Reading &reading);
+void check_bite_setup(const BiteSetup &setup, const Friction &friction, Reading &reading);
+/// Forces of the passes and their files.
+void check_passes(const std::vector<Pass> &passes, Reading &reading);
+void check_contact(const std::string &section, const ContactSettings &contact, Reading &reading);
+/// Rolls against each other, bearings that are named, the strip, passes against strip and contacts.
+void check_four_high(const FourHigh &stand, Reading &reading);
+/// force_meaning = "published" needs K4 and C.
+void check_published_force(const DynamicsSettings &dynamics, const GivenValues &given, Reading &reading);
+}  // namespace mill

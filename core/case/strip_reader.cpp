@@ -1,0 +1,71 @@
+#include "core/case/stand_reader.h"
+
+namespace mill {
+namespace {
+// friction = 0.2, or a section [strip.friction] with a law.
+void read_friction(const Section &strip, StripInput &input, Reading &reading)
+{
+  const Node::Entry *entry = strip.node ? strip.node->find("friction") : nullptr;
+  if (!entry || entry->value.kind != Node::Kind::table) {
+    input.friction.coefficient = input.coulomb;
+    return;
+  }
+  const Section law = section_at(*strip.node, "friction", reading);
+  read_and_echo({law.node, "strip.friction"}, "[strip.friction]", friction_rows(), input.friction, reading);
+}
+
+// The rows of [strip] without the number that a section [strip.friction] stands for.
+std::vector<Field<StripInput>> rows_without_friction()
+{
+  auto rows = strip_rows();
+  rows.pop_back();
+  return rows;
+}
+}  // namespace
+
+Strip read_strip(const Node &root, Reading &reading)
+{
+  StripInput strip;
+  const Section section    = section_at(root, "strip", reading);
+  const Node::Entry *entry = section.node ? section.node->find("friction") : nullptr;
+  const bool has_law       = entry && entry->value.kind == Node::Kind::table;
+  read_and_echo(section, section.header(), has_law ? rows_without_friction() : strip_rows(), strip, reading,
+                has_law ? std::vector<std::string>{"flow_stress", "friction"}
+                        : std::vector<std::string>{"flow_stress"});
+  if (!section.node)
+    return strip;
+  const Section law = section_at(root, "strip.flow_stress", reading);
+  read_and_echo(law, law.header(), flow_stress_rows(), strip.flow_stress, reading);
+  read_friction(section, strip, reading);
+  return strip;
+}
+
+BiteSetup read_bite_setup(const Node &root, Reading &reading)
+{
+  BiteSetup setup;
+  const Section section = section_at(root, "bite", reading);
+  read_and_echo(section, section.header(), bite_rows(), setup, reading);
+  return setup;
+}
+
+BiteCase read_bite_case(const Node &root, Reading &reading)
+{
+  BiteCase spec;
+  BiteRollInput roll;
+  const Section steel = section_at(root, "steel", reading), work_roll = section_at(root, "work_roll", reading);
+  read_and_echo(steel, steel.header(), steel_rows(), spec.steel, reading);
+  read_and_echo(work_roll, work_roll.header(), bite_roll_rows(), roll, reading);
+  spec.roll_diameter = roll.diameter;
+  spec.strip         = read_strip(root, reading);
+  spec.passes        = read_passes(root, bite_pass_rows(), reading);
+  spec.bite          = read_bite_setup(root, reading);
+  spec.published     = read_given(root, "published", "bite", reading);
+  if (spec.passes.empty() && reading.usable({"pass"}))
+    reading.add(Place{reading.file}, "there is no [[pass]]; give at least its name");
+  check_pass_names(spec.passes, reading);
+  check_strip(spec.strip, reading);
+  check_passes_in_bite(spec.passes, spec.strip, reading);
+  check_bite_setup(spec.bite, spec.strip.friction, reading);
+  return spec;
+}
+}  // namespace mill

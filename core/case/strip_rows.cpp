@@ -1,0 +1,165 @@
+#include "core/case/stand_rows.h"
+
+// What is rolled, by which friction, and how the bite is computed.  Columns as in stand_rows.cpp.
+namespace mill {
+namespace {
+constexpr Range any{};
+}  // namespace
+
+const std::vector<Field<StripInput>> &strip_rows()
+{
+  using T = StripInput;
+  static const std::vector<Field<T>> rows{
+      {"width",             &T::width,           "mm",  {10, 6000},    required, "1000 mm", "width of the strip"},
+      {"entry_thickness",   &T::entry_thickness, "mm",  {0.01, 1000},  required, "8 mm",    "before the bite"   },
+      {"exit_thickness",
+       &T::exit_thickness,
+       "mm",                                            {0.005, 1000},
+       required,                                                                 "5 mm",
+       "behind the bite; with bite.arc = \"elastic\" the smallest thickness under load"                         },
+      {"entry_tension",     &T::entry_tension,   "MPa", {0, 2000},     0,        "0 MPa",   "back tension"      },
+      {"exit_tension",      &T::exit_tension,    "MPa", {0, 2000},     0,        "0 MPa",   "front tension"     },
+      {"initial_thickness",
+       &T::initial_thickness,
+       "mm",                                            {0.01, 1000},
+       absent,                                                                   "8 mm",
+       "thickness of zero strain; the entry thickness when absent"                                              },
+      {"youngs_modulus",
+       &T::youngs_modulus,
+       "GPa",                                           {1, 1000},
+       210,                                                                      "210 GPa",
+       "of the strip, for its elastic zones before and behind the bite"                                         },
+      {"poisson_ratio",     &T::poisson_ratio,   "1",   {0, 0.49},     0.3,      "0.3",     "of the strip"      },
+      {"friction",
+       &T::coulomb,
+       "1",                                             {0, 1},
+       required,                                                                 "0.2",
+       "Coulomb friction between roll and strip, or a section [strip.friction]"                                 },
+  };
+  return rows;
+}
+
+const std::vector<Field<FlowStress>> &flow_stress_rows()
+{
+  using T = FlowStress;
+  static const std::vector<Field<T>> rows{
+      {"law",   &T::law,  "constant | swift | ludwik | voce | power | reduction-power | table", any,            required,
+       "constant",                                                                                                                                                 "law of the plane-strain flow stress"       },
+      {"k",     &T::k,    "MPa",                                                                {0, 10000},     0,        "28 MPa",                                "the constant, or the factor of the law"    },
+      {"eps0",  &T::eps0, "1",                                                                  {0, 10},        0,        "0",                                     "strain offset of swift and reduction-power"},
+      {"n",     &T::n,    "1",                                                                  {0, 100},       0,        "0",                                     "exponent; rate of voce"                    },
+      {"k0",    &T::k0,   "MPa",                                                                {0, 10000},     0,        "0 MPa",                                 "initial value of ludwik and voce"          },
+      {"table",
+       &T::table,
+       "1, MPa",                                                                                {0.001, 10000},
+       absent,                                                                                                            R"([[0.0, "28 MPa"], [1.0, "28 MPa"]])",
+       "strain and stress, law table"                                                                                                                                                                          },
+  };
+  return rows;
+}
+
+const std::vector<Field<Friction>> &friction_rows()
+{
+  using T = Friction;
+  static const std::vector<Field<T>> rows{
+      {"law",                &T::law,           "coulomb | factor | speed | film", any,         required, "film",
+       "friction stress mu p, or m times the shear yield stress (factor); mu a number, by speed, or by oil film"                                                             },
+      {"coefficient",        &T::coefficient,   "1",                               {0, 1},      0,        "0.05",       "mu of coulomb"                                      },
+      {"shear_limit",
+       &T::shear_limit,
+       "1",                                                                        {0.01, 1},
+       1,                                                                                                 "1",
+       "largest friction stress over the shear yield stress, for the models that know one"                                                                                   },
+      {"entry_factor",       &T::entry_factor,  "1",                               {0, 1},      0,        "0.1",        "m before the neutral point, law factor"             },
+      {"exit_factor",        &T::exit_factor,   "1",                               {0, 1},      0,        "0.1",        "m behind the neutral point, law factor"             },
+      {"scale",
+       &T::scale,
+       "1",                                                                        {0, 100},
+       1,                                                                                                 "1",
+       "mu = scale (at_unit_speed + per_log_speed ln(v / (1 m/s))), law speed"                                                                                               },
+      {"at_unit_speed",      &T::at_unit_speed, "1",                               {0, 1},      0,        "0.066723",   "law speed"                                          },
+      {"per_log_speed",
+       &T::per_log_speed,
+       "1",                                                                        {-1, 1},
+       0,                                                                                                 "-0.00662",
+       "law speed; negative where friction falls with speed"                                                                                                                 },
+      {"mu0",                &T::mu0,           "1",                               {0, 1},      0,        "0.012",      "mu = mu0 + mu1 exp(-decay film thickness), law film"},
+      {"mu1",                &T::mu1,           "1",                               {0, 1},      0,        "0.142",      "law film"                                           },
+      {"decay",              &T::decay,         "1/um",                            {0, 1000},   0,        "2.43 1/um",  "law film"                                           },
+      {"viscosity",
+       &T::viscosity,
+       "Pa s",                                                                     {0, 100},
+       0,                                                                                                 "0.005 Pa s",
+       "of the oil at the inlet of the bite, law film"                                                                                                                       },
+      {"pressure_viscosity",
+       &T::pressure_viscosity,
+       "1/Pa",                                                                     {0, 1e-6},
+       0,                                                                                                 "2e-8 1/Pa",
+       "exponent of the oil's viscosity over pressure, law film"                                                                                                             },
+      {"film_factor",
+       &T::film_factor,
+       "1",                                                                        {0.01, 100},
+       3,                                                                                                 "3",
+       "factor of the inlet film, law film; 3 in the source of the law, 3/2 by Wilson and Walowit"                                                                           },
+  };
+  return rows;
+}
+
+const std::vector<Field<BiteSetup>> &bite_rows()
+{
+  using T = BiteSetup;
+  static const std::vector<Field<T>> rows{
+      {"method",           &T::method,  "fe | slab",                                       any,      "fe",            "fe",
+       "what gives K4: finite elements with slab theories beside them, or a slab theory alone"                                                                     },
+      {"theory",           &T::theory,  "bland-ford | hu-ehmann | karman | orowan | sims", any,      "karman",        "karman",
+       "slab theory that stands beside the finite elements, or gives K4"                                                                                           },
+      {"arc",              &T::arc,     "rigid | hitchcock | elastic",                     any,      "hitchcock",     "hitchcock",
+       "shape of the loaded roll: its own circle, a larger circle, or any"                                                                                         },
+      {"strip",            &T::strip,   "rigid-plastic | elastic-plastic",                 any,      "rigid-plastic", "rigid-plastic",
+       "strip of the finite-element bite; elastic-plastic for thin hard strip and light passes"                                                                    },
+      {"elements_along",
+       &T::elements_along,
+       "count",                                                                            {8, 200},
+       48,                                                                                                            "48",
+       "finite elements along the arc of contact; the elastic-plastic strip takes two thirds of them"                                                              },
+      {"elements_through",
+       &T::elements_through,
+       "count",                                                                            {2, 60},
+       12,                                                                                                            "12",
+       "finite elements through half the thickness; the elastic-plastic strip takes half of them"                                                                  },
+      {"samples",          &T::samples, "count",                                           {3, 101}, 9,               "9",             "points of each curve of K4"},
+      {"path_trim",
+       &T::path_trim,
+       "%",                                                                                {0, 45},
+       20,                                                                                                            "20 %",
+       "share of the contact path left out at each end for K4.path_plateau"                                                                                        },
+  };
+  return rows;
+}
+
+const std::vector<Field<BiteRollInput>> &bite_roll_rows()
+{
+  using T = BiteRollInput;
+  static const std::vector<Field<T>> rows{
+      {"diameter", &T::diameter, "mm", {10, 3000}, required, "420 mm", "of the barrel"},
+  };
+  return rows;
+}
+
+const std::vector<Field<PassInput>> &bite_pass_rows()
+{
+  static const std::vector<Field<PassInput>> rows = [] {
+    std::vector<Field<PassInput>> some;
+    for (const Field<PassInput> &row : pass_rows())
+      for (const char *key :
+           {"name", "load", "entry_thickness", "exit_thickness", "entry_tension", "exit_tension", "speed"})
+        if (std::string(row.key) == key)
+          some.push_back(row);
+    for (Field<PassInput> &row : some)
+      if (std::string(row.key) == "load")
+        row.meaning = "measured or published force to stand beside the computed one";
+    return some;
+  }();
+  return rows;
+}
+}  // namespace mill

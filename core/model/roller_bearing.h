@@ -1,0 +1,64 @@
+#pragma once
+#include "core/model/material.h"
+#include <array>
+#include <string>
+#include <vector>
+
+namespace mill {
+/// Roller bearing from what a catalogue gives, and the chock it sits in.  Radial bearings have both angles zero.
+struct RollerBearing {
+  std::string name;                        ///< the * of [bearing.*]
+  std::string type;                        ///< "four-row tapered" | "four-row cylindrical"
+  double bore                = not_given;  ///< m
+  double outside_diameter    = not_given;  ///< m
+  double width               = not_given;  ///< m
+  double pitch_diameter      = not_given;  ///< m, at mid-roller; absent: mean of bore and outside diameter
+  int rows                   = 4;
+  int rollers_per_row        = 0;
+  double roller_length       = 0;          ///< m, effective
+  double roller_total_length = not_given;  ///< m; absent: the effective length
+  double roller_diameter     = not_given;  ///< m, mean; absent: from the apex condition, where it can be
+  double roller_cone_angle   = 0;          ///< rad, included
+  double cup_angle           = 0;          ///< rad, contact angle on the outer ring
+  double rib_angle           = not_given;  ///< rad, of the rib's normal; absent: along the roller's axis
+  std::string row_hands      = "+-+-";     ///< axial direction in which each row carries, repeated over the rows
+  bool row_hands_assumed     = false;      ///< nobody said how the rows of a tapered bearing are arranged
+  double radial_clearance    = 0;          ///< m, diametral
+  double end_play            = not_given;  ///< m, axial; replaces radial_clearance
+  double preload             = not_given;  ///< N, axial, of each row; replaces radial_clearance
+  std::string profile        = "none";     ///< none | iso | log | lundberg | three-parameter | crown | table
+  double crown_drop          = not_given;  ///< m, drop of the roller end: crown, three-parameter
+  double profile_load  = not_given;  ///< N, on one roller, for which log, lundberg, three-parameter are ground
+  double profile_share = 1;          ///< -, three-parameter: crowned part of the length
+  std::vector<std::array<double, 2>> profile_table;  ///< m, (x from mid-roller, drop of one contact)
+  double youngs_modulus      = 206e9;    ///< Pa, bearing steel: rollers, rings, and with them neck and chock
+  double poisson_ratio       = 0.3;      ///< -
+  double yield_pressure      = 4e9;      ///< Pa, contact pressure that a raceway bears without a dent
+  std::string roller_law     = "iso";    ///< fe | iso | palmgren | elastic
+  std::string rings          = "rigid";  ///< elastic | rigid
+  int slices                 = 41;       ///< per roller
+  std::string chock          = "block";  ///< block | round | rigid: what holds the cup when the rings are elastic
+  double chock_width         = not_given;  ///< m, across the load
+  double chock_height        = not_given;  ///< m, along the load
+  double chock_length        = not_given;  ///< m, along the axis
+  double chock_support_width = not_given;  ///< m, of the face that carries the chock, centred on the load line
+  double chock_support_gap   = not_given;  ///< m, its middle part, which carries nothing: two feet; absent: none
+  bool chock_assumed         = false;  ///< nobody said what holds the cup, nor gave a size of it: a block is taken
+  bool support_assumed       = false;  ///< nobody said where the block is carried
+  std::vector<std::string> filled;     ///< sentences about what was not given and has been filled in
+};
+
+/// rad, cup angle at which the apex condition of a tapered bearing closes; NaN for a cylindrical one, without
+/// roller or pitch diameter, and where none closes.
+double closing_cup_angle(const RollerBearing &bearing);
+
+/// Whether the stiffness of the bearing counts its chock: then nothing else may.
+bool counts_its_chock(const RollerBearing &bearing);
+
+/// Arrangements of the rows in use: for two rows +- and -+, for four -+-+, +-+-, ++-- and --++, for another number
+/// these, repeated or cut; one row has none.
+std::vector<std::string> usual_arrangements(int rows);
+
+/// "+-+-, pairs of rows back to back (TQI)": hands cut or repeated to the rows, with the name of the arrangement.
+std::string arrangement_name(const std::string &row_hands, int rows);
+}  // namespace mill

@@ -1,0 +1,31 @@
+#pragma once
+#include "core/records/records.h"
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace mill {
+/// A numeric table with "name [unit]" headers, as this program writes it.
+struct Table {
+  std::vector<std::string> names;        ///< without unit
+  std::vector<std::string> units;        ///< as text, "" for a pure number
+  std::vector<Eigen::VectorXd> columns;  ///< all of one length
+  Table &add(std::string name, std::string unit, Eigen::VectorXd column);
+  const Eigen::VectorXd *column(const std::string &name) const;  ///< nullptr when absent
+};
+
+/// Text of a table: commas, 17 digits at most, '\n', header "name [unit]" in quotes where RFC 4180 wants them.
+std::string csv_text(const Table &table);
+/// Reads a file that csv_text wrote.  @throws InputError
+Table read_table(const std::string &path);
+
+/// A recorded rolling force: columns time and force with units in the header ("time [s], force [kN]").
+/// Separator comma, semicolon or tab, decimal comma with the latter two, BOM, CRLF and blank lines are understood.
+/// @throws InputError with file:line:column: no file, empty, header without a unit or with a wrong one, cell that
+/// is
+///         no number or empty or NaN, times not increasing (unsorted or doubled), fewer than two samples
+ForceRecord read_force(const std::string &path);
+
+/// A measured record: time, upper_work_roll, lower_work_roll (g or m/s2).  Errors as read_force.
+MeasuredRecord read_measured(const std::string &path);
+}  // namespace mill

@@ -1,0 +1,218 @@
+#pragma once
+#include "core/model/material.h"
+#include "core/records/mesh_file.h"
+#include "core/model/ring_sections.h"
+#include "core/model/roller_setup.h"
+#include "core/model/stand.h"
+#include "core/model/strip.h"
+
+// The members of the records that computations are made from, each list once.  A structured binding takes apart
+// the whole struct: a member that is added to it and not named here does not compile.  What a list leaves out
+// although it is named is no part of any answer; the line above says why.
+namespace mill {
+/// What of a material a body at rest has; for keys of static stages.
+struct ElasticConstants {
+  double youngs_modulus = 0;  ///< Pa
+  double poisson_ratio  = 0;  ///< -
+};
+
+inline ElasticConstants at_rest(const Material &material)
+{
+  return {material.youngs_modulus, material.poisson_ratio};
+}
+
+template <class Io> void each_member(Io &&io, const ElasticConstants &record)
+{
+  const auto &[youngs_modulus, poisson_ratio] = record;
+  io("youngs_modulus", youngs_modulus);
+  io("poisson_ratio", poisson_ratio);
+}
+
+// The yield stress is compared with pressures after they are computed.
+template <class Io> void each_member(Io &&io, const Material &record)
+{
+  const auto &[youngs_modulus, poisson_ratio, density, yield_stress] = record;
+  io("youngs_modulus", youngs_modulus);
+  io("poisson_ratio", poisson_ratio);
+  io("density", density);
+}
+
+template <class Io> void each_member(Io &&io, const FlowStress &record)
+{
+  const auto &[law, k, eps0, n, k0, table] = record;
+  io("law", law);
+  io("k", k);
+  io("eps0", eps0);
+  io("n", n);
+  io("k0", k0);
+  io("table", table);
+}
+
+template <class Io> void each_member(Io &&io, const Friction &record)
+{
+  const auto &[law, coefficient, shear_limit, entry_factor, exit_factor, scale, at_unit_speed, per_log_speed, mu0,
+               mu1, decay, viscosity, pressure_viscosity, film_factor] = record;
+  io("law", law);
+  io("coefficient", coefficient);
+  io("shear_limit", shear_limit);
+  io("entry_factor", entry_factor);
+  io("exit_factor", exit_factor);
+  io("scale", scale);
+  io("at_unit_speed", at_unit_speed);
+  io("per_log_speed", per_log_speed);
+  io("mu0", mu0);
+  io("mu1", mu1);
+  io("decay", decay);
+  io("viscosity", viscosity);
+  io("pressure_viscosity", pressure_viscosity);
+  io("film_factor", film_factor);
+}
+
+template <class Io> void each_member(Io &&io, const Strip &record)
+{
+  const auto &[width, entry_thickness, exit_thickness, entry_tension, exit_tension, initial_thickness,
+               youngs_modulus, poisson_ratio, flow_stress, friction] = record;
+  io("width", width);
+  io("entry_thickness", entry_thickness);
+  io("exit_thickness", exit_thickness);
+  io("entry_tension", entry_tension);
+  io("exit_tension", exit_tension);
+  io("initial_thickness", initial_thickness);
+  io("youngs_modulus", youngs_modulus);
+  io("poisson_ratio", poisson_ratio);
+  io("flow_stress", flow_stress);
+  io("friction", friction);
+}
+
+template <class Io> void each_member(Io &&io, const RollGeometry &record)
+{
+  const auto &[radius, half_length, neck_radius, neck_length, seat_centre, contact_half_length] = record;
+  io("radius", radius);
+  io("half_length", half_length);
+  io("neck_radius", neck_radius);
+  io("neck_length", neck_length);
+  io("seat_centre", seat_centre);
+  io("contact_half_length", contact_half_length);
+}
+
+template <class Io> void each_member(Io &&io, const RollerSetup &record)
+{
+  const auto &[diameter, length, contact_length, inner_radius, outer_radius, inner_depth, outer_depth, land,
+               material, largest_load, finest_load, elements_per_half_width, end_element, largest_element] =
+      record;
+  io("diameter", diameter);
+  io("length", length);
+  io("contact_length", contact_length);
+  io("inner_radius", inner_radius);
+  io("outer_radius", outer_radius);
+  io("inner_depth", inner_depth);
+  io("outer_depth", outer_depth);
+  io("land", land);
+  io("material", at_rest(material));
+  io("largest_load", largest_load);
+  io("finest_load", finest_load);
+  io("elements_per_half_width", elements_per_half_width);
+  io("end_element", end_element);
+  io("largest_element", largest_element);
+}
+
+template <class Io> void each_member(Io &&io, const RacewayLine &record)
+{
+  const auto &[middle, normal, along, hand] = record;
+  io("middle", middle);
+  io("normal", normal);
+  io("along", along);
+  io("hand", hand);
+}
+
+template <class Io> void each_member(Io &&io, const RingSection &record)
+{
+  const auto &[inner, raceways, length, land, seat_radius, half_width, depth] = record;
+  io("inner", inner);
+  io("raceways", raceways);
+  io("length", length);
+  io("land", land);
+  io("seat_radius", seat_radius);
+  io("half_width", half_width);
+  io("depth", depth);
+}
+
+template <class Io> void each_member(Io &&io, const Housing &record)
+{
+  const auto &[kind, radius, half_length, width, height, support_width, support_gap] = record;
+  io("kind", kind);
+  io("radius", radius);
+  io("half_length", half_length);
+  io("width", width);
+  io("height", height);
+  io("support_width", support_width);
+  io("support_gap", support_gap);
+}
+
+template <class Io> void each_member(Io &&io, const RingSections &record)
+{
+  const auto &[cone, cup, housing, material] = record;
+  io("cone", cone);
+  io("cup", cup);
+  io("housing", housing);
+  io("material", at_rest(material));
+}
+
+// Modulus and density as given are in `steel`, completed.
+template <class Io> void each_member(Io &&io, const MillHousing &record)
+{
+  const auto &[thickness, post_width, window_width, window_height, upper_beam_height, lower_beam_height,
+               fillet_radius, foot_height, screw_pad, seat_pad, modulus, density, steel] = record;
+  io("thickness", thickness);
+  io("post_width", post_width);
+  io("window_width", window_width);
+  io("window_height", window_height);
+  io("upper_beam_height", upper_beam_height);
+  io("lower_beam_height", lower_beam_height);
+  io("fillet_radius", fillet_radius);
+  io("foot_height", foot_height);
+  io("screw_pad", screw_pad);
+  io("seat_pad", seat_pad);
+  io("steel", steel);
+}
+
+// The two places are for messages.
+template <class Io> void each_member(Io &&io, const ContactSettings &record)
+{
+  const auto &[loads, samples, elements_per_half_width, length, at, tilt, load_offset, cross_angle, axis_offset,
+               friction, path_trim, loads_place, elements_place] = record;
+  io("loads", loads);
+  io("samples", samples);
+  io("elements_per_half_width", elements_per_half_width);
+  io("length", length);
+  io("at", at);
+  io("tilt", tilt);
+  io("load_offset", load_offset);
+  io("cross_angle", cross_angle);
+  io("axis_offset", axis_offset);
+  io("friction", friction);
+  io("path_trim", path_trim);
+}
+
+/// Of the settings of a bite what its finite elements follow.  Method and theory say who else is asked, samples
+/// and path_trim how the answer is shown.
+struct FlowSettings {
+  std::string arc, strip;
+  int elements_along = 0, elements_through = 0;
+};
+
+inline FlowSettings flow_settings(const BiteSetup &setup)
+{
+  const auto &[method, theory, arc, strip, elements_along, elements_through, samples, path_trim] = setup;
+  return {arc, strip, elements_along, elements_through};
+}
+
+template <class Io> void each_member(Io &&io, const FlowSettings &record)
+{
+  const auto &[arc, strip, elements_along, elements_through] = record;
+  io("arc", arc);
+  io("strip", strip);
+  io("elements_along", elements_along);
+  io("elements_through", elements_through);
+}
+}  // namespace mill

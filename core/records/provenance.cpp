@@ -1,0 +1,364 @@
+#include "core/records/provenance.h"
+#include "core/records/lumped_model.h"
+#include "core/case/stand_rows.h"
+#include <cmath>
+#include <fmt/format.h>
+#include <sstream>
+
+namespace mill {
+namespace {
+KeyList words_of(const std::string &names)
+{
+  std::istringstream words(names);
+  KeyList list;
+  for (std::string name; words >> name;)
+    list.push_back(name);
+  return list;
+}
+
+// All rows of a section but these.
+KeyList keys_but(const std::string &section, const std::vector<Row> &rows, const std::string &names)
+{
+  const KeyList without = words_of(names);
+  KeyList keys;
+  for (const Row &row : rows)
+    if (!holds(without, row.key))
+      keys.push_back(section + "." + row.key);
+  return keys;
+}
+
+std::string pass_section(const std::size_t p)
+{
+  return fmt::format("pass.{}", p);
+}
+
+KeyList elastic_steel()
+{
+  return keys_in("steel", "youngs_modulus poisson_ratio");
+}
+}  // namespace
+
+KeyList keys_in(const std::string &section, const std::string &names)
+{
+  KeyList keys = words_of(names);
+  for (std::string &key : keys)
+    key = section + "." + key;
+  return keys;
+}
+
+KeyList force_keys(const Pass &pass, const std::size_t p)
+{
+  const bool recorded = !pass.force_file.empty();
+  return keys_in(pass_section(p),
+                 recorded ? "force" : "synthetic_range synthetic_duration synthetic_bandwidth synthetic_seed");
+}
+
+KeyList load_keys(const Pass &pass, const std::size_t p)
+{
+  const KeyList own = keys_in(pass_section(p), "load");
+  return std::isnan(pass.load) ? joined(own, force_keys(pass, p)) : own;
+}
+
+KeyList load_keys_of_all(const std::vector<Pass> &passes)
+{
+  KeyList keys;
+  for (std::size_t p = 0; p < passes.size(); ++p)
+    keys = joined(keys, load_keys(passes[p], p));
+  return keys;
+}
+
+// Contact
+
+KeyList contact_keys(const FourHigh &stand, const std::string &name, const std::size_t p)
+{
+  // What sits on the ends of a roll, and profiles that another one replaces.
+  const auto not_read = [](const Roll &roll) {
+    std::string names = "bearing bearing_mass chock_mass_upper chock_mass_lower bearing_load bending_model";
+    if (!roll.crown_table.empty())
+      names += " crown crown_polynomial";
+    else if (!roll.crown_polynomial.empty())
+      names += " crown crown_table";
+    return roll.thermal_crown_table.empty() ? names : names + " thermal_crown";
+  };
+  const ContactSettings &own = name == "upper" ? stand.upper_contact : stand.lower_contact;
+  // Without a range of its own the sweep, and with it the mesh, is made for the loads of all passes.
+  const KeyList loads = std::isnan(own.loads[0]) ? load_keys_of_all(stand.passes) : load_keys(stand.passes[p], p);
+  return joined(elastic_steel(), keys_but("work_roll", rows_of(work_roll_rows()), not_read(stand.work_roll)),
+                keys_but("backup_roll", rows_of(backup_roll_rows()), not_read(stand.backup_roll)),
+                keys_in("strip", "width"),
+                keys_but("contact." + name, rows_of(roll_contact_rows()), "friction path_trim"), loads);
+}
+
+KeyList cylinder_keys(const std::string &result)
+{
+  const bool of_curve = result == "contact.line.tangent";
+  return joined(
+      keys_in("upper", "diameter"), keys_in("lower", "diameter"), elastic_steel(),
+      keys_in("contact.line", std::string("at loads elements_per_half_width") + (of_curve ? " samples" : "")));
+}
+
+// Bearings
+
+KeyList bearing_keys(const RollerBearing &b)
+{
+  const bool fe = b.roller_law == "fe", elastic = b.rings == "elastic", drawn = fe || elastic;
+  const bool three   = b.profile == "three-parameter";
+  const bool rounded = b.profile == "log" || b.profile == "lundberg" || three;
+  const bool tapered = b.type == "four-row tapered";
+  // Raceway pressures are compared with it afterwards.
+  std::string idle    = "yield_pressure rib_angle";
+  const auto not_read = [&](const bool condition, const char *names) {
+    idle += condition ? std::string(" ") + names : "";
+  };
+  not_read(b.profile == "none" && !fe, "slices");
+  not_read(b.profile != "table", "profile_table");
+  not_read(!(b.profile == "crown" || three), "crown_drop");
+  not_read(!three, "profile_share");
+  not_read(!rounded, "profile_load");
+  not_read(!std::isnan(b.end_play) || !std::isnan(b.preload), "radial_clearance");
+  not_read(!fe, "roller_total_length");
+  not_read(!drawn, "roller_cone_angle");
+  not_read(!drawn && !rounded && b.profile != "iso" && b.roller_law != "elastic", "roller_diameter");
+  not_read(!drawn && !rounded && b.roller_law != "elastic",
+           "bore outside_diameter pitch_diameter youngs_modulus poisson_ratio");
+  not_read(!tapered, "roller_cone_angle cup_angle row_hands end_play preload");
+  not_read(!drawn, "width row_hands");
+  not_read(!elastic, "chock");
+  not_read(!elastic || b.chock == "rigid", "chock_width chock_height chock_length");
+  not_read(!elastic || b.chock != "block", "chock_support_width chock_support_gap");
+  return keys_but("bearing." + b.name, rows_of(bearing_rows()), idle);
+}
+
+KeyList seat_load_keys(const FourHigh &stand, const bool backup, const std::string &contact, const std::size_t p)
+{
+  const ContactSettings &settings = contact == "upper" ? stand.upper_contact : stand.lower_contact;
+  const Roll &roll                = backup ? stand.backup_roll : stand.work_roll;
+  const bool bent                 = stand.work_roll.bending_force[0] + stand.work_roll.bending_force[1] != 0;
+  KeyList keys                    = keys_in(backup ? "backup_roll" : "work_roll", "bearing bearing_load");
+  if (!std::isnan(roll.bearing_load))
+    return keys;
+  if (backup || !bent || settings.axis_offset != 0)
+    keys = joined(keys, load_keys(stand.passes[p], p));
+  if (settings.axis_offset != 0)
+    keys = joined(keys, keys_in("work_roll", "barrel_diameter"), keys_in("backup_roll", "barrel_diameter"));
+  return joined(keys, keys_in("work_roll", "bending_force"), keys_in("contact." + contact, "axis_offset"));
+}
+
+KeyList seat_keys(const FourHigh &stand, const std::size_t i, const std::size_t p)
+{
+  const bool backup = i == 0 || i == 3;
+  const auto &b     = bearing_of(stand.bearings, (backup ? stand.backup_roll : stand.work_roll).bearing);
+  KeyList keys      = seat_load_keys(stand, backup, i < 2 ? "upper" : "lower", p);
+  if (b.roller_law == "fe") {  // one mesh for the heaviest load that any pass puts on this bearing
+    keys = joined(keys, KeyList{"work_roll.bearing", "backup_roll.bearing"});
+    for (std::size_t other = 0; other < stand.passes.size(); ++other)
+      for (const bool at_backup : {false, true})
+        if ((at_backup ? stand.backup_roll : stand.work_roll).bearing == b.name)
+          keys = joined(keys, seat_load_keys(stand, at_backup, "upper", other),
+                        seat_load_keys(stand, at_backup, "lower", other));
+  }
+  return joined(keys, bearing_keys(b));
+}
+
+KeyList seat_across_keys(const FourHigh &stand, const std::size_t i, const std::size_t p)
+{
+  const Roll &roll = i == 0 || i == 3 ? stand.backup_roll : stand.work_roll;
+  return joined(seat_keys(stand, i, p), keys_in("bearing." + roll.bearing, "slices"));
+}
+
+KeyList bearing_case_keys(const BearingCase &spec)
+{
+  const RollerBearing &b = bearing_of(spec.bearings, spec.load.bearing);
+  KeyList keys           = bearing_keys(b);
+  if (spec.load.tilt != 0 || spec.load.axial != 0)
+    keys = joined(keys, keys_in("bearing." + b.name, "width row_hands pitch_diameter slices"));
+  for (const Row &row : rows_of(bearing_model_rows()))  // [model] says again what the bearing says
+    if (holds(keys, "bearing." + b.name + "." + row.key))
+      keys.push_back("model." + row.key);
+  const char *swept = b.roller_law == "fe" ? "loads" : "";  // the mesh is made for the largest of them
+  return joined(keys_in("load", std::string("bearing radial axial tilt cage_angle ") + swept), keys);
+}
+
+// Bite
+
+KeyList strip_law_keys(const Strip &strip)
+{
+  const std::string &flow = strip.flow_stress.law, &rub = strip.friction.law;
+  std::string names = "flow_stress.law friction.law friction.shear_limit";
+  const auto add    = [&](const bool used, const char *more) { names += used ? std::string(" ") + more : ""; };
+  add(flow == "table", "flow_stress.table initial_thickness");
+  add(flow != "table", "flow_stress.k");
+  add(flow != "table" && flow != "constant", "flow_stress.n initial_thickness");
+  add(flow == "swift" || flow == "reduction-power", "flow_stress.eps0");
+  add(flow == "ludwik" || flow == "voce", "flow_stress.k0");
+  add(rub == "coulomb", "friction friction.coefficient");
+  add(rub == "factor", "friction.entry_factor friction.exit_factor");
+  add(rub == "speed", "friction.scale friction.at_unit_speed friction.per_log_speed");
+  add(rub == "film", "friction.mu0 friction.mu1 friction.decay friction.viscosity friction.pressure_viscosity "
+                     "friction.film_factor");
+  return keys_in("strip", names);
+}
+
+bool follows_width(const std::string &quantity)
+{
+  return quantity.rfind("force", 0) == 0 || quantity == "torque" || quantity == "plastic_slope";
+}
+
+KeyList slab_keys(const BiteRun &bite)
+{
+  const std::string both = "entry_thickness exit_thickness entry_tension exit_tension";
+  const std::string &rub = bite.strip.friction.law;
+  const bool fast        = rub == "speed" || rub == "film";
+  return joined(bite.whole_width ? keys_in("strip", "width") : KeyList{}, keys_in("strip", both),
+                strip_law_keys(bite.strip), keys_in(pass_section(bite.pass), both + (fast ? " speed" : "")),
+                KeyList{bite.roll_key}, elastic_steel(), keys_in("bite", "arc"),
+                bite.setup.arc == "elastic" ? keys_in("strip", "youngs_modulus poisson_ratio") : KeyList{});
+}
+
+KeyList bite_keys(const BiteRun &bite)
+{
+  const KeyList keys = joined(slab_keys(bite), keys_in("bite", "method"));
+  if (bite.setup.method != "fe")
+    return joined(keys, keys_in("bite", "theory"));
+  const bool elastic = bite.setup.strip == "elastic-plastic";
+  return joined(keys, keys_in("bite", "strip elements_along elements_through"),
+                elastic ? keys_in("strip", "youngs_modulus poisson_ratio") : KeyList{});
+}
+
+// Chain
+
+KeyList mass_shape_keys(const DynamicsSettings &dynamics)
+{
+  return keys_in("dynamics",
+                 dynamics.mass_source == "fe" ? "mass_source frequency_limit elements_per_radius" : "mass_source");
+}
+
+KeyList detailed_model_keys()
+{
+  return keys_in("dynamics", "model frequency_limit elements_per_radius");
+}
+
+std::vector<std::string> chain_parts(const DynamicsSettings &dynamics, const Half half)
+{
+  const bool measured = dynamics.force_meaning == "measured", apart = measured && dynamics.frame == "open";
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < 6; ++i)
+    if (!apart || (i < 3) == (half == Half::upper))
+      parts.push_back(fmt::format("M{}", i + 1));
+  for (std::size_t i = 0; i < 7; ++i)
+    if ((i != 3 || !measured) && (!apart || (i < 3) == (half == Half::upper)))
+      parts.push_back(fmt::format("K{}", i + 1));
+  return parts;
+}
+
+KeyList chain_mode_keys(const LumpedModel &model, const DynamicsSettings &dynamics, const Half half)
+{
+  KeyList keys;
+  for (const std::string &part : chain_parts(dynamics, half)) {
+    const auto i = std::size_t(part[1] - '1');
+    keys         = joined(keys, (part[0] == 'M' ? model.M[i] : model.K[i]).inputs);
+  }
+  return joined(keys, keys_in("dynamics", "force_meaning frame"));
+}
+
+std::vector<std::size_t> rolls_in(const std::string &label)
+{
+  const char *const rolls[] = {"upper backup roll", "upper work roll", "lower work roll", "lower backup roll"};
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (label.find(rolls[i]) != std::string::npos)
+      found.push_back(i);
+  return found;
+}
+
+KeyList chock_seat_keys(const std::string &label, const bool seat_given)
+{
+  KeyList keys;
+  for (const std::size_t roll : rolls_in(label)) {
+    if (roll == 0 || roll == 3)
+      continue;
+    keys.push_back("frame.chock_to_housing_stiffness");
+    if (seat_given)
+      keys.push_back(roll == 1 ? "work_roll.chock_mass_upper" : "work_roll.chock_mass_lower");
+  }
+  return keys;
+}
+
+KeyList horizontal_mode_keys(const LumpedModel &model, const std::string &label, const bool seat_given)
+{
+  KeyList keys = chock_seat_keys(label, seat_given);
+  for (const std::size_t roll : rolls_in(label))
+    keys =
+        joined(keys, model.M[roll + 1].inputs,
+               std::isnan(model.Kzc_across[roll].value) ? model.Kzc[roll].inputs : model.Kzc_across[roll].inputs);
+  return keys;
+}
+
+KeyList of_kind(const KeyList &keys, const std::string &kind)
+{
+  std::vector<std::string> sections;
+  for (const SectionRows &section : sections_of(kind))
+    sections.push_back(section.name);
+  KeyList known;
+  for (const std::string &key : keys) {
+    const bool there = std::any_of(sections.begin(), sections.end(), [&](const std::string &section) {
+      return !section.empty() && key.rfind(section + ".", 0) == 0;
+    });
+    if (there && (kind != "lumped" || !holds(detailed_model_keys(), key)))
+      known.push_back(key);
+  }
+  return known;
+}
+
+KeyList response_keys(const DynamicsSettings &dynamics, const Pass &pass, const std::size_t p)
+{
+  const KeyList keys =
+      joined(force_keys(pass, p), keys_in("dynamics", "modal_damping force_meaning frame output_rate model"),
+             dynamics.model != "six-mass" ? detailed_model_keys() : KeyList{});
+  return dynamics.force_meaning == "measured" ? keys : joined(keys, KeyList{"given.C"});
+}
+
+void set_given_inputs(GivenValues &given)
+{
+  for (auto &[name, value] : given)
+    value.parameter.inputs = {"given." + name};
+}
+
+void set_given_inputs(LumpedModel &model)
+{
+  const auto set = [](auto &list, const char *letter) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+      list[i].inputs = {fmt::format("given.{}{}", letter, i + 1)};
+  };
+  set(model.M, "M");
+  set(model.K, "K");
+  set(model.Kzc, "Kzc");
+  model.C.inputs = {"given.C"};
+}
+
+// Chatter
+
+KeyList chatter_bite_keys(const ChatterCase &spec, const std::size_t i)
+{
+  KeyList keys = joined(keys_in("work_roll", "diameter"), elastic_steel());
+  for (const std::string &key : strip_law_keys(spec.strip)) {
+    const std::string film = "strip.friction.", name = key.substr(key.rfind('.') + 1);
+    if (spec.strip.friction.law != "film" || key.rfind(film, 0) != 0)
+      keys.push_back(key);
+    else if (name == "viscosity" || name == "pressure_viscosity" || name == "film_factor")
+      keys.push_back("oil." + name);
+    else if (name == "mu0" || name == "mu1" || name == "decay")
+      keys.push_back("oil.friction." + name);
+  }
+  return joined(keys, keys_in(fmt::format("condition.{}", i),
+                              "entry_thickness exit_thickness entry_tension exit_tension width"));
+}
+
+KeyList chatter_stand_keys(const ChatterCase &spec)
+{
+  const std::string body = spec.model ? "from" : "masses stiffnesses";
+  const bool dampers     = !spec.model || !std::isnan(spec.stand.dampings[0]);
+  return joined(keys_in("stand", "entry_distance exit_distance " + body + (dampers ? " dampings" : "")),
+                keys_in("strip", "youngs_modulus"), keys_in("analysis", "linearisation"));
+}
+}  // namespace mill

@@ -1,0 +1,110 @@
+#pragma once
+#include "core/model/stand.h"
+#include <algorithm>
+#include <string>
+#include <vector>
+
+// Which keys of the case stand behind a result.  A run writes these lists as `inputs`, a trace follows the same
+// ones. A list starts from all rows of a section, less those that the computation does not read: a new row is in
+// it unless somebody says otherwise.
+namespace mill {
+using KeyList = std::vector<std::string>;
+
+/// "frame", "a b" -> frame.a, frame.b
+KeyList keys_in(const std::string &section, const std::string &names);
+
+inline bool holds(const KeyList &list, const std::string &key)
+{
+  return std::find(list.begin(), list.end(), key) != list.end();
+}
+
+/// All keys of the lists in order, each once.
+template <class... Lists> KeyList joined(const Lists &...lists)
+{
+  KeyList all;
+  const auto add = [&](const KeyList &list) {
+    for (const std::string &key : list)
+      if (!holds(all, key))
+        all.push_back(key);
+  };
+  (add(lists), ...);
+  return all;
+}
+
+/// The record of a pass, or what its noise is made from.
+KeyList force_keys(const Pass &pass, std::size_t p);
+/// What the working load of a pass is made from: its own key, or the record whose mean it is.
+KeyList load_keys(const Pass &pass, std::size_t p);
+KeyList load_keys_of_all(const std::vector<Pass> &passes);
+
+/// Contact of the rolls by finite elements: K3.*, K5.* and contact.NAME.* of a pass.  Both ways of holding the
+/// rolls are solved on one mesh, whose patch must hold the wider contact, so all results have one list.
+/// @param name  "upper" or "lower"
+KeyList contact_keys(const FourHigh &stand, const std::string &name, std::size_t p);
+/// The same of kind "two-cylinders".
+/// @param result  "contact.line.tangent": the slope of a curve knows how it was sampled
+KeyList cylinder_keys(const std::string &result);
+
+/// A bearing by the model of its case: FE law or a formula, elastic or rigid rings.
+KeyList bearing_keys(const RollerBearing &bearing);
+/// Radial load of one bearing in a stand, and which bearing it is.
+/// @param contact  "upper" or "lower"
+KeyList seat_load_keys(const FourHigh &stand, bool backup, const std::string &contact, std::size_t p);
+/// Kzc1 .. Kzc4 of a stand, i = 0 .. 3, under the load of a pass.
+KeyList seat_keys(const FourHigh &stand, std::size_t i, std::size_t p);
+/// Kzc1_across .. Kzc4_across: rollers beside the load line press their slices unevenly whatever their profile.
+KeyList seat_across_keys(const FourHigh &stand, std::size_t i, std::size_t p);
+/// Kzc.* of kind "bearing".
+KeyList bearing_case_keys(const BearingCase &spec);
+
+/// Flow stress and friction: the keys that their laws read, and the speed of the pass where friction depends on
+/// it.
+KeyList strip_law_keys(const Strip &strip);
+/// One pass of a bite, whoever computes it.
+struct BiteRun {
+  const Strip &strip;
+  const BiteSetup &setup;
+  std::size_t pass = 0;
+  std::string roll_key;  ///< "work_roll.barrel_diameter"
+  bool whole_width =
+      true;  ///< a force, a torque or a stiffness; false: pressure, slip and others that know no width
+};
+/// Whether a quantity of the bite is one of the whole width.
+bool follows_width(const std::string &quantity);
+/// Results of the model that gives K4.
+KeyList bite_keys(const BiteRun &bite);
+/// Results of a slab theory beside it.
+KeyList slab_keys(const BiteRun &bite);
+
+/// What the shapes behind M2..M5 are made with, beside the drawing and the springs.
+KeyList mass_shape_keys(const DynamicsSettings &dynamics);
+/// What beams and reduced finite elements are made with, beside the drawing and the springs.
+KeyList detailed_model_keys();
+
+/// A mode or a response of the six-mass chain follows the whole chain; with the measured force the bite has no
+/// spring, and in an open frame nothing else joins the upper half to the lower one.
+enum class Half { upper, lower };
+/// Numbers of the chain, "M1" .. "K7".
+std::vector<std::string> chain_parts(const DynamicsSettings &dynamics, Half half);
+/// The keys behind those numbers, and what joins them.
+KeyList chain_mode_keys(const LumpedModel &model, const DynamicsSettings &dynamics, Half half);
+/// Rolls that a horizontal mode is named after: 0 upper backup, 1 upper work, 2 lower work, 3 lower backup.
+std::vector<std::size_t> rolls_in(const std::string &label);
+/// What a horizontal mode has beside mass and bearing of its roll: the seat of the work rolls' chocks.
+KeyList chock_seat_keys(const std::string &label, bool seat_given);
+/// All of it.
+KeyList horizontal_mode_keys(const LumpedModel &model, const std::string &label, bool seat_given);
+/// Those of the keys that a case of this kind has: a lumped model knows neither frame nor other models of the
+/// stand.
+KeyList of_kind(const KeyList &keys, const std::string &kind);
+/// Keys that a response has beside those of its chain.
+KeyList response_keys(const DynamicsSettings &dynamics, const Pass &pass, std::size_t p);
+
+/// A given value has its own key as its only input.
+void set_given_inputs(GivenValues &given);
+void set_given_inputs(LumpedModel &model);
+
+/// Condition i of kind "chatter": its bite, what stands around it, and the range of speeds searched.
+KeyList chatter_bite_keys(const ChatterCase &spec, std::size_t i);
+KeyList chatter_stand_keys(const ChatterCase &spec);
+}  // namespace mill

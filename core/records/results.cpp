@@ -1,0 +1,66 @@
+#include "core/records/results.h"
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace mill {
+namespace {
+using nlohmann::ordered_json;
+
+ordered_json json_of(const Parameter &parameter)
+{
+  ordered_json json{
+      {"value",  parameter.value       },
+      {"unit",   parameter.unit        },
+      {"source", source_text(parameter)},
+      {"at",     parameter.at          }
+  };
+  json["error_estimate"] = parameter.error_estimate;  // NaN, none can be stated, becomes null
+  if (!parameter.error_lacks.empty())
+    json["error_lacks"] = parameter.error_lacks;  // why there is none
+  json["inputs"] = parameter.inputs;
+  if (!parameter.checks.empty()) {
+    json["checks"] = ordered_json::array();
+    for (const Check &check : parameter.checks)
+      json["checks"].push_back({
+          {"name",  check.name },
+          {"value", check.value},
+          {"note",  check.note }
+      });
+  }
+  return json;
+}
+}  // namespace
+
+void Results::add(const std::string &name, Parameter parameter)
+{
+  if (find(name))
+    throw std::logic_error("the result " + name + " is made twice");
+  values.emplace_back(name, std::move(parameter));
+}
+
+const Parameter *Results::find(const std::string &name) const
+{
+  for (const auto &[known, parameter] : values)
+    if (known == name)
+      return &parameter;
+  return nullptr;
+}
+
+std::string results_json(const Results &results, const std::string &case_name, const std::string &status,
+                         const std::string &run_id)
+{
+  ordered_json json{
+      {"schema", 1        },
+      {"case",   case_name},
+      {"status", status   }
+  };
+  if (!run_id.empty())
+    json["run_id"] = run_id;
+  json["values"] = ordered_json::object();
+  for (const auto &[name, parameter] : results.values)
+    json["values"][name] = json_of(parameter);
+  json["warnings"]    = results.warnings;
+  json["assumptions"] = results.assumptions;
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+}  // namespace mill

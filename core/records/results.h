@@ -1,0 +1,22 @@
+#pragma once
+#include "core/records/parameter.h"
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mill {
+/// All scalar results of a run in the order they were computed.  Names are those of the product's contract.
+struct Results {
+  std::vector<std::pair<std::string, Parameter>> values;
+  std::vector<std::string> warnings;     ///< one sentence each, shown in the status banner
+  std::vector<std::string> assumptions;  ///< what nobody knows and the run had to assume, one sentence each
+  void add(const std::string &name, Parameter parameter);  ///< a name twice is our bug
+  const Parameter *find(const std::string &name) const;    ///< nullptr when absent
+};
+
+/// results.json, schema 1: 17 digits, UTF-8, '\n'; NaN is written as null.
+/// @param run_id  which run the file is of (core/records/run_identity.h); empty: left out
+std::string results_json(const Results &results, const std::string &case_name, const std::string &status,
+                         const std::string &run_id = "");
+}  // namespace mill

@@ -1,0 +1,77 @@
+#include "core/records/run_identity.h"
+#include "core/case/errors.h"
+#include "core/records/files.h"
+#include "core/records/result_folder.h"
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+namespace {
+const std::string id_head = "# run_id ";
+}
+
+std::string run_id_line(const std::string &run_id)
+{
+  return id_head + run_id + "\n";
+}
+
+std::string run_id_of_toml(const std::string &text)
+{
+  if (text.rfind(id_head, 0) != 0)
+    return "";
+  const auto end = std::min(text.find_first_of("\r\n"), text.size());
+  return text.substr(id_head.size(), end - id_head.size());
+}
+
+void require_one_run(const std::string &file, const std::string &run_id, const std::string &other_file,
+                     const std::string &other_run_id)
+{
+  if (run_id.empty() || other_run_id.empty() || run_id == other_run_id)
+    return;
+  throw InputError(Place{file},
+                   fmt::format("is of run {}, but {} beside it of run {}: the folder mixes two runs; run "
+                               "the case again",
+                               run_id, fs::path(other_file).filename().string(), other_run_id));
+}
+
+void require_unmixed(const std::string &path, const std::string &text)
+{
+  const fs::path file = path, folder = file.parent_path();
+  const auto &names = result_names();
+  if (std::find(names.begin(), names.end(), file.filename().string()) == names.end())
+    return;
+  require_published(folder.string());
+  const std::string manifest = (folder / "run.json").string();
+  const auto json            = nlohmann::json::parse(text_if_readable(manifest).value_or(""), nullptr, false);
+  if (json.is_object() && json.contains("run_id") && json["run_id"].is_string())
+    require_one_run(path, run_id_of_toml(text), manifest, json["run_id"].get<std::string>());
+}
+
+std::map<std::string, std::string> checksums_below(const std::string &directory)
+{
+  std::map<std::string, std::string> sums;
+  for (const char *part : {"curves", "response", "fields"})
+    if (fs::is_directory(fs::path(directory) / part))
+      for (const auto &entry : fs::directory_iterator(fs::path(directory) / part))
+        if (entry.is_regular_file())
+          sums[part + ("/" + entry.path().filename().string())] = hash_of(read_text(entry.path().string()));
+  return sums;
+}
+
+void require_unchanged(const std::string &directory, const std::map<std::string, std::string> &checksums,
+                       const std::string &run_id)
+{
+  for (const auto &[name, sum] : checksums) {
+    const std::string path = directory + "/" + name;
+    if (fs::exists(path) && hash_of(read_text(path)) != sum)
+      throw InputError(Place{path},
+                       fmt::format("is not the file that run {} wrote: it was changed since, or is of "
+                                   "another run; run the case again, or put the file back",
+                                   run_id));
+  }
+}
+}  // namespace mill

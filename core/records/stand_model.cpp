@@ -1,0 +1,11 @@
+#include "core/records/stand_model.h"
+
+namespace mill {
+Eigen::MatrixXd stiffness_of(const StandModel &stand)
+{
+  Eigen::MatrixXd K = stand.K_parts;
+  for (const Connection &c : stand.connections)
+    K.noalias() += c.rows.transpose() * c.stiffness.asDiagonal() * c.rows;
+  return K;
+}
+}  // namespace mill

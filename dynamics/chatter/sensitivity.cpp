@@ -1,0 +1,303 @@
+#include "dynamics/chatter/sensitivity.h"
+#include "core/case/errors.h"
+#include "core/process/parallel.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill::dynamics {
+namespace {
+using bite::PassNumber;
+using Complex = std::complex<double>;
+
+/// One input, or several that go together: what of it is in the bite, in the structure, in the strip.
+struct Lever {
+  std::string key, name, unit;
+  double value = 0;  ///< SI
+  std::vector<PassNumber> bite;
+  const StructureNumber *structure = nullptr;
+  bool entry_distance = false, exit_distance = false, strip_modulus = false;
+};
+
+Lever lever_of(const bite::RollBite &bite, const PassNumber number)
+{
+  const auto [key, name, unit] = name_of(number);
+  const double diameter        = number == PassNumber::roll_radius ? 2 : 1;
+  return {key, name, unit, diameter * value_of(bite, number), {number}};
+}
+
+std::vector<Lever> levers_of(const ChatterStandModel &stand, const std::vector<StructureNumber> &numbers,
+                             const bite::RollBite &bite)
+{
+  std::vector<Lever> all;
+  for (const PassNumber number : numbers_of(bite))
+    all.push_back(lever_of(bite, number));
+  const auto together = [&](const char *key, const char *name, const PassNumber a, const PassNumber b) {
+    if (value_of(bite, a) != 0 && value_of(bite, b) != 0)
+      all.push_back({
+          key, name, "1", 1, {a, b}
+      });
+  };
+  together("condition.tensions", "both tensions", PassNumber::entry_tension, PassNumber::exit_tension);
+  if (bite.strip.friction.law == "film")
+    together("oil.friction", "friction as a whole", PassNumber::mu0, PassNumber::mu1);
+  for (const StructureNumber &number : numbers) {
+    Lever lever{number.key, number.name, number.unit, number.value, {}};
+    lever.structure = &number;
+    all.push_back(lever);
+  }
+  Lever entry{"stand.entry_distance", "distance to the stand before", "m", stand.entry_distance, {}};
+  entry.entry_distance = true;
+  Lever exit{"stand.exit_distance", "distance to the stand behind", "m", stand.exit_distance, {}};
+  exit.exit_distance = true;
+  Lever both{"stand.distances", "both distances", "1", 1, {}};
+  both.entry_distance = both.exit_distance = true;
+  Lever modulus{"strip.youngs_modulus", "Young's modulus of the strip", "Pa", stand.strip_modulus, {}};
+  modulus.strip_modulus = true;
+  for (const Lever &lever : {entry, exit, both, modulus})
+    all.push_back(lever);
+  return all;
+}
+
+/// Everything that one steady state and one eigenvalue say about slopes.
+struct Slopes {
+  WorkingPoint point;
+  bite::LinearSensitivity pass;
+  Eigen::MatrixXd A;
+  EigenvalueSlope eigenvalue;
+  const ChatterStandModel &stand;
+
+  /// d(growth rate)/d ln p, 1/s, (27.5)-(27.7).
+  double growth(const Lever &lever) const
+  {
+    const Eigen::Index n = stand.structure.n();
+    double sum           = 0;
+    for (const PassNumber number : lever.bite)
+      sum += eigenvalue.by(chatter_matrix_by(stand, pass.by[int(number)])).real();
+    if (lever.structure)
+      sum += eigenvalue.by(chatter_matrix_by(stand, point.by, *lever.structure)).real();
+    const auto row = [&](const Eigen::Index i) {  // the row of a tension goes with E/L
+      Eigen::MatrixXd A_by = Eigen::MatrixXd::Zero(A.rows(), A.cols());
+      A_by.row(i)          = A.row(i);
+      return eigenvalue.by(A_by).real();
+    };
+    if (lever.entry_distance)
+      sum -= row(2 * n);
+    if (lever.exit_distance)
+      sum -= row(2 * n + 1);
+    if (lever.strip_modulus)
+      sum += row(2 * n) + row(2 * n + 1);
+    return sum;
+  }
+  double friction(const Lever &lever) const
+  {
+    return of(pass.friction, lever) / point.state.friction;
+  }
+  double force(const Lever &lever) const
+  {
+    return of(pass.force, lever) / point.state.force;
+  }
+
+private:
+  static double of(const bite::PerPassNumber<double> &by, const Lever &lever)
+  {
+    double sum = 0;
+    for (const PassNumber number : lever.bite)
+      sum += by[int(number)];
+    return sum;
+  }
+};
+
+Slopes slopes_at(const ChatterStandModel &stand, const bite::RollBite &bite, const bite::Linearisation scheme,
+                 const double speed, const Crossing *crossing)
+{
+  WorkingPoint point     = working_point(bite, speed, scheme);
+  const auto pass        = linear_sensitivity(point.bite, point.state, scheme);
+  const auto A           = chatter_matrix(stand, point.by);
+  const Complex critical = crossing ? crossing->root : eigenvalues(A)[0];
+  return {std::move(point), pass, A, slope_of_eigenvalue(A, critical), stand};
+}
+
+/// -(d growth/d ln p)/(d growth/d ln v), (27.4).
+double speed_slope(const Slopes &at, const Lever &lever)
+{
+  static const Lever speed{"", "", "", 0, {PassNumber::roll_speed}};
+  const double growth = at.growth(lever);
+  return growth == 0 ? 0 : -growth / at.growth(speed);  // no -0
+}
+
+const Crossing &critical_crossing(const CriticalSpeed &found)
+{
+  return *std::find_if(found.crossings.begin(), found.crossings.end(),
+                       [&](const Crossing &c) { return c.speed == found.speed; });
+}
+
+/// The stand and its bite with one input times a factor.
+struct Changed {
+  ChatterStandModel stand;
+  bite::RollBite bite;
+};
+
+Changed changed(const ChatterStandModel &stand, const bite::RollBite &bite, const Lever &lever,
+                const double factor)
+{
+  Changed c{stand, bite};
+  for (const PassNumber number : lever.bite)
+    c.bite = with_number_scaled(c.bite, number, factor);
+  if (lever.structure)
+    c.stand.structure = lever.structure->scaled(factor);
+  c.stand.entry_distance *= lever.entry_distance ? factor : 1;
+  c.stand.exit_distance *= lever.exit_distance ? factor : 1;
+  c.stand.strip_modulus *= lever.strip_modulus ? factor : 1;
+  return c;
+}
+
+bool is_speed(const Lever &lever)
+{
+  return lever.bite == std::vector<PassNumber>{PassNumber::roll_speed};
+}
+
+FiniteChange finite_change(const ChatterStandModel &stand, const bite::RollBite &bite, const Lever &lever,
+                           const double factor, const SensitivityRequest &request, const SensitivityTable &base)
+{
+  FiniteChange change;
+  const auto note = [&](const std::string &text) {
+    if (change.outcome.empty())
+      change.outcome = text;
+  };
+  try {
+    const Changed c = changed(stand, bite, lever, factor);
+    if (lever.bite.empty())
+      change.friction = 0;  // the bite is the same
+    else
+      try {
+        const double speed = is_speed(lever) ? factor * request.working_speed : request.working_speed;
+        change.friction    = working_point(c.bite, speed, request.scheme).state.friction / base.friction - 1;
+      } catch (const InputError &error) {
+        note(error.problems.front().message);
+      } catch (const SolverError &error) {
+        note(error.report.what + ": " + error.report.where);
+      }
+    if (is_speed(lever))
+      return change;
+    const CriticalSpeed found = critical_speed(c.stand, c.bite, request.scheme, request.range);
+    if (found.verdict != Verdict::crossing)
+      note(sentence(found, request.range));
+    else if (std::isnan(base.critical_speed))
+      note(fmt::format("critical speed {:.3f} m/s, the unchanged stand has none", found.speed));
+    else {
+      change.critical_speed = found.speed / base.critical_speed - 1;
+      if (!lever.structure)  // whose matrices do not know how they move from the changed structure on
+        change.slope =
+            speed_slope(slopes_at(c.stand, c.bite, request.scheme, found.speed, &critical_crossing(found)), lever);
+    }
+  } catch (const InputError &error) {
+    note(error.problems.front().message);
+  } catch (const SolverError &error) {
+    note(error.report.what + ": " + error.report.where);
+  }
+  return change;
+}
+
+/// The critical speed goes one way: slopes here and at both changes, and both changes, have one sign.  Below 1e-9
+/// is the rounding of a search.
+bool goes_one_way(const double slope, const FiniteChange &lowered, const FiniteChange &raised)
+{
+  bool up = false, down = false;
+  for (const double x : {slope, lowered.slope, raised.slope, -lowered.critical_speed, raised.critical_speed}) {
+    up   = up || x > 1e-9;
+    down = down || x < -1e-9;
+  }
+  return !(up && down);
+}
+
+void fill_finite_changes(SensitivityTable &table, const std::vector<Lever> &levers, const ChatterStandModel &stand,
+                         const bite::RollBite &bite, const SensitivityRequest &request)
+{
+  share_tasks(2 * long(levers.size()), request.threads, [&](const long i) {
+    const bool raised               = i % 2;
+    const auto lever                = std::size_t(i / 2);
+    const double factor             = raised ? 1 + request.change : 1 - request.change;
+    Sensitivity &s                  = table.inputs[lever];
+    (raised ? s.raised : s.lowered) = finite_change(stand, bite, levers[lever], factor, request, table);
+  });
+  for (Sensitivity &s : table.inputs)
+    s.monotone = goes_one_way(s.critical_speed, s.lowered, s.raised);
+}
+
+/// The same stand under Coulomb friction of the working point: what is left without the way over the friction.
+void fill_held_friction(SensitivityTable &table, const std::vector<Lever> &levers, const ChatterStandModel &stand,
+                        bite::RollBite bite, const SensitivityRequest &request)
+{
+  bite.strip.friction             = Friction{};
+  bite.strip.friction.coefficient = table.friction;
+  const StandSpeed found          = critical_speed(stand, bite, request.scheme, request.range);
+  if (found.verdict != Verdict::crossing)
+    return;
+  table.critical_speed_at_held_friction = found.speed;
+  const Slopes at = slopes_at(stand, bite, request.scheme, found.speed, &critical_crossing(found));
+  for (std::size_t i = 0; i < levers.size(); ++i)
+    if (!is_speed(levers[i]))
+      table.inputs[i].critical_speed_at_held_friction = speed_slope(at, levers[i]);
+}
+
+void sort_by_size(SensitivityTable &table)
+{
+  const bool critical = !std::isnan(table.critical_speed);
+  const auto size     = [&](const Sensitivity &s) {
+    const double slope = critical ? s.critical_speed : s.growth;
+    return std::isnan(slope) ? -1 : std::abs(slope);
+  };
+  std::stable_sort(table.inputs.begin(), table.inputs.end(),
+                   [&](const auto &a, const auto &b) { return size(a) > size(b); });
+}
+}  // namespace
+
+SensitivityTable chatter_sensitivities(const ChatterStandModel &stand, const std::vector<StructureNumber> &numbers,
+                                       const bite::RollBite &bite, const SensitivityRequest &request)
+{
+  if (!(request.working_speed > 0))
+    throw InputError(
+        fmt::format("sensitivities need a working speed above zero, not {:g} m/s", request.working_speed));
+  if (!(request.change >= 0 && request.change < 1))
+    throw InputError(fmt::format("a finite change of {:g} has to lie between 0 and 1", request.change));
+  bite::RollBite pass = bite;
+  pass.roll_speed     = request.working_speed;
+  const auto levers   = levers_of(stand, numbers, pass);
+  const Slopes work   = slopes_at(stand, pass, request.scheme, request.working_speed, nullptr);
+
+  SensitivityTable table;
+  table.working_speed = request.working_speed;
+  table.friction      = work.point.state.friction;
+  table.force         = work.point.state.force;
+  table.growth        = work.eigenvalue.value.real();
+  for (const Lever &lever : levers) {
+    Sensitivity s;
+    s.key      = lever.key;
+    s.name     = lever.name;
+    s.unit     = lever.unit;
+    s.value    = lever.value;
+    s.friction = work.friction(lever);
+    s.force    = work.force(lever);
+    s.growth   = work.growth(lever);
+    table.inputs.push_back(s);
+  }
+
+  const StandSpeed found = critical_speed(stand, pass, request.scheme, request.range);
+  table.verdict          = sentence(found, request.range);
+  if (found.verdict == Verdict::crossing) {
+    table.critical_speed      = found.speed;
+    table.frequency           = found.frequency;
+    const Slopes at           = slopes_at(stand, pass, request.scheme, found.speed, &critical_crossing(found));
+    table.growth_by_log_speed = at.growth({"", "", "", 0, {PassNumber::roll_speed}});
+    for (std::size_t i = 0; i < levers.size(); ++i)
+      if (!is_speed(levers[i]))
+        table.inputs[i].critical_speed = speed_slope(at, levers[i]);
+  }
+  fill_held_friction(table, levers, stand, pass, request);
+  if (request.change > 0)
+    fill_finite_changes(table, levers, stand, pass, request);
+  sort_by_size(table);
+  return table;
+}
+}  // namespace mill::dynamics

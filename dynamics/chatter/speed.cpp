@@ -1,0 +1,392 @@
+#include "dynamics/chatter/speed.h"
+#include "core/case/errors.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+namespace mill::dynamics {
+namespace {
+// Real part beyond which a root counts as growing: rounding of an eigenvalue is some eps of the largest one, and
+// an undamped mode that the bite does not reach stands on the axis.
+double noise(const std::complex<double> root, const double largest)
+{
+  return std::max(1e-9 * std::abs(root), 1e-13 * largest);
+}
+
+struct Sample : SpeedPoint {
+  Eigen::VectorXd
+      excess;  ///< (s) 1/s, real parts less the noise, falling: rank k is a continuous function of speed
+};
+
+std::string reason(const SolverError &error)
+{
+  const auto &r = error.report;
+  return r.what + (r.where.empty() ? "" : ": " + r.where) + (r.cause.empty() ? "" : "; " + r.cause);
+}
+
+// Excess of every root with its root, by falling excess.
+void rank(Sample &s, const Eigen::VectorXcd &roots)
+{
+  const double largest = roots.size() ? roots.cwiseAbs().maxCoeff() : 0;
+  const auto excess    = [&](const std::complex<double> r) { return r.real() - noise(r, largest); };
+  s.roots              = roots;
+  std::sort(s.roots.begin(), s.roots.end(), [&](const auto a, const auto b) {
+    return excess(a) != excess(b) ? excess(a) > excess(b) : a.imag() > b.imag();
+  });
+  s.excess.resize(roots.size());
+  for (Eigen::Index i = 0; i < roots.size(); ++i)
+    s.excess[i] = excess(s.roots[i]);
+  s.unstable = int((s.excess.array() > 0).count());
+  if (roots.size() == 0)
+    return;
+  Eigen::Index leading;
+  s.growth    = s.roots.real().maxCoeff(&leading);
+  s.frequency = std::abs(s.roots[leading].imag()) / (2 * M_PI);
+}
+
+Sample sample(const RootsAtSpeed &roots, const double speed)
+{
+  Sample s;
+  s.speed = speed;
+  try {
+    rank(s, roots(speed));
+  } catch (const InputError &error) {
+    s.no_bite = error.problems.empty() ? error.what() : error.problems[0].message;
+  } catch (const SolverError &error) {
+    s.no_bite = reason(error);
+  }
+  return s;
+}
+
+bool has_bite(const Sample &s)
+{
+  return s.no_bite.empty();
+}
+
+using Samples = std::vector<Sample>;
+
+// Change of rank k over the interval between samples i and i + 1, per m/s; nan: not known.
+double slope(const Samples &at, const std::size_t i, const Eigen::Index k)
+{
+  const Sample &a = at[i], &b = at[i + 1];
+  if (!has_bite(a) || !has_bite(b) || k >= std::min(a.excess.size(), b.excess.size()))
+    return not_given;
+  return (b.excess[k] - a.excess[k]) / (b.speed - a.speed);
+}
+
+// Whether a rank may touch zero between two samples unseen: its excess may leave the straight line between them by
+// the change of slope to the neighbouring intervals times the length, eight times what a parabola does.
+bool may_cross(const Samples &at, const std::size_t i)
+{
+  const Sample &a = at[i], &b = at[i + 1];
+  if (!has_bite(a) || !has_bite(b))
+    return false;
+  for (Eigen::Index k = 0; k < std::min(a.excess.size(), b.excess.size()); ++k) {
+    const double here   = slope(at, i, k);
+    const double before = i > 0 ? slope(at, i - 1, k) : not_given;
+    const double after  = i + 2 < at.size() ? slope(at, i + 1, k) : not_given;
+    const double turn = std::fmax(std::abs(here - before), std::abs(after - here));  // of a nan and a number: that
+    const double bow  = (std::isnan(turn) ? std::abs(here) : turn) * (b.speed - a.speed);
+    if (std::min(std::abs(a.excess[k]), std::abs(b.excess[k])) < bow)
+      return true;
+  }
+  return false;
+}
+
+void refine(Samples &at, const RootsAtSpeed &roots, const double finest)
+{
+  for (bool halved = true; halved;) {
+    halved = false;
+    Samples next;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      next.push_back(at[i]);
+      if (i + 1 == at.size() || at[i + 1].speed - at[i].speed < 1.5 * finest || !may_cross(at, i))
+        continue;
+      next.push_back(sample(roots, 0.5 * (at[i].speed + at[i + 1].speed)));
+      halved = true;
+    }
+    at = std::move(next);
+  }
+}
+
+// Puts the edges of the range with a bite among the samples: halving between one that has it and one that has not.
+// The sample without a bite stays, moved to the edge, so that its reason is that of the edge.
+void find_edges(Samples &at, const RootsAtSpeed &roots)
+{
+  constexpr double fine = 1e-3;  // m/s, finer than any speed is known
+  Samples next;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    next.push_back(at[i]);
+    if (i + 1 == at.size() || has_bite(at[i]) == has_bite(at[i + 1]))
+      continue;
+    Sample a = at[i], b = at[i + 1];
+    while (b.speed - a.speed > fine) {
+      Sample middle                             = sample(roots, 0.5 * (a.speed + b.speed));
+      (has_bite(middle) == has_bite(a) ? a : b) = std::move(middle);
+    }
+    if (a.speed > at[i].speed)
+      next.push_back(a);
+    if (b.speed < at[i + 1].speed)
+      next.push_back(b);
+  }
+  at = std::move(next);
+}
+
+// Root of f between a and b, where it has opposite signs: false position, the weight of an end that stays twice
+// reduced after Anderson and Bjorck, halving where that is slow.
+double bracketed_root(const std::function<double(double)> &f, double a, double fa, double b, double fb,
+                      const double tolerance)
+{
+  for (int i = 0; i < 200 && b - a > tolerance; ++i) {
+    double x = i % 4 == 3 ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
+    x        = std::clamp(x, a + 0.4 * tolerance, b - 0.4 * tolerance);  // so that the far end comes close too
+    const double fx = f(x);
+    if (fx == 0)
+      return x;
+    const bool left     = (fx > 0) == (fa > 0);
+    const double kept   = 1 - fx / (left ? fa : fb);
+    const double weight = kept > 0 ? kept : 0.5;
+    if (left) {
+      a  = x;
+      fa = fx;
+      fb *= weight;
+    } else {
+      b  = x;
+      fb = fx;
+      fa *= weight;
+    }
+  }
+  return 0.5 * (a + b);
+}
+
+std::complex<double> nearest(const Eigen::VectorXcd &roots, const std::complex<double> to)
+{
+  Eigen::Index i;
+  (roots.array() - to).abs().minCoeff(&i);
+  return roots[i];
+}
+
+// Crossing of rank k between two samples.
+Crossing solve_crossing(const RootsAtSpeed &roots, const Sample &a, const Sample &b, const Eigen::Index k,
+                        const double tolerance)
+{
+  std::map<double, Sample> tried;
+  const auto at = [&](const double speed) -> const Sample & {
+    const auto found = tried.find(speed);
+    return found != tried.end() ? found->second : tried.emplace(speed, sample(roots, speed)).first->second;
+  };
+  const auto excess = [&](const double speed) {
+    const Sample &s = at(speed);
+    return k < s.excess.size() ? s.excess[k] : -1.;  // a list of roots that ends before is one of decaying ones
+  };
+  Crossing c;
+  c.speed             = bracketed_root(excess, a.speed, a.excess[k], b.speed, b.excess[k], tolerance);
+  c.upward            = b.excess[k] > 0;
+  const Sample &there = at(c.speed);
+  if (k >= there.roots.size())  // no bite between two speeds with one
+    return c;
+  // The rank crossed the noise, the root crosses the axis close by: Newton's steps along its own path.
+  c.root           = there.roots[k];
+  const double d   = std::min(1e-4, 0.25 * (b.speed - a.speed));
+  const Sample &up = at(c.speed + d), &down = at(c.speed - d);
+  if (up.roots.size() && down.roots.size()) {
+    const auto above = nearest(up.roots, c.root), below = nearest(down.roots, c.root);
+    c.slope          = (above - below).real() / (2 * d);
+    const double far = 0.25 * (b.speed - a.speed);
+    for (int i = 0; i < 2; ++i) {
+      const double step = -c.root.real() / c.slope;
+      if (!(std::abs(step) > tolerance && std::abs(step) < far))
+        break;
+      const Sample &moved = at(c.speed + step);
+      if (moved.roots.size() == 0)
+        break;
+      c.speed += step;
+      c.root = nearest(moved.roots, c.root);
+    }
+  }
+  c.frequency = std::abs(c.root.imag()) / (2 * M_PI);
+  return c;
+}
+
+std::vector<Crossing> solve_crossings(const Samples &at, const RootsAtSpeed &roots, const double tolerance)
+{
+  std::vector<Crossing> crossings;
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+    const Sample &a = at[i], &b = at[i + 1];
+    if (!has_bite(a) || !has_bite(b))
+      continue;
+    for (Eigen::Index k = std::min(a.unstable, b.unstable); k < std::max(a.unstable, b.unstable); ++k) {
+      if (k >= std::min(a.excess.size(), b.excess.size()))
+        break;
+      crossings.push_back(solve_crossing(roots, a, b, k, tolerance));
+      crossings.back().of_stand = k == 0;
+      if (crossings.back().root.imag() != 0)
+        ++k;  // its conjugate
+    }
+  }
+  std::sort(crossings.begin(), crossings.end(), [](const auto &a, const auto &b) { return a.speed < b.speed; });
+  return crossings;
+}
+
+// Extreme growth near the sample where it is extreme, by golden sections.  @param sign  1: largest, -1: smallest
+Sample extreme_growth(const Samples &at, const RootsAtSpeed &roots, const double sign, const double fine)
+{
+  std::size_t best = at.size();
+  for (std::size_t i = 0; i < at.size(); ++i)
+    if (has_bite(at[i]) && (best == at.size() || sign * at[i].growth > sign * at[best].growth))
+      best = i;
+  Sample found = at[best];
+  if (best == 0 || best + 1 == at.size() || !has_bite(at[best - 1]) || !has_bite(at[best + 1]))
+    return found;
+  double low = at[best - 1].speed, high = at[best + 1].speed;
+  const double ratio = 0.5 * (3 - std::sqrt(5.));
+  while (high - low > fine) {
+    const bool right = high - found.speed > found.speed - low;
+    const Sample s   = sample(roots, found.speed + ratio * (right ? high - found.speed : low - found.speed));
+    if (!has_bite(s))
+      break;
+    if (sign * s.growth > sign * found.growth) {
+      (right ? low : high) = found.speed;
+      found                = s;
+    } else
+      (right ? high : low) = s.speed;
+  }
+  return found;
+}
+
+void judge(CriticalSpeed &result, const Samples &at, const RootsAtSpeed &roots, const SpeedRange &range)
+{
+  const auto bite_of = [](const Sample &s) { return has_bite(s); };
+  const auto first   = std::find_if(at.begin(), at.end(), bite_of);
+  if (first == at.end()) {
+    result.below = at.front().no_bite;
+    result.above = at.back().no_bite;
+    return;
+  }
+  const auto last     = std::find_if(at.rbegin(), at.rend(), bite_of);
+  result.lowest_bite  = first->speed;
+  result.highest_bite = last->speed;
+  if (first != at.begin())
+    result.below = std::prev(first)->no_bite;
+  if (last != at.rbegin())
+    result.above = std::prev(last)->no_bite;
+  for (const Crossing &c : result.crossings)
+    if (c.of_stand && c.upward) {
+      result.verdict   = Verdict::crossing;
+      result.speed     = c.speed;
+      result.frequency = c.frequency;
+      return;
+    }
+  const auto grows     = [](const Sample &s) { return has_bite(s) && s.unstable > 0; };
+  const auto rests     = [](const Sample &s) { return has_bite(s) && s.unstable == 0; };
+  const bool some_grow = std::any_of(at.begin(), at.end(), grows),
+             some_rest = std::any_of(at.begin(), at.end(), rests);
+  result.verdict       = some_grow && some_rest ? Verdict::unstable_below
+                         : some_grow            ? Verdict::unstable
+                                                : Verdict::stable;
+  if (result.verdict == Verdict::unstable_below)
+    return;
+  const Sample nearest_to_change = extreme_growth(at, roots, some_grow ? -1 : 1, 0.01 * range.step);
+  result.margin                  = nearest_to_change.growth;
+  result.margin_speed            = nearest_to_change.speed;
+}
+
+void require(const SpeedRange &r)
+{
+  if (!(r.from > 0) || !(r.to > r.from) || !std::isfinite(r.to))
+    throw InputError(fmt::format(
+        "speeds from {:g} to {:g} m/s are no range; both ends above zero and rising are needed", r.from, r.to));
+  if (!(r.step > 0) || !(r.finest > 0) || !(r.tolerance > 0))
+    throw InputError(fmt::format("steps of {:g} and {:g} m/s and a tolerance of {:g} m/s have to be above zero",
+                                 r.step, r.finest, r.tolerance));
+}
+}  // namespace
+
+CriticalSpeed crossings_of_roots(const RootsAtSpeed &roots, const SpeedRange &range)
+{
+  require(range);
+  Samples at;
+  const int steps = std::max(1, int(std::ceil((range.to - range.from) / range.step - 1e-9)));
+  for (int i = 0; i <= steps; ++i)
+    at.push_back(sample(roots, i == steps ? range.to : range.from + i * range.step));
+  find_edges(at, roots);
+  refine(at, roots, range.finest);
+  CriticalSpeed result;
+  result.crossings = solve_crossings(at, roots, range.tolerance);
+  judge(result, at, roots, range);
+  result.points.assign(at.begin(), at.end());
+  return result;
+}
+
+CriticalSpeed critical_speed(const MatrixAtSpeed &matrix, const SpeedRange &range)
+{
+  return crossings_of_roots([&](const double speed) { return eigenvalues(matrix(speed)); }, range);
+}
+
+MatrixAtSpeed matrix_at_speed(const ChatterStandModel &stand, const bite::RollBite &bite,
+                              const bite::Linearisation scheme)
+{
+  return [=](const double speed) { return chatter_matrix(stand, working_point(bite, speed, scheme).by); };
+}
+
+StandSpeed critical_speed(const ChatterStandModel &stand, const bite::RollBite &bite,
+                          const bite::Linearisation scheme, const SpeedRange &range)
+{
+  std::map<double, bite::BiteState> states;
+  const auto matrix = [&](const double speed) {
+    const WorkingPoint point = working_point(bite, speed, scheme);
+    states[speed]            = point.state;
+    return chatter_matrix(stand, point.by);
+  };
+  StandSpeed result;
+  static_cast<CriticalSpeed &>(result) = critical_speed(matrix, range);
+  for (const SpeedPoint &point : result.points)
+    result.states.push_back(states[point.speed]);
+  if (result.verdict == Verdict::crossing)
+    result.at = working_point(bite, result.speed, scheme);
+  return result;
+}
+
+std::string sentence(const CriticalSpeed &found, const SpeedRange &range)
+{
+  const auto edges = [&] {
+    std::string text;
+    if (!found.below.empty())
+      text += fmt::format("; no steady bite below {:.2f} m/s", found.lowest_bite);
+    if (!found.above.empty())
+      text += fmt::format("; no steady bite above {:.2f} m/s", found.highest_bite);
+    return text;
+  };
+  const std::string speeds =
+      fmt::format("from {:.4g} to {:.4g} m/s", std::isnan(found.lowest_bite) ? range.from : found.lowest_bite,
+                  std::isnan(found.highest_bite) ? range.to : found.highest_bite);
+  switch (found.verdict) {
+  case Verdict::crossing: {
+    std::string text = fmt::format("unstable above {:.3f} m/s ({:.1f} Hz)", found.speed, found.frequency);
+    for (const Crossing &c : found.crossings)
+      if (c.of_stand && c.speed != found.speed)
+        text += fmt::format(", {} above {:.3f} m/s", c.upward ? "unstable again" : "stable", c.speed);
+    return text + edges();
+  }
+  case Verdict::stable:
+    return fmt::format("stable {}; the slowest decay is {:.3g} 1/s at {:.4g} m/s", speeds, -found.margin,
+                       found.margin_speed) +
+           edges();
+  case Verdict::unstable:
+    return fmt::format("unstable {}; the slowest growth is {:.3g} 1/s at {:.4g} m/s", speeds, found.margin,
+                       found.margin_speed) +
+           edges();
+  case Verdict::unstable_below: {
+    double last = found.lowest_bite;
+    for (const Crossing &c : found.crossings)
+      if (c.of_stand)
+        last = c.speed;
+    return fmt::format("unstable up to {:.3f} m/s and stable above, so that no speed is critical", last) + edges();
+  }
+  case Verdict::no_bite:
+    return fmt::format("no steady bite from {:.4g} to {:.4g} m/s ({})", range.from, range.to, found.below);
+  }
+  return "";
+}
+}  // namespace mill::dynamics

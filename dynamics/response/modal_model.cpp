@@ -1,0 +1,48 @@
+#include "dynamics/response/modal_model.h"
+#include "core/numerics/require.h"
+#include <algorithm>
+#include <cmath>
+
+namespace mill::dynamics {
+ModalModel modal_model(const StandModel &stand, const Eigen::VectorXd &frequency, const Eigen::MatrixXd &shape,
+                       const double damping, const double highest, const double gap_damper)
+{
+  require(frequency.size() == shape.cols(), "every shape needs a frequency");
+  const Eigen::Index n       = std::upper_bound(frequency.begin(), frequency.end(), highest) - frequency.begin();
+  const Eigen::MatrixXd kept = shape.leftCols(n);
+  ModalModel model;
+  model.frequency = frequency.head(n);
+  model.point.resize(Eigen::Index(stand.points.size()), n);
+  for (std::size_t p = 0; p < stand.points.size(); ++p) {
+    model.labels.push_back(stand.points[p].name);
+    model.point.row(Eigen::Index(p)) = stand.points[p].row.transpose() * kept;
+  }
+  model.force           = kept.transpose() * stand.b;
+  model.load_cell       = kept.transpose() * stand.load_cell;
+  model.load_cell_share = stand.load_cell_share;
+  model.damping         = damping;
+  model.gap_damper      = gap_damper;
+  return model;
+}
+
+StateSpace state_space(const ModalModel &model)
+{
+  const Eigen::Index n = model.frequency.size(), m = model.point.rows();
+  const Eigen::VectorXd rad = 2 * M_PI * model.frequency;
+  StateSpace system;
+  system.A                         = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  system.A.topRightCorner(n, n)    = rad.asDiagonal();
+  system.A.bottomLeftCorner(n, n)  = (-rad).asDiagonal();
+  system.A.bottomRightCorner(n, n) = (-2 * model.damping * rad).asDiagonal();
+  // The bite force works on the gap, so its damper couples the modes by the same row, as in (6.3).
+  system.A.bottomRightCorner(n, n) -= model.gap_damper * model.force * model.force.transpose();
+  system.B                = Eigen::VectorXd::Zero(2 * n);
+  system.B.tail(n)        = model.force;
+  system.C                = Eigen::MatrixXd::Zero(m + 1, 2 * n);
+  system.C.topRows(m)     = model.point * system.A.bottomRows(n);
+  system.C.row(m).head(n) = model.load_cell.cwiseQuotient(rad).transpose();
+  system.D                = Eigen::VectorXd::Zero(m + 1);
+  system.D.head(m)        = model.point * model.force;
+  return system;
+}
+}  // namespace mill::dynamics

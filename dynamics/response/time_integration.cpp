@@ -1,0 +1,204 @@
+#include "dynamics/response/time_integration.h"
+#include "core/numerics/require.h"
+#include "dynamics/response/matrix_exponential.h"
+#include "dynamics/response/time_walk.h"
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <optional>
+
+namespace mill::dynamics {
+namespace {
+using Complex = std::complex<double>;
+
+// x(n+1) = E11 x + E12 F0 + E13 (F1 - F0)  (7.2), (7.3)
+class ExponentialForm {
+public:
+  ExponentialForm(const StateSpace &system, const double first_force)
+      : system_(system), x_(equilibrium(system, first_force))
+  {
+  }
+
+  void set_step(const double h)
+  {
+    const Eigen::Index s    = system_.A.rows();
+    Eigen::MatrixXd G       = Eigen::MatrixXd::Zero(s + 2, s + 2);
+    G.topLeftCorner(s, s)   = h * system_.A;
+    G.col(s).head(s)        = h * system_.B;
+    G(s, s + 1)             = 1;
+    const Eigen::MatrixXd E = matrix_exponential(G);
+    E11_                    = E.topLeftCorner(s, s);
+    E12_                    = E.col(s).head(s);
+    E13_                    = E.col(s + 1).head(s);
+  }
+
+  void advance(const double F0, const double F1)
+  {
+    next_.noalias() = E11_ * x_;
+    x_              = next_ + E12_ * F0 + E13_ * (F1 - F0);
+  }
+
+  template <class Column> void output(const double F, Column &&column) const
+  {
+    column.noalias() = system_.C * x_;
+    column += system_.D * F;
+  }
+
+private:
+  const StateSpace &system_;
+  Eigen::VectorXd x_, next_;
+  Eigen::MatrixXd E11_;
+  Eigen::VectorXd E12_, E13_;
+};
+
+// p1 = (e^z - 1)/z and p2 = (p1 - 1)/z.  The quotients lose eps/|z| and eps/|z|^2 to cancellation, so for small
+// |z| the series  p2 = sum z^k/(k+2)!  is summed instead: 14 terms leave 0.5^14/16! = 3e-18 at |z| = 0.5, and the
+// quotients lose at most a digit beyond.  (7.5)
+struct Phi {
+  Complex e, p1, p2;
+};
+Phi phi(const Complex z)
+{
+  if (std::abs(z) >= 0.5) {
+    const Complex e = std::exp(z), p1 = (e - 1.0) / z;
+    return {e, p1, (p1 - 1.0) / z};
+  }
+  Complex p2 = 0;
+  for (int k = 13; k >= 0; --k)
+    p2 = 1.0 + p2 * z / double(k + 3);  // Horner on 2 p2 = 1 + z/3 (1 + z/4 (1 + ...))
+  p2 /= 2;
+  const Complex p1 = 1.0 + z * p2;
+  return {1.0 + z * p1, p1, p2};
+}
+
+// x = V z with one z per real pole and one per complex pair; z' = lambda z + beta F.
+struct Diagonal {
+  Eigen::VectorXcd lambda, beta;
+  Eigen::MatrixXd C_re, C_im;  // output = C_re Re(z) - C_im Im(z) + D F, pairs counted twice
+};
+
+// Rounding of the modal form grows with the condition of the eigenvectors: eps * 1e6 = 2e-10 keeps the 1e-9 that
+// the two forms are to agree to.
+constexpr double largest_condition = 1e6;
+
+std::optional<Diagonal> diagonal(const StateSpace &system)
+{
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(system.A);
+  const Eigen::VectorXcd all = solver.eigenvalues();
+  const Eigen::MatrixXcd V   = solver.eigenvectors();
+  const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(V);
+  const auto &singular = svd.singularValues();
+  if (solver.info() != Eigen::Success || !(singular[0] <= largest_condition * singular[singular.size() - 1]))
+    return std::nullopt;
+  const Eigen::VectorXcd beta = V.partialPivLu().solve(system.B.cast<Complex>());
+  const Eigen::MatrixXcd C    = system.C.cast<Complex>() * V;
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < all.size(); ++k)
+    if (all[k].imag() >= 0)
+      kept.push_back(k);
+  const auto n = Eigen::Index(kept.size());
+  Diagonal d{Eigen::VectorXcd(n), Eigen::VectorXcd(n), Eigen::MatrixXd(C.rows(), n), Eigen::MatrixXd(C.rows(), n)};
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const Eigen::Index from = kept[std::size_t(k)];
+    const double members    = all[from].imag() > 0 ? 2 : 1;
+    d.lambda[k]             = all[from];
+    d.beta[k]               = beta[from];
+    d.C_re.col(k)           = members * C.col(from).real();
+    d.C_im.col(k)           = members * C.col(from).imag();
+  }
+  return d;
+}
+
+// z(n+1) = e z + beta h [(p1 - p2) F0 + p2 F1]  (7.4); real and imaginary parts apart, so that the compiler
+// works on several modes at once.
+class ModalForm {
+public:
+  ModalForm(const Diagonal &diagonal, const Eigen::VectorXd &D, const double first_force)
+      : d_(diagonal), D_(D), C_(d_.C_re.rows(), 2 * d_.lambda.size()), z_(2 * d_.lambda.size())
+  {
+    C_ << d_.C_re, -d_.C_im;
+    const Eigen::VectorXcd z = -first_force * d_.beta.cwiseQuotient(d_.lambda);
+    z_ << z.real(), z.imag();
+    const Eigen::Index n = d_.lambda.size();
+    for (Eigen::ArrayXd *part : {&er_, &ei_, &ar_, &ai_, &br_, &bi_})
+      part->resize(n);
+  }
+
+  void set_step(const double h)
+  {
+    for (Eigen::Index k = 0; k < d_.lambda.size(); ++k) {
+      const Phi f     = phi(d_.lambda[k] * h);
+      const Complex a = d_.beta[k] * h * (f.p1 - f.p2), b = d_.beta[k] * h * f.p2;
+      er_[k] = f.e.real(), ei_[k] = f.e.imag();
+      ar_[k] = a.real(), ai_[k] = a.imag();
+      br_[k] = b.real(), bi_[k] = b.imag();
+    }
+  }
+
+  void advance(const double F0, const double F1)
+  {
+    const Eigen::Index n = er_.size();
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const double re = z_[k], im = z_[n + k];
+      z_[k]     = er_[k] * re - ei_[k] * im + ar_[k] * F0 + br_[k] * F1;
+      z_[n + k] = er_[k] * im + ei_[k] * re + ai_[k] * F0 + bi_[k] * F1;
+    }
+  }
+
+  template <class Column> void output(const double F, Column &&column) const
+  {
+    column.noalias() = C_ * z_;
+    column += D_ * F;
+  }
+
+private:
+  const Diagonal &d_;
+  const Eigen::VectorXd &D_;
+  Eigen::MatrixXd C_;
+  Eigen::VectorXd z_;  // real parts, then imaginary parts
+  Eigen::ArrayXd er_, ei_, ar_, ai_, br_, bi_;
+};
+
+template <class Form> void march(Form form, const ForceRecord &force, const OutputGrid &grid, HoldResult &result)
+{
+  double step = 0;
+  form.output(result.force[0], result.output.col(0));
+  walk(force, grid, [&](const Step &now) {
+    if (now.length != step)
+      form.set_step(step = now.length);
+    form.advance(now.F0, now.F1);
+    if (now.output > 0) {
+      result.force[now.output] = now.F1;
+      form.output(now.F1, result.output.col(now.output));
+    }
+  });
+}
+}  // namespace
+
+HoldResult first_order_hold(const StateSpace &system, const ForceRecord &force, const double output_rate,
+                            const HoldForm wanted)
+{
+  require(force.time.size() >= 2 && force.time.size() == force.force.size() && output_rate > 0,
+          "a force record needs two samples and a rate above zero");
+  const OutputGrid grid = output_grid(force, output_rate);
+  HoldResult result;
+  result.form      = wanted;
+  result.time      = grid.begin + Eigen::ArrayXd::LinSpaced(grid.n, 0, double(grid.n - 1)) * grid.step;
+  result.force     = Eigen::VectorXd::Constant(grid.n, force.force[0]);
+  result.output    = Eigen::MatrixXd::Zero(system.C.rows(), grid.n);
+  const auto poles = wanted == HoldForm::modal ? diagonal(system) : std::nullopt;
+  if (poles && (poles->lambda.array().abs() > 0).all()) {
+    march(ModalForm(*poles, system.D, force.force[0]), force, grid, result);
+    return result;
+  }
+  if (wanted == HoldForm::modal)
+    result.note =
+        "repeated poles without independent shapes: integrated with the matrix exponential, not by modes";
+  result.form = HoldForm::matrix_exponential;
+  march(ExponentialForm(system, force.force[0]), force, grid, result);
+  return result;
+}
+}  // namespace mill::dynamics

@@ -1,0 +1,47 @@
+#include "fem/body/component_cache.h"
+#include "core/records/cache_entry.h"
+#include "fem/body/archive.h"
+
+namespace mill::fem {
+namespace {
+constexpr char kind[] = "millstand component 1";
+
+// The same list of members is run through in both directions.
+template <class Archive> void members(Archive &a, Component &c)
+{
+  a.text(c.name);
+  a.text(c.source);
+  a.texts(c.interface);
+  a.count(c.n_barrel);
+  for (double *value : {&c.half_barrel, &c.mass, &c.reach})
+    a.number(*value);
+  for (Eigen::MatrixXd *m : {&c.M, &c.K, &c.residual, &c.axis})
+    a.array(*m);
+  for (Eigen::VectorXd *v : {&c.fixed_frequency, &c.axis_z})
+    a.array(*v);
+}
+}  // namespace
+
+void save_component(const std::string &path, const std::string &key, const Component &component)
+{
+  Component copy = component;
+  Writer writer;
+  members(writer, copy);
+  write_cache_entry(path, kind, key, writer.bytes);
+}
+
+std::optional<Component> load_component(const std::string &path, const std::string &key, std::string *note)
+{
+  const auto bytes = read_cache_entry(path, kind, key, note);
+  if (!bytes)
+    return std::nullopt;
+  Component component;
+  Reader reader{*bytes};
+  members(reader, component);
+  if (reader.good && reader.at == bytes->size())
+    return component;
+  if (note)
+    *note = path + " is not used: it is incomplete";
+  return std::nullopt;
+}
+}  // namespace mill::fem

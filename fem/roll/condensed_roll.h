@@ -1,0 +1,85 @@
+#pragma once
+#include "core/records/mesh_file.h"
+#include "core/process/progress.h"
+#include "core/model/stand.h"
+#include "fem/body/elastic_body.h"
+#include <Eigen/Core>
+
+namespace mill::fem {
+/// Nodes of the contact patch of a roll, as a grid; node i_z * n_x + i_x.  Forces and gaps live on its half x >=
+/// 0.
+struct PatchGrid {
+  int n_x = 0, n_z = 0;
+  Eigen::VectorXd x;     ///< (n_x) m, from the contact line
+  Eigen::VectorXd z;     ///< (n_z) m, from mid-length; from 0, or over both sides when `whole`
+  Eigen::VectorXd area;  ///< (n_x n_z) m2, integral of each node's shape function over x >= 0
+  int degree = 2;        ///< of the shape functions
+  bool whole = false;    ///< both sides of mid-length
+};
+
+/// Flexibility of an eighth of a roll for one parity of loads and displacements about the planes y = 0 and z = 0,
+/// even about x = 0.  Forces and displacements of the patch are positive towards the axis.
+struct ParityFlexibility {
+  Eigen::MatrixXd patch;  ///< (n, n) m/N, normal
+  Eigen::MatrixXd
+      traction;  ///< (3n, 3n) m/N, normal, along x, along z; what a plane holds is zero; unless asked: empty
+  Eigen::MatrixXd axis;  ///< (n_a, n) m/N, translate: displacement of the axis
+  Eigen::VectorXd
+      seat_patch;             ///< (n) m/N, translate: of the patch, along y, under a unit load on the bearing seat
+  Eigen::VectorXd seat_axis;  ///< (n_a) m/N, of the axis under it
+  Eigen::MatrixXd field;      ///< (3N, n) m/N, whole displacement field; empty unless asked for
+};
+
+/// A roll reduced to its contact line: flexibilities of an eighth of it for the parities about y = 0 and z = 0,
+/// from which every load on the two generators and on the necks is put together.  theory.md (2.4)
+///   squeeze    both generators are pressed towards the axis; the axis stays where it is
+///   translate  both generators are pushed the same way; the roll bends and moves
+///   odd        the loads on the two sides of mid-length are opposite
+struct CondensedRoll {
+  RollGeometry geometry;
+  PatchGrid grid;                                ///< of the eighth: x >= 0, z >= 0
+  Eigen::VectorXd axis_z;                        ///< (n_a) m, from 0 to the end of the roll
+  ParityFlexibility squeeze, translate;          ///< even about mid-length; a slab has no translate
+  ParityFlexibility squeeze_odd, translate_odd;  ///< empty unless asked for; the first may stand alone
+  double seat_lever = 0;    ///< m, from mid-length to the resultant of the bearing seat's load
+  int n_unknowns    = 0;    ///< of the eighth, all parities about the same
+  std::string field_mesh;   ///< Gmsh file of the mesh, where displacement fields are kept; else empty
+  double factor_bytes = 0;  ///< bytes, of one parity
+  double factor_flops = 0;  ///< of one parity
+  bool both_sides() const   ///< any load that differs between the sides, however the roll is held
+  {
+    return squeeze_odd.patch.size() > 0 && translate_odd.patch.size() > 0;
+  }
+};
+
+struct CondenseOptions {
+  bool slab        = false;  ///< plane strain: both faces held in z, squeeze only
+  bool both_sides  = false;  ///< the odd parities too, for loads that differ between the two sides
+  bool odd_squeeze = false;  ///< of them the squeeze alone: enough between mirrored contacts (joint stiffness)
+  bool tractions   = false;  ///< tangential components too, of the squeeze parities
+  bool keep_fields = false;  ///< keep the displacement fields of squeeze
+  double memory    = 0;      ///< bytes it may take, 0: what the process has left
+};
+
+/// Condenses a meshed roll.  Cost: one factorisation per parity.
+/// @throws SolverError  predicted memory too large; matrix not positive definite
+CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, const CondenseOptions &options,
+                       const Progress &progress = {});
+
+/// One of the four parities.
+struct Parity {
+  bool squeeze = true;   ///< else translate
+  bool odd     = false;  ///< about mid-length
+};
+
+/// Unknowns held by the symmetry planes and by the parity.  Where the parity leaves a rigid motion free, one
+/// unknown on the axis is pinned; it carries nothing once the loads balance.
+std::vector<char> held_unknowns(const ElasticBody &body, const Parity &parity, bool slab);
+/// Nodes of the group contact, by z, then by x.
+std::vector<int> patch_in_grid_order(const ElasticBody &body);
+/// (n_z) m: integral of the axial shape functions of the given degree (1 or 2) from `from` to `to`; sums to the
+/// part of it that the stations cover.
+Eigen::VectorXd axial_weights(const Eigen::VectorXd &z, double from, double to, int degree);
+/// From -length to length.
+Eigen::VectorXd axial_weights(const Eigen::VectorXd &z, double length, int degree);
+}  // namespace mill::fem

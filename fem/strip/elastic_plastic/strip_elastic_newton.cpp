@@ -1,0 +1,245 @@
+#include "fem/strip/elastic_plastic/strip_elastic_newton.h"
+#include "bite/slab/sentence.h"
+#include "core/case/errors.h"
+#include <cmath>
+
+namespace mill::fem {
+using bite::sentence;
+using Eigen::VectorXd;
+
+ElasticContinuation::ElasticContinuation(const ElasticPass &p, ElasticGrid &g, const ElasticRoll &r,
+                                         VectorXd start, std::vector<StripFlowLevel> &h)
+    : pass(p), grid(g), roll(r), u(std::move(start)), history(h)
+{
+}
+
+bool ElasticContinuation::newton(ElasticStage stage, const char *what, const int steps, const bool leaps)
+{
+  const VectorXd before = u;
+  find_thinnest(stage);
+  ElasticEquations e  = elastic_equations(pass, grid, roll, stage, u, memory, true);
+  double residual     = e.residual.norm();
+  const double enough = stage.held_shape ? 1e-7 : pass.model.tolerance;
+  int stuck           = 0;
+  for (int step = 1; step <= steps && std::isfinite(residual); ++step) {
+    Eigen::SparseMatrix<double> K(grid.n_unknowns, grid.n_unknowns);
+    K.setFromTriplets(e.entries.begin(), e.entries.end());
+    if (!factor.factorise(K))
+      break;
+    const VectorXd d = factor.solve(e.residual), from = u;
+    const double longest = largest_share(d);
+    double next          = 0;
+    const auto go        = [&](const double share) {
+      u    = from - share * d;
+      e    = elastic_equations(pass, grid, roll, stage, u, memory, false);
+      next = e.residual.norm();
+    };
+    const double least = leaps ? 0.03 : 4e-3;
+    double share       = longest;
+    for (go(share); !(next < (1 - 1e-4 * share) * residual) && share > least * longest; go(share))
+      share *= 0.5;
+    if (!(next < residual)) {
+      // The least residual in reach is none: where a state ceases to exist the next one is found by a leap.
+      ++stuck;
+      if (leaps)
+        go(0.5 * longest);
+    }
+    const bool moved = find_thinnest(stage);
+    last_residual    = residual;
+    if (!std::isfinite(next) || stuck > 5)
+      break;
+    e        = elastic_equations(pass, grid, roll, stage, u, memory, true);
+    residual = last_residual = e.residual.norm();
+    if (residual < enough && !moved) {
+      const double unit = pass.stress * pass.length * pass.bite->strip.width;
+      history.push_back({what, grid.n_unknowns, stage.least_rate, stage.least_slip * pass.reduction,
+                         stage.flattening, step, residual, e.force * unit});
+      at = stage;
+      return true;
+    }
+  }
+  u = before;
+  return false;
+}
+
+bool ElasticContinuation::advance(const ElasticStage &target, const char *what, const int depth)
+{
+  if (newton(target, what) || newton(target, what, 40, false))
+    return true;
+  if (depth == 3)
+    return false;
+  const auto between = [](const double a, const double b, const double least) {
+    return std::sqrt(std::max(a, least) * std::max(b, least));
+  };
+  ElasticStage middle = target;
+  middle.least_rate   = between(at.least_rate, target.least_rate, 1e-7);
+  middle.least_slip   = between(at.least_slip, target.least_slip, 1e-7);
+  middle.softness     = between(at.softness, target.softness, 1e-15);
+  middle.compliance   = 0.5 * (at.compliance + target.compliance);
+  middle.flattening   = 0.5 * (at.flattening + target.flattening);
+  return advance(middle, what, depth + 1) && advance(target, what, depth + 1);
+}
+
+// With an elastic roll the exit thickness is that of the thinnest place under load, which moves.
+bool ElasticContinuation::find_thinnest(ElasticStage &stage) const
+{
+  if (roll.displacement.size() == 0)
+    return false;
+  const int before = stage.thinnest;
+  stage.thinnest   = thinnest_spine(grid, u, before);
+  return stage.thinnest != before;
+}
+
+// Speeds and heights stay positive.
+double ElasticContinuation::largest_share(const VectorXd &d) const
+{
+  double share = 1;
+  for (int i = 0; i < grid.x.size(); ++i) {
+    for (int j = 0; j <= 2 * grid.n_through; ++j) {
+      const int k = grid.velocity(i, j, 0);
+      if (d[k] > 0.8 * u[k])
+        share = std::min(share, 0.8 * u[k] / d[k]);
+    }
+    for (int J = 1; J <= grid.n_through; ++J) {
+      const int k = grid.height(i, J);
+      if (std::abs(d[k]) > 0.2 * u[k])
+        share = std::min(share, 0.2 * u[k] / std::abs(d[k]));
+    }
+  }
+  return std::max(share, 1e-4);
+}
+
+ElasticStage last_stage(const ElasticPass &pass)
+{
+  ElasticStage s;
+  s.least_rate = pass.model.least_rate;
+  s.least_slip = pass.model.least_slip;
+  s.softness   = 1e-14;
+  s.compliance = 1;
+  s.flattening = pass.model.arc == bite::Arc::elastic ? 1 : 0;
+  s.held_shape = false;
+  return s;
+}
+
+namespace {
+[[noreturn]] void refuse(const ElasticContinuation &c, const ElasticStage &wanted)
+{
+  const auto stage = [](const ElasticStage &s) {
+    return sentence("g0 = ", s.least_rate, " of the mean rate of shear, elasticity of the strip ",
+                    100 * s.compliance, " %, flattening of the roll ", 100 * s.flattening, " %");
+  };
+  const ElasticPass &pass = c.pass;
+  throw SolverError({"roll bite by finite elements, elastic-plastic strip: no convergence at " + stage(wanted),
+                     sentence("last residual ", c.last_residual, ", wanted ", pass.model.tolerance, "; ",
+                              c.grid.n_unknowns, " unknowns"),
+                     sentence("rolls that cannot draw the strip in (angle of bite ", pass.arc_length / pass.radius,
+                              " rad, friction ", c.u[c.grid.bulk(Bulk::friction)],
+                              "), tension near the flow stress, or a mesh too coarse for the "
+                              "ends of the contact"),
+                     "more friction or less reduction; more elements along; a converged state nearby as start",
+                     "converged up to " + stage(c.at)});
+}
+
+// Moves the lines of the mesh so that two of them are the ends of the contact: pressure and gap nil there.  From
+// here on the state is a smooth function of what is given.
+bool fit(ElasticContinuation &c, const ElasticStage &stage)
+{
+  ElasticGrid &g = c.grid;
+  int first = -1, last = -1;
+  for (int i = 0; i < g.x.size(); ++i)
+    if (g.force(i) >= 0 && c.u[g.force(i)] > 1e-6 * g.tributary[i]) {
+      first = first < 0 ? i : first;
+      last  = i;
+    }
+  if (first < 2 || last + 3 > g.x.size() || last - first < 8)
+    return false;
+  const VectorXd before = c.u;
+  g.entry_spine         = first - first % 2;
+  g.exit_spine          = last + last % 2;
+  if (g.force(g.entry_spine) < 0 || g.force(g.exit_spine) < 0) {
+    g.entry_spine = g.exit_spine = -1;
+    return false;
+  }
+  c.u[g.bulk(Bulk::entry_end)] = g.x[g.entry_spine];
+  c.u[g.bulk(Bulk::exit_end)]  = g.x[g.exit_spine];
+  for (int i = 0; i < g.x.size(); ++i)
+    if (g.force(i) >= 0 && (i < g.entry_spine || i > g.exit_spine))
+      c.u[g.force(i)] = 0;
+  g.ends_of_contact = true;
+  if (c.newton(stage, "Newton, fitted ends", 40))
+    return true;
+  g.ends_of_contact = false;
+  g.entry_spine = g.exit_spine = -1;
+  c.u                          = before;
+  return false;
+}
+
+}  // namespace
+
+// Down from a creeping strip at rate `from`, everything else as at the end.
+void harden(ElasticContinuation &c, const double from, const double until)
+{
+  const ElasticStage last = last_stage(c.pass);
+  const char *what        = "Newton, free surface";
+  for (const double rate : {0.1, 0.03, 0.01, 1e-3}) {
+    if (rate > 1.01 * from || rate <= last.least_rate || rate < until)
+      continue;
+    ElasticStage s = last;
+    s.least_rate   = rate;
+    s.least_slip   = std::max(last.least_slip, std::min(0.2, 0.5 * rate));
+    s.softness     = 1e-2 * rate * rate;
+    if (c.at.held_shape || c.at.flattening < s.flattening) {
+      s.least_slip      = std::max(s.least_slip, 0.05);
+      ElasticStage part = s;
+      part.flattening   = 0;
+      if (!c.advance(part, what))
+        refuse(c, part);
+      for (const double share : {0.2, 0.6})
+        if (s.flattening > 0) {
+          part.flattening = share;
+          if (!c.advance(part, what))
+            refuse(c, part);
+        }
+    }
+    if (!c.advance(s, what))
+      refuse(c, s);
+    if (c.fits && rate <= fit_rate && !c.grid.moves())
+      fit(c, s);
+  }
+  if (until == 0 && !c.advance(last, what))
+    refuse(c, last);
+}
+
+void solve_cold(ElasticContinuation &c, const double until)
+{
+  ElasticStage s;
+  const char *what = "Newton, fixed surface";
+  for (const double rate : {1., 0.3, 0.1}) {
+    s.least_rate = s.least_slip = rate;
+    if (!c.advance(s, what))
+      refuse(c, s);
+    s.compliance = 1;  // from the second level on: at the first the strip only creeps
+  }
+  harden(c, 0.1, until);
+}
+
+// From a state of another mesh or pass: the last level at once, or from a creeping strip on.
+void solve_warm(ElasticContinuation &c)
+{
+  const ElasticStage last = last_stage(c.pass);
+  const char *what        = "Newton, free surface";
+  if (!c.fits && c.newton(last, what, 20))
+    return;
+  for (const double rate : {c.fits ? fit_rate : 1e-3, 1e-2, 0.1}) {
+    ElasticStage soft = last;
+    soft.least_rate   = rate;
+    soft.least_slip   = std::max(last.least_slip, 0.5 * rate);
+    soft.softness     = 1e-2 * rate * rate;
+    if (c.newton(soft, what, 25)) {
+      harden(c, c.fits ? rate : 0.9 * rate);
+      return;
+    }
+  }
+  refuse(c, last);
+}
+}  // namespace mill::fem

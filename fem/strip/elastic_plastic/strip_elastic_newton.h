@@ -1,0 +1,47 @@
+#pragma once
+#include "fem/strip/elastic_plastic/strip_elastic_equations.h"
+#include "fem/strip/rigid_plastic/strip_flow_factor.h"
+
+// Newton's method on the elastic-plastic strip, and the ways to its last level.  theory.md 19.5
+namespace mill::fem {
+/// Newton's method on one grid, with what has converged last.
+class ElasticContinuation {
+public:
+  ElasticContinuation(const ElasticPass &pass, ElasticGrid &grid, const ElasticRoll &roll, Eigen::VectorXd start,
+                      std::vector<StripFlowLevel> &history);
+  /// One level; on failure the unknowns stay what they were.
+  /// @param leaps  where no step lowers the residual: half a step up; false: a small one
+  bool newton(ElasticStage stage, const char *what, int steps = 40, bool leaps = true);
+  /// From the last level to another one, in as many parts as it takes.
+  bool advance(const ElasticStage &target, const char *what, int depth = 0);
+
+  const ElasticPass &pass;
+  ElasticGrid &grid;
+  const ElasticRoll &roll;
+  Eigen::VectorXd u;
+  ElasticStage at;               ///< where it converged last
+  bool fits            = false;  ///< lines of the mesh shall end the contact
+  double last_residual = 0;      ///< -
+
+private:
+  bool find_thinnest(ElasticStage &stage) const;
+  double largest_share(const Eigen::VectorXd &d) const;
+  UnsymmetricFactor factor;
+  RowMemory memory;
+  std::vector<StripFlowLevel> &history;
+};
+
+/// g0 at which the mesh is fitted to the contact: the strip still creeps, so no point changes between elastic and
+/// plastic when the mesh moves.
+constexpr double fit_rate = 0.01;
+
+/// Down from a creeping strip at rate `from`, everything else as at the end, to `until`; 0: to the last level.
+/// @throws SolverError  no convergence
+void harden(ElasticContinuation &c, double from, double until = 0);
+/// From an even flow.  @throws SolverError  no convergence
+void solve_cold(ElasticContinuation &c, double until = 0);
+/// From a state of another mesh or pass: the last level at once, or from a creeping strip on.
+/// @throws SolverError  no convergence
+void solve_warm(ElasticContinuation &c);
+ElasticStage last_stage(const ElasticPass &pass);
+}  // namespace mill::fem

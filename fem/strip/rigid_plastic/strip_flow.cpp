@@ -1,0 +1,338 @@
+#include "fem/strip/rigid_plastic/strip_flow.h"
+#include "core/case/errors.h"
+#include "fem/strip/rigid_plastic/strip_flow_equations.h"
+#include "fem/strip/rigid_plastic/strip_flow_factor.h"
+#include "fem/strip/rigid_plastic/strip_flow_results.h"
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+namespace mill::fem {
+namespace {
+using Eigen::VectorXd;
+
+std::string text(const double value)
+{
+  std::ostringstream out;
+  out.precision(3);
+  out << value;
+  return out.str();
+}
+
+// Newton's method on one grid, with what has converged so far.
+class Continuation {
+public:
+  Continuation(const StripPass &p, const StripGrid &g, VectorXd start, std::vector<StripFlowLevel> &h)
+      : pass(p), grid(g), u(std::move(start)), history(h)
+  {
+  }
+
+  // Eight steps with the viscosity of the present state: from a guess that is none to where Newton converges.
+  // False where the strip cannot carry anything: a flow stress next to nothing in a part of it.
+  bool picard(const StripStage &stage)
+  {
+    for (int step = 0; step < 8; ++step) {
+      const StripEquations e = strip_equations(pass, grid, stage, u);
+      const VectorXd d       = direction(e);
+      if (d.size() == 0)
+        return false;
+      u -= d;
+      if (step == 7)
+        note("Picard", stage, 8, e.residual.norm(), e.force.value);
+    }
+    at = stage;
+    return true;
+  }
+
+  // One level; on failure the unknowns stay what they were.
+  bool newton(const StripStage &stage)
+  {
+    const VectorXd kept = u;
+    StripDirections before, after;
+    StripEquations e = strip_equations(pass, grid, stage, u, nullptr, &before);
+    double residual  = e.residual.norm();
+    for (int step = 1; step <= 30 && std::isfinite(residual); ++step) {
+      const VectorXd d = direction(e), from = u;
+      if (d.size() == 0)
+        break;
+      // The ends of the contact move by a tenth of the arc at most: beyond that the linearisation says nothing.
+      const double farthest =
+          std::max(std::abs(d[grid.whole(Whole::entry)]), std::abs(d[grid.whole(Whole::exit)]));
+      double share = std::min(1., 0.1 * pass.arc_length / farthest), next = 0;
+      for (;; share *= 0.5) {
+        u    = from - share * d;
+        e    = strip_equations(pass, grid, stage, u, &before, &after);
+        next = e.residual.norm();
+        // The first steps may climb: they set the predicted directions right.
+        if (std::isfinite(next) && next < (step <= 6 ? 2 : 1 - 0.1 * share) * residual)
+          break;
+        if (share < 1e-3)
+          break;
+      }
+      last_residual = residual;
+      if (share < 1e-3)
+        break;
+      residual = last_residual = next;
+      std::swap(before, after);
+      if (residual < pass.model.tolerance) {
+        note(stage.free_surface ? "Newton, free surface" : "Newton, fixed surface", stage, step, residual,
+             e.force.value);
+        at = stage;
+        return true;
+      }
+    }
+    u = kept;
+    return false;
+  }
+
+  // From the last level to another one, in as many parts as it takes.
+  bool advance(const StripStage &target, const int depth = 0)
+  {
+    if (newton(target))
+      return true;
+    if (depth == 5)
+      return false;
+    StripStage middle   = target;
+    middle.least_rate   = std::sqrt(at.least_rate * target.least_rate);
+    middle.least_slip   = std::sqrt(at.least_slip * target.least_slip);
+    middle.flexibility  = 0.5 * (at.flexibility + target.flexibility);
+    middle.tension      = 0.5 * (at.tension + target.tension);
+    middle.end_pressure = 0.5 * (at.end_pressure + target.end_pressure);
+    return advance(middle, depth + 1) && advance(target, depth + 1);
+  }
+
+  const StripPass &pass;
+  const StripGrid &grid;
+  VectorXd u;
+  StripStage at;  // where it converged last
+  double last_residual = 0;
+
+private:
+  VectorXd direction(const StripEquations &e)
+  {
+    Eigen::SparseMatrix<double> K(grid.n_unknowns, grid.n_unknowns);
+    K.setFromTriplets(e.entries.begin(), e.entries.end());
+    return factor.factorise(K) ? factor.solve(e.residual) : VectorXd();
+  }
+  void note(const char *what, const StripStage &stage, const int iterations, const double residual,
+            const double force)
+  {
+    const double width = pass.bite->strip.width;
+    history.push_back({what, grid.n_unknowns, stage.least_rate, stage.least_slip, stage.flexibility, iterations,
+                       residual, force * pass.stress * pass.length * width});
+  }
+  UnsymmetricFactor factor;
+  std::vector<StripFlowLevel> &history;
+};
+
+StripStage last_stage(const StripPass &pass)
+{
+  const bool follows = pass.model.follow_surface;
+  return {pass.model.least_rate,
+          pass.model.least_slip,
+          false,
+          follows,
+          pass.model.release,
+          0,
+          pass.model.arc == bite::Arc::rigid ? 0. : 1.,
+          1};
+}
+
+[[noreturn]] void refuse(const StripPass &pass, const Continuation &c, const StripStage &wanted)
+{
+  const StripFlowModel &m = pass.model;
+  std::string remedy = "more elements along the arc, or a state nearby as start (less friction, less reduction)";
+  if (m.arc == bite::Arc::elastic)
+    remedy = "a rigid-plastic strip has a pressure step at both ends, which an elastic roll answers to with an "
+             "infinite slope: take the elastic-plastic strip, or Hitchcock's circle";
+  if (pass.flexibility) {
+    const auto &at = pass.flexibility->position;
+    remedy += "; the flexibility given reaches from " + text(at[0] * 1e3) + " to " +
+              text(at[at.size() - 1] * 1e3) + " mm from the line of centres, the contact had come to " +
+              text(-c.u[c.grid.whole(Whole::exit)] * pass.length * 1e3) + " to " +
+              text(-c.u[c.grid.whole(Whole::entry)] * pass.length * 1e3) + " mm";
+  }
+  throw SolverError(
+      {"roll bite by finite elements: no convergence at g0 = " + text(wanted.least_rate) +
+           " of the mean rate of shear, d0 = " + text(wanted.least_slip) + " of the roll's speed" +
+           (wanted.flexibility > 0 ? ", roll flattening " + text(100 * wanted.flexibility) + " %" : ""),
+       "last residual " + text(c.last_residual) + ", wanted " + text(m.tolerance) + "; " +
+           std::to_string(c.grid.n_unknowns) + " unknowns",
+       "friction at its limit over most of the arc, or a mesh too coarse for the ends of the contact", remedy,
+       "converged up to g0 = " + text(c.at.least_rate) + ", d0 = " + text(c.at.least_slip) + ", flattening " +
+           text(100 * c.at.flexibility) + " %"});
+}
+
+// From an even flow to the last level, on one grid.
+void solve_cold(Continuation &c)
+{
+  const StripStage wanted = last_stage(c.pass);
+  StripStage stage;
+  // A strip that creeps would be torn by the tensions that it carries once it is all but rigid.
+  const Strip &strip   = c.pass.bite->strip;
+  const double tension = std::max(std::abs(strip.entry_tension), std::abs(strip.exit_tension)) / c.pass.stress;
+  stage.tension        = std::min(1., 0.3 / tension);
+  if (!c.picard(stage))
+    refuse(c.pass, c, stage);
+  stage.picard = false;
+  for (double rate = 1;; rate /= 10) {
+    stage.least_rate = std::max(rate, wanted.least_rate);
+    stage.least_slip = std::max(wanted.least_slip, std::min(0.3 * rate, 0.05));
+    if (!c.advance(stage))
+      refuse(c.pass, c, stage);
+    if (wanted.free_surface && !stage.free_surface && rate < 0.5) {
+      stage.free_surface = true;
+      if (!c.advance(stage))
+        refuse(c.pass, c, stage);
+    }
+    if (stage.least_rate == wanted.least_rate && stage.least_slip == wanted.least_slip)
+      break;
+  }
+  if (wanted.release) {
+    stage.release     = true;
+    c.at.end_pressure = c.u[c.grid.contact(c.grid.last)];
+    if (!c.advance(stage))
+      refuse(c.pass, c, stage);
+  }
+  if (stage.tension < 1) {
+    stage.tension = 1;
+    if (!c.advance(stage))
+      refuse(c.pass, c, stage);
+  }
+  if (wanted.flexibility > 0) {
+    stage.flexibility = 1;
+    if (!c.advance(stage))
+      refuse(c.pass, c, stage);
+  }
+}
+
+// A state of another grid or pass as start: the last level at once, or from a creeping strip on.
+bool solve_warm(Continuation &c)
+{
+  const StripStage wanted = last_stage(c.pass);
+  if (c.newton(wanted))
+    return true;
+  StripStage soft = wanted;
+  soft.least_rate = std::max(wanted.least_rate, 0.03);
+  soft.least_slip = std::max(wanted.least_slip, 0.01);
+  return c.newton(soft) && c.advance(wanted);
+}
+
+StripLines scaled(StripLines lines, const double by)
+{
+  lines.inlet *= by;
+  lines.outlet *= by;
+  return lines;
+}
+
+VectorXd solve_unknowns(const StripPass &pass, const StripGrid &grid, const StripFlow *start,
+                        std::vector<StripFlowLevel> &history)
+{
+  if (start && start->unknowns.size() > 0) {
+    Continuation c(pass, grid, interpolated(strip_grid(start->lines), start->unknowns, grid), history);
+    if (solve_warm(c))
+      return c.u;
+  }
+  std::vector<StripGrid> grids{grid};
+  for (StripLines lines = grid.lines; coarsened(lines);)
+    grids.push_back(strip_grid(lines));
+  std::optional<VectorXd> u;
+  for (auto g = grids.rbegin(); g != grids.rend(); ++g) {
+    const bool finest = g + 1 == grids.rend();
+    if (u) {
+      Continuation c(pass, *g, interpolated(*(g - 1), *u, *g), history);
+      u.reset();
+      if (solve_warm(c))
+        u = c.u;
+      if (u)
+        continue;
+    }
+    Continuation c(pass, *g, first_guess(pass, *g), history);
+    try {
+      solve_cold(c);
+      u = c.u;
+    } catch (const SolverError &) {  // a finer grid may do: sticking needs it
+      if (finest)
+        throw;
+    }
+  }
+  return *u;
+}
+
+double input_unit(const StripPass &pass, const int input)
+{
+  switch (bite::Input(input)) {
+  case bite::Input::entry_thickness:
+  case bite::Input::exit_thickness:
+  case bite::Input::arc_radius:
+    return pass.length;
+  case bite::Input::entry_tension:
+  case bite::Input::exit_tension:
+    return pass.stress;
+  case bite::Input::roll_speed:
+  case bite::Input::gap_rate:
+    return std::isnan(pass.bite->roll_speed) ? not_given : pass.speed;
+  default:
+    return 1;
+  }
+}
+
+// Exact derivatives of force and traction by all inputs, (18.15): one transposed solve each.
+struct Gradients {
+  bite::Gradient force, traction;
+};
+Gradients gradients(StripPass pass, const StripGrid &grid, StripStage stage, const VectorXd &u, const bool held)
+{
+  stage.arc_held         = held;
+  pass.held_radius       = held ? u[grid.whole(Whole::radius)] : not_given;
+  const StripEquations e = strip_equations(pass, grid, stage, u);
+  Eigen::SparseMatrix<double> K(grid.n_unknowns, grid.n_unknowns);
+  K.setFromTriplets(e.entries.begin(), e.entries.end());
+  UnsymmetricFactor factor;
+  Gradients out;
+  out.force.fill(not_given);
+  out.traction.fill(not_given);
+  if (!factor.factorise(K))
+    return out;
+  const double unit = pass.stress * pass.length * pass.bite->strip.width;
+  for (const auto &[sum, gradient] : {std::pair(&e.force, &out.force), std::pair(&e.traction, &out.traction)}) {
+    const VectorXd weight = factor.solve_transposed(sum->by.head(grid.n_unknowns));
+    const VectorXd by     = sum->by.tail(bite::n_inputs) - e.by_input.transpose() * weight;
+    for (int i = 0; i < bite::n_inputs; ++i)
+      (*gradient)[i] = by[i] * unit / input_unit(pass, i);
+  }
+  return out;
+}
+}  // namespace
+
+StripFlow solve_strip_flow(const MeshFile &mesh, const bite::RollBite &bite, const StripFlowModel &model,
+                           const bite::ArcFlexibility *flexibility, const StripFlow *start)
+{
+  const auto begin       = std::chrono::steady_clock::now();
+  const StripPass pass   = strip_pass(bite, model, flexibility);
+  const StripLines lines = strip_lines(mesh);
+  const StripGrid grid   = strip_grid(scaled(lines, 1 / pass.length));
+  std::vector<StripFlowLevel> history;
+  const VectorXd u       = solve_unknowns(pass, grid, start, history);
+  const StripStage stage = last_stage(pass);
+  StripFlow flow         = strip_flow_results(pass, grid, stage, u);
+  flow.lines             = lines;
+  flow.history           = std::move(history);
+  if (model.derivatives) {
+    const Gradients held = gradients(pass, grid, stage, u, true);
+    flow.state.force_by  = held.force;
+    for (int i = 0; i < bite::n_inputs; ++i)
+      flow.state.torque_by[i] = bite.roll_radius * held.traction[i];
+    flow.state.force_by_exit_following =
+        model.arc == bite::Arc::rigid
+            ? bite::by(held.force, bite::Input::exit_thickness)
+            : bite::by(gradients(pass, grid, stage, u, false).force, bite::Input::exit_thickness);
+  } else {
+    flow.state.force_by.fill(not_given);
+    flow.state.torque_by.fill(not_given);
+  }
+  flow.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return flow;
+}
+}  // namespace mill::fem

@@ -1,0 +1,93 @@
+#pragma once
+#include "bite/bite.h"
+#include "fem/strip/rigid_plastic/strip_flow.h"
+#include <array>
+#include <vector>
+
+// Mesh lines, unknowns and shape functions of the rolled strip.  theory.md 18
+namespace mill::fem {
+/// Unknowns that belong to the whole bite.
+enum class Whole {
+  entry,     ///< abscissa where the contact begins
+  exit,      ///< where it ends
+  radius,    ///< of the circle of the roll
+  offset,    ///< of the roll from where the exit thickness would put it
+  friction,  ///< coefficient, or addition to both factors
+  tension    ///< at the exit
+};
+constexpr int n_whole = 6;
+
+/// Structured grid of n_along x n_through elements, Q2 velocity, Q1 pressure.  Node (i, j) is on spine
+/// i = 0 .. 2 n_along from the inlet to the outlet, row j = 0 .. 2 n_through from the mid plane; corners are even.
+/// Columns of the equations: the unknowns, then the bite::n_inputs inputs by which they are differentiated.
+struct StripGrid {
+  StripLines lines;  ///< distances over the length scale
+  int n_along = 0, n_through = 0;
+  int first = 0, last = 0;  ///< spines where contact begins and ends
+  int n_unknowns = 0;
+  std::vector<int> velocity_of, pressure_of, height_of, strain_of, contact_of;
+  std::vector<char> held;  ///< (unknowns) 1: velocity that is zero
+  /// Abscissa of corner spine I: spine[I][0] entry + spine[I][1] exit + spine[I][2].
+  std::vector<std::array<double, 3>> spine;
+
+  int velocity(const int i, const int j, const int component) const
+  {
+    return velocity_of[2 * (i * (2 * n_through + 1) + j) + component];
+  }
+  int pressure(const int I, const int J) const
+  {
+    return pressure_of[I * (n_through + 1) + J];
+  }
+  /// Height of row J on spine i; -1 on the mid plane.
+  int height(const int i, const int J) const
+  {
+    return J == 0 ? -1 : height_of[i * n_through + J - 1];
+  }
+  /// Strain where Gauss row k of element row J crosses corner spine I.
+  int strain(const int I, const int J, const int k) const
+  {
+    return strain_of[3 * (I * n_through + J) + k];
+  }
+  /// Pressure of the roll on spine i; -1 beside the contact.
+  int contact(const int i) const
+  {
+    return contact_of[i];
+  }
+  int whole(const Whole which) const
+  {
+    return n_unknowns - n_whole + int(which);
+  }
+  int input(const bite::Input which) const
+  {
+    return n_unknowns + int(which);
+  }
+};
+/// Numbers the unknowns; velocities and pressures by deal.II's Taylor-Hood element.
+StripGrid strip_grid(const StripLines &lines);
+
+/// Every second line; false if a count is odd or the result coarser than 12 x 3 on the arc.
+bool coarsened(StripLines &lines);
+
+/// Unknowns of another grid interpolated at this one: same shares of inlet, arc, outlet and thickness.
+Eigen::VectorXd interpolated(const StripGrid &from, const Eigen::VectorXd &unknowns, const StripGrid &to);
+
+/// Shape functions of the square at 3 x 3 Gauss points, node and point (a, b) at 3 a + b, a along; corners at
+/// 2 a + b.
+struct StripShapes {
+  Eigen::Matrix<double, 9, 9> value, along, through;  ///< (point, node) and derivatives
+  Eigen::Matrix<double, 9, 4> corner;                 ///< (point, corner)
+  Eigen::Matrix3d gathered;       ///< (k, l) integral of Lagrange polynomial l from -1 to point k
+  Eigen::Vector3d point, weight;  ///< of one direction
+};
+const StripShapes &strip_shapes();
+
+/// Quadratic Lagrange polynomial of node a = 0, 1, 2 at -1, 0, 1, and its derivative.
+inline double quadratic(const double t, const int a)
+{
+  return a == 0 ? 0.5 * t * (t - 1) : a == 1 ? 1 - t * t : 0.5 * t * (t + 1);
+}
+inline double quadratic_slope(const double t, const int a)
+{
+  return a == 0 ? t - 0.5 : a == 1 ? -2 * t : t + 0.5;
+}
+}  // namespace mill::fem

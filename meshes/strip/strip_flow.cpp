@@ -1,0 +1,113 @@
+#include "meshes/strip/strip_flow.h"
+#include "core/case/errors.h"
+#include "meshes/common/structured.h"
+#include <algorithm>
+#include <cmath>
+
+namespace mill::meshes {
+namespace {
+// Shares of the arc, 0 at the line of centres to 1, from a size that grows evenly away from ends and neutral
+// point.
+std::vector<double> arc_lines(const StripBlock &b)
+{
+  const double reach = 0.3;  // of the arc, on which the size grows from finest to largest
+  const auto size    = [&](const double t) {
+    const double away = std::min({t, 1 - t, std::abs(t - b.neutral)});
+    return b.finest + (1 - b.finest) * std::min(1., away / reach);
+  };
+  const int n = 4000;
+  std::vector<double> gathered{0}, out{0};
+  for (int i = 0; i < n; ++i)
+    gathered.push_back(gathered.back() + 1 / size((i + 0.5) / n));
+  for (int line = 1; line < b.along; ++line) {
+    const double wanted = gathered.back() * line / b.along;
+    const auto above    = std::upper_bound(gathered.begin(), gathered.end(), wanted);
+    const double part   = (wanted - *(above - 1)) / (*above - *(above - 1));
+    out.push_back((double(above - gathered.begin()) - 1 + part) / n);
+  }
+  out.push_back(1);
+  return out;
+}
+
+// n lines of a geometric series that begins with `first` and fills `length`, from 0.
+std::vector<double> growing_lines(const double first, const double length, const int n)
+{
+  double low = 0.1, high = 10;
+  const auto sum = [&](const double ratio) {
+    double s = 0, element = first;
+    for (int i = 0; i < n; ++i, element *= ratio)
+      s += element;
+    return s;
+  };
+  for (int i = 0; i < 100; ++i) {
+    const double middle                 = std::sqrt(low * high);
+    (sum(middle) < length ? low : high) = middle;
+  }
+  std::vector<double> out{0};
+  double element = first;
+  for (int i = 0; i < n; ++i, element *= low)
+    out.push_back(out.back() + element);
+  for (double &x : out)
+    x *= length / out.back();
+  return out;
+}
+}  // namespace
+
+StripBlock strip_block(const Strip &strip, const double roll_radius, const int along, const int through)
+{
+  const double h1 = strip.entry_thickness, h2 = strip.exit_thickness, dh = h1 - h2;
+  StripBlock b;
+  b.entry_thickness = h1;
+  b.exit_thickness  = h2;
+  b.arc_length      = std::sqrt(dh * (roll_radius - 0.25 * dh));
+  b.outside         = b.arc_length < h1 + h2 ? 1.5 * h1 : h1;
+  b.along           = along;
+  b.through         = through;
+  const double mu   = strip.friction.coefficient;
+  if (strip.friction.law == "coulomb" && mu > 0) {  // as theory.md (8.7), without tensions
+    const double root = std::sqrt(roll_radius / h2), angle = std::sqrt(dh / roll_radius);
+    const double half = std::atan(root * angle) - std::log(h1 / h2) / (4 * mu * root);
+    b.neutral         = std::clamp(std::tan(half / 2) / (root * angle), 0.1, 0.5);
+  }
+  return b;
+}
+
+MeshFile write_strip_block(const StripBlock &b, const std::string &path)
+{
+  if (!(b.along >= 4 && b.along % 4 == 0 && b.through >= 1))
+    throw InputError("the mesh of the strip needs a multiple of 4 elements along the arc, not " +
+                     std::to_string(b.along) + ", and one or more through half the thickness");
+  if (!(b.exit_thickness > 0 && b.entry_thickness > b.exit_thickness && b.arc_length > 0 && b.outside > 0))
+    throw InputError("the mesh of the strip needs an exit thinner than the entry and positive lengths");
+  const std::vector<double> arc = arc_lines(b);
+  const int beside              = std::max(1, b.along / 4);
+  const auto inlet              = growing_lines(b.arc_length * (1 - arc[arc.size() - 2]), b.outside, beside);
+  const auto outlet             = growing_lines(b.arc_length * arc[1], b.outside, beside);
+  std::vector<double> x, half;
+  for (int i = beside; i > 0; --i)
+    x.push_back(-outlet[i]);
+  for (const double t : arc)
+    x.push_back(t * b.arc_length);
+  for (int i = 1; i <= beside; ++i)
+    x.push_back(b.arc_length + inlet[i]);
+  for (const double at : x) {  // a parabola between the thicknesses: the solver's spines take their own heights
+    const double t = std::clamp(at / b.arc_length, 0., 1.);
+    half.push_back(0.5 * (b.exit_thickness + (b.entry_thickness - b.exit_thickness) * t * t));
+  }
+  StructuredGrid grid;
+  grid.n = {int(x.size()), b.through + 1};
+  for (int j = 0; j <= b.through; ++j)
+    for (std::size_t i = 0; i < x.size(); ++i)
+      grid.points.push_back({x[i], half[i] * j / b.through, 0});
+  grid.group = [&b](const int direction, const int side, const std::array<double, 3> &middle) -> std::string {
+    if (direction == 0)
+      return side ? "inlet" : "outlet";
+    if (!side)
+      return "axis";
+    return middle[0] > 0 && middle[0] < b.arc_length ? "roll" : "surface";
+  };
+  MeshFile mesh        = write_grid(grid, path);
+  mesh.contact_element = b.arc_length * std::min(arc[1], 1 - arc[arc.size() - 2]);
+  return mesh;
+}
+}  // namespace mill::meshes

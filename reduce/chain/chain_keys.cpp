@@ -1,0 +1,100 @@
+#include "reduce/chain/chain_keys.h"
+#include "core/records/provenance.h"
+#include "reduce/chain/screwdown.h"
+#include <cmath>
+
+namespace mill::reduce {
+Keys backup_roll_keys(const bool solid)
+{
+  return joined(keys_in("backup_roll", "barrel_diameter barrel_length neck_diameter bearing_span bending_model"),
+                keys_in("steel", "youngs_modulus poisson_ratio"), keys_in("dynamics", "mass_reference"),
+                solid ? joined(keys_in("backup_roll", "neck_length"),
+                               keys_in("dynamics", "elements_per_radius frequency_limit"))
+                      : Keys());
+}
+
+Keys housing_keys(const MillHousing &housing, const bool mass)
+{
+  const Keys shape =
+      keys_in("housing", "thickness post_width window_width window_height upper_beam_height lower_beam_height "
+                         "fillet_radius foot_height screw_pad seat_pad youngs_modulus");
+  const auto of_rolls = [](const double own, const char *key) {
+    return std::isnan(own) ? Keys{std::string("steel.") + key} : Keys{};
+  };
+  return joined(shape, of_rolls(housing.modulus, "youngs_modulus"), Keys{"steel.poisson_ratio"},
+                mass ? joined(Keys{"housing.density"}, of_rolls(housing.density, "density")) : Keys{});
+}
+
+Keys as_drawn(const Keys &keys, const FourHigh &stand)
+{
+  const auto replaced = frame_with_screwdown(stand.frame, stand.screwdown, stand.steel).replaced;
+  const auto drawn_as = [&](const std::string &key) -> Keys {
+    if (stand.housing.present() && (key.find("frame.upper_post_") == 0 || key.find("frame.upper_beam_") == 0 ||
+                                    key.find("frame.lower_post_") == 0 || key.find("frame.lower_beam_") == 0))
+      return housing_keys(stand.housing, key.find("_mass") != std::string::npos);
+    // A backup bearing that counts its chock has put it out of the chain.
+    if ((key == "frame.upper_chock_stiffness" && std::isinf(stand.frame.upper_chock_stiffness)) ||
+        (key == "frame.lower_chock_stiffness" && std::isinf(stand.frame.lower_chock_stiffness)))
+      return {};
+    for (const Replacement &drawn : replaced)
+      if (drawn.key == key)
+        return drawn.inputs;
+    return {key};
+  };
+  Keys all;
+  for (const std::string &key : keys)
+    all = joined(all, drawn_as(key));
+  return all;
+}
+
+std::map<std::string, Keys> given_springs(const FourHigh &stand)
+{
+  std::map<std::string, Keys> keys;
+  for (const char *name : {"K1", "K7", "K_ZW"})
+    if (const auto given = stand.given.find(name); given != stand.given.end()) {
+      const Keys &inputs = given->second.parameter.inputs;
+      keys[name]         = inputs.empty() ? Keys{std::string("given.") + name} : inputs;
+    }
+  return keys;
+}
+
+std::array<Keys, 13> chain_keys(const SpringKeys &s, const bool solid)
+{
+  // A given spring replaces what it is made of, in the load path too.
+  const auto or_given = [&](const char *name, const Keys &keys) {
+    const auto given = s.given.find(name);
+    return given == s.given.end() ? keys : given->second;
+  };
+  const Keys beam = backup_roll_keys(solid);
+  const Keys K1 =
+      keys_in("frame", "upper_post_stiffness upper_beam_stiffness piston_stiffness upper_packing_stiffness");
+  const Keys K2 = joined(keys_in("frame", "oil_column_stiffness cylinder_body_stiffness upper_chock_stiffness"),
+                         s.K_Zy_upper, or_given("K_ZW", beam));
+  const Keys K6 = joined(keys_in("frame", "lower_chock_stiffness"), s.K_Zy_lower, or_given("K_ZW", beam));
+  const Keys K7 =
+      keys_in("frame", "lower_post_stiffness lower_beam_stiffness lower_packing_stiffness load_cell_stiffness");
+
+  const Keys upper_path = or_given("K1", K1), lower_path = or_given("K7", K7);
+  const Keys density = keys_in("steel", "density");
+  // A given K_ZW scales a beam, whose shape then no longer depends on its modulus.
+  Keys drawn = beam;
+  if (s.given.count("K_ZW"))
+    drawn.erase(std::remove(drawn.begin(), drawn.end(), "steel.youngs_modulus"), drawn.end());
+  const Keys shape  = joined(drawn, or_given("K_ZW", {}));
+  const Keys backup = joined(shape, keys_in("backup_roll", "neck_length bearing_mass"), density);
+  const Keys barrel = keys_in("work_roll", "barrel_diameter barrel_length neck_diameter total_length");
+  const Keys work   = joined(barrel, keys_in("work_roll", "bearing_span bearing_mass"), keys_in("strip", "width"),
+                             density, Keys{"steel.youngs_modulus"}, shape);
+  // The masses of a drawn housing are reduced to where the chain has its point.
+  const Keys M1 = joined(keys_in("frame", "upper_post_mass upper_beam_mass upper_packing_mass piston_mass"),
+                         s.drawn_housing ? upper_path : Keys{});
+  const Keys M2 = joined(backup, keys_in("backup_roll", "chock_mass_upper"),
+                         keys_in("frame", "cylinder_mass balance_mass"), upper_path, K2);
+  const Keys M3 = joined(work, keys_in("work_roll", "chock_mass_upper"), s.K3, upper_path, K2);
+  const Keys M4 = joined(work, keys_in("work_roll", "chock_mass_lower"), s.K5, lower_path, K6);
+  const Keys M5 = joined(backup, keys_in("backup_roll", "chock_mass_lower"), lower_path, K6);
+  const Keys M6 = joined(keys_in("frame", "lower_post_mass lower_beam_mass load_cell_mass lower_packing_mass"),
+                         s.drawn_housing ? lower_path : Keys{});
+  return {M1, M2, M3, M4, M5, M6, K1, K2, s.K3, s.K4, s.K5, K6, K7};
+}
+}  // namespace mill::reduce

@@ -1,0 +1,25 @@
+#pragma once
+#include "reduce/chain/chain_keys.h"
+#include "reduce/stand/stand_assembly.h"
+#include "reduce/stand/stand_comparison.h"
+#include <functional>
+#include <vector>
+
+namespace mill::reduce {
+/// How far the frequencies of a stand may be off for its springs and masses.
+struct FrequencyErrors {
+  Eigen::VectorXd error;    ///< (m) -, relative; NaN: a spring or mass that the mode follows states no error
+  std::vector<Keys> lacks;  ///< (m) which
+};
+
+/// Puts the stand together again from other numbers.
+using StandBuilder = std::function<StandModel(const FourHigh &stand, const StandSprings &springs)>;
+
+/// Sum over every spring and mass x that the model takes from the frame or from the chain of |d ln f / d ln x|
+/// e_x, by Rayleigh's quotient of the mode's own shape in the model with x moved by 1e-4.  theory.md (22.9a)
+/// @param modes    of build(stand, springs)
+/// @param chain    whose springs and masses state their errors
+/// Cost: the stand is put together some thirty times.
+FrequencyErrors frequency_errors(const StandWithModes &modes, const FourHigh &stand, const StandSprings &springs,
+                                 const LumpedStand &chain, const StandBuilder &build);
+}  // namespace mill::reduce

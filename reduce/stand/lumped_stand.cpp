@@ -1,0 +1,346 @@
+#include "reduce/stand/lumped_stand.h"
+#include "core/numerics/mesh_pair.h"
+#include "core/records/provenance.h"
+#include "reduce/chain/beam_shapes.h"
+#include "reduce/chain/chain_keys.h"
+#include "reduce/chain/equivalent_mass.h"
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace mill::reduce {
+namespace {
+/// M1..M6, then K1..K7.
+using ChainValues = std::array<double, 13>;
+
+/// What the chain is made of beside the drawing.  N/m
+struct ChainNumbers {
+  double K3 = 0, K4 = 0, K5 = 0, K_Zy_upper = 0, K_Zy_lower = 0;
+  double K_ZW = not_given, K1 = not_given, K7 = not_given;  ///< given ones; absent: from the drawing
+  double K_ZW_factor = 1;                                   ///< on the one or the other
+};
+
+/// How the two kinds of rolls bend.
+struct Rolls {
+  BentBackupRoll backup;                       ///< as drawn
+  std::function<BentWorkRoll(double K)> work;  ///< on a contact of stiffness K, N/m
+};
+
+double given_or(const FourHigh &stand, const std::string &name, const double computed)
+{
+  const auto given = stand.given.find(name);
+  return given == stand.given.end() ? computed : given->second.parameter.value;
+}
+
+Parameter given_or(const FourHigh &stand, const std::string &name, const Parameter &computed)
+{
+  const auto given = stand.given.find(name);
+  return given == stand.given.end() ? computed : given->second.parameter;
+}
+
+Rolls beams(const FourHigh &stand)
+{
+  const Roll &roll = stand.work_roll;
+  return {backup_beam(stand), [&roll, &stand](const double K) {
+            return bed_shape({roll.barrel_length / 2, stand.strip.width / 2, K / roll.barrel_length,
+                              round_section(roll.barrel_diameter, stand.steel).bending});
+          }};
+}
+
+Rolls solids(const FourHigh &stand, const Component &backup, const Component &work)
+{
+  return {BentBackupRoll(backup, stand.backup_roll.bearing_span / 2),
+          [&work, &stand](const double K) { return BentWorkRoll(work, stand.strip.width / 2, K); }};
+}
+
+/// The stand as rolls and springs, ready to be asked for masses and shapes.
+struct Reduced {
+  BentBackupRoll backup;
+  std::array<BentWorkRoll, 2> work;  ///< upper, lower
+  double K_ZW;                       ///< N/m
+  SeriesSprings series;
+  Flexibilities u;
+};
+
+Reduced reduce_stand(const FourHigh &stand, const ChainNumbers &n, const Rolls &rolls,
+                     const std::string &reference)
+{
+  Reduced r;
+  const double drawn = 1 / rolls.backup.flexibility(reference);  // (4.8)
+  r.K_ZW             = (std::isnan(n.K_ZW) ? drawn : n.K_ZW) * n.K_ZW_factor;
+  r.backup           = times(rolls.backup, drawn / r.K_ZW);  // shape and stiffness stay one roll
+  r.work             = {rolls.work(n.K3), rolls.work(n.K5)};
+  const PathSprings path{n.K_Zy_upper, n.K_Zy_lower, r.K_ZW};
+  r.series = series_springs(stand.frame, path);
+  r.u      = flexibilities(stand.frame, path, std::isnan(n.K1) ? r.series.K1 : n.K1,
+                      std::isnan(n.K7) ? r.series.K7 : n.K7);
+  return r;
+}
+
+ChainValues chain_values(const FourHigh &stand, const ChainNumbers &n, const Rolls &rolls,
+                         const std::string &reference)
+{
+  const Reduced r  = reduce_stand(stand, n, rolls, reference);
+  const Roll &work = stand.work_roll;
+  return {upper_frame_mass(stand.frame),
+          upper_backup_mass(stand, r.backup, r.u),
+          work_roll_mass(stand, r.work[0], r.backup, r.u.roll_upper, work.chock_mass_upper),
+          work_roll_mass(stand, r.work[1], r.backup, r.u.roll_lower, work.chock_mass_lower),
+          lower_backup_mass(stand, r.backup, r.u),
+          lower_frame_mass(stand.frame),
+          r.series.K1,
+          r.series.K2,
+          n.K3,
+          n.K4,
+          n.K5,
+          r.series.K6,
+          r.series.K7};
+}
+
+/// An input of the chain that may be off.
+struct Uncertain {
+  double error;  ///< -, relative; NaN: nobody says
+  Keys lacks;    ///< what would say it
+  std::function<void(FourHigh &, ChainNumbers &, double)> scale;
+};
+
+Uncertain spring(double ChainNumbers::*number, const std::string &name, const Parameter &p)
+{
+  const Keys lacks = p.error_lacks.empty() ? Keys{name} : p.error_lacks;
+  return {p.error_estimate, lacks, [number](FourHigh &, ChainNumbers &n, const double s) { n.*number *= s; }};
+}
+
+Uncertain of_frame(const FrameValue &part)
+{
+  return {part.error,
+          {part.tolerance_key},
+          [member = part.member](FourHigh &s, ChainNumbers &, const double factor) { s.frame.*member *= factor; }};
+}
+
+/// Relative errors of all values from those of the inputs, (4.17), and what they lack.
+struct ChainErrors {
+  ChainValues error{};
+  std::array<Keys, 13> lacks;
+};
+
+ChainErrors propagated_errors(const FourHigh &stand, const ChainNumbers &numbers, const Rolls &rolls,
+                              const std::vector<Uncertain> &inputs)
+{
+  constexpr double step     = 1e-4;  // truncation 1e-8, rounding 1e-11 of the slope: far below any estimate
+  constexpr double no_slope = 1e-9;
+  const auto moved          = [&](const Uncertain &input, const double factor) {
+    FourHigh other                = stand;
+    ChainNumbers numbers_of_other = numbers;
+    input.scale(other, numbers_of_other, factor);
+    return chain_values(other, numbers_of_other, rolls, stand.dynamics.mass_reference);
+  };
+  ChainErrors sum;
+  for (const Uncertain &input : inputs) {
+    const ChainValues up = moved(input, 1 + step), down = moved(input, 1 - step);
+    for (std::size_t v = 0; v < up.size(); ++v) {
+      const double slope = up[v] > 0 && down[v] > 0 ? std::log(up[v] / down[v]) / (2 * step) : 0;
+      if (std::abs(slope) < no_slope)
+        continue;
+      sum.error[v] += std::abs(slope) * input.error;  // stays unknown where one of them is
+      if (std::isnan(input.error))
+        sum.lacks[v].insert(sum.lacks[v].end(), input.lacks.begin(), input.lacks.end());
+    }
+  }
+  return sum;
+}
+
+std::string mass_method(const std::size_t i, const std::string &reference)
+{
+  if (i == 0 || i == 5)
+    return "sum of the reduced masses";
+  return "kinetic energy of the static shape, " + reference + " reference";
+}
+
+/// The other reference beside the chosen one: how much the choice of the reference point moves a mass.
+Check other_reference(const std::size_t i, const std::string &chosen, const ChainValues &other)
+{
+  const std::string name = chosen == "mean" ? "mid-span" : "mean";
+  return {name + " reference (4.8)", other[i], "same shape, other reference displacement of the backup roll"};
+}
+
+RollShape sampled(const double end, const std::function<double(double)> &shape)
+{
+  RollShape table{Eigen::VectorXd::LinSpaced(101, 0, end), Eigen::VectorXd(101)};
+  for (Eigen::Index i = 0; i < table.x.size(); ++i)
+    table.value[i] = shape(table.x[i]);
+  return table;
+}
+
+void add_shapes(LumpedStand &result, const FourHigh &stand, const Reduced &r)
+{
+  const double end = stand.work_roll.barrel_length / 2 + stand.work_roll.neck_length, centre = r.backup.half_span;
+  result.f1_upper = sampled(end, [&](double x) { return work_shape(r.work[0], r.backup, r.u.roll_upper, x); });
+  result.f1_lower = sampled(end, [&](double x) { return work_shape(r.work[1], r.backup, r.u.roll_lower, x); });
+  result.f2_upper = sampled(centre, [&](double x) { return backup_shape(r.backup, r.u.bearing_upper, x); });
+  result.f2_lower = sampled(centre, [&](double x) { return backup_shape(r.backup, r.u.bearing_lower, x); });
+}
+
+Parameter computed_parameter(const double value, const char *unit, const std::string &method,
+                             const std::string &at, const Keys &keys)
+{
+  Parameter p;
+  p.value  = value;
+  p.unit   = unit;
+  p.method = method;
+  p.at     = at;
+  p.inputs = keys;
+  return p;
+}
+
+Parameter damper(const FourHigh &stand)
+{
+  Parameter none = computed_parameter(0, "N s/m", "no damper in the bite", "", {});
+  none.source    = Source::assumed;
+  return given_or(stand, "C", none);
+}
+
+/// K_ZW as the chain has it, with the other model of the roll beside it.
+Parameter bending_of(const FourHigh &stand, const ChainInputs &in, const Rolls &rolls)
+{
+  const std::string &reference = stand.dynamics.mass_reference;
+  const double drawn           = 1 / rolls.backup.flexibility(reference);
+  const bool solid             = in.solid && stand.backup_roll.bending_model == "solid";
+  Parameter p = computed_parameter(drawn, "N/m", rolls.backup.method + ", " + reference + " reference", "",
+                                   backup_roll_keys(solid));
+  if (in.solid) {
+    const auto flexibility = [&](const Component &roll) {
+      return BentBackupRoll(roll, stand.backup_roll.bearing_span / 2).flexibility(reference);
+    };
+    const double fine = flexibility(*in.solid.backup_roll), coarse = flexibility(*in.solid.coarse_backup_roll);
+    const double mesh = mesh_pair_error(fine, coarse, in.solid.gain);
+    const double beam = 1 / BentBackupRoll(backup_beam(stand)).flexibility(reference);
+    p.error_estimate  = solid ? mesh : std::abs(1 / (fine * beam) - 1) + mesh / (fine * beam);
+    if (solid)
+      p.checks.push_back({"stepped Timoshenko beam (4.8)", beam, "its shoulder does not give way, a roll's does"});
+    else
+      p.checks.push_back(
+          {"solid roll by finite elements (22.13)", 1 / fine, "its shoulder gives way, a beam's does not"});
+  } else
+    p.error_lacks = {"K_ZW"};
+  return given_or(stand, "K_ZW", p);
+}
+
+/// What the rolls' model is sure to: a coarser mesh of solid rolls, or solid rolls instead of beams.
+void add_roll_errors(ChainErrors &errors, const ChainValues &values, const ChainValues &beside,
+                     const ChainValues &coarse, const SolidRolls &solid, const bool is_solid)
+{
+  for (std::size_t v = 0; v < values.size(); ++v)
+    if (values[v] > 0)
+      errors.error[v] +=
+          is_solid ? mesh_pair_error(values[v], coarse[v], solid.gain)
+                   : std::abs(beside[v] / values[v] - 1) + mesh_pair_error(beside[v], coarse[v], solid.gain);
+}
+
+void stand_beside(Parameter &p, const double beams, const bool solid)
+{
+  p.checks.push_back(
+      {solid ? "rolls as stepped beams (4.4)-(4.10)" : "rolls by finite elements (22.13)", beams, ""});
+}
+}  // namespace
+
+LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
+{
+  LumpedStand result;
+  LumpedModel &model   = result.model;
+  const std::string at = model.at = inputs.at;
+  const Parameter K3 = given_or(stand, "K3", inputs.K3), K4 = given_or(stand, "K4", inputs.K4),
+                  K5 = given_or(stand, "K5", inputs.K5);
+  result.K_Zy_upper  = given_or(stand, "K_Zy", inputs.K_Zy_upper);
+  result.K_Zy_lower  = given_or(stand, "K_Zy", inputs.K_Zy_lower);
+
+  const std::string &reference = stand.dynamics.mass_reference;
+  const bool solid             = inputs.solid && stand.backup_roll.bending_model == "solid";
+  const auto rolls_of          = [&](const bool meshed) {
+    return meshed ? solids(stand, *inputs.solid.backup_roll, *inputs.solid.work_roll) : beams(stand);
+  };
+  const Rolls rolls = rolls_of(solid);
+  result.K_ZW       = bending_of(stand, inputs, rolls);
+  ChainNumbers n{K3.value, K4.value, K5.value, result.K_Zy_upper.value, result.K_Zy_lower.value};
+  n.K_ZW = given_or(stand, "K_ZW", not_given);
+  n.K1   = given_or(stand, "K1", not_given);
+  n.K7   = given_or(stand, "K7", not_given);
+
+  std::vector<Uncertain> uncertain;
+  for (const FrameValue &part : frame_values(stand.frame))
+    uncertain.push_back(of_frame(part));
+  uncertain.push_back(spring(&ChainNumbers::K3, "K3", K3));
+  uncertain.push_back(spring(&ChainNumbers::K5, "K5", K5));
+  uncertain.push_back(spring(&ChainNumbers::K_Zy_upper, "K_Zy", result.K_Zy_upper));
+  uncertain.push_back(spring(&ChainNumbers::K_Zy_lower, "K_Zy_lower", result.K_Zy_lower));
+  if (!inputs.solid || stand.given.count("K_ZW"))  // else by the change of all shapes together
+    uncertain.push_back(spring(&ChainNumbers::K_ZW_factor, "K_ZW", result.K_ZW));
+  for (const auto &[name, number] : {std::pair("K1", &ChainNumbers::K1), std::pair("K7", &ChainNumbers::K7)})
+    if (const auto given = stand.given.find(name); given != stand.given.end())
+      uncertain.push_back(spring(number, name, given->second.parameter));
+
+  const Reduced reduced    = reduce_stand(stand, n, rolls, reference);
+  const ChainValues values = chain_values(stand, n, rolls, reference);
+  const ChainValues other  = chain_values(stand, n, rolls, reference == "mean" ? "mid" : "mean");
+  ChainErrors errors       = propagated_errors(stand, n, rolls, uncertain);
+  ChainValues beside       = values;
+  if (const SolidRolls &r = inputs.solid) {
+    beside             = chain_values(stand, n, rolls_of(!solid), reference);
+    const Rolls coarse = solids(stand, *r.coarse_backup_roll, *r.coarse_work_roll);
+    add_roll_errors(errors, values, beside, chain_values(stand, n, coarse, reference), r, solid);
+  }
+  auto keys = chain_keys({K3.inputs, K4.inputs, K5.inputs, result.K_Zy_upper.inputs, result.K_Zy_lower.inputs,
+                          given_springs(stand), stand.housing.present()},
+                         solid);
+
+  for (Keys &list : keys)
+    list = as_drawn(list, stand);
+  for (std::size_t i = 1; i < 5; ++i)
+    keys[i] = joined(keys[i], mass_shape_keys(stand.dynamics));
+
+  const auto with_error = [&](Parameter p, const std::size_t v) {
+    p.error_estimate = errors.error[v];
+    p.error_lacks    = errors.lacks[v];
+    return p;
+  };
+  for (std::size_t i = 0; i < 6; ++i) {
+    const bool frame = i == 0 || i == 5;
+    Parameter mass =
+        with_error(computed_parameter(values[i], "kg", mass_method(i, reference), frame ? "" : at, keys[i]), i);
+    if (!frame) {
+      mass.checks.push_back(other_reference(i, reference, other));
+      if (inputs.solid)
+        stand_beside(mass, beside[i], solid);
+    }
+    model.M[i] = given_or(stand, "M" + std::to_string(i + 1), mass);
+  }
+  for (std::size_t i = 0; i < 7; ++i) {
+    const bool frame = i == 0 || i == 6;
+    Parameter p      = with_error(
+             computed_parameter(values[6 + i], "N/m", "series springs", frame ? "" : at, keys[6 + i]), 6 + i);
+    if (inputs.solid && (i == 1 || i == 5))
+      stand_beside(p, beside[6 + i], solid);
+    model.K[i] = given_or(stand, "K" + std::to_string(i + 1), p);
+  }
+  model.K[2] = K3;
+  model.K[3] = K4;
+  model.K[4] = K5;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::string name = "Kzc" + std::to_string(i + 1);
+    model.Kzc[i]           = given_or(stand, name, inputs.Kzc[i]);
+    model.Kzc_across[i]    = given_or(stand, name + "_across", inputs.Kzc_across[i]);
+  }
+  model.C = damper(stand);
+
+  result.flexibility = reduced.u;
+  result.backup      = reduced.backup;
+  result.work        = reduced.work;
+  add_shapes(result, stand, reduced);
+  return result;
+}
+
+LumpedModel lumped_model(const FourHigh &stand, const ChainInputs &inputs)
+{
+  return lumped_stand(stand, inputs).model;
+}
+}  // namespace mill::reduce

@@ -1,0 +1,68 @@
+#pragma once
+#include "core/records/component.h"
+#include "core/records/lumped_model.h"
+#include "core/model/stand.h"
+#include "reduce/chain/roll_shapes.h"
+#include "reduce/chain/spring_chain.h"
+#include <Eigen/Core>
+#include <array>
+#include <string>
+
+namespace mill::reduce {
+/// Rolls by finite elements, as the chain takes its shapes from them; null: not at hand.
+struct SolidRolls {
+  const Component *work_roll = nullptr, *backup_roll = nullptr;
+  const Component *coarse_work_roll   = nullptr,
+                  *coarse_backup_roll = nullptr;  ///< on a coarser mesh, for the error
+  double gain = 0;  ///< -, how many times larger an error is on the coarser mesh, see mesh_pair_error()
+  explicit operator bool() const
+  {
+    return work_roll && backup_roll;
+  }
+};
+
+/// What other computations bring to the chain, at one working load.  Whole stand, N/m.
+struct ChainInputs {
+  Parameter K3;                         ///< upper backup roll on upper work roll, tangent
+  Parameter K4;                         ///< bite
+  Parameter K5;                         ///< lower work roll on lower backup roll, tangent
+  Parameter K_Zy_upper;                 ///< both bearings of the upper backup roll together, tangent
+  Parameter K_Zy_lower;                 ///< both bearings of the lower backup roll together, tangent
+  std::array<Parameter, 4> Kzc;         ///< one bearing: upper backup, upper work, lower work, lower backup
+  std::array<Parameter, 4> Kzc_across;  ///< the same across the load
+  SolidRolls solid;  ///< without them the closed forms stand in, whatever backup_roll.bending_model says
+  std::string at;    ///< working load, "976.2 kN"
+};
+
+/// The lumped model with the shapes and flexibilities it was made of.
+struct LumpedStand {
+  LumpedModel model;
+  Parameter K_ZW;  ///< N/m, backup roll on its bearing centres, by the mass reference of the case
+  Parameter K_Zy_upper, K_Zy_lower;  ///< N/m, as used: computed or given
+  Flexibilities flexibility;
+  BentBackupRoll backup;             ///< as used, K_ZW given or not
+  std::array<BentWorkRoll, 2> work;  ///< upper, lower
+  RollShape f1_upper, f1_lower;      ///< work roll, mid-length to roll end
+  RollShape f2_upper, f2_lower;      ///< backup roll, mid-length to bearing centre
+};
+
+/// Masses and springs of the six-mass chain.  theory.md 4
+/// A value of the case's [given] replaces the computed one and keeps its source.  A given K3, K5, K_Zy, K_ZW, K1
+/// or K7 also enters the shapes and with them the masses; a given K2 or K6 replaces the spring of the chain only,
+/// since it does not say which of its parts is meant.
+///
+/// Rolls bend as backup_roll.bending_model says: "solid", the components of `inputs`, with the closed forms of
+/// beams as checks; "beam", the other way round.
+///
+/// Every Parameter carries unit, source, method, load and the keys it was made from.  Its error estimate is the
+/// sum of |d ln value / d ln input| x error over K3, K5, K_Zy, K_ZW, a given K1 or K7 and every mass and stiffness
+/// of the frame, by central differences of this very chain, (4.17).  Where one of those it depends on states no
+/// error it has none either, and error_lacks names which.
+///
+/// @throws InputError  a spring of the load path, the strip width or a work roll dimension is not positive
+/// Cost: some sixty evaluations of the chain, together some ten milliseconds.
+LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs);
+
+/// Only the model of lumped_stand().
+LumpedModel lumped_model(const FourHigh &stand, const ChainInputs &inputs);
+}  // namespace mill::reduce

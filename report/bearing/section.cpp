@@ -1,0 +1,167 @@
+#include "core/model/roller_bearing.h"
+#include "report/bearing/figures.h"
+#include "report/page/names.h"
+#include "report/page/number.h"
+#include "report/contact/pressure_map.h"
+#include "report/page/sections.h"
+#include "report/plot/svg.h"
+
+namespace mill::report {
+namespace {
+const std::vector<std::string> companions{"rows",      "rollers", "law",      "tilt",           "cage",
+                                          "published", "tangent", "spectrum", "pressure-inner", "pressure-outer"};
+
+std::string path_of(const std::string &bearing, const std::string &companion)
+{
+  return "curves/bearing-" + bearing + (companion.empty() ? "" : "-" + companion);
+}
+
+// A run that compares models has more to show than one by the standard alone; then what is missing is said.
+bool is_compared(const Run &run, const std::string &bearing)
+{
+  return run.manifest.kind == "bearing" || run.table(path_of(bearing, "law"));
+}
+
+// Which rows lean which way decides what a tilt does: said, and whether anybody has confirmed it.
+std::string arrangement_sentence(const BearingInfo &info)
+{
+  const double rows = info("rows"), angle = info("cup_angle");
+  if (!(rows > 1) || !(angle > 0) || info.hands.empty())
+    return "";
+  const bool assumed = info("row_hands_assumed") > 0;
+  return " Rows: <code>" + escaped(arrangement_name(info.hands, int(rows))) + "</code>" +
+         (assumed ? ", <b>assumed</b>: the case does not give <code>row_hands</code>" : ", as the case gives it") +
+         ". The arrangement decides how a tilt shares the load between the rows, their axial forces and the "
+         "stiffness against tilting.";
+}
+
+void sketch(Page &page, const Run &run, const std::string &bearing)
+{
+  const BearingInfo info = run.bearing(bearing);
+  const auto drawings    = bearing_sketch(info);
+  if (!drawings.empty())
+    page.figure(drawings,
+                "The bearing in its chock, to scale. Every row carries axially in one direction only; what "
+                "two rows of opposite hand carry cancels as long as nothing tilts." +
+                    arrangement_sentence(info) +
+                    " The load points downwards, towards the face that carries the chock.");
+}
+
+void stiffness(Page &page, const Run &run, const std::string &bearing)
+{
+  const Table &curve  = *run.table(path_of(bearing, ""));
+  const auto marks    = bearing_loads(run, bearing);
+  const Table *rows   = run.table(path_of(bearing, "rows"));
+  const Table *ring   = run.table(path_of(bearing, "rollers"));
+  const auto polars   = ring ? roller_polars(*ring) : std::vector<std::string>();
+  const bool compared = is_compared(run, bearing);
+  if (compared)
+    page.figure(
+        {force_over_displacement(curve), stiffness_over_load(curve, marks)},
+        "One bearing (a roll has two) over its radial load. The <b>tangent</b> (solid) is what a vibrating "
+        "mill feels, the <b>secant</b> (dashed) is load over displacement from the concentric position, "
+        "clearance included. Between this run and the same with rigid rings lies what rings, neck and chock "
+        "give way; between that and the standard lies the law of one roller.");
+  std::vector<std::string> drawings;
+  if (!compared)
+    drawings.push_back(stiffness_over_load(curve, marks));
+  if (rows)
+    drawings.push_back(share_bars(*rows));
+  if (compared)
+    if (const std::string shares = shares_over_load(curve, marks); !shares.empty())
+      drawings.push_back(shares);
+  if (polars.size() == 1)
+    drawings.push_back(polars[0]);
+  if (!drawings.empty())
+    page.figure(drawings,
+                "Bearing <code>" + escaped(bearing) + "</code>: " +
+                    (compared ? "" : "stiffness of <b>one</b> bearing (a roll has two) over its radial load, ") +
+                    "the shares of its rows" +
+                    (polars.size() == 1
+                         ? ", and the load of every roller around the ring (0\u00b0: direction of the "
+                           "load). "
+                         : ". ") +
+                    "Equal shares belong to a load without tilt; the loaded arc narrows with clearance. " +
+                    (polars.size() == 1 ? heaviest_roller_sentence(*ring) : ""));
+  if (polars.size() > 1)
+    page.figure(polars,
+                "Load of every roller around the ring, all rows on one scale; 0\u00b0 is the direction of the "
+                "load. " +
+                    heaviest_roller_sentence(*ring));
+  if (!rows)
+    page.absent("Row shares are", path_of(bearing, "rows") + ".csv");
+  if (!ring)
+    page.absent("Roller loads are", path_of(bearing, "rollers") + ".csv");
+  if (const std::string table = rows ? row_table(*rows) : ""; !table.empty())
+    page.table(table,
+               "The rows at the working load. The stiffness is that of the heaviest roller of the row between "
+               "its raceways; its rib is the stop at the big end.");
+}
+
+void rollers(Page &page, const Run &run, const std::string &bearing)
+{
+  std::vector<Mark> heaviest;
+  for (const std::string &name : results_of_bearing(run, bearing))
+    if (const Result *load = run.find(name + ".roller_max"); load && heaviest.empty())
+      heaviest.push_back({1e-3 * load->value, "heaviest roller, " + name});
+  if (const Table *law = run.table(path_of(bearing, "law")))
+    page.figure(
+        roller_law_drawings(*law, heaviest),
+        "One roller pressed between its raceways, both contacts in series. The contact elements count the "
+        "raceways to the backs of the rings; the standard and Palmgren do not say what they count, and in the "
+        "plane-strain form no slice knows of its neighbours. All have the profile of the roller, which makes the "
+        "tangent step where slices or rows of elements come into contact.");
+  else if (run.manifest.kind == "bearing")
+    page.absent("The laws of one roller are", path_of(bearing, "law") + ".csv");
+  if (const Table *tilt = run.table(path_of(bearing, "tilt")))
+    if (const auto drawings = roller_tilt_drawings(*tilt); !drawings.empty())
+      page.figure(drawings,
+                  "The heaviest roller tilted at a fixed approach: what slices without a common body make "
+                  "of it beside the contact elements they stand for.");
+  std::vector<std::string> maps;
+  for (const char *raceway : {"inner", "outer"})
+    if (const Table *map = run.table(path_of(bearing, std::string("pressure-") + raceway)))
+      maps.push_back(pressure_map(*map, std::string("Pressure on the ") + raceway + " raceway",
+                                  "distance from mid-roller", 510, 300));
+  if (!maps.empty())
+    page.figure(maps,
+                "Contact pressure of the heaviest roller, one map per raceway, stretched across. A ridge at an "
+                "end is an edge load: the profile is too flat for this load or tilt.");
+}
+
+void cage(Page &page, const Run &run, const std::string &bearing)
+{
+  const Table *table = run.table(path_of(bearing, "cage"));
+  if (!table)
+    return;
+  page.figure(
+      {cage_variation(*table)},
+      "Radial stiffness at the working load while the cage turns by one roller pitch: " + cage_sentence(*table) +
+          ". With this the bearing shakes the roll at its roller-pass frequency, even on perfect parts.");
+}
+
+void one_bearing(Page &page, const Run &run, const std::string &bearing)
+{
+  page.heading("Bearing " + bearing);
+  sketch(page, run, bearing);
+  stiffness(page, run, bearing);
+  rollers(page, run, bearing);
+  cage(page, run, bearing);
+  published_comparison(page, run, bearing);
+  bearing_motion(page, run, bearing);
+}
+}  // namespace
+
+void bearing_section(Page &page, const Run &run)
+{
+  const auto bearings = names_of_curves(run, "bearing", companions);
+  const bool wanted   = run.manifest.kind == "four-high" || run.manifest.kind == "bearing";
+  if (bearings.empty() && !wanted)
+    return;
+  page.section("bearings", "Bearings");
+  if (bearings.empty())
+    page.absent("Bearing figures are", "curves/bearing-*.csv");
+  for (const std::string &name : bearings)
+    one_bearing(page, run, name);
+}
+}  // namespace mill::report

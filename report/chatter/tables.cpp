@@ -1,0 +1,230 @@
+#include "report/chatter/figures.h"
+#include "report/page/number.h"
+#include "report/plot/svg.h"
+#include <algorithm>
+#include <cmath>
+
+namespace mill::report {
+namespace {
+std::string cell(const std::string &text)
+{
+  return "<td class=\"num\">" + text + "</td>";
+}
+
+std::string words(const std::string &text)
+{
+  return "<td>" + (text.empty() ? "\u2013" : escaped(text)) + "</td>";
+}
+
+std::string row(const std::string &head, const std::string &cells)
+{
+  return "<tr><th scope=\"row\">" + escaped(head) + "</th>" + cells + "</tr>\n";
+}
+
+std::string table(const std::string &head, const std::string &body)
+{
+  return body.empty() ? ""
+                      : "<table><thead><tr>" + head + "</tr></thead>\n<tbody>\n" + body + "</tbody></table>\n";
+}
+
+std::string deviation(const double value, const double reference)
+{
+  if (!std::isfinite(value) || !std::isfinite(reference) || reference == 0)
+    return "";
+  return " <span class=\"deviation\">(" + percent(value / reference - 1) + ")</span>";
+}
+
+std::string speed_text(const double speed)
+{
+  return fixed(speed, 2);
+}
+
+const ChatterPublished *published_of(const ChatterCondition &condition, const std::string &quantity)
+{
+  for (const ChatterPublished &entry : condition.published)
+    if (entry.quantity == quantity)
+      return &entry;
+  return nullptr;
+}
+
+// Another value of the critical speed and how far this run is from it.
+std::string beside(const double here, const double other)
+{
+  return cell(std::isfinite(other) ? speed_text(other) + deviation(here, other) : "\u2013");
+}
+}  // namespace
+
+std::string verdict_in_words(const std::string &verdict, const double speed)
+{
+  if (verdict == "crossing")
+    return std::isfinite(speed) ? "chatters from " + speed_text(speed) + " m/s" : "chatters within the range";
+  if (verdict == "stable" || verdict == "unstable")
+    return verdict + " throughout";
+  if (verdict == "unstable below")
+    return "unstable at low speed, stable above";
+  if (verdict == "no bite")
+    return "no steady bite in the range";
+  return verdict.empty() ? "\u2013" : verdict;
+}
+
+std::string chatter_summary_table(const std::vector<ChatterCondition> &conditions)
+{
+  std::string body;
+  for (const ChatterCondition &c : conditions) {
+    const ChatterPublished *other = published_of(c, "critical speed");
+    const double growth           = c.critical.growth_at_working;
+    const std::string at_work     = !std::isfinite(growth) ? "\u2013"
+                                    : growth > 0           ? "<span class=\"poor-word\">chatters</span>"
+                                                           : "<span class=\"good-word\">stable</span>";
+    const std::string speed       = std::isfinite(c.critical.speed) ? speed_text(c.critical.speed)
+                                                                    : verdict_in_words(c.critical.verdict, not_given);
+    body += row(c.name, "<td>" + at_work + "</td>" + cell("<b>" + escaped(speed) + "</b>") +
+                            beside(c.critical.speed, other ? other->published : not_given) +
+                            beside(c.critical.speed, other ? other->measured : not_given) +
+                            cell(fixed(c.critical.frequency, 1)) + cell(speed_text(c.speed)) +
+                            cell(percent(c.speed / c.critical.speed - 1)) + cell(significant(growth, 3)));
+  }
+  return table("<th>condition</th><th>at work</th><th>critical speed [m/s]</th><th>published model [m/s]</th>"
+               "<th>measured [m/s]</th><th>frequency [Hz]</th><th>working speed [m/s]</th>"
+               "<th>working over critical</th><th>growth rate at work [1/s]</th>",
+               body);
+}
+
+std::string chatter_published_table(const std::vector<ChatterCondition> &conditions)
+{
+  std::string body;
+  for (const ChatterCondition &c : conditions)
+    for (const ChatterPublished &entry : c.published) {
+      const auto other = [&](const double value) {
+        return cell(significant(value, 4) + deviation(entry.here, value));
+      };
+      const bool bare = entry.unit.empty() || entry.unit == "-" || entry.unit == "1";
+      body += row(c.name, words(entry.quantity + (bare ? "" : " [" + unit_sign(entry.unit) + "]")) +
+                              cell("<b>" + significant(entry.here, 5) + "</b>") + other(entry.published) +
+                              other(entry.measured) + "<td>" + escaped(entry.note) + "</td>");
+    }
+  return table("<th>condition</th><th>quantity</th><th>this run</th><th>published model</th><th>measured</th>"
+               "<th>note</th>",
+               body);
+}
+
+namespace {
+std::string outcome_cells(const ChatterVariantInfo &variant, const double reference)
+{
+  const std::string speed = std::isfinite(variant.critical_speed)
+                                ? speed_text(variant.critical_speed)
+                                : escaped(verdict_in_words(variant.verdict, not_given));
+  return cell(speed + (variant.critical_speed != reference ? deviation(variant.critical_speed, reference) : "")) +
+         cell(fixed(variant.frequency, 1));
+}
+
+constexpr const char *outcome_head = "<th>critical speed [m/s]</th><th>frequency [Hz]</th>";
+}  // namespace
+
+std::string chatter_scheme_table(const ChatterCondition &condition)
+{
+  struct Meaning {
+    const char *name, *what;
+  };
+  const Meaning meanings[] = {
+      {"sequential",      "film and exit point keep the strip speeds of the steady state"},
+      {"consistent",      "everything follows"                                           },
+      {"frozen-friction", "friction keeps its steady value"                              },
+  };
+  std::string body;
+  for (const ChatterVariantInfo &scheme : condition.schemes) {
+    std::string what;
+    for (const Meaning &meaning : meanings)
+      if (scheme.name == meaning.name)
+        what = meaning.what;
+    body += row(scheme.name, words(what) + outcome_cells(scheme, condition.critical.speed));
+  }
+  return table(std::string("<th>linearisation</th><th>what follows the vibration</th>") + outcome_head, body);
+}
+
+std::string chatter_variant_table(const ChatterCondition &condition)
+{
+  std::string body;
+  for (const ChatterVariantInfo &v : condition.variants)
+    body += row(v.name, outcome_cells(v, condition.critical.speed) + cell(significant(v.ratio, 3)) +
+                            cell(fixed(v.force_phase, 1)) + cell(fixed(v.entry_tension_phase, 1)) + "<td>" +
+                            (!std::isfinite(v.ratio) ? "\u2013"
+                             : v.upper_moves_more    ? "upper"
+                                                     : "lower") +
+                            "</td>");
+  return table(std::string("<th>variant</th>") + outcome_head +
+                   "<th>upper over lower work roll</th><th>force against gap [\u00b0]</th>"
+                   "<th>back tension against gap [\u00b0]</th><th>moves more</th>",
+               body);
+}
+
+std::string chatter_conclusion_table(const ChatterCondition &condition)
+{
+  std::string body;
+  for (const ChatterConclusion &c : condition.conclusions)
+    body += row(c.text, std::string("<td>") +
+                            (c.holds ? "<span class=\"good-word\">holds in all</span>"
+                                     : "<span class=\"poor-word\">depends on the variant</span>") +
+                            "</td>" + words(c.detail));
+  return table("<th>conclusion</th><th></th><th>found</th>", body);
+}
+
+std::string chatter_structure_table(const ChatterCondition &condition)
+{
+  std::string body;
+  for (const ChatterVariantInfo &s : condition.structures)
+    body += row(s.name, outcome_cells(s, condition.critical.speed) + cell(significant(s.growth, 3)));
+  return table(std::string("<th>model of the stand</th>") + outcome_head +
+                   "<th>growth rate at the working speed [1/s]</th>",
+               body);
+}
+
+std::string chatter_event_table(const LimitCycleInfo &cycle)
+{
+  struct Kind {
+    std::string what;
+    double first, last;
+    int count;
+  };
+  std::vector<Kind> kinds;
+  for (const ChatterEventInfo &event : cycle.events) {
+    const auto known =
+        std::find_if(kinds.begin(), kinds.end(), [&](const Kind &kind) { return kind.what == event.what; });
+    if (known == kinds.end())
+      kinds.push_back({event.what, event.time, event.time, 1});
+    else {
+      known->last = event.time;
+      ++known->count;
+    }
+  }
+  std::string body;
+  for (const Kind &kind : kinds)
+    body +=
+        row(kind.what, cell(fixed(kind.first, 4)) + cell(fixed(kind.last, 4)) + cell(std::to_string(kind.count)));
+  return table("<th>event</th><th>first [s]</th><th>last [s]</th><th>how often</th>", body);
+}
+
+std::string chatter_tandem_table(const ChatterTandem &tandem)
+{
+  if (!tandem.stored)
+    return "";
+  const double all = tandem.critical_speed;
+  const auto other = [&](const std::string &what, const double speed, const std::string &note) {
+    return std::isfinite(speed)
+               ? row(what, cell(speed_text(speed) + deviation(speed, all)) + cell("\u2013") + words(note))
+               : "";
+  };
+  std::string body = row("all stands, strip in between",
+                         cell("<b>" + speed_text(all) + "</b>") + cell(fixed(tandem.frequency, 1)) +
+                             words(tandem.verdict.empty() ? "" : verdict_in_words(tandem.verdict, all)));
+  body += other("tension shared alone", tandem.without_delay,
+                "the thickness that a stand leaves is forgotten on the way to the next");
+  for (const ChatterVariantInfo &stand : tandem.single)
+    body += row("stand " + stand.name + " alone",
+                cell(std::isfinite(stand.critical_speed)
+                         ? speed_text(stand.critical_speed) + deviation(stand.critical_speed, all)
+                         : "\u2013") +
+                    cell(fixed(stand.frequency, 1)) + words("its strip ends at constant speed"));
+  return table("<th>system</th><th>critical speed [m/s]</th><th>frequency [Hz]</th><th>meaning</th>", body);
+}
+}  // namespace mill::report

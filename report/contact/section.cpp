@@ -1,0 +1,204 @@
+#include "report/contact/curves.h"
+#include "report/page/curves.h"
+#include "report/page/names.h"
+#include "report/page/number.h"
+#include "report/contact/pressure_map.h"
+#include "report/page/sections.h"
+#include "report/plot/svg_plot.h"
+#include <cmath>
+
+namespace mill::report {
+namespace {
+// Approach of a closed form in µm from its load and secant.
+Line closed_approach(const ContactCurves &contact, const ClosedForm &form)
+{
+  const bool per_length        = contact.load != "kN";
+  const Eigen::VectorXd load   = values_of(*contact.closed, {"load", per_length ? "N/m" : "N"});
+  const Eigen::VectorXd secant = values_of(*contact.closed, {form.column, per_length ? "N/m\u00b2" : "N/m"});
+  if (load.size() == 0 || secant.size() != load.size())
+    return {};
+  return {form.label, 1e6 * load.cwiseQuotient(secant), 1e-3 * load, form.beside_curve};
+}
+
+std::string load_approach(const ContactCurves &contact)
+{
+  Plot plot;
+  plot.title = "Load over approach";
+  plot.x     = {"approach of the axes", "\u00b5m"};
+  plot.y     = {"load on the contact", contact.load};
+  plot.x.low = plot.y.low = 0;
+  add_line(plot, *contact.curve, {"approach", "\u00b5m"}, {"load", contact.load}, "this run", Pen::dark, true);
+  if (contact.in_stand)
+    add_line(plot, *contact.in_stand, {"approach", "\u00b5m"}, {"load", contact.load}, "held as in the stand",
+             Pen::dark_dashed);
+  if (contact.second)
+    add_line(plot, *contact.second, {"approach", "\u00b5m"}, {"load", contact.load}, "second engine", Pen::pale);
+  if (contact.closed)
+    for (const ClosedForm &form : closed_secants)
+      if (Line line = closed_approach(contact, form); line.x.size() > 0)
+        plot.lines.push_back(std::move(line));
+  const Eigen::VectorXd load     = values_of(*contact.curve, {"load", contact.load}),
+                        approach = values_of(*contact.curve, {"approach", "\u00b5m"});
+  for (const WorkingLoad &working : contact.loads)
+    plot.points.push_back({interpolated(load, approach, working.load), working.load, working.name});
+  return svg_plot(plot);
+}
+
+std::string stiffness_over_load(const ContactCurves &contact)
+{
+  Plot plot;
+  plot.title     = "Stiffness over load";
+  plot.x         = {"load on the contact", contact.load, Scale::logarithmic};
+  plot.y         = {"stiffness", contact.stiffness};
+  const auto add = [&](const Table *table, const char *column, const std::string &label, const Pen pen,
+                       const bool markers = false) {
+    if (table)
+      add_line(plot, *table, {"load", contact.load}, {column, contact.stiffness}, label, pen, markers);
+  };
+  add(contact.curve, "tangent", "tangent, this run", Pen::dark, true);
+  add(contact.in_stand, "tangent", "tangent, held as in the stand", Pen::dark_dashed);
+  add(contact.second, "tangent", "tangent, second engine", Pen::pale);
+  add(contact.closed, "hertz_tangent", "tangent, Hertz", Pen::warm);
+  add(contact.curve, "secant", "secant, this run", Pen::dashed, true);
+  for (const ClosedForm &form : closed_secants)
+    add(contact.closed, form.column, std::string("secant, ") + form.label, form.beside_slopes);
+  for (const WorkingLoad &working : contact.loads)
+    plot.marks.push_back({working.load, working.name});
+  return svg_plot(plot);
+}
+
+std::string along_barrel(const Table &barrel, const Table *mirrored, const Table *second, const char *column,
+                         const char *quantity, const char *unit)
+{
+  Plot plot;
+  plot.title  = quantity;
+  plot.width  = 333;
+  plot.height = 260;
+  plot.x      = {"distance from mid-length", "mm"};
+  plot.y      = {quantity, unit};
+  plot.y.low  = 0;
+  add_line(plot, barrel, {"z", "mm"}, {column, unit}, mirrored ? "as in the stand" : "", Pen::dark, true);
+  if (mirrored)
+    add_line(plot, *mirrored, {"z", "mm"}, {column, unit}, "squeezed evenly", Pen::warm);
+  if (second)
+    add_line(plot, *second, {"z", "mm"}, {column, unit}, "as in the stand, second engine", Pen::dashed);
+  return svg_plot(plot);
+}
+
+std::string band_caption(const bool plane_strain)
+{
+  return std::string(
+             "The computed stiffness among the closed forms of a line contact. The forms differ in the pressure "
+             "they assume and in the body that carries it; the half space replaces the larger roll by a body "
+             "without a far side. ") +
+         (plane_strain
+              ? "The cylinders of this case are long, as Hertz assumes: his form, axis to axis, is the one to "
+                "be met."
+              : "None of them is exact here: all leave out that a barrel has an end and a neck, where load "
+                "and stiffness per length change.");
+}
+
+// Why the secant lies where it does in the band: what belongs to the section and what to the barrel ends.
+std::string why_in_band(const Run &run, const std::string &name)
+{
+  const Result *secant = run.find((name == "lower" ? "K5" : "K3") + std::string(".secant"));
+  if (!secant)
+    return "";
+  double closed = 0, section = 0, held = 0;
+  for (const Check &check : secant->checks) {
+    if (check.name.rfind("Johnson", 0) == 0)
+      closed = check.value;
+    if (check.name.rfind("mid-length section", 0) == 0)
+      section = check.value;
+    if (check.name.rfind("rolls held as in the stand", 0) == 0)
+      held = check.value;
+  }
+  if (closed <= 0 || section <= 0)
+    return "";
+  if (std::abs(section / closed - 1) > 0.05)
+    return "Profile, tilt or an off-centre force leaves this contact no line contact of even load: the closed "
+           "forms show "
+           "how far it is from one, not what it should be.";
+  const auto off = [](const double ratio) { return percent(ratio - 1); };
+  return "Why there: against Johnson's infinitely long rolls the section at mid-length, taken over the whole "
+         "length, has " +
+         off(section / closed) +
+         ", since a roll that is free to stretch along its axis is not quite in plane strain; barrel ends and "
+         "necks "
+         "add " +
+         off(secant->value / section) + "; together " + off(secant->value / closed) + "." +
+         (held > 0
+              ? " Held as in the stand the same pair has " + off(held / secant->value) +
+                    " against this: the backup roll is balanced by shear from its necks and not by an opposite "
+                    "contact, both rolls bend, and the strip is narrower than the barrel."
+              : "");
+}
+
+void one_contact(Page &page, const Run &run, const std::string &name)
+{
+  const std::string path      = "curves/contact-" + name;
+  const ContactCurves contact = contact_curves(run, name);
+  std::string title           = contact_title(name);
+  title[0]                    = char(std::toupper(static_cast<unsigned char>(title[0])));
+  page.heading(title);
+  page.figure(
+      {load_approach(contact), stiffness_over_load(contact)},
+      "Left: how far the two roll axes come together under the load; the dots are the solved loads, the "
+      "circles the working loads. Right: the two slopes of that curve. The <b>tangent</b> is what a vibrating "
+      "mill feels, the <b>secant</b> what screwing down feels; both grow only with the logarithm of the load. "
+      "Small steps of a computed tangent are rows of the mesh that come into contact." +
+          std::string(contact.in_stand
+                          ? " This run squeezes each roll evenly between two contacts, as the closed forms "
+                            "do; dashed, the rolls are held as in the stand and bend as well."
+                          : ""));
+  if (!contact.closed)
+    page.absent("Closed forms beside the contact curve are", path + "-closed.csv");
+  else if (const std::string table = band_table(contact); !table.empty()) {
+    page.table(table, band_caption(name == "line"));
+    if (const std::string why = why_in_band(run, name); !why.empty())
+      page.paragraph(why);
+  }
+  const Table *mirrored = run.table(path + "-barrel-mirrored");
+  const Table *second   = run.table(path + "-barrel-second");
+  if (const Table *barrel = run.table(path + "-barrel"))
+    page.figure(
+        {along_barrel(*barrel, mirrored, second, "line_load", "line load q", "kN/mm"),
+         along_barrel(*barrel, mirrored, second, "tangent", "tangent per length k", "kN/mm per m"),
+         along_barrel(*barrel, mirrored, second, "peak_pressure", "peak pressure p\u2080", "MPa")},
+        "Along the barrel: load per length, stiffness per length and largest pressure; from mid-length when both "
+        "sides carry the same. A flat line is what a plane-strain formula assumes; what it does towards the end "
+        "is "
+        "the effect of the barrel end and of the crown. The very last point belongs to a sharp edge, where the "
+        "pressure is singular." +
+            std::string(mirrored
+                            ? " Held as in the stand, the rolls also bend; squeezed evenly between two opposite "
+                              "contacts, they do not."
+                            : "") +
+            std::string(
+                second ? " The second engine, a Fourier series around the roll, shares neither mesh nor solver "
+                         "with the first: where the lines lie on one another, both are right."
+                       : ""));
+  else if (name != "line")
+    page.absent("The distribution along the barrel is", path + "-barrel.csv");
+  if (const Table *map = run.table(path + "-pressure"))
+    page.figure(
+        {pressure_map(*map, "Contact pressure", "distance from mid-length")},
+        "Pressure over the contact patch, rolls held as in the stand; across, the picture is stretched several "
+        "hundred times. The width shows how far the crown is closed and where an edge carries.");
+}
+}  // namespace
+
+void contact_section(Page &page, const Run &run)
+{
+  const auto contacts = names_of_curves(
+      run, "contact", {"closed", "barrel", "barrel-mirrored", "barrel-second", "in-stand", "second", "pressure"});
+  if (contacts.empty() && (run.manifest.kind == "lumped" || run.manifest.kind == "bearing" ||
+                           run.manifest.kind == "bite" || run.manifest.kind == "chatter"))
+    return;
+  page.section("contact", "Roll contact");
+  if (contacts.empty())
+    page.absent("Contact figures are", "curves/contact-*.csv");
+  for (const std::string &name : contacts)
+    one_contact(page, run, name);
+}
+}  // namespace mill::report

@@ -1,0 +1,33 @@
+#pragma once
+#include "core/records/csv.h"
+#include "report/plot/svg_plot.h"
+#include <Eigen/Core>
+#include <string>
+
+// From stored tables to lines of a diagram.  The unit in the header of a column decides about the conversion, so
+// that the unit at the axis is true whatever unit the file was written in.
+namespace mill::report {
+/// A column and the unit in which it is wanted.
+struct Column {
+  std::string name;
+  std::string unit;  ///< "kN", "µm", "µm/MN", "-"
+};
+
+/// Factor from one unit to another of the same dimension; NaN when the program knows no such conversion.
+double factor_between(const std::string &from, const std::string &to);
+
+/// A quantity at the beginning of a text that the program wrote, "976.2 kN on one bearing", in the wanted unit;
+/// NaN when the text begins otherwise.
+double quantity_in_text(const std::string &text, const std::string &unit);
+
+/// (n) in the wanted unit; (0) when the column is absent or its unit is of another dimension.
+Eigen::VectorXd values_of(const Table &table, const Column &column);
+
+/// Adds a line when both columns are there; false when not.
+bool add_line(Plot &plot, const Table &table, const Column &x, const Column &y, const std::string &label, Pen pen,
+              bool markers = false);
+
+/// y at one x, straight between the samples over ln x, exact on a logarithmic curve; NaN outside the samples.
+/// @param x  (n) increasing, > 0
+double interpolated(const Eigen::VectorXd &x, const Eigen::VectorXd &y, double at);
+}  // namespace mill::report

@@ -1,0 +1,242 @@
+#include "report/page/names.h"
+#include "report/page/number.h"
+#include "report/page/sections.h"
+#include "report/plot/svg.h"
+#include "report/page/tables.h"
+#include <algorithm>
+#include <cmath>
+
+namespace mill::report {
+namespace {
+std::string list_of(const std::vector<std::string> &sentences)
+{
+  std::string list = "<ul>\n";
+  for (const std::string &sentence : sentences)
+    list += "<li>" + escaped(sentence) + "</li>\n";
+  return list + "</ul>\n";
+}
+
+// Colour is not the only carrier: the first word says the same.
+std::string banner(const Run &run)
+{
+  const bool failed = run.status != "ok" && run.status != "warnings";
+  if (failed)
+    return "<div class=\"banner failed\"><b>Failed.</b> The run ended with status \u201c" + escaped(run.status) +
+           "\u201d; what is shown below was finished before." +
+           (run.warnings.empty() ? "" : list_of(run.warnings)) + "</div>\n";
+  if (run.status == "warnings" || !run.warnings.empty())
+    return "<div class=\"banner warnings\"><b>Done, with " + std::to_string(run.warnings.size()) +
+           (run.warnings.size() == 1 ? " warning." : " warnings.") + "</b>" +
+           (run.warnings.empty() ? "" : list_of(run.warnings)) + "</div>\n";
+  return "<div class=\"banner ok\"><b>Done.</b> Every stage finished, no warnings.</div>\n";
+}
+
+std::string fact(const std::string &name, const std::string &value)
+{
+  return value.empty() ? "" : "<div><dt>" + name + "</dt><dd>" + escaped(value) + "</dd></div>";
+}
+
+std::string tile(const Result *result, const std::string &label)
+{
+  if (!result || !std::isfinite(result->value))
+    return "";
+  const bool acceleration = result->name.find("_g.") != std::string::npos;
+  const Shown shown =
+      acceleration ? Shown{in_g(result->value, result->unit), "g"} : engineering(result->value, result->unit);
+  const std::string number = acceleration ? g_text(shown.value) : significant(shown.value, 4);
+  return "<div class=\"tile\"><span>" + escaped(label) + "</span><b>" + number + "</b> " + escaped(shown.unit) +
+         "<small>" + escaped(short_source(result->source)) +
+         (result->at.empty() ? "" : ", at " + escaped(short_source(result->at))) + "</small></div>\n";
+}
+
+// Speed and frequency of every condition, and how fast its working point grows or dies.
+std::string chatter_tiles(const Run &run)
+{
+  std::string all;
+  for (const Group &group : chatter_groups(run))
+    for (const Result *result : group.results)
+      for (const auto &[ending, label] : {
+               std::pair(".critical_speed", ", critical speed"),
+               {".frequency",   ", chatter frequency"  },
+               {".growth_rate", ", growth rate at work"}
+      }) {
+        const std::size_t start = std::string("chatter.").size(), end = result->name.find('.', start);
+        if (result->name.rfind("chatter.", 0) == 0 && result->name.substr(end) == ending)
+          all += tile(result, (group.title == "Chatter, tandem" ? "" : "condition ") +
+                                  result->name.substr(start, end - start) + label);
+      }
+  return all;
+}
+
+std::string tiles(const Run &run)
+{
+  std::string all;
+  if (has_chain(run)) {
+    all += tile(chain_value(run, "K3"), "K3, upper contact") + tile(chain_value(run, "K5"), "K5, lower contact") +
+           tile(run.find("f1"), "f1, first mode") + tile(run.find("f6"), "f6, highest mode");
+    for (const PassInfo &pass : run.manifest.passes)
+      all += tile(pass_value(run, pass, "peak_g.upper_work_roll"), pass.name + ", peak, upper work roll") +
+             tile(pass_value(run, pass, "peak_g.lower_work_roll"), pass.name + ", peak, lower work roll");
+    all += chatter_tiles(run);
+  } else if (run.manifest.kind == "bearing")
+    all += tile(run.find("Kzc.tangent"), "Kzc, tangent") + tile(run.find("Kzc.secant"), "Kzc, secant") +
+           tile(run.find("Kzc.tangent_across"), "Kzc, tangent across the load") +
+           tile(run.find("Kzc.roller_max"), "heaviest roller") +
+           tile(run.find("Kzc.heaviest_angle"), "its angle from the load line") +
+           tile(run.find("Kzc.motion.peak_force"), "peak force, driven mass");
+  else if (run.manifest.kind == "chatter")
+    all += chatter_tiles(run);
+  else if (run.manifest.kind == "bite") {
+    all += tile(run.find("K4.combined"), "K4, strip and both arcs") +
+           tile(run.find("K4.plastic_slope"), "K4, plastic slope");
+    for (const Result &result : run.results)
+      if (result.name.rfind("bite.", 0) == 0 && !is_of_one_model(result.name))
+        for (const char *quantity : {"force", "torque", "forward_slip"})
+          if (const auto dot = result.name.find('.', 5); result.name.substr(dot + 1) == quantity)
+            all += tile(&result, result.name.substr(5, dot - 5) +
+                                     (quantity == std::string("force")    ? ", roll force"
+                                      : quantity == std::string("torque") ? ", torque of one roll"
+                                                                          : ", forward slip"));
+  } else
+    for (const char *aspect : {"tangent", "secant", "approach", "half_width", "peak_pressure"})
+      all += tile(run.find(std::string("contact.line.") + aspect),
+                  aspect == std::string("half_width")      ? "half width"
+                  : aspect == std::string("peak_pressure") ? "peak pressure"
+                                                           : aspect);
+  return all.empty() ? "" : "<div class=\"tiles\">\n" + all + "</div>\n";
+}
+std::string what_is_in_short(const Run &run)
+{
+  if (has_chain(run))
+    return "What the model runs on. Stiffnesses belong to the whole stand, Kzc to one bearing; a contact counts "
+           "with "
+           "its tangent.";
+  if (run.manifest.kind == "bearing")
+    return "One bearing at its working load; tangents belong to small motions about that state.";
+  if (run.manifest.kind == "bite")
+    return "The strip between the work rolls, by the model that gives K4; derivatives are exact and hold the arc.";
+  if (run.manifest.kind == "chatter")
+    return "Every condition at its working speed; a positive growth rate is a stand that chatters.";
+  return "The contact at its working load, stiffnesses per metre of length.";
+}
+
+bool has_chatter(const Run &run)
+{
+  return std::any_of(run.results.begin(), run.results.end(),
+                     [](const Result &result) { return result.name.rfind("chatter.", 0) == 0; });
+}
+
+std::string what_chatter_leaves_out()
+{
+  return "The flattened radius, the flow stress and the temperature of the oil do not follow the vibration, "
+         "friction "
+         "is one number along the arc, and the strip between two stands is a massless spring. The stand vibrates "
+         "vertically: chocks that tilt, drives that twist and marks on the rolls are not in it. Linear stability "
+         "says "
+         "when vibration begins to grow, the nonlinear run how far.";
+}
+
+std::string what_is_left_out(const Run &run)
+{
+  if (run.manifest.kind == "chatter")
+    return what_chatter_leaves_out();
+  if (run.table("curves/modes-craig-bampton"))
+    return "Vertical motion, the same on both sides of mid-length; rocking and the motion along the pass line are "
+           "not in it. What six masses leave out is listed under \"How few masses are enough?\". Rolls joined by "
+           "springs of one working load are linear and have no feedback from the strip: they ring, but they "
+           "cannot "
+           "become unstable.";
+  if (has_chain(run))
+    return "Six masses show the modes of the stack and the contact modes of the work rolls. They cannot show the "
+           "rolls "
+           "rocking on their necks, chocks that move against their roll, or frame modes with several moving "
+           "points. "
+           "The chain is linear and has no feedback from the strip: it rings, but it cannot become unstable.";
+  if (run.manifest.kind == "bearing")
+    return "Raceways and rollers are elastic, smooth and dry: no friction, no oil film, no cage forces, no heat. "
+           "A "
+           "stiffness of rings and chock is that of the bodies described in the case; the housing that holds the "
+           "chock is rigid.";
+  if (run.manifest.kind == "bite")
+    return "Plane strain: the strip does not spread, and its edges are not seen. The flow stress is the same at "
+           "any "
+           "rate and temperature, friction one law along the whole arc; lubricant and heat are not followed. No "
+           "published experiment stands beside these numbers.";
+  return "The contact is elastic, smooth and free of friction; the cylinders are long, in plane strain.";
+}
+}  // namespace
+
+std::string page_head(const Run &run)
+{
+  const Manifest &m = run.manifest;
+  return "<header><p class=\"program\">millstand " + escaped(m.version) + "</p><h1>" +
+         escaped(m.title.empty() ? run.case_name : m.title) + "</h1><dl class=\"facts\">" +
+         fact("case", run.case_name) + fact("kind", m.kind) + fact("run", m.run_id) + fact("date", m.date) +
+         "</dl></header>\n" + banner(run);
+}
+
+void summary_section(Page &page, const Run &run)
+{
+  page.section("summary", "The numbers in short");
+  page.html(tiles(run));
+  if (const auto groups = short_groups(run); !groups.empty())
+    page.table(short_table(groups),
+               what_is_in_short(run) +
+                   " The last column is an independent value and how far this run is from it.");
+  page.paragraph("Every value with all its checks and inputs: <a href=\"#results\">All results</a>.");
+}
+
+void limits_section(Page &page, const Run &run)
+{
+  page.section("limits", "Assumptions and limits");
+  if (!run.assumptions.empty())
+    page.html(list_of(run.assumptions));
+  page.paragraph(what_is_left_out(run));
+  if (has_chatter(run) && run.manifest.kind != "chatter")
+    page.paragraph("In the section on chatter the strip does feed back. " + what_chatter_leaves_out());
+  if (!run.remarks.empty())
+    page.html("<p>Not in this report:</p>\n" + list_of(run.remarks));
+}
+
+void full_results_section(Page &page, const Run &run)
+{
+  page.section("results", "All results");
+  page.table(
+      full_table(run),
+      "Everything in <code>results.json</code>. A deviation is this run relative to the check "
+      "beside it; accuracy is the run's own estimate." +
+          std::string(std::any_of(run.results.begin(), run.results.end(),
+                                  [](const Result &result) { return is_slope_by_one_input(result.name); })
+                          ? " Slopes by single inputs are in the charts of the section on chatter and in the file."
+                          : ""));
+}
+
+void record_section(Page &page, const Run &run)
+{
+  const Manifest &m = run.manifest;
+  page.section("record", "Record of the run");
+  std::string versions;
+  for (const auto &[name, version] : m.versions)
+    versions += (versions.empty() ? "" : ", ") + name + " " + version;
+  page.html("<dl class=\"facts\">" + fact("program", m.program + " " + m.version) +
+            fact("case file", m.case_path) + fact("run", m.run_id) + fact("date", m.date) +
+            fact("host", m.hostname) + fact("BLAS", m.blas) +
+            fact("threads", m.threads > 0 ? std::to_string(m.threads) : "") +
+            fact("peak memory", m.peak_memory > 0 ? significant(m.peak_memory / 1e9, 3) + " GB" : "") +
+            fact("libraries", versions) + "</dl>");
+  if (m.timings.empty())
+    return;
+  std::string rows;
+  double total = 0;
+  for (const Timing &timing : m.timings) {
+    total += std::isfinite(timing.seconds) ? timing.seconds : 0;
+    rows += "<tr><th scope=\"row\">" + escaped(timing.stage) + "</th><td class=\"num\">" +
+            fixed(timing.seconds, 2) + "</td><td>" + (timing.cached ? "taken over from an earlier run" : "") +
+            "</td></tr>\n";
+  }
+  page.table("<table><thead><tr><th>stage</th><th>time [s]</th><th></th></tr></thead>\n<tbody>\n" + rows +
+                 "<tr class=\"total\"><th scope=\"row\">total</th><td class=\"num\">" + fixed(total, 2) +
+                 "</td><td></td></tr>\n</tbody></table>\n",
+             "Wall-clock time of the stages.");
+}
+}  // namespace mill::report

@@ -1,0 +1,252 @@
+#include "report/page/names.h"
+#include <algorithm>
+
+namespace mill::report {
+namespace {
+struct Words {
+  const char *name;
+  const char *meaning;
+};
+const Words quantities[] = {
+    {"K1",          "ground to M1: upper frame, screw-down"                },
+    {"K2",          "M1 to M2: oil column, cylinder, chock, bearing, roll" },
+    {"K3",          "upper backup roll on upper work roll"                 },
+    {"K4",          "bite, between the work rolls"                         },
+    {"K5",          "lower work roll on lower backup roll"                 },
+    {"K6",          "M5 to M6: roll, bearing, chock"                       },
+    {"K7",          "M6 to ground: lower frame"                            },
+    {"C",           "damper beside K4"                                     },
+    {"K_Zy",        "two upper backup bearings, part of K2"                },
+    {"K_Zy_lower",  "two lower backup bearings, part of K6"                },
+    {"K_ZW",        "bending and shear of a backup roll"                   },
+    {"M1",          "upper frame and screw-down"                           },
+    {"M2",          "upper backup roll with bearings, chocks, cylinders"   },
+    {"M3",          "upper work roll"                                      },
+    {"M4",          "lower work roll"                                      },
+    {"M5",          "lower backup roll with bearings, chocks"              },
+    {"M6",          "lower frame, load cell"                               },
+    {"Kzc",         "the bearing at its load"                              },
+    {"Kzc1",        "one bearing of the upper backup roll"                 },
+    {"Kzc2",        "one bearing of the upper work roll"                   },
+    {"Kzc3",        "one bearing of the lower work roll"                   },
+    {"Kzc4",        "one bearing of the lower backup roll"                 },
+    {"Kzc1_across", "one bearing of the upper backup roll, across its load"},
+    {"Kzc2_across", "one bearing of the upper work roll, across its load"  },
+    {"Kzc3_across", "one bearing of the lower work roll, across its load"  },
+    {"Kzc4_across", "one bearing of the lower backup roll, across its load"},
+    {"housing",     "the bare housing on its feet"                         },
+};
+const Words aspects[] = {
+    {"tangent",                  "tangent dF/d\u03b4"                                      },
+    {"secant",                   "secant F/\u03b4"                                         },
+    {"tangent_across",           "tangent across the load"                                 },
+    {"axial",                    "axial tangent, other motions held"                       },
+    {"tilting",                  "tangent against tilt in the plane of the load"           },
+    {"tilt",                     "tangent against tilt in the plane of the load"           },
+    {"displacement",             "displacement of the inner ring"                          },
+    {"closing_cup_angle",        "cup angle that closes the apex condition"                },
+    {"heaviest_angle",           "angle of the heaviest roller from the load line"         },
+    {"rib_max",                  "largest force on the rib"                                },
+    {"rollers_times_Z5",         "sum of one roller per row, times Z/5"                    },
+    {"rollers_times_stribeck",   "sum of one roller per row, times Z cos\u00b2\u03b1/4.085"},
+    {"load_that_fits_tangent",   "load at which the tangent takes the published value"     },
+    {"load_that_fits_secant",    "load at which the secant takes the published value"      },
+    {"motion",                   "a mass on it"                                            },
+    {"frequency",                "natural frequency along the load"                        },
+    {"frequency_across",         "natural frequency across the load"                       },
+    {"peak_acceleration",        "largest acceleration"                                    },
+    {"peak_force",               "largest force of the bearing"                            },
+    {"without_contact",          "share of the time without contact"                       },
+    {"spectrum_peak",            "highest line of the spectrum"                            },
+    {"in_stand_tangent",         "tangent with the rolls held as in the stand"             },
+    {"in_stand_secant",          "secant with the rolls held as in the stand"              },
+    {"path_plateau",             "nodal value on the contact path"                         },
+    {"plastic_slope",            "plastic slope of the pass"                               },
+    {"flattening",               "elastic flattening of the rolls"                         },
+    {"combined",                 "plastic slope and flattening in series"                  },
+    {"roller_secant",            "one roller, secant"                                      },
+    {"roller_tangent",           "one roller, tangent"                                     },
+    {"roller_max",               "most loaded roller"                                      },
+    {"loaded_rollers",           "rollers that carry load"                                 },
+    {"half_width",               "half width of the contact at mid-length"                 },
+    {"peak_pressure",            "largest contact pressure at mid-length"                  },
+    {"approach",                 "approach of the two roll axes"                           },
+    {"line_load",                "load per length"                                         },
+    {"bite",                     "bite"                                                    },
+    {"force",                    "roll force"                                              },
+    {"torque",                   "torque of one roll"                                      },
+    {"film_thickness",           "mean oil film"                                           },
+    {"sticking_length",          "part of the arc on which friction is at its limit"       },
+    {"arc_length",               "projected length of the arc"                             },
+    {"forward_slip",             "forward slip"                                            },
+    {"neutral_position",         "where strip and roll run equally fast"                   },
+    {"neutral_angle",            "neutral angle"                                           },
+    {"entry_speed",              "speed of the strip at the entry"                         },
+    {"exit_speed",               "speed of the strip at the exit"                          },
+    {"exit_thickness",           "thickness of the strip that leaves the stand"            },
+    {"smallest_thickness",       "smallest thickness of the strip, under load"             },
+    {"entry_position",           "where the contact begins"                                },
+    {"exit_position",            "where the contact ends"                                  },
+    {"flux_balance",             "flow out against flow in"                                },
+    {"force_balance",            "horizontal forces on the strip"                          },
+    {"power_balance",            "power brought in against power dissipated"               },
+    {"force_by_entry_thickness", "force per entry thickness"                               },
+    {"force_by_exit_thickness",  "force per exit thickness"                                },
+    {"force_by_entry_tension",   "force per back tension"                                  },
+    {"force_by_exit_tension",    "force per front tension"                                 },
+    {"force_by_friction",        "force per coefficient of friction"                       },
+    {"force_by_flow_stress",     "force per unit factor on the flow stress"                },
+    {"force_by_roll_speed",      "force per speed of the rolls"                            },
+    {"fe",                       "finite elements"                                         },
+    {"karman",                   "K\u00e1rm\u00e1n's slab"                                 },
+    {"karman-rigid",             "K\u00e1rm\u00e1n's slab, rigid roll"                     },
+    {"karman-elastic-arc",       "K\u00e1rm\u00e1n's slab, free arc"                       },
+    {"orowan",                   "Orowan"                                                  },
+    {"bland-ford",               "Bland and Ford"                                          },
+    {"hu-ehmann",                "Hu and Ehmann"                                           },
+    {"sims",                     "Sims"                                                    },
+    {"friction",                 "friction in the bite"                                    },
+    {"flattened_radius",         "radius of the flattened roll"                            },
+    {"peak_g",                   "largest acceleration"                                    },
+    {"rms_g",                    "rms acceleration"                                        },
+    {"upper_work_roll",          "upper work roll"                                         },
+    {"lower_work_roll",          "lower work roll"                                         },
+};
+
+std::vector<std::string> parts_of(const std::string &name)
+{
+  std::vector<std::string> parts(1);
+  for (const char c : name)
+    if (c == '.')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+std::string words_of(const std::string &part)
+{
+  for (const Words &words : quantities)
+    if (part == words.name)
+      return words.meaning;
+  for (const Words &words : aspects)
+    if (part == words.name)
+      return words.meaning;
+  if (part.size() == 10 && part.substr(0, 3) == "row" && part.substr(4) == "_share")
+    return std::string("share of row ") + part[3];
+  if (part.size() == 10 && part.substr(0, 3) == "row" && part.substr(4) == "_axial")
+    return std::string("axial force of row ") + part[3];
+  return "";
+}
+
+// "f1" -> "1": a natural frequency.  Empty when the name is something else.
+std::string number_after(const std::string &prefix, const std::string &name)
+{
+  if (name.size() <= prefix.size() || name.compare(0, prefix.size(), prefix) != 0)
+    return "";
+  const std::string number = name.substr(prefix.size());
+  return std::all_of(number.begin(), number.end(), [](const char c) { return c >= '0' && c <= '9'; }) ? number
+                                                                                                      : "";
+}
+
+void add(Group &group, const Result *result)
+{
+  if (result)
+    group.results.push_back(result);
+}
+}  // namespace
+
+std::string meaning_of(const std::string &name)
+{
+  if (const std::string words = chatter_meaning(name); !words.empty())
+    return words;
+  if (const std::string number = number_after("fh", name); !number.empty())
+    return "natural frequency " + number + ", horizontal";
+  if (const std::string number = number_after("f", name); !number.empty())
+    return "natural frequency " + number + ", vertical";
+  std::string meaning;
+  const auto parts = parts_of(name);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::string words = words_of(parts[i]);
+    if (i == 0 && words.empty() && parts.size() > 1 && parts[0] != "contact")
+      words = parts[0];  // the name of a pass
+    if (i == 1 && parts[0] == "bite")
+      words = parts[1];
+    if (i > 1 && parts[0] == "bite" && parts[i] == "peak_pressure")
+      words = "largest pressure apart from the edge of the contact";
+    if (i == 1 && parts[0] == "contact")
+      words = contact_title(parts[1]);
+    if (!words.empty())
+      meaning += (meaning.empty() ? "" : ", ") + words;
+  }
+  return meaning;
+}
+
+const Result *chain_value(const Run &run, const std::string &name)
+{
+  for (const char *ending : {"", ".tangent", ".combined"})
+    if (const Result *result = run.find(name + ending))
+      return result;
+  return nullptr;
+}
+
+std::vector<Group> short_groups(const Run &run)
+{
+  if (run.manifest.kind == "bearing")
+    return bearing_groups(run);
+  if (run.manifest.kind == "bite")
+    return bite_groups(run);
+  if (run.manifest.kind == "chatter")
+    return chatter_groups(run);
+  Group contact{"Contact", {}}, stiffness{"Stiffness", {}}, mass{"Equivalent mass", {}},
+      frequency{"Natural frequency", {}};
+  if (run.manifest.kind == "two-cylinders" || !chain_value(run, "K1"))
+    for (const Result &result : run.results)
+      if (parts_of(result.name)[0] == "contact")
+        contact.results.push_back(&result);
+  for (int i = 1; i <= 7; ++i)
+    add(stiffness, chain_value(run, "K" + std::to_string(i)));
+  for (int i = 1; i <= 4; ++i)
+    add(stiffness, chain_value(run, "Kzc" + std::to_string(i)));
+  for (int i = 1; i <= 6; ++i)
+    add(mass, run.find("M" + std::to_string(i)));
+  for (int i = 1; i <= 6; ++i)
+    add(frequency, run.find("f" + std::to_string(i)));
+  std::vector<Group> groups;
+  for (Group &group : {std::ref(contact), std::ref(stiffness), std::ref(mass), std::ref(frequency)})
+    if (!group.results.empty())
+      groups.push_back(group);
+  for (const Group &group : chatter_groups(run))
+    if (group.title.rfind("Chatter", 0) == 0)
+      groups.push_back(group);
+  return groups;
+}
+
+std::string contact_title(const std::string &contact)
+{
+  if (contact == "upper")
+    return "upper contact (K3)";
+  if (contact == "lower")
+    return "lower contact (K5)";
+  return contact == "line" ? "line contact" : "contact " + contact;
+}
+
+std::vector<std::string> names_of_curves(const Run &run, const std::string &prefix,
+                                         const std::vector<std::string> &companions)
+{
+  const std::string start = "curves/" + prefix + "-";
+  const auto ends_with    = [](const std::string &text, const std::string &ending) {
+    return text.size() > ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+  };
+  std::vector<std::string> names;
+  for (const auto &[path, table] : run.tables) {
+    if (path.compare(0, start.size(), start) != 0)
+      continue;
+    if (std::none_of(companions.begin(), companions.end(),
+                     [&](const auto &c) { return ends_with(path, "-" + c); }))
+      names.push_back(path.substr(start.size()));
+  }
+  std::sort(names.begin(), names.end(), std::greater<>());  // upper before lower, trb before crb: the load path
+  return names;
+}
+}  // namespace mill::report

@@ -1,0 +1,40 @@
+#pragma once
+#include "report/page/run.h"
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mill::report {
+/// The page while it is written: numbers its figures and tables, collects its sections for the contents.
+class Page {
+public:
+  explicit Page(const Run &run);
+
+  void section(const std::string &id, const std::string &title);
+  void heading(const std::string &title);  ///< inside a section
+
+  /// Anything that is HTML already.
+  void html(const std::string &text);
+  void paragraph(const std::string &html);
+
+  /// One figure of one or more drawings side by side.  The caption (HTML) says what to see; case name and run id
+  /// are added, so that a copied figure still tells where it came from.
+  void figure(const std::vector<std::string> &drawings, const std::string &caption);
+
+  /// A table with its caption (HTML) above.
+  void table(const std::string &table, const std::string &caption);
+
+  /// Says in a sentence that a stored file is not there, instead of its figure.
+  void absent(const std::string &what, const std::string &file);
+
+  std::string contents() const;  ///< list of links to the sections
+  const std::string &body() const;
+
+private:
+  std::string stamp_;
+  std::string body_;
+  std::vector<std::pair<std::string, std::string>> sections_;
+  int figures_ = 0;
+  int tables_  = 0;
+};
+}  // namespace mill::report

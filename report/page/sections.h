@@ -1,0 +1,49 @@
+#pragma once
+#include "report/chatter/data.h"
+#include "report/models/data.h"
+#include "report/page/page.h"
+#include "report/page/run.h"
+#include <string>
+
+// The sections of the page, each in a file of its name.  A section whose data the kind of run cannot have is left
+// out; one that could be there but is not stored says so.
+namespace mill::report {
+std::string page_head(const Run &run);             ///< title, run, status banner
+void summary_section(Page &page, const Run &run);  ///< key numbers, short table
+void stand_section(Page &page, const Run &run);    ///< sketch with the numbers on it
+void contact_section(Page &page, const Run &run);  ///< load-approach, K(F), along the barrel
+void bite_section(Page &page, const Run &run);     ///< pressure, friction and strain in the bite, K4
+/// Critical speed, modes, maps, motion and what moves them; nothing when the run stored nothing about chatter.
+void chatter_section(Page &page, const Run &run, const ChatterData &data);
+void bearing_section(Page &page, const Run &run);  ///< Kzc(F), row shares, roller loads
+void shape_section(Page &page, const Run &run);    ///< f1, f2 with the supports
+/// Mass breakdown and equivalent masses by every route; nothing when the run compared no models.
+void mass_section(Page &page, const ModelData &data);
+void mode_section(Page &page, const Run &run);  ///< shapes, energy shares, horizontal modes
+/// How few masses are enough: six masses beside detailed models; nothing when the run compared no models.
+void model_section(Page &page, const Run &run, const ModelData &data);
+void response_section(Page &page, const Run &run);  ///< peaks, histories, spectra
+void limits_section(Page &page, const Run &run);    ///< what is assumed, what was not stored
+void full_results_section(Page &page, const Run &run);
+void record_section(Page &page, const Run &run);  ///< program, versions, timings
+
+/// The stand to scale with the spring-mass chain and its numbers beside it; without geometry the chain alone.
+std::string stand_sketch(const Run &run);
+
+/// A zoomable chart of a history for the screen: data of a script element that page.js turns into a chart.
+/// Empty when the build found no plotting library: the static drawing then stands alone.
+/// @param group   charts of one group zoom together
+/// @param title   above the chart; empty: the labels
+/// @param y_axis  "acceleration [g]"
+/// @param limit   half the height of the chart around zero; 0: from the data
+/// @param time    (n) s, equally spaced
+/// @param series  label and values (n); drawn by the extremes of `zoom_intervals` intervals
+std::string zoom_chart(const std::string &group, const std::string &y_axis, double limit,
+                       const Eigen::VectorXd &time,
+                       const std::vector<std::pair<std::string, Eigen::VectorXd>> &series,
+                       const std::string &title = "");
+constexpr Eigen::Index zoom_intervals = 4000;
+
+/// A lumped or a four-high run has a chain; two cylinders have none.
+bool has_chain(const Run &run);
+}  // namespace mill::report

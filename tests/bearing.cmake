@@ -1,8 +1,0 @@
-mill_test(roller_law_test       LABEL unit         LINK mill::bearing)
-mill_test(slice_loads_test      LABEL unit         LINK mill::bearing)
-mill_test(roller_profile_test   LABEL unit         LINK mill::bearing)
-mill_test(bearing_geometry_test LABEL unit         LINK mill::bearing)
-mill_test(ring_flexibility_test LABEL unit         LINK mill::bearing)
-mill_test(bearing_ratings_test  LABEL unit         LINK mill::bearing)
-mill_test(bearing_assembly_test LABEL unit         LINK mill::bearing)
-mill_test(rigid_rings_test      LABEL verification LINK mill::bearing)

@@ -1,1 +1,0 @@
-mill_test(nonlinear_test LABEL unit LINK mill::fem mill::meshes)

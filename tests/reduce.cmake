@@ -1,6 +1,0 @@
-mill_test(roll_profile_test LABEL unit LINK mill::reduce)
-mill_test(line_contact_test       LABEL unit         LINK mill::reduce)
-mill_test(contact_stiffness_test  LABEL unit         LINK mill::reduce)
-mill_test(beam_shapes_test        LABEL unit         LINK mill::reduce)
-mill_test(beam_frequency_test     LABEL verification LINK mill::reduce)
-mill_test(demo_stand_test         LABEL regression   LINK mill::reduce mill::bearing)

@@ -1,0 +1,241 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+// What the folders promise each other, read from the sources.
+namespace fs = std::filesystem;
+
+namespace {
+const fs::path root = MILLSTAND_SOURCE_DIR;
+const std::vector<std::string> stages{"core",   "contact",  "bearing", "bite", "meshes", "fem",
+                                      "reduce", "dynamics", "report",  "app",  "verify"};
+
+struct Source {
+  std::string name;  // from the root: "fem/contact_solver.h"
+  std::string folder;
+  bool header;
+  std::vector<std::string> lines;
+};
+
+std::vector<Source> sources(const std::vector<std::string> &folders)
+{
+  std::vector<Source> out;
+  for (const std::string &folder : folders)
+    for (const auto &entry : fs::recursive_directory_iterator(root / folder)) {
+      const auto ending = entry.path().extension();
+      if (ending != ".h" && ending != ".cpp")
+        continue;
+      Source s{fs::relative(entry.path(), root).string(), folder, ending == ".h", {}};
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);)
+        s.lines.push_back(line);
+      out.push_back(s);
+    }
+  return out;
+}
+
+std::vector<std::string> includes(const Source &source)
+{
+  static const std::regex pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  std::vector<std::string> out;
+  std::smatch match;
+  for (const std::string &line : source.lines)
+    if (std::regex_search(line, match, pattern))
+      out.push_back(match[1]);
+  return out;
+}
+
+bool starts_with(const std::string &text, const std::string &prefix)
+{
+  return text.compare(0, prefix.size(), prefix) == 0;
+}
+}  // namespace
+
+TEST(Layers, AStageIncludesCoreAndItself)
+{
+  for (const Source &source : sources(stages))
+    for (const std::string &include : includes(source))
+      for (const std::string &stage : stages)
+        if (starts_with(include, stage + "/"))
+          EXPECT_TRUE(source.folder == "app" || source.folder == "verify" || stage == "core" ||
+                      stage == source.folder ||
+                      (source.folder == "fem" && (stage == "contact" || stage == "bearing" || stage == "bite")) ||
+                      (source.folder == "dynamics" && stage == "bite"))
+              << source.name << " includes " << include;
+}
+
+TEST(Layers, ThirdPartyStaysBehindItsFolder)
+{
+  // library -> folders whose sources may include it; headers may include Eigen only.
+  const std::map<std::string, std::set<std::string>> owners{
+      {"deal.II/",            {"fem"}                  },
+      {"gmsh.h",              {"meshes"}               },
+      {"toml++/",             {"core"}                 },
+      {"cholmod",             {"core"}                 },
+      {"metis.h",             {"core"}                 },
+      {"suitesparse/umfpack", {"fem"}                  },
+      {"nlohmann/",           {"core", "report", "app"}},
+      {"CLI/",                {"app"}                  },
+      {"spdlog/",             {"app"}                  },
+      {"mpi.h",               {"fem"}                  },
+      {"Spectra/",            {"fem"}                  },
+      {"boost/",              {"dynamics"}             },
+      {"cvode/",              {"dynamics"}             },
+      {"nvector/",            {"dynamics"}             },
+      {"sunlinsol",           {"dynamics"}             },
+      {"sunmatrix",           {"dynamics"}             }
+  };
+  for (const Source &source : sources(stages))
+    for (const std::string &include : includes(source))
+      for (const auto &[library, folders] : owners)
+        if (starts_with(include, library)) {
+          EXPECT_TRUE(folders.count(source.folder)) << source.name << " includes " << include;
+          EXPECT_FALSE(source.header && library != "nlohmann/")
+              << source.name << " shows " << include << " to its users";
+        }
+}
+
+TEST(Layers, OnlyOneFileKnowsTheTomlParser)
+{
+  std::set<std::string> found;
+  for (const Source &source : sources(stages))
+    for (const std::string &include : includes(source))
+      if (starts_with(include, "toml++"))
+        found.insert(source.name);
+  EXPECT_EQ(found, std::set<std::string>{"core/case/case_file.cpp"});
+}
+
+TEST(Headers, DoubleMembersStateTheirUnit)
+{
+  // Public data of the hand-over records and stage headers: "double name = 0;  ///< m, ..." on the line itself.
+  const std::regex member(R"(^  double\s+[a-z_0-9A-Z]+(\s*=[^;()]*)?(,[^;()]*)?;)");
+  int seen = 0;
+  for (const Source &source :
+       sources({"core", "contact", "bearing", "bite", "meshes", "fem", "reduce", "dynamics"})) {
+    if (!source.header)
+      continue;
+    bool hidden = false, body = false;  // private data; the body of an inline function
+    for (std::size_t i = 0; i < source.lines.size(); ++i) {
+      const std::string &line = source.lines[i];
+      body                    = line == "{" || (body && line != "}");
+      hidden = line.find("private:") != std::string::npos || (hidden && line.find("};") == std::string::npos);
+      if (hidden || body || !std::regex_search(line, member))
+        continue;
+      ++seen;
+      EXPECT_NE(line.find("///<"), std::string::npos) << source.name << ":" << i + 1 << ": " << line;
+    }
+  }
+  EXPECT_GT(seen, 100) << "the pattern no longer finds the members";
+}
+
+TEST(Headers, AreGuardedAndOpenNoNamespace)
+{
+  for (const Source &source : sources(stages))
+    if (source.header) {
+      ASSERT_FALSE(source.lines.empty()) << source.name;
+      EXPECT_EQ(source.lines[0], "#pragma once") << source.name;
+      for (const std::string &line : source.lines)
+        EXPECT_FALSE(starts_with(line, "using namespace")) << source.name;
+    }
+}
+
+TEST(Library, NeverPrintsExitsOrReadsTheEnvironment)
+{
+  const std::regex forbidden(R"(std::c(out|err)\b|\bgetenv\b|\bstd::exit\b|[^fns]printf\s*\()");
+  for (const Source &source :
+       sources({"core", "contact", "bearing", "meshes", "fem", "reduce", "dynamics", "report"}))
+    for (std::size_t i = 0; i < source.lines.size(); ++i)
+      EXPECT_FALSE(std::regex_search(source.lines[i], forbidden))
+          << source.name << ":" << i + 1 << ": " << source.lines[i];
+}
+
+// An assert is gone in what users run; core/numerics/require.h is not.
+TEST(Library, ChecksWhatItReliesOnInEveryBuild)
+{
+  for (const Source &s : sources(stages))
+    for (const std::string &include : includes(s)) {
+      EXPECT_NE(include, "cassert") << s.name;
+      EXPECT_NE(include, "assert.h") << s.name;
+    }
+}
+
+TEST(Tests, EveryTestExpectsSomething)
+{
+  for (const Source &source : sources({"tests"})) {
+    if (source.name.find("_test.cpp") == std::string::npos)
+      continue;
+    std::string open;  // name of the test we are in
+    bool expects     = true;
+    const auto close = [&] { EXPECT_TRUE(expects) << source.name << ": " << open << " expects nothing"; };
+    for (const std::string &line : source.lines) {
+      if (std::regex_search(line, std::regex(R"(^(TEST|TEST_F|TEST_P)\()"))) {
+        close();
+        open    = line;
+        expects = false;
+      }
+      if (line.find("EXPECT_") != std::string::npos || line.find("ASSERT_") != std::string::npos ||
+          line.find("FAIL()") != std::string::npos || line.find("expect_") != std::string::npos)
+        expects = true;
+    }
+    close();
+  }
+}
+
+TEST(Tree, HasNoPathOfAMachineAndNothingLeftOpen)
+{
+  const std::regex machine("(^|[^.a-zA-Z0-9])/(work|home|root|tmp|farm)/[a-z]");
+  const std::regex open(std::string("\\b(TO") + "DO|FIX" + "ME|not imple" + "mented)\\b");
+  auto all = stages;
+  all.insert(all.end(), {"tests", "bench", "cases"});
+  for (const Source &source : sources(all)) {
+    if (source.name == "tests/rules/tree/repo_rules_test.cpp")
+      continue;
+    for (std::size_t i = 0; i < source.lines.size(); ++i) {
+      EXPECT_FALSE(std::regex_search(source.lines[i], machine))
+          << source.name << ":" << i + 1 << ": " << source.lines[i];
+      EXPECT_FALSE(std::regex_search(source.lines[i], open))
+          << source.name << ":" << i + 1 << ": " << source.lines[i];
+    }
+  }
+}
+
+TEST(Docs, EquationNumbersThatTheCodeCitesExist)
+{
+  std::ifstream in(root / "docs/theory.md");
+  ASSERT_TRUE(in) << "docs/theory.md";
+  std::stringstream text;
+  text << in.rdbuf();
+  const std::string theory = text.str();
+  // "theory.md (2.4)" and "(3.5b)" in a line that names theory.md.
+  const std::regex number(R"(\((\d+\.\d+[a-d]?)\))");
+  for (const Source &source :
+       sources({"core", "contact", "bearing", "bite", "meshes", "fem", "reduce", "dynamics"}))
+    for (std::size_t i = 0; i < source.lines.size(); ++i) {
+      const std::string &line = source.lines[i];
+      if (line.find("theory.md") == std::string::npos)
+        continue;
+      for (std::sregex_iterator it(line.begin(), line.end(), number), end; it != end; ++it)
+        EXPECT_NE(theory.find("(" + (*it)[1].str() + ")"), std::string::npos)
+            << source.name << ":" << i + 1 << ": equation " << (*it)[1] << " is not in docs/theory.md";
+    }
+}
+
+TEST(Tree, LongFilesAreListed)
+{
+  // Not a failure: a long table is fine, a long function is not.
+  auto all = stages;
+  all.push_back("tests");
+  std::vector<std::pair<std::size_t, std::string>> lengths;
+  for (const Source &source : sources(all))
+    lengths.push_back({source.lines.size(), source.name});
+  std::sort(lengths.rbegin(), lengths.rend());
+  for (const auto &[n, name] : lengths)
+    if (n > 500)
+      std::printf("  %zu lines: %s\n", n, name.c_str());
+  EXPECT_LT(lengths[lengths.size() / 2].first, 150u) << "median file length";
+}

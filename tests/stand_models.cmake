@@ -1,6 +1,0 @@
-mill_test(timoshenko_beam_test    LABEL unit         LINK mill::reduce)
-mill_test(stand_assembly_test     LABEL unit         LINK mill::reduce)
-mill_test(stand_modes_test        LABEL unit         LINK mill::reduce)
-mill_test(stand_errors_test       LABEL unit         LINK mill::reduce)
-mill_test(six_masses_test         LABEL unit         LINK mill::reduce)
-mill_test(stand_comparison_test   LABEL unit         LINK mill::reduce)

@@ -1,8 +1,0 @@
-mill_test(trace_test LABEL unit LINK mill::app)
-mill_test(trace_roads_test LABEL verification TIMEOUT 180 LINK mill::app)
-mill_test(trace_command_test LABEL verification LINK mill::core)
-target_sources(trace_command_test PRIVATE support/program.cpp)
-target_compile_definitions(trace_command_test PRIVATE MILLSTAND_PROGRAM="$<TARGET_FILE:millstand>")
-mill_test(cache_keys_test LABEL unit LINK mill::app)
-mill_test(provenance_test LABEL verification TIMEOUT 180 LINK mill::app)
-mill_test(result_inputs_test LABEL unit LINK mill::app)

@@ -1,0 +1,58 @@
+#include "app/stages/strip_flow_store.h"
+#include <gtest/gtest.h>
+
+using namespace mill;
+
+namespace {
+FlowAnswer some_answer()
+{
+  FlowAnswer a;
+  a.fine.state.model    = "finite elements, \"quoted\"";
+  a.fine.state.force    = 928173.25;
+  a.fine.state.torque   = 1. / 3;
+  a.fine.state.force_by = {1, -2, 3, not_given, 5, 6, 7, not_given, 9};
+  a.fine.state.position = Eigen::VectorXd::LinSpaced(5, -1e-5, 0.025);
+  a.fine.state.notes    = {"one", "two"};
+  a.fine.strain         = Eigen::MatrixXd::Random(3, 4);
+  a.fine.roll_surface   = Eigen::Vector3d(1, not_given, 3);
+  a.fine.first_contact  = 7;
+  a.fine.balance.power  = -3e-14;
+  a.coarse_slope        = 2.25e8;
+  a.elastic             = true;
+  a.outlet_stress       = Eigen::Vector2d(-1e6, 1e6);
+  return a;
+}
+}  // namespace
+
+TEST(StripFlowStore, ComesBackAsItWas)
+{
+  const FlowAnswer a = some_answer();
+  const auto b       = restored_flow(stored_flow(a));
+  ASSERT_TRUE(b);
+  EXPECT_EQ(b->fine.state.model, a.fine.state.model);
+  EXPECT_EQ(b->fine.state.force, a.fine.state.force);
+  EXPECT_EQ(b->fine.state.torque, a.fine.state.torque);
+  EXPECT_EQ(b->fine.state.force_by[2], 3);
+  EXPECT_TRUE(std::isnan(b->fine.state.force_by[3]));
+  EXPECT_TRUE(b->fine.state.position == a.fine.state.position);
+  EXPECT_EQ(b->fine.state.notes, a.fine.state.notes);
+  EXPECT_TRUE(b->fine.strain == a.fine.strain);
+  EXPECT_TRUE(std::isnan(b->fine.roll_surface[1]));
+  EXPECT_EQ(b->fine.first_contact, 7);
+  EXPECT_EQ(b->fine.balance.power, a.fine.balance.power);
+  EXPECT_EQ(b->coarse_slope, a.coarse_slope);
+  EXPECT_TRUE(std::isnan(b->coarse_force));
+  EXPECT_TRUE(b->elastic);
+  EXPECT_TRUE(b->outlet_stress == a.outlet_stress);
+  EXPECT_EQ(b->fine.sxx.size(), 0);
+}
+
+// Damage is seen by the checksum of the cache entry; what is left is a text of another version.
+TEST(StripFlowStore, AnotherTextIsNoAnswer)
+{
+  const std::string text = stored_flow(some_answer());
+  EXPECT_FALSE(restored_flow(""));
+  EXPECT_FALSE(restored_flow("no JSON"));
+  EXPECT_FALSE(restored_flow("{}"));
+  EXPECT_FALSE(restored_flow(text.substr(0, text.size() / 2)));
+}

@@ -1,0 +1,31 @@
+#include "core/process/memory.h"
+#include "tests/support/address_space.h"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+using namespace mill;
+
+TEST(MemoryLeft, IsSomethingAndSaysWhatSetsTheEnd)
+{
+  const MemoryLeft left = memory_left();
+  EXPECT_GT(left.bytes, 1e6);
+  EXPECT_LT(left.bytes, double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE)));
+  EXPECT_FALSE(left.end.empty());
+}
+
+TEST(MemoryLeft, TheAddressSpaceIsWhatTheLimitLeaves)
+{
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the sanitizer maps terabytes of address space";
+#endif
+  const rlim_t allowed  = mapped_address_space() + 50000000;
+  const MemoryLeft left = [&] {
+    const AddressSpaceLimit tight(allowed);
+    EXPECT_TRUE(tight.set);
+    return memory_left();
+  }();
+  EXPECT_GT(left.bytes, 40e6) << "what the reading itself takes is small";
+  EXPECT_LE(left.bytes, 50e6);
+  EXPECT_EQ(left.end, "the " + megabytes(double(allowed)) + " of address space that are allowed (ulimit -v)");
+}

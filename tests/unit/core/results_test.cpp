@@ -1,0 +1,91 @@
+// results.json as the contract describes it, read back by a JSON parser.
+#include "core/records/results.h"
+#include "tests/support/near.h"
+#include <nlohmann/json.hpp>
+
+using namespace mill;
+
+namespace {
+Results sample()
+{
+  Results results;
+  Parameter k3;
+  k3.value          = 1.0 / 3.0 * 1e11;
+  k3.unit           = "N/m";
+  k3.method         = "contact FEM";
+  k3.at             = "976.2 kN";
+  k3.error_estimate = 0.004;
+  k3.inputs         = {"work_roll.barrel_diameter", "backup_roll.barrel_diameter"};
+  k3.checks         = {
+              {"Hertz line contact", 4.0192e10, "infinitely long"}
+  };
+  results.add("K3.tangent", k3);
+  Parameter unknown;
+  unknown.unit   = "N/m";
+  unknown.source = Source::assumed;
+  results.add("A.first.in.the.alphabet", unknown);
+  results.warnings    = {"the record ends below the highest mode"};
+  results.assumptions = {"bearing load F/20"};
+  return results;
+}
+}  // namespace
+
+TEST(Results, JsonHasEveryPart)
+{
+  const auto json = nlohmann::json::parse(results_json(sample(), "four-high-1400", "ok"));
+  EXPECT_EQ(json.at("schema"), 1);
+  EXPECT_EQ(json.at("case"), "four-high-1400");
+  EXPECT_EQ(json.at("status"), "ok");
+  const auto &k3 = json.at("values").at("K3.tangent");
+  EXPECT_EQ(k3.at("value").get<double>(), 1.0 / 3.0 * 1e11);  // all digits
+  EXPECT_EQ(k3.at("unit"), "N/m");
+  EXPECT_EQ(k3.at("source"), "computed: contact FEM");
+  EXPECT_EQ(k3.at("at"), "976.2 kN");
+  EXPECT_EQ(k3.at("error_estimate"), 0.004);
+  EXPECT_EQ(k3.at("inputs").size(), 2u);
+  EXPECT_EQ(k3.at("checks").at(0).at("name"), "Hertz line contact");
+  EXPECT_EQ(k3.at("checks").at(0).at("value"), 4.0192e10);
+  EXPECT_EQ(k3.at("checks").at(0).at("note"), "infinitely long");
+  EXPECT_EQ(json.at("warnings").at(0), "the record ends below the highest mode");
+  EXPECT_EQ(json.at("assumptions").at(0), "bearing load F/20");
+}
+
+TEST(Results, WhatIsUnknownIsNull)
+{
+  const auto json  = nlohmann::json::parse(results_json(sample(), "x", "ok"));
+  const auto &none = json.at("values").at("A.first.in.the.alphabet");
+  EXPECT_TRUE(none.at("value").is_null());
+  EXPECT_TRUE(none.at("error_estimate").is_null());
+  EXPECT_EQ(none.at("source"), "assumed");
+  EXPECT_EQ(none.at("at"), "");
+}
+
+TEST(Results, OrderIsThatOfTheComputation)
+{
+  const std::string text = results_json(sample(), "x", "ok");
+  EXPECT_LT(text.find("K3.tangent"), text.find("A.first.in.the.alphabet"));
+  EXPECT_EQ(text.back(), '\n');
+  EXPECT_EQ(text.find('\r'), std::string::npos);
+}
+
+TEST(Results, AreFoundByName)
+{
+  const Results results = sample();
+  ASSERT_NE(results.find("K3.tangent"), nullptr);
+  EXPECT_EQ(results.find("K3.tangent")->at, "976.2 kN");
+  EXPECT_EQ(results.find("K3"), nullptr);
+}
+
+TEST(Results, BytesThatAreNoUtf8DoNotBreakTheFile)
+{
+  Results results;
+  results.warnings = {"a name with a stray byte: \xff"};
+  EXPECT_NO_THROW(nlohmann::json::parse(results_json(results, "\xc3", "ok")));
+}
+
+TEST(Results, ANameTwiceIsNoticedInEveryBuild)
+{
+  Results results = sample();
+  EXPECT_THROW(results.add("K3.tangent", Parameter{}), std::logic_error);
+  EXPECT_EQ(results.values.size(), 2u);
+}

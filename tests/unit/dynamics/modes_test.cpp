@@ -1,0 +1,90 @@
+// Modes of the published stand against the reference values, and what must hold for any chain.
+#include "core/case/errors.h"
+#include "dynamics/response/modes.h"
+#include "tests/support/near.h"
+#include "tests/support/published_stand.h"
+#include "tests/support/reference.h"
+
+using namespace mill;
+using namespace mill::dynamics;
+
+const MillModel published = mill_model(published_stand(), settings("published", 0.01));
+
+Eigen::MatrixXd reference_matrix(const std::string &entry)
+{
+  const auto rows = reference(entry).get<std::vector<std::vector<double>>>();
+  Eigen::MatrixXd matrix(rows.size(), rows[0].size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j < rows[i].size(); ++j)
+      matrix(Eigen::Index(i), Eigen::Index(j)) = rows[i][j];
+  return matrix;
+}
+
+TEST(Modes, FrequenciesAndShapesOfThePublishedStand)
+{
+  const Modes found = modes(published);
+  EXPECT_TRUE(near(found.frequency, reference_vector("modes.published.frequencies"),
+                   within(1e-6, "eigenvalues in double precision")));
+  const Eigen::MatrixXd shapes = reference_matrix("modes.published.shapes");
+  for (int k = 0; k < 6; ++k) {
+    const double sign = found.shape.col(k).dot(shapes.col(k)) > 0 ? 1 : -1;
+    EXPECT_TRUE(near(sign * found.shape.col(k), shapes.col(k),
+                     within(1e-5, "eigenvectors in double precision, of the largest component",
+                            shapes.col(k).cwiseAbs().maxCoeff())))
+        << "mode " << k + 1;
+  }
+}
+
+TEST(Modes, StrainEnergySharesPerSpring)
+{
+  const Eigen::MatrixXd shares = reference_matrix("modes.published.strain_energy");
+  const Modes found            = modes(published);
+  for (int k = 0; k < 6; ++k)
+    EXPECT_TRUE(near(found.strain_share.row(k).transpose(), shares.row(k).transpose(),
+                     within(1e-6, "quadratic in shapes of double precision, of the whole energy", 1)))
+        << "mode " << k + 1;
+}
+
+TEST(Modes, StrainShareIsTwiceTheSensitivityOfTheFrequency)
+{
+  const Modes found = modes(published);
+  for (std::size_t spring = 0; spring < 7; ++spring) {
+    const auto frequency = [&](const double factor) {
+      auto changed = published_stand();
+      changed.K[spring].value *= factor;
+      return modes(mill_model(changed, settings("published", 0))).frequency;
+    };
+    const double step = 1e-4;
+    const Eigen::VectorXd elasticity =
+        (frequency(1 + step) - frequency(1 - step)).cwiseQuotient(2 * step * found.frequency);
+    EXPECT_TRUE(near(elasticity, found.strain_share.col(Eigen::Index(spring)) / 2,
+                     within(1e-6, "central difference: error of order step^2 = 1e-8, rounding 1e-12/step", 1)));
+  }
+}
+
+TEST(Modes, EnergySharesAndMassNormAddUp)
+{
+  const Modes found = modes(published);
+  for (int k = 0; k < 6; ++k) {
+    EXPECT_TRUE(near(found.strain_share.row(k).sum(), 1, within(1e-12, "whole energy")));
+    EXPECT_TRUE(near(found.kinetic_share.row(k).sum(), 1, within(1e-12, "V^T M V = 1")));
+    EXPECT_GE(found.kinetic_share.row(k).minCoeff(), 0);
+  }
+}
+
+TEST(Modes, ModalDampingGivesEveryPoleItsRatio)
+{
+  const auto found    = poles(mill_model(published_stand(), settings("measured", 0.013)));
+  const auto undamped = modes(mill_model(published_stand(), settings("measured", 0)));
+  ASSERT_EQ(found.size(), 6u);
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_TRUE(
+        near(found[k].damping, 0.013, within(1e-9, "modes decouple exactly; eigenvalues of a 12 x 12 matrix")));
+    EXPECT_TRUE(near(found[k].frequency, undamped.frequency[Eigen::Index(k)], within(1e-9, "|lambda| = w")));
+  }
+}
+
+TEST(Modes, LossFactorNeedsASpringOfTheChain)
+{
+  EXPECT_THROW(loss_factor_poles(published, "K8", 0.01), InputError);
+}

@@ -1,0 +1,67 @@
+#include "report/page/curves.h"
+#include "tests/support/near.h"
+#include <cmath>
+
+using namespace mill;
+using namespace mill::report;
+
+TEST(Curves, FactorsOfEveryDimension)
+{
+  const struct {
+    const char *from, *to;
+    double factor;
+  } rows[] = {
+      {"N/m",         "kN/mm",       1e-6       },
+      {"N/m",         "N/mm",        1e-3       },
+      {"N/m2",        "kN/mm per m", 1e-6       },
+      {"N",           "kN",          1e-3       },
+      {"Pa",          "MPa",         1e-6       },
+      {"m",           "\u00b5m",     1e6        },
+      {"m/N",         "\u00b5m/MN",  1e12       },
+      {"m/s2",        "g",           1 / 9.80665},
+      {"",            "%",           100        },
+      {"N/sqrt(Hz)",  "N/\u221aHz",  1          },
+      {"kN/sqrt(Hz)", "N/\u221aHz",  1000       },
+  };
+  for (const auto &row : rows)
+    EXPECT_TRUE(near(factor_between(row.from, row.to), row.factor, within(1e-15, "one division"))) << row.from;
+  EXPECT_TRUE(std::isnan(factor_between("N", "mm")));
+  EXPECT_TRUE(std::isnan(factor_between("furlong", "mm")));
+}
+
+TEST(Curves, QuantityInText)
+{
+  EXPECT_TRUE(near(quantity_in_text("976.2 kN", "N"), 976200, within(1e-14, "one multiplication")));
+  EXPECT_TRUE(near(quantity_in_text("48.8 kN on one bearing", "kN"), 48.8, within(0, "no conversion")));
+  EXPECT_TRUE(near(quantity_in_text("1.2 MN, pass 1", "kN"), 1200, within(1e-14, "one multiplication")));
+  EXPECT_TRUE(near(quantity_in_text("1000 N/mm", "N/m"), 1e6, within(1e-14, "one multiplication")));
+  EXPECT_TRUE(std::isnan(quantity_in_text("1000 N/mm", "kN"))) << "a line load is no load";
+  EXPECT_TRUE(std::isnan(quantity_in_text("rest", "kN")));
+}
+
+// A column in another unit of the same dimension is converted, one of another dimension is not drawn.
+TEST(Curves, TheHeaderDecidesAboutTheUnit)
+{
+  Table table;
+  table.names   = {"force", "way"};
+  table.units   = {"N", "mm"};
+  table.columns = {Eigen::Vector2d(1000, 2000), Eigen::Vector2d(1, 3)};
+  EXPECT_TRUE(near(values_of(table, {"force", "kN"}), Eigen::Vector2d(1, 2), within(1e-15, "one multiplication")));
+  EXPECT_TRUE(near(values_of(table, {"way", "\u00b5m"}), Eigen::Vector2d(1000, 3000),
+                   within(1e-15, "one multiplication")));
+  EXPECT_EQ(values_of(table, {"force", "mm"}).size(), 0);
+  EXPECT_EQ(values_of(table, {"absent", "mm"}).size(), 0);
+  Plot plot;
+  EXPECT_TRUE(add_line(plot, table, {"way", "mm"}, {"force", "kN"}, "", Pen::dark));
+  EXPECT_FALSE(add_line(plot, table, {"way", "mm"}, {"force", "MPa"}, "", Pen::dark));
+  EXPECT_EQ(plot.lines.size(), 1u);
+}
+
+TEST(Curves, InterpolationIsExactOverTheLogarithm)
+{
+  const Eigen::Vector3d x(1, 10, 1000), y(0, 1, 3);  // y = log10 x
+  EXPECT_TRUE(near(interpolated(x, y, 100), 2, within(1e-15, "straight over ln x")));
+  EXPECT_TRUE(near(interpolated(x, y, 10), 1, within(0, "a sample")));
+  EXPECT_TRUE(std::isnan(interpolated(x, y, 0.5))) << "a curve is never extrapolated";
+  EXPECT_TRUE(std::isnan(interpolated(x, y, 1001)));
+}

@@ -1,0 +1,201 @@
+// The program where files, folders and terminals are not what they should be: every answer is a sentence and an
+// exit code.
+#include "core/records/files.h"
+#include "tests/support/program.h"
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+const std::string quick = "modes cases/published-1400.toml -q -o ";
+
+// What waits for ever ends here with exit code 124.
+Outcome soon(const std::string &arguments)
+{
+  const std::string program = "'" MILLSTAND_PROGRAM "'";
+  return millstand("--version >/dev/null; timeout 100 " + program + " " + arguments);
+}
+
+// As `soon`, with redirections of its own; only the exit code and what it wrote to `err` come back.
+Outcome redirected(const std::string &arguments_and_redirections, const std::string &err)
+{
+  const std::string command = "cd '" MILLSTAND_SOURCE_DIR "' && timeout 100 '" MILLSTAND_PROGRAM "' " +
+                              arguments_and_redirections + " </dev/null";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), "",
+          mill::text_if_readable(err).value_or("")};
+}
+
+std::string pipe_in(const std::string &folder, const std::string &name)
+{
+  const std::string path = scratch(folder) + "/" + name;
+  fs::remove(path);
+  EXPECT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  return path;
+}
+
+void expect_refused(const Outcome &outcome, const std::string &sentence)
+{
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  EXPECT_NE(outcome.err.find(sentence), std::string::npos) << outcome.err;
+}
+
+std::string finished_run(const std::string &name, const std::string &more = "")
+{
+  const std::string out = scratch(name);
+  EXPECT_EQ(millstand(quick + out + more).exit_code, 0);
+  return out;
+}
+
+// The case of `quick`, to be put anywhere.
+std::string published_case()
+{
+  std::string text = mill::read_text(MILLSTAND_SOURCE_DIR "/cases/published-1400.toml");
+  for (std::size_t at = 0; (at = text.find("\"data/", at)) != std::string::npos; at += 2)
+    text.replace(at, 1, "\"" MILLSTAND_SOURCE_DIR "/cases/");
+  return text;
+}
+
+const std::string no_pipe = "cannot be read: it is a named pipe; name a regular file";
+}  // namespace
+
+TEST(HostilePlaces, PipesAreRefusedWhereverAFileIsNamed)
+{
+  const std::string pipe = pipe_in("pipes", "pipe.toml"), out = scratch("pipes") + "/out";
+  expect_refused(soon("check " + pipe), no_pipe);
+  expect_refused(soon("simulate cases/published-1400.toml -q -o " + out + " --force " + pipe), no_pipe);
+  expect_refused(soon("check cases/published-1400.toml --set pass.1.force=" + pipe),
+                 "is no regular file; name one");
+  expect_refused(soon("check cases/chatter-tandem.toml --set stand.from=" + pipe), no_pipe);
+  expect_refused(soon(quick + out + " --log " + pipe), "is no regular file; name one with --log");
+  expect_refused(soon(quick + out + " --log /dev/full"), "is no regular file; name one with --log");
+  const std::string run = finished_run("piped-run");
+  fs::remove(run + "/results.json");
+  EXPECT_EQ(::mkfifo((run + "/results.json").c_str(), 0600), 0);
+  expect_refused(soon("report " + run), no_pipe);
+  expect_refused(soon("trace cases/published-1400.toml given.K3 -o " + run), no_pipe);
+  EXPECT_EQ(soon(quick + run).exit_code, 0) << "a new run replaces it";
+}
+
+TEST(HostilePlaces, ALogTakesThePlaceOfNothingButALog)
+{
+  const std::string folder = scratch("logs"), out = folder + "/out", file = folder + "/case.toml";
+  mill::write_atomically(file, published_case());
+  const std::string before = mill::read_text(file);
+  const std::string run    = "modes " + file + " -q -o " + out + " --force-overwrite --log ";
+  expect_refused(soon(run + file), "exists and is no log of this program; choose another with --log");
+  EXPECT_EQ(mill::read_text(file), before);
+  fs::create_symlink(file, folder + "/link");
+  expect_refused(soon(run + folder + "/link"), "is a symbolic link; name the file that it points to");
+  for (int twice = 0; twice < 2; ++twice)
+    EXPECT_EQ(soon(run + folder + "/mine.log").exit_code, 0);
+  EXPECT_NE(mill::read_text(folder + "/mine.log").find("millstand"), std::string::npos);
+  expect_refused(soon(run + out + "/millstand.log"), "is one of the results in " + out);
+}
+
+TEST(HostilePlaces, FullAndClosedOutputs)
+{
+  const std::string folder = scratch("full"), err = folder + "/err", out = folder + "/out";
+  for (const std::string verb : {"schema", "--version", "new bite", "check cases/two-cylinders.toml",
+                                 "trace cases/published-1400.toml given.K3"}) {
+    const auto full = redirected(verb + " >/dev/full 2>" + err, err);
+    EXPECT_EQ(full.exit_code, 3) << verb;
+    EXPECT_EQ(full.err, "error: standard output cannot be written: No space left on device\n") << verb;
+  }
+  const auto closed = redirected("schema >&- 2>" + err, err);
+  EXPECT_EQ(closed.exit_code, 3);
+  EXPECT_EQ(closed.err, "error: standard output cannot be written: Bad file descriptor\n");
+  const std::string run = "modes cases/published-1400.toml -o " + out;
+  EXPECT_EQ(redirected(run + " >/dev/full 2>" + err, err).exit_code, 3);
+  EXPECT_TRUE(fs::exists(out + "/report.html")) << "the results are there all the same";
+  EXPECT_EQ(redirected(run + " -v >/dev/null 2>/dev/full", "").exit_code, 0) << "nothing is lost but the progress";
+  EXPECT_EQ(redirected("check no-such-case.toml 2>/dev/full", "").exit_code, 2);
+  const std::vector<std::string> files{"resolved.toml", "lumped_model.toml", "results.json", "curves/modes.csv"};
+  std::string before, after;
+  for (const std::string &file : files)
+    before += mill::read_text(out + "/" + file);
+  EXPECT_EQ(redirected(run + " <&- >&- 2>&-", "").exit_code, 3);
+  for (const std::string &file : files)
+    after += mill::read_text(out + "/" + file);
+  EXPECT_EQ(after, before) << "text for the terminal went into a result that was given its number";
+}
+
+TEST(HostilePlaces, ControlCharactersReachNeitherTerminalNorLog)
+{
+  const std::string folder = scratch("escapes"), file = folder + "/case.toml";
+  std::string text = published_case();
+  const auto title = text.find("title");
+  text.replace(title, text.find('\n', title) - title, "title = \"a\\u001b[31mb\\nK3 = 1\\u202e\"");
+  mill::write_atomically(file, text);
+  const auto check = soon("check " + file);
+  EXPECT_EQ(check.out, file + ": no errors (lumped \"a\\x1b[31mb\\nK3 = 1\\u202e\")\n") << check.err;
+  const auto key = soon("check " + file + " --set '\x1b[2J.x=1'");
+  EXPECT_EQ(key.exit_code, 2);
+  EXPECT_EQ(key.err.find('\x1b'), std::string::npos);
+  EXPECT_NE(key.err.find("\\x1b[2J"), std::string::npos) << key.err;
+  const std::string out = folder + "/out";
+  EXPECT_EQ(soon("run " + file + " -v -q -o " + out + " --set 'pass.1.name=\"p\\u001b[31m\\n2026-01-01 line\"'")
+                .err.find('\x1b'),
+            std::string::npos);
+  const std::string log = mill::read_text(out + "/millstand.log");
+  EXPECT_EQ(log.find('\x1b'), std::string::npos);
+  EXPECT_EQ(log.find("\n2026-01-01 line"), std::string::npos) << "a name may not write a line of its own";
+  EXPECT_NE(log.find("p\\x1b[31m\\n2026-01-01 line"), std::string::npos) << log;
+}
+
+TEST(HostilePlaces, FilesOfTwoRunsAreRefused)
+{
+  const std::string a = finished_run("run-a"), b = finished_run("run-b", " --set 'given.K1=5e3 kN/mm'");
+  const auto id = [](const std::string &run) {
+    return nlohmann::json::parse(mill::read_text(run + "/results.json")).at("run_id").get<std::string>();
+  };
+  ASSERT_NE(id(a), id(b));
+  EXPECT_EQ(id(a), id(finished_run("run-a-again"))) << "same inputs, same answer";
+  for (const std::string file : {"resolved.toml", "lumped_model.toml"})
+    EXPECT_EQ(mill::read_text(a + "/" + file).rfind("# run_id " + id(a) + "\n", 0), 0u) << file;
+  EXPECT_EQ(soon("report " + a).exit_code, 0);
+  const auto other = [&](const std::string &file) {
+    fs::copy_file(b + "/" + file, a + "/" + file, fs::copy_options::overwrite_existing);
+  };
+  const std::string mixed = "the folder mixes two runs; run the case again";
+  other("curves/modes.csv");
+  expect_refused(soon("report " + a), "curves/modes.csv: error: is not the file that run " + id(a) + " wrote");
+  other("lumped_model.toml");
+  expect_refused(soon("modes " + a + "/lumped_model.toml -q -o " + scratch("from-mixed")), mixed);
+  expect_refused(soon("check cases/chatter-tandem.toml --set stand.from=" + a + "/lumped_model.toml"), mixed);
+  fs::copy_file(a + "/lumped_model.toml", a + "/copy.toml");
+  EXPECT_EQ(soon("check " + a + "/copy.toml").exit_code, 0) << "a copy is a case like any other";
+  other("results.json");
+  expect_refused(soon("report " + a), mixed);
+  expect_refused(soon("trace cases/published-1400.toml given.K3 -o " + a), mixed);
+  EXPECT_EQ(soon(quick + a).exit_code, 0) << "a new run mends it";
+  EXPECT_EQ(soon("report " + a).exit_code, 0);
+}
+
+TEST(HostilePlaces, WhatAKilledRunLeftIsFinishedByTheNextCommand)
+{
+  const std::string out = finished_run("killed-between"), journal = out + "/.publishing";
+  // As a kill between the last renames leaves it: all of the earlier run gone, results.json not yet in its place.
+  fs::create_directory(journal);
+  fs::rename(out + "/results.json", journal + "/results.json");
+  std::string names;
+  for (const auto &entry : fs::directory_iterator(out))
+    if (entry.path() != journal)
+      names += entry.path().filename().string() + "\n";
+  mill::write_atomically(journal + "/.names", names + "results.json\n");
+  const std::string told = "a run was interrupted while its results took their places in " + out;
+  expect_refused(soon("trace cases/published-1400.toml given.K3 -o " + out), told);
+  expect_refused(soon("check " + out + "/lumped_model.toml"), told);
+  const auto report = soon("report " + out);
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  EXPECT_FALSE(fs::exists(journal));
+  EXPECT_TRUE(fs::exists(out + "/results.json"));
+  EXPECT_EQ(soon("check " + out + "/lumped_model.toml").exit_code, 0);
+}

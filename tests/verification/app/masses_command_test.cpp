@@ -1,0 +1,274 @@
+#include "core/records/files.h"
+#include "core/case/stand_rows.h"
+#include "tests/support/near.h"
+#include "tests/support/program.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+// Equivalent masses and the models of the stand as a user meets them.
+namespace fs = std::filesystem;
+
+namespace {
+// Quick to condense: coarse contacts, slab bite, bearings by the standard.
+const std::string quick =
+    " -q --cache " + scratch("cache") +
+    " --set contact.upper.elements_per_half_width=2 --set contact.lower.elements_per_half_width=2 "
+    "--set contact.upper.samples=7 --set contact.lower.samples=7 --set bite.method=slab --set bite.arc=rigid "
+    "--set dynamics.output_rate='5 kHz' --set bearing.trb.roller_law=iso --set bearing.trb.rings=rigid ";
+
+Outcome run(const std::string &verb, const std::string &file, const std::string &name,
+            const std::string &more = "")
+{
+  return millstand(verb + " " + file + " -o " + scratch(name) + quick + more);
+}
+
+nlohmann::json json_of(const std::string &path)
+{
+  return nlohmann::json::parse(mill::read_text(path));
+}
+
+double value(const std::string &name, const std::string &result)
+{
+  return json_of(scratch(name) + "/results.json").at("values").at(result).at("value").get<double>();
+}
+
+// Every mass and stiffness of the frame within 1 %.
+std::string frame_tolerances()
+{
+  std::string sets;
+  for (const auto &row : mill::frame_rows())
+    if (row.fallback.kind == mill::Fallback::Kind::required)
+      sets += " --set 'frame." + mill::tolerance_key(row.key) + "=1 %'";
+  return sets;
+}
+
+bool lacks(const nlohmann::json &result, const std::string &key)
+{
+  const auto found = result.find("error_lacks");
+  return found != result.end() && std::find(found->begin(), found->end(), key) != found->end();
+}
+
+const std::string demo = "cases/four-high-1400.toml", drawn = "cases/four-high-drawn.toml";
+
+// The demo stand as it is, run once.
+const std::string &demo_masses()
+{
+  static const std::string folder = [] {
+    const auto outcome = run("masses", demo, "demo");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return scratch("demo");
+  }();
+  return folder;
+}
+}  // namespace
+
+TEST(Masses, BothRoadsBesideThePublishedValues)
+{
+  const auto results = json_of(demo_masses() + "/results.json");
+  for (const char *mass : {"M2", "M3", "M4", "M5"}) {
+    const auto &entry = results.at("values").at(mass);
+    int roads         = 0;
+    for (const auto &check : entry.at("checks")) {
+      const std::string name = check.at("name");
+      if (name.find("finite") == std::string::npos)
+        continue;
+      ++roads;
+      EXPECT_TRUE(near(check.at("value").get<double>(), entry.at("value").get<double>(),
+                       within(0.03, "what shoulder, rotation and a solid roll do to the shape")))
+          << mass << ": " << name;
+    }
+    EXPECT_EQ(roads, 2) << mass;
+  }
+  std::string loud = "masses " + demo + " -o " + scratch("loud") + quick;
+  loud.erase(loud.find(" -q"), 3);
+  const auto shown = millstand(loud);
+  for (const char *text : {"closed form", "FE, integral", "FE, all", "published", "59716.9", "42200.6"})
+    EXPECT_NE(shown.out.find(text), std::string::npos) << text << "\n" << shown.out;
+}
+
+TEST(Masses, FiniteElementsGiveTheMassesWhenAsked)
+{
+  ASSERT_EQ(run("masses", demo, "solid", "--set dynamics.mass_source=fe" + frame_tolerances()).exit_code, 0);
+  const auto entry = json_of(scratch("solid") + "/results.json").at("values").at("M5");
+  EXPECT_NE(entry.at("source").get<std::string>().find("finite-element shape"), std::string::npos);
+  const auto closed = json_of(demo_masses() + "/results.json").at("values").at("M5");
+  const auto &all   = closed.at("checks");
+  const auto solid  = std::find_if(all.begin(), all.end(), [](const auto &check) {
+    return check.at("name").template get<std::string>().find("all points") == 0;
+  });
+  ASSERT_NE(solid, all.end());
+  EXPECT_EQ(entry.at("value"), solid->at("value")) << "the same number by both settings";
+  EXPECT_GT(entry.at("error_estimate").get<double>(), 0.005) << "what the integral and all points differ by";
+}
+
+// K_ZW of the demo roll by an independent finite-element program on meshes of its own: 6.14 to 6.17e10 N/m.
+TEST(Masses, BackupRollsBendAsASolidDoes)
+{
+  const auto solid = json_of(demo_masses() + "/results.json").at("values").at("K_ZW");
+  const double e   = solid.at("error_estimate");
+  EXPECT_TRUE(
+      near(solid.at("value").get<double>(), 6.155e10, within(5e-3, "range of the other program, our mesh")));
+  EXPECT_LE(solid.at("value").get<double>() * (1 - e), 6.17e10);
+  EXPECT_GE(solid.at("value").get<double>() * (1 + e), 6.14e10);
+  EXPECT_LT(e, 0.01);
+  EXPECT_TRUE(
+      near(solid.at("checks").at(0).at("value").get<double>(), 6.81232e10, within(1e-5, "closed form, printed")));
+  ASSERT_EQ(run("masses", demo, "beams", "--set backup_roll.bending_model=beam").exit_code, 0);
+  const auto beam = json_of(scratch("beams") + "/results.json").at("values");
+  EXPECT_TRUE(near(beam.at("K_ZW").at("value").get<double>(), 6.81232e10, within(1e-5, "closed form, printed")));
+  EXPECT_GE(beam.at("K_ZW").at("error_estimate").get<double>(), 0.0947)
+      << "its distance to the solid, and that one's error";
+  const double K6 = value("demo", "K6"), K6_beam = value("beams", "K6");
+  EXPECT_TRUE(near(1 / K6 - 1 / K6_beam, 1 / value("demo", "K_ZW") - 1 / 6.81232e10,
+                   within(1e-4, "one of the springs in series, printed value")));
+}
+
+TEST(Masses, NeedNoCurvesOfTheBite)
+{
+  for (const auto &entry : fs::directory_iterator(demo_masses() + "/curves"))
+    EXPECT_EQ(entry.path().filename().string().find("bite-k4"), std::string::npos) << entry.path();
+}
+
+// The lower bearings carry what the lower rolls' offset adds; Palmgren's tangent goes with load^0.1.
+TEST(Masses, LowerIsNotUpper)
+{
+  const double e = 0.4, between = (0.420 + 1.450) / 2;
+  ASSERT_EQ(run("masses", demo, "offset", "--set 'contact.lower.axis_offset=400 mm'").exit_code, 0);
+  EXPECT_TRUE(near(value("offset", "K_Zy_lower") / value("offset", "K_Zy"),
+                   std::pow(1 + e * e / between / between, 0.05),
+                   within(1e-6, "power law; equilibrium solved to 1e-9")));
+  EXPECT_EQ(value("offset", "K2"), value("demo", "K2"));
+  EXPECT_GT(value("offset", "K6"), value("demo", "K6"));
+}
+
+// An unknown error is not zero: a frequency has one when all its springs and masses do, else it says which do not.
+TEST(Modes, AFrequencyNamesWhatItsErrorLacks)
+{
+  const std::string published = "cases/published-1400.toml";
+  ASSERT_EQ(millstand("modes " + published + " -q -o " + scratch("bare")).exit_code, 0);
+  const auto bare = json_of(scratch("bare") + "/results.json").at("values");
+  EXPECT_TRUE(bare.at("f1").at("error_estimate").is_null());
+  EXPECT_TRUE(lacks(bare.at("f1"), "given.K1_tolerance"));
+  EXPECT_TRUE(bare.at("fh1").at("error_estimate").is_null()) << "the vertical mass stands in";
+  EXPECT_EQ(bare.at("C").at("value"), 1.91141e5);
+  std::string sets;
+  for (int i = 1; i <= 7; ++i)
+    sets += " --set 'given.K" + std::to_string(i) + "_tolerance=2 %'" +
+            (i < 7 ? " --set 'given.M" + std::to_string(i) + "_tolerance=4 %'" : "");
+  ASSERT_EQ(millstand("modes " + published + sets + " -q -o " + scratch("tolerances")).exit_code, 0);
+  const auto stated = json_of(scratch("tolerances") + "/results.json").at("values");
+  for (int i = 1; i <= 6; ++i)
+    EXPECT_TRUE(near(stated.at("f" + std::to_string(i)).at("error_estimate").get<double>(), (0.02 + 0.04) / 2,
+                     within(1e-4, "shares of springs and of masses add up to one, those below 1e-5 left out")));
+  const std::string modes = mill::read_text(scratch("bare") + "/curves/modes.csv");
+  EXPECT_EQ(modes.find("damping"), std::string::npos) << "undamped modes";
+  EXPECT_EQ(mill::read_text(scratch("bare") + "/curves/poles.csv").substr(0, 27), "pole,frequency [Hz],damping");
+}
+
+TEST(Modes, LevelsStateNoAccuracyThatNobodyKnows)
+{
+  ASSERT_EQ(run("simulate", demo, "levels").exit_code, 0);
+  const auto values = json_of(scratch("levels") + "/results.json").at("values");
+  for (const char *level : {"pass 1.peak_g.upper_work_roll", "pass 2.rms_g.lower_work_roll"}) {
+    EXPECT_TRUE(values.at(level).at("error_estimate").is_null());
+    EXPECT_TRUE(lacks(values.at(level), "dynamics.modal_damping"));
+  }
+  EXPECT_TRUE(values.at("f1").at("error_estimate").is_null());
+  EXPECT_TRUE(lacks(values.at("craig-bampton.f1"), "frame.oil_column_stiffness_tolerance"));
+}
+
+TEST(Models, EachDrivesTheStandAndMakesAChainThatRuns)
+{
+  for (const std::string model : {"six-mass", "beam", "craig-bampton"}) {
+    const auto outcome = run("simulate", demo, model, "--set dynamics.model=" + model);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string table = mill::read_text(scratch(model) + "/response/pass-1.csv");
+    EXPECT_EQ(table.find("lower_work_roll_chock [g]") != std::string::npos, model != "six-mass") << model;
+  }
+  // Six masses lack modes that the force excites, and the run says so; the others have them.
+  const auto warned = [](const std::string &model) {
+    return json_of(scratch(model) + "/results.json").at("warnings").dump().find("no counterpart") !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(warned("six-mass"));
+  EXPECT_FALSE(warned("craig-bampton"));
+  // The two stand modes are all but the same in beams and finite elements; the chain has them 3 % too high.
+  for (const std::string mode : {"f1", "f2"}) {
+    const double fe = value("craig-bampton", "craig-bampton." + mode);
+    EXPECT_TRUE(near(value("craig-bampton", "beam." + mode), fe, within(3e-3, "the rolls hardly bend")));
+    EXPECT_TRUE(near(value("craig-bampton", mode) / fe, 1.03, within(0.01, "3 % in the specification")));
+  }
+  for (const std::string file : {"lumped_model.toml", "lumped_model-beam.toml", "lumped_model-craig-bampton.toml"})
+    EXPECT_EQ(millstand("modes " + scratch("craig-bampton") + "/" + file + " -q -o " + scratch(file)).exit_code, 0)
+        << file;
+}
+
+TEST(Models, CachedRunGivesTheSameModels)
+{
+  ASSERT_EQ(run("masses", demo, "again").exit_code, 0);
+  EXPECT_EQ(mill::read_text(demo_masses() + "/curves/models.json"),
+            mill::read_text(scratch("again") + "/curves/models.json"));
+}
+
+TEST(Housing, DrawingReplacesTheFrame)
+{
+  ASSERT_EQ(run("masses", drawn, "drawn",
+                "--set 'frame.piston_stiffness_tolerance=1 %' --set 'frame.upper_packing_stiffness_tolerance=1 %'")
+                .exit_code,
+            0);
+  const auto values = json_of(scratch("drawn") + "/results.json").at("values");
+  const auto at     = [&](const std::string &name) { return values.at(name).at("value").get<double>(); };
+  // K1 is the drawn posts, beam, screw, nut and piston with the given packing in series.
+  EXPECT_TRUE(near(at("K1"),
+                   1 / (1 / at("frame.upper_post_stiffness") + 1 / at("frame.upper_beam_stiffness") +
+                        1 / at("frame.piston_stiffness") + 1 / 4.5e11),
+                   within(1e-12, "series springs")));
+  EXPECT_TRUE(near(at("M1"), at("frame.upper_post_mass") + at("frame.upper_beam_mass") + 420 + 1000,
+                   within(1e-12, "sum of the reduced masses")));
+  EXPECT_GT(values.at("K1").at("error_estimate").get<double>(), 0);
+  EXPECT_TRUE(lacks(values.at("K7"), "frame.lower_packing_stiffness_tolerance"));
+  EXPECT_TRUE(lacks(values.at("frame.oil_column_stiffness"), "frame.oil_column_stiffness_tolerance"));
+  EXPECT_EQ(values.at("frame.piston_stiffness").at("error_estimate"), 0.01);
+  EXPECT_GT(at("housing.f1"), 10) << "the bare housing on its feet";
+  EXPECT_GT(at("housing.f2"), at("housing.f1"));
+  EXPECT_GT(values.at("housing.f1").at("error_estimate").get<double>(), 0);
+  EXPECT_TRUE(fs::exists(scratch("drawn") + "/fields/housing.vtu"));
+  const auto models = json_of(scratch("drawn") + "/curves/models.json");
+  bool housing      = false;
+  for (const auto &model : models.at("models"))
+    for (const auto &part : model.at("parts"))
+      housing = housing || part == "housing";
+  EXPECT_TRUE(housing) << "the reduced housing is a part of the assembled stand";
+}
+
+TEST(Models, LimitAboveTheMeshesIsRefused)
+{
+  const auto refused = run("masses", demo, "limit", "--set 'dynamics.frequency_limit=15 kHz'");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(
+      refused.err.find("dynamics.frequency_limit = 15000 Hz is above what the mesh of the work roll can follow, "),
+      std::string::npos)
+      << refused.err;
+}
+
+TEST(Models, FrameWithoutMassIsRefused)
+{
+  std::string sets;
+  for (const char *key : {"upper_post_mass", "upper_beam_mass", "upper_packing_mass", "piston_mass"})
+    sets += std::string(" --set 'frame.") + key + "=0 kg'";
+  const auto refused = millstand("check " + demo + sets);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("frame.upper_post_mass, frame.upper_beam_mass, frame.upper_packing_mass and "
+                             "frame.piston_mass are all zero; M1 needs a mass: give one of them, or given.M1"),
+            std::string::npos)
+      << refused.err;
+}
+
+TEST(Models, LumpedCaseHasNoOtherModel)
+{
+  const auto refused = millstand("check cases/published-1400.toml --set dynamics.model=beam");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("unknown key 'model' in [dynamics]"), std::string::npos) << refused.err;
+}

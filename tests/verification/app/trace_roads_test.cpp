@@ -1,0 +1,119 @@
+#include "app/trace/trace_text.h"
+#include "tests/support/near.h"
+#include <gtest/gtest.h>
+
+// Every input of every kind of case, and the roads against the lists that results carry.
+namespace {
+using namespace mill;
+
+const TraceLine *line(const Trace &trace, const std::string &result)
+{
+  for (const TraceLine &l : trace.lines)
+    if (l.result.name == result)
+      return &l;
+  return nullptr;
+}
+
+// A result moves with a key exactly when its list of inputs has the key.  Results of later passes repeat the
+// first.
+void compare_with_lists(const Trace &t)
+{
+  for (const QuickResult &r : t.base) {
+    if (r.name.rfind("pass 2.", 0) == 0)
+      continue;
+    const TraceLine *reached = line(t, r.name);
+    EXPECT_EQ(reached && reached->moves, holds(r.closed, t.key.name))
+        << t.key.name << " -> " << r.name
+        << (reached ? ": moves, and its inputs lack the key" : ": does not move");
+    for (const std::string &key : r.closed)
+      EXPECT_TRUE(holds(r.parameter.inputs, key)) << r.name << " " << key;
+  }
+}
+}  // namespace
+
+TEST(TraceRoads, EveryKeyOfTheDemoStandIsTraced)
+{
+  const std::string file = "cases/four-high-1400.toml";
+  const auto keys        = keys_of(read_case(file));
+  EXPECT_GT(keys.size(), 200u);
+  QuickMemory memory;
+  int sizes = 0;
+  for (const TraceKey &key : keys) {
+    SCOPED_TRACE(key.name);
+    Trace t;
+    ASSERT_NO_THROW(t = trace({file, key.name, {}, "no such folder"}, memory));
+    EXPECT_FALSE(trace_text(t).empty());
+    EXPECT_EQ(t.per.empty(), !t.reason.empty());
+    if (t.per.empty() || key.name.rfind("given.", 0) == 0)
+      continue;  // what is not given yet stands in no list
+    compare_with_lists(t);
+    ++sizes;
+  }
+  EXPECT_GT(sizes, 100);
+}
+
+TEST(TraceRoads, AGivenValueMovesWithItselfAndWithWhatIsMadeOfIt)
+{
+  const std::string file = "cases/four-high-1400.toml";
+  QuickMemory memory;
+  for (const char *name : {"M1", "M2", "M3", "M4", "M5", "M6", "K1", "K2", "K3", "K4", "K5", "K6", "K7", "K_Zy",
+                           "K_ZW", "Kzc1", "Kzc2", "Kzc3", "Kzc4"}) {
+    const Trace t = trace({file, std::string("given.") + name, {}, "no such folder"}, memory);
+    ASSERT_TRUE(line(t, name)) << name;
+    EXPECT_TRUE(near(line(t, name)->slope, 1, within(1e-9, "the value itself"))) << name;
+    EXPECT_EQ(t.key.origin, "not given: computed");
+  }
+  // K1 stands in the load path, so the masses of the upper rolls hang on it; the lower half does not.
+  const Trace K1 = trace({file, "given.K1", {}, "no such folder"}, memory);
+  EXPECT_TRUE(line(K1, "M2") && line(K1, "M3") && line(K1, "f1"));
+  EXPECT_FALSE(line(K1, "M5") || line(K1, "M4") || line(K1, "f2"));
+}
+
+TEST(TraceRoads, EveryKeyOfTheOtherKindsIsTraced)
+{
+  for (const char *file : {"cases/published-1400.toml", "cases/two-cylinders.toml", "cases/bearing-266.toml",
+                           "cases/cold-strip.toml"}) {
+    QuickMemory memory;
+    int reached = 0;
+    for (const TraceKey &key : keys_of(read_case(file))) {
+      SCOPED_TRACE(std::string(file) + " " + key.name);
+      Trace t;
+      ASSERT_NO_THROW(t = trace({file, key.name, {}, "no such folder"}, memory));
+      EXPECT_FALSE(trace_text(t).empty());
+      reached += t.lines.empty() ? 0 : 1;
+      for (const TraceLine &l : t.lines)
+        if (!t.per.empty() && l.moves && !l.result.closed.empty())
+          EXPECT_TRUE(holds(l.result.closed, key.name)) << l.result.name << " moves, and its inputs lack the key";
+    }
+    EXPECT_GE(reached, 7) << file;
+  }
+}
+
+TEST(TraceRoads, FrequenciesFollowStiffnessAndMassByHalf)
+{
+  // Sum over all springs of d ln f / d ln K is 1/2, over all masses -1/2: Rayleigh's quotient is of degree one.
+  const std::string file = "cases/published-1400.toml";
+  QuickMemory memory;
+  double springs = 0, masses = 0;
+  for (int i = 1; i <= 7; ++i)
+    if (const Trace t = trace({file, "given.K" + std::to_string(i), {}, "no such folder"}, memory); line(t, "f3"))
+      springs += line(t, "f3")->slope;
+  for (int i = 1; i <= 6; ++i)
+    masses += line(trace({file, "given.M" + std::to_string(i), {}, "no such folder"}, memory), "f3")->slope;
+  EXPECT_TRUE(near(springs, 0.5, within(1e-4, "central differences over 1 %: third order, 1e-4 of each")));
+  EXPECT_TRUE(near(masses, -0.5, within(1e-4, "central differences over 1 %: third order, 1e-4 of each")));
+}
+
+TEST(TraceRoads, ADrawnFrameIsFollowed)
+{
+  // Oil column 2 E A/h: one for one with its inverse height, two for one with its diameter; K1 and K2 carry on.
+  const std::string file = "cases/four-high-1400.toml";
+  const std::vector<std::string> drawn{"screwdown.piston_diameter=800 mm", "screwdown.stroke=40 mm"};
+  QuickMemory memory;
+  const Trace stroke = trace({file, "screwdown.stroke", drawn, "no such folder"}, memory);
+  const Trace piston = trace({file, "screwdown.piston_diameter", drawn, "no such folder"}, memory);
+  ASSERT_TRUE(line(stroke, "K2") && line(piston, "K2"));
+  EXPECT_TRUE(near(line(piston, "K2")->slope / line(stroke, "K2")->slope, -2,
+                   within(2e-3, "series springs are not straight over 1 %")));
+  compare_with_lists(stroke);
+}

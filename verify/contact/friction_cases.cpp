@@ -1,0 +1,390 @@
+#include "contact/friction.h"
+#include "contact/half_space.h"
+#include "contact/hertz.h"
+#include "core/case/errors.h"
+#include "verify/verification.h"
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// Coulomb contact with stick and slip: the dense solver on half spaces, where the answer is known.
+namespace mill::verify {
+namespace {
+using namespace contact;
+
+constexpr double mm = 1e-3, um = 1e-6, MPa = 1e6, N_per_mm = 1e3;
+const Material steel{210e9, 0.3, 7850};
+
+Check at_least(const std::string &quantity, const std::string &unit, const double result, const double limit)
+{
+  return {quantity, unit, result, limit, 0, Judged::at_least};
+}
+
+// Least-squares line  square = top - slope x^2  through squares of tractions.
+struct Ellipse {
+  double top, slope;
+  double edge() const  // where it is zero
+  {
+    return std::sqrt(top / slope);
+  }
+  double at(const double x) const
+  {
+    return std::sqrt(std::max(0., top - slope * x * x));
+  }
+};
+
+Ellipse ellipse_through(const std::vector<double> &x, const std::vector<double> &values)
+{
+  Eigen::MatrixXd A(x.size(), 2);
+  Eigen::VectorXd b(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    A.row(Eigen::Index(i)) << 1, -x[i] * x[i];
+    b[Eigen::Index(i)] = values[i] * values[i];
+  }
+  const Eigen::Vector2d line = (A.transpose() * A).inverse() * (A.transpose() * b);
+  return {line[0], line[1]};
+}
+
+// A partial slip contact read off the nodes: c is where  mu p - t  vanishes, and its square is linear in x^2
+// inside (that is the Cattaneo-Mindlin traction); so c is finer than the grid.
+struct Slip {
+  double stick;          // m, half width or radius of what sticks
+  double at_stick_edge;  // Pa, traction there, by the tractions of the nodes that slip
+};
+
+Slip read_slip(const FrictionState &s, const Eigen::VectorXd &distance, const Eigen::VectorXd &along,
+               const double mu, const double area)
+{
+  const int n = int(s.status.size());
+  std::vector<double> stuck, difference, sliding, traction;
+  double last_stuck = 0, last_sliding = 0;
+  for (int i = 0; i < n; ++i) {
+    if (s.status[i] == Status::stick)
+      last_stuck = std::max(last_stuck, distance[i]);
+    if (s.status[i] == Status::slip)
+      last_sliding = std::max(last_sliding, distance[i]);
+  }
+  // The outermost element of either kind covers the edge only partly: not used.
+  for (int i = 0; i < n; ++i) {
+    if (s.status[i] == Status::stick && distance[i] < 0.97 * last_stuck) {
+      stuck.push_back(distance[i]);
+      difference.push_back((mu * s.nodal[i] - along[i]) / area);
+    }
+    if (s.status[i] == Status::slip && distance[i] < 0.98 * last_sliding) {
+      sliding.push_back(distance[i]);
+      traction.push_back(along[i] / area);
+    }
+  }
+  const double c = ellipse_through(stuck, difference).edge();
+  return {c, ellipse_through(sliding, traction).at(c)};
+}
+
+// Tangential compliance of the state against the central difference of the curve itself, both steps from the same
+// normal load.
+double tangent_over_difference(const FrictionProblem &p, const Drive &normal, const Drive &end, const int mode)
+{
+  const auto after = [&](const double step) {
+    FrictionSolver solver(p);
+    solver.advance(normal);
+    Drive d = end;
+    d.value[mode] *= 1 + step;
+    return solver.advance(d);
+  };
+  const FrictionState here = after(0);
+  for (double step = 1e-4;; step /= 10) {
+    const FrictionState low = after(-step), high = after(step);
+    if (low.status != high.status && step > 1e-7)
+      continue;  // across a change of status the curve has a kink
+    const double slope = (high.motion[mode] - low.motion[mode]) / (2 * step * end.value[mode]);
+    return here.stiffness.inverse()(mode, mode) / slope;
+  }
+}
+
+// --- Cattaneo: cylinder on a flat, plane strain
+// -------------------------------------------------------------------
+
+struct StripContact {
+  FrictionProblem problem;
+  Eigen::VectorXd x;  // m
+  double width;       // m, of a strip
+};
+
+StripContact cylinder_on_flat(const int n, const double reach, const double radius, const double mu)
+{
+  const auto bodies = half_spaces(steel, steel);
+  const double half = reach / n;
+  StripContact out{
+      {Eigen::MatrixXd::Zero(2 * n, 2 * n),
+       Eigen::MatrixXd::Zero(2 * n, 2),
+       {},
+       Eigen::VectorXd(n),
+       Eigen::VectorXd::Constant(n, mu)},
+      Eigen::VectorXd(n),
+      2 * half
+  };
+  FrictionProblem &p = out.problem;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const Eigen::Matrix2d k = strip_influence(bodies, half, 2 * half * (i - j), 100 * mm);
+      p.C(i, j)               = k(1, 1) / out.width;
+      p.C(n + i, n + j)       = k(0, 0) / out.width;
+      p.C(i, n + j)           = k(1, 0) / out.width;
+      p.C(n + i, j)           = k(0, 1) / out.width;
+    }
+    out.x[i]         = (2 * i - n + 1) * half;
+    p.initial_gap[i] = out.x[i] * out.x[i] / (2 * radius);
+  }
+  p.G.col(0).head(n).setOnes();
+  p.G.col(1).tail(n).setOnes();
+  return out;
+}
+
+std::vector<Check> cattaneo()
+{
+  constexpr double mu = 0.3, P = 1000 * N_per_mm;
+  constexpr int n    = 401;
+  const auto contact = cylinder_on_flat(n, 0.80 * mm, 50 * mm, mu);
+  FrictionSolver solver(contact.problem);
+  std::vector<Check> checks;
+  const Drive normal{Eigen::Vector2d(P, 0), {}};
+  double residual = solver.advance(normal).residual, work = std::numeric_limits<double>::infinity();
+  struct Row {
+    double ratio;
+    const char *name;
+    double stick, middle, edge;
+  };
+  for (const Row &r : {
+           Row{0.25, "Q/(mu P) 0.25: ", 0.866025, 34.448, 128.560},
+           Row{0.5,  "Q/(mu P) 0.5: ",  0.707107, 75.309, 181.811}
+  }) {
+    const Drive drive{Eigen::Vector2d(P, r.ratio * mu * P), {}};
+    const FrictionState &s      = solver.advance(drive);
+    const Eigen::VectorXd along = s.nodal.tail(n);
+    const Slip slip             = read_slip(s, contact.x.cwiseAbs(), along, mu, contact.width);
+    const std::string name      = r.name;
+    checks.push_back(relative(name + "c/b", "-", slip.stick / (0.742790 * mm), r.stick, 0.02));
+    checks.push_back(
+        relative(name + "traction in the middle", "MPa", along[n / 2] / contact.width / MPa, r.middle, 0.02));
+    checks.push_back(
+        relative(name + "traction at the edge of stick", "MPa", slip.at_stick_edge / MPa, r.edge, 0.02));
+    residual = std::max(residual, s.residual);
+    work     = std::min(work, s.dissipated);
+  }
+  const Drive end{Eigen::Vector2d(P, 0.5 * mu * P), {}};
+  checks.push_back(relative("tangent / central difference", "-",
+                            tangent_over_difference(contact.problem, normal, end, 1), 1, 1e-6));
+  checks.push_back(at_most("complementarity residual", "-", residual, 1e-12));
+  checks.push_back(at_least("smallest dissipation of a step", "J/m", work, 0));
+  // Without friction there is nothing to carry Q.
+  FrictionProblem smooth = contact.problem;
+  smooth.mu.setZero();
+  bool slides = false;
+  try {
+    FrictionSolver without(smooth);
+    without.advance(end);
+  } catch (const SolverError &) {
+    slides = true;
+  }
+  checks.push_back(relative("slides when friction is switched off", "-", slides, 1, 0));
+  return checks;
+}
+
+// --- Mindlin: sphere on a flat
+// --------------------------------------------------------------------------------------
+
+struct SquareContact {
+  FrictionProblem problem;
+  Eigen::VectorXd r;  // (n) m, distance from the middle
+  double area;        // m^2, of a square
+};
+
+// A quarter x, y > 0 of squares inside `reach`; pressures and t_x are even about both axes, t_y is odd.
+SquareContact sphere_on_flat(const int per_side, const double reach, const double radius, const double mu)
+{
+  const auto bodies = half_spaces(steel, steel);
+  const double h    = reach / per_side;
+  std::vector<Eigen::Vector2d> place;
+  for (int j = 0; j < per_side; ++j)
+    for (int i = 0; i < per_side; ++i)
+      if (Eigen::Vector2d(i + 0.5, j + 0.5).norm() * h <= reach)
+        place.emplace_back((i + 0.5) * h, (j + 0.5) * h);
+  const int n = int(place.size()), wide = 2 * per_side;
+  std::vector<Eigen::Matrix3d> influence(wide * wide);  // of whole steps in x and y, both signs by symmetry below
+  for (int j = 0; j < wide; ++j)
+    for (int i = 0; i < wide; ++i)
+      influence[j * wide + i] = rectangle_influence(bodies, {h / 2, h / 2}, i * h, j * h);
+  const auto kernel = [&](const Eigen::Vector2d &d) {
+    const int i = int(std::lround(std::abs(d[0]) / h)), j = int(std::lround(std::abs(d[1]) / h));
+    Eigen::Matrix3d k = influence[j * wide + i];
+    const double turn = (d[0] < 0 ? -1 : 1) * (d[1] < 0 ? -1 : 1);  // x y / r^3 is odd in both
+    k(0, 1) *= turn;
+    k(1, 0) *= turn;
+    return k;
+  };
+  SquareContact out{
+      {Eigen::MatrixXd::Zero(3 * n, 3 * n),
+       Eigen::MatrixXd::Zero(3 * n, 2),
+       {},
+       Eigen::VectorXd(n),
+       Eigen::VectorXd::Constant(n, mu)},
+      Eigen::VectorXd(n),
+      h * h
+  };
+  FrictionProblem &p = out.problem;
+  for (int a = 0; a < n; ++a) {
+    for (int b = 0; b < n; ++b)
+      for (const double sx : {1., -1.})
+        for (const double sy : {1., -1.}) {
+          const Eigen::Matrix3d k =
+              kernel(place[a] - Eigen::Vector2d(sx * place[b][0], sy * place[b][1])) / out.area;
+          p.C(a, b) += k(2, 2);
+          p.C(n + a, n + b) += k(0, 0);
+          p.C(n + a, 2 * n + b) += k(0, 1) * sx * sy;
+          p.C(2 * n + a, n + b) += k(1, 0);
+          p.C(2 * n + a, 2 * n + b) += k(1, 1) * sx * sy;
+        }
+    out.r[a]         = place[a].norm();
+    p.initial_gap[a] = out.r[a] * out.r[a] / (2 * radius);
+  }
+  p.G.col(0).head(n).setOnes();
+  p.G.col(1).segment(n, n).setOnes();
+  return out;
+}
+
+std::vector<Check> mindlin()
+{
+  constexpr double mu = 0.3, P = 1000;
+  const auto contact = sphere_on_flat(26, 0.430 * mm, 10 * mm, mu);
+  const int n        = int(contact.r.size());
+  FrictionSolver solver(contact.problem);
+  std::vector<Check> checks;
+  const Drive normal{Eigen::Vector2d(P / 4, 0), {}};  // a quarter carries a quarter
+  const FrictionState pressed = solver.advance(normal);
+  double residual = pressed.residual, work = std::numeric_limits<double>::infinity();
+  checks.push_back(relative("normal approach", "um", pressed.motion[0] / um, 16.1662, 0.005));
+  checks.push_back(
+      relative("initial tangential stiffness", "N/mm", 4 * pressed.stiffness(1, 1) / N_per_mm, 76412, 0.01));
+  struct Row {
+    double ratio;
+    const char *name;
+    double stick, approach;
+  };
+  for (const Row &r : {
+           Row{0.25, "Q/(mu P) 0.25: ", 0.908560, 1.02776},
+           Row{0.5,  "Q/(mu P) 0.5: ",  0.793701, 2.17921}
+  }) {
+    const FrictionState &s = solver.advance({Eigen::Vector2d(P / 4, r.ratio * mu * P / 4), {}});
+    const Slip slip        = read_slip(s, contact.r, s.nodal.segment(n, n), mu, contact.area);
+    const std::string name = r.name;
+    checks.push_back(relative(name + "c/a", "-", slip.stick / (0.402073 * mm), r.stick, 0.02));
+    checks.push_back(relative(name + "tangential approach", "um", s.motion[1] / um, r.approach, 0.01));
+    residual = std::max(residual, s.residual);
+    work     = std::min(work, s.dissipated);
+  }
+  const Drive end{Eigen::Vector2d(P / 4, 0.5 * mu * P / 4), {}};
+  checks.push_back(relative("tangent / central difference", "-",
+                            tangent_over_difference(contact.problem, normal, end, 1), 1, 1e-6));
+  checks.push_back(at_most("complementarity residual", "-", residual, 1e-12));
+  checks.push_back(at_least("smallest dissipation of a step", "J", work, 0));
+  return checks;
+}
+
+// --- Sliding wedge
+// --------------------------------------------------------------------------------------------------
+
+// Elastic block on a rigid incline, pushed up it.  The block moves as a whole (along x, down, no rotation), its
+// face is a half plane; steel on rigid, so that normal and tangential are coupled.
+std::vector<Check> wedge()
+{
+  constexpr int n         = 40;
+  constexpr double length = 20 * mm, weight = 1500 * N_per_mm, slope = 0.1;  // tan of the incline
+  const double c = 1 / std::hypot(1, slope), s = slope * c;
+  const auto bodies = half_spaces(steel, rigid_material());
+  const double half = length / (2 * n);
+  FrictionProblem p{Eigen::MatrixXd(2 * n, 2 * n),
+                    Eigen::MatrixXd::Zero(2 * n, 2),
+                    {},
+                    Eigen::VectorXd::Zero(n),
+                    Eigen::VectorXd(n)};
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const Eigen::Matrix2d k = strip_influence(bodies, half, 2 * half * (i - j), 500 * mm) / (2 * half);
+      p.C(i, j)               = k(1, 1);
+      p.C(i, n + j)           = k(1, 0);
+      p.C(n + i, j)           = k(0, 1);
+      p.C(n + i, n + j)       = k(0, 0);
+    }
+  p.G.col(0).head(n).setConstant(s);  // push along x: closes and slides
+  p.G.col(0).tail(n).setConstant(c);
+  p.G.col(1).head(n).setConstant(c);  // weight: closes and slides back
+  p.G.col(1).tail(n).setConstant(-s);
+
+  std::vector<Check> checks;
+  double residual = 0, least_work = std::numeric_limits<double>::infinity();
+  struct Row {
+    double mu;
+    const char *name;
+    double limit;
+  };
+  for (const Row &r : {
+           Row{0,   "mu 0",   0.1     },
+           Row{0.1, "mu 0.1", 0.202020},
+           Row{0.2, "mu 0.2", 0.306122},
+           Row{0.3, "mu 0.3", 0.412371}
+  }) {
+    p.mu.setConstant(r.mu);
+    FrictionSolver solver(p);
+    double push = 0;
+    for (int step = 1; step <= 12; ++step) {
+      const FrictionState &state = solver.advance({
+          Eigen::Vector2d(step * 0.02 * mm, weight), {1, 0}
+      });
+      residual                   = std::max(residual, state.residual);
+      least_work                 = std::min(least_work, state.dissipated);
+      push                       = state.resultant[0];
+    }
+    checks.push_back(relative(std::string("F/G at sliding, ") + r.name, "-", push / weight, r.limit, 1e-4));
+  }
+  checks.push_back(at_most("complementarity residual", "-", residual, 1e-12));
+  checks.push_back(at_least("smallest dissipation of a step", "J/m", least_work, 0));
+  return checks;
+}
+}  // namespace
+
+std::vector<Case> friction_cases()
+{
+  return {
+      {"cattaneo-line",  "verification",
+       "Cylinder R 50 mm on a flat, steel on steel, plane strain, pressed with 1000 N/mm and then pushed sideways "
+       "with Q = 0.25 and 0.5 mu P, mu 0.3, in two steps. 401 strips with pressure and shear (802 unknowns) on "
+       "the "
+       "half plane; semismooth Newton on the status of the strips. c by the zero of the least-squares line "
+       "through "
+       "(mu p - t)^2 over x^2 where it sticks, the traction at c by the line through t^2 where it slips.", "C. Cattaneo (1938); K. L. Johnson, Contact Mechanics (1985), 7.2: c/b = (1 - Q/(mu P))^(1/2)",
+       "2 %: at Q = 0.25 mu P the slip zone is 0.13 b, 25 strips wide; its edge is known to half a strip of 186 "
+       "on "
+       "b, tractions beside the kink to two strips. The tangent is exact for the discrete problem: 1e-6.", cattaneo},
+      {"mindlin-sphere", "verification",
+       "Sphere R 10 mm on a flat, steel on steel, pressed with 1000 N and then pushed sideways with Q = 0.25 and "
+       "0.5 "
+       "mu P, mu 0.3. Quarter of a grid of squares of 0.0165 mm on the half space, pressure and both shear "
+       "components "
+       "(about 1600 unknowns); shear along y and transverse slip are included. c/a by the zero of the "
+       "least-squares "
+       "line through (mu p - t_x)^2 over r^2 where it sticks.",                                            "R. D. Mindlin, J. Appl. Mech. 16 (1949) 259; Johnson (1985), 7.2: c/a = (1 - Q/(mu P))^(1/3)",
+       "2 % on c/a, 1 % on approach and stiffness: squares of a/24 on the rim, and Mindlin's traction is along "
+       "the "
+       "load everywhere, while slip across it is not quite zero (of the order nu / (4 - 2 nu) of the slip). The "
+       "tangent is exact for the discrete problem: 1e-6.",                                                 mindlin },
+      {"cgs4-wedge",     "verification",
+       "Elastic block on a rigid incline of tan 0.1, pushed up by an imposed motion under its weight until it "
+       "slides. "
+       "40 strips with coupled normal and shear compliance (80 unknowns); the weight is an imposed resultant, the "
+       "push is the reaction to the motion.",                                                              "equilibrium of a sliding block, (tan a + mu)/(1 - mu tan a); NAFEMS CGS-4",
+       "0.01 %: the limit is a matter of equilibrium and exact for any discretisation; the reference is rounded "
+       "to "
+       "six digits.",                                                                                      wedge   },
+  };
+}
+}  // namespace mill::verify
