@@ -8,8 +8,6 @@ namespace mill::bearing {
 namespace {
 using Eigen::VectorXd;
 
-constexpr double exponent = 10.0 / 9;
-
 /// Slices and profile, no law yet.
 RollerLaw sliced_roller(const RollerBearing &b)
 {
@@ -82,12 +80,12 @@ RingWalls ring_walls(const RollerBearing &b)
 
 double roller_constant(const std::string &law, const double roller_length)
 {
-  const double l      = 1e3 * roller_length;      // both constants are stated in N and mm
-  const double per_mm = std::pow(1e3, exponent);  // N/mm^(10/9) -> N/m^(10/9)
+  const double l      = 1e3 * roller_length;             // both constants are stated in N and mm
+  const double per_mm = std::pow(1e3, lamina_exponent);  // N/mm^(10/9) -> N/m^(10/9)
   if (law == "iso")
     return 35948 * std::pow(l, 8.0 / 9) * per_mm;  // (5.3)
   if (law == "palmgren")
-    return std::pow(std::pow(l, 0.8) / (2 * 3.84e-5), exponent) * per_mm;  // (5.4)
+    return std::pow(std::pow(l, 0.8) / (2 * 3.84e-5), lamina_exponent) * per_mm;  // (5.4)
   throw InputError("bearing: roller_law \"" + law + "\" is not known; iso or palmgren");
 }
 
@@ -130,7 +128,8 @@ double roller_approach(const RollerLaw &law, const double load)
   if (law.lamina_constant == 0)
     return bracketed_approach(law, load);
   // Q(d) is convex and grows, so Newton from a point with Q >= load comes down to the root without leaving it.
-  double d = law.drop.maxCoeff() + std::pow(load / (law.lamina_constant * double(law.drop.size())), 1 / exponent);
+  double d =
+      law.drop.maxCoeff() + std::pow(load / (law.lamina_constant * double(law.drop.size())), 1 / lamina_exponent);
   for (int i = 0; i < 100; ++i) {
     const RollerLoad at = roller_load(law, d, 0);
     const double step   = (at.load - load) / at.stiffness;

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 
 namespace mill::bearing {
+inline constexpr double lamina_exponent = 10.0 / 9;  ///< -, load over compression of one slice in the power form
+
 /// Law of one roller between both raceways, cut into n slices.  Two forms:  theory.md 5.2, 5.5
 ///   power         q_k = lamina_constant * max(0, d_k)^(10/9)                              (iso, palmgren)
 ///   line contact  d = influence q + local(q) ,  local_k = kappa p_k ln(p_ref / p_k) ,  p_k = q_k / slice_length,

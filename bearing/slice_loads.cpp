@@ -12,8 +12,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double exponent = 10.0 / 9;
-
 SliceLoads power_loads(const RollerLaw &law, const VectorXd &approach, const MatrixXd &directions)
 {
   SliceLoads out;
@@ -22,8 +20,8 @@ SliceLoads power_loads(const RollerLaw &law, const VectorXd &approach, const Mat
   for (Index k = 0; k < approach.size(); ++k) {
     const double d = approach[k] - law.drop[k];
     if (d > 0) {
-      out.load[k]      = law.lamina_constant * std::pow(d, exponent);
-      out.slope.row(k) = exponent * out.load[k] / d * directions.row(k);
+      out.load[k]      = law.lamina_constant * std::pow(d, lamina_exponent);
+      out.slope.row(k) = lamina_exponent * out.load[k] / d * directions.row(k);
     }
   }
   return out;

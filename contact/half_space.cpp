@@ -88,12 +88,6 @@ KernelIntegrals closed_form(const double x, const double y, const double a, cons
   return k;
 }
 
-void require(const bool good, const char *what)
-{
-  if (!good)
-    throw InputError(what);
-}
-
 // --- mean potential of two rectangles
 
 // Primitive of 1 / r, twice over X and twice over Y.
@@ -155,15 +149,16 @@ HalfSpaces half_spaces(const Material &body1, const Material &body2)
   HalfSpaces sum;
   double sign = 1;
   for (const Material *m : {&body1, &body2}) {
-    require(m->youngs_modulus > 0, "half space: Young's modulus must be positive");
-    require(m->poisson_ratio >= 0 && m->poisson_ratio <= 0.5, "half space: the Poisson ratio must be in 0 .. 0.5");
+    require_input(m->youngs_modulus > 0, "half space: Young's modulus must be positive");
+    require_input(m->poisson_ratio >= 0 && m->poisson_ratio <= 0.5,
+                  "half space: the Poisson ratio must be in 0 .. 0.5");
     const double nu = m->poisson_ratio, G = m->youngs_modulus / (2 * (1 + nu));
     sum.normal += (1 - nu) / (2 * M_PI * G);
     sum.along += nu / (2 * M_PI * G);
     sum.coupling += sign * (1 - 2 * nu) / (4 * M_PI * G);
     sign = -1;
   }
-  require(sum.normal > 0, "half space: two rigid bodies have no contact to compute");
+  require_input(sum.normal > 0, "half space: two rigid bodies have no contact to compute");
   sum.shear = sum.normal;  // (1 - nu^2) / E = (1 - nu) / (2 G)
   return sum;
 }
@@ -176,7 +171,7 @@ double contact_modulus(const HalfSpaces &bodies)
 KernelIntegrals kernel_integrals(const Rectangle &rectangle, const double x, const double y)
 {
   const double a = rectangle.half_x, b = rectangle.half_y;
-  require(a > 0 && b > 0, "half space: the sides of a loaded rectangle must be positive");
+  require_input(a > 0 && b > 0, "half space: the sides of a loaded rectangle must be positive");
   const GaussRule &rule = fine_rule();
   const bool far_x = std::abs(x) >= far * a, far_y = std::abs(y) >= far * b;
   KernelIntegrals sum{};
@@ -221,8 +216,8 @@ Eigen::Matrix3d point_influence(const HalfSpaces &bodies, const double x, const 
 double mean_potential(const Rectangle &from, const Rectangle &to, const double x, const double y)
 {
   const Interval X{x, from.half_x, to.half_x}, Y{y, from.half_y, to.half_y};
-  require(std::min({X.half1, X.half2, Y.half1, Y.half2}) > 0,
-          "half space: the sides of a rectangle must be positive");
+  require_input(std::min({X.half1, X.half2, Y.half1, Y.half2}) > 0,
+                "half space: the sides of a rectangle must be positive");
   // In one coordinate the singularity stands off by the distance in both.
   const double off_x = std::hypot(x, Y.nearest()) / X.reach(), off_y = std::hypot(y, X.nearest()) / Y.reach();
   const bool far_x = off_x >= far, far_y = off_y >= far;
@@ -253,7 +248,7 @@ double mean_potential(const Rectangle &from, const Rectangle &to, const double x
 Eigen::Matrix2d strip_influence(const HalfSpaces &bodies, const double half_width, const double x,
                                 const double datum)
 {
-  require(half_width > 0 && datum > 0, "half space: half width and datum of a strip must be positive");
+  require_input(half_width > 0 && datum > 0, "half space: half width and datum of a strip must be positive");
   const double a  = half_width;
   double log_part = 0;  // int ln(datum / |x - s|) ds over the strip
   if (std::abs(x) >= far * a) {

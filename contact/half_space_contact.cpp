@@ -11,18 +11,12 @@ namespace mill::contact {
 namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-void require(const bool good, const char *what)
-{
-  if (!good)
-    throw InputError(what);
-}
-
 QuarterGrid checked(const QuarterGrid &grid)
 {
-  require(grid.width > 0 && grid.n_x > 0 && grid.z.size() > 1,
-          "half space: the grid needs a width, columns and rows of rectangles");
-  require(grid.z[0] == 0 && (grid.z.tail(grid.z.size() - 1) - grid.z.head(grid.z.size() - 1)).minCoeff() > 0,
-          "half space: the edges of the rows must ascend from 0");
+  require_input(grid.width > 0 && grid.n_x > 0 && grid.z.size() > 1,
+                "half space: the grid needs a width, columns and rows of rectangles");
+  require_input(grid.z[0] == 0 && (grid.z.tail(grid.z.size() - 1) - grid.z.head(grid.z.size() - 1)).minCoeff() > 0,
+                "half space: the edges of the rows must ascend from 0");
   return grid;
 }
 
@@ -66,7 +60,7 @@ std::vector<int> rectangles_on_the_body(const QuarterGrid &grid, const GapShape 
     for (int i = 0; i < grid.n_x; ++i)
       if (std::isfinite(gap(grid.width * (i + 0.5), middle(grid, j))))
         on.push_back(i + grid.n_x * j);
-  require(!on.empty(), "half space: no rectangle of the grid has a finite gap");
+  require_input(!on.empty(), "half space: no rectangle of the grid has a finite gap");
   return on;
 }
 
@@ -111,8 +105,8 @@ Problem problem(const HalfSpaces &bodies, const QuarterGrid &grid, const GapShap
 
 Eigen::VectorXd graded_edges(const double length, const double at_middle, const double at_end, const double growth)
 {
-  require(length > 0 && at_middle > 0 && at_end > 0 && growth >= 1,
-          "graded edges: lengths must be positive and the growth at least 1");
+  require_input(length > 0 && at_middle > 0 && at_end > 0 && growth >= 1,
+                "graded edges: lengths must be positive and the growth at least 1");
   std::vector<double> from_end{0};
   for (double step = at_end; from_end.back() + 1.5 * step < length; step = std::min(at_middle, growth * step))
     from_end.push_back(from_end.back() + step);
@@ -149,7 +143,7 @@ HalfSpaceContact::HalfSpaceContact(const HalfSpaces &bodies, const QuarterGrid &
 
 HalfSpaceState HalfSpaceContact::at_load(const double load)
 {
-  require(load > 0, "half space: the load must be positive");
+  require_input(load > 0, "half space: the load must be positive");
   Drive drive;
   drive.value         = Eigen::VectorXd::Constant(1, load / 4);
   const State quarter = solver.solve(drive);

@@ -6,14 +6,8 @@
 
 namespace mill::contact {
 namespace {
-constexpr double none     = std::numeric_limits<double>::quiet_NaN();
+constexpr double unknown  = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-void require(const bool good, const char *what)
-{
-  if (!good)
-    throw InputError(what);
-}
 
 // Complete elliptic integrals of modulus k, k^2 = 1 - ratio^2, in the three forms that do not cancel:
 //     K ,   D = (K - E) / k^2 ,   B = K - D = (E - ratio^2 K) / k^2
@@ -60,8 +54,8 @@ double axis_ratio(const double radii)
 
 PointContact hertz_point(const double load, const double radius_x, const double radius_y, const double modulus)
 {
-  require(load > 0 && radius_x > 0 && radius_y > 0 && modulus > 0,
-          "Hertz contact: load, both radii and the modulus must be positive");
+  require_input(load > 0 && radius_x > 0 && radius_y > 0 && modulus > 0,
+                "Hertz contact: load, both radii and the modulus must be positive");
   const double larger       = std::max(radius_x, radius_y);
   const double ratio        = axis_ratio(larger / std::min(radius_x, radius_y));
   const EllipticIntegrals e = elliptic_integrals(ratio);
@@ -81,7 +75,7 @@ PointContact hertz_point(const double load, const double radius_x, const double 
 PointContact hertz_point_at(const double approach, const double radius_x, const double radius_y,
                             const double modulus)
 {
-  require(approach > 0, "Hertz contact: the approach must be positive");
+  require_input(approach > 0, "Hertz contact: the approach must be positive");
   // The approach grows with the power 2/3 of the load, so one load gives all others.
   const double unit = modulus * radius_x * radius_y;
   const double at   = hertz_point(unit, radius_x, radius_y, modulus).approach;
@@ -90,24 +84,24 @@ PointContact hertz_point_at(const double approach, const double radius_x, const 
 
 HertzLine hertz_line(const double line_load, const double radius, const double modulus)
 {
-  require(line_load > 0 && radius > 0 && modulus > 0,
-          "Hertz contact: line load, radius and modulus must be positive");
+  require_input(line_load > 0 && radius > 0 && modulus > 0,
+                "Hertz contact: line load, radius and modulus must be positive");
   const double b = std::sqrt(4 * line_load * radius / (M_PI * modulus));
   return {b, 2 * line_load / (M_PI * b)};
 }
 
 double cylinder_approach(const double line_load, const double radius, const double half_width, const Material &m)
 {
-  require(line_load > 0 && radius > 0 && half_width > 0 && m.youngs_modulus > 0,
-          "cylinder: line load, radius, half width and modulus must be positive");
+  require_input(line_load > 0 && radius > 0 && half_width > 0 && m.youngs_modulus > 0,
+                "cylinder: line load, radius, half width and modulus must be positive");
   const double compliance = 2 * (1 - m.poisson_ratio * m.poisson_ratio) / (M_PI * m.youngs_modulus);
   return compliance * line_load * (std::log(4 * radius / half_width) - 0.5);
 }
 
 PartialSlip cattaneo_line(const HertzLine &contact, const double load_ratio)
 {
-  require(load_ratio >= 0 && load_ratio <= 1, "partial slip: Q / (mu P) must be in 0 .. 1");
-  return {contact.half_width * std::sqrt(1 - load_ratio), none, none};
+  require_input(load_ratio >= 0 && load_ratio <= 1, "partial slip: Q / (mu P) must be in 0 .. 1");
+  return {contact.half_width * std::sqrt(1 - load_ratio), unknown, unknown};
 }
 
 double cattaneo_traction(const HertzLine &contact, const PartialSlip &slip, const double mu, const double x)
@@ -121,9 +115,9 @@ double cattaneo_traction(const HertzLine &contact, const PartialSlip &slip, cons
 PartialSlip mindlin_sphere(const PointContact &contact, const HalfSpaces &bodies, const double mu,
                            const double load_ratio)
 {
-  require(load_ratio >= 0 && load_ratio <= 1, "partial slip: Q / (mu P) must be in 0 .. 1");
-  require(std::abs(contact.semi_x - contact.semi_y) <= 1e-9 * contact.semi_x,
-          "partial slip: Mindlin's closed form is that of a circular contact");
+  require_input(load_ratio >= 0 && load_ratio <= 1, "partial slip: Q / (mu P) must be in 0 .. 1");
+  require_input(std::abs(contact.semi_x - contact.semi_y) <= 1e-9 * contact.semi_x,
+                "partial slip: Mindlin's closed form is that of a circular contact");
   const double a         = contact.semi_x;
   const double shear_sum = 2 * M_PI * (2 * bodies.shear + bodies.along);  // sum of (2 - nu) / G
   const double remaining = 1 - load_ratio;
@@ -134,7 +128,7 @@ PartialSlip mindlin_sphere(const PointContact &contact, const HalfSpaces &bodies
 
 CircularPunch circular_punch(const double load, const double radius, const double modulus)
 {
-  require(load > 0 && radius > 0 && modulus > 0, "punch: load, radius and modulus must be positive");
+  require_input(load > 0 && radius > 0 && modulus > 0, "punch: load, radius and modulus must be positive");
   const double k = 2 * radius * modulus;
   return {load / k, k, load / (M_PI * radius * radius)};
 }

@@ -25,7 +25,7 @@ Row cells(const CheckText &t)
 
 const Row heads{"quantity", "result", "unit", "reference", "deviation", "tolerance", "verdict"};
 
-std::string trimmed(std::string text)
+std::string without_trailing_blanks(std::string text)
 {
   while (!text.empty() && text.back() == ' ')
     text.pop_back();
@@ -47,7 +47,7 @@ std::string aligned(const std::vector<Row> &rows)
       const bool figure = column == 1 || (column >= 3 && column <= 5);  // right-aligned
       line += " " + (figure ? space + row[column] : row[column] + space) + " ";
     }
-    text += trimmed(line) + "\n";
+    text += without_trailing_blanks(line) + "\n";
   }
   return text;
 }

@@ -10,6 +10,17 @@ Check relative(const std::string &quantity, const std::string &unit, const doubl
   return {quantity, unit, result, reference, tolerance};
 }
 
+Check absolute(const std::string &quantity, const std::string &unit, const double result, const double reference,
+               const double tolerance)
+{
+  return {quantity, unit, result, reference, tolerance, Judged::absolute};
+}
+
+Check within(const std::string &quantity, const double result, const double low, const double high)
+{
+  return {quantity, "-", result, 0.5 * (low + high), 0.5 * (high - low), Judged::absolute};
+}
+
 Check at_most(const std::string &quantity, const std::string &unit, const double result, const double limit)
 {
   return {quantity, unit, result, limit, 0, Judged::at_most};

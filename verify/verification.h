@@ -65,6 +65,11 @@ double allowed_change(const Check &check);
 
 Check relative(const std::string &quantity, const std::string &unit, double result, double reference,
                double tolerance);
+/// Within `tolerance` of the reference, in the unit of the quantity.
+Check absolute(const std::string &quantity, const std::string &unit, double result, double reference,
+               double tolerance);
+/// Between two bounds, without unit.
+Check within(const std::string &quantity, double result, double low, double high);
 Check at_most(const std::string &quantity, const std::string &unit, double result, double limit);
 Check reported(const std::string &quantity, const std::string &unit, double result, double reference);
 

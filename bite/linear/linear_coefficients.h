@@ -13,13 +13,13 @@ enum class Linearisation {
 
 /// Derivatives by gap h_d, gap rate, entry tension, exit tension and entry thickness, in this order
 /// (units of the row's quantity per m, per m/s, per Pa, per Pa, per m).
-using Row = std::array<double, 5>;
+using StripRow = std::array<double, 5>;
 struct LinearCoefficients {
-  Row entry_speed;       ///< of m/s
-  Row exit_speed;        ///< of m/s
-  Row force;             ///< of N
-  Row friction;          ///< of -
-  Row neutral_position;  ///< of m
+  StripRow entry_speed;       ///< of m/s
+  StripRow exit_speed;        ///< of m/s
+  StripRow force;             ///< of N
+  StripRow friction;          ///< of -
+  StripRow neutral_position;  ///< of m
 };
 
 /// Exact derivatives of the theory of Bland and Ford at a solved state.

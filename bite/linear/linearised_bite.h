@@ -1,6 +1,6 @@
 #pragma once
-#include "bite/slab/bland_ford_equations.h"
 #include "bite/linear/linear_coefficients.h"
+#include "bite/slab/bland_ford_equations.h"
 
 // The linearisation of a solved bite in any number beneath, so that it can be differentiated once more.
 // theory.md 8.9, 27.1
@@ -11,7 +11,7 @@ template <class S> struct SteadyBite {
   S friction;                 ///< -
 };
 
-/// Quantities of a bite with their derivatives in the order of Row.
+/// Quantities of a bite with their derivatives in the order of StripRow.
 template <class S> struct LinearisedBite {
   BlandFordContact<Dual<5, S>> contact;
   Dual<5, S> force_per_width;  ///< N/m

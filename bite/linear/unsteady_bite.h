@@ -20,7 +20,7 @@ struct UnsteadyBite {
 /// @throws InputError  no roll speed given; a factor as friction
 UnsteadyBite unsteady_bite(const RollBite &bite, const BiteState &state, Linearisation scheme);
 
-/// Gap (m), gap rate (m/s), entry tension (Pa), exit tension (Pa), entry thickness (m): the order of Row.
+/// Gap (m), gap rate (m/s), entry tension (Pa), exit tension (Pa), entry thickness (m): the order of StripRow.
 using Moment = std::array<double, 5>;
 Moment steady_moment(const UnsteadyBite &bite);
 

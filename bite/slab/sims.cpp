@@ -1,16 +1,16 @@
 #include "bite/slab/sims.h"
-#include "core/numerics/derivative.h"
-#include "bite/slab/flattening.h"
 #include "bite/laws/friction.h"
+#include "bite/slab/flattening.h"
 #include "bite/slab/karman_arc.h"
 #include "bite/slab/sentence.h"
 #include "core/case/errors.h"
+#include "core/numerics/derivative.h"
 #include "core/numerics/gauss.h"
 #include <cmath>
 
 namespace mill::bite {
 namespace {
-constexpr double least_friction =
+constexpr double smallest_friction =
     0.25;  // below it the strip slips over most of the arc and the formula means nothing
 
 template <class T> struct Sticking {
@@ -57,7 +57,7 @@ void check_sticking(const RollBite &bite)
 {
   const Strip &strip       = bite.strip;
   const Friction &friction = strip.friction;
-  if (friction.law == "factor" && std::min(friction.entry_factor, friction.exit_factor) < 2 * least_friction)
+  if (friction.law == "factor" && std::min(friction.entry_factor, friction.exit_factor) < 2 * smallest_friction)
     throw InputError(sentence("Sims' formula takes the strip as sticking; with friction factors of ",
                               friction.entry_factor, " and ", friction.exit_factor,
                               " it slips. Give factors of at least 0.5, or use karman or orowan"));
@@ -66,7 +66,7 @@ void check_sticking(const RollBite &bite)
         "Sims' formula takes the strip as sticking; under a film it slips. Use karman, orowan or bland_ford");
   if (friction.law != "factor") {
     const double mu = coulomb_coefficient(friction, Inlet<double>{bite.roll_speed, 0, 0, 0, 0, 0});
-    if (!(mu >= least_friction))
+    if (!(mu >= smallest_friction))
       throw InputError(sentence("Sims' formula takes the strip as sticking; with a friction coefficient of ", mu,
                                 " it slips. It is refused below 0.25; use karman or orowan"));
   }

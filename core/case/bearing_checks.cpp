@@ -6,9 +6,8 @@
 
 namespace mill {
 namespace {
-constexpr double pi = 3.14159265358979323846;
 // What a drawing or a catalogue fixes of a contact angle; half a degree moves Kzc by 0.6 %.
-constexpr double angle_tolerance = 0.5 * pi / 180;
+constexpr double angle_tolerance = 0.5 * M_PI / 180;
 
 double pitch_diameter(const RollerBearing &b)
 {
@@ -63,7 +62,7 @@ void check_sizes(const RollerBearing &b, Reading &reading)
                {key("bore"), key("outside_diameter")});
   if (reading.usable({key("rollers_per_row"), key("roller_diameter"), key("pitch_diameter"), key("bore"),
                       key("outside_diameter")})) {
-    const double largest = pi * pitch_diameter(b) / b.rollers_per_row;
+    const double largest = M_PI * pitch_diameter(b) / b.rollers_per_row;
     if (b.roller_diameter > largest)
       contradict(reading, key("roller_diameter"),
                  fmt::format("makes {} rollers overlap on the pitch circle of {}; at most {} fit",

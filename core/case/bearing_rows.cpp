@@ -3,7 +3,6 @@
 // Rows of [bearing.*] and of the other sections of kind = "bearing".
 namespace mill {
 namespace {
-constexpr Range any;
 constexpr Range chock_size{20, 6000};
 }  // namespace
 

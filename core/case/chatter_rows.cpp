@@ -4,7 +4,6 @@
 // stand_rows.cpp.
 namespace mill {
 namespace {
-constexpr Range any{};
 
 template <class T> void add_span_rows(std::vector<Field<T>> &rows, const Fallback &fallback)
 {

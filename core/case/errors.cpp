@@ -1,6 +1,6 @@
 #include "core/case/error_list.h"
-#include "core/records/files.h"
 #include "core/case/visible_text.h"
+#include "core/records/files.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
@@ -221,5 +221,11 @@ std::string render_list(const std::vector<Problem> &problems)
     text += rendered(problems[i], "error", sources) + "\n";
   const std::string rest = rest_of(problems);
   return rest.empty() ? text : text + rest + "\n";
+}
+
+void require_input(const bool holds, const char *what)
+{
+  if (!holds)
+    throw InputError(what);
 }
 }  // namespace mill

@@ -29,6 +29,10 @@ public:
   std::vector<Problem> problems;
 };
 
+/// What a function asks of its caller's numbers.
+/// @throws InputError  with `what`
+void require_input(bool holds, const char *what);
+
 /// A numerical failure: exit code 3.  What converged before is kept and named.
 class SolverError : public std::runtime_error {
 public:

@@ -4,7 +4,6 @@
 // Ranges are generous: they catch a slip of unit or of a power of ten, they do not judge a design.
 namespace mill {
 namespace {
-constexpr Range any{};
 constexpr Range stand_stiffness{1, 1e7};  // kN/mm, from a soft spring to far beyond a solid block of steel
 constexpr Range part_mass{0, 5e5};        // kg
 

@@ -6,6 +6,8 @@
 
 // Every parameter of the case files, one row each.
 namespace mill {
+inline constexpr Range any;  ///< every value is allowed
+
 /// [work_roll]: drawn with its total length, stored with its neck length.
 struct WorkRollInput : Roll {
   double total_length = 0;  ///< m

@@ -2,10 +2,6 @@
 
 // What is rolled, by which friction, and how the bite is computed.  Columns as in stand_rows.cpp.
 namespace mill {
-namespace {
-constexpr Range any{};
-}  // namespace
-
 const std::vector<Field<StripInput>> &strip_rows()
 {
   using T = StripInput;

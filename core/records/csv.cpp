@@ -1,7 +1,7 @@
 #include "core/records/csv.h"
 #include "core/case/errors.h"
-#include "core/records/files.h"
 #include "core/case/units.h"
+#include "core/records/files.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <string_view>
@@ -34,7 +34,7 @@ struct Sheet {
   }
 };
 
-std::string trimmed(const std::string_view text)
+std::string without_blanks(const std::string_view text)
 {
   const auto first = text.find_first_not_of(" \t\r");
   if (first == std::string_view::npos)
@@ -97,7 +97,7 @@ private:
     const std::size_t begin = at_;
     while (at_ < line_.size() && line_[at_] != separator_)
       step();
-    return trimmed(line_.substr(begin, at_ - begin));
+    return without_blanks(line_.substr(begin, at_ - begin));
   }
   // Between quotes, a doubled one standing for itself.
   std::string quoted_text()
@@ -122,7 +122,7 @@ private:
     if (at_ < line_.size() && line_[at_] != separator_)
       throw InputError({file_, number_, column_},
                        "something follows a closing quote; a quote inside quotes is doubled");
-    return trimmed(text);
+    return without_blanks(text);
   }
 
   const std::string &file_;
@@ -138,9 +138,9 @@ Header header_of(const Cell &cell)
   const auto open = cell.text.rfind('[');
   if (open == std::string::npos || cell.text.back() != ']')
     return {cell.text, "", false, cell.line, cell.column};
-  return {trimmed(std::string_view(cell.text).substr(0, open)),
-          trimmed(std::string_view(cell.text).substr(open + 1, cell.text.size() - open - 2)), true, cell.line,
-          cell.column};
+  return {without_blanks(std::string_view(cell.text).substr(0, open)),
+          without_blanks(std::string_view(cell.text).substr(open + 1, cell.text.size() - open - 2)), true,
+          cell.line, cell.column};
 }
 
 Sheet sheet_of(const std::string &path)
@@ -161,7 +161,7 @@ Sheet sheet_of(const std::string &path)
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (!line.empty() && line.back() == '\r')
       line.remove_suffix(1);
-    if (trimmed(line).empty()) {
+    if (without_blanks(line).empty()) {
       ++n_blank;
       continue;
     }

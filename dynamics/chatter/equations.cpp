@@ -138,7 +138,7 @@ void ChatterEquations::jacobian(const double *z, Eigen::Ref<Eigen::MatrixXd> J)
     if (pressing(contacts[i], x) < 0)
       J.block(n, 0, n, n) +=
           contacts[i].stiffness * contact_row_.col(Eigen::Index(i)) * contacts[i].row.transpose();
-  const auto tension_row = [&](const Eigen::Index row, const double per_length, const bite::Row &speed) {
+  const auto tension_row = [&](const Eigen::Index row, const double per_length, const bite::StripRow &speed) {
     J.row(row) << per_length * speed[0] * gap, per_length * speed[1] * gap, per_length * speed[2],
         per_length * speed[3];
   };

@@ -82,7 +82,7 @@ ChatterHistory linear_history(const ChatterStandModel &stand, const bite::Linear
   h.gap_rate      = z.middleRows(n, n).transpose() * s.b;
   h.entry_tension = z.row(2 * n).transpose();
   h.exit_tension  = z.row(2 * n + 1).transpose();
-  const auto sum  = [&](const bite::Row &row) -> Eigen::VectorXd {
+  const auto sum  = [&](const bite::StripRow &row) -> Eigen::VectorXd {
     return row[0] * h.gap + row[1] * h.gap_rate + row[2] * h.entry_tension + row[3] * h.exit_tension;
   };
   h.force    = sum(by.force);

@@ -31,7 +31,7 @@ double half_swing(const Eigen::VectorXd &signal)
   return 0.5 * (highest(signal) + highest(-signal));
 }
 
-Eigen::Index row_of(const StandStructure &s, const std::string &label)
+Eigen::Index point_of(const StandStructure &s, const std::string &label)
 {
   const auto at = std::find(s.labels.begin(), s.labels.end(), label);
   if (at == s.labels.end())
@@ -74,7 +74,7 @@ std::vector<RollContact> roll_contacts(const StandStructure &s, const double upp
 {
   const auto contact = [&](const std::string &side, const double stiffness) {
     const Eigen::VectorXd row =
-        s.point.row(row_of(s, side + " work roll")) - s.point.row(row_of(s, side + " backup roll"));
+        s.point.row(point_of(s, side + " work roll")) - s.point.row(point_of(s, side + " backup roll"));
     return RollContact{side + " backup roll on " + side + " work roll", row, stiffness, rolling_force};
   };
   return {contact("upper", upper), contact("lower", lower)};

@@ -65,7 +65,7 @@ ChatterMode chatter_mode(const ChatterStandModel &stand, const bite::LinearCoeff
   mode.state *= factor;
   mode.gap           = gap * factor;
   const Complex rate = root * mode.gap, entry = mode.state[2 * n], exit = mode.state[2 * n + 1];
-  const auto change = [&](const bite::Row &row) {
+  const auto change = [&](const bite::StripRow &row) {
     return row[0] * mode.gap + row[1] * rate + row[2] * entry + row[3] * exit;
   };
   mode.force         = change(by.force);

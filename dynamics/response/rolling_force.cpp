@@ -47,7 +47,7 @@ double upper_edge(const Spectrum &spectrum)
   return spectrum.frequency[last];
 }
 
-void require(const bool condition, const std::string &message)
+void require_synthetic(const bool condition, const std::string &message)
 {
   if (!condition)
     throw InputError("synthetic rolling force: " + message);
@@ -92,12 +92,13 @@ std::string bandwidth_warning(const ForceStatistics &statistics, const double hi
 
 ForceRecord synthetic_force(const NoiseSettings &settings)
 {
-  require(settings.range[1] > settings.range[0], "the range needs a smaller and a larger value, in this order");
-  require(settings.bandwidth > 0 && settings.bandwidth <= settings.rate / 2,
-          "bandwidth " + hertz(settings.bandwidth) + " is outside 0 .. " + hertz(settings.rate / 2) +
-              ", half the sample rate");
+  require_synthetic(settings.range[1] > settings.range[0],
+                    "the range needs a smaller and a larger value, in this order");
+  require_synthetic(settings.bandwidth > 0 && settings.bandwidth <= settings.rate / 2,
+                    "bandwidth " + hertz(settings.bandwidth) + " is outside 0 .. " + hertz(settings.rate / 2) +
+                        ", half the sample rate");
   const auto n = Eigen::Index(std::llround(settings.duration * settings.rate)) + 1;
-  require(n >= 2, "the duration is shorter than one sample spacing");
+  require_synthetic(n >= 2, "the duration is shorter than one sample spacing");
 
   // A power of two longer than the record: the transform is cheap and the record does not close into a circle.
   Eigen::Index length = 2;
@@ -117,8 +118,8 @@ ForceRecord synthetic_force(const NoiseSettings &settings)
   const Eigen::VectorXd white = Eigen::Map<const Eigen::VectorXd>(noise.data(), n);
   Eigen::Index low = 0, high = 0;
   const double smallest = white.minCoeff(&low), largest = white.maxCoeff(&high);
-  require(largest > smallest,
-          "bandwidth " + hertz(settings.bandwidth) + " leaves no line of the spectrum to fill");
+  require_synthetic(largest > smallest,
+                    "bandwidth " + hertz(settings.bandwidth) + " leaves no line of the spectrum to fill");
   const double scale = (settings.range[1] - settings.range[0]) / (largest - smallest);
   record.force       = settings.range[0] + (white.array() - smallest) * scale;
   record.force[low]  = settings.range[0];  // exact, whatever the rounding of the line above

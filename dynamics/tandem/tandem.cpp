@@ -158,7 +158,7 @@ DelaySystem tandem_system(const TandemLine &line, const TandemPoint &point)
     system.A.block(at + n, back, n, 1)   = F[2] * push;
     system.A.block(at + n, front, n, 1)  = F[3] * push;
     // (28.2): the strip before the stand is drawn out by what enters, that behind it slackened by what leaves
-    const auto draw = [&](const Eigen::Index tension, const double rate, const bite::Row &by) {
+    const auto draw = [&](const Eigen::Index tension, const double rate, const bite::StripRow &by) {
       system.A.block(tension, at, 1, n) += rate * by[0] * s.b.transpose();
       system.A.block(tension, at + n, 1, n) += rate * by[1] * s.b.transpose();
       system.A(tension, back) += rate * by[2];

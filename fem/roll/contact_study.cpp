@@ -10,10 +10,10 @@ namespace mill::fem {
 namespace {
 // Half width and peak of one station, from p^2 = p0^2 (1 - x^2 / b^2) through its active nodes: finer than the
 // grid.
-struct Section {
+struct ContactSection {
   double half_width = 0, peak = 0;
 };
-Section fit_section(const PatchGrid &grid, const contact::State &state, const int station)
+ContactSection fit_section(const PatchGrid &grid, const contact::State &state, const int station)
 {
   std::vector<double> x, p;
   double highest = 0;
@@ -37,7 +37,8 @@ Section fit_section(const PatchGrid &grid, const contact::State &state, const in
     n += 1, sx += u, sxx += u * u, sy += v, sxy += u * v;
   }
   const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx), top = (sy - slope * sx) / n;
-  return slope < 0 && top > 0 ? Section{std::sqrt(-top / slope), std::sqrt(top)} : Section{next, highest};
+  return slope < 0 && top > 0 ? ContactSection{std::sqrt(-top / slope), std::sqrt(top)}
+                              : ContactSection{next, highest};
 }
 
 // Axes moving away from the contact at the stations.
@@ -366,15 +367,15 @@ ContactCurve sweep(const ContactPair &pair, const Eigen::VectorXd &loads, const 
       report.kept = std::to_string(i) + " converged steps";
       throw SolverError(report);
     }
-    active                 = point.state.active;
-    const Section section  = fit_section(pair.grid, point.state, middle);
-    curve.approach[i]      = point.approach;
-    curve.tangent[i]       = point.tangent;
-    curve.secant[i]        = loads[i] / point.approach;
-    curve.half_width[i]    = section.half_width;
-    curve.peak_pressure[i] = section.peak;
-    curve.iterations[i]    = point.state.iterations;
-    curve.residual         = std::max(curve.residual, point.state.residual);
+    active                       = point.state.active;
+    const ContactSection section = fit_section(pair.grid, point.state, middle);
+    curve.approach[i]            = point.approach;
+    curve.tangent[i]             = point.tangent;
+    curve.secant[i]              = loads[i] / point.approach;
+    curve.half_width[i]          = section.half_width;
+    curve.peak_pressure[i]       = section.peak;
+    curve.iterations[i]          = point.state.iterations;
+    curve.residual               = std::max(curve.residual, point.state.residual);
     progress.at("contact " + pair.name, double(i + 1) / double(n));
   }
   return curve;
@@ -406,15 +407,15 @@ BarrelProfile barrel_profile(const ContactPair &pair, const ContactPoint &point)
        {&out.line_load, &out.approach, &out.tangent, &out.half_width, &out.peak_pressure})
     column->resize(grid.n_z);
   for (int k = 0; k < grid.n_z; ++k) {
-    const auto row        = Eigen::seqN(k * grid.n_x, grid.n_x);
-    const Section section = fit_section(grid, point.state, k);
-    const double tilt     = grid.whole ? point.state.motion[1] * grid.z[k] : 0;
-    const double turn     = grid.whole ? d_motion[1] * grid.z[k] : 0;
-    out.line_load[k]      = pair.axial_mirror * point.state.nodal(row).sum() / w[k];
-    out.approach[k]       = point.state.motion[0] + tilt - at(away, k);
-    out.tangent[k]        = pair.axial_mirror * d_nodal(row).sum() / w[k] / (d_motion[0] + turn - at(d_away, k));
-    out.half_width[k]     = section.half_width;
-    out.peak_pressure[k]  = section.peak;
+    const auto row               = Eigen::seqN(k * grid.n_x, grid.n_x);
+    const ContactSection section = fit_section(grid, point.state, k);
+    const double tilt            = grid.whole ? point.state.motion[1] * grid.z[k] : 0;
+    const double turn            = grid.whole ? d_motion[1] * grid.z[k] : 0;
+    out.line_load[k]             = pair.axial_mirror * point.state.nodal(row).sum() / w[k];
+    out.approach[k]              = point.state.motion[0] + tilt - at(away, k);
+    out.tangent[k]       = pair.axial_mirror * d_nodal(row).sum() / w[k] / (d_motion[0] + turn - at(d_away, k));
+    out.half_width[k]    = section.half_width;
+    out.peak_pressure[k] = section.peak;
   }
   return out;
 }

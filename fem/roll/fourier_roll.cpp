@@ -6,7 +6,7 @@
 
 namespace mill::fem {
 namespace {
-enum Component { u_r = 0, u_theta = 1, u_z = 2 };
+enum Direction { u_r = 0, u_theta = 1, u_z = 2 };
 
 // Shape functions of a line of 2 or 3 nodes at s in 0..1.
 Eigen::VectorXd line_shape(const Eigen::Index n_nodes, const double s)
@@ -102,12 +102,12 @@ std::vector<char> held_unknowns(const SectionBody &body, const std::vector<int> 
                                 const bool slab)
 {
   std::vector<char> held(3 * body.nodes().rows(), 0);
-  const auto hold = [&](const std::vector<int> &nodes, const std::vector<Component> &components) {
+  const auto hold = [&](const std::vector<int> &nodes, const std::vector<Direction> &components) {
     for (const int node : nodes)
-      for (const Component c : components)
+      for (const Direction c : components)
         held[3 * node + c] = 1;
   };
-  hold(body.group("symmetry.z"), odd ? std::vector<Component>{u_r, u_theta} : std::vector<Component>{u_z});
+  hold(body.group("symmetry.z"), odd ? std::vector<Direction>{u_r, u_theta} : std::vector<Direction>{u_z});
   if (slab)
     hold(body.group("end"), {u_z});
   if (m == 0) {

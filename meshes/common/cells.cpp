@@ -11,8 +11,6 @@
 
 namespace mill::meshes {
 namespace {
-constexpr int line_type = 1, quad_type = 3, hex_type = 5;  // Gmsh's numbers
-
 // Faces of a cell; orientation does not matter to a boundary group.
 const std::vector<std::vector<int>> sides{
     {0, 1},

@@ -9,8 +9,6 @@
 
 namespace mill::meshes {
 namespace {
-constexpr int line_type = 1, quad_type = 3, hex_type = 5;  // Gmsh's numbers
-
 // Walks the cells and faces of a grid.
 class Walk {
 public:

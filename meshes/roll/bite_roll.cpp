@@ -53,7 +53,7 @@ Point on_circle(const double radius, const double angle)
 {
   return {radius * std::sin(angle), radius * std::cos(angle)};
 }
-Point between(const Point &a, const Point &b, const double t)
+Point on_line(const Point &a, const Point &b, const double t)
 {
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
 }
@@ -64,8 +64,8 @@ struct CoreBlock {
   Point a, b, c;
   Point at(const double s, const double t) const
   {
-    const Point low = between({0, 0}, c, s), high = between(a, b, s);
-    return between(low, high, t);
+    const Point low = on_line({0, 0}, c, s), high = on_line(a, b, s);
+    return on_line(low, high, t);
   }
 };
 }  // namespace
@@ -113,7 +113,7 @@ MeshFile mesh_bite_roll(const BiteRollSize &size, const std::string &path)
       const Point on_core = on_circle(core, angle[std::size_t(i)]);
       row[std::size_t(j)][std::size_t(i)] =
           add(j <= layers ? on_circle(R - depth[std::size_t(j)], angle[std::size_t(i)])
-                          : between(on_core, edge(i), double(j - layers) / core_layers));
+                          : on_line(on_core, edge(i), double(j - layers) / core_layers));
     }
   for (std::size_t j = 0; j + 1 < row.size(); ++j)
     for (std::size_t i = 0; i + 1 < angle.size(); ++i)

@@ -1,8 +1,8 @@
 #include "meshes/roll/roll.h"
 #include "core/case/errors.h"
 #include "meshes/common/gmsh_scope.h"
-#include "meshes/roll/plain_section.h"
 #include "meshes/common/write_mesh.h"
+#include "meshes/roll/plain_section.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,7 +16,7 @@ const std::vector<std::string> group_names{"contact", "symmetry.x", "symmetry.y"
                                            "barrel",  "neck",       "shoulder",   "end"};
 
 // Volumes between z = z0 and the sum of the layers above it, from the given surfaces; returns the surfaces on top.
-std::vector<int> extrude(const std::vector<int> &surfaces, const std::vector<double> &layers)
+std::vector<int> extrude_along_roll(const std::vector<int> &surfaces, const std::vector<double> &layers)
 {
   gmsh::vectorpair from, to;
   for (const int surface : surfaces)
@@ -172,19 +172,19 @@ MeshFile mesh_roll(const std::string &name, const RollGeometry &in_metres, const
     layers.insert(layers.end(), half.rbegin(), half.rend());
     layers.insert(layers.end(), half.begin(), half.end());
   }
-  auto rim      = extrude(surfaces.rim, layers);
-  auto shoulder = extrude(surfaces.core, layers);
+  auto rim      = extrude_along_roll(surfaces.rim, layers);
+  auto shoulder = extrude_along_roll(surfaces.core, layers);
   if (geometry.half_length - facing > 1e-9) {
     layers = graded_layers(geometry.half_length - facing, size.end_layer, size.layer_growth, size.largest_layer);
     std::reverse(layers.begin(), layers.end());
-    extrude(rim, layers);
-    shoulder = extrude(shoulder, layers);
+    extrude_along_roll(rim, layers);
+    shoulder = extrude_along_roll(shoulder, layers);
   }
   if (geometry.neck_length > 0) {
     auto neck = graded_layers(geometry.neck_length, std::max(size.end_layer, 0.05 * geometry.neck_radius),
                               1.3 * size.layer_growth, size.largest_layer * 1.5);
     std::reverse(neck.begin(), neck.end());  // thin layers at the shoulder
-    extrude(shoulder, neck);
+    extrude_along_roll(shoulder, neck);
   }
   geo::synchronize();
 

@@ -7,7 +7,7 @@ namespace mill::meshes {
 namespace geo = gmsh::model::geo;
 
 namespace {
-struct Point {
+struct TaggedPoint {
   int tag;
   double x, y;
 };
@@ -15,28 +15,29 @@ struct Point {
 // Points and curves of one section.  A curve is made once per pair of points, so that neighbours share it.
 class Sketch {
 public:
-  Point point(const double x, const double y)
+  TaggedPoint point(const double x, const double y)
   {
     return {geo::addPoint(x, y, 0), x, y};
   }
 
   // Straight curve with `cells` elements; ratio: size of an element over that of the one before it, from a to b.
-  int line(const Point &a, const Point &b, const int cells = 1, const double ratio = 1)
+  int line(const TaggedPoint &a, const TaggedPoint &b, const int cells = 1, const double ratio = 1)
   {
     return curve(a, b, cells, ratio, [&] { return geo::addLine(a.tag, b.tag); });
   }
 
-  int arc(const Point &a, const Point &centre, const Point &b, const int cells, const double ratio = 1)
+  int arc(const TaggedPoint &a, const TaggedPoint &centre, const TaggedPoint &b, const int cells,
+          const double ratio = 1)
   {
     return curve(a, b, cells, ratio, [&] { return geo::addCircleArc(a.tag, centre.tag, b.tag); });
   }
 
   // Quadrilateral block from its corners and the curves of its boundary in order, signed as they are run through.
-  int block(const std::vector<int> &boundary, const std::vector<Point> &corners)
+  int block(const std::vector<int> &boundary, const std::vector<TaggedPoint> &corners)
   {
     const int surface = geo::addPlaneSurface({geo::addCurveLoop(boundary)});
     std::vector<int> tags;
-    for (const Point &corner : corners)
+    for (const TaggedPoint &corner : corners)
       tags.push_back(corner.tag);
     geo::mesh::setTransfiniteSurface(surface, "Left", tags);
     geo::mesh::setRecombine(2, surface);
@@ -44,14 +45,14 @@ public:
   }
 
   // One quadrilateral element.
-  int quad(const Point &a, const Point &b, const Point &c, const Point &d)
+  int quad(const TaggedPoint &a, const TaggedPoint &b, const TaggedPoint &c, const TaggedPoint &d)
   {
     return block({line(a, b), line(b, c), line(c, d), line(d, a)}, {a, b, c, d});
   }
 
 private:
   template <class Add>
-  int curve(const Point &a, const Point &b, const int cells, const double ratio, const Add &add)
+  int curve(const TaggedPoint &a, const TaggedPoint &b, const int cells, const double ratio, const Add &add)
   {
     if (const auto found = curves.find({a.tag, b.tag}); found != curves.end())
       return found->second;
@@ -84,17 +85,17 @@ double ratio_filling(const double length, const double first, const int n)
 //    o0 ------- o1      outer, coarse
 //    | a --- b  |
 //    i0 i1  i2  i3      inner, fine
-void add_template(Sketch &sketch, const std::array<Point, 4> &inner, const Point &o0, const Point &o1,
-                  std::vector<int> &surfaces)
+void add_template(Sketch &sketch, const std::array<TaggedPoint, 4> &inner, const TaggedPoint &o0,
+                  const TaggedPoint &o1, std::vector<int> &surfaces)
 {
-  const auto between = [](const Point &p, const Point &q, const double t) {
+  const auto between = [](const TaggedPoint &p, const TaggedPoint &q, const double t) {
     return std::array<double, 2>{p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
   };
-  const auto mid = [&](const Point &from, const double along) {
+  const auto mid = [&](const TaggedPoint &from, const double along) {
     const auto target = between(o0, o1, along);
     return sketch.point(0.5 * (from.x + target[0]), 0.5 * (from.y + target[1]));
   };
-  const Point a = mid(inner[1], 1. / 3), b = mid(inner[2], 2. / 3);
+  const TaggedPoint a = mid(inner[1], 1. / 3), b = mid(inner[2], 2. / 3);
   surfaces.push_back(sketch.quad(inner[0], inner[1], a, o0));
   surfaces.push_back(sketch.quad(inner[1], inner[2], b, a));
   surfaces.push_back(sketch.quad(inner[2], inner[3], o1, b));
@@ -121,8 +122,8 @@ SectionSurfaces add_section(const SectionSize &s)
   SectionSurfaces out;
   const double R = s.radius, r = s.core_radius;
   const int nx = s.patch_elements, ny = s.depth_elements;
-  const Point centre = sketch.point(0, 0);
-  const auto on_arc  = [&](const double radius, const double x) {
+  const TaggedPoint centre = sketch.point(0, 0);
+  const auto on_arc        = [&](const double radius, const double x) {
     return sketch.point(x, std::sqrt(radius * radius - x * x));
   };
   const auto at_angle = [&](const double radius, const double degrees) {
@@ -132,8 +133,8 @@ SectionSurfaces add_section(const SectionSize &s)
 
   // Box under the contact: patch on the circle, element lines parallel to it.
   const double xb = patch_half_width(s), yb = sum_of(s.first_element, s.depth_growth, ny);
-  const Point top = sketch.point(0, R), q0 = on_arc(R, xb);
-  std::vector<Point> below,
+  const TaggedPoint top = sketch.point(0, R), q0 = on_arc(R, xb);
+  std::vector<TaggedPoint> below,
       right;  // points of the box boundary, from x = 0 along the bottom, then up the right side
   for (int i = 0; i <= nx; ++i)
     below.push_back(sketch.point(sum_of(s.first_element, s.growth, i), R - yb));
@@ -155,11 +156,11 @@ SectionSurfaces add_section(const SectionSize &s)
   // Ring of templates: the same rectangle, larger by the size of a coarse element.
   const double edge_x = xb - below[nx - 3].x, edge_y = right[3].y - right[0].y;
   const double t = 0.5 * (edge_x + edge_y), X = xb + t, Y = yb + t;
-  std::vector<Point> ring_below, ring_right;
+  std::vector<TaggedPoint> ring_below, ring_right;
   for (int i = 0; i <= nx; i += 3)
     ring_below.push_back(sketch.point(below[i].x * X / xb, R - Y));
   ring_right.push_back(ring_below.back());
-  const Point q1 = on_arc(R, X);
+  const TaggedPoint q1 = on_arc(R, X);
   for (int j = 3; j < ny; j += 3)
     ring_right.push_back(
         sketch.point(X, R - Y + (right[j].y - right[0].y) * (q1.y - (R - Y)) / (q0.y - right[0].y)));
@@ -175,11 +176,11 @@ SectionSurfaces add_section(const SectionSize &s)
 
   // Growing grid: from the ring to the core circle and along the outer circle.
   // The straight line from the ring to the core circle must not cut it: on a thick neck it ends nearer to the top.
-  const double theta = std::min(45., 0.8 * std::acos(r / R) * 180 / M_PI);  // degrees from the contact plane
-  const Point n0 = sketch.point(0, r), n1 = at_angle(r, theta), n2 = sketch.point(r, 0);
-  const Point c1 = at_angle(R, 4. / 3 * theta), c2 = sketch.point(R, 0);
-  const Point p1     = ring_below.back();
-  const double reach = R - Y - r;
+  const double theta   = std::min(45., 0.8 * std::acos(r / R) * 180 / M_PI);  // degrees from the contact plane
+  const TaggedPoint n0 = sketch.point(0, r), n1 = at_angle(r, theta), n2 = sketch.point(r, 0);
+  const TaggedPoint c1 = at_angle(R, 4. / 3 * theta), c2 = sketch.point(R, 0);
+  const TaggedPoint p1 = ring_below.back();
+  const double reach   = R - Y - r;
   const int n_far =
       std::max(2, int(std::ceil(std::log1p(reach * (s.far_growth - 1) / t) / std::log(s.far_growth))));
   const auto ratio = [&](const double length) { return ratio_filling(length, t, n_far); };
@@ -210,7 +211,7 @@ SectionSurfaces add_section(const SectionSize &s)
       sketch.block({spoke, sketch.arc(c1, centre, c2, ns), sketch.line(c2, n2, k), -core_b}, {n1, c1, c2, n2}));
 
   // Core: a square with two blocks around it, so that no element has a straight angle.
-  const Point a = sketch.point(0, 0.5 * r), b = at_angle(0.6 * r, theta), d = sketch.point(0.5 * r, 0);
+  const TaggedPoint a = sketch.point(0, 0.5 * r), b = at_angle(0.6 * r, theta), d = sketch.point(0.5 * r, 0);
   const int around = std::max(1, ns / 2);
   const int a_b = sketch.line(a, b, m), b_d = sketch.line(b, d, ns);
   const int b_n1 = sketch.line(b, n1, around);

@@ -141,11 +141,6 @@ struct Beam {
   }
 };
 
-std::string mm(const double metres)
-{
-  return "\"" + short_number(1000 * metres, 6) + " mm\"";
-}
-
 void require(const MillHousing &h, const FrameChoice &choice)
 {
   const std::vector<std::pair<const char *, double>> lengths{
@@ -160,12 +155,12 @@ void require(const MillHousing &h, const FrameChoice &choice)
   };
   for (const auto &[key, value] : lengths)
     if (!(value > 0))
-      throw InputError(std::string("housing.") + key + " = " + mm(value) +
+      throw InputError(std::string("housing.") + key + " = " + quoted_mm(value) +
                        " must be positive: give the length of the drawing");
   if (!(h.foot_height > 0 && h.foot_height < h.window_height))
-    throw InputError(
-        "housing.foot_height = " + mm(h.foot_height) +
-        " is outside the posts: give more than 0 mm and less than housing.window_height = " + mm(h.window_height));
+    throw InputError("housing.foot_height = " + quoted_mm(h.foot_height) +
+                     " is outside the posts: give more than 0 mm and less than housing.window_height = " +
+                     quoted_mm(h.window_height));
   if (!(choice.rigid_corner >= 0 && choice.rigid_corner <= 1))
     throw InputError("frame of the housing: " + short_number(choice.rigid_corner) +
                      " of a corner cannot be rigid; 0 to 1 can");

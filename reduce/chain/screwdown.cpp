@@ -16,10 +16,6 @@ double disc(const double diameter)
 {
   return 0.25 * M_PI * diameter * diameter;
 }
-std::string mm(const double metres)
-{
-  return "\"" + short_number(1000 * metres, 6) + " mm\"";
-}
 
 struct Length {
   const char *key;
@@ -42,7 +38,7 @@ public:
     for (const Length &length : {screw_diameter, screw_length, nut_outside_diameter, nut_height, piston_diameter,
                                  piston_length, stroke, load_cell_diameter, load_cell_height})
       if (given(s.*length.value) && !(s.*length.value > 0))
-        refuse(std::string("screwdown.") + length.key + " = " + mm(s.*length.value) +
+        refuse(std::string("screwdown.") + length.key + " = " + quoted_mm(s.*length.value) +
                " must be positive: give the length of the drawing, or leave the key out");
     for (const auto &[key, modulus] : {
              std::pair{"screwdown.nut_modulus", s.nut_modulus       },
@@ -60,7 +56,7 @@ public:
   void needs(const Length &having, const Length &missing, const char *why)
   {
     if (given(drawing.*having.value) && !given(drawing.*missing.value))
-      refuse(std::string("screwdown.") + having.key + " = " + mm(drawing.*having.value) +
+      refuse(std::string("screwdown.") + having.key + " = " + quoted_mm(drawing.*having.value) +
              " is given without screwdown." + missing.key + ", " + why + ": give it, or leave both out");
   }
   void done() const
@@ -86,22 +82,22 @@ void require(const Screwdown &s, const Material &steel)
   checks.needs(stroke, piston_diameter, "the area of the oil");
   checks.needs(piston_length, piston_diameter, "its section");
   if (given(s.piston_diameter) && !given(s.stroke) && !given(s.piston_length))
-    checks.refuse("screwdown.piston_diameter = " + mm(s.piston_diameter) +
+    checks.refuse("screwdown.piston_diameter = " + quoted_mm(s.piston_diameter) +
                   " is given without screwdown.stroke (oil column) or screwdown.piston_length (piston): give one "
                   "of them, or leave it out");
   checks.needs(load_cell_diameter, load_cell_height, "how high its ring is");
   checks.needs(load_cell_height, load_cell_diameter, "its section");
   if (given(s.nut_outside_diameter) && given(s.screw_diameter) && !(s.nut_outside_diameter > s.screw_diameter))
-    checks.refuse("screwdown.nut_outside_diameter = " + mm(s.nut_outside_diameter) +
-                  " is not larger than screwdown.screw_diameter = " + mm(s.screw_diameter) +
+    checks.refuse("screwdown.nut_outside_diameter = " + quoted_mm(s.nut_outside_diameter) +
+                  " is not larger than screwdown.screw_diameter = " + quoted_mm(s.screw_diameter) +
                   ": the nut goes around the screw; exchange them or correct one");
   if (s.load_cell_bore < 0)
-    checks.refuse("screwdown.load_cell_bore = " + mm(s.load_cell_bore) + " is negative: 0 is a solid cell");
+    checks.refuse("screwdown.load_cell_bore = " + quoted_mm(s.load_cell_bore) + " is negative: 0 is a solid cell");
   if (s.load_cell_bore > 0 && !given(s.load_cell_diameter))
     checks.needs(load_cell_bore, load_cell_diameter, "its outside");
   if (given(s.load_cell_diameter) && s.load_cell_bore >= s.load_cell_diameter)
-    checks.refuse("screwdown.load_cell_bore = " + mm(s.load_cell_bore) +
-                  " is not smaller than screwdown.load_cell_diameter = " + mm(s.load_cell_diameter) +
+    checks.refuse("screwdown.load_cell_bore = " + quoted_mm(s.load_cell_bore) +
+                  " is not smaller than screwdown.load_cell_diameter = " + quoted_mm(s.load_cell_diameter) +
                   ": nothing would carry the load; correct one of them");
   checks.done();
 }

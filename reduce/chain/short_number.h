@@ -13,4 +13,10 @@ inline std::string short_number(const double value, const int digits = 4)
   text << value;
   return text.str();
 }
+
+/// A length as a case file gives it, "120 mm" with its quotes.
+inline std::string quoted_mm(const double metres)
+{
+  return "\"" + short_number(1000 * metres, 6) + " mm\"";
+}
 }  // namespace mill::reduce

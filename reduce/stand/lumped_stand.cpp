@@ -99,19 +99,19 @@ ChainValues chain_values(const FourHigh &stand, const ChainNumbers &n, const Rol
 }
 
 /// An input of the chain that may be off.
-struct Uncertain {
+struct UncertainInput {
   double error;  ///< -, relative; NaN: nobody says
   Keys lacks;    ///< what would say it
   std::function<void(FourHigh &, ChainNumbers &, double)> scale;
 };
 
-Uncertain spring(double ChainNumbers::*number, const std::string &name, const Parameter &p)
+UncertainInput spring(double ChainNumbers::*number, const std::string &name, const Parameter &p)
 {
   const Keys lacks = p.error_lacks.empty() ? Keys{name} : p.error_lacks;
   return {p.error_estimate, lacks, [number](FourHigh &, ChainNumbers &n, const double s) { n.*number *= s; }};
 }
 
-Uncertain of_frame(const FrameValue &part)
+UncertainInput of_frame(const FrameValue &part)
 {
   return {part.error,
           {part.tolerance_key},
@@ -125,18 +125,18 @@ struct ChainErrors {
 };
 
 ChainErrors propagated_errors(const FourHigh &stand, const ChainNumbers &numbers, const Rolls &rolls,
-                              const std::vector<Uncertain> &inputs)
+                              const std::vector<UncertainInput> &inputs)
 {
   constexpr double step     = 1e-4;  // truncation 1e-8, rounding 1e-11 of the slope: far below any estimate
   constexpr double no_slope = 1e-9;
-  const auto moved          = [&](const Uncertain &input, const double factor) {
+  const auto moved          = [&](const UncertainInput &input, const double factor) {
     FourHigh other                = stand;
     ChainNumbers numbers_of_other = numbers;
     input.scale(other, numbers_of_other, factor);
     return chain_values(other, numbers_of_other, rolls, stand.dynamics.mass_reference);
   };
   ChainErrors sum;
-  for (const Uncertain &input : inputs) {
+  for (const UncertainInput &input : inputs) {
     const ChainValues up = moved(input, 1 + step), down = moved(input, 1 - step);
     for (std::size_t v = 0; v < up.size(); ++v) {
       const double slope = up[v] > 0 && down[v] > 0 ? std::log(up[v] / down[v]) / (2 * step) : 0;
@@ -266,7 +266,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
   n.K1   = given_or(stand, "K1", not_given);
   n.K7   = given_or(stand, "K7", not_given);
 
-  std::vector<Uncertain> uncertain;
+  std::vector<UncertainInput> uncertain;
   for (const FrameValue &part : frame_values(stand.frame))
     uncertain.push_back(of_frame(part));
   uncertain.push_back(spring(&ChainNumbers::K3, "K3", K3));

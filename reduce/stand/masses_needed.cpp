@@ -6,7 +6,7 @@
 
 namespace mill::reduce {
 namespace {
-constexpr double right = 0.05, shown = 0.5;  // error of a frequency; assurance of a shape
+constexpr double shown = 0.5;  // assurance of a shape
 
 /// A displacement of the stand that can carry a mass.
 struct Candidate {
@@ -71,7 +71,7 @@ void judge(Score &score, const Eigen::MatrixXd &mac, const Eigen::VectorXd &redu
     }
     const double error    = std::abs(reduced[pair.other] / full[pair.mode] - 1);
     score.row.worst_error = std::max(score.row.worst_error, error);
-    score.row.right += error <= right;
+    score.row.right += error <= right_frequency;
     score.sum += std::min(1., error);
   }
 }

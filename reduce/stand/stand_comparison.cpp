@@ -7,8 +7,7 @@
 
 namespace mill::reduce {
 namespace {
-constexpr double right            = 0.05;  // error of a frequency up to which a mode counts as shown rightly
-constexpr std::size_t most_listed = 9;     // modes without counterpart that a sentence names
+constexpr std::size_t most_listed = 9;  // modes without counterpart that a sentence names
 
 /// (columns of a, columns of b): squared cosine between shapes in the norm of M.
 Eigen::MatrixXd assurance(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b, const Eigen::MatrixXd &M)
@@ -166,7 +165,7 @@ ChainVerdict chain_verdict(const StandWithModes &detailed, const StandWithModes 
       continue;
     }
     const double chain_frequency = chain.modes.frequency[pair.other], error = chain_frequency / f[pair.mode] - 1;
-    if (std::abs(error) <= right) {
+    if (std::abs(error) <= right_frequency) {
       shown.push_back(own);
       worst_right = std::max(worst_right, std::abs(error));
     } else

@@ -6,6 +6,9 @@
 #include <vector>
 
 namespace mill::reduce {
+/// Relative error of a frequency up to which a mode counts as shown rightly.
+inline constexpr double right_frequency = 0.05;
+
 /// A stand model with its modes.
 struct StandWithModes {
   StandModel model;

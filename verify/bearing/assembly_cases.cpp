@@ -1,5 +1,6 @@
 #include "bearing/rigid_rings.h"
 #include "verify/bearing/bearing_models.h"
+#include "verify/units.h"
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -13,8 +14,6 @@ using bearing::BearingModel;
 using bearing::Matrix5;
 using bearing::RingDrive;
 using bearing::Vector5;
-
-constexpr double um = 1e-6, mm = 1e-3, kN = 1e3, kN_per_mm = 1e6, degree = M_PI / 180;
 
 Check exactly(const std::string &quantity, const double result, const double reference)
 {

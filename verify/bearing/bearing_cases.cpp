@@ -1,13 +1,13 @@
 #include "bearing/geometry.h"
 #include "bearing/ratings.h"
 #include "verify/bearing/bearing_models.h"
+#include "verify/units.h"
 #include <cmath>
 #include <fmt/format.h>
 
 // Roller bearings from the law of one roller: laws and formulas here, assembled bearings in assembly_cases.cpp.
 namespace mill::verify {
 namespace {
-constexpr double um = 1e-6, mm = 1e-3, kN = 1e3, MPa = 1e6, kN_per_mm = 1e6, degree = M_PI / 180;
 const double per_mm = std::pow(1e3, 10.0 / 9);  // N/mm^(10/9) in N/m^(10/9)
 
 Check absolute(const std::string &quantity, const std::string &unit, double result, double reference,

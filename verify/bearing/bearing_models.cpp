@@ -1,10 +1,10 @@
 #include "verify/bearing/bearing_models.h"
 #include "bearing/ratings.h"
+#include "verify/units.h"
 #include <cmath>
 
 namespace mill::verify {
 namespace {
-constexpr double mm = 1e-3, degree = M_PI / 180;
 }
 
 RollerBearing bearing_266(const double cup_angle)

@@ -2,14 +2,15 @@
 #include "bearing/rigid_rings.h"
 #include "bearing/ring_sections.h"
 #include "fem/bearing/chock_flexibility.h"
-#include "fem/body/harmonic_body.h"
 #include "fem/bearing/ring_flexibility.h"
+#include "fem/body/harmonic_body.h"
 #include "meshes/bearing/bearing_rings.h"
-#include "meshes/common/block.h"
 #include "meshes/bearing/chock.h"
-#include "verify/contact/annulus.h"
+#include "meshes/common/block.h"
 #include "verify/bearing/bearing_models.h"
+#include "verify/contact/annulus.h"
 #include "verify/contact/meshed.h"
+#include "verify/units.h"
 #include "verify/verification.h"
 #include <cmath>
 #include <filesystem>
@@ -17,8 +18,7 @@
 
 namespace mill::verify {
 namespace {
-constexpr double mm = 1e-3, degree = M_PI / 180;
-const Material steel{206e9, 0.3, 7850};
+const Material ring_steel{206e9, 0.3, 7850};
 
 // The four-row bearing of the demo stand and a chock around it.
 RollerBearing mill_bearing(const std::string &chock)
@@ -53,17 +53,18 @@ std::vector<Check> ring_harmonics()
 {
   std::vector<Check> checks;
   const Annulus thick{100 * mm, 150 * mm, false};
-  const AnnulusByElements by_elements(thick, steel, 24);
+  const AnnulusByElements by_elements(thick, ring_steel, 24);
   for (const int m : {0, 2, 3, 8, 20})
     checks.push_back(relative("inner displacement, harmonic " + std::to_string(m), "nm/MPa",
-                              1e15 * by_elements.displacement(m), 1e15 * inner_displacement(thick, m, steel),
+                              1e15 * by_elements.displacement(m), 1e15 * inner_displacement(thick, m, ring_steel),
                               1e-5));
   // A ring bent without stretching: p R^4 / (E' I (m^2 - 1)^2), its pressure taken at the mean radius.
   const Annulus thin{99 * mm, 101 * mm, false};
-  const double R = 100 * mm, t = 2 * mm, E = steel.youngs_modulus / (1 - std::pow(steel.poisson_ratio, 2));
+  const double R = 100 * mm, t = 2 * mm,
+               E    = ring_steel.youngs_modulus / (1 - std::pow(ring_steel.poisson_ratio, 2));
   const double bent = thin.a / R * std::pow(R, 4) / (E * std::pow(t, 3) / 12 * 9);
   checks.push_back(relative("thin ring, harmonic 2", "um/MPa",
-                            1e12 * AnnulusByElements(thin, steel, 4).displacement(2), 1e12 * bent, 2e-2));
+                            1e12 * AnnulusByElements(thin, ring_steel, 4).displacement(2), 1e12 * bent, 2e-2));
   return checks;
 }
 
@@ -71,12 +72,13 @@ std::vector<Check> ring_on_rigid_back()
 {
   std::vector<Check> checks;
   const Annulus cup{165.8 * mm, 178.6 * mm, true};
-  const AnnulusByElements by_elements(cup, steel, 10);
+  const AnnulusByElements by_elements(cup, ring_steel, 10);
   for (const int m : {0, 2, 10, 40})
     checks.push_back(relative("inner displacement, harmonic " + std::to_string(m), "nm/MPa",
-                              1e15 * by_elements.displacement(m), 1e15 * inner_displacement(cup, m, steel), 1e-4));
+                              1e15 * by_elements.displacement(m), 1e15 * inner_displacement(cup, m, ring_steel),
+                              1e-4));
   const int m         = 150;
-  const double half   = 2 * (1 - std::pow(steel.poisson_ratio, 2)) / steel.youngs_modulus * cup.a / m;
+  const double half   = 2 * (1 - std::pow(ring_steel.poisson_ratio, 2)) / ring_steel.youngs_modulus * cup.a / m;
   const double answer = by_elements.displacement(m);
   checks.push_back(relative("harmonic 150 against the half space", "nm/MPa", 1e15 * answer, 1e15 * half, 1e-2));
 
@@ -109,7 +111,7 @@ std::vector<Check> neck_inertia_relief()
   MeshFile mesh       = meshes::mesh_block(grid, file.path);
   const int axis      = mesh.groups.at("left");
   mesh.groups["axis"] = axis;
-  const fem::SectionBody body(mesh, steel, 2, fem::Section::axisymmetric);
+  const fem::SectionBody body(mesh, ring_steel, 2, fem::Section::axisymmetric);
   const fem::HarmonicBody neck(body);
   RacewayLine line;
   line.middle                = {radius, 0};
@@ -117,7 +119,7 @@ std::vector<Check> neck_inertia_relief()
   line.along                 = {0, 1};
   const Eigen::MatrixXd load = fem::raceway_loads(body, "right", line, length, 3, -1);
   const Eigen::MatrixXd even = neck.flexibility(0, load), across = neck.flexibility(1, load);
-  const double closed = (1 - steel.poisson_ratio) / (2 * M_PI * steel.youngs_modulus * length);
+  const double closed = (1 - ring_steel.poisson_ratio) / (2 * M_PI * ring_steel.youngs_modulus * length);
 
   // Body forces along the rigid motions balance themselves; between them and the load nothing may pass either.
   double rigid = 0;

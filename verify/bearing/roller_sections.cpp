@@ -1,10 +1,11 @@
 #include "verify/bearing/roller_sections.h"
 #include "contact/active_set.h"
 #include "fem/body/body_pair.h"
-#include "meshes/common/block.h"
 #include "meshes/bearing/raceway.h"
+#include "meshes/common/block.h"
 #include "verify/contact/meshed.h"
 #include "verify/contact/roll_models.h"
+#include "verify/units.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -18,8 +19,6 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-constexpr double mm = 1e-3, um = 1e-6, N_per_mm = 1e3;
-constexpr double diameter = 21.5 * mm, length = 33.4 * mm;
 const Material bearing_steel{206e9, 0.3, 7850};
 
 double sagitta(const double radius, const double x)
@@ -31,13 +30,13 @@ double sagitta(const double radius, const double x)
 double half_width(const double radius, const double q)
 {
   const double E = bearing_steel.youngs_modulus / (2 * (1 - 0.3 * 0.3));
-  return std::sqrt(4 * q / (M_PI * E * (2 / diameter + (radius != 0 ? 1 / radius : 0))));
+  return std::sqrt(4 * q / (M_PI * E * (2 / roller_diameter + (radius != 0 ? 1 / radius : 0))));
 }
 double johnson_approach(const double radius, const double depth, const double q)
 {
   const double nu = bearing_steel.poisson_ratio, b = half_width(radius, q);
   const double body = q * (1 - nu * nu) / (M_PI * bearing_steel.youngs_modulus);
-  return body * (2 * std::log(2 * diameter / b) - 1) + body * (2 * std::log(2 * depth / b) - nu / (1 - nu));
+  return body * (2 * std::log(2 * roller_diameter / b) - 1) + body * (2 * std::log(2 * depth / b) - nu / (1 - nu));
 }
 double johnson_load(const double radius, const double depth, const double approach)
 {
@@ -52,8 +51,8 @@ double johnson_load(const double radius, const double depth, const double approa
 // Half of the approach that ISO/TS 16281 gives both contacts of a roller of this length under the line load.
 double iso_approach(const double q)
 {
-  const double c = 35948 * std::pow(length / mm, 8. / 9);  // N/mm^(10/9)
-  return 0.5 * std::pow(q * length / c, 0.9) * mm;
+  const double c = 35948 * std::pow(roller_length / mm, 8. / 9);  // N/mm^(10/9)
+  return 0.5 * std::pow(q * roller_length / c, 0.9) * mm;
 }
 
 struct Race {
@@ -65,14 +64,14 @@ struct Race {
 class RollerSection {
 public:
   RollerSection(const Race &race, const double smallest, const double largest)
-      : R(race.radius), roller(disc_section(0.5 * diameter, smallest, largest, 14, bearing_steel)),
+      : R(race.radius), roller(disc_section(0.5 * roller_diameter, smallest, largest, 14, bearing_steel)),
         raceway(section_of(race, smallest, largest)), slave(condensed_patch(raceway, held(raceway))),
         master(condensed_patch(roller, held_quarter(roller)))
   {
     fem::PairOptions options;
-    options.gap = [this](const VectorXd &x) { return sagitta(R, x[0]) + sagitta(0.5 * diameter, x[0]); };
-    pair        = fem::pair_bodies({&slave}, upside_down(master, 0.5 * diameter), {master_moves_down()}, options);
-    solver      = std::make_unique<contact::ActiveSet>(pair.problem);
+    options.gap = [this](const VectorXd &x) { return sagitta(R, x[0]) + sagitta(0.5 * roller_diameter, x[0]); };
+    pair = fem::pair_bodies({&slave}, upside_down(master, 0.5 * roller_diameter), {master_moves_down()}, options);
+    solver = std::make_unique<contact::ActiveSet>(pair.problem);
   }
 
   struct Result {
@@ -118,11 +117,6 @@ private:
   std::unique_ptr<contact::ActiveSet> solver;
 };
 
-Check within(const std::string &quantity, const double result, const double low, const double high)
-{
-  return {quantity, "-", result, 0.5 * (low + high), 0.5 * (high - low), Judged::absolute};
-}
-
 struct SeriesPoint {
   double approach, q, half_width;  // m, N/m, m; half width 0: not recorded
 };
@@ -155,7 +149,7 @@ public:
     const double patch = 0.42 * mm, depth = 12 * mm, thickness = 1 * mm;
     const int n = 3 * int(std::ceil(patch / h / 3));
     RollGeometry geometry;
-    geometry.radius      = 0.5 * diameter;
+    geometry.radius      = 0.5 * roller_diameter;
     geometry.half_length = thickness;
     meshes::RollMeshSize size;
     size.section.first_element   = h;
@@ -174,7 +168,7 @@ public:
     p.G.setOnes(p.C.rows(), 1);
     p.initial_gap.resize(p.C.rows());
     for (Index i = 0; i < p.C.rows(); ++i)
-      p.initial_gap[i] = sagitta(0.5 * diameter, roller.grid.x[i % roller.grid.n_x]);
+      p.initial_gap[i] = sagitta(0.5 * roller_diameter, roller.grid.x[i % roller.grid.n_x]);
     to_line_load = 2 / thickness;
     solver       = std::make_unique<contact::ActiveSet>(p);
   }

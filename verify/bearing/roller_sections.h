@@ -8,6 +8,8 @@ namespace mill::verify {
 /// load q (N/m).  @param radius  m, of the raceway, > 0 convex, < 0 concave
 double plane_approach(double radius, double q);
 
+inline constexpr double roller_diameter = 21.5e-3, roller_length = 33.4e-3;  ///< m, of the roller of both studies
+
 std::vector<Check> fe_2d_flat();
 std::vector<Check> fe_2d_races();
 std::vector<Check> fe_mesh_order();

@@ -8,6 +8,7 @@
 #include "meshes/bearing/bearing_rings.h"
 #include "meshes/bearing/roller.h"
 #include "verify/bearing/roller_sections.h"
+#include "verify/units.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -19,14 +20,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double mm = 1e-3, um = 1e-6, MPa = 1e6, kN = 1e3, N_per_mm = 1e3, mrad = 1e-3;
-constexpr double length = 33.4 * mm, diameter = 21.5 * mm;
-
 RollerSetup demo_roller()
 {
   RollerSetup s;
-  s.diameter     = diameter;
-  s.length       = length;
+  s.diameter     = roller_diameter;
+  s.length       = roller_length;
   s.inner_radius = 144.8 * mm;
   s.outer_radius = 166.3 * mm;
   s.inner_depth = s.outer_depth = 12 * mm;
@@ -60,18 +58,14 @@ const fem::CondensedRoller &roller()
 
 double iso_drop(const double x)
 {
-  return 0.00045 * diameter * -std::log(1 - std::pow(2 * x / length, 2));
+  return 0.00045 * roller_diameter * -std::log(1 - std::pow(2 * x / roller_length, 2));
 }
 
-Check within(const std::string &quantity, const double result, const double low, const double high)
-{
-  return {quantity, "-", result, 0.5 * (low + high), 0.5 * (high - low), Judged::absolute};
-}
 }  // namespace
 
 std::vector<Check> fe_roller_3d()
 {
-  const double Q = 10 * kN, q = Q / length;
+  const double Q = 10 * kN, q = Q / roller_length;
   fem::RollerContact contact(roller());
   const auto state    = contact.solve_load(Q);
   const double secant = state.load / state.approach, iso = std::pow(Q / 813048, 0.9) * mm;
@@ -112,7 +106,7 @@ std::vector<Check> roller_slice_law()
         const auto fe    = contact.solve(approach, tilt);
         const VectorXd d = approach + tilt * law.position.array();
         const VectorXd q = bearing::slice_loads(law, d, directions).load;
-        const double arm = 0.5 * length * fe.load;
+        const double arm = 0.5 * roller_length * fe.load;
         worst.load       = std::max(worst.load, std::abs(q.sum() / fe.load - 1));
         worst.moment     = std::max(worst.moment, std::abs(q.dot(law.position) - fe.moment) / arm);
       }
@@ -133,7 +127,7 @@ namespace {
 // node joins or leaves: the widest step whose two sides agree has none.
 double tangent_error(fem::RollerContact &contact, const fem::RollerContactState &at)
 {
-  const Eigen::Vector2d unit(1, 1 / (0.5 * length));  // both motions move the end of the roller alike
+  const Eigen::Vector2d unit(1, 1 / (0.5 * roller_length));  // both motions move the end of the roller alike
   double worst = 0;
   for (const int motion : {0, 1}) {
     double error = 1;
@@ -159,24 +153,24 @@ double tangent_error(fem::RollerContact &contact, const fem::RollerContactState 
 
 std::vector<Check> roller_tilt()
 {
-  const VectorXd station_length = fem::axial_weights(roller().grid.z, 0.5 * length, roller().grid.degree);
+  const VectorXd station_length = fem::axial_weights(roller().grid.z, 0.5 * roller_length, roller().grid.degree);
   double tangent = 0, asymmetry = 0, mirror = 0, balance = 0, residual = 0;
   for (const bool crowned : {false, true}) {
     fem::RollerContact contact(roller(), crowned ? iso_drop : std::function<double(double)>());
     for (const double load : {2 * kN, 20 * kN})
       for (const double tilt : {0., 0.4 * mrad, 1.5 * mrad}) {
-        const auto at = contact.solve(contact.solve_load(load).approach, tilt);
-        tangent       = std::max(tangent, tangent_error(contact, at));
-        asymmetry =
-            std::max(asymmetry, std::abs(at.tangent(0, 1) - at.tangent(1, 0)) / (at.tangent(0, 0) * length));
+        const auto at    = contact.solve(contact.solve_load(load).approach, tilt);
+        tangent          = std::max(tangent, tangent_error(contact, at));
+        asymmetry        = std::max(asymmetry,
+                                    std::abs(at.tangent(0, 1) - at.tangent(1, 0)) / (at.tangent(0, 0) * roller_length));
         const auto other = contact.solve(at.approach, -tilt);
         mirror           = std::max(mirror, std::abs(other.load / at.load - 1) +
-                                                std::abs(other.moment + at.moment) / (at.load * length));
+                                                std::abs(other.moment + at.moment) / (at.load * roller_length));
         for (const fem::RollerSide *side : {&at.inner, &at.outer}) {
           const VectorXd force = side->line_load.cwiseProduct(station_length);
           const double moment  = force.dot(roller().grid.z);
-          balance              = std::max(
-                           {balance, std::abs(force.sum() / at.load - 1), std::abs(moment - at.moment) / (at.load * length)});
+          balance              = std::max({balance, std::abs(force.sum() / at.load - 1),
+                                           std::abs(moment - at.moment) / (at.load * roller_length)});
         }
         residual = std::max({residual, at.residual, other.residual});
       }
@@ -240,10 +234,10 @@ std::vector<Check> roller_on_ring()
   ring.rollers_per_row  = 39;
   ring.bore             = 2 * (thin.inner_radius - thick.outer_depth);
   ring.outside_diameter = 2 * (thin.outer_radius + thick.outer_depth);
-  ring.width            = length + 11.2 * mm;  // room for the land
+  ring.width            = roller_length + 11.2 * mm;  // room for the land
   ring.pitch_diameter   = thin.inner_radius + thin.outer_radius;
-  ring.roller_length    = length;
-  ring.roller_diameter  = diameter;
+  ring.roller_length    = roller_length;
+  ring.roller_diameter  = roller_diameter;
   ring.cup_angle        = 0;
   ring.chock            = "rigid";
   const auto sections   = bearing::ring_sections(ring, {12 * mm, 12 * mm, 5 * mm});
@@ -255,7 +249,7 @@ std::vector<Check> roller_on_ring()
   for (const MatrixXd &harmonic : rings.outer)
     beyond += harmonic;  // one roller, at its own place
   const auto law      = fem::fe_roller_law(law_roller, 41);
-  const MatrixXd even = bearing::line_modes(law.position, length, rings.modes);
+  const MatrixXd even = bearing::line_modes(law.position, roller_length, rings.modes);
 
   std::vector<Check> checks;
   for (const double Q : {10 * kN, 50 * kN}) {

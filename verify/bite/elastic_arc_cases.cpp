@@ -1,13 +1,12 @@
 #include "core/case/errors.h"
 #include "verify/bite/karman_models.h"
+#include "verify/units.h"
 #include "verify/verification.h"
 #include <cmath>
 
 namespace mill::verify {
 namespace {
 using namespace bite;
-
-constexpr double mm = 1e-3, MPa = 1e6;
 
 RollBite uncapped(const int i)
 {

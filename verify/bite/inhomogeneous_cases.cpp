@@ -1,10 +1,11 @@
 #include "bite/slab/karman.h"
 #include "bite/slab/karman_arc.h"
-#include "verify/solvers/moved_bite.h"
 #include "bite/slab/orowan.h"
 #include "bite/slab/sims.h"
 #include "core/case/errors.h"
 #include "verify/bite/karman_models.h"
+#include "verify/solvers/moved_bite.h"
+#include "verify/units.h"
 #include "verify/verification.h"
 #include <array>
 #include <cmath>
@@ -14,7 +15,7 @@ namespace mill::verify {
 namespace {
 using namespace bite;
 
-constexpr double mm = 1e-3, MPa = 1e6, kN = 1e3, per_mm = 1e-3;  // forces below are N per mm of width
+constexpr double per_mm = 1e-3;  // forces below are N per mm of width
 
 struct Row {
   double F, T, neutral, slip, peak;

@@ -2,6 +2,7 @@
 #include "fem/strip/bite_roll.h"
 #include "meshes/roll/bite_roll.h"
 #include "verify/contact/meshed.h"
+#include "verify/units.h"
 #include "verify/verification.h"
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double mm = 1e-3, MPa = 1e6;
 const Material roll_steel{210e9, 0.28, 7700};
 // Demo pass: roll 420 mm, 8 -> 5 mm.
 constexpr double radius = 210 * mm;

@@ -15,12 +15,6 @@ std::vector<Case> film_coefficient_cases();
 namespace {
 using namespace bite;
 
-Check absolute(const std::string &quantity, const std::string &unit, const double result, const double reference,
-               const double tolerance)
-{
-  return {quantity, unit, result, reference, tolerance, Judged::absolute};
-}
-
 // CH-01
 std::vector<Check> film_steady()
 {

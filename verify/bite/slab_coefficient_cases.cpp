@@ -1,6 +1,6 @@
 #include "bite/slab/bland_ford.h"
-#include "verify/solvers/closed_coefficients.h"
 #include "verify/bite/slab_models.h"
+#include "verify/solvers/closed_coefficients.h"
 #include "verify/verification.h"
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 using namespace bite;
 
 // Largest relative deviation of a row; entries whose reference is zero must be zero.
-double deviation(const Row &row, const Row &reference)
+double deviation(const StripRow &row, const StripRow &reference)
 {
   double largest = 0;
   for (int i = 0; i < 5; ++i)

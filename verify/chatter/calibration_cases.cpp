@@ -1,8 +1,8 @@
 #include "core/case/errors.h"
 #include "dynamics/chatter/modes.h"
 #include "dynamics/chatter/speed.h"
-#include "verify/chatter/models.h"
 #include "verify/bite/slab_models.h"
+#include "verify/chatter/models.h"
 #include "verify/verification.h"
 #include <Eigen/LU>
 #include <cmath>
@@ -17,12 +17,6 @@ using namespace dynamics;
 using bite::Linearisation;
 
 constexpr double printed_speed = 18.2, printed_force = 8751e3, printed_friction = 0.0283;  // of condition 2
-
-Check absolute(const std::string &quantity, const std::string &unit, const double result, const double reference,
-               const double tolerance)
-{
-  return {quantity, unit, result, reference, tolerance, Judged::absolute};
-}
 
 Eigen::MatrixXd matrix_of(SixMasses stand, const double distance, const bite::LinearCoefficients &by)
 {
@@ -47,7 +41,7 @@ double calibrated_distance(const SixMasses &stand, const bite::LinearCoefficient
   throw SolverError({"the calibration of the distance between the stands does not settle", "", "", "", ""});
 }
 
-WorkingPoint sequential(const bite::RollBite &bite, const double speed)
+WorkingPoint sequential_point(const bite::RollBite &bite, const double speed)
 {
   return working_point(bite, speed, Linearisation::sequential);
 }
@@ -70,7 +64,7 @@ std::vector<Check> growth()
   std::vector<Check> checks;
   for (const Row &r : rows) {
     const SixMasses stand  = six_masses(r.stand);
-    const auto by          = [](const double speed) { return sequential(film_bite(2, speed), speed).by; };
+    const auto by          = [](const double speed) { return sequential_point(film_bite(2, speed), speed).by; };
     const double L         = calibrated_distance(stand, by(printed_speed));
     const auto at          = [&](const double speed) { return growth_rate(matrix_of(stand, L, by(speed))); };
     const std::string name = fmt::format("stand {}: ", r.stand);
@@ -104,7 +98,7 @@ std::vector<Check> phases()
        179.99470371104204, -7.4394762876570155},
   };
   std::vector<Check> checks;
-  const WorkingPoint point = sequential(film_bite(2, printed_speed), printed_speed);
+  const WorkingPoint point = sequential_point(film_bite(2, printed_speed), printed_speed);
   for (const Row &r : rows) {
     SixMasses six                 = six_masses(r.stand);
     six.distance                  = calibrated_distance(six, point.by);
@@ -210,7 +204,7 @@ std::vector<Check> calibration()
     bite::RollBite bite    = calibrated_bite(law);
     const std::string name = fmt::format("{}: ", law.name);
     SixMasses stand        = six_masses("D");
-    stand.distance         = calibrated_distance(stand, sequential(bite, printed_speed).by);
+    stand.distance         = calibrated_distance(stand, sequential_point(bite, printed_speed).by);
     checks.push_back(relative(name + "roll radius", "mm", bite.roll_radius * 1e3, law.radius * 1e3, 1e-5));
     checks.push_back(relative(name + law.parameter, law.unit, free_number(law, bite) / law.per_unit,
                               law.value / law.per_unit, 1e-5));

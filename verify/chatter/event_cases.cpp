@@ -1,7 +1,7 @@
 #include "dynamics/chatter/run.h"
 #include "dynamics/response/matrix_exponential.h"
-#include "verify/chatter/models.h"
 #include "verify/bite/slab_models.h"
+#include "verify/chatter/models.h"
 #include "verify/verification.h"
 #include <Eigen/LU>
 #include <algorithm>
@@ -18,22 +18,20 @@ using bite::Linearisation;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr Linearisation sequential = Linearisation::sequential;
-
 struct Set {
   ChatterStandModel stand = chatter_stand("D");
   WorkingPoint point;
   ChatterRunOptions options;
 
   explicit Set(const double speed, const double duration)
-      : point(working_point(film_bite(2, speed), speed, sequential))
+      : point(working_point(film_bite(2, speed), speed, Linearisation::sequential))
   {
     options.duration = duration;
     options.contacts = roll_contacts(stand.structure, point.state.force);
   }
   ChatterRun run(const VectorXd &start) const
   {
-    return nonlinear_run(stand, point, sequential, start, options);
+    return nonlinear_run(stand, point, Linearisation::sequential, start, options);
   }
 };
 
@@ -110,7 +108,7 @@ std::vector<Check> free_strip()
 VectorXd runge_kutta(const Set &set, VectorXd z, const double duration, const int steps)
 {
   const StandStructure &s   = set.stand.structure;
-  const auto u              = bite::unsteady_bite(set.point.bite, set.point.state, sequential);
+  const auto u              = bite::unsteady_bite(set.point.bite, set.point.state, Linearisation::sequential);
   const bite::Moment steady = bite::steady_moment(u);
   const auto base           = bite::bite_at(u, steady);
   const double per_entry    = set.stand.strip_modulus / set.stand.entry_distance,

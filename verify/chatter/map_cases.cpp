@@ -1,7 +1,7 @@
 #include "dynamics/chatter/loop.h"
 #include "dynamics/chatter/map.h"
-#include "verify/chatter/models.h"
 #include "verify/bite/slab_models.h"
+#include "verify/chatter/models.h"
 #include "verify/verification.h"
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,6 @@ std::vector<Case> chatter_map_cases();
 namespace {
 using namespace dynamics;
 using bite::RollBite;
-constexpr auto in_sequence = bite::Linearisation::sequential;
-
-Check close(const std::string &quantity, const std::string &unit, const double result, const double reference,
-            const double tolerance)
-{
-  return {quantity, unit, result, reference, tolerance, Judged::absolute};
-}
-
 std::vector<Check> constant_friction()
 {
   std::vector<Check> checks;
@@ -32,9 +24,9 @@ std::vector<Check> constant_friction()
     RollBite bite                   = film_bite(condition, 18.2);
     bite.strip.friction             = Friction{};
     bite.strip.friction.coefficient = 0.04;
-    const StandSpeed found          = critical_speed(chatter_stand("D"), bite, in_sequence);
+    const StandSpeed found          = critical_speed(chatter_stand("D"), bite, bite::Linearisation::sequential);
     const std::string name          = "condition " + std::to_string(condition) + ", ";
-    checks.push_back(close(name + "critical speed", "m/s", found.speed, reference[condition - 1][0], 1e-5));
+    checks.push_back(absolute(name + "critical speed", "m/s", found.speed, reference[condition - 1][0], 1e-5));
     checks.push_back(relative(name + "force there", "kN", found.at->state.force / 1e3,
                               reference[condition - 1][1] / 1e3, 1e-6));
   }
@@ -55,7 +47,7 @@ std::vector<Check> speed_trend()
   };
   std::vector<Check> checks;
   for (const auto &[speed, force, mu] : reference) {
-    const bite::BiteState state = working_point(film_bite(2, speed), speed, in_sequence).state;
+    const bite::BiteState state = working_point(film_bite(2, speed), speed, bite::Linearisation::sequential).state;
     std::string at              = std::to_string(speed);
     at                          = at.substr(0, at.find('.') + 2) + " m/s, ";
     checks.push_back(relative(at + "force", "kN", state.force / 1e3, force / 1e3, 1e-8));
@@ -92,31 +84,34 @@ std::vector<Check> maps()
     value[4]              = base;
     std::sort(value.begin(), value.end());
     const Eigen::Index middle = std::find(value.begin(), value.end(), base) - value.begin();
-    const StabilityMap one    = stability_map(stand, bite, in_sequence, speed, quantity, value, 1);
-    const StabilityMap two    = stability_map(stand, bite, in_sequence, speed, quantity, value, 2);
-    const std::string name    = quantity_name(quantity) + ": ";
+    const StabilityMap one =
+        stability_map(stand, bite, bite::Linearisation::sequential, speed, quantity, value, 1);
+    const StabilityMap two =
+        stability_map(stand, bite, bite::Linearisation::sequential, speed, quantity, value, 2);
+    const std::string name = quantity_name(quantity) + ": ";
     checks.push_back(
-        close(name + "boundary at condition 2", "m/s", one.critical_speed[middle], 18.207252873709336, 1e-5));
+        absolute(name + "boundary at condition 2", "m/s", one.critical_speed[middle], 18.207252873709336, 1e-5));
     double otherwise = 0, wrong_side = 0;
     for (Eigen::Index j = 0; j < value.size(); ++j)
       for (Eigen::Index i = 0; i < speed.size(); ++i) {
         if (std::isnan(one.growth(i, j)))
           continue;
-        const auto at = working_point(with_quantity(bite, quantity, value[j]), speed[i], in_sequence);
+        const auto at =
+            working_point(with_quantity(bite, quantity, value[j]), speed[i], bite::Linearisation::sequential);
         otherwise += (nyquist_count(stand, at.by).unstable > 0) != (one.growth(i, j) > 0);
         // Below the first crossing nothing grows.
         wrong_side += one.growth(i, j) > 0 && speed[i] < one.critical_speed[j];
       }
-    checks.push_back(close(name + "cells in which Nyquist's criterion says otherwise", "-", otherwise, 0, 0));
-    checks.push_back(close(name + "cells that grow below the boundary", "-", wrong_side, 0, 0));
-    checks.push_back(close(name + "cells that differ with two threads", "-",
-                           different(one.growth, two.growth) + different(one.frequency, two.frequency) +
-                               different(one.critical_speed, two.critical_speed),
-                           0, 0));
+    checks.push_back(absolute(name + "cells in which Nyquist's criterion says otherwise", "-", otherwise, 0, 0));
+    checks.push_back(absolute(name + "cells that grow below the boundary", "-", wrong_side, 0, 0));
+    checks.push_back(absolute(name + "cells that differ with two threads", "-",
+                              different(one.growth, two.growth) + different(one.frequency, two.frequency) +
+                                  different(one.critical_speed, two.critical_speed),
+                              0, 0));
     double empty = 0;
     for (Eigen::Index i = 0; i < one.growth.size(); ++i)
       empty += std::isnan(one.growth.data()[i]) != (one.reason.data()[i] != int(NoBite::none));
-    checks.push_back(close(name + "empty cells without a reason", "-", empty, 0, 0));
+    checks.push_back(absolute(name + "empty cells without a reason", "-", empty, 0, 0));
   }
   return checks;
 }

@@ -1,6 +1,6 @@
 #include "dynamics/chatter/sensitivity.h"
-#include "verify/chatter/models.h"
 #include "verify/bite/slab_models.h"
+#include "verify/chatter/models.h"
 #include "verify/verification.h"
 #include <algorithm>
 #include <cmath>
@@ -14,14 +14,6 @@ namespace {
 using namespace dynamics;
 using bite::PassNumber;
 using bite::RollBite;
-constexpr auto in_sequence = bite::Linearisation::sequential;
-
-Check close(const std::string &quantity, const std::string &unit, const double result, const double reference,
-            const double tolerance)
-{
-  return {quantity, unit, result, reference, tolerance, Judged::absolute};
-}
-
 /// A stand with its bite, one input of which can be scaled.
 struct Rolling {
   ChatterStandModel stand;
@@ -54,8 +46,8 @@ Scaled by_stand(void (*change)(SixMasses &, double))
 }
 
 /// Critical speed next to that of the unchanged stand: the search needs no wide range then.
-double critical(const Rolling &r, const bite::Linearisation scheme = in_sequence, const double from = 16.2,
-                const double to = 20.2)
+double critical(const Rolling &r, const bite::Linearisation scheme = bite::Linearisation::sequential,
+                const double from = 16.2, const double to = 20.2)
 {
   SpeedRange range;
   range.from = from;
@@ -66,7 +58,7 @@ double critical(const Rolling &r, const bite::Linearisation scheme = in_sequence
 
 double friction(const Rolling &r)
 {
-  return working_point(r.bite, r.bite.roll_speed, in_sequence).state.friction;
+  return working_point(r.bite, r.bite.roll_speed, bite::Linearisation::sequential).state.friction;
 }
 
 /// ln(f(1 + step)/f(1 - step)) over the same of the input.
@@ -95,7 +87,7 @@ const Sensitivity &row(const SensitivityTable &table, const std::string &key)
 // CH-21, friction
 std::vector<Check> friction_slopes()
 {
-  const SensitivityTable table = table_of(in_sequence, 0);
+  const SensitivityTable table = table_of(bite::Linearisation::sequential, 0);
   struct Entry {
     const char *name, *key;
     PassNumber number;
@@ -114,11 +106,11 @@ std::vector<Check> friction_slopes()
   for (const auto &[name, key, number, slope] : entries) {
     const Scaled scaled = by_numbers({number});
     const auto mu       = [&](const double factor) { return friction(scaled(factor)); };
-    checks.push_back(close(std::string(name) + ", over +-1 %", "-", log_slope(mu, 0.01), slope, 1e-8));
+    checks.push_back(absolute(std::string(name) + ", over +-1 %", "-", log_slope(mu, 0.01), slope, 1e-8));
     // Two differences without their error of second order.
     const double exact   = row(table, key).friction;
     const double refined = (4 * log_slope(mu, 1e-3) - log_slope(mu, 2e-3)) / 3;
-    checks.push_back(close(std::string(name) + ", exact", "-", exact, refined, 1e-8));
+    checks.push_back(absolute(std::string(name) + ", exact", "-", exact, refined, 1e-8));
   }
   checks.push_back(at_most("flow stress, exact", "-", row(table, "strip.flow_stress.k").friction, 0));
   checks.push_back(at_most("roll diameter, exact", "-", row(table, "work_roll.diameter").friction, 0));
@@ -157,16 +149,16 @@ std::vector<Check> speed_slopes()
         -0.17916981441675772},
        0.01783359747769886,   -0.018005129206224324 }
   };
-  const SensitivityTable table = table_of(in_sequence, 0.1);
+  const SensitivityTable table = table_of(bite::Linearisation::sequential, 0.1);
   std::vector<Check> checks;
   for (const Entry &e : entries) {
     const std::string name = e.name;
     const Sensitivity &s   = row(table, e.key);
     const auto v           = [&](const double factor) { return critical(e.scaled(factor)); };
-    checks.push_back(close(name + ", over +-1 %", "-", log_slope(v, 0.01), e.slope, 1e-7));
-    checks.push_back(close(name + ", exact", "-", s.critical_speed, e.slope, 1e-3));
-    checks.push_back(close(name + ", change at -10 %", "-", s.lowered.critical_speed, e.lowered, 1e-7));
-    checks.push_back(close(name + ", change at +10 %", "-", s.raised.critical_speed, e.raised, 1e-7));
+    checks.push_back(absolute(name + ", over +-1 %", "-", log_slope(v, 0.01), e.slope, 1e-7));
+    checks.push_back(absolute(name + ", exact", "-", s.critical_speed, e.slope, 1e-3));
+    checks.push_back(absolute(name + ", change at -10 %", "-", s.lowered.critical_speed, e.lowered, 1e-7));
+    checks.push_back(absolute(name + ", change at +10 %", "-", s.raised.critical_speed, e.raised, 1e-7));
   }
   checks.push_back(
       {"flow stress, exact", "-", row(table, "strip.flow_stress.k").critical_speed, 0, 0, Judged::at_least});
@@ -175,8 +167,8 @@ std::vector<Check> speed_slopes()
   double turning = 0;  // both thicknesses and nothing else
   for (const Sensitivity &s : table.inputs)
     turning += !s.monotone;
-  checks.push_back(close("inputs that do not go one way", "-", turning, 2, 0));
-  checks.push_back(close(
+  checks.push_back(absolute("inputs that do not go one way", "-", turning, 2, 0));
+  checks.push_back(absolute(
       "of them thicknesses", "-",
       !row(table, "condition.entry_thickness").monotone + !row(table, "condition.exit_thickness").monotone, 2, 0));
   return checks;
@@ -219,12 +211,12 @@ std::vector<Check> leverage()
       {"initial thickness",                    "strip.initial_thickness",                                            by_numbers({N::initial_thickness}),                                                                      0.06276838512974171                                             },
       {"friction",                     "oil.friction",                                             by_numbers({N::mu0, N::mu1}),                    0.21829964995222606}
   };
-  const SensitivityTable table = table_of(in_sequence, 0);
+  const SensitivityTable table = table_of(bite::Linearisation::sequential, 0);
   std::vector<Check> checks;
   for (const auto &[name, key, scaled, slope] : entries) {
     const auto v = [&, &f = scaled](const double factor) { return critical(f(factor)); };
-    checks.push_back(close(std::string(name) + ", over +-2 %", "-", log_slope(v, 0.02), slope, 1e-7));
-    checks.push_back(close(std::string(name) + ", exact", "-", row(table, key).critical_speed, slope, 1e-3));
+    checks.push_back(absolute(std::string(name) + ", over +-2 %", "-", log_slope(v, 0.02), slope, 1e-7));
+    checks.push_back(absolute(std::string(name) + ", exact", "-", row(table, key).critical_speed, slope, 1e-3));
   }
   return checks;
 }
@@ -257,7 +249,7 @@ std::vector<Check> exact_slopes()
     return deviation;
   };
   const std::pair<const char *, bite::Linearisation> schemes[]{
-      {"in sequence",     in_sequence                         },
+      {"in sequence",     bite::Linearisation::sequential     },
       {"implicit",        bite::Linearisation::implicit       },
       {"friction frozen", bite::Linearisation::frozen_friction}
   };
@@ -267,11 +259,11 @@ std::vector<Check> exact_slopes()
     checks.push_back(
         at_most(std::string(name) + ", masses, springs, dampers", "-", largest(table, scheme, false), 1e-8));
   }
-  const SensitivityTable table = table_of(in_sequence, 0);
+  const SensitivityTable table = table_of(bite::Linearisation::sequential, 0);
   const auto both =
       row(table, "stand.entry_distance").critical_speed + row(table, "stand.exit_distance").critical_speed;
-  checks.push_back(close("modulus of the strip against both distances", "-",
-                         row(table, "strip.youngs_modulus").critical_speed, -both, 1e-12));
+  checks.push_back(absolute("modulus of the strip against both distances", "-",
+                            row(table, "strip.youngs_modulus").critical_speed, -both, 1e-12));
   return checks;
 }
 
@@ -284,7 +276,7 @@ std::vector<Check> held_friction()
       Rolling r                         = scaled(factor);
       r.bite.strip.friction             = Friction{};
       r.bite.strip.friction.coefficient = mu;
-      return critical(r, in_sequence, 15.2, 19.2);
+      return critical(r, bite::Linearisation::sequential, 15.2, 19.2);
     };
   };
   const SpeedEntry entries[]{
@@ -293,12 +285,13 @@ std::vector<Check> held_friction()
       {"exit thickness",  "condition.exit_thickness",  by_numbers({PassNumber::exit_thickness}),  1.157509231027809   },
       {"entry tension",   "condition.entry_tension",   by_numbers({PassNumber::entry_tension}),   -0.23872503042083879}
   };
-  const SensitivityTable table = table_of(in_sequence, 0);
+  const SensitivityTable table = table_of(bite::Linearisation::sequential, 0);
   std::vector<Check> checks;
   for (const auto &[name, key, scaled, slope] : entries) {
-    checks.push_back(close(std::string(name) + ", over +-1 %", "-", log_slope(held(scaled), 0.01), slope, 1e-7));
     checks.push_back(
-        close(std::string(name) + ", exact", "-", row(table, key).critical_speed_at_held_friction, slope, 1e-3));
+        absolute(std::string(name) + ", over +-1 %", "-", log_slope(held(scaled), 0.01), slope, 1e-7));
+    checks.push_back(absolute(std::string(name) + ", exact", "-", row(table, key).critical_speed_at_held_friction,
+                              slope, 1e-3));
   }
   return checks;
 }

@@ -2,8 +2,8 @@
 #include "dynamics/chatter/modes.h"
 #include "dynamics/chatter/routh.h"
 #include "dynamics/chatter/speed.h"
-#include "verify/chatter/models.h"
 #include "verify/bite/slab_models.h"
+#include "verify/chatter/models.h"
 #include "verify/verification.h"
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -19,12 +19,6 @@ namespace {
 using namespace dynamics;
 using bite::Linearisation;
 using Complex = std::complex<double>;
-
-Check absolute(const std::string &quantity, const std::string &unit, const double result, const double reference,
-               const double tolerance)
-{
-  return {quantity, unit, result, reference, tolerance, Judged::absolute};
-}
 
 WorkingPoint sequential(const int condition, const double speed)
 {

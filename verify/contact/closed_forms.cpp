@@ -1,5 +1,6 @@
 #include "contact/hertz.h"
 #include "reduce/chain/line_contact.h"
+#include "verify/units.h"
 #include "verify/verification.h"
 #include <array>
 #include <cmath>
@@ -7,9 +8,6 @@
 namespace mill::verify {
 namespace {
 using namespace contact;
-
-constexpr double mm = 1e-3, um = 1e-6, MPa = 1e6, N_per_mm = 1e3, kN_per_mm = 1e6;
-const Material steel{210e9, 0.3, 7850};
 
 const char *const printed_digits = "one unit of the last digit the reference is printed with: both sides are "
                                    "closed forms, so nothing but rounding may differ";

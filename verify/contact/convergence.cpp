@@ -2,6 +2,7 @@
 #include "core/numerics/gauss.h"
 #include "meshes/common/block.h"
 #include "verify/contact/meshed.h"
+#include "verify/units.h"
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -13,9 +14,7 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 using fem::Section;
 
-constexpr double mm = 1e-3, MPa = 1e6;
-
-Check reported(const std::string &quantity, const double reference, const double result)
+Check reported_digits(const std::string &quantity, const double reference, const double result)
 {
   return {quantity, "-", result, reference, 0, Judged::reported};
 }
@@ -199,8 +198,8 @@ std::vector<Check> order_quadratic()
       if (series.size() > 1) {
         const std::vector<Errors> two(series.end() - 2, series.end());
         const std::string step = fmt::format(", {} meshes, {} to {} elements", kind, n / 2, n);
-        shown.push_back(reported("order of u" + step, crowded ? 3 : 2.5, order(two, &Errors::u)));
-        shown.push_back(reported("order of p" + step, crowded ? 2 : 1, order(two, &Errors::p)));
+        shown.push_back(reported_digits("order of u" + step, crowded ? 3 : 2.5, order(two, &Errors::u)));
+        shown.push_back(reported_digits("order of p" + step, crowded ? 2 : 1, order(two, &Errors::p)));
       }
     }
     const Check u{

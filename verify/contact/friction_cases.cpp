@@ -2,6 +2,7 @@
 #include "contact/half_space.h"
 #include "contact/hertz.h"
 #include "core/case/errors.h"
+#include "verify/units.h"
 #include "verify/verification.h"
 #include <Eigen/LU>
 #include <algorithm>
@@ -13,16 +14,13 @@ namespace mill::verify {
 namespace {
 using namespace contact;
 
-constexpr double mm = 1e-3, um = 1e-6, MPa = 1e6, N_per_mm = 1e3;
-const Material steel{210e9, 0.3, 7850};
-
 Check at_least(const std::string &quantity, const std::string &unit, const double result, const double limit)
 {
   return {quantity, unit, result, limit, 0, Judged::at_least};
 }
 
 // Least-squares line  square = top - slope x^2  through squares of tractions.
-struct Ellipse {
+struct ContactEllipse {
   double top, slope;
   double edge() const  // where it is zero
   {
@@ -34,7 +32,7 @@ struct Ellipse {
   }
 };
 
-Ellipse ellipse_through(const std::vector<double> &x, const std::vector<double> &values)
+ContactEllipse ellipse_through(const std::vector<double> &x, const std::vector<double> &values)
 {
   Eigen::MatrixXd A(x.size(), 2);
   Eigen::VectorXd b(x.size());

@@ -1,5 +1,6 @@
 #include "contact/half_space_contact.h"
 #include "contact/hertz.h"
+#include "verify/units.h"
 #include "verify/verification.h"
 #include <Eigen/LU>
 #include <algorithm>
@@ -11,9 +12,6 @@
 namespace mill::verify {
 namespace {
 using namespace contact;
-
-constexpr double mm = 1e-3, um = 1e-6, MPa = 1e6, N_per_mm = 1e3;
-const Material steel{210e9, 0.3, 7850};
 
 bool same_set(const HalfSpaceState &a, const HalfSpaceState &b)
 {
@@ -101,7 +99,7 @@ std::vector<Check> sphere()
                  {0.402073, 0.402073, 2953.469, 16.1662, 92786, 0.003});
 }
 
-std::vector<Check> ellipse_h3()
+std::vector<Check> half_space_ellipse()
 {
   return ellipse({half_spaces(steel, steel), 1000, 10 * mm, 20 * mm, 30, 30},
                  {0.356034, 0.564600, 2375.252, 14.3073, 104841, 0.003});
@@ -224,7 +222,7 @@ Eigen::VectorXd strip_punch(const HalfSpaces &bodies, const Eigen::VectorXd &edg
   return A.partialPivLu().solve(right).head(n);
 }
 
-std::vector<Check> flat_punch()
+std::vector<Check> half_space_punch()
 {
   const HalfSpaces bodies = half_spaces(steel, rigid_material());
   const double a = 10 * mm, P = 10e3, q = 1000e3;
@@ -295,7 +293,7 @@ std::vector<Case> half_space_cases()
                    sphere});
   cases.push_back({"ellipse-half-space", "verification",
                    "Radii 10 and 20 mm, steel, 1000 N, on the half space: 900 pressures. " + std::string(method),
-                   hertz, "0.3 %, as the sphere", ellipse_h3});
+                   hertz, "0.3 %, as the sphere", half_space_ellipse});
   cases.push_back({"crowned-pair", "verification",
                    "Rolls of radii 200 and 650 mm with a crown of 0.1 mm in radius at 700 mm, 100 kN, on the half "
                    "space: 1800 pressures, axis ratio 313. " +
@@ -323,7 +321,7 @@ std::vector<Case> half_space_cases()
        "Rigid flat punches on steel: circle of radius 10 mm under 10 kN as 1256 squares of 0.25 mm with a stepped "
        "rim, and strip of half width 10 mm under 1000 N/mm by strips down to 0.025 mm at the edge.",
        "K. L. Johnson, Contact Mechanics (1985), 2.8, 3.4 and 5.3",
-       "0.5 % and 1 %: the stepped rim leaves 0.1 % and 0.3 %", flat_punch});
+       "0.5 % and 1 %: the stepped rim leaves 0.1 % and 0.3 %", half_space_punch});
   cases.push_back({"scale-invariance-half-space", "verification",
                    "The contact of sphere-half-space with 144 pressures in millimetres and megapascals, and ten "
                    "times as large.",

@@ -1,6 +1,7 @@
 #include "verify/contact/line_sections.h"
 #include "meshes/common/block.h"
 #include "verify/contact/meshed.h"
+#include "verify/units.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -9,9 +10,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 using fem::Section;
-
-constexpr double mm = 1e-3, um = 1e-6, MPa = 1e6, N_per_mm = 1e3;
-const Material steel{210e9, 0.3, 7850};
 
 struct LineLoad {
   double q, b, p0, approach, tangent;  // N/m, m, Pa, m, N/m2: section 8.4 of the acceptance table

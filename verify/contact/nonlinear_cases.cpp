@@ -1,7 +1,8 @@
-#include "verify/solvers/large_contact.h"
-#include "verify/solvers/plastic_solid.h"
 #include "meshes/common/block.h"
 #include "verify/contact/meshed.h"
+#include "verify/solvers/large_contact.h"
+#include "verify/solvers/plastic_solid.h"
+#include "verify/units.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -10,10 +11,8 @@ namespace mill::verify {
 namespace {
 using Eigen::VectorXd;
 
-constexpr double mm = 1e-3, MPa = 1e6, N_per_mm = 1e3;
-
 // ---- CGS-1
-struct Cgs1 {
+struct LargeCgs1 {
   fem::LargeContact contact;
   Ellipse ellipse;
   double depth;  // m, u_y of the top of the block on its axis
@@ -21,7 +20,7 @@ struct Cgs1 {
 
 // Steel half cylinder R 50 mm, loaded evenly on its cut plane and floating, on a block of 70 GPa, base clamped.
 // @param a  m, half width to mesh for
-Cgs1 cgs1(const double F, const double a, const int per_a, const fem::ElasticLaw law)
+LargeCgs1 large_cgs1(const double F, const double a, const int per_a, const fem::ElasticLaw law)
 {
   const double R = 50 * mm;
   const Material steel{210e9, 0.3, 7850}, soft{70e9, 0.3, 2700};
@@ -45,7 +44,7 @@ Cgs1 cgs1(const double F, const double a, const int per_a, const fem::ElasticLaw
   const VectorXd load = fem::load_on(cut, fem::pressure_load(cut, [&](const VectorXd &) { return 1 / R; }),
                                      cylinder.stiffness().rows())
                             .force;
-  Cgs1 out;
+  LargeCgs1 out;
   out.contact = fem::press_together(
       {&block, soft, held_like_a_half_space(block), "patch"},
       {&cylinder, steel, held, "patch", load, Eigen::Vector2d(1, -1).asDiagonal(), Eigen::Vector2d(0, R)}, law,
@@ -61,7 +60,7 @@ std::vector<Check> cgs1_full()
 {
   const double F = 35000 * N_per_mm, a = 6.2146 * mm;
   std::vector<Check> checks, shown;
-  const auto add = [&](const std::string &law, const Cgs1 &c) {
+  const auto add = [&](const std::string &law, const LargeCgs1 &c) {
     shown.push_back(reported("half width, " + law, "mm", c.ellipse.half_width / mm, 6.2146));
     shown.push_back(reported("u_y at the top of the block, " + law, "mm", c.depth / mm, -1.308));
     return relative("peak pressure, " + law, "MPa", c.ellipse.peak / MPa, 3585.36, 0.01);
@@ -73,12 +72,13 @@ std::vector<Check> cgs1_full()
         "law that continues Hooke's, and the task names none",
         "a statement of the task which law is meant, and a reference computed with it"};
   };
-  checks.push_back(add("Biot: stress linear in the stretch", cgs1(F, a, 24, fem::ElasticLaw::biot)));
-  const Cgs1 green = cgs1(F, a, 24, fem::ElasticLaw::st_venant_kirchhoff);
+  checks.push_back(add("Biot: stress linear in the stretch", large_cgs1(F, a, 24, fem::ElasticLaw::biot)));
+  const LargeCgs1 green = large_cgs1(F, a, 24, fem::ElasticLaw::st_venant_kirchhoff);
   checks.push_back(known_deviation(add("St. Venant-Kirchhoff", green), law_decides(3490.91)));
   checks.push_back(
-      known_deviation(add("neo-Hooke", cgs1(F, a, 24, fem::ElasticLaw::neo_hooke)), law_decides(3622.79)));
-  checks.push_back(known_deviation(add("Hencky", cgs1(F, a, 24, fem::ElasticLaw::hencky)), law_decides(3655.16)));
+      known_deviation(add("neo-Hooke", large_cgs1(F, a, 24, fem::ElasticLaw::neo_hooke)), law_decides(3622.79)));
+  checks.push_back(
+      known_deviation(add("Hencky", large_cgs1(F, a, 24, fem::ElasticLaw::hencky)), law_decides(3655.16)));
   checks.push_back(relative("peak pressure, St. Venant-Kirchhoff, against a quadratic peer of the same law", "MPa",
                             green.ellipse.peak / MPa, 3513.37, 0.01));
   checks.insert(checks.end(), shown.begin(), shown.end());

@@ -1,11 +1,11 @@
 #include "fem/roll/contact_readings.h"
 #include "fem/roll/contact_study.h"
 #include "fem/roll/fourier_contact.h"
-#include "verify/solvers/full_contact.h"
-#include "meshes/roll/contact_mesh_size.h"
 #include "meshes/bearing/meridian.h"
+#include "meshes/roll/contact_mesh_size.h"
 #include "reduce/chain/line_contact.h"
 #include "verify/contact/roll_models.h"
+#include "verify/solvers/full_contact.h"
 #include "verify/verification.h"
 #include <Eigen/Cholesky>
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace mill::verify {
 namespace {
-const Material steel{210e9, 0.3, 7700};
+const Material roll_steel{210e9, 0.3, 7700};
 
 // A small pair with necks: coarse, since identities hold on any mesh.
 const RollGeometry small_backup{0.3, 0.4, 0.2, 0.3, 0.55, 0}, small_work{0.12, 0.4, 0.08, 0.25, 0.52, 0};
@@ -25,7 +25,7 @@ const RollGeometry small_backup{0.3, 0.4, 0.2, 0.3, 0.55, 0}, small_work{0.12, 0
 meshes::RollMeshSize coarse_size(const RollGeometry &geometry, const double load)
 {
   const auto hertz = reduce::line_contact(
-      {2 * small_backup.radius, 2 * small_work.radius, 2 * geometry.half_length, steel}, load);
+      {2 * small_backup.radius, 2 * small_work.radius, 2 * geometry.half_length, roll_steel}, load);
   auto size               = meshes::roll_contact_size(hertz.half_width, 3, 1.5);
   size.end_layer          = 0.01;
   size.section.far_growth = 2;
@@ -96,7 +96,7 @@ std::vector<Check> parity_identity()
 {
   fem::CondenseOptions options;
   options.both_sides = true;
-  const auto model   = roll_model("whole", small_work, coarse_size(small_work, 2e5), steel, options, 1);
+  const auto model   = roll_model("whole", small_work, coarse_size(small_work, 2e5), roll_steel, options, 1);
   const auto &roll   = model.roll;
   const auto held    = fem::held_by_necks(roll, fem::Extent::whole);
   const auto &grid   = held.grid;
@@ -206,7 +206,7 @@ std::vector<Check> parity_identity()
 
 double half_width(const double q)
 {
-  return reduce::line_contact({0.4, 1.3, 1, steel}, q).half_width;
+  return reduce::line_contact({0.4, 1.3, 1, roll_steel}, q).half_width;
 }
 
 fem::ContactPair slab_pair(const RollModel &a, const RollModel &b)
@@ -217,8 +217,8 @@ fem::ContactPair slab_pair(const RollModel &a, const RollModel &b)
 
 std::vector<Check> condensed_identity()
 {
-  const auto upper = slab_model("upper", 0.4, half_width(2e5), half_width(5e6), 6, 0.02, steel),
-             lower = slab_model("lower", 1.3, half_width(2e5), half_width(5e6), 6, 0.02, steel);
+  const auto upper = slab_model("upper", 0.4, half_width(2e5), half_width(5e6), 6, 0.02, roll_steel),
+             lower = slab_model("lower", 1.3, half_width(2e5), half_width(5e6), 6, 0.02, roll_steel);
   const auto pair  = slab_pair(upper, lower);
   const auto point = fem::solve_load(pair, 1e6);
   const auto full =
@@ -238,8 +238,8 @@ std::vector<Check> tangent_difference()
   fem::CondenseOptions options;
   options.both_sides = true;
   const auto size    = coarse_size(small_work, 4e5);
-  const auto backup  = roll_model("backup", small_backup, size, steel, options),
-             work    = roll_model("work", small_work, size, steel, options);
+  const auto backup  = roll_model("backup", small_backup, size, roll_steel, options),
+             work    = roll_model("work", small_work, size, roll_steel, options);
   std::vector<Check> checks;
   const auto judge = [&](const std::string &what, const fem::ContactPair &pair, const double load) {
     const auto at     = fem::solve_load(pair, load);
@@ -285,8 +285,8 @@ std::vector<Check> complementarity()
   fem::CondenseOptions options;
   options.both_sides = true;
   const auto size    = coarse_size(small_work, 4e5);
-  const auto backup  = roll_model("backup", small_backup, size, steel, options),
-             work    = roll_model("work", small_work, size, steel, options);
+  const auto backup  = roll_model("backup", small_backup, size, roll_steel, options),
+             work    = roll_model("work", small_work, size, roll_steel, options);
   const auto loads   = fem::log_spaced(1e4, 4e5, 20);
   std::vector<Check> checks;
   for (const double crown : {0., 40e-6, -40e-6, 400e-6})
@@ -317,8 +317,8 @@ struct Scaled {
 // The pair with all lengths multiplied by `length` and the modulus by `modulus`; the load follows.
 Scaled scaled_pair(const double length, const double modulus)
 {
-  Material material       = steel;
-  material.youngs_modulus = steel.youngs_modulus * modulus;
+  Material material       = roll_steel;
+  material.youngs_modulus = roll_steel.youngs_modulus * modulus;
   const auto scaled       = [&](RollGeometry g) {
     for (double *value : {&g.radius, &g.half_length, &g.neck_radius, &g.neck_length, &g.seat_centre})
       *value *= length;
@@ -340,7 +340,7 @@ Scaled scaled_pair(const double length, const double modulus)
           profile.peak_pressure[0] / modulus};
 }
 
-std::vector<Check> scale_invariance()
+std::vector<Check> roll_scale_invariance()
 {
   const Scaled metres = scaled_pair(1, 1);
   std::vector<Check> checks;
@@ -461,33 +461,33 @@ std::vector<Case> roll_cases()
        "Roll with necks, trilinear hexahedra: flexibility recombined from four parities of an eighth against one "
        "solve "
        "of the whole roll (assembled from the eight mirror images), unlike loads everywhere, unequal bearing "
-       "loads.",                                                                                               "identity, theory.md 2.2",                                                 reduced,                                                         parity_identity   },
+       "loads.",                                                                                               "identity, theory.md 2.2",                                                 reduced,                                                         parity_identity      },
       {"condensed-identity", "verification",
        "Two discs 400/1300 mm, 1000 N/mm: condensed contact against the contact solved on the full stiffness "
        "matrices, "
-       "factorised again for each active set.",                                                                "identity; code_aster V6.04.193 compares the same to 1e-6",                reduced,                                                         condensed_identity},
+       "factorised again for each active set.",                                                                "identity; code_aster V6.04.193 compares the same to 1e-6",                reduced,                                                         condensed_identity   },
       {"tangent-difference", "verification",
        "Two rolls with necks, held in several ways, crowned, tilted, loaded off the middle: exact tangent against "
        "the "
        "central difference of the program's own curve; residual of every solve.",                              "identity, theory.md 2.4",                                                 "a step of 1e-7 of the load keeps seven digits of a difference",
-       tangent_difference                                                                                                                                                                                                                                                    },
+       tangent_difference                                                                                                                                                                                                                                                       },
       {"complementarity",    "verification",
        "Two rolls with necks, straight, crowned, hollow and with a crown that stays open: 20 loads each, residual "
        "of all "
        "conditions and iterations of the active set.",                                                         "Signorini's conditions, theory.md 9",                                     "rounding; iterations as wanted of a solver without tolerance",
-       complementarity                                                                                                                                                                                                                                                       },
+       complementarity                                                                                                                                                                                                                                                          },
       {"scale-invariance",   "verification",
-       "The same pair of rolls written in metres and in millimetres, and ten times as large.",                 "dimensional analysis",                                                    "rounding, conditioning about 1e5 of the contact problem",       scale_invariance  },
+       "The same pair of rolls written in metres and in millimetres, and ten times as large.",                 "dimensional analysis",                                                    "rounding, conditioning about 1e5 of the contact problem",       roll_scale_invariance},
       {"engine-agreement",   "verification",
        "Rolls 420/1450 mm with necks, 976.2 kN: hexahedra condensed onto the patch against a Fourier series "
        "around each "
        "roll with one unknown per station; the last 10 mm (nine half widths) belong to the sharp barrel end.", "the second engine, theory.md 11",                                         "meshes of both engines; targets of two independent engines",
-       engine_agreement                                                                                                                                                                                                                                                      },
+       engine_agreement                                                                                                                                                                                                                                                         },
       {"published-k",        "benchmark",
        "Rolls 420/1450 mm, barrel 1400 mm, 976.2 kN, E = 270 GPa: the ways of evaluating a contact stiffness "
        "beside "
        "the published K3 = 7.534e5 kN/mm; the plateau is compared with 7.534e5 N/mm.",                         "published stand; line contact of K. L. Johnson, Contact Mechanics, 5.57",
-       "barrel ends and a mesh of four elements per half width against an infinitely long contact",                                                                                                                                                        published_k       },
+       "barrel ends and a mesh of four elements per half width against an infinitely long contact",                                                                                                                                                        published_k          },
   };
 }
 }  // namespace mill::verify

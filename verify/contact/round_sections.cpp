@@ -1,6 +1,7 @@
 #include "verify/contact/round_sections.h"
 #include "meshes/common/block.h"
 #include "verify/contact/meshed.h"
+#include "verify/units.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -9,9 +10,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 using fem::Section;
-
-constexpr double mm = 1e-3, um = 1e-6, MPa = 1e6;
-const Material steel{210e9, 0.3, 7850};
 
 // Two half spaces as cylinders of 2000 contact radii whose grids do not match; the curvature is in the gap.
 struct RoundContact {

@@ -1,9 +1,10 @@
 #include "meshes/common/block.h"
-#include "verify/solvers/ring_mesh.h"
 #include "verify/contact/convergence.h"
 #include "verify/contact/line_sections.h"
 #include "verify/contact/meshed.h"
 #include "verify/contact/round_sections.h"
+#include "verify/solvers/ring_mesh.h"
+#include "verify/units.h"
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 using fem::Section;
-
-constexpr double mm = 1e-3, MPa = 1e6, N_per_mm = 1e3;
 
 // ---- conforming rings
 // Constant and cos 2 theta part of values at the angles of points around the origin, by least squares.
@@ -80,14 +79,14 @@ std::vector<Check> conforming_cylinders()
 }
 
 // ---- units and size
-struct Scaled {
+struct ScaledSection {
   VectorXd pressure;  // over the modulus
   double motion, stiffness, half_width;
 };
 
 // Two steel half planes with a relative radius of 50 mm under 1000 N/mm, computed in multiples of `length` and
 // `stress`.
-Scaled scaled_contact(const double length, const double stress, const double size)
+ScaledSection scaled_contact(const double length, const double stress, const double size)
 {
   const Material material{210e9 / stress, 0.3, 1};
   const double b = 0.743 * mm * size / length, R = 50 * mm * size / length,
@@ -105,11 +104,11 @@ Scaled scaled_contact(const double length, const double stress, const double siz
           1 / state.compliance(0, 0) * stress, fitted_ellipse(pair, state).half_width * length / size};
 }
 
-std::vector<Check> scale_invariance()
+std::vector<Check> section_scale_invariance()
 {
-  const Scaled metres = scaled_contact(1, 1, 1);
+  const ScaledSection metres = scaled_contact(1, 1, 1);
   std::vector<Check> checks;
-  const auto compare = [&](const std::string &what, const Scaled &other) {
+  const auto compare = [&](const std::string &what, const ScaledSection &other) {
     const auto differ = [](const double a, const double b) { return std::abs(a / b - 1); };
     const double worst =
         std::max({differ(other.motion, metres.motion), differ(other.stiffness, metres.stiffness),
@@ -233,7 +232,7 @@ std::vector<Case> section_cases()
        "unknowns.",
        "Identity: linear elasticity has no length and no unit of its own",
        "Rounding times the condition of the bodies, about 1e4; every threshold of the chain is relative.",
-       scale_invariance});
+       section_scale_invariance});
   cases.push_back({"cattaneo-line-section", "verification",
                    "Steel cylinder R 50 mm on a steel flat, q 1000 N/mm, pressed and then pushed sideways with "
                    "0.25 and 0.5 of the "

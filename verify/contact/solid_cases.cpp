@@ -1,6 +1,7 @@
 #include "fem/body/elastic_body.h"
 #include "meshes/common/block.h"
 #include "verify/contact/meshed.h"
+#include "verify/units.h"
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <cmath>
@@ -11,9 +12,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-constexpr double mm = 1e-3, um = 1e-6, MPa = 1e6;
-const Material steel{210e9, 0.3, 7850};
 
 contact::Drive by_resultant(const double value)
 {

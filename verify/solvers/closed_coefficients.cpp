@@ -1,6 +1,6 @@
 #include "verify/solvers/closed_coefficients.h"
-#include "core/numerics/derivative.h"
 #include "bite/laws/flow_stress.h"
+#include "core/numerics/derivative.h"
 #include "core/numerics/gauss.h"
 
 namespace mill::bite {
@@ -24,8 +24,8 @@ LinearCoefficients closed_coefficients(const RollBite &bite, const BiteState &st
   const double xe_hd = -R / (2 * x_e), xe_he = -xe_hd, xd_rate = R * h_d / (2 * v_e * h_e);
   const double E = std::exp(-f.pressure_viscosity * (k_e - sigma_e)), mu_film = -f.decay * (mu - f.mu0);
   const double film_sigma = h_f * f.pressure_viscosity * E / (1 - E);
-  const Row m{mu_film * (-h_f / x_e) * xe_hd, 0, mu_film * film_sigma, 0,
-              mu_film * (-h_f / x_e * xe_he - film_sigma * dk_e)};
+  const StripRow m{mu_film * (-h_f / x_e) * xe_hd, 0, mu_film * film_sigma, 0,
+                   mu_film * (-h_f / x_e * xe_he - film_sigma * dk_e)};
 
   // neutral point, (8.30)
   const double T = x_n / std::sqrt(R * h_d), S = 1 + T * T;
@@ -33,16 +33,16 @@ LinearCoefficients closed_coefficients(const RollBite &bite, const BiteState &st
   const double xn_xe = 0.5 * S * h_d / h_e, xn_xd = 0.5 * S, xn_mu = S * h_d * balance / (4 * mu * mu);
   const double xn_kd = -S * h_d * sigma_d / (4 * mu * k_d * (k_d - sigma_d));
   const double xn_ke = S * h_d * sigma_e / (4 * mu * k_e * (k_e - sigma_e));
-  const Row n{S * (-balance / (8 * mu) + 1 / (4 * mu) - x_e / (4 * h_e)) + 0.5 * std::sqrt(R / h_d) * T +
-                  xn_xe * xe_hd + xn_kd * dk_d + xn_mu * m[0],
-              xn_xd * xd_rate, -S * h_d / (4 * mu * (k_e - sigma_e)) + xn_mu * m[2],
-              S * h_d / (4 * mu * (k_d - sigma_d)),
-              -S * h_d / (4 * mu * h_e) + xn_xe * xe_he + xn_ke * dk_e + xn_mu * m[4]};
+  const StripRow n{S * (-balance / (8 * mu) + 1 / (4 * mu) - x_e / (4 * h_e)) + 0.5 * std::sqrt(R / h_d) * T +
+                       xn_xe * xe_hd + xn_kd * dk_d + xn_mu * m[0],
+                   xn_xd * xd_rate, -S * h_d / (4 * mu * (k_e - sigma_e)) + xn_mu * m[2],
+                   S * h_d / (4 * mu * (k_d - sigma_d)),
+                   -S * h_d / (4 * mu * h_e) + xn_xe * xe_he + xn_ke * dk_e + xn_mu * m[4]};
 
   // speeds, (8.31)
   const double w = 2 * v_r * x_n / (R * h_e);
-  const Row P{v_r / h_e + w * n[0], (x_e - x_n) / h_e + w * n[1], w * n[2], w * n[3], -v_e / h_e + w * n[4]};
-  Row Q;
+  const StripRow P{v_r / h_e + w * n[0], (x_e - x_n) / h_e + w * n[1], w * n[2], w * n[3], -v_e / h_e + w * n[4]};
+  StripRow Q;
   for (int i = 0; i < 5; ++i)
     Q[i] = h_e / h_d * P[i];
   Q[0] -= v_d / h_d;
@@ -54,7 +54,7 @@ LinearCoefficients closed_coefficients(const RollBite &bite, const BiteState &st
   const auto H      = [&](const double x) { return 2 * std::sqrt(R / h_d) * std::atan(x / root); };
   const double H_e = H(x_e), He_hd = -H_e / (2 * h_d) - x_e / (h_d * h_e) + 2 / h_e * xe_hd,
                He_he = 2 / h_e * xe_he;
-  Row F{(k_e - sigma_e) * xe_hd, -(k_d - sigma_d) * xd_rate, 0, 0, (k_e - sigma_e) * xe_he};
+  StripRow F{(k_e - sigma_e) * xe_hd, -(k_d - sigma_d) * xd_rate, 0, 0, (k_e - sigma_e) * xe_he};
   const GaussRule rule = gauss_legendre(48);
   for (const bool entry_side : {true, false}) {
     const double a = std::atan((entry_side ? x_n : 0) / root), b = std::atan((entry_side ? x_e : x_n) / root);

@@ -38,7 +38,7 @@ Eigen::VectorXd motion(const Eigen::VectorXd &z)
   const auto &m = masses, &k = springs, &c = dampers;
   const double *x = z.data(), *v = z.data() + 6, se = z[12], sd = z[13];
   const auto by  = coefficients();
-  const auto sum = [&](const bite::Row &r) {
+  const auto sum = [&](const bite::StripRow &r) {
     return r[0] * (x[2] + x[3]) + r[1] * (v[2] + v[3]) + r[2] * se + r[3] * sd;
   };
   const double dF = sum(by.force);

@@ -1,7 +1,7 @@
 // The bite at one moment, the linear and the nonlinear motion, and what a record tells, over stands and strips
 // that no publication has.
-#include "bite/slab/bland_ford.h"
 #include "bite/linear/unsteady_bite.h"
+#include "bite/slab/bland_ford.h"
 #include "core/case/errors.h"
 #include "dynamics/chatter/equations.h"
 #include "dynamics/chatter/run.h"
@@ -107,7 +107,7 @@ TEST(UnsteadyBite, AtTheSteadyMomentItIsTheLinearBite)
       const auto now       = bite::bite_slopes_at(u, bite::steady_moment(u));
       EXPECT_TRUE(near(now.answer.force, p.state.force, within(1e-12, "one formula, one rounding")));
       EXPECT_TRUE(near(now.answer.entry_speed, p.state.entry_speed, within(1e-12, "settled to rounding")));
-      const bite::Row *rows[][2] = {
+      const bite::StripRow *rows[][2] = {
           {&now.by.entry_speed,      &p.by.entry_speed     },
           {&now.by.exit_speed,       &p.by.exit_speed      },
           {&now.by.force,            &p.by.force           },
