@@ -48,12 +48,14 @@ endfunction()
 
 # Headers of others that most files of a kind read, parsed once for all libraries of that kind (kinds: numbers, text,
 # test).  Nothing of our own is in them: a file still includes what it uses.
+# mill_precompile(kind HEADERS headers... [LINK targets whose definitions the users share])
 function(mill_precompile kind)
+  cmake_parse_arguments(P "" "" "HEADERS;LINK" ${ARGN})
   file(WRITE ${PROJECT_BINARY_DIR}/precompiled_${kind}.cpp.in "// Carries the precompiled headers of this kind.\n")
   configure_file(${PROJECT_BINARY_DIR}/precompiled_${kind}.cpp.in ${PROJECT_BINARY_DIR}/precompiled_${kind}.cpp COPYONLY)
   add_library(mill_headers_${kind} OBJECT ${PROJECT_BINARY_DIR}/precompiled_${kind}.cpp)
-  target_link_libraries(mill_headers_${kind} PRIVATE mill_options Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json)
-  target_precompile_headers(mill_headers_${kind} PRIVATE ${ARGN})
+  target_link_libraries(mill_headers_${kind} PRIVATE mill_options Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json ${P_LINK})
+  target_precompile_headers(mill_headers_${kind} PRIVATE ${P_HEADERS})
   if(NOT kind STREQUAL "numbers")
     mill_quick_to_compile(mill_headers_${kind})
   endif()

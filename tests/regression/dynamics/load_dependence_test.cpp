@@ -11,6 +11,7 @@ using namespace mill;
 using namespace mill::dynamics;
 
 // One row of load.table: force, K3 = K5, K2, K6, six frequencies, ...
+namespace {
 MillModel stand_at(const std::vector<double> &row)
 {
   auto stand       = published_stand();
@@ -19,6 +20,7 @@ MillModel stand_at(const std::vector<double> &row)
   stand.K[5].value                    = row[3];
   return mill_model(stand, settings("measured", 0.02));
 }
+}  // namespace
 
 TEST(LoadDependence, FrequenciesAtEveryLoad)
 {

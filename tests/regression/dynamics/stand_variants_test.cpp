@@ -13,16 +13,19 @@ using namespace mill::dynamics;
 
 const Tolerance eigenvalues = within(1e-6, "eigenvalues in double precision");
 
+namespace {
 Eigen::VectorXd frequencies(const LumpedModel &stand)
 {
   return modes(mill_model(stand, settings("published", 0))).frequency;
 }
+}  // namespace
 
 struct Variant {
   const char *name;
   std::map<std::string, double> changed;  // "K3" -> N/m, "M3" -> kg
 };
 
+namespace {
 std::vector<Variant> variants()
 {
   const Eigen::VectorXd M = reference_vector("published.M"), K = reference_vector("published.K");
@@ -46,6 +49,7 @@ std::vector<Variant> variants()
        {{"M2", M[1] * density}, {"M3", M[2] * density}, {"M4", M[3] * density}, {"M5", M[4] * density}}               }
   };
 }
+}  // namespace
 
 TEST(StandVariants, SixFrequenciesOfEachChange)
 {
@@ -68,6 +72,7 @@ TEST(StandVariants, ClosedFrame)
                    reference_vector("modes.closed_frame.frequencies"), eigenvalues));
 }
 
+namespace {
 void expect_poles(const std::vector<Pole> &found, const nlohmann::json &expected, const std::string &name)
 {
   ASSERT_EQ(found.size(), expected.size()) << name;
@@ -80,6 +85,7 @@ void expect_poles(const std::vector<Pole> &found, const nlohmann::json &expected
     EXPECT_TRUE(near(found[i].damping, damping, tolerance)) << name << ", pole " << i;
   }
 }
+}  // namespace
 
 TEST(StandVariants, PolesOfEveryReadingOfTheDamper)
 {

@@ -297,6 +297,7 @@ TEST(LumpedStand, EveryNumberCarriesItsProof)
 }
 
 // Every mass and stiffness of the frame within 3 %, K_ZW within 4 %.
+namespace {
 FourHigh with_tolerances(FourHigh stand)
 {
   for (const FrameValue &part : frame_values(stand.frame)) {
@@ -306,6 +307,7 @@ FourHigh with_tolerances(FourHigh stand)
   stand.given["K_ZW"].parameter = spring(68123188538.0, 0.04);
   return stand;
 }
+}  // namespace
 
 // An error that nobody states is not zero: the value has none and names what it lacks.
 TEST(LumpedStand, AnUnknownErrorIsNotZero)

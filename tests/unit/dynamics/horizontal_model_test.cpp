@@ -10,6 +10,7 @@ using namespace mill::dynamics;
 
 const Tolerance closed_form = within(1e-6, "closed form; the reference is printed with 10 digits or more");
 
+namespace {
 LumpedModel stand_on_bearings(const double Kzc)
 {
   auto stand = published_stand();
@@ -17,8 +18,10 @@ LumpedModel stand_on_bearings(const double Kzc)
     bearing.value = Kzc;
   return stand;
 }
+}  // namespace
 
 // frequency of the mode that lives in one mass
+namespace {
 double frequency_of(const MillModel &model, const std::string &label)
 {
   const Modes found = modes(model);
@@ -27,6 +30,7 @@ double frequency_of(const MillModel &model, const std::string &label)
   found.kinetic_share.col(mass).maxCoeff(&mode);
   return found.frequency[mode];
 }
+}  // namespace
 
 TEST(HorizontalModel, RigidSeats)
 {

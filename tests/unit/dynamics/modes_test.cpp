@@ -10,6 +10,7 @@ using namespace mill::dynamics;
 
 const MillModel published = mill_model(published_stand(), settings("published", 0.01));
 
+namespace {
 Eigen::MatrixXd reference_matrix(const std::string &entry)
 {
   const auto rows = reference(entry).get<std::vector<std::vector<double>>>();
@@ -19,6 +20,7 @@ Eigen::MatrixXd reference_matrix(const std::string &entry)
       matrix(Eigen::Index(i), Eigen::Index(j)) = rows[i][j];
   return matrix;
 }
+}  // namespace
 
 TEST(Modes, FrequenciesAndShapesOfThePublishedStand)
 {

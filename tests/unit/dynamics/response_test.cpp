@@ -10,6 +10,7 @@
 using namespace mill;
 using namespace mill::dynamics;
 
+namespace {
 ForceRecord noise(const double low, const double high)
 {
   NoiseSettings settings;
@@ -23,6 +24,7 @@ MillModel model_of(const char *set)
   const auto chosen = parameter_set(set);
   return mill_model(chosen.stand, chosen.dynamics);
 }
+}  // namespace
 
 TEST(Response, IsLinearInTheFluctuation)
 {

@@ -8,12 +8,14 @@
 using namespace mill;
 using namespace mill::dynamics;
 
+namespace {
 NoiseSettings pass_1()
 {
   NoiseSettings settings;
   settings.range = {972898, 979537};
   return settings;
 }
+}  // namespace
 
 TEST(SyntheticForce, ReachesItsRangeExactlyAndRepeats)
 {

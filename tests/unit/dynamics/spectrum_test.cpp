@@ -6,6 +6,7 @@
 
 using namespace mill::dynamics;
 
+namespace {
 Eigen::VectorXd sine(const Eigen::Index n, const double rate, const double f, const double amplitude)
 {
   return amplitude * (2 * M_PI * f / rate * Eigen::ArrayXd::LinSpaced(n, 0, double(n - 1))).sin();
@@ -15,6 +16,7 @@ double power(const Spectrum &spectrum)
 {
   return spectrum.density.squaredNorm() * spectrum.frequency[1];
 }
+}  // namespace
 
 TEST(Spectrum, SineOnALineOfTheTransform)
 {

@@ -11,6 +11,7 @@ using namespace mill::dynamics;
 
 const char *const all_sets[] = {"P1", "P2", "P3", "P4", "Q1", "R1", "R2", "R3"};
 
+namespace {
 MillModel model_of(const char *set)
 {
   const auto chosen = parameter_set(set);
@@ -21,8 +22,10 @@ double largest_difference(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b)
 {
   return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
+}  // namespace
 
 // Samples at random times, on straight lines of 1..9 ms.
+namespace {
 ForceRecord uneven_record(const double duration)
 {
   std::mt19937_64 engine(11);
@@ -35,8 +38,10 @@ ForceRecord uneven_record(const double duration)
   const auto n = Eigen::Index(time.size());
   return {Eigen::Map<Eigen::VectorXd>(time.data(), n), Eigen::Map<Eigen::VectorXd>(force.data(), n), {}};
 }
+}  // namespace
 
 // The same polyline with `per_line` more samples on it, none of which changes it.
+namespace {
 ForceRecord with_points_between(const ForceRecord &record, const Eigen::Index per_line)
 {
   const Eigen::Index n = (record.time.size() - 1) * per_line + 1;
@@ -49,6 +54,7 @@ ForceRecord with_points_between(const ForceRecord &record, const Eigen::Index pe
   }
   return denser;
 }
+}  // namespace
 
 TEST(ExactHold, BothFormsMeetAnIndependentMatrixExponential)
 {

@@ -10,11 +10,13 @@
 using namespace mill;
 using namespace mill::dynamics;
 
+namespace {
 MillModel model_of(const std::string &set)
 {
   const auto chosen = parameter_set(set);
   return mill_model(chosen.stand, chosen.dynamics);
 }
+}  // namespace
 
 TEST(LargestResponse, TwentySecondsOfEverySet)
 {

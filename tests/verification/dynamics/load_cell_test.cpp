@@ -9,6 +9,7 @@
 using namespace mill;
 using namespace mill::dynamics;
 
+namespace {
 const MillModel &line_contact_stand()
 {
   static const MillModel model = [] {
@@ -17,6 +18,7 @@ const MillModel &line_contact_stand()
   }();
   return model;
 }
+}  // namespace
 
 TEST(LoadCell, FrequencyResponse)
 {
