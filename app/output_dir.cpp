@@ -36,8 +36,8 @@ OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite, std
 {
   const auto require = [&](const std::error_code &error) {
     if (error)
-      throw InputError("the folder " + directory + " cannot be made: " + error.message() +
-                       "; choose another with -o");
+      refuse_file(error.value(),
+                  "the folder " + directory + " cannot be made: " + error.message() + "; choose another with -o");
   };
   std::error_code error;
   if (fs::exists(directory, error) && !fs::is_directory(directory, error))
@@ -87,8 +87,10 @@ std::string OutputDir::file(const std::string &name) const
 
 void OutputDir::write(const std::string &name, const std::string &text) const
 {
-  const bool is_toml = fs::path(name).extension() == ".toml";
-  write_atomically(file(name), is_toml ? run_id_line(id) + text : text);
+  if (fs::path(name).extension() == ".toml")
+    write_atomically(file(name), run_id_line(id) + text);
+  else
+    write_atomically(file(name), text);
 }
 
 void OutputDir::publish() const
