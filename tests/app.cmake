@@ -14,6 +14,7 @@ target_compile_definitions(contact_command_test PRIVATE MILLSTAND_PROGRAM="$<TAR
 
 mill_test(strip_flow_store_test LABEL unit LINK mill::app)
 mill_test(bite_accuracy_test    LABEL unit LINK mill::app)
+mill_test(roll_mesh_gain_test   LABEL unit LINK mill::app)
 
 # No Eigen template of ours may replace the one inside Gmsh's library (see mill_options).
 add_test(NAME exported_symbols_test
