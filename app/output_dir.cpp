@@ -40,7 +40,11 @@ OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite, std
                   "the folder " + directory + " cannot be made: " + error.message() + "; choose another with -o");
   };
   std::error_code error;
-  if (fs::exists(directory, error) && !fs::is_directory(directory, error))
+  const fs::file_status found = fs::status(directory, error);
+  if (error && found.type() != fs::file_type::not_found)
+    refuse_file(error.value(),
+                directory + " cannot be looked at: " + error.message() + "; choose another with -o");
+  if (fs::exists(found) && !fs::is_directory(found))
     throw InputError(directory + " is a file, not a folder; choose another with -o");
   fs::create_directories(directory, error);
   require(error);
