@@ -180,6 +180,7 @@ int run_chain(const CommandLine &command)
              "); nothing is kept for the next run");
     run.cache = out.staging();
   }
+  remove_stale_parts(run.cache);
   const int wanted =
       command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
   run.threads       = threads_that_start(threads_that_fit(wanted));

@@ -20,6 +20,9 @@ int carry_out_command(int argc, char **argv)
       exit_code = carry_out(*command);
     console::flush();
     return exit_code;
+  } catch (const SystemError &e) {
+    console::show(e);
+    return 3;
   } catch (const InputError &e) {
     console::show(e);
     return 2;

@@ -36,11 +36,15 @@ OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite, std
 {
   const auto require = [&](const std::error_code &error) {
     if (error)
-      throw InputError("the folder " + directory + " cannot be made: " + error.message() +
-                       "; choose another with -o");
+      refuse_file(error.value(),
+                  "the folder " + directory + " cannot be made: " + error.message() + "; choose another with -o");
   };
   std::error_code error;
-  if (fs::exists(directory, error) && !fs::is_directory(directory, error))
+  const fs::file_status found = fs::status(directory, error);
+  if (error && found.type() != fs::file_type::not_found)
+    refuse_file(error.value(),
+                directory + " cannot be looked at: " + error.message() + "; choose another with -o");
+  if (fs::exists(found) && !fs::is_directory(found))
     throw InputError(directory + " is a file, not a folder; choose another with -o");
   fs::create_directories(directory, error);
   require(error);
@@ -87,8 +91,10 @@ std::string OutputDir::file(const std::string &name) const
 
 void OutputDir::write(const std::string &name, const std::string &text) const
 {
-  const bool is_toml = fs::path(name).extension() == ".toml";
-  write_atomically(file(name), is_toml ? run_id_line(id) + text : text);
+  if (fs::path(name).extension() == ".toml")
+    write_atomically(file(name), run_id_line(id) + text);
+  else
+    write_atomically(file(name), text);
 }
 
 void OutputDir::publish() const

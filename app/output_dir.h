@@ -13,8 +13,8 @@ class OutputDir {
 public:
   /// Creates the folder and its staging folder with curves/, response/ and fields/; what was staged and not
   /// published goes with this object.
-  /// @throws InputError  the folder holds files of another case or of no run (unless `overwrite`), or cannot be
-  /// written
+  /// @throws InputError  the folder holds files of another case or of no run (unless `overwrite`), or its name is wrong
+  /// @throws SystemError  disk or permission refuse it
   OutputDir(std::string path, const Case &of, bool overwrite, std::string run_id);
 
   const std::string &path() const;                  ///< of the folder

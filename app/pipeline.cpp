@@ -117,7 +117,7 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
     in.K_Zy_lower = bearings.K_Zy_lower;
     in.Kzc        = bearings.Kzc;
     in.Kzc_across = bearings.Kzc_across;
-    in.solid      = solid_rolls(components, stand.dynamics);
+    in.solid      = solid_rolls(components);
     in.at         = in_kN(loads[p]);
     set_inputs(in, stand, p);
     auto chain = reduce::lumped_stand(stand, in);

@@ -93,7 +93,7 @@ std::shared_ptr<FileSink> opened(const std::string &file, const int flags)
 {
   const int number = ::open(file.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | flags, 0666);
   if (number < 0)
-    refuse(file, std::string("cannot be written: ") + std::strerror(errno));
+    refuse_file(errno, "the log " + file + " cannot be written: " + std::strerror(errno));
   return std::make_shared<FileSink>(file, number, true);
 }
 
@@ -136,6 +136,7 @@ void RunLog::require_complete() const
 {
   for (const auto &file : state->files)
     if (file->error != 0)
-      refuse(file->name, std::string("is not complete: ") + std::strerror(file->error) + "; the results are");
+      refuse_file(file->error, "the log " + file->name + " is not complete: " + std::strerror(file->error) +
+                                   "; the results are");
 }
 }  // namespace mill

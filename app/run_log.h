@@ -16,7 +16,7 @@ public:
   RunLog(const OutputDir &out, const std::string &chosen, bool verbose);
   ~RunLog();
   void line(const std::string &text) const;  ///< one line; control characters are written out
-  /// @throws InputError  a file could not take all lines (disk full)
+  /// @throws SystemError  a file could not take all lines (disk full)
   void require_complete() const;
 
 private:

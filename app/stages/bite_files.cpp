@@ -10,7 +10,7 @@ void write_arc(RunContext &run, const std::string &stem, const BiteAnswer &answe
   Table t;
   t.add("x", "m", s.position).add("thickness", "m", s.thickness).add("pressure", "Pa", s.pressure);
   t.add("shear", "Pa", s.shear).add("slip", "", s.slip);
-  run.out.write(stem + "-" + answer.key + ".csv", csv_text(t));
+  run.out.write(stem + "." + answer.key + ".csv", csv_text(t));
 }
 
 // Roll and strip along the contact: heights over the middle plane of the strip.
@@ -29,7 +29,7 @@ void write_roll(RunContext &run, const std::string &stem, const BiteStudy &study
   const Eigen::VectorXd circle = lowest + R - (R * R - x.array().square()).sqrt();
   Table t;
   t.add("x", "m", x).add("circle", "m", circle).add("roll", "m", f.roll_surface).add("strip", "m", strip);
-  run.out.write(stem + "-roll.csv", csv_text(t));
+  run.out.write(stem + ".roll.csv", csv_text(t));
 }
 
 void write_field(RunContext &run, const std::string &stem, const fem::StripFlow &f)
@@ -45,7 +45,7 @@ void write_field(RunContext &run, const std::string &stem, const fem::StripFlow 
   t.add("x", "m", flat(f.x)).add("y", "m", flat(f.y)).add("strain", "", flat(f.strain));
   t.add("strain_rate", "1/s", flat(f.rate)).add("pressure", "Pa", flat(f.pressure));
   t.add("velocity_x", "m/s", flat(f.vx)).add("velocity_y", "m/s", flat(f.vy));
-  run.out.write(stem + "-field.csv", csv_text(t));
+  run.out.write(stem + ".field.csv", csv_text(t));
 }
 // What stays in the strip behind the bite.
 void write_outlet(RunContext &run, const std::string &stem, const FlowAnswer &flow)
@@ -54,10 +54,11 @@ void write_outlet(RunContext &run, const std::string &stem, const FlowAnswer &fl
     return;
   Table t;
   t.add("y", "m", flow.outlet_height).add("stress", "Pa", flow.outlet_stress);
-  run.out.write(stem + "-outlet.csv", csv_text(t));
+  run.out.write(stem + ".outlet.csv", csv_text(t));
 }
 }  // namespace
 
+// What a file holds stands behind a point, which no slug has: passes "x" and "x-fe" share no name.
 void write_bite(RunContext &run, const BiteStudy &study)
 {
   const std::string name = "bite-" + slug(study.question.pass), stem = "curves/" + name;

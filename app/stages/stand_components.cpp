@@ -118,17 +118,22 @@ ReducedRoll roll(RunContext &run, const std::string &name, const Roll &drawn, co
     return mesh;
   };
   ReducedRoll reduced;
+  const auto made = [&](const RollMesh &mesh, const int elements) {
+    Component component           = fem::roll_component(name, *mesh.body, g, stand.steel, options).component;
+    component.elements_per_radius = elements;
+    return component;
+  };
   reduced.fine   = cached(run, name, roll_component_inputs(drawn, stand, false), [&] {
-    return fem::roll_component(name, *fine_mesh().body, g, stand.steel, options).component;
+    const RollMesh mesh = fine_mesh();
+    return made(mesh, used);
   });
   reduced.coarse = cached(run, name + ", coarse mesh", roll_component_inputs(drawn, stand, true), [&] {
-    if (used == asked)
-      fine_mesh();  // the finer one may come from the cache: how fine it was is found again
-    const RollMesh mesh = mesh_of(run, name, g, stand.steel, used - 1);
+    const int coarser   = reduced.fine.elements_per_radius - 1;
+    const RollMesh mesh = mesh_of(run, name, g, stand.steel, coarser);
     // It only shows what the mesh moves: as many modes, whether or not it follows them as well.
     options.n_modes         = int(reduced.fine.fixed_frequency.size());
     options.frequency_limit = std::min(limit, mesh.reach);
-    return fem::roll_component(name, *mesh.body, g, stand.steel, options).component;
+    return made(mesh, coarser);
   });
   return reduced;
 }
@@ -190,18 +195,21 @@ ComponentSets stand_components(RunContext &run, const FourHigh &stand, const boo
   return sets;
 }
 
-double roll_mesh_gain(const DynamicsSettings &settings)
+double roll_mesh_gain(const ComponentSets &c)
 {
-  const double n = settings.elements_per_radius;
-  return std::pow(n / (n - 1), fem::shoulder_order);
+  const auto ratio = [](const Component &fine, const Component &coarse) {
+    return double(fine.elements_per_radius) / double(coarse.elements_per_radius);
+  };
+  return std::pow(
+      std::min(ratio(c.fine.work_roll, c.coarse.work_roll), ratio(c.fine.backup_roll, c.coarse.backup_roll)),
+      fem::shoulder_order);
 }
 
-reduce::SolidRolls solid_rolls(const ComponentSets &c, const DynamicsSettings &settings)
+reduce::SolidRolls solid_rolls(const ComponentSets &c)
 {
   if (!c.present)
     return {};
-  return {&c.fine.work_roll, &c.fine.backup_roll, &c.coarse.work_roll, &c.coarse.backup_roll,
-          roll_mesh_gain(settings)};
+  return {&c.fine.work_roll, &c.fine.backup_roll, &c.coarse.work_roll, &c.coarse.backup_roll, roll_mesh_gain(c)};
 }
 
 void add_housing_frequencies(RunContext &run, const FourHigh &stand, const ComponentSets &components)

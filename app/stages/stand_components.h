@@ -4,10 +4,6 @@
 #include "reduce/stand/component_stand.h"
 
 namespace mill {
-/// How many times larger an error of a meshed roll is with one element less per radius, for mesh_pair_error(): the
-/// corner at the shoulder lets energies converge as h^1.09, as the manual sees (component-mesh).
-double roll_mesh_gain(const DynamicsSettings &settings);
-
 /// The rolls (and a drawn housing) reduced by finite elements, on the mesh of the case and on a coarser one for
 /// the error estimate.
 struct ComponentSets {
@@ -25,8 +21,13 @@ std::string housing_component_inputs(const FourHigh &stand, bool coarse);
 /// @throws InputError  dynamics.frequency_limit above the reach of the meshes
 ComponentSets stand_components(RunContext &run, const FourHigh &stand, bool with_housing = true);
 
+/// How many times larger an error of the meshed rolls is on the coarser meshes, for mesh_pair_error(): the corner
+/// at the shoulder lets energies converge as h^1.09, as the manual sees (component-mesh).  By the meshes that were
+/// made, which the frequency limit may want finer than the case asks; of two rolls the pair that differs less.
+double roll_mesh_gain(const ComponentSets &components);
+
 /// The rolls of both meshes, for the chain; none where nothing was meshed.
-reduce::SolidRolls solid_rolls(const ComponentSets &components, const DynamicsSettings &settings);
+reduce::SolidRolls solid_rolls(const ComponentSets &components);
 
 /// Frequencies of the bare housing on its feet, up and down: housing.f1.. up to the frequency limit.
 void add_housing_frequencies(RunContext &run, const FourHigh &stand, const ComponentSets &components);

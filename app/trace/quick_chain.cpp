@@ -184,13 +184,16 @@ void add_springs(Results &all, const FourHigh &stand, const std::size_t p, const
   }
 }
 
-// The closed form of a backup roll that a run meshes, times what the last run found.
-Parameter bent_beam(const FourHigh &stand, const double found)
+// The closed form of a backup roll that a run meshes, times what the last run found; one roll for all passes.
+Parameter bent_beam(const FourHigh &stand, const SpringFactors &factors)
 {
+  const double found = factor(factors, "K_ZW");
   Parameter p;
-  p.value  = found / reduce::BentBackupRoll(reduce::backup_beam(stand)).flexibility(stand.dynamics.mass_reference);
-  p.unit   = "N/m";
-  p.method = "stepped Timoshenko beam, " + stand.dynamics.mass_reference + " reference";
+  p.value = found * beam_stiffness(stand);
+  p.unit  = "N/m";
+  p.method =
+      "stepped Timoshenko beam, " + stand.dynamics.mass_reference + " reference" +
+      (found == 1 ? "" : fmt::format(", times {:.4g}, the solid roll of the last run over its beam", found));
   p.inputs = reduce::backup_roll_keys(false);
   return p;
 }
@@ -221,7 +224,7 @@ LumpedModel add_chain(Results &all, const FourHigh &stand, const std::string &pr
   in.at            = at;
   const bool solid = stand.backup_roll.bending_model == "solid";
   if (solid && !is_given(stand.given, "K_ZW"))
-    tagged.given["K_ZW"].parameter = bent_beam(stand, factor(factors, prefix + "K_ZW"));
+    tagged.given["K_ZW"].parameter = bent_beam(stand, factors);
   const auto chain     = reduce::lumped_stand(tagged, in);
   const auto inputs_of = [&](const char *name) { return made(name).parameter.inputs; };
   auto full            = reduce::chain_keys({inputs_of("K3"), inputs_of("K4"), inputs_of("K5"), inputs_of("K_Zy"),
@@ -248,6 +251,8 @@ LumpedModel add_chain(Results &all, const FourHigh &stand, const std::string &pr
       r.own      = place.own;
       if (stand.dynamics.mass_source == "fe" && !place.from.empty() && name[0] == 'M')
         r.stands_for = "shapes of the rolls by finite elements, dynamics.mass_source = \"fe\"";
+      else if (solid && name[0] == 'M' && holds(inputs, "backup_roll.bending_model"))
+        r.stands_for = "shapes of the rolls by finite elements, backup_roll.bending_model = \"solid\"";
       for (const std::string &part : place.from)
         r.from.push_back(prefix + part);
       all.push_back(r);
@@ -316,6 +321,11 @@ const QuickResult *find(const std::vector<QuickResult> &results, const std::stri
   const auto found =
       std::find_if(results.begin(), results.end(), [&](const QuickResult &r) { return r.name == name; });
   return found == results.end() ? nullptr : &*found;
+}
+
+double beam_stiffness(const FourHigh &stand)
+{
+  return 1 / reduce::BentBackupRoll(reduce::backup_beam(stand)).flexibility(stand.dynamics.mass_reference);
 }
 
 std::vector<QuickResult> quick_chain(const Case &the_case, QuickMemory &memory, const SpringFactors &factors)

@@ -16,7 +16,8 @@ struct QuickMemory {
   std::map<std::pair<std::string, std::vector<double>>, std::array<double, 4>> driven;
 };
 
-/// Factors on the springs that finite elements would give, by result name: a run's value over the quick one.
+/// Factors on the springs that finite elements would give, by result name: a run's value over the quick one.  K_ZW
+/// has one for all passes.
 using SpringFactors = std::map<std::string, double>;
 
 /// Every result that a case leads to, by closed forms and two cheap stages: chain and response.  theory.md 24
@@ -27,6 +28,9 @@ using SpringFactors = std::map<std::string, double>;
 /// @throws SolverError  a bearing without equilibrium; a chain that is not held
 /// Cost: below 10 ms without responses, 20 ms for each pass of 200 000 output times.
 std::vector<QuickResult> quick_chain(const Case &the_case, QuickMemory &memory, const SpringFactors &factors = {});
+
+/// N/m, K_ZW of the backup roll as a stepped beam, by the mass reference of the case, whatever bending_model says.
+double beam_stiffness(const FourHigh &stand);
 
 /// nullptr when absent.
 const QuickResult *find(const std::vector<QuickResult> &results, const std::string &name);

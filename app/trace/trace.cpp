@@ -249,6 +249,26 @@ SpringFactors run_factors(const StoredRun &run, const Results &base)
   }
   return factors;
 }
+// How much softer than its beam the last run found the solid backup roll; by the run's own inputs, so that it fits
+// a case that has moved on from there.  Nothing where the run bent a beam too.
+SpringFactors bending_factor(const StoredRun &run)
+{
+  const auto stored          = run.values.find("K_ZW");
+  const std::string resolved = run.folder + "/resolved.toml";
+  if (stored == run.values.end() || !std::filesystem::exists(resolved))
+    return {};
+  try {
+    const Case of_run = read_case(resolved);
+    const auto *stand = std::get_if<FourHigh>(&of_run.spec);
+    if (!stand || stand->backup_roll.bending_model != "solid" || stand->given.count("K_ZW"))
+      return {};
+    return {
+        {"K_ZW", stored->second / beam_stiffness(*stand)}
+    };
+  } catch (const InputError &) {  // another version's, or its records are gone
+    return {};
+  }
+}
 }  // namespace
 
 Trace trace(const TraceOptions &options)
@@ -261,20 +281,21 @@ Trace trace(const TraceOptions &options, QuickMemory &memory)
 {
   const Case the_case = read_case(options.case_file, options.sets);
   Trace trace;
-  trace.base     = quick_chain(the_case, memory);
-  const auto run = stored_run(options, the_case);
-  trace.key      = find_key(the_case, options.sets, options.key, trace.base);
-  SpringFactors factors;
+  trace.base            = quick_chain(the_case, memory);
+  const auto run        = stored_run(options, the_case);
+  trace.key             = find_key(the_case, options.sets, options.key, trace.base);
+  SpringFactors factors = run ? bending_factor(*run) : SpringFactors{};
   if (options.from_run) {
     if (!run)
       throw InputError(fmt::format("--full takes the springs of the last run, and there is none in {}; run "
                                    "millstand run {} first, or leave --full out",
                                    options.folder.empty() ? "out/" + the_case.name : options.folder,
                                    options.case_file));
-    factors        = run_factors(*run, trace.base);
-    trace.base     = quick_chain(the_case, memory, factors);
+    factors.merge(run_factors(*run, trace.base));
     trace.from_run = true;
   }
+  if (!factors.empty())
+    trace.base = quick_chain(the_case, memory, factors);
   const Evaluation evaluation{options, memory, factors};
   std::vector<TraceLine> lines;
   for (const QuickResult &result : trace.base) {

@@ -2,6 +2,8 @@
 #include "core/case/visible_text.h"
 #include "core/records/files.h"
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <fmt/format.h>
 #include <map>
 #include <sstream>
@@ -203,6 +205,24 @@ InputError::InputError(Place place, std::string message)
 }
 
 InputError::InputError(std::string message) : InputError(Place{}, std::move(message)) {}
+
+bool is_refused_by_system(const int error)
+{
+  constexpr std::array of_the_name{ENOENT, ENOTDIR, EISDIR, EEXIST, ENAMETOOLONG, ELOOP, EINVAL, EXDEV};
+  return std::find(of_the_name.begin(), of_the_name.end(), error) == of_the_name.end();
+}
+
+void refuse_file(const int error, const Place &place, const std::string &message)
+{
+  if (is_refused_by_system(error))
+    throw SystemError(place, message);
+  throw InputError(place, message);
+}
+
+void refuse_file(const int error, const std::string &message)
+{
+  refuse_file(error, Place{}, message);
+}
 
 SolverError::SolverError(Report r) : std::runtime_error(r.what), report(std::move(r)) {}
 

@@ -32,6 +32,18 @@ public:
 /// What a function asks of its caller's numbers.
 /// @throws InputError  with `what`
 void require_input(bool holds, const char *what);
+/// Disk, permission or a limit of the system refuses what was rightly asked for: exit code 3.  Shown as an
+/// InputError, and caught as one where the work goes on without the file (an entry of the cache).
+class SystemError : public InputError {
+public:
+  using InputError::InputError;
+};
+
+/// Does an error number (errno) of a file operation mean a refusal of the system, and not a wrong name?
+bool is_refused_by_system(int error);
+/// @throws SystemError or InputError, by the error number of the file operation that failed
+[[noreturn]] void refuse_file(int error, const Place &place, const std::string &message);
+[[noreturn]] void refuse_file(int error, const std::string &message);
 
 /// A numerical failure: exit code 3.  What converged before is kept and named.
 class SolverError : public std::runtime_error {

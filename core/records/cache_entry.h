@@ -7,7 +7,7 @@ namespace mill {
 /// Keeps bytes under the hash of everything they depend on: a line that names kind and version, the key, a
 /// checksum, then the bytes.  Written aside and renamed, so that a killed run, a full disk or a second process
 /// leaves a whole entry or none.
-/// @throws InputError  cannot be written
+/// @throws SystemError  cannot be written
 void write_cache_entry(const std::string &path, const std::string &kind, const std::string &key,
                        const std::string &bytes);
 

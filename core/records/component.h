@@ -26,6 +26,8 @@ struct Component {
   Eigen::MatrixXd axis;    ///< (k, n) mean displacement of the section at each station
   double mass  = 0;        ///< kg, of the whole body
   double reach = 0;        ///< Hz, up to which the mesh can follow a wave (theory.md 21)
+  /// Elements per radius of the mesh it was made from, which may be more than asked for; 0: not a meshed roll.
+  int elements_per_radius = 0;
   Eigen::Index n_interface() const
   {
     return Eigen::Index(interface.size());

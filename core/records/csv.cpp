@@ -3,14 +3,19 @@
 #include "core/case/units.h"
 #include "core/records/files.h"
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <deque>
 #include <fmt/format.h>
+#include <memory>
 #include <string_view>
 
 namespace mill {
 namespace {
-// A cell with its place; the column counts characters.
+// A cell with its place; the column counts characters.  Its text stays where it is in the file: a record of 100 s
+// has millions of cells.
 struct Cell {
-  std::string text;
+  std::string_view text;
   int line, column;
 };
 
@@ -23,24 +28,35 @@ struct Header {
 // A text file taken apart: header and rows of cells, blank and comment lines left out.
 struct Sheet {
   std::string file;
+  std::unique_ptr<const std::string> text;  // what the cells look into; on the heap, so that a sheet can move
+  std::deque<std::string> unquoted;         // cells with doubled quotes, which stand so nowhere in the text
   std::vector<Header> header;
-  std::vector<std::vector<Cell>> rows;
+  std::vector<Cell> cells;  // row by row, as many in each as the header has
   char separator     = ',';
   bool decimal_comma = false;
   std::vector<std::string> notes;
+  std::size_t n_rows() const
+  {
+    return cells.size() / header.size();
+  }
+  const Cell &cell(const std::size_t row, const std::size_t column) const
+  {
+    return cells[row * header.size() + column];
+  }
   template <class CellOrHeader> Place place(const CellOrHeader &at) const
   {
     return {file, at.line, at.column};
   }
 };
 
-std::string without_blanks(const std::string_view text)
+std::string_view without_blanks(std::string_view text)
 {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos)
-    return "";
-  const auto last = text.find_last_not_of(" \t\r");
-  return std::string(text.substr(first, last - first + 1));
+  const auto is_blank = [](const char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!text.empty() && is_blank(text.front()))
+    text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back()))
+    text.remove_suffix(1);
+  return text;
 }
 
 // The first of these that stands outside quotes separates the columns.
@@ -57,22 +73,23 @@ char separator_of(const std::string_view line)
   return ',';
 }
 
-// One cell from the line, quoted as in RFC 4180 or as it stands; `at` moves behind it.
+// The cells of one line, quoted as in RFC 4180 or as they stand.
 class CellReader {
 public:
-  CellReader(const std::string &file, const std::string_view line, const char separator, const int number)
-      : file_(file), line_(line), separator_(separator), number_(number)
+  CellReader(Sheet &sheet, const std::string_view line, const int number)
+      : file_(sheet.file), unquoted_(sheet.unquoted), line_(line), separator_(sheet.separator), number_(number)
   {
   }
-  std::vector<Cell> cells()
+  // Appends them and tells how many.
+  std::size_t add_to(std::vector<Cell> &all)
   {
-    std::vector<Cell> all;
+    const std::size_t before = all.size();
     do {
       skip_blanks();
       const int column = column_;
       all.push_back({at_ < line_.size() && line_[at_] == '"' ? quoted_text() : plain_text(), number_, column});
     } while (step_over_separator());
-    return all;
+    return all.size() - before;
   }
 
 private:
@@ -92,7 +109,7 @@ private:
     step();
     return true;
   }
-  std::string plain_text()
+  std::string_view plain_text()
   {
     const std::size_t begin = at_;
     while (at_ < line_.size() && line_[at_] != separator_)
@@ -100,7 +117,7 @@ private:
     return without_blanks(line_.substr(begin, at_ - begin));
   }
   // Between quotes, a doubled one standing for itself.
-  std::string quoted_text()
+  std::string_view quoted_text()
   {
     const Place open{file_, number_, column_};
     std::string text;
@@ -122,10 +139,11 @@ private:
     if (at_ < line_.size() && line_[at_] != separator_)
       throw InputError({file_, number_, column_},
                        "something follows a closing quote; a quote inside quotes is doubled");
-    return without_blanks(text);
+    return without_blanks(unquoted_.emplace_back(std::move(text)));
   }
 
   const std::string &file_;
+  std::deque<std::string> &unquoted_;
   std::string_view line_;
   char separator_;
   int number_, column_ = 1;
@@ -136,19 +154,19 @@ private:
 Header header_of(const Cell &cell)
 {
   const auto open = cell.text.rfind('[');
-  if (open == std::string::npos || cell.text.back() != ']')
-    return {cell.text, "", false, cell.line, cell.column};
-  return {without_blanks(std::string_view(cell.text).substr(0, open)),
-          without_blanks(std::string_view(cell.text).substr(open + 1, cell.text.size() - open - 2)), true,
-          cell.line, cell.column};
+  if (open == std::string_view::npos || cell.text.back() != ']')
+    return {std::string(cell.text), "", false, cell.line, cell.column};
+  return {std::string(without_blanks(cell.text.substr(0, open))),
+          std::string(without_blanks(cell.text.substr(open + 1, cell.text.size() - open - 2))), true, cell.line,
+          cell.column};
 }
 
 Sheet sheet_of(const std::string &path)
 {
-  const std::string text = read_text(path);
-  std::string_view rest  = text;
   Sheet sheet;
-  sheet.file = path;
+  sheet.file            = path;
+  sheet.text            = std::make_unique<const std::string>(read_text(path));
+  std::string_view rest = *sheet.text;
   if (rest.substr(0, 3) == "\xEF\xBB\xBF") {
     rest.remove_prefix(3);
     sheet.notes.push_back("a byte-order mark at the beginning of the file was ignored");
@@ -169,12 +187,14 @@ Sheet sheet_of(const std::string &path)
       continue;
     if (sheet.header.empty()) {
       sheet.separator = separator_of(line);
-      for (const Cell &cell : CellReader(path, line, sheet.separator, number).cells())
+      std::vector<Cell> cells;
+      CellReader(sheet, line, number).add_to(cells);
+      for (const Cell &cell : cells)
         sheet.header.push_back(header_of(cell));
+      sheet.cells.reserve(cells.size() * std::size_t(1 + std::count(rest.begin(), rest.end(), '\n')));
       continue;
     }
-    sheet.rows.push_back(CellReader(path, line, sheet.separator, number).cells());
-    if (const auto n = sheet.rows.back().size(); n != sheet.header.size())
+    if (const auto n = CellReader(sheet, line, number).add_to(sheet.cells); n != sheet.header.size())
       throw InputError(Place{path, number, 1},
                        fmt::format("this line has {} cells, the header has {}; a decimal comma needs ';' or tab "
                                    "between the columns",
@@ -192,10 +212,13 @@ double number_of(const Cell &cell, const std::string &name, Sheet &sheet)
 {
   if (cell.text.empty())
     throw InputError(sheet.place(cell), fmt::format("the cell of column '{}' is empty; a number is needed", name));
-  std::string text = cell.text;
+  std::string_view text = cell.text;
+  std::string with_point;
   if (sheet.separator != ',')
-    if (const auto comma = text.find(','); comma != std::string::npos) {
-      text[comma]         = '.';
+    if (const auto comma = text.find(','); comma != std::string_view::npos) {
+      with_point          = text;
+      with_point[comma]   = '.';
+      text                = with_point;
       sheet.decimal_comma = true;
     }
   double number            = 0;
@@ -240,9 +263,9 @@ Eigen::VectorXd column_of(Sheet &sheet, const std::string &name, const std::stri
 {
   const std::size_t c = index_of(sheet, name, sample);
   const Unit &u       = unit_of(sheet, sheet.header[c], sample);
-  Eigen::VectorXd values(Eigen::Index(sheet.rows.size()));
-  for (std::size_t r = 0; r < sheet.rows.size(); ++r)
-    values[Eigen::Index(r)] = to_si(number_of(sheet.rows[r][c], name, sheet), u);
+  Eigen::VectorXd values(Eigen::Index(sheet.n_rows()));
+  for (std::size_t r = 0; r < sheet.n_rows(); ++r)
+    values[Eigen::Index(r)] = to_si(number_of(sheet.cell(r, c), name, sheet), u);
   return values;
 }
 
@@ -258,7 +281,7 @@ void require_increasing(const Sheet &sheet, const Eigen::VectorXd &time)
   const auto unit_txt = sheet.header[c].unit;
   for (Eigen::Index i = 1; i < time.size(); ++i)
     if (!(time[i] > time[i - 1])) {
-      const Cell &cell = sheet.rows[std::size_t(i)][c], &before = sheet.rows[std::size_t(i - 1)][c];
+      const Cell &cell = sheet.cell(std::size_t(i), c), &before = sheet.cell(std::size_t(i - 1), c);
       const auto message =
           time[i] == time[i - 1]
               ? fmt::format("time {} {} stands twice; keep one of the two lines", cell.text, unit_txt)
@@ -286,6 +309,17 @@ std::string header_text(std::string name, const std::string &unit)
   for (const char c : cell)
     quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + '"';
+}
+
+// As number_text, without a string of its own: a response of 100 s has tens of millions of numbers.
+void add_number(std::string &text, const double value)
+{
+  if (!std::isfinite(value)) {
+    text += number_text(value);
+    return;
+  }
+  char digits[64];
+  text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
 }
 
 std::vector<std::string> notes_of(const Sheet &sheet)
@@ -324,7 +358,7 @@ std::string csv_text(const Table &table)
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
       if (c)
         text += ',';
-      text += number_text(table.columns[c][r]);
+      add_number(text, table.columns[c][r]);
     }
     text += '\n';
   }
@@ -338,9 +372,9 @@ Table read_table(const std::string &path)
   for (std::size_t c = 0; c < sheet.header.size(); ++c) {
     table.names.push_back(sheet.header[c].name);
     table.units.push_back(sheet.header[c].unit);
-    Eigen::VectorXd values(Eigen::Index(sheet.rows.size()));
-    for (std::size_t r = 0; r < sheet.rows.size(); ++r) {
-      const Cell &cell        = sheet.rows[r][c];
+    Eigen::VectorXd values(Eigen::Index(sheet.n_rows()));
+    for (std::size_t r = 0; r < sheet.n_rows(); ++r) {
+      const Cell &cell        = sheet.cell(r, c);
       values[Eigen::Index(r)] = cell.text == "nan" ? std::numeric_limits<double>::quiet_NaN()
                                                    : number_of(cell, sheet.header[c].name, sheet);
     }

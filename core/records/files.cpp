@@ -7,10 +7,13 @@
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <fmt/format.h>
 #include <random>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -19,9 +22,16 @@ namespace {
   throw InputError(Place{path}, fmt::format("cannot be {}: {}", what, reason));
 }
 
-[[noreturn]] void cannot(const char *what, const std::string &path, const int error)
+[[noreturn]] void cannot_read(const std::string &path, const int error)
 {
-  cannot(what, path, std::strerror(error));
+  if (error == EACCES || error == EPERM)  // of an input: the user named a file that is not theirs
+    cannot("read", path, std::strerror(error));
+  refuse_file(error, Place{path}, fmt::format("cannot be read: {}", std::strerror(error)));
+}
+
+[[noreturn]] void cannot_write(const std::string &path, const int error)
+{
+  refuse_file(error, Place{path}, fmt::format("cannot be written: {}", std::strerror(error)));
 }
 
 // A call that a signal interrupted is made again.
@@ -44,6 +54,8 @@ public:
     if (number >= 0)
       ::close(number);
   }
+  explicit Descriptor(const int opened) : number(opened) {}
+  Descriptor(Descriptor &&other) : number(std::exchange(other.number, -1)) {}
   Descriptor(const Descriptor &)            = delete;
   Descriptor &operator=(const Descriptor &) = delete;
   // Closed now; 0 or the error number.  What an interrupted close has closed stays closed.
@@ -65,6 +77,27 @@ std::string other_kind(const mode_t mode)
     return "it is a folder";
   const char *kind = S_ISFIFO(mode) ? "a named pipe" : S_ISSOCK(mode) ? "a socket" : "a device";
   return fmt::format("it is {}; name a regular file", kind);
+}
+
+// The file that is written aside, new and locked as long as it is open: remove_stale_parts() tells a living writer
+// by the lock.  One that it took for dead between open and lock is gone, and made again.
+Descriptor opened_aside(const std::string &temporary)
+{
+  while (true) {
+    Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
+    struct stat found {};
+    if (file.number < 0 || !lock_file(file.number, LOCK_EX) || ::fstat(file.number, &found) != 0 ||
+        found.st_nlink > 0)
+      return file;
+  }
+}
+
+// "name.<16 hex digits>.part"
+bool is_part_name(const std::string &name)
+{
+  const std::size_t tail = std::strlen(".0123456789abcdef.part");
+  return name.size() > tail && name[name.size() - tail] == '.' && name.substr(name.size() - 5) == ".part" &&
+         name.substr(name.size() - tail + 1, 16).find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
 // Everything, or the error number.
@@ -89,9 +122,10 @@ void write_atomically(const std::string &path, const std::string &text)
       cannot("written", path, kind);
   // A rename is atomic only inside one file system, hence a name in the same folder.
   const std::string temporary = name_aside(path);
-  Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
+  Descriptor file             = opened_aside(temporary);
   if (file.number < 0)
-    cannot("written", path, errno);
+    cannot_write(path, errno);
+  const Descriptor lock(::fcntl(file.number, F_DUPFD_CLOEXEC, 0));  // ours until the file has its name
   int error        = write_all(file.number, text);
   const int closed = file.close();
   if (error == 0)
@@ -100,7 +134,7 @@ void write_atomically(const std::string &path, const std::string &text)
     error = errno;
   if (error != 0) {
     ::unlink(temporary.c_str());
-    cannot("written", path, error);
+    cannot_write(path, error);
   }
 }
 
@@ -109,7 +143,7 @@ std::string read_text(const std::string &path)
   const Descriptor file(path, O_RDONLY | O_NONBLOCK);  // a pipe without a writer would be waited for
   struct stat found {};
   if (file.number < 0 || ::fstat(file.number, &found) != 0)
-    cannot("read", path, errno);
+    cannot_read(path, errno);
   if (const std::string kind = other_kind(found.st_mode); !kind.empty())
     cannot("read", path, kind);
   std::string text, block(1 << 16, '\0');
@@ -117,7 +151,7 @@ std::string read_text(const std::string &path)
   while (true) {
     const ssize_t n = uninterrupted([&] { return ::read(file.number, block.data(), block.size()); });
     if (n < 0)
-      cannot("read", path, errno);
+      cannot_read(path, errno);
     if (n == 0)
       return text;
     text.append(block, 0, std::size_t(n));
@@ -144,13 +178,33 @@ std::string name_aside(const std::string &path, const std::string &ending)
   return path + "." + random_name() + ending;
 }
 
+void remove_stale_parts(const std::string &folder)
+{
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (!is_part_name(entry->path().filename().string()))
+      continue;
+    const Descriptor part(entry->path().string(), O_RDWR | O_NOFOLLOW | O_NONBLOCK);
+    struct stat found {};
+    if (part.number >= 0 && ::fstat(part.number, &found) == 0 && S_ISREG(found.st_mode) &&
+        lock_file(part.number, LOCK_EX | LOCK_NB))
+      ::unlink(entry->path().c_str());
+  }
+}
+
+bool lock_file(const int file, const int how)
+{
+  return uninterrupted([&] { return ::flock(file, how); }) == 0;
+}
+
 void sync_to_disk(const std::string &path)
 {
   const Descriptor file(path, O_RDONLY | O_NONBLOCK | O_NOFOLLOW);
   if (file.number < 0)
-    cannot("written", path, errno);
+    cannot_write(path, errno);
   if (uninterrupted([&] { return ::fsync(file.number); }) != 0 && errno != EINVAL && errno != EROFS)
-    cannot("written", path, errno);
+    cannot_write(path, errno);
 }
 
 std::string hash_of(const std::string &bytes)

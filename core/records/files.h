@@ -5,12 +5,12 @@
 namespace mill {
 /// Writes beside the target under a name that nobody else has, and renames, so that an interrupted run leaves the
 /// old file or the new one, never half.  A target that is a link is replaced, not followed.
-/// @throws InputError when it cannot be written, with the path and the system's reason; a pipe or a device is
-/// refused
+/// @throws SystemError when the system refuses it (disk, permission), InputError when the name is wrong, with the
+/// path and the reason; a pipe or a device is refused
 void write_atomically(const std::string &path, const std::string &text);
 
 /// Whole file as text.  A pipe, a device or a socket is refused: reading it may never end.
-/// @throws InputError  not there, no regular file, or not readable to its end
+/// @throws InputError  not there, no regular file, or not permitted; SystemError  the disk refuses it
 std::string read_text(const std::string &path);
 
 /// As read_text, but nothing where that would throw.
@@ -24,8 +24,15 @@ std::string random_name();
 /// Whoever creates it uses O_EXCL or a library that writes new files.
 std::string name_aside(const std::string &path, const std::string &ending = ".part");
 
+/// Removes from a folder what write_atomically() of killed processes left there: "path.<random>.part" whose
+/// writer's lock is free.  What cannot be told from a living one, or not removed, stays.
+void remove_stale_parts(const std::string &folder);
+
+/// flock(2), made again when interrupted: false where another holds the lock or the file system knows none.
+bool lock_file(int file, int how);
+
 /// Puts a file or folder on the disk (fsync); a file system that cannot do so for folders is no error.
-/// @throws InputError with the path and the system's reason
+/// @throws SystemError with the path and the system's reason
 void sync_to_disk(const std::string &path);
 
 /// 64-bit FNV-1a as 16 hex digits: names caches and notices changes, not for security.

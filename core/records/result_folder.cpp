@@ -24,10 +24,7 @@ const char *const lock_name      = ".lock";        // in a staging folder: its o
 
 bool lock(const int file, const int how)
 {
-  while (file >= 0 && ::flock(file, how) != 0)
-    if (errno != EINTR)
-      return false;
-  return file >= 0;
+  return file >= 0 && lock_file(file, how);
 }
 
 // Is there such an entry?  Not knowing is not a no.
@@ -38,7 +35,7 @@ bool stands(const std::string &path)
     return true;
   if (errno == ENOENT || errno == ENOTDIR)
     return false;
-  throw InputError(Place{path}, std::string("cannot be looked at: ") + std::strerror(errno));
+  refuse_file(errno, Place{path}, std::string("cannot be looked at: ") + std::strerror(errno));
 }
 
 std::string said_with_remedy(const std::string &directory, const std::string &why)
@@ -66,8 +63,8 @@ struct Journal {
   void move(const std::string &from, const std::string &to) const
   {
     if (moved(rename, from, to) != 0)
-      throw InputError(Place{to},
-                       said_with_remedy(directory, std::string("cannot be written: ") + std::strerror(errno)));
+      refuse_file(errno, Place{to},
+                  said_with_remedy(directory, std::string("cannot be written: ") + std::strerror(errno)));
   }
 
   std::set<std::string> names() const
@@ -88,8 +85,8 @@ struct Journal {
   {
     const std::string earlier = path + "/.earlier-" + random_name();
     if (::mkdir(earlier.c_str(), 0777) != 0)
-      throw InputError(Place{earlier},
-                       said_with_remedy(directory, std::string("cannot be made: ") + std::strerror(errno)));
+      refuse_file(errno, Place{earlier},
+                  said_with_remedy(directory, std::string("cannot be made: ") + std::strerror(errno)));
     for (const std::string &name : result_names()) {
       const bool placed = names.count(name) && !stands(path + "/" + name);
       if (!placed && stands(directory + "/" + name))
@@ -184,8 +181,9 @@ void require_replaceable(const std::string &directory)
     const std::string path = directory + "/" + name;
     std::error_code ignored;
     if (fs::is_directory(fs::symlink_status(path, ignored)) && ::access(path.c_str(), W_OK) != 0)
-      throw InputError(Place{path}, std::string("cannot be replaced: ") + std::strerror(errno) +
-                                        "; the earlier results are as they were, choose another folder with -o");
+      refuse_file(errno, Place{path},
+                  std::string("cannot be replaced: ") + std::strerror(errno) +
+                      "; the earlier results are as they were, choose another folder with -o");
   }
 }
 
@@ -201,9 +199,9 @@ void publish_results(const std::string &staged, const std::string &directory, co
   sync_all(staged, names);
   const std::string journal = directory + "/" + journal_name;
   if (moved(rename, staged, journal) != 0)
-    throw InputError(Place{directory},
-                     std::string("cannot be written: ") + std::strerror(errno) +
-                         "; the earlier results are as they were, choose another folder with -o");
+    refuse_file(errno, Place{directory},
+                std::string("cannot be written: ") + std::strerror(errno) +
+                    "; the earlier results are as they were, choose another folder with -o");
   sync_to_disk(directory);
   finish_publishing(directory, rename);
 }
@@ -224,8 +222,8 @@ Staging::Staging(const std::string &directory) : folder(directory + "/" + stagin
   if (lock < 0) {
     const int error = errno;
     ::rmdir(folder.c_str());
-    throw InputError("the folder " + directory + " cannot be made: " + std::strerror(error) +
-                     "; choose another with -o");
+    refuse_file(error, "the folder " + directory + " cannot be made: " + std::strerror(error) +
+                           "; choose another with -o");
   }
   mill::lock(lock, LOCK_EX | LOCK_NB);  // where there are no locks, nothing is ever removed either
 }
@@ -249,6 +247,7 @@ bool is_staging(const std::string &name)
 
 void remove_leftovers(const std::string &directory)
 {
+  remove_stale_parts(directory);
   std::error_code error;
   for (const auto &entry : fs::directory_iterator(directory, error)) {
     if (!is_staging(entry.path().filename().string()))

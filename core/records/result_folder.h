@@ -30,18 +30,18 @@ private:
 /// std::rename, or what stands in for it in a test: 0, or -1 and errno.
 using Rename = std::function<int(const char *from, const char *to)>;
 
-/// @throws InputError  folders of the earlier run could not leave, being another user's
+/// @throws SystemError  folders of the earlier run could not leave, being another user's
 void require_replaceable(const std::string &directory);
 
 /// Puts what `staged`, a folder inside `directory`, holds under result_names() in the place of the earlier run,
 /// and removes `staged`.  The folder's lock is held by the caller.
-/// @throws InputError  with path and reason; until the switch the earlier results are as they were, from then on
+/// @throws SystemError  with path and reason; until the switch the earlier results are as they were, from then on
 /// the
 ///                     new ones are complete in DIR/.publishing and finish_publishing() puts them in their places
 void publish_results(const std::string &staged, const std::string &directory, const Rename &rename = {});
 
 /// Carries out the journal that an interrupted run left in a folder; nothing where there is none.  The folder's
-/// lock is held by the caller.  @throws InputError  with path and reason; may be called again
+/// lock is held by the caller.  @throws SystemError  with path and reason; may be called again
 void finish_publishing(const std::string &directory, const Rename &rename = {});
 
 /// @throws InputError  the folder holds a journal: what is read there may be of the earlier run or missing
@@ -66,7 +66,7 @@ private:
 /// Is this the name of a staging folder?
 bool is_staging(const std::string &name);
 
-/// Removes the staging folders of runs that are no longer alive; one that cannot be told from a living one stays.
-/// The folder's lock is held by the caller.
+/// Removes the staging folders of runs that are no longer alive and what they wrote aside; one that cannot be told
+/// from a living one stays. The folder's lock is held by the caller.
 void remove_leftovers(const std::string &directory);
 }  // namespace mill

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <complex>
 #include <optional>
+#include <unordered_map>
 
 namespace mill::dynamics {
 namespace {
@@ -22,7 +23,11 @@ public:
   {
   }
 
-  void set_step(const double h)
+  struct Over {  // one length of step
+    Eigen::MatrixXd E11;
+    Eigen::VectorXd E12, E13;
+  };
+  Over over(const double h) const
   {
     const Eigen::Index s    = system_.A.rows();
     Eigen::MatrixXd G       = Eigen::MatrixXd::Zero(s + 2, s + 2);
@@ -30,15 +35,13 @@ public:
     G.col(s).head(s)        = h * system_.B;
     G(s, s + 1)             = 1;
     const Eigen::MatrixXd E = matrix_exponential(G);
-    E11_                    = E.topLeftCorner(s, s);
-    E12_                    = E.col(s).head(s);
-    E13_                    = E.col(s + 1).head(s);
+    return {E.topLeftCorner(s, s), E.col(s).head(s), E.col(s + 1).head(s)};
   }
 
-  void advance(const double F0, const double F1)
+  void advance(const Over &step, const double F0, const double F1)
   {
-    next_.noalias() = E11_ * x_;
-    x_              = next_ + E12_ * F0 + E13_ * (F1 - F0);
+    next_.noalias() = step.E11 * x_;
+    x_              = next_ + step.E12 * F0 + step.E13 * (F1 - F0);
   }
 
   template <class Column> void output(const double F, Column &&column) const
@@ -50,8 +53,6 @@ public:
 private:
   const StateSpace &system_;
   Eigen::VectorXd x_, next_;
-  Eigen::MatrixXd E11_;
-  Eigen::VectorXd E12_, E13_;
 };
 
 // p1 = (e^z - 1)/z and p2 = (p1 - 1)/z.  The quotients lose eps/|z| and eps/|z|^2 to cancellation, so for small
@@ -122,29 +123,33 @@ public:
     C_ << d_.C_re, -d_.C_im;
     const Eigen::VectorXcd z = -first_force * d_.beta.cwiseQuotient(d_.lambda);
     z_ << z.real(), z.imag();
-    const Eigen::Index n = d_.lambda.size();
-    for (Eigen::ArrayXd *part : {&er_, &ei_, &ar_, &ai_, &br_, &bi_})
-      part->resize(n);
   }
 
-  void set_step(const double h)
+  struct Over {  // one length of step: e, beta h (p1 - p2), beta h p2
+    Eigen::ArrayXd er, ei, ar, ai, br, bi;
+  };
+  Over over(const double h) const
   {
+    Over step;
+    for (Eigen::ArrayXd *part : {&step.er, &step.ei, &step.ar, &step.ai, &step.br, &step.bi})
+      part->resize(d_.lambda.size());
     for (Eigen::Index k = 0; k < d_.lambda.size(); ++k) {
       const Phi f     = phi(d_.lambda[k] * h);
       const Complex a = d_.beta[k] * h * (f.p1 - f.p2), b = d_.beta[k] * h * f.p2;
-      er_[k] = f.e.real(), ei_[k] = f.e.imag();
-      ar_[k] = a.real(), ai_[k] = a.imag();
-      br_[k] = b.real(), bi_[k] = b.imag();
+      step.er[k] = f.e.real(), step.ei[k] = f.e.imag();
+      step.ar[k] = a.real(), step.ai[k] = a.imag();
+      step.br[k] = b.real(), step.bi[k] = b.imag();
     }
+    return step;
   }
 
-  void advance(const double F0, const double F1)
+  void advance(const Over &step, const double F0, const double F1)
   {
-    const Eigen::Index n = er_.size();
+    const Eigen::Index n = step.er.size();
     for (Eigen::Index k = 0; k < n; ++k) {
       const double re = z_[k], im = z_[n + k];
-      z_[k]     = er_[k] * re - ei_[k] * im + ar_[k] * F0 + br_[k] * F1;
-      z_[n + k] = er_[k] * im + ei_[k] * re + ai_[k] * F0 + bi_[k] * F1;
+      z_[k]     = step.er[k] * re - step.ei[k] * im + step.ar[k] * F0 + step.br[k] * F1;
+      z_[n + k] = step.er[k] * im + step.ei[k] * re + step.ai[k] * F0 + step.bi[k] * F1;
     }
   }
 
@@ -159,22 +164,49 @@ private:
   const Eigen::VectorXd &D_;
   Eigen::MatrixXd C_;
   Eigen::VectorXd z_;  // real parts, then imaginary parts
-  Eigen::ArrayXd er_, ei_, ar_, ai_, br_, bi_;
+};
+
+// Steps of the lengths met so far: a record with gaps has few (and few neighbours of each, by rounding of its
+// times), a jittery one as many as samples.
+template <class Form> class PreparedSteps {
+public:
+  explicit PreparedSteps(const Form &form) : form_(form) {}
+  const typename Form::Over &operator()(const double length)
+  {
+    if (length == last_length_)
+      return *last_;
+    constexpr std::size_t most = 4096;
+    auto found                 = steps_.find(length);
+    if (found == steps_.end()) {
+      ++n_prepared;
+      if (steps_.size() == most)
+        steps_.clear();
+      found = steps_.emplace(length, form_.over(length)).first;
+    }
+    last_length_ = length;
+    return *(last_ = &found->second);
+  }
+  Eigen::Index n_prepared = 0;
+
+private:
+  const Form &form_;
+  std::unordered_map<double, typename Form::Over> steps_;
+  double last_length_              = 0;
+  const typename Form::Over *last_ = nullptr;
 };
 
 template <class Form> void march(Form form, const ForceRecord &force, const OutputGrid &grid, HoldResult &result)
 {
-  double step = 0;
+  PreparedSteps<Form> over(form);
   form.output(result.force[0], result.output.col(0));
   walk(force, grid, [&](const Step &now) {
-    if (now.length != step)
-      form.set_step(step = now.length);
-    form.advance(now.F0, now.F1);
+    form.advance(over(now.length), now.F0, now.F1);
     if (now.output > 0) {
       result.force[now.output] = now.F1;
       form.output(now.F1, result.output.col(now.output));
     }
   });
+  result.n_prepared = over.n_prepared;
 }
 }  // namespace
 

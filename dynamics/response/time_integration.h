@@ -13,11 +13,12 @@ enum class HoldForm {
 
 /// Outputs of a system on a uniform grid of n times.
 struct HoldResult {
-  Eigen::VectorXd time;    ///< (n) s, from the first sample of the force on
-  Eigen::VectorXd force;   ///< (n) N, the force on the straight lines at these times
-  Eigen::MatrixXd output;  ///< (m, n) one column per time
-  HoldForm form;           ///< the form that was used
-  std::string note;        ///< why it is not the wanted one; empty when it is
+  Eigen::VectorXd time;         ///< (n) s, from the first sample of the force on
+  Eigen::VectorXd force;        ///< (n) N, the force on the straight lines at these times
+  Eigen::MatrixXd output;       ///< (m, n) one column per time
+  HoldForm form;                ///< the form that was used
+  std::string note;             ///< why it is not the wanted one; empty when it is
+  Eigen::Index n_prepared = 0;  ///< how often a length of step was prepared
 };
 
 /// Response of a linear system to a force that runs in straight lines between its samples (first-order hold),
@@ -32,8 +33,8 @@ struct HoldResult {
 ///                     the modal form would lose more than 1e-9 (repeated poles of a critically damped mode)
 /// @throws SolverError  no equilibrium under the first sample: A is singular
 /// Cost: with samples and outputs on a common grid one step length serves for all;
-/// modal O(s m) per output.  Otherwise each step has its own length: s/2 complex exponentials (modal) or a matrix
-/// exponential of size s + 2 per step.
+/// modal O(s m) per output.  Otherwise s/2 complex exponentials (modal) or a matrix exponential of size s + 2 per
+/// length of step: a few where samples are only missing, as many as steps where each has a time of its own.
 /// theory.md (7.2) to (7.6)
 HoldResult first_order_hold(const StateSpace &system, const ForceRecord &force, double output_rate,
                             HoldForm wanted = HoldForm::modal);

@@ -4,7 +4,7 @@
 
 namespace mill::fem {
 namespace {
-constexpr char kind[] = "millstand component 1";
+constexpr char kind[] = "millstand component 2";
 
 // The same list of members is run through in both directions.
 template <class Archive> void members(Archive &a, Component &c)
@@ -13,6 +13,7 @@ template <class Archive> void members(Archive &a, Component &c)
   a.text(c.source);
   a.texts(c.interface);
   a.count(c.n_barrel);
+  a.count(c.elements_per_radius);
   for (double *value : {&c.half_barrel, &c.mass, &c.reach})
     a.number(*value);
   for (Eigen::MatrixXd *m : {&c.M, &c.K, &c.residual, &c.axis})

@@ -8,7 +8,7 @@
 
 namespace mill::fem {
 /// Keeps a condensed body in the cache under the hash of everything it depends on (core/records/cache_entry.h).
-/// @throws InputError  cannot be written
+/// @throws SystemError  cannot be written
 void save_roll(const std::string &path, const std::string &key, const CondensedRoll &roll);
 void save_roll(const std::string &path, const std::string &key, const FourierRoll &roll);
 void save_roller(const std::string &path, const std::string &key, const CondensedRoller &roller);

@@ -57,7 +57,8 @@ void write_mesh(const std::string &path)
   if (missing.empty() && !error)
     return;
   std::filesystem::remove(aside, error);
-  throw InputError(Place{path}, "the mesh cannot be written" + (missing.empty() ? std::string() : ": " + missing) +
-                                    "; is the disk full, or the folder not writable?");
+  throw SystemError(Place{path}, "the mesh cannot be written" +
+                                     (missing.empty() ? std::string() : ": " + missing) +
+                                     "; is the disk full, or the folder not writable?");
 }
 }  // namespace mill::meshes

@@ -4,7 +4,7 @@
 namespace mill::meshes {
 /// Writes the current model's mesh (Gmsh 4.1, text) beside `path`, makes sure that all of it is there, and
 /// renames. Gmsh itself does not look whether what it writes arrives.
-/// @throws InputError  a full disk or a folder that cannot be written; nothing is left behind
+/// @throws SystemError  a full disk or a folder that cannot be written; nothing is left behind
 void write_mesh(const std::string &path);
 
 /// What a mesh on disk lacks, or "": nodes and elements are counted against what the file announces, and the last

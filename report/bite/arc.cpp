@@ -118,7 +118,7 @@ double bite_value(const Run &run, const BitePass &pass, const std::string &quant
 
 const Table *bite_table(const Run &run, const BitePass &pass, const std::string &what)
 {
-  return run.table("curves/bite-" + pass.slug + "-" + what);
+  return run.table("curves/bite-" + pass.slug + "." + what);
 }
 
 double neutral_point(const Table &arc)

@@ -10,7 +10,7 @@ namespace mill::report {
 /// One pass whose bite the run has solved.
 struct BitePass {
   std::string name;                 ///< "pass 1"
-  std::string slug;                 ///< "pass-1": curves/bite-<slug>-<model>.csv
+  std::string slug;                 ///< "pass-1": curves/bite-<slug>.<model>.csv
   std::vector<std::string> models;  ///< keys of results and files, finite elements first, then the slab theories
 };
 /// Passes with results bite.<pass>.force, in the order of the run.
@@ -23,7 +23,7 @@ std::string bite_model_name(const std::string &key);
 double bite_value(const Run &run, const BitePass &pass, const std::string &quantity,
                   const std::string &model = "");
 
-/// curves/bite-<slug>-<what>.csv; nullptr when not stored.
+/// curves/bite-<slug>.<what>.csv; nullptr when not stored.
 const Table *bite_table(const Run &run, const BitePass &pass, const std::string &what);
 
 /// Distance of the point where the slip changes sign from the line of centres; NaN when it does not or more than

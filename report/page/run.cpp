@@ -171,6 +171,8 @@ Checksums checksums_of(const Json &manifest)
 // Returns the checksums of the other files; none where the file states none.
 Checksums read_manifest(const std::string &path, Run &run)
 {
+  if (std::filesystem::is_regular_file(path))
+    read_text(path);  // what the system refuses is no missing file: no page without its run
   try {
     const Json json = parsed(path);
     run.manifest    = manifest_of(json);

@@ -67,7 +67,7 @@ Deck::Deck(const Mesh &mesh, const Material &material) : n_nodes_(Eigen::Index(m
   fs::create_directory(folder_);
   file_ = std::fopen((folder_ + "/deck.inp").c_str(), "w");
   if (!file_)
-    throw InputError("the deck of the peer cannot be written: " + folder_);
+    throw SystemError("the deck of the peer cannot be written: " + folder_);
   line("*NODE, NSET=NALL");
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
     line(fmt::format("{},{:.12e},{:.12e},{:.12e}", i + 1, mesh.nodes[i][0], mesh.nodes[i][1], mesh.nodes[i][2]));

@@ -1,6 +1,7 @@
 #include "app/trace/trace_text.h"
 #include "core/records/files.h"
 #include "core/records/lumped_model.h"
+#include "core/case/units.h"
 #include "reduce/chain/equivalent_mass.h"
 #include "tests/support/near.h"
 #include "tests/support/refusal.h"
@@ -257,6 +258,42 @@ TEST(Trace, UnknownKeysNameTheNearest)
               traced({demo, "steel.density", {"steel.density=-1 kg/m3"}, nowhere});
             }),
             "steel.density = \"-1 kg/m3\" is outside 500 kg/m3 .. 25000 kg/m3");
+}
+
+// bending_model = "solid": the ratio of solid roll to beam is the last run's, on the beam of the case.
+TEST(Trace, ASolidRollBendsAsTheLastRunFound)
+{
+  const std::string folder = testing::TempDir() + "trace-solid";
+  std::filesystem::create_directories(folder);
+  const auto store = [&](const std::vector<std::string> &sets) {
+    write_atomically(folder + "/resolved.toml", read_case(demo, sets).resolved);
+  };
+  store({});
+  const auto bending = [&](const std::vector<std::string> &sets, const std::string &where) {
+    return traced({demo, "backup_roll.neck_diameter", sets, where});
+  };
+  const auto value  = [](const Trace &t) { return line(t, "K_ZW").result.parameter.value; };
+  const double beam = value(bending({}, nowhere)), other_beam = value(bending({"strip.width=900 mm"}, nowhere)),
+               thick  = value(bending({"backup_roll.neck_diameter=900 mm"}, nowhere));
+  const double stored = 0.9 * beam;
+  write_atomically(folder + "/results.json",
+                   R"({"values": {"K_ZW": {"value": )" + number_text(stored) + R"(}, "M2": {"value": 1}}})");
+  EXPECT_TRUE(near(value(bending({}, folder)), stored, within(1e-12, "the solid roll of the run")));
+  EXPECT_NE(
+      trace_text(bending({}, folder))
+          .find(", times 0.9, the solid roll of the last run over its beam, for the roll by finite elements"),
+      std::string::npos)
+      << trace_text(bending({}, folder));
+  EXPECT_NE(trace_text(bending({}, nowhere)).find("K_ZW: stepped Timoshenko beam, "), std::string::npos);
+  EXPECT_EQ(trace_text(bending({}, nowhere)).find("times"), std::string::npos);
+  EXPECT_TRUE(near(value(bending({"backup_roll.neck_diameter=900 mm"}, folder)), 0.9 * thick,
+                   within(1e-12, "the run's ratio on the beam of the case")));
+  EXPECT_TRUE(near(value(bending({"strip.width=900 mm"}, folder)), 0.9 * other_beam, within(1e-12, "the same")));
+  EXPECT_TRUE(
+      near(value(bending({"backup_roll.bending_model=beam"}, folder)), beam, within(1e-12, "asked for a beam")));
+  store({"backup_roll.bending_model=beam"});
+  EXPECT_TRUE(near(value(bending({}, folder)), beam, within(1e-12, "a run of beams knows no solid roll")));
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Trace, TheLastRunStandsBesideAndCanGiveTheSprings)

@@ -2,10 +2,15 @@
 #include "core/case/errors.h"
 #include "core/records/files.h"
 #include "tests/support/obstacles.h"
+#include <atomic>
+#include <fcntl.h>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <random>
+#include <sys/file.h>
+#include <thread>
 #include <unistd.h>
+#include <vector>
 
 using namespace mill;
 
@@ -39,6 +44,46 @@ TEST_F(CacheEntry, GivesBackEveryByte)
   EXPECT_EQ(read_cache_entry(path, kind, key), bytes);
   write_cache_entry(path, kind, key, "");
   EXPECT_EQ(read_cache_entry(path, kind, key), "");
+}
+
+// A killed process leaves what it was writing; nobody else may touch what a living one is writing.
+TEST_F(CacheEntry, WhatKilledWritersLeftIsRemoved)
+{
+  namespace fs            = std::filesystem;
+  const std::string stale = path + ".0123456789abcdef.part", living = path + ".fedcba9876543210.part";
+  const std::vector<std::string> others{folder + "/mine.part", folder + "/x.0123456789abcdeg.part", path,
+                                        folder + "/.0123456789abcdef.part.bak"};
+  std::ofstream(stale) << "half";
+  std::ofstream(living) << "half";
+  for (const std::string &other : others)
+    std::ofstream(other) << "mine";
+  fs::create_directory(folder + "/folder.0123456789abcdef.part");
+  const int writer = ::open(living.c_str(), O_WRONLY);
+  ASSERT_EQ(::flock(writer, LOCK_EX), 0);
+  remove_stale_parts(folder);
+  EXPECT_FALSE(fs::exists(stale));
+  EXPECT_TRUE(fs::exists(living));
+  for (const std::string &other : others)
+    EXPECT_TRUE(fs::exists(other)) << other;
+  EXPECT_TRUE(fs::exists(folder + "/folder.0123456789abcdef.part"));
+  ::close(writer);
+  remove_stale_parts(folder);
+  EXPECT_FALSE(fs::exists(living));
+}
+
+// Writers and cleaners side by side: every write ends with its file.
+TEST_F(CacheEntry, ACleanerTakesNothingFromAWriter)
+{
+  std::atomic<bool> done{false};
+  std::thread cleaner([&] {
+    while (!done)
+      remove_stale_parts(folder);
+  });
+  for (int i = 0; i < 300; ++i)
+    EXPECT_NO_THROW(write_cache_entry(path, kind, key, bytes)) << i;
+  done = true;
+  cleaner.join();
+  EXPECT_EQ(read_cache_entry(path, kind, key), bytes);
 }
 
 TEST_F(CacheEntry, SaysWhyAnEntryIsNotUsed)

@@ -1,6 +1,7 @@
 // Whole files: written at once or not at all, read back byte by byte.
 #include "core/case/errors.h"
 #include "core/records/files.h"
+#include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -79,6 +80,23 @@ TEST_F(Files, AMissingFolderIsNamedWithTheReason)
   EXPECT_EQ(message(path), path + ": error: cannot be written: No such file or directory");
 }
 
+// The name asked for is wrong: the user's mistake.  Disk, permission and limits are the system's refusal.
+TEST(FileErrors, AreTheUsersOrTheSystems)
+{
+  for (const int error : {ENOENT, ENOTDIR, EISDIR, ENAMETOOLONG, ELOOP, EEXIST})
+    EXPECT_FALSE(is_refused_by_system(error)) << error;
+  for (const int error : {ENOSPC, EDQUOT, EIO, EROFS, EACCES, EPERM, EMFILE, ENFILE, ENOMEM, EFBIG, EBUSY})
+    EXPECT_TRUE(is_refused_by_system(error)) << error;
+  EXPECT_THROW(refuse_file(ENOSPC, "disk"), SystemError);
+  try {
+    refuse_file(ENOENT, "name");
+  } catch (const SystemError &) {
+    ADD_FAILURE() << "a wrong name is the user's mistake";
+  } catch (const InputError &error) {
+    EXPECT_EQ(std::string(error.what()), "error: name");
+  }
+}
+
 TEST_F(Files, AReadOnlyFolderIsNamedWithTheReason)
 {
   fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_exec);
@@ -88,6 +106,7 @@ TEST_F(Files, AReadOnlyFolderIsNamedWithTheReason)
     ASSERT_EQ(::seteuid(65534), 0);
   }
   const std::string said = message(path);
+  EXPECT_THROW(write_atomically(path, "x"), SystemError) << "a permission is no input error";
   if (superuser) {
     ASSERT_EQ(::seteuid(0), 0);
   }

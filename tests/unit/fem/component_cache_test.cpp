@@ -11,19 +11,20 @@ namespace {
 Component some_component()
 {
   Component c;
-  c.name            = "work roll";
-  c.source          = "finite elements, 12 unknowns";
-  c.interface       = {"barrel P0", "seat"};
-  c.n_barrel        = 1;
-  c.half_barrel     = 0.7;
-  c.M               = Eigen::MatrixXd::Random(5, 5);
-  c.K               = Eigen::MatrixXd::Random(5, 5);
-  c.fixed_frequency = Eigen::VectorXd::LinSpaced(3, 1, 3);
-  c.residual        = Eigen::MatrixXd::Random(2, 2);
-  c.axis_z          = Eigen::VectorXd::LinSpaced(4, 0, 3);
-  c.axis            = Eigen::MatrixXd::Random(4, 5);
-  c.mass            = 1889.25;
-  c.reach           = 6127;
+  c.name                = "work roll";
+  c.source              = "finite elements, 12 unknowns";
+  c.interface           = {"barrel P0", "seat"};
+  c.n_barrel            = 1;
+  c.half_barrel         = 0.7;
+  c.elements_per_radius = 5;
+  c.M                   = Eigen::MatrixXd::Random(5, 5);
+  c.K                   = Eigen::MatrixXd::Random(5, 5);
+  c.fixed_frequency     = Eigen::VectorXd::LinSpaced(3, 1, 3);
+  c.residual            = Eigen::MatrixXd::Random(2, 2);
+  c.axis_z              = Eigen::VectorXd::LinSpaced(4, 0, 3);
+  c.axis                = Eigen::MatrixXd::Random(4, 5);
+  c.mass                = 1889.25;
+  c.reach               = 6127;
   return c;
 }
 
@@ -53,6 +54,7 @@ TEST_F(ComponentCache, GivesBackEveryBit)
   EXPECT_EQ(back->interface, c.interface);
   EXPECT_EQ(back->n_barrel, c.n_barrel);
   EXPECT_EQ(back->half_barrel, c.half_barrel);
+  EXPECT_EQ(back->elements_per_radius, c.elements_per_radius);
   EXPECT_EQ(back->M, c.M);
   EXPECT_EQ(back->K, c.K);
   EXPECT_EQ(back->fixed_frequency, c.fixed_frequency);

@@ -36,7 +36,7 @@ void write_arc(const fs::path &stem, const std::string &model, const double fact
                             return std::clamp((at - neutral) / 5e-4, -1.0, 1.0);
                           }).cwiseProduct(mu * p);
   const double h_n     = h_d + neutral * neutral / R;
-  sample::write_csv(stem.string() + "-" + model + ".csv", sample::Csv()
+  sample::write_csv(stem.string() + "." + model + ".csv", sample::Csv()
                                                               .with("x [m]", x)
                                                               .with("thickness [m]", h)
                                                               .with("pressure [Pa]", p)
@@ -52,7 +52,7 @@ void write_roll(const fs::path &stem)
   const VectorXd strip  = x.unaryExpr([](const double at) {
     return at < 0 ? h_d / 2 : at > arc ? h_e / 2 : h_d / 2 + R - std::sqrt(R * R - at * at);
   });
-  sample::write_csv(stem.string() + "-roll.csv", sample::Csv()
+  sample::write_csv(stem.string() + ".roll.csv", sample::Csv()
                                                      .with("x [m]", x)
                                                      .with("circle [m]", circle)
                                                      .with("roll [m]", circle + dent)
@@ -73,7 +73,7 @@ void write_field(const fs::path &stem)
       strain[row] = 2 / std::sqrt(3.0) * std::log(h_e / h);
       rate[row]   = x[row] > 0 && x[row] < arc ? 100 * s / arc : 0;
     }
-  sample::write_csv(stem.string() + "-field.csv", sample::Csv()
+  sample::write_csv(stem.string() + ".field.csv", sample::Csv()
                                                       .with("x [m]", x)
                                                       .with("y [m]", y)
                                                       .with("strain", strain)

@@ -1,9 +1,13 @@
+#include "core/records/files.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
 
 // kind = "bite" and K4 of a stand as a user meets them.
 namespace fs = std::filesystem;
@@ -88,12 +92,38 @@ TEST(BiteCommand, TheFourQuantitiesCalledK4)
   EXPECT_TRUE(near(value(results, "K4.combined"), 1 / (1 / slope + 2 / flat), within(1e-9, "springs in series")));
   EXPECT_GT(value(results, "K4.path_plateau"), 0.0);
   for (const char *file :
-       {"bite-demo-fe.csv", "bite-demo-karman.csv", "bite-demo-orowan.csv", "bite-demo-bland-ford.csv",
-        "bite-demo-roll.csv", "bite-demo-field.csv", "bite-k4-reduction.csv", "bite-k4-tension.csv",
+       {"bite-demo.fe.csv", "bite-demo.karman.csv", "bite-demo.orowan.csv", "bite-demo.bland-ford.csv",
+        "bite-demo.roll.csv", "bite-demo.field.csv", "bite-k4-reduction.csv", "bite-k4-tension.csv",
         "bite-k4-friction.csv", "bite-aspect.csv"})
     EXPECT_TRUE(fs::is_regular_file(scratch("demo") + "/curves/" + file)) << file;
   EXPECT_TRUE(fs::is_regular_file(scratch("demo") + "/fields/bite-demo.vtu"));
   EXPECT_TRUE(fs::is_regular_file(scratch("demo") + "/report.html"));
+}
+
+// What a file holds stands behind a point, which no name of a pass brings into a file name.
+TEST(BiteCommand, PassesNamedLikeTheFilesOfOthersKeepTheirOwn)
+{
+  std::string text = demo_pass;
+  const std::vector<std::string> names{"x", "x-karman", "x-karman-rigid", "k4", "k4-reduction", "x-roll"};
+  text.replace(text.find("\"demo\""), 6, "\"x\"");
+  for (std::size_t i = 1; i < names.size(); ++i)
+    text += "\n[[pass]]\nname = \"" + names[i] + "\"\nexit_thickness = \"5." + std::to_string(i) + " mm\"\n";
+  const std::string path = write_case("alike", text + "\n[bite]\nmethod = \"slab\"\n");
+  const auto outcome     = stiffness(path, "alike", "");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto files   = nlohmann::json::parse(std::ifstream(scratch("alike") + "/run.json")).at("files");
+  const auto results = results_of("alike");
+  std::set<std::string> sums;
+  for (const std::string &name : names)
+    for (const std::string model : {"karman", "karman-rigid", "orowan", "bland-ford"}) {
+      EXPECT_GT(value(results, "bite." + name + "." + model + ".force"), 0.0);
+      sums.insert(files.at("curves/bite-" + name + "." + model + ".csv").get<std::string>());
+    }
+  EXPECT_EQ(sums.size(), 4 * names.size()) << "each with what is its own";
+  for (const char *own : {"bite-k4-reduction.csv", "bite-k4-friction.csv"})
+    EXPECT_TRUE(files.contains(std::string("curves/") + own)) << own;
+  const std::string page = mill::read_text(scratch("alike") + "/report.html");
+  EXPECT_EQ(page.find("cannot be read and is left out"), std::string::npos);
 }
 
 // What no roll can do is said at the pass, before anything is computed and by check as well.

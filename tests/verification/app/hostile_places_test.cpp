@@ -23,11 +23,13 @@ Outcome soon(const std::string &arguments)
   return millstand("--version >/dev/null; timeout 100 " + program + " " + arguments);
 }
 
-// As `soon`, with redirections of its own; only the exit code and what it wrote to `err` come back.
-Outcome redirected(const std::string &arguments_and_redirections, const std::string &err)
+// As `soon`, with redirections of its own and what the shell does before; only the exit code and what it wrote to
+// `err` come back.
+Outcome redirected(const std::string &arguments_and_redirections, const std::string &err,
+                   const std::string &before = "")
 {
-  const std::string command = "cd '" MILLSTAND_SOURCE_DIR "' && timeout 100 '" MILLSTAND_PROGRAM "' " +
-                              arguments_and_redirections + " </dev/null";
+  const std::string command = "cd '" MILLSTAND_SOURCE_DIR "' && " + before +
+                              " timeout 100 '" MILLSTAND_PROGRAM "' " + arguments_and_redirections + " </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), "",
           mill::text_if_readable(err).value_or("")};
@@ -125,6 +127,54 @@ TEST(HostilePlaces, FullAndClosedOutputs)
   for (const std::string &file : files)
     after += mill::read_text(out + "/" + file);
   EXPECT_EQ(after, before) << "text for the terminal went into a result that was given its number";
+}
+
+// The user asked for the right thing and the system refuses it: that is no input error.
+TEST(HostilePlaces, ARefusedWriteEndsWithThree)
+{
+  const std::string folder = scratch("refused"), err = folder + "/err", out = folder + "/out";
+  const auto limited = [&](const std::string &arguments) {  // no file may be longer than 2 KiB
+    return redirected(arguments + " 2>" + err, err, "trap '' XFSZ; ulimit -f 4;");
+  };
+  const auto made = limited("new four-high -o " + folder + "/new.toml");
+  EXPECT_EQ(made.exit_code, 3);
+  EXPECT_EQ(made.err, folder + "/new.toml: error: cannot be written: File too large\n");
+  EXPECT_FALSE(fs::exists(folder + "/new.toml"));
+  ASSERT_EQ(millstand(quick + out).exit_code, 0);
+  const std::string before = mill::read_text(out + "/results.json");
+  const auto run           = limited(quick + out + " --set 'given.K1=5e3 kN/mm'");
+  EXPECT_EQ(run.exit_code, 3) << run.err;
+  EXPECT_NE(run.err.find(": error: cannot be written: File too large"), std::string::npos) << run.err;
+  EXPECT_EQ(mill::read_text(out + "/results.json"), before);
+  const auto elsewhere = soon(quick + "/sys/millstand");  // no user may make a folder there
+  EXPECT_EQ(elsewhere.exit_code, 3) << elsewhere.err;
+  EXPECT_NE(elsewhere.err.find("the folder /sys/millstand cannot be made: "), std::string::npos) << elsewhere.err;
+}
+
+TEST(HostilePlaces, ARunRemovesWhatKilledOnesWereWriting)
+{
+  const std::string cache = scratch("parts-cache"), out = scratch("parts-run");
+  const std::string ending = ".0123456789abcdef.part";
+  std::ofstream(cache + "/roll-1.bin" + ending) << "half";
+  ASSERT_EQ(millstand(quick + out + " --cache " + cache).exit_code, 0);
+  EXPECT_FALSE(fs::exists(cache + "/roll-1.bin" + ending));
+  std::ofstream(out + "/report.html" + ending) << "half";
+  ASSERT_EQ(millstand(quick + out + " --cache " + cache).exit_code, 0);
+  EXPECT_FALSE(fs::exists(out + "/report.html" + ending));
+}
+
+// A folder whose run.json says something else than a name is nobody's.
+TEST(HostilePlaces, AFolderOfNobodyIsRefused)
+{
+  const std::string folder = scratch("nobody");
+  for (const std::string text :
+       {"{\"case\": 7}", "{\"case\": {\"a\": 1}}", "{\"case\": null}", "[1]", "7", "{", ""}) {
+    std::ofstream(folder + "/run.json") << text;
+    expect_refused(soon(quick + folder), "error: the folder " + folder +
+                                             " holds files that no run wrote; choose another with -o, or give "
+                                             "--force-overwrite\n");
+    EXPECT_EQ(mill::read_text(folder + "/run.json"), text);
+  }
 }
 
 TEST(HostilePlaces, ControlCharactersReachNeitherTerminalNorLog)

@@ -5,6 +5,7 @@
 #include "tests/support/published_stand.h"
 #include <cmath>
 #include <random>
+#include <vector>
 
 using namespace mill;
 using namespace mill::dynamics;
@@ -181,4 +182,23 @@ TEST(ExactHold, RepeatedPolesAreIntegratedAsExactly)
   EXPECT_EQ(found.form, HoldForm::matrix_exponential);
   for (const Mass roll : {upper_work_roll, lower_work_roll})
     EXPECT_LT(largest_difference(found.acceleration.col(roll), expected.col(roll)), 1e-9);
+}
+
+// Preparing a step costs ten times what making it does: every sample behind a gap may not have one of its own.
+TEST(ExactHold, StepsOfOneLengthArePreparedOnce)
+{
+  std::vector<double> times;
+  for (int k = 0; k < 50000; ++k)  // 100 us apart for 5 s, 0.3 s missing in every second
+    if (k % 10000 < 7000)
+      times.push_back(3.7 + 1e-4 * k);
+  ForceRecord record;
+  record.time      = Eigen::Map<const Eigen::VectorXd>(times.data(), Eigen::Index(times.size()));
+  record.force     = (40 * record.time.array()).sin();
+  const auto model = model_of("P1");
+  for (const auto form : {HoldForm::modal, HoldForm::matrix_exponential})
+    for (const double rate : {20e3, 7e3}) {
+      const auto held = first_order_hold(state_space(model), record, rate, form);
+      EXPECT_EQ(held.form, form);
+      EXPECT_LT(held.n_prepared, 200) << "of " << held.time.size() << " steps and more";
+    }
 }
