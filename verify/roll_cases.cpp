@@ -1,19 +1,16 @@
 #include "fem/contact_readings.h"
 #include "fem/contact_study.h"
-#include "fem/fourier_contact.h"
 #include "fem/full_contact.h"
 #include "meshes/contact_mesh_size.h"
-#include "meshes/meridian.h"
 #include "reduce/line_contact.h"
+#include "verify/engine_agreement.h"
 #include "verify/roll_models.h"
 #include "verify/verification.h"
 #include <Eigen/Cholesky>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 #include <map>
-#include <unistd.h>
 
 namespace mill::verify {
 namespace {
@@ -381,74 +378,6 @@ std::vector<Check> published_k()
   checks.push_back(
       {"tangent against the line contact of infinite length", "N/m", point.tangent, hertz.tangent, 0.02});
   checks.push_back({"tangent per length at mid-length", "N/m2", k.tangent[0], hertz.tangent / 1.4, 0.03});
-  return checks;
-}
-
-// ---- engine-agreement -----------------------------------------------------------------------------------------
-
-fem::FourierRoll fourier_model(const std::string &name, const RollGeometry &geometry, const double half_width,
-                               const Material &material, const Eigen::VectorXd &edge = {})
-{
-  const auto file =
-      std::filesystem::temp_directory_path() / fmt::format("millstand-verify-{}-{}.msh", ::getpid(), name);
-  const auto mesh = meshes::mesh_meridian(name, geometry, meshes::meridian_size(half_width), file.string());
-  const fem::SectionBody body(mesh, material, 2, fem::Section::axisymmetric);
-  std::filesystem::remove(file);
-  fem::FourierOptions options;
-  options.half_width = half_width;
-  return fem::fourier_roll(body, geometry, material, edge.size() > 0 ? edge : fem::stations_of(body), options);
-}
-
-double interpolated(const Eigen::VectorXd &z, const Eigen::VectorXd &value, const double at)
-{
-  Eigen::Index i = 0;
-  while (i + 2 < z.size() && z[i + 1] < at)
-    ++i;
-  return value[i] + (value[i + 1] - value[i]) * (at - z[i]) / (z[i + 1] - z[i]);
-}
-
-std::vector<Check> engine_agreement()
-{
-  const Material material{2.1e11, 0.28, 7700};
-  const RollGeometry backup{0.725, 0.7, 0.475, 0.95, 1.225, 0}, work{0.210, 0.7, 0.13335, 0.46, 1.0, 0};
-  const double F     = 976217.5;
-  const double b     = reduce::line_contact({0.42, 1.45, 1.4, material}, F).half_width;
-  auto size          = meshes::roll_contact_size(1.5 * b, 6, 1.25);
-  size.largest_layer = 0.07;
-  const auto A       = roll_model("backup", backup, size, material, {}),
-             B       = roll_model("work", work, size, material, {});
-  const auto C       = fourier_model("backup", backup, b, material),
-             D       = fourier_model("work", work, b, material, C.edge);
-  std::vector<Check> checks;
-  const auto compare = [&](const std::string &how, const fem::ContactPair &solid, const fem::FourierPair &series) {
-    // Tangents as slopes over loads so far apart that single nodes do not count.
-    const auto slope = [&](const auto &pair) {
-      return F * (1.6 - 1 / 1.6) /
-             (fem::solve_load(pair, 1.6 * F).approach - fem::solve_load(pair, F / 1.6).approach);
-    };
-    const auto one = fem::solve_load(solid, F);
-    const auto two = fem::solve_load(series, F);
-    checks.push_back({how + ": approach", "m", one.approach, two.approach, 0.005});
-    checks.push_back({how + ": tangent", "N/m", slope(solid), slope(series), 0.01});
-    const auto profile = fem::barrel_profile(solid, one);
-    double worst       = 0;
-    for (double z = 0.02; z <= 0.69; z += 0.01)
-      worst = std::max(
-          worst,
-          std::abs(interpolated(series.z, two.line_load, z) / interpolated(profile.z, profile.line_load, z) - 1));
-    checks.push_back(
-        {how + ": line load, largest difference up to 690 mm", "-", worst, 0, 0.01, Judged::absolute});
-  };
-  const Eigen::VectorXd straight = Eigen::VectorXd::Zero(A.roll.grid.n_z),
-                        plain    = Eigen::VectorXd::Zero(C.edge.size() - 1);
-  compare(
-      "squeezed between mirrored contacts",
-      fem::make_pair("upper", A.roll, fem::held_by_mirror(A.roll), B.roll, fem::held_by_mirror(B.roll), straight),
-      fem::fourier_pair("upper", C, {}, D, {}, plain));
-  compare(
-      "on necks and a strip of 1000 mm",
-      fem::make_pair("upper", A.roll, fem::held_by_necks(A.roll), B.roll, fem::held_by_strip(B.roll, 1), straight),
-      fem::fourier_pair("upper", C, {fem::RollSupport::necks, 0}, D, {fem::RollSupport::strip, 1}, plain));
   return checks;
 }
 }  // namespace
