@@ -99,7 +99,7 @@ struct Kind {
 };
 const std::vector<Kind> &kinds();
 
-/// The cases of one source file; the suite runs each group as one test (tests/verify.cmake).
+/// The cases of one source file; the suite runs each group as one test (tests/manual.cmake).
 struct Group {
   std::string name;    ///< "BearingMotion"
   std::string family;  ///< "bearing"

@@ -6,7 +6,7 @@
 #include "fem/bearing/roller_contact.h"
 #include "fem/bearing/roller_slices.h"
 #include "meshes/bearing/bearing_rings.h"
-#include "meshes/bearing/roller.h"
+#include "verify/bearing/roller_models.h"
 #include "verify/bearing/roller_sections.h"
 #include "verify/units.h"
 #include <algorithm>
@@ -20,45 +20,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-RollerSetup demo_roller()
-{
-  RollerSetup s;
-  s.diameter     = roller_diameter;
-  s.length       = roller_length;
-  s.inner_radius = 144.8 * mm;
-  s.outer_radius = 166.3 * mm;
-  s.inner_depth = s.outer_depth = 12 * mm;
-  s.material                    = {206e9, 0.3, 7850};
-  s.largest_load                = 60 * kN;
-  s.finest_load                 = 4 * kN;
-  return s;
-}
-
-fem::CondensedRoller condensed(const RollerSetup &setup)
-{
-  const auto meshes = meshes::mesh_roller(setup, std::filesystem::temp_directory_path().string(),
-                                          fmt::format("millstand-verify-{}", ::getpid()));
-  auto roller       = fem::condense_roller(setup, meshes);
-  meshes::remove_meshes(meshes);
-  return roller;
-}
-
 // One condensation for the three cases.
 const fem::CondensedRoller &roller()
 {
-  static const fem::CondensedRoller made = [] {
-    RollerSetup s             = demo_roller();
-    s.elements_per_half_width = 1.6;
-    s.largest_element         = 2.8 * mm;
-    s.end_element             = 0.3 * mm;
-    return condensed(s);
-  }();
+  static const fem::CondensedRoller made = condensed(fine_demo_roller());
   return made;
-}
-
-double iso_drop(const double x)
-{
-  return 0.00045 * roller_diameter * -std::log(1 - std::pow(2 * x / roller_length, 2));
 }
 
 }  // namespace
@@ -90,7 +56,7 @@ std::vector<Check> roller_slice_law()
   const int slices = 41;
   std::vector<Check> checks;
   for (const bool crowned : {false, true}) {
-    const std::function<double(double)> drop = crowned ? iso_drop : std::function<double(double)>();
+    const std::function<double(double)> drop = crowned ? demo_roller_drop : std::function<double(double)>();
     fem::RollerContact contact(roller(), drop);
     const bearing::RollerLaw law = fem::fe_roller_law(roller(), slices, drop);
     MatrixXd directions(slices, 2);
@@ -156,7 +122,7 @@ std::vector<Check> roller_tilt()
   const VectorXd station_length = fem::axial_weights(roller().grid.z, 0.5 * roller_length, roller().grid.degree);
   double tangent = 0, asymmetry = 0, mirror = 0, balance = 0, residual = 0;
   for (const bool crowned : {false, true}) {
-    fem::RollerContact contact(roller(), crowned ? iso_drop : std::function<double(double)>());
+    fem::RollerContact contact(roller(), crowned ? demo_roller_drop : std::function<double(double)>());
     for (const double load : {2 * kN, 20 * kN})
       for (const double tilt : {0., 0.4 * mrad, 1.5 * mrad}) {
         const auto at    = contact.solve(contact.solve_load(load).approach, tilt);
@@ -175,7 +141,7 @@ std::vector<Check> roller_tilt()
         residual = std::max({residual, at.residual, other.residual});
       }
   }
-  fem::RollerContact contact(roller(), iso_drop);
+  fem::RollerContact contact(roller(), demo_roller_drop);
   const auto tilted   = contact.solve(contact.solve_load(20 * kN).approach, 1 * mrad);
   const auto identity = [](const std::string &quantity, const double worst, const double limit) {
     return Check{quantity, "-", worst, limit, 0, Judged::at_most};
@@ -202,7 +168,7 @@ std::vector<Check> published_rollers()
   std::vector<Check> checks{reported("published per-roller values times Z/5", "N/mm", sum * Z / 5, total),
                             reported("the same times Z cos^2(alpha)/4.0847", "N/mm",
                                      sum * Z * std::pow(std::cos(alpha), 2) / 4.0847, total)};
-  const auto law    = fem::fe_roller_law(roller(), 41, iso_drop);
+  const auto law    = fem::fe_roller_law(roller(), 41, demo_roller_drop);
   const double at[] = {10 * kN, 20 * kN, 50 * kN};
   for (const double Q : at) {
     const double approach = bearing::roller_approach(law, Q);

@@ -1,19 +1,16 @@
 #include "fem/roll/contact_readings.h"
 #include "fem/roll/contact_study.h"
-#include "fem/roll/fourier_contact.h"
-#include "meshes/bearing/meridian.h"
 #include "meshes/roll/contact_mesh_size.h"
 #include "reduce/chain/line_contact.h"
+#include "verify/contact/engine_agreement.h"
 #include "verify/contact/roll_models.h"
 #include "verify/solvers/full_contact.h"
 #include "verify/verification.h"
 #include <Eigen/Cholesky>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 #include <map>
-#include <unistd.h>
 
 namespace mill::verify {
 namespace {
@@ -383,74 +380,6 @@ std::vector<Check> published_k()
   checks.push_back({"tangent per length at mid-length", "N/m2", k.tangent[0], hertz.tangent / 1.4, 0.03});
   return checks;
 }
-
-// ---- engine-agreement -----------------------------------------------------------------------------------------
-
-fem::FourierRoll fourier_model(const std::string &name, const RollGeometry &geometry, const double half_width,
-                               const Material &material, const Eigen::VectorXd &edge = {})
-{
-  const auto file =
-      std::filesystem::temp_directory_path() / fmt::format("millstand-verify-{}-{}.msh", ::getpid(), name);
-  const auto mesh = meshes::mesh_meridian(name, geometry, meshes::meridian_size(half_width), file.string());
-  const fem::SectionBody body(mesh, material, 2, fem::Section::axisymmetric);
-  std::filesystem::remove(file);
-  fem::FourierOptions options;
-  options.half_width = half_width;
-  return fem::fourier_roll(body, geometry, material, edge.size() > 0 ? edge : fem::stations_of(body), options);
-}
-
-double interpolated(const Eigen::VectorXd &z, const Eigen::VectorXd &value, const double at)
-{
-  Eigen::Index i = 0;
-  while (i + 2 < z.size() && z[i + 1] < at)
-    ++i;
-  return value[i] + (value[i + 1] - value[i]) * (at - z[i]) / (z[i + 1] - z[i]);
-}
-
-std::vector<Check> engine_agreement()
-{
-  const Material material{2.1e11, 0.28, 7700};
-  const RollGeometry backup{0.725, 0.7, 0.475, 0.95, 1.225, 0}, work{0.210, 0.7, 0.13335, 0.46, 1.0, 0};
-  const double F     = 976217.5;
-  const double b     = reduce::line_contact({0.42, 1.45, 1.4, material}, F).half_width;
-  auto size          = meshes::roll_contact_size(1.5 * b, 6, 1.25);
-  size.largest_layer = 0.07;
-  const auto A       = roll_model("backup", backup, size, material, {}),
-             B       = roll_model("work", work, size, material, {});
-  const auto C       = fourier_model("backup", backup, b, material),
-             D       = fourier_model("work", work, b, material, C.edge);
-  std::vector<Check> checks;
-  const auto compare = [&](const std::string &how, const fem::ContactPair &solid, const fem::FourierPair &series) {
-    // Tangents as slopes over loads so far apart that single nodes do not count.
-    const auto slope = [&](const auto &pair) {
-      return F * (1.6 - 1 / 1.6) /
-             (fem::solve_load(pair, 1.6 * F).approach - fem::solve_load(pair, F / 1.6).approach);
-    };
-    const auto one = fem::solve_load(solid, F);
-    const auto two = fem::solve_load(series, F);
-    checks.push_back({how + ": approach", "m", one.approach, two.approach, 0.005});
-    checks.push_back({how + ": tangent", "N/m", slope(solid), slope(series), 0.01});
-    const auto profile = fem::barrel_profile(solid, one);
-    double worst       = 0;
-    for (double z = 0.02; z <= 0.69; z += 0.01)
-      worst = std::max(
-          worst,
-          std::abs(interpolated(series.z, two.line_load, z) / interpolated(profile.z, profile.line_load, z) - 1));
-    checks.push_back(
-        {how + ": line load, largest difference up to 690 mm", "-", worst, 0, 0.01, Judged::absolute});
-  };
-  const Eigen::VectorXd straight = Eigen::VectorXd::Zero(A.roll.grid.n_z),
-                        plain    = Eigen::VectorXd::Zero(C.edge.size() - 1);
-  compare(
-      "squeezed between mirrored contacts",
-      fem::make_pair("upper", A.roll, fem::held_by_mirror(A.roll), B.roll, fem::held_by_mirror(B.roll), straight),
-      fem::fourier_pair("upper", C, {}, D, {}, plain));
-  compare(
-      "on necks and a strip of 1000 mm",
-      fem::make_pair("upper", A.roll, fem::held_by_necks(A.roll), B.roll, fem::held_by_strip(B.roll, 1), straight),
-      fem::fourier_pair("upper", C, {fem::RollSupport::necks, 0}, D, {fem::RollSupport::strip, 1}, plain));
-  return checks;
-}
 }  // namespace
 
 std::vector<Case> roll_cases()
@@ -461,33 +390,35 @@ std::vector<Case> roll_cases()
        "Roll with necks, trilinear hexahedra: flexibility recombined from four parities of an eighth against one "
        "solve "
        "of the whole roll (assembled from the eight mirror images), unlike loads everywhere, unequal bearing "
-       "loads.",                                                                                               "identity, theory.md 2.2",                                                 reduced,                                                         parity_identity      },
+       "loads.",                                                                               "identity, theory.md 2.2",                                                 reduced,                                                         parity_identity      },
       {"condensed-identity", "verification",
        "Two discs 400/1300 mm, 1000 N/mm: condensed contact against the contact solved on the full stiffness "
        "matrices, "
-       "factorised again for each active set.",                                                                "identity; code_aster V6.04.193 compares the same to 1e-6",                reduced,                                                         condensed_identity   },
+       "factorised again for each active set.",                                                "identity; code_aster V6.04.193 compares the same to 1e-6",                reduced,                                                         condensed_identity   },
       {"tangent-difference", "verification",
        "Two rolls with necks, held in several ways, crowned, tilted, loaded off the middle: exact tangent against "
        "the "
-       "central difference of the program's own curve; residual of every solve.",                              "identity, theory.md 2.4",                                                 "a step of 1e-7 of the load keeps seven digits of a difference",
-       tangent_difference                                                                                                                                                                                                                                                       },
+       "central difference of the program's own curve; residual of every solve.",              "identity, theory.md 2.4",                                                 "a step of 1e-7 of the load keeps seven digits of a difference",
+       tangent_difference                                                                                                                                                                                                                                       },
       {"complementarity",    "verification",
        "Two rolls with necks, straight, crowned, hollow and with a crown that stays open: 20 loads each, residual "
        "of all "
-       "conditions and iterations of the active set.",                                                         "Signorini's conditions, theory.md 9",                                     "rounding; iterations as wanted of a solver without tolerance",
-       complementarity                                                                                                                                                                                                                                                          },
+       "conditions and iterations of the active set.",                                         "Signorini's conditions, theory.md 9",                                     "rounding; iterations as wanted of a solver without tolerance",
+       complementarity                                                                                                                                                                                                                                          },
       {"scale-invariance",   "verification",
-       "The same pair of rolls written in metres and in millimetres, and ten times as large.",                 "dimensional analysis",                                                    "rounding, conditioning about 1e5 of the contact problem",       roll_scale_invariance},
+       "The same pair of rolls written in metres and in millimetres, and ten times as large.", "dimensional analysis",                                                    "rounding, conditioning about 1e5 of the contact problem",       roll_scale_invariance},
       {"engine-agreement",   "verification",
        "Rolls 420/1450 mm with necks, 976.2 kN: hexahedra condensed onto the patch against a Fourier series "
        "around each "
-       "roll with one unknown per station; the last 10 mm (nine half widths) belong to the sharp barrel end.", "the second engine, theory.md 11",                                         "meshes of both engines; targets of two independent engines",
-       engine_agreement                                                                                                                                                                                                                                                         },
+       "roll with one unknown per station. Line loads are means over the stations, along the whole barrel; the "
+       "program "
+       "has no third engine of coarse elements with a half-space correction.",                 "the second engine, theory.md 11",                                         "meshes of both engines; targets of two independent engines",
+       engine_agreement                                                                                                                                                                                                                                         },
       {"published-k",        "benchmark",
        "Rolls 420/1450 mm, barrel 1400 mm, 976.2 kN, E = 270 GPa: the ways of evaluating a contact stiffness "
        "beside "
-       "the published K3 = 7.534e5 kN/mm; the plateau is compared with 7.534e5 N/mm.",                         "published stand; line contact of K. L. Johnson, Contact Mechanics, 5.57",
-       "barrel ends and a mesh of four elements per half width against an infinitely long contact",                                                                                                                                                        published_k          },
+       "the published K3 = 7.534e5 kN/mm; the plateau is compared with 7.534e5 N/mm.",         "published stand; line contact of K. L. Johnson, Contact Mechanics, 5.57",
+       "barrel ends and a mesh of four elements per half width against an infinitely long contact",                                                                                                                                        published_k          },
   };
 }
 }  // namespace mill::verify

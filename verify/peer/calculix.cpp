@@ -124,17 +124,18 @@ void Deck::hold_mean(const Weights &weights, const int direction)
 
 void Deck::touch(const std::vector<Face> &slave, const std::vector<Face> &master, const double stiffness)
 {
+  const int number = ++contacts_;
   for (const auto &[name, faces] : {
            std::pair{"SLAVE",  &slave },
            std::pair{"MASTER", &master}
   }) {
-    line(fmt::format("*SURFACE, NAME={}, TYPE=ELEMENT", name));
+    line(fmt::format("*SURFACE, NAME={}{}, TYPE=ELEMENT", name, number));
     for (const Face &face : *faces)
       line(fmt::format("{},S{}", face.element + 1, face.face));
   }
-  line("*SURFACE INTERACTION, NAME=TOUCH\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR");
+  line(fmt::format("*SURFACE INTERACTION, NAME=TOUCH{}\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR", number));
   line(fmt::format("{:.12e}", stiffness));
-  line("*CONTACT PAIR, INTERACTION=TOUCH, TYPE=SURFACE TO SURFACE\nSLAVE,MASTER");
+  line(fmt::format("*CONTACT PAIR, INTERACTION=TOUCH{0}, TYPE=SURFACE TO SURFACE\nSLAVE{0},MASTER{0}", number));
 }
 
 double Deck::force_to_move(const std::vector<int> &nodes, const int direction, const double motion)
@@ -142,7 +143,8 @@ double Deck::force_to_move(const std::vector<int> &nodes, const int direction, c
   line("*NSET, NSET=MOVED");
   for (const int node : nodes)
     line(fmt::format("{},", node + 1));
-  line("*STEP, INC=200\n*STATIC\n1.,1.");
+  // Without DIRECT the increment stops a millionth short of its end and a second one costs as much as the first.
+  line("*STEP, INC=200\n*STATIC, DIRECT\n1.,1.");
   line(fmt::format("*BOUNDARY\nMOVED,{},{},{:.12e}", direction, direction, motion));
   line("*NODE PRINT, NSET=MOVED, TOTALS=ONLY\nRF\n*END STEP");
   const std::string text = run();

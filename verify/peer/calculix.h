@@ -23,7 +23,8 @@ public:
   /// Sum of weight x displacement in `direction` is zero.
   void hold_mean(const Weights &weights, int direction);
 
-  /// Frictionless contact of two sets of faces, face to face with a linear penalty of `stiffness` (Pa/m).
+  /// Frictionless contact of two sets of faces, face to face with a linear penalty of `stiffness` (Pa/m); several
+  /// may be given.
   void touch(const std::vector<Face> &slave, const std::vector<Face> &master, double stiffness);
 
   /// N, force that moves these nodes in `direction` by `motion` (m) with everything else as held.
@@ -40,6 +41,7 @@ private:
   std::string run();  // contents of the printed results
   std::string folder_;
   std::FILE *file_ = nullptr;
+  int contacts_    = 0;
   Eigen::Index n_nodes_;
 };
 

@@ -95,44 +95,84 @@ Mesh roll_eighth(const RollGeometry &roll, const int n)
   return mesh;
 }
 
-Mesh disc_quarter(const double radius, const std::vector<double> &z, const double half_width, const int n,
-                  const double growth)
+namespace {
+// The quarter y >= 0 of a disc (side 1) or its mirror image below (side -1).
+void add_disc_quarter(Mesh &mesh, const DiscSection &d, const std::vector<double> &z, const double side)
 {
-  const double R = radius, eighth = M_PI / 4, first = half_width / n;
+  const double R = d.radius, eighth = M_PI / 4, first = d.half_width / d.n;
   const Vector2d along_x(0.5 * R, 0), along_y(0, 0.5 * R), corner(0.4 * R, 0.4 * R);
-  const int fine      = 3 * n / 2;
-  const auto around   = towards_end(first / (eighth * R), fine, growth),
-             outwards = towards_end(first / (0.5 * R), fine, growth);
+  const int fine      = 3 * d.n / 2;
+  const auto around   = towards_end(first / (eighth * R), fine, d.growth),
+             outwards = towards_end(first / (0.5 * R), fine, d.growth);
   std::vector<double> backwards;  // the same lines from the other side
   for (auto line = around.rbegin(); line != around.rend(); ++line)
     backwards.push_back(1 - *line);
   const auto coarse = even(4);
+  const auto block  = [&](const std::vector<double> &u, const std::vector<double> &v, const Section &section) {
+    extrude(
+         mesh, u, v,
+         [&](const double a, const double b) {
+          const Vector2d p = section(a, b);
+          return Vector2d(p[0], side * p[1]);
+        },
+         z);
+  };
+  block(backwards, coarse, [&](const double a, const double b) {
+    return between(between(Vector2d::Zero(), along_x, a), between(along_y, corner, a), b);
+  });
+  block(outwards, coarse, [&](const double a, const double b) {
+    return between(between(along_x, corner, b), on_circle(R, eighth * b), a);
+  });
+  block(outwards, around, [&](const double a, const double b) {
+    return between(between(corner, along_y, b), on_circle(R, eighth * (1 + b)), a);
+  });
+}
+}  // namespace
+
+Mesh disc_quarter(const DiscSection &section, const std::vector<double> &z)
+{
   Mesh mesh;
-  extrude(
-      mesh, backwards, coarse,
-      [&](const double a, const double b) {
-        return between(between(Vector2d::Zero(), along_x, a), between(along_y, corner, a), b);
-      },
-      z);
-  extrude(
-      mesh, outwards, coarse,
-      [&](const double a, const double b) {
-        return between(between(along_x, corner, b), on_circle(R, eighth * b), a);
-      },
-      z);
-  extrude(
-      mesh, outwards, around,
-      [&](const double a, const double b) {
-        return between(between(corner, along_y, b), on_circle(R, eighth * (1 + b)), a);
-      },
-      z);
+  add_disc_quarter(mesh, section, z, 1);
   return mesh;
+}
+
+Mesh disc_half(const DiscSection &section, const std::vector<double> &z)
+{
+  Mesh mesh;
+  add_disc_quarter(mesh, section, z, 1);
+  add_disc_quarter(mesh, section, z, -1);
+  return mesh;
+}
+
+Mesh raceway_quarter(const RacewayBlock &r)
+{
+  Mesh mesh;
+  add_block(mesh, r.x, r.depth, r.z, [&](const double x, const double depth, const double z) {
+    const double angle = std::asin(x / r.radius), from_centre = r.radius - depth;
+    return Vector3d(from_centre * std::sin(angle), from_centre * std::cos(angle) - r.radius, z);
+  });
+  return mesh;
+}
+
+std::vector<double> growing_lines(const double length, const double first, const int n, const double growth)
+{
+  std::vector<double> lines;
+  const auto crowded_at_end = towards_end(first / length, n, growth);
+  for (auto line = crowded_at_end.rbegin(); line != crowded_at_end.rend(); ++line)
+    lines.push_back((1 - *line) * length);
+  return lines;
+}
+
+Mesh moved(Mesh body, const std::function<Vector3d(const Vector3d &)> &place)
+{
+  for (Vector3d &p : body.nodes)
+    p = place(p);
+  return body;
 }
 
 Mesh turned_over(Mesh body, const double y)
 {
-  for (Vector3d &p : body.nodes)
-    p[1] = y - p[1];
+  body = moved(std::move(body), [=](const Vector3d &p) { return Vector3d(p[0], y - p[1], p[2]); });
   for (auto &element : body.elements) {  // a mirror image: bottom and top change places
     std::rotate(element.begin(), element.begin() + 4, element.begin() + 8);
     std::rotate(element.begin() + 8, element.begin() + 12, element.begin() + 16);

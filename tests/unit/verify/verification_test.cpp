@@ -236,7 +236,7 @@ TEST(Manual, TheSuiteRunsEveryGroup)
   std::vector<std::string> known;
   for (const Group &group : groups())
     known.push_back(group.name);
-  EXPECT_EQ(split(MANUAL_GROUPS, ","), known) << "tests/verify.cmake lists the groups that CTest runs";
+  EXPECT_EQ(split(MANUAL_GROUPS, ","), known) << "tests/manual.cmake lists the groups that CTest runs";
 }
 
 TEST(Manual, NamesAreUniqueAndEveryTextIsThere)
