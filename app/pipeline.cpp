@@ -1,4 +1,5 @@
 #include "app/pipeline.h"
+#include "app/case_kinds.h"
 #include "app/stages/bearing_stage.h"
 #include "app/stages/bite_stage.h"
 #include "app/stages/chatter_stage.h"
@@ -78,6 +79,8 @@ PassModel model_of_pass(const FourHigh &stand, const reduce::LumpedStand &chain,
   six.missing   = models.verdict.missing;
   return six;
 }
+
+}  // namespace
 
 void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::string &force_file)
 {
@@ -182,22 +185,10 @@ void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::stri
     run.progress.at("passes", double(p + 1) / double(lumped.passes.size()));
   }
 }
-}  // namespace
 
 void run_stages(RunContext &run, const Goal goal, const std::string &force_file)
 {
-  if (const auto *stand = std::get_if<FourHigh>(&run.the_case.spec))
-    run_four_high(run, *stand, goal, force_file);
-  else if (const auto *lumped = std::get_if<Lumped>(&run.the_case.spec))
-    run_lumped(run, *lumped, goal, force_file);
-  else if (const auto *bearing = std::get_if<BearingCase>(&run.the_case.spec))
-    solve_bearing_case(run, *bearing);
-  else if (const auto *bite = std::get_if<BiteCase>(&run.the_case.spec))
-    solve_bite_case(run, *bite);
-  else if (const auto *chatter = std::get_if<ChatterCase>(&run.the_case.spec))
-    solve_chatter_case(run, *chatter);
-  else
-    solve_cylinders(run, std::get<TwoCylinders>(run.the_case.spec));
+  run_kind(run.the_case).run(run, goal, force_file);
   set_inputs(run.results, run.the_case);
 }
 }  // namespace mill

@@ -1,4 +1,5 @@
 #include "app/trace/quick_chain.h"
+#include "app/case_kinds.h"
 #include "app/trace/quick_response.h"
 #include "core/records/lumped_model.h"
 #include "dynamics/response/mill_model.h"
@@ -11,7 +12,7 @@
 
 namespace mill {
 namespace {
-using Results = std::vector<QuickResult>;
+using QuickResults = std::vector<QuickResult>;
 
 bool has_force(const Pass &pass)
 {
@@ -47,7 +48,7 @@ std::vector<std::string> with_prefix(std::vector<std::string> parts, const std::
 }
 
 // Lists of a result that is made of others, and of keys of its own.
-void inherit(QuickResult &r, const Results &all, const KeyList &own)
+void inherit(QuickResult &r, const QuickResults &all, const KeyList &own)
 {
   KeyList closed = own, inputs = own;
   for (const std::string &part : r.from)
@@ -60,7 +61,7 @@ void inherit(QuickResult &r, const Results &all, const KeyList &own)
   r.parameter.inputs = joined(inputs, closed);
 }
 
-void add_modes(Results &all, const LumpedModel &model, const DynamicsSettings &settings)
+void add_modes(QuickResults &all, const LumpedModel &model, const DynamicsSettings &settings)
 {
   const auto modes = dynamics::modes(dynamics::mill_model(model, settings));
   for (Eigen::Index i = 0; i < modes.frequency.size(); ++i) {
@@ -80,13 +81,13 @@ void add_modes(Results &all, const LumpedModel &model, const DynamicsSettings &s
 }
 
 // What a roll feels along the pass line; a lumped model may know one stiffness only.
-std::string bearing_across(const Results &all, const int roll)
+std::string bearing_across(const QuickResults &all, const int roll)
 {
   const std::string along = fmt::format("Kzc{}", roll + 1);
   return find(all, along + "_across") ? along + "_across" : along;
 }
 
-void add_horizontal_modes(Results &all, const LumpedModel &model, const double chock_seat,
+void add_horizontal_modes(QuickResults &all, const LumpedModel &model, const double chock_seat,
                           const std::array<double, 2> chock_mass)
 {
   dynamics::ChockSeats seats;
@@ -115,7 +116,7 @@ void add_horizontal_modes(Results &all, const LumpedModel &model, const double c
   }
 }
 
-void add_response(Results &all, const LumpedModel &model, const DynamicsSettings &settings, const Pass &pass,
+void add_response(QuickResults &all, const LumpedModel &model, const DynamicsSettings &settings, const Pass &pass,
                   const std::size_t p, const std::string &prefix, QuickMemory &memory)
 {
   // The six masses are driven here whatever dynamics.model says, and white force has no samples.
@@ -161,7 +162,7 @@ double factor(const SpringFactors &factors, const std::string &name)
 }
 
 // Springs that finite elements would give, in closed form or given.
-void add_springs(Results &all, const FourHigh &stand, const std::size_t p, const std::string &prefix,
+void add_springs(QuickResults &all, const FourHigh &stand, const std::size_t p, const std::string &prefix,
                  const double load, const SpringFactors &factors)
 {
   const auto bearings = quick_bearings(stand, load, p);
@@ -196,7 +197,7 @@ Parameter bent_beam(const FourHigh &stand, const double found)
 }
 
 // The chain twice: with the keys that closed forms follow, whose numbers count, and with all keys of a run.
-LumpedModel add_chain(Results &all, const FourHigh &stand, const std::string &prefix, const std::string &at,
+LumpedModel add_chain(QuickResults &all, const FourHigh &stand, const std::string &prefix, const std::string &at,
                       const SpringFactors &factors)
 {
   const auto made   = [&](const char *name) { return *find(all, prefix + name); };
@@ -264,10 +265,12 @@ LumpedModel add_chain(Results &all, const FourHigh &stand, const std::string &pr
   return chain.model;
 }
 
-Results four_high(const FourHigh &drawn, QuickMemory &memory, const SpringFactors &factors)
+}  // namespace
+
+QuickResults quick_four_high(const FourHigh &drawn, QuickMemory &memory, const SpringFactors &factors)
 {
   const FourHigh stand = with_drawn_frame(drawn);
-  Results all;
+  QuickResults all;
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
     const Pass &pass         = stand.passes[p];
     const std::string prefix = p == 0 ? "" : pass.name + ".";
@@ -285,9 +288,10 @@ Results four_high(const FourHigh &drawn, QuickMemory &memory, const SpringFactor
   return all;
 }
 
-Results lumped(const Case &the_case, const Lumped &spec, QuickMemory &memory)
+QuickResults quick_lumped(const Case &the_case, QuickMemory &memory)
 {
-  Results all;
+  const auto &spec = std::get<Lumped>(the_case.spec);
+  QuickResults all;
   const LumpedModel model = lumped_model_of(the_case);
   const auto add          = [&](const std::string &name, const Parameter &p) {
     if (!std::isnan(p.value))
@@ -309,7 +313,6 @@ Results lumped(const Case &the_case, const Lumped &spec, QuickMemory &memory)
       *list = of_kind(*list, the_case.kind);
   return all;
 }
-}  // namespace
 
 const QuickResult *find(const std::vector<QuickResult> &results, const std::string &name)
 {
@@ -320,16 +323,6 @@ const QuickResult *find(const std::vector<QuickResult> &results, const std::stri
 
 std::vector<QuickResult> quick_chain(const Case &the_case, QuickMemory &memory, const SpringFactors &factors)
 {
-  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
-    return four_high(*stand, memory, factors);
-  if (const auto *spec = std::get_if<Lumped>(&the_case.spec))
-    return lumped(the_case, *spec, memory);
-  if (const auto *spec = std::get_if<BearingCase>(&the_case.spec))
-    return quick_bearing_case(*spec);
-  if (const auto *spec = std::get_if<BiteCase>(&the_case.spec))
-    return quick_bite_case(*spec);
-  if (const auto *spec = std::get_if<ChatterCase>(&the_case.spec))
-    return quick_chatter(*spec);
-  return quick_cylinders(std::get<TwoCylinders>(the_case.spec));
+  return run_kind(the_case).trace(the_case, memory, factors);
 }
 }  // namespace mill

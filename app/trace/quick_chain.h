@@ -8,6 +8,8 @@
 #include <vector>
 
 namespace mill {
+struct Case;
+
 /// What evaluations of neighbouring cases share: forces that are read once, responses of a chain already driven.
 struct QuickMemory {
   std::map<std::string, ForceRecord> forces;           ///< by file, or by the numbers of a made record
@@ -27,6 +29,10 @@ using SpringFactors = std::map<std::string, double>;
 /// @throws SolverError  a bearing without equilibrium; a chain that is not held
 /// Cost: below 10 ms without responses, 20 ms for each pass of 200 000 output times.
 std::vector<QuickResult> quick_chain(const Case &the_case, QuickMemory &memory, const SpringFactors &factors = {});
+
+/// Of kind "four-high" and of kind "lumped".
+std::vector<QuickResult> quick_four_high(const FourHigh &drawn, QuickMemory &memory, const SpringFactors &factors);
+std::vector<QuickResult> quick_lumped(const Case &the_case, QuickMemory &memory);
 
 /// nullptr when absent.
 const QuickResult *find(const std::vector<QuickResult> &results, const std::string &name);

@@ -1,6 +1,6 @@
 #include "core/case/input_reference.h"
 #include "core/case/errors.h"
-#include "core/case/stand_rows.h"
+#include "core/case/kinds.h"
 #include "core/case/units.h"
 #include <algorithm>
 #include <fmt/format.h>
@@ -74,24 +74,21 @@ std::string section_reference(const SectionRows &section)
   return text;
 }
 
-// What the template of a kind says beyond the examples of the rows: it must run without any other file.
+// One section of a template with what its kind says of it.
 struct Filled {
-  std::string header;
   const SectionRows *section;
-  std::map<std::string, std::string> values;  // TOML, instead of the example
-  std::vector<std::string> shown;             // optional keys that are set all the same
-  bool off = false;                           // every line a comment: something else says it already
+  TemplateNote note;
 };
 
 std::string template_line(const Row &row, const Filled &filled)
 {
-  const auto own       = filled.values.find(row.key);
-  const auto &shown    = filled.shown;
-  const bool has_value = row.fallback.kind != Fallback::Kind::absent || own != filled.values.end() ||
+  const auto own       = filled.note.values.find(row.key);
+  const auto &shown    = filled.note.shown;
+  const bool has_value = row.fallback.kind != Fallback::Kind::absent || own != filled.note.values.end() ||
                          std::find(shown.begin(), shown.end(), row.key) != shown.end();
-  std::string value = own != filled.values.end() ? own->second : example_toml(row);
-  if (own == filled.values.end() && row.fallback.kind != Fallback::Kind::required && !default_toml(row).empty() &&
-      std::find(shown.begin(), shown.end(), row.key) == shown.end())
+  std::string value = own != filled.note.values.end() ? own->second : example_toml(row);
+  if (own == filled.note.values.end() && row.fallback.kind != Fallback::Kind::required &&
+      !default_toml(row).empty() && std::find(shown.begin(), shown.end(), row.key) == shown.end())
     value = default_toml(row);
   const std::string limits = range_text(row);
   const std::string choice = row.kind == Kind::choice ? row.form + "; " : "";
@@ -101,12 +98,13 @@ std::string template_line(const Row &row, const Filled &filled)
 
 std::string template_section(const Filled &filled)
 {
+  const std::string header = filled.note.header.empty() ? header_of(*filled.section) : filled.note.header;
   std::string text =
-      filled.header.empty() ? "" : fmt::format("\n{}  # {}\n", filled.header, filled.section->meaning);
+      filled.section->name.empty() ? "" : fmt::format("\n{}  # {}\n", header, filled.section->meaning);
   for (const Row &row : filled.section->rows)
     if (!is_tolerance(row.key))  // optional, and as many as there are values
       text += template_line(row, filled);
-  if (filled.off)
+  if (filled.note.off)
     for (std::size_t at = 1; at < text.size(); at = text.find('\n', at) + 1)
       if (text.compare(at, 2, "# ") != 0)
         text.insert(at, "# ");
@@ -114,86 +112,21 @@ std::string template_section(const Filled &filled)
 }
 
 // The sections of a kind with the values its template needs.
-std::vector<Filled> filled_sections(const std::string &kind, const std::vector<SectionRows> &sections)
+std::vector<Filled> filled_sections(const CaseKind &kind)
 {
   std::vector<Filled> all;
-  for (const SectionRows &section : sections) {
-    if (section.name == "strip.friction" || section.name == "housing" || section.name == "screwdown" ||
-        section.name == "variant") {
-      all.push_back({header_of(section), &section, {}, {}, true});  // [strip], [frame], [stand] say it in numbers
-    } else if (section.name == "stand" && kind == "chatter") {
-      all.push_back({
-          "[stand]", &section, {               },
-            { "masses", "stiffnesses", "dampings", "entry_distance", "exit_distance"}
-      });
-    } else if (section.name == "strip.flow_stress" && kind == "chatter") {
-      all.push_back({
-          "[strip.flow_stress]",
-          &section,
-          {{"law", "\"reduction-power\""}, {"k", "\"829.64 MPa\""}, {"eps0", "0.00817"}, {"n", "0.3"}},
-          {"k"          }
-      });
-    } else if (section.name == "strip" && kind == "chatter") {
-      all.push_back({"[strip]", &section, {}, {"initial_thickness"}});
-    } else if (section.name == "work_roll" && kind == "chatter") {
-      all.push_back({"[work_roll]", &section, {{"diameter", "\"600 mm\""}}, {}});
-    } else if (section.name == "analysis" && kind == "chatter") {
-      all.push_back({"[analysis]", &section, {}, {"speeds"}});
-    } else if (section.name == "bearing" && kind == "bearing") {
-      all.push_back({
-          "[bearing.trb]",
-          &section,
-          {                   },
-          { "bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile",
-                   "chock_width", "chock_height", "chock_length", "chock_support_width", "chock_support_gap"}
-      });
-    } else if (section.name == "load") {
-      all.push_back({"[load]", &section, {}, {"loads"}});
-    } else if (section.name == "bearing") {
-      all.push_back({
-          "[bearing.trb]",
-          &section,
-          {         },
-          { "bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile"}
-      });
-      all.push_back({
-          "[bearing.crb]",
-          &section,
-          {{"type", "\"four-row cylindrical\""},
-                   {"rollers_per_row", "32"},
-                   {"roller_length", "\"110 mm\""},
-                   {"roller_diameter", "\"75 mm\""}},
-          {                         }
-      });
-    } else if (section.name == "pass" && kind == "bite") {
-      all.push_back({"[[pass]]", &section, {}, {}});
-    } else if (section.name == "pass") {
-      all.push_back({"[[pass]]", &section, {{"synthetic", "true"}}, {"synthetic_range"}});
-      all.push_back({
-          "[[pass]]",
-          &section,
-          {{"name", "\"pass 2\""},
-                   {"synthetic", "true"},
-                   {"synthetic_range", "[\"733.705 kN\", \"742.280 kN\"]"},
-                   {"synthetic_seed", "2"}},
-          {                                            }
-      });
-    } else if (section.name.empty()) {
-      const std::string title = kind == "two-cylinders" ? "two cylinders"
-                                : kind == "lumped"      ? "lumped model"
-                                : kind == "bearing"     ? "four-row tapered roller bearing"
-                                : kind == "bite"        ? "roll bite"
-                                : kind == "chatter"     ? "chatter of a stand"
-                                                        : "four-high stand";
-      all.push_back({
-          "", &section, {{"kind", quoted(kind)}, {"title", quoted(title)}},
-            {                      }
-      });
-    } else if (section.name == "strip.flow_stress") {
-      all.push_back({"[strip.flow_stress]", &section, {}, {"k"}});
-    } else {
-      all.push_back({header_of(section), &section, {}, {}});
-    }
+  for (const SectionRows &section : kind.sections) {
+    const std::size_t before = all.size();
+    for (const TemplateNote &note : kind.notes)
+      if (note.section == section.name)
+        all.push_back({&section, note});
+    if (all.size() == before)
+      all.push_back({&section, {}});
+    if (section.name.empty())
+      all.back().note.values = {
+          {"kind",  quoted(kind.name) },
+          {"title", quoted(kind.title)}
+      };
   }
   return all;
 }
@@ -204,10 +137,9 @@ std::string template_of(const std::string &kind)
   const auto &kinds = case_kinds();
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
     throw InputError(fmt::format("there is no template for the kind '{}'{}", kind, suggestion(kind, kinds)));
-  const auto sections = sections_of(kind);
   std::string text =
       fmt::format("# A case of kind \"{}\" that runs as it is.  Quantities are texts with a unit.\n\n", kind);
-  for (const Filled &filled : filled_sections(kind, sections))
+  for (const Filled &filled : filled_sections(kind_named(kind)))
     text += template_section(filled);
   return text;
 }
