@@ -19,18 +19,8 @@ namespace mill {
 namespace {
 void add_model(RunContext &run, const LumpedModel &model, const std::string &prefix)
 {
-  for (int i = 0; i < 6; ++i)
-    run.results.add(prefix + "M" + std::to_string(i + 1), model.M[i]);
-  for (int i = 0; i < 7; ++i)
-    run.results.add(prefix + "K" + std::to_string(i + 1), model.K[i]);
-  run.results.add(prefix + "C", model.C);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::string name = prefix + "Kzc" + std::to_string(i + 1);
-    if (!std::isnan(model.Kzc[i].value))
-      run.results.add(name, model.Kzc[i]);
-    if (!std::isnan(model.Kzc_across[i].value))
-      run.results.add(name + "_across", model.Kzc_across[i]);
-  }
+  reduce::each_number(
+      [&](const std::string &name, const Parameter &number) { run.results.add(prefix + name, number); }, model);
 }
 
 // Published values of the case beside the computed ones, under the plain name and beside tangent or plastic slope.
@@ -57,11 +47,6 @@ void write_shapes(RunContext &run, const reduce::LumpedStand &s)
 double working_load(const Pass &pass, const ForceRecord &force)
 {
   return std::isnan(pass.load) ? force.force.mean() : pass.load;
-}
-
-bool has_force(const Pass &pass)
-{
-  return !pass.force_file.empty() || !std::isnan(pass.synthetic_range[0]);
 }
 
 // K4 over reduction, tension and friction says nothing of masses and modes.

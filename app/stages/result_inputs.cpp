@@ -26,14 +26,7 @@ std::vector<std::string> beside_the_chain(const Case &the_case, const std::strin
 
 void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, const std::size_t pass)
 {
-  springs.K3.inputs         = contact_keys(stand, "upper", pass);
-  springs.K5.inputs         = contact_keys(stand, "lower", pass);
-  springs.K4.inputs         = bite_keys({stand.strip, stand.bite, pass, "work_roll.barrel_diameter"});
-  springs.K_Zy_upper.inputs = seat_keys(stand, 0, pass);
-  springs.K_Zy_lower.inputs = seat_keys(stand, 3, pass);
-  for (std::size_t i = 0; i < springs.Kzc.size(); ++i) {
-    springs.Kzc[i].inputs        = seat_keys(stand, i, pass);
-    springs.Kzc_across[i].inputs = seat_across_keys(stand, i, pass);
-  }
+  reduce::each_spring(
+      [&](const std::string &name, Parameter &spring) { spring.inputs = spring_keys(stand, name, pass); }, springs);
 }
 }  // namespace mill

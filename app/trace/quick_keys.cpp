@@ -1,17 +1,7 @@
 #include "app/trace/quick_keys.h"
-#include <sstream>
 
 namespace mill {
 namespace {
-KeyList words_of(const std::string &text)
-{
-  std::istringstream words(text);
-  KeyList list;
-  for (std::string word; words >> word;)
-    list.push_back(word);
-  return list;
-}
-
 // Drawing of a roll with what sits on its ends.
 KeyList roll_keys(const std::string &section, const std::string &length, const std::string &chock)
 {

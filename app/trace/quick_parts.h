@@ -17,7 +17,7 @@ struct TwoCylinders;
 /// A result by a closed form, and how it hangs on the case.
 struct QuickResult {
   std::string name;               ///< as in results.json: "K3", "pass 1.rms_g.upper_work_roll"
-  Parameter parameter;            ///< inputs: keys behind the same result of a run
+  Parameter parameter;            ///< inputs: keys behind the same result of a run, of a spring by spring_keys()
   KeyList closed;                 ///< those of the inputs that the closed form follows; the others only a run does
   std::vector<std::string> from;  ///< results it is made of
   KeyList own;                    ///< keys that enter beside what those bring along

@@ -10,6 +10,8 @@
 namespace mill {
 using KeyList = std::vector<std::string>;
 
+/// "a b" -> a, b
+KeyList words_of(const std::string &names);
 /// "frame", "a b" -> frame.a, frame.b
 KeyList keys_in(const std::string &section, const std::string &names);
 
@@ -56,6 +58,9 @@ KeyList seat_keys(const FourHigh &stand, std::size_t i, std::size_t p);
 KeyList seat_across_keys(const FourHigh &stand, std::size_t i, std::size_t p);
 /// Kzc.* of kind "bearing".
 KeyList bearing_case_keys(const BearingCase &spec);
+
+/// A spring that the chain of a stand takes from elsewhere, by its name: "K3", "K4", "K_Zy", "Kzc2_across".
+KeyList spring_keys(const FourHigh &stand, const std::string &name, std::size_t p);
 
 /// Flow stress and friction: the keys that their laws read, and the speed of the pass where friction depends on
 /// it.
