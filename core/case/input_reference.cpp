@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace mill {
 namespace {
@@ -61,15 +63,81 @@ std::string header_of(const SectionRows &section)
   return "[" + section.name + (section.repeat == Repeat::named ? ".NAME]" : "]");
 }
 
-std::string section_reference(const SectionRows &section)
+std::string rows_reference(const SectionRows &section)
 {
-  std::string text = fmt::format("\n### `{}`{}\n\n{}.\n\n| key | form | range | default | example | meaning |\n"
-                                 "|---|---|---|---|---|---|\n",
-                                 header_of(section), section.needed ? "" : ", may be left out", section.meaning);
+  std::string text = "| key | form | range | default | example | meaning |\n|---|---|---|---|---|---|\n";
   for (const Row &row : section.rows) {
     const std::string limits = range_text(row);
     text += fmt::format("| `{}` | {} | {} | {} | `{}` | {} |\n", row.key, cell(form_text(row)),
                         limits.empty() ? "-" : limits, default_text(row), cell(example_toml(row)), row.meaning);
+  }
+  return text;
+}
+
+// The same rows under the same header, with the kinds that read them and what each says of them.
+struct SectionEntry {
+  std::string header, rows;
+  std::vector<std::pair<std::string, std::string>> readers;  // ": the strip in the bite" and "`four-high`, `bite`"
+};
+
+void add_reader(SectionEntry &entry, const std::string &kind, const SectionRows &section)
+{
+  const std::string about = fmt::format("{}: {}.", section.needed ? "" : ", may be left out", section.meaning);
+  const auto known        = std::find_if(entry.readers.begin(), entry.readers.end(),
+                                         [&](const auto &reader) { return reader.first == about; });
+  if (known == entry.readers.end())
+    entry.readers.emplace_back(about, "`" + kind + "`");
+  else
+    known->second += ", `" + kind + "`";
+}
+
+// Every section once, in the order in which the kinds come to it; rows of one header stand together.
+std::vector<SectionEntry> section_entries()
+{
+  std::vector<SectionEntry> all;
+  for (const CaseKind *kind : all_kinds())
+    for (const SectionRows &section : kind->sections) {
+      const std::string header = header_of(section), rows = rows_reference(section);
+      auto place = all.end();  // behind the last of this header
+      for (auto entry = all.begin(); entry != all.end(); ++entry)
+        if (entry->header == header) {
+          place = entry + 1;
+          if (entry->rows == rows)
+            break;
+        }
+      const bool known =
+          place != all.begin() && !all.empty() && (place - 1)->header == header && (place - 1)->rows == rows;
+      if (!known)
+        place = all.insert(place, SectionEntry{header, rows, {}}) + 1;
+      add_reader(*(place - 1), kind->name, section);
+    }
+  return all;
+}
+
+std::string section_references()
+{
+  std::string text, last;
+  for (const SectionEntry &entry : section_entries()) {
+    if (entry.header != last)
+      text += "\n### `" + entry.header + "`\n";
+    last = entry.header;
+    for (const auto &[about, kinds] : entry.readers)
+      text += "\n" + kinds + about + "\n";
+    text += "\n" + entry.rows;
+  }
+  return text;
+}
+
+std::string kind_references()
+{
+  std::string text =
+      "\n## Kinds of case\n\nSections in parentheses may be left out.\n\n| kind | sections |\n|---|---|\n";
+  for (const CaseKind *kind : all_kinds()) {
+    std::string list;
+    for (const SectionRows &section : kind->sections)
+      if (!section.name.empty())
+        list += (list.empty() ? "" : ", ") + fmt::format(section.needed ? "`{}`" : "(`{}`)", header_of(section));
+    text += fmt::format("| `{}` | {} |\n", kind->name, list);
   }
   return text;
 }
@@ -149,7 +217,7 @@ std::string input_reference()
   std::string text =
       "# Input reference\n\n"
       "Printed by the program from the rows that also read the case file (`core/case/stand_rows.cpp`,\n"
-      "`core/case/stand_sections.cpp`); a test compares this page with them.\n\n"
+      "`core/case/kinds`); a test compares this page with them.\n\n"
       "A case is a TOML file. Every value with a unit is a text, `\"1450 mm\"`; counts and pure numbers are\n"
       "bare. Any unit of the right dimension may be used; both ends of a range are allowed. Paths start at the\n"
       "folder of the case file. A key nobody knows is an error.\n\n"
@@ -167,11 +235,7 @@ std::string input_reference()
   }
   text += "\n`N.s/m`, `N*s/m` and `N s/m` are one unit, the micro sign counts as `u`, and `g` is the standard\n"
           "acceleration of free fall, 9.80665 m/s2.\n";
-  for (const std::string &kind : case_kinds()) {
-    text += fmt::format("\n## kind = \"{}\"\n", kind);
-    for (const SectionRows &section : sections_of(kind))
-      text += section_reference(section);
-  }
+  text += kind_references() + "\n## Sections\n" + section_references();
   return text +
          "\nA key `..._tolerance` of `[frame]` or `[given]` becomes the error estimate of its value and of what "
          "follows\n"
