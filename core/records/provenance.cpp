@@ -68,6 +68,16 @@ KeyList load_keys_of_all(const std::vector<Pass> &passes)
   return keys;
 }
 
+// Rolls
+
+KeyList roll_body_keys(const std::string &section)
+{
+  return keys_but(section, section == "work_roll" ? rows_of(work_roll_rows()) : rows_of(backup_roll_rows()),
+                  "crown crown_table crown_polynomial thermal_crown thermal_crown_table end_chamfer_length "
+                  "end_chamfer_depth axial_shift bending_force bending_model bearing bearing_load "
+                  "chock_mass_upper chock_mass_lower");
+}
+
 // Contact
 
 KeyList contact_keys(const FourHigh &stand, const std::string &name, const std::size_t p)

@@ -39,6 +39,11 @@ KeyList force_keys(const Pass &pass, std::size_t p);
 KeyList load_keys(const Pass &pass, std::size_t p);
 KeyList load_keys_of_all(const std::vector<Pass> &passes);
 
+/// What gives a roll its shape and mass between its ends: all rows of its section but profiles, bearings, chocks and
+/// loads.
+/// @param section  "work_roll" or "backup_roll"
+KeyList roll_body_keys(const std::string &section);
+
 /// Contact of the rolls by finite elements: K3.*, K5.* and contact.NAME.* of a pass.  Both ways of holding the
 /// rolls are solved on one mesh, whose patch must hold the wider contact, so all results have one list.
 /// @param name  "upper" or "lower"
