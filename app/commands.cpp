@@ -1,19 +1,18 @@
 #include "app/commands.h"
 #include "app/address_space.h"
-#include "app/stages/bearing_model.h"
-#include "app/stages/bite_stage.h"
-#include "app/stages/chatter_stage.h"
+#include "app/case_kinds.h"
 #include "app/console.h"
-#include "app/stages/mass_table.h"
 #include "app/out_of_memory.h"
 #include "app/pipeline.h"
 #include "app/run_log.h"
+#include "app/stages/bearing_model.h"
+#include "app/stages/mass_table.h"
 #include "app/trace/trace_text.h"
 #include "app/verify_command.h"
-#include "core/records/files.h"
 #include "core/case/input_reference.h"
-#include "core/numerics/sparse.h"
 #include "core/case/visible_text.h"
+#include "core/numerics/sparse.h"
+#include "core/records/files.h"
 #include "fem/body/elastic_body.h"
 #include "report/page/html.h"
 #include "report/page/names.h"
@@ -50,50 +49,6 @@ std::string now()
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", std::localtime(&t));
   return text;
-}
-
-// Share of the time that each stage of a cold run takes, for the time left.
-std::vector<std::pair<std::string, double>> expected_stages(const Case &c)
-{
-  if (std::holds_alternative<FourHigh>(c.spec))
-    return {
-        {"condensation",  1 },
-        {"condensation",  10},
-        {"condensation",  1 },
-        {"condensation",  8 },
-        {"contact upper", 2 },
-        {"contact lower", 2 },
-        {"components",    3 },
-        {"bite, curves",  8 },
-        {"passes",        4 }
-    };
-  if (std::holds_alternative<TwoCylinders>(c.spec))
-    return {
-        {"condensation", 1},
-        {"condensation", 3},
-        {"condensation", 1},
-        {"condensation", 3},
-        {"contact line", 1}
-    };
-  if (std::holds_alternative<BearingCase>(c.spec))
-    return {
-        {"roller",                                                3 },
-        {"roller",                                                10},
-        {"rings",                                                 20},
-        {"bearing " + std::get<BearingCase>(c.spec).load.bearing, 4 }
-    };
-  if (std::holds_alternative<BiteCase>(c.spec))
-    return {
-        {"bite, finite elements", 3},
-        {"bite, curves",          4}
-    };
-  if (std::holds_alternative<ChatterCase>(c.spec))
-    return {
-        {"chatter", 1}
-    };
-  return {
-      {"passes", 1}
-  };
 }
 
 std::string engineering(const Parameter &p)
@@ -146,33 +101,34 @@ Goal goal_of(const std::string &verb)
 // A verb that the kind of the case cannot answer.
 void require_fitting(const std::string &verb, const Case &the_case)
 {
-  const bool cylinders = std::holds_alternative<TwoCylinders>(the_case.spec);
-  const bool bearing   = std::holds_alternative<BearingCase>(the_case.spec);
-  const bool lumped    = std::holds_alternative<Lumped>(the_case.spec);
-  const bool bite      = std::holds_alternative<BiteCase>(the_case.spec);
-  const bool chatter   = std::holds_alternative<ChatterCase>(the_case.spec);
-  if (lumped && verb == "chatter")
-    throw InputError("a lumped model alone cannot chatter: it has no strip (" + the_case.path +
-                     "); write a case of kind = \"chatter\" whose [stand] says from = \"" +
-                     fs::path(the_case.path).filename().string() + "\"");
-  if (((cylinders || bearing || bite) && verb != "run" && verb != "stiffness") ||
-      (chatter && verb != "run" && verb != "chatter") || (lumped && (verb == "stiffness" || verb == "masses")))
-    throw InputError("millstand " + verb + " has nothing to compute for kind = \"" + the_case.kind + "\" (" +
-                     the_case.path + "); use millstand run");
+  const RunKind &kind = run_kind(the_case);
+  if (std::find(kind.verbs.begin(), kind.verbs.end(), verb) != kind.verbs.end())
+    return;
+  if (const std::string why = kind.refusal ? kind.refusal(the_case, verb) : ""; !why.empty())
+    throw InputError(why);
+  throw InputError("millstand " + verb + " has nothing to compute for kind = \"" + the_case.kind + "\" (" +
+                   the_case.path + "); use millstand run");
+}
+
+// The case with all that is wrong with it, as far as that can be said before anything is computed.
+Case checked_case(const CommandLine &command)
+{
+  Case the_case = read_case(command.target, command.sets);
+  check_file_names(the_case);
+  check_fits(the_case);
+  if (const auto check = run_kind(the_case).check)
+    check(the_case);
+  return the_case;
 }
 
 int run_chain(const CommandLine &command)
 {
-  const Case the_case = read_case(command.target, command.sets);
-  check_file_names(the_case);
-  check_fits(the_case);
-  check_bites(the_case);
-  check_conditions(the_case);
+  const Case the_case = checked_case(command);
   require_fitting(command.verb, the_case);
   const OutputDir out(command.output.empty() ? "out/" + the_case.name : command.output, the_case,
                       command.force_overwrite, run_id_of(the_case, command.verb, command.force));
   const RunLog log(out, command.log, command.verbose);
-  console::ProgressBar bar(expected_stages(the_case), command.quiet);
+  console::ProgressBar bar(run_kind(the_case).stages(the_case), command.quiet);
   RunContext run{the_case, out, cache_folder(command, out), command.fresh};
   std::error_code cache_error;
   if (fs::create_directories(run.cache, cache_error); cache_error) {
@@ -272,11 +228,7 @@ int carry_out(const CommandLine &command)
   if (command.verb == "new")
     return write_template(command);
   if (command.verb == "check") {
-    const Case the_case = read_case(command.target, command.sets);
-    check_file_names(the_case);
-    check_fits(the_case);
-    check_bites(the_case);
-    check_conditions(the_case);
+    const Case the_case = checked_case(command);
     console::print(
         fmt::format("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, visible(the_case.title, true)));
     for (const std::string &sentence : said_of_bearings(the_case))

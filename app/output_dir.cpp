@@ -1,5 +1,6 @@
 #include "app/output_dir.h"
 #include "core/case/errors.h"
+#include "core/case/kinds.h"
 #include "core/records/files.h"
 #include "core/records/run_identity.h"
 #include <filesystem>
@@ -105,16 +106,9 @@ void OutputDir::publish() const
 
 void check_file_names(const Case &the_case)
 {
-  std::vector<Pass> passes;
-  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
-    passes = stand->passes;
-  if (const auto *lumped = std::get_if<Lumped>(&the_case.spec))
-    passes = lumped->passes;
-  if (const auto *bite = std::get_if<BiteCase>(&the_case.spec))
-    passes = bite->passes;
   std::map<std::string, Pass> written;  // file name -> pass that writes it
   std::vector<Problem> problems;
-  for (const Pass &pass : passes) {
+  for (const Pass &pass : all_passes(the_case)) {
     if (pass.name.size() > 100)
       problems.push_back(
           {pass.place, "pass.name is longer than 100 characters; it names the files of the pass", {}});

@@ -1,4 +1,5 @@
 #include "app/pipeline.h"
+#include "app/case_kinds.h"
 #include "app/stages/bearing_stage.h"
 #include "app/stages/bite_stage.h"
 #include "app/stages/chatter_stage.h"
@@ -18,18 +19,8 @@ namespace mill {
 namespace {
 void add_model(RunContext &run, const LumpedModel &model, const std::string &prefix)
 {
-  for (int i = 0; i < 6; ++i)
-    run.results.add(prefix + "M" + std::to_string(i + 1), model.M[i]);
-  for (int i = 0; i < 7; ++i)
-    run.results.add(prefix + "K" + std::to_string(i + 1), model.K[i]);
-  run.results.add(prefix + "C", model.C);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::string name = prefix + "Kzc" + std::to_string(i + 1);
-    if (!std::isnan(model.Kzc[i].value))
-      run.results.add(name, model.Kzc[i]);
-    if (!std::isnan(model.Kzc_across[i].value))
-      run.results.add(name + "_across", model.Kzc_across[i]);
-  }
+  reduce::each_number(
+      [&](const std::string &name, const Parameter &number) { run.results.add(prefix + name, number); }, model);
 }
 
 // Published values of the case beside the computed ones, under the plain name and beside tangent or plastic slope.
@@ -58,11 +49,6 @@ double working_load(const Pass &pass, const ForceRecord &force)
   return std::isnan(pass.load) ? force.force.mean() : pass.load;
 }
 
-bool has_force(const Pass &pass)
-{
-  return !pass.force_file.empty() || !std::isnan(pass.synthetic_range[0]);
-}
-
 // K4 over reduction, tension and friction says nothing of masses and modes.
 bool draws_bite_curves(const Goal goal)
 {
@@ -78,6 +64,8 @@ PassModel model_of_pass(const FourHigh &stand, const reduce::LumpedStand &chain,
   six.missing   = models.verdict.missing;
   return six;
 }
+
+}  // namespace
 
 void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::string &force_file)
 {
@@ -182,22 +170,10 @@ void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::stri
     run.progress.at("passes", double(p + 1) / double(lumped.passes.size()));
   }
 }
-}  // namespace
 
 void run_stages(RunContext &run, const Goal goal, const std::string &force_file)
 {
-  if (const auto *stand = std::get_if<FourHigh>(&run.the_case.spec))
-    run_four_high(run, *stand, goal, force_file);
-  else if (const auto *lumped = std::get_if<Lumped>(&run.the_case.spec))
-    run_lumped(run, *lumped, goal, force_file);
-  else if (const auto *bearing = std::get_if<BearingCase>(&run.the_case.spec))
-    solve_bearing_case(run, *bearing);
-  else if (const auto *bite = std::get_if<BiteCase>(&run.the_case.spec))
-    solve_bite_case(run, *bite);
-  else if (const auto *chatter = std::get_if<ChatterCase>(&run.the_case.spec))
-    solve_chatter_case(run, *chatter);
-  else
-    solve_cylinders(run, std::get<TwoCylinders>(run.the_case.spec));
+  run_kind(run.the_case).run(run, goal, force_file);
   set_inputs(run.results, run.the_case);
 }
 }  // namespace mill

@@ -1,9 +1,10 @@
 #include "app/run_context.h"
+#include "app/case_kinds.h"
 #include "app/out_of_memory.h"
-#include "bearing/geometry.h"
+#include "core/case/kinds.h"
+#include "core/numerics/sparse.h"
 #include "core/records/files.h"
 #include "core/records/run_identity.h"
-#include "core/numerics/sparse.h"
 #include "fem/body/elastic_body.h"
 #include "meshes/common/gmsh_scope.h"
 #include <Eigen/Core>
@@ -66,76 +67,15 @@ std::string version()
 }
 
 namespace {
-json geometry_of(const FourHigh &stand)
-{
-  return {
-      {"work_roll_diameter",   stand.work_roll.barrel_diameter                                },
-      {"work_roll_length",     stand.work_roll.barrel_length                                  },
-      {"work_neck_diameter",   stand.work_roll.neck_diameter                                  },
-      {"work_total_length",    stand.work_roll.barrel_length + 2 * stand.work_roll.neck_length},
-      {"work_bearing_span",    stand.work_roll.bearing_span                                   },
-      {"backup_diameter",      stand.backup_roll.barrel_diameter                              },
-      {"backup_length",        stand.backup_roll.barrel_length                                },
-      {"backup_neck_diameter", stand.backup_roll.neck_diameter                                },
-      {"backup_neck_length",   stand.backup_roll.neck_length                                  },
-      {"backup_bearing_span",  stand.backup_roll.bearing_span                                 },
-      {"strip_width",          stand.strip.width                                              },
-      {"entry_thickness",      stand.strip.entry_thickness                                    },
-      {"exit_thickness",       stand.strip.exit_thickness                                     }
-  };
-}
-
-void add_bearings(json &manifest, const std::vector<RollerBearing> &bearings)
-{
-  for (const RollerBearing &b : bearings)
-    manifest["bearings"][b.name] = {
-        {"bore",                b.bore                    },
-        {"outside_diameter",    b.outside_diameter        },
-        {"width",               b.width                   },
-        {"pitch_diameter",      bearing::pitch_diameter(b)},
-        {"rows",                b.rows                    },
-        {"rollers_per_row",     b.rollers_per_row         },
-        {"roller_length",       b.roller_length           },
-        {"roller_diameter",     b.roller_diameter         },
-        {"roller_cone_angle",   b.roller_cone_angle       },
-        {"cup_angle",           b.cup_angle               },
-        {"row_hands",           b.row_hands               },
-        {"row_hands_assumed",   int(b.row_hands_assumed)  },
-        {"chock_width",         b.chock_width             },
-        {"chock_height",        b.chock_height            },
-        {"chock_support_width", b.chock_support_width     },
-        {"chock_support_gap",   b.chock_support_gap       }
-    };
-}
-
-void add_passes(json &manifest, const std::vector<Pass> &passes, const std::string &force_meaning)
-{
-  for (const Pass &pass : passes)
-    manifest["passes"].push_back({
-        {"name",          pass.name                                              },
-        {"slug",          slug(pass.name)                                        },
-        {"load",          std::isnan(pass.load) ? json(nullptr) : json(pass.load)},
-        {"synthetic",     pass.synthetic                                         },
-        {"force_meaning", force_meaning                                          }
-    });
-}
-
 // Files beside the case that a run reads.
 std::vector<std::string> input_files(const Case &the_case, const std::string &force_file)
 {
   std::vector<std::string> files{force_file};
-  const auto add_passes_of = [&](const auto &spec) {
-    for (const Pass &pass : spec.passes)
-      files.insert(files.end(), {pass.force_file, pass.measured_file});
-  };
-  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
-    add_passes_of(*stand);
-  if (const auto *lumped = std::get_if<Lumped>(&the_case.spec))
-    add_passes_of(*lumped);
-  if (const auto *bite = std::get_if<BiteCase>(&the_case.spec))
-    add_passes_of(*bite);
-  if (const auto *chatter = std::get_if<ChatterCase>(&the_case.spec))
-    files.push_back(chatter->stand.from);
+  for (const Pass &pass : all_passes(the_case))
+    files.insert(files.end(), {pass.force_file, pass.measured_file});
+  if (const auto more = run_kind(the_case).files)
+    for (const std::string &file : more(the_case))
+      files.push_back(file);
   files.erase(std::remove(files.begin(), files.end(), ""), files.end());
   return files;
 }
@@ -181,28 +121,8 @@ std::string manifest_json(const RunContext &run)
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   manifest["peak_memory"] = 1024. * double(usage.ru_maxrss);
-  if (const auto *stand = std::get_if<FourHigh>(&c.spec)) {
-    manifest["geometry"] = geometry_of(*stand);
-    add_bearings(manifest, stand->bearings);
-    add_passes(manifest, stand->passes, stand->dynamics.force_meaning);
-  }
-  if (const auto *bearing = std::get_if<BearingCase>(&c.spec))
-    add_bearings(manifest, bearing->bearings);
-  if (const auto *bite = std::get_if<BiteCase>(&c.spec))
-    manifest["geometry"] = {
-        {"work_roll_diameter", bite->roll_diameter}
-    };
-  if (const auto *chatter = std::get_if<ChatterCase>(&c.spec))
-    manifest["geometry"] = {
-        {"work_roll_diameter", chatter->roll_diameter}
-    };
-  if (const auto *lumped = std::get_if<Lumped>(&c.spec))
-    add_passes(manifest, lumped->passes, lumped->dynamics.force_meaning);
-  if (const auto *pair = std::get_if<TwoCylinders>(&c.spec))
-    manifest["geometry"] = {
-        {"upper_diameter", pair->upper_diameter},
-        {"lower_diameter", pair->lower_diameter}
-    };
+  if (const auto describe = run_kind(c).describe)
+    describe(c, manifest);
   return manifest.dump(2) + "\n";
 }
 }  // namespace mill

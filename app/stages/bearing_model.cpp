@@ -3,16 +3,17 @@
 #include "bearing/geometry.h"
 #include "bearing/ring_sections.h"
 #include "bearing/roller_profile.h"
+#include "core/case/kinds.h"
 #include "core/records/files.h"
 #include "core/records/members.h"
 #include "core/records/record_text.h"
 #include "fem/bearing/chock_flexibility.h"
-#include "fem/roll/roll_cache.h"
 #include "fem/bearing/roller_slices.h"
+#include "fem/roll/roll_cache.h"
 #include "meshes/bearing/bearing_rings.h"
 #include "meshes/bearing/chock.h"
-#include "meshes/common/gmsh_scope.h"
 #include "meshes/bearing/roller.h"
+#include "meshes/common/gmsh_scope.h"
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -275,15 +276,6 @@ double load_at_rest(RollerBearing b)
   return pressed > 0 ? bearing::roller_load(law, pressed, 0).load : 0;
 }
 
-std::vector<RollerBearing> bearings_of(const Case &the_case)
-{
-  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
-    return stand->bearings;
-  if (const auto *bearing = std::get_if<BearingCase>(&the_case.spec))
-    return bearing->bearings;
-  return {};
-}
-
 Place place_of(const Case &the_case, const std::string &key)
 {
   const auto place = the_case.places.find(key);
@@ -337,7 +329,7 @@ void check_drawing(const Case &the_case, const RollerBearing &b, std::vector<Pro
 std::vector<std::string> said_of_bearings(const Case &the_case)
 {
   std::vector<std::string> out;
-  for (const RollerBearing &b : bearings_of(the_case)) {
+  for (const RollerBearing &b : all_bearings(the_case)) {
     if (const double closing = closing_cup_angle(b); std::isfinite(closing))
       out.push_back(fmt::format(
           "bearing.{}: the apex condition closes at a cup angle of {:.4g} deg; cup_angle is {:.4g} deg", b.name,
@@ -352,7 +344,7 @@ std::vector<std::string> said_of_bearings(const Case &the_case)
 void check_fits(const Case &the_case)
 {
   std::vector<Problem> problems;
-  for (const RollerBearing &b : bearings_of(the_case)) {
+  for (const RollerBearing &b : all_bearings(the_case)) {
     check_fit(the_case, b, problems);
     check_drawing(the_case, b, problems);
   }

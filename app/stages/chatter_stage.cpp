@@ -32,18 +32,16 @@ void finish(RunContext &run, const ChatterStudy &study)
 
 void check_conditions(const Case &the_case)
 {
-  const auto *spec = std::get_if<ChatterCase>(&the_case.spec);
-  if (!spec)
-    return;
+  const auto &spec = std::get<ChatterCase>(the_case.spec);
   std::vector<Problem> problems;
-  for (std::size_t i = 0; i < spec->conditions.size(); ++i) {
-    const RollingCondition &c = spec->conditions[i];
+  for (std::size_t i = 0; i < spec.conditions.size(); ++i) {
+    const RollingCondition &c = spec.conditions[i];
     const double initial =
-        std::isnan(spec->strip.initial_thickness) ? c.entry_thickness : spec->strip.initial_thickness;
+        std::isnan(spec.strip.initial_thickness) ? c.entry_thickness : spec.strip.initial_thickness;
     const auto check = [&](const char *which, const double tension, const double thickness) {
       try {
         check_tension(the_case, fmt::format("condition.{}.{}", i, which), tension,
-                      bite::flow_stress(spec->strip.flow_stress, std::log(initial / thickness)), problems);
+                      bite::flow_stress(spec.strip.flow_stress, std::log(initial / thickness)), problems);
       } catch (const InputError &e) {
         problems.push_back({c.place, "condition \"" + c.name + "\": " + e.problems.front().message, {}});
       }

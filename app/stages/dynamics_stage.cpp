@@ -44,6 +44,11 @@ double in_g(const double acceleration)
 }
 }  // namespace
 
+bool has_force(const Pass &pass)
+{
+  return !pass.force_file.empty() || !std::isnan(pass.synthetic_range[0]);
+}
+
 ForceRecord force_of(const Pass &pass)
 {
   if (!pass.force_file.empty())
@@ -82,13 +87,41 @@ void write_poles(RunContext &run, const dynamics::MillModel &chain)
 }
 }  // namespace
 
+ChainModes chain_modes(const LumpedModel &model, const DynamicsSettings &settings)
+{
+  ChainModes all;
+  all.chain = dynamics::mill_model(model, settings);
+  all.modes = dynamics::modes(all.chain);
+  for (Eigen::Index i = 0; i < all.modes.frequency.size(); ++i)
+    all.half.push_back(all.modes.kinetic_share.row(i).head(3).sum() > 0.5 ? Half::upper : Half::lower);
+  return all;
+}
+
+HorizontalModes horizontal_modes(const LumpedModel &model, const double chock_seat,
+                                 const std::array<double, 2> &chock_mass)
+{
+  dynamics::ChockSeats seats;
+  seats.stiffness  = {chock_seat, chock_seat};
+  seats.chock_mass = chock_mass;
+  HorizontalModes all;
+  all.rolls = dynamics::horizontal_model(model, seats);
+  if (all.rolls.M.size() == 0)
+    return all;
+  all.modes = dynamics::modes(all.rolls);
+  for (Eigen::Index i = 0; i < all.modes.frequency.size(); ++i) {
+    Eigen::Index most = 0;
+    all.modes.kinetic_share.row(i).maxCoeff(&most);
+    all.mover.push_back(all.rolls.labels[std::size_t(most)]);
+  }
+  return all;
+}
+
 void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings,
                const double chock_seat, const std::array<double, 2> chock_mass)
 {
   StageTimer timer(run, "modes");
-  const auto chain = dynamics::mill_model(model, settings);
-  const auto modes = dynamics::modes(chain);
-  const auto n     = modes.frequency.size();
+  const auto [chain, modes, half] = chain_modes(model, settings);
+  const auto n                    = modes.frequency.size();
   Table table;
   table.add("mode", "", Eigen::VectorXd::LinSpaced(n, 1, double(n))).add("frequency", "Hz", modes.frequency);
   for (Eigen::Index j = 0; j < n; ++j) {
@@ -108,19 +141,14 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
     f.method = "six-mass chain, force " + settings.force_meaning;
     f.at     = model.at;
     state_error(f, modes, i, model);
-    f.inputs = chain_mode_keys(model, settings,
-                               modes.kinetic_share.row(i).head(3).sum() > 0.5 ? Half::upper : Half::lower);
+    f.inputs = chain_mode_keys(model, settings, half[std::size_t(i)]);
     run.results.add("f" + std::to_string(i + 1), f);
   }
 
-  dynamics::ChockSeats seats;
-  seats.stiffness       = {chock_seat, chock_seat};
-  seats.chock_mass      = chock_mass;
-  const auto horizontal = dynamics::horizontal_model(model, seats);
-  if (horizontal.M.size() == 0)
+  const auto [horizontal, sideways, mover] = horizontal_modes(model, chock_seat, chock_mass);
+  if (mover.empty())
     return;
-  const auto sideways = dynamics::modes(horizontal);
-  const auto n_plane  = horizontal.M.size();
+  const auto n_plane = horizontal.M.size();
   Table plane;
   plane.add("mode", "", Eigen::VectorXd::LinSpaced(n_plane, 1, double(n_plane)))
       .add("frequency", "Hz", sideways.frequency);
@@ -132,15 +160,13 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
   }
   run.out.write("curves/modes-horizontal.csv", csv_text(plane));
   for (Eigen::Index i = 0; i < sideways.frequency.size(); ++i) {
-    Eigen::Index mover = 0;
-    sideways.kinetic_share.row(i).maxCoeff(&mover);
+    const std::string &label = mover[std::size_t(i)];
     Parameter f;
-    f.value  = sideways.frequency[i];
-    f.unit   = "Hz";
-    f.method = "rolls on their bearings, " + horizontal.labels[std::size_t(mover)] +
-               (std::isnan(chock_seat) ? ", chock seats rigid" : "");
+    f.value       = sideways.frequency[i];
+    f.unit        = "Hz";
+    f.method      = "rolls on their bearings, " + label + (std::isnan(chock_seat) ? ", chock seats rigid" : "");
     f.at          = model.at;
-    f.inputs      = horizontal_mode_keys(model, horizontal.labels[std::size_t(mover)], !std::isnan(chock_seat));
+    f.inputs      = horizontal_mode_keys(model, label, !std::isnan(chock_seat));
     f.error_lacks = {"mass that moves along the pass line: the vertical equivalent mass stands in"};
     run.results.add("fh" + std::to_string(i + 1), f);
   }

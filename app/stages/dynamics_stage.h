@@ -1,8 +1,10 @@
 #pragma once
 #include "app/run_context.h"
-#include "core/records/lumped_model.h"
-#include "core/records/records.h"
 #include "core/model/stand.h"
+#include "core/records/lumped_model.h"
+#include "core/records/provenance.h"
+#include "core/records/records.h"
+#include "dynamics/response/modes.h"
 #include "dynamics/response/response.h"
 #include "reduce/stand/stand_comparison.h"
 #include <vector>
@@ -10,6 +12,28 @@
 namespace mill {
 /// Force record of a pass: its file, or the synthetic noise its keys describe.
 ForceRecord force_of(const Pass &pass);
+
+bool has_force(const Pass &pass);  ///< a record, or a range to make one in
+
+/// Vertical modes of the chain, and which half of the stand each moves.
+struct ChainModes {
+  dynamics::MillModel chain;
+  dynamics::Modes modes;
+  std::vector<Half> half;  ///< (modes)
+};
+ChainModes chain_modes(const LumpedModel &model, const DynamicsSettings &settings);
+
+/// Modes of the rolls on their bearings along the pass line, and which roll each moves most; empty where no
+/// bearing is known.
+struct HorizontalModes {
+  dynamics::MillModel rolls;
+  dynamics::Modes modes;
+  std::vector<std::string> mover;  ///< (modes) label of the roll
+};
+/// @param chock_seat  N/m, of each work roll, both sides; NaN: rigid
+/// @param chock_mass  kg, both chocks of the upper and of the lower work roll
+HorizontalModes horizontal_modes(const LumpedModel &model, double chock_seat,
+                                 const std::array<double, 2> &chock_mass);
 
 /// Natural frequencies and shapes: f1.., fh1.., curves/modes*.csv and curves/poles.csv.
 void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings, double chock_seat,

@@ -1,5 +1,8 @@
 #include "app/trace/quick_chain.h"
+#include "app/case_kinds.h"
+#include "app/stages/dynamics_stage.h"
 #include "app/trace/quick_response.h"
+#include "core/numerics/require.h"
 #include "core/records/lumped_model.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modes.h"
@@ -11,12 +14,7 @@
 
 namespace mill {
 namespace {
-using Results = std::vector<QuickResult>;
-
-bool has_force(const Pass &pass)
-{
-  return !pass.force_file.empty() || !std::isnan(pass.synthetic_range[0]);
-}
+using QuickResults = std::vector<QuickResult>;
 
 // A given value replaces the computed one; its only input is its own key.
 bool is_given(const GivenValues &given, const std::string &name)
@@ -35,9 +33,6 @@ QuickResult given_result(const std::string &name, const Parameter &parameter)
   return r;
 }
 
-const std::array<const char *, 6> mass_names{"M1", "M2", "M3", "M4", "M5", "M6"};
-const std::array<const char *, 7> spring_names{"K1", "K2", "K3", "K4", "K5", "K6", "K7"};
-
 // Names of the chain's numbers with the prefix of a pass.
 std::vector<std::string> with_prefix(std::vector<std::string> parts, const std::string &prefix)
 {
@@ -46,8 +41,14 @@ std::vector<std::string> with_prefix(std::vector<std::string> parts, const std::
   return parts;
 }
 
+// M1, K7, not the bearings that hold the rolls along the pass line, nor a damper.
+bool of_the_chain(const std::string &name)
+{
+  return name.size() == 2 && (name[0] == 'M' || name[0] == 'K');
+}
+
 // Lists of a result that is made of others, and of keys of its own.
-void inherit(QuickResult &r, const Results &all, const KeyList &own)
+void inherit(QuickResult &r, const QuickResults &all, const KeyList &own)
 {
   KeyList closed = own, inputs = own;
   for (const std::string &part : r.from)
@@ -60,17 +61,16 @@ void inherit(QuickResult &r, const Results &all, const KeyList &own)
   r.parameter.inputs = joined(inputs, closed);
 }
 
-void add_modes(Results &all, const LumpedModel &model, const DynamicsSettings &settings)
+void add_vertical_modes(QuickResults &all, const LumpedModel &model, const DynamicsSettings &settings)
 {
-  const auto modes = dynamics::modes(dynamics::mill_model(model, settings));
-  for (Eigen::Index i = 0; i < modes.frequency.size(); ++i) {
-    const Half half = modes.kinetic_share.row(i).head(3).sum() > 0.5 ? Half::upper : Half::lower;
+  const ChainModes chain = chain_modes(model, settings);
+  for (std::size_t i = 0; i < chain.half.size(); ++i) {
     QuickResult r;
     r.name             = fmt::format("f{}", i + 1);
-    r.parameter.value  = modes.frequency[i];
+    r.parameter.value  = chain.modes.frequency[Eigen::Index(i)];
     r.parameter.unit   = "Hz";
     r.parameter.method = "six-mass chain";
-    r.from             = chain_parts(settings, half);
+    r.from             = chain_parts(settings, chain.half[i]);
     r.road             = "modes of the chain";
     r.file             = "dynamics/response/modes";
     r.equation         = "(6.11)";
@@ -80,29 +80,21 @@ void add_modes(Results &all, const LumpedModel &model, const DynamicsSettings &s
 }
 
 // What a roll feels along the pass line; a lumped model may know one stiffness only.
-std::string bearing_across(const Results &all, const int roll)
+std::string bearing_across(const QuickResults &all, const int roll)
 {
   const std::string along = fmt::format("Kzc{}", roll + 1);
   return find(all, along + "_across") ? along + "_across" : along;
 }
 
-void add_horizontal_modes(Results &all, const LumpedModel &model, const double chock_seat,
+void add_horizontal_modes(QuickResults &all, const LumpedModel &model, const double chock_seat,
                           const std::array<double, 2> chock_mass)
 {
-  dynamics::ChockSeats seats;
-  seats.stiffness       = {chock_seat, chock_seat};
-  seats.chock_mass      = chock_mass;
-  const auto horizontal = dynamics::horizontal_model(model, seats);
-  if (horizontal.M.size() == 0)
-    return;
-  const auto modes = dynamics::modes(horizontal);
-  for (Eigen::Index i = 0; i < modes.frequency.size(); ++i) {
-    Eigen::Index mover = 0;
-    modes.kinetic_share.row(i).maxCoeff(&mover);
-    const std::string &label = horizontal.labels[std::size_t(mover)];
+  const HorizontalModes rolls = horizontal_modes(model, chock_seat, chock_mass);
+  for (std::size_t i = 0; i < rolls.mover.size(); ++i) {
+    const std::string &label = rolls.mover[i];
     QuickResult r;
     r.name             = fmt::format("fh{}", i + 1);
-    r.parameter.value  = modes.frequency[i];
+    r.parameter.value  = rolls.modes.frequency[Eigen::Index(i)];
     r.parameter.unit   = "Hz";
     r.parameter.method = label + " on its bearings";
     for (const std::size_t roll : rolls_in(label))
@@ -115,7 +107,7 @@ void add_horizontal_modes(Results &all, const LumpedModel &model, const double c
   }
 }
 
-void add_response(Results &all, const LumpedModel &model, const DynamicsSettings &settings, const Pass &pass,
+void add_response(QuickResults &all, const LumpedModel &model, const DynamicsSettings &settings, const Pass &pass,
                   const std::size_t p, const std::string &prefix, QuickMemory &memory)
 {
   // The six masses are driven here whatever dynamics.model says, and white force has no samples.
@@ -161,7 +153,7 @@ double factor(const SpringFactors &factors, const std::string &name)
 }
 
 // Springs that finite elements would give, in closed form or given.
-void add_springs(Results &all, const FourHigh &stand, const std::size_t p, const std::string &prefix,
+void add_springs(QuickResults &all, const FourHigh &stand, const std::size_t p, const std::string &prefix,
                  const double load, const SpringFactors &factors)
 {
   const auto bearings = quick_bearings(stand, load, p);
@@ -169,6 +161,7 @@ void add_springs(Results &all, const FourHigh &stand, const std::size_t p, const
   made.insert(made.end(), bearings.begin(), bearings.end());
   made.push_back(quick_bite(stand, int(p)));
   for (QuickResult &r : made) {
+    r.parameter.inputs = spring_keys(stand, r.name, p);
     r.parameter.value *= factor(factors, prefix + r.name);
     const std::string given = r.name == "K_Zy_lower" ? "K_Zy" : r.name;  // one value for both backup rolls
     if (is_given(stand.given, given)) {
@@ -199,14 +192,13 @@ Parameter bent_beam(const FourHigh &stand, const SpringFactors &factors)
 }
 
 // The chain twice: with the keys that closed forms follow, whose numbers count, and with all keys of a run.
-LumpedModel add_chain(Results &all, const FourHigh &stand, const std::string &prefix, const std::string &at,
+LumpedModel add_chain(QuickResults &all, const FourHigh &stand, const std::string &prefix, const std::string &at,
                       const SpringFactors &factors)
 {
-  const auto made   = [&](const char *name) { return *find(all, prefix + name); };
-  const auto spring = [&](const char *name) {
-    Parameter p = made(name).parameter;
-    p.inputs    = made(name).closed;
-    return p;
+  const auto made = [&](const std::string &name) {
+    const QuickResult *spring = find(all, prefix + name);
+    require(spring, "no closed form gives the spring " + name);
+    return *spring;
   };
   if (stand.dynamics.force_meaning != "measured" && std::isnan(made("K4").parameter.value))
     throw InputError("K4 belongs to the chain with force_meaning = \"" + stand.dynamics.force_meaning +
@@ -214,13 +206,12 @@ LumpedModel add_chain(Results &all, const FourHigh &stand, const std::string &pr
   FourHigh tagged = stand;
   set_given_inputs(tagged.given);
   reduce::ChainInputs in;
-  in.K3            = spring("K3");
-  in.K4            = spring("K4");
-  in.K5            = spring("K5");
-  in.K_Zy_upper    = spring("K_Zy");
-  in.K_Zy_lower    = spring("K_Zy_lower");
-  in.Kzc           = {spring("Kzc1"), spring("Kzc2"), spring("Kzc3"), spring("Kzc4")};
-  in.Kzc_across    = {spring("Kzc1_across"), spring("Kzc2_across"), spring("Kzc3_across"), spring("Kzc4_across")};
+  reduce::each_spring(
+      [&](const std::string &name, Parameter &p) {
+        p        = made(name).parameter;
+        p.inputs = made(name).closed;
+      },
+      in);
   in.at            = at;
   const bool solid = stand.backup_roll.bending_model == "solid";
   if (solid && !is_given(stand.given, "K_ZW"))
@@ -262,17 +253,28 @@ LumpedModel add_chain(Results &all, const FourHigh &stand, const std::string &pr
   add("K_ZW", chain.K_ZW, reduce::backup_roll_keys(solid));
   if (solid && !is_given(stand.given, "K_ZW"))
     all.back().stands_for = "the roll by finite elements, backup_roll.bending_model = \"solid\"";
-  for (const std::size_t i : {0, 1, 5, 6})
-    add(spring_names[i], chain.model.K[i], full[6 + i]);
-  for (std::size_t i = 0; i < 6; ++i)
-    add(mass_names[i], chain.model.M[i], full[i]);
+  // The numbers that nobody above has brought along, in the order of the roads: springs, then masses.
+  for (const char letter : {'K', 'M'}) {
+    std::size_t place = 0;  // in `full`
+    reduce::each_number(
+        [&](const std::string &name, const Parameter &number) {
+          if (!of_the_chain(name))
+            return;
+          const KeyList &inputs = full.at(place++);
+          if (name[0] == letter && !find(all, prefix + name))
+            add(name, number, inputs);
+        },
+        chain.model);
+  }
   return chain.model;
 }
 
-Results four_high(const FourHigh &drawn, QuickMemory &memory, const SpringFactors &factors)
+}  // namespace
+
+QuickResults quick_four_high(const FourHigh &drawn, QuickMemory &memory, const SpringFactors &factors)
 {
   const FourHigh stand = with_drawn_frame(drawn);
-  Results all;
+  QuickResults all;
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
     const Pass &pass         = stand.passes[p];
     const std::string prefix = p == 0 ? "" : pass.name + ".";
@@ -280,7 +282,7 @@ Results four_high(const FourHigh &drawn, QuickMemory &memory, const SpringFactor
     add_springs(all, stand, p, prefix, load, factors);
     const LumpedModel model = add_chain(all, stand, prefix, fmt::format("{:.1f} kN", load / 1e3), factors);
     if (p == 0) {
-      add_modes(all, model, stand.dynamics);
+      add_vertical_modes(all, model, stand.dynamics);
       add_horizontal_modes(all, model, stand.frame.chock_to_housing_stiffness,
                            {2 * stand.work_roll.chock_mass_upper, 2 * stand.work_roll.chock_mass_lower});
     }
@@ -290,21 +292,18 @@ Results four_high(const FourHigh &drawn, QuickMemory &memory, const SpringFactor
   return all;
 }
 
-Results lumped(const Case &the_case, const Lumped &spec, QuickMemory &memory)
+QuickResults quick_lumped(const Case &the_case, QuickMemory &memory)
 {
-  Results all;
+  const auto &spec = std::get<Lumped>(the_case.spec);
+  QuickResults all;
   const LumpedModel model = lumped_model_of(the_case);
-  const auto add          = [&](const std::string &name, const Parameter &p) {
-    if (!std::isnan(p.value))
-      all.push_back(given_result(name, p));
-  };
-  for (std::size_t i = 0; i < 6; ++i)
-    add(mass_names[i], model.M[i]);
-  for (std::size_t i = 0; i < 7; ++i)
-    add(spring_names[i], model.K[i]);
-  for (std::size_t i = 0; i < 4; ++i)
-    add(fmt::format("Kzc{}", i + 1), model.Kzc[i]);
-  add_modes(all, model, spec.dynamics);
+  reduce::each_number(
+      [&](const std::string &name, const Parameter &number) {
+        if (of_the_chain(name) || (name.size() == 4 && name.rfind("Kzc", 0) == 0))
+          all.push_back(given_result(name, number));
+      },
+      model);
+  add_vertical_modes(all, model, spec.dynamics);
   add_horizontal_modes(all, model, not_given, {0, 0});
   for (std::size_t p = 0; p < spec.passes.size(); ++p)
     if (has_force(spec.passes[p]))
@@ -314,7 +313,6 @@ Results lumped(const Case &the_case, const Lumped &spec, QuickMemory &memory)
       *list = of_kind(*list, the_case.kind);
   return all;
 }
-}  // namespace
 
 const QuickResult *find(const std::vector<QuickResult> &results, const std::string &name)
 {
@@ -330,16 +328,6 @@ double beam_stiffness(const FourHigh &stand)
 
 std::vector<QuickResult> quick_chain(const Case &the_case, QuickMemory &memory, const SpringFactors &factors)
 {
-  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
-    return four_high(*stand, memory, factors);
-  if (const auto *spec = std::get_if<Lumped>(&the_case.spec))
-    return lumped(the_case, *spec, memory);
-  if (const auto *spec = std::get_if<BearingCase>(&the_case.spec))
-    return quick_bearing_case(*spec);
-  if (const auto *spec = std::get_if<BiteCase>(&the_case.spec))
-    return quick_bite_case(*spec);
-  if (const auto *spec = std::get_if<ChatterCase>(&the_case.spec))
-    return quick_chatter(*spec);
-  return quick_cylinders(std::get<TwoCylinders>(the_case.spec));
+  return run_kind(the_case).trace(the_case, memory, factors);
 }
 }  // namespace mill

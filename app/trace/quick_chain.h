@@ -8,6 +8,8 @@
 #include <vector>
 
 namespace mill {
+struct Case;
+
 /// What evaluations of neighbouring cases share: forces that are read once, responses of a chain already driven.
 struct QuickMemory {
   std::map<std::string, ForceRecord> forces;           ///< by file, or by the numbers of a made record
@@ -31,6 +33,9 @@ std::vector<QuickResult> quick_chain(const Case &the_case, QuickMemory &memory, 
 
 /// N/m, K_ZW of the backup roll as a stepped beam, by the mass reference of the case, whatever bending_model says.
 double beam_stiffness(const FourHigh &stand);
+/// Of kind "four-high" and of kind "lumped".
+std::vector<QuickResult> quick_four_high(const FourHigh &drawn, QuickMemory &memory, const SpringFactors &factors);
+std::vector<QuickResult> quick_lumped(const Case &the_case, QuickMemory &memory);
 
 /// nullptr when absent.
 const QuickResult *find(const std::vector<QuickResult> &results, const std::string &name);

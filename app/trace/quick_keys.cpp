@@ -1,23 +1,11 @@
 #include "app/trace/quick_keys.h"
-#include <sstream>
 
 namespace mill {
 namespace {
-KeyList words_of(const std::string &text)
-{
-  std::istringstream words(text);
-  KeyList list;
-  for (std::string word; words >> word;)
-    list.push_back(word);
-  return list;
-}
-
 // Drawing of a roll with what sits on its ends.
-KeyList roll_keys(const std::string &section, const std::string &length, const std::string &chock)
+KeyList roll_keys(const std::string &section, const std::string &chock)
 {
-  return joined(KeyList{"steel.density"},
-                keys_in(section, "barrel_diameter barrel_length neck_diameter bearing_span bearing_mass " +
-                                     length + " " + chock));
+  return joined(KeyList{"steel.density"}, roll_body_keys(section), keys_in(section, chock));
 }
 
 Station spring(const char *equation, const std::string &from)
@@ -32,8 +20,7 @@ Station mass(const char *equation, const std::string &from, const KeyList &own)
 
 KeyList work_roll_keys(const std::string &chock)
 {
-  return joined(roll_keys("work_roll", "total_length", chock), keys_in("strip", "width"),
-                keys_in("steel", "youngs_modulus"));
+  return joined(roll_keys("work_roll", chock), keys_in("strip", "width"), keys_in("steel", "youngs_modulus"));
 }
 }  // namespace
 
@@ -51,15 +38,15 @@ Station station_of(const std::string &name, const std::string &reference)
   if (name == "K7")
     return spring("(4.1d)", "");
   if (name == "M2")
-    return mass("(4.14)", "K1 K_Zy K_ZW K2",
-                joined(roll_keys("backup_roll", "neck_length", "chock_mass_upper"),
-                       keys_in("frame", "cylinder_mass balance_mass")));
+    return mass(
+        "(4.14)", "K1 K_Zy K_ZW K2",
+        joined(roll_keys("backup_roll", "chock_mass_upper"), keys_in("frame", "cylinder_mass balance_mass")));
   if (name == "M3")
     return mass("(4.16)", "K1 K2 K3", work_roll_keys("chock_mass_upper"));
   if (name == "M4")
     return mass("(4.16)", "K7 K6 K5", work_roll_keys("chock_mass_lower"));
   if (name == "M5")
-    return mass("(4.15)", "K7 K_Zy_lower K_ZW K6", roll_keys("backup_roll", "neck_length", "chock_mass_lower"));
+    return mass("(4.15)", "K7 K_Zy_lower K_ZW K6", roll_keys("backup_roll", "chock_mass_lower"));
   return {"sum of reduced masses", "reduce/chain/equivalent_mass", "(4.13)"};
 }
 }  // namespace mill

@@ -34,7 +34,6 @@ QuickResult quick_contact(const FourHigh &stand, const std::string &name, const 
   r.closed           = joined(keys_in("steel", "youngs_modulus poisson_ratio"),
                               keys_in("work_roll", "barrel_diameter barrel_length axial_shift"),
                               keys_in("backup_roll", "barrel_diameter barrel_length"), load_keys(stand.passes[pass], pass));
-  r.parameter.inputs = contact_keys(stand, name, pass);
   r.road             = "contact of the rolls, by the mesh of both";
   r.file             = "reduce/chain/contact_stiffness";
   r.equation         = "(3.7)";

@@ -1,17 +1,23 @@
 #pragma once
 #include "app/trace/quick_keys.h"
-#include "core/records/parameter.h"
+#include "core/model/material.h"
 #include "core/model/stand.h"
+#include "core/records/parameter.h"
 #include <array>
 #include <string>
 #include <vector>
 
 // What stands in for finite elements where an answer is wanted at once: closed forms.  theory.md 24
 namespace mill {
+struct BearingCase;
+struct BiteCase;
+struct ChatterCase;
+struct TwoCylinders;
+
 /// A result by a closed form, and how it hangs on the case.
 struct QuickResult {
   std::string name;               ///< as in results.json: "K3", "pass 1.rms_g.upper_work_roll"
-  Parameter parameter;            ///< inputs: keys behind the same result of a run
+  Parameter parameter;            ///< inputs: keys behind the same result of a run, of a spring by spring_keys()
   KeyList closed;                 ///< those of the inputs that the closed form follows; the others only a run does
   std::vector<std::string> from;  ///< results it is made of
   KeyList own;                    ///< keys that enter beside what those bring along
@@ -38,7 +44,7 @@ QuickResult quick_bite(const FourHigh &stand, int pass);
 /// of the screw-down by formula as in a run.  theory.md 23.4, 23.6
 FourHigh with_drawn_frame(FourHigh stand);
 
-/// Results of kind = "two-cylinders", "bearing", "bite" and "chatter".
+/// Results of each kind of case.
 std::vector<QuickResult> quick_cylinders(const TwoCylinders &pair);
 std::vector<QuickResult> quick_bearing_case(const BearingCase &spec);
 std::vector<QuickResult> quick_bite_case(const BiteCase &spec);

@@ -1,10 +1,13 @@
 #include "app/trace/trace.h"
 #include "app/stages/result_inputs.h"
+#include "core/case/errors.h"
+#include "core/case/kinds.h"
+#include "core/case/units.h"
+#include "core/model/material.h"
+#include "core/model/stand.h"
 #include "core/records/files.h"
 #include "core/records/result_folder.h"
 #include "core/records/run_identity.h"
-#include "core/model/stand.h"
-#include "core/case/units.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -118,13 +121,13 @@ void add_slopes(TraceLine &line, const Sides &s, const bool from_zero)
   line.moves          = differs(y, std::isnan(y_up) ? y : y_up) || differs(y, std::isnan(y_down) ? y : y_down);
 }
 
-// Springs, masses and modes of later passes belong to a trace of a key of that pass only.
-bool is_of_later_pass(const Case &the_case, const std::string &result)
+// Springs and masses of later passes belong to a trace of a key of that pass only: "pass 2.K3" beside "K3".
+bool is_of_later_pass(const Case &the_case, const Results &all, const std::string &result)
 {
-  const auto *stand = std::get_if<FourHigh>(&the_case.spec);
-  for (std::size_t p = 1; stand && p < stand->passes.size(); ++p)
-    if (result.rfind(stand->passes[p].name + ".", 0) == 0)
-      return result.find("_g.") == std::string::npos;
+  const auto &passes = all_passes(the_case);
+  for (std::size_t p = 1; p < passes.size(); ++p)
+    if (const std::string prefix = passes[p].name + "."; result.rfind(prefix, 0) == 0)
+      return find(all, result.substr(prefix.size())) != nullptr;
   return false;
 }
 
@@ -145,7 +148,7 @@ void keep_reached(Trace &trace, const Case &the_case, std::vector<TraceLine> lin
     line.direct = line.through.empty() || holds(line.result.own, key);
     reached.push_back(line.result.name);
     const bool own_pass = key.rfind("pass.", 0) == 0 && key.rfind("pass.0.", 0) != 0;
-    if (own_pass || !is_of_later_pass(the_case, line.result.name))
+    if (own_pass || !is_of_later_pass(the_case, trace.base, line.result.name))
       trace.lines.push_back(std::move(line));
   }
 }

@@ -1,6 +1,7 @@
 #include "app/trace/trace_key.h"
+#include "app/case_kinds.h"
 #include "app/trace/quick_chain.h"
-#include "core/case/stand_rows.h"
+#include "core/case/kinds.h"
 #include "core/case/units.h"
 #include <algorithm>
 #include <cmath>
@@ -9,42 +10,6 @@
 
 namespace mill {
 namespace {
-// Of the sections that carry a name: bearings, or variants of a stand.
-std::vector<std::string> names_of(const Case &the_case)
-{
-  std::vector<std::string> names;
-  const auto add = [&](const auto &list) {
-    for (const auto &one : list)
-      names.push_back(one.name);
-  };
-  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
-    add(stand->bearings);
-  if (const auto *bearing = std::get_if<BearingCase>(&the_case.spec))
-    add(bearing->bearings);
-  if (const auto *chatter = std::get_if<ChatterCase>(&the_case.spec))
-    add(chatter->variants);
-  return names;
-}
-
-const std::vector<Pass> *passes_of(const Case &the_case)
-{
-  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
-    return &stand->passes;
-  if (const auto *lumped = std::get_if<Lumped>(&the_case.spec))
-    return &lumped->passes;
-  const auto *bite = std::get_if<BiteCase>(&the_case.spec);
-  return bite ? &bite->passes : nullptr;
-}
-
-// Of the sections in double brackets: passes, or conditions.
-std::size_t list_length(const Case &the_case)
-{
-  if (const auto *chatter = std::get_if<ChatterCase>(&the_case.spec))
-    return chatter->conditions.size();
-  const auto *passes = passes_of(the_case);
-  return passes ? passes->size() : 0;
-}
-
 const Node *at_path(const Node &root, const std::vector<std::string> &parts)
 {
   const Node *node = &root;
@@ -79,53 +44,40 @@ std::vector<std::string> parts_of(const std::string &path)
   return parts;
 }
 
-// A value that is not given, but what the program takes instead has a size: its text and what it is.
-struct StandIn {
-  double value;  // SI
-  std::string said;
-};
-
 std::optional<StandIn> stand_in(const Case &the_case, const TraceKey &key, const std::vector<QuickResult> &quick)
 {
-  const auto computed = [&](const std::string &name, const std::string &said) -> std::optional<StandIn> {
-    const QuickResult *result = find(quick, name);
-    if (!result || std::isnan(result->parameter.value))
-      return {};
-    return StandIn{result->parameter.value, said};
-  };
-  if (key.name.rfind("given.", 0) == 0 && the_case.kind == "four-high")
-    return computed(key.row.key, "not given: computed");
-  const auto parts = parts_of(key.path);
-  if (const auto *passes = passes_of(the_case); passes && parts[0] == "pass") {
-    const auto p      = std::size_t(std::stoi(parts[1]));
-    const auto *stand = std::get_if<FourHigh>(&the_case.spec);
-    const auto *bite  = std::get_if<BiteCase>(&the_case.spec);
-    if (stand && key.row.key == "load") {
-      const QuickResult *contact = find(quick, (p == 0 ? "" : (*passes)[p].name + ".") + "K3");
-      if (contact && contact->load > 0)
-        return StandIn{contact->load, "not given: mean of the force record"};
-    }
-    const Strip *strip                                   = stand ? &stand->strip : bite ? &bite->strip : nullptr;
-    const std::pair<const char *, double Strip::*> own[] = {
-        {"entry_thickness", &Strip::entry_thickness},
-        {"exit_thickness",  &Strip::exit_thickness },
-        {"entry_tension",   &Strip::entry_tension  },
-        {"exit_tension",    &Strip::exit_tension   }
-    };
-    for (const auto &[name, member] : own)
-      if (strip && key.row.key == name)
-        return StandIn{strip->*member, "not given: that of [strip]"};
-  }
-  if (key.name == "strip.initial_thickness")
-    if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
-      return StandIn{stand->strip.entry_thickness, "not given: the entry thickness"};
-  if (key.row.key == "bearing_load")
-    if (const QuickResult *bearing = find(quick, parts[0] == "backup_roll" ? "Kzc1" : "Kzc2"))
-      return StandIn{bearing->load, parts[0] == "backup_roll" ? "not given: half the rolling force"
-                                                              : "not given: from the rolling force, assumed"};
-  return {};
+  const auto of_kind = run_kind(the_case).stand_in;
+  return of_kind ? of_kind(the_case, key, quick) : std::nullopt;
 }
 }  // namespace
+
+std::optional<std::size_t> pass_of(const TraceKey &key)
+{
+  const auto parts = parts_of(key.path);
+  return parts[0] == "pass" ? std::optional<std::size_t>(std::stoi(parts[1])) : std::nullopt;
+}
+
+std::optional<StandIn> computed_instead(const std::vector<QuickResult> &quick, const std::string &name)
+{
+  const QuickResult *result = find(quick, name);
+  if (!result || std::isnan(result->parameter.value))
+    return {};
+  return StandIn{result->parameter.value, "not given: computed"};
+}
+
+std::optional<StandIn> strip_instead(const Strip &strip, const TraceKey &key)
+{
+  const std::pair<const char *, double Strip::*> own[] = {
+      {"entry_thickness", &Strip::entry_thickness},
+      {"exit_thickness",  &Strip::exit_thickness },
+      {"entry_tension",   &Strip::entry_tension  },
+      {"exit_tension",    &Strip::exit_tension   }
+  };
+  for (const auto &[name, member] : own)
+    if (key.row.key == name)
+      return StandIn{strip.*member, "not given: that of [strip]"};
+  return {};
+}
 
 std::map<std::string, std::string> resolved_values(const std::string &text)
 {
@@ -163,11 +115,11 @@ std::vector<TraceKey> keys_of(const Case &the_case)
   };
   for (const SectionRows &section : sections_of(the_case.kind)) {
     if (section.repeat == SectionRows::Repeat::named) {
-      for (const std::string &name : names_of(the_case))
+      for (const std::string &name : repeated_sections(the_case, section.name))
         add(section.name + "." + name, section.name + "." + key_text(name), section.rows);
     } else if (section.repeat == SectionRows::Repeat::list) {
-      for (std::size_t p = 0; p < list_length(the_case); ++p)
-        add(fmt::format("{}.{}", section.name, p), fmt::format("{}.{}", section.name, p), section.rows);
+      for (const std::string &number : repeated_sections(the_case, section.name))
+        add(section.name + "." + number, section.name + "." + number, section.rows);
     } else {
       add(section.name, section.name, section.rows);
     }

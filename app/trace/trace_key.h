@@ -9,6 +9,8 @@
 #include <vector>
 
 namespace mill {
+struct Case;
+
 /// One input of a case: its row, its value, and how it is changed.
 struct TraceKey {
   std::string name;  ///< "backup_roll.barrel_diameter", "pass.0.load"
@@ -19,6 +21,19 @@ struct TraceKey {
   bool stands_in = false;     ///< the value is what the program takes where the key is not given
   std::string origin;         ///< "cases/four-high-1400.toml:33", "default", "--set ...", or what stands for it
 };
+
+/// What the program takes for a key that is not given, where that has a size.
+struct StandIn {
+  double value;      ///< SI
+  std::string said;  ///< "not given: the entry thickness"
+};
+
+/// Number of the pass that a key belongs to.
+std::optional<std::size_t> pass_of(const TraceKey &key);
+/// A result in the place of a given value.
+std::optional<StandIn> computed_instead(const std::vector<QuickResult> &quick, const std::string &name);
+/// A value of [strip] in the place of that of a pass.
+std::optional<StandIn> strip_instead(const Strip &strip, const TraceKey &key);
 
 /// Every input that a case of this kind may have, with its bearings and passes; without values.
 std::vector<TraceKey> keys_of(const Case &the_case);

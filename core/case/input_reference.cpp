@@ -1,10 +1,12 @@
 #include "core/case/input_reference.h"
 #include "core/case/errors.h"
-#include "core/case/stand_rows.h"
+#include "core/case/kinds.h"
 #include "core/case/units.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace mill {
 namespace {
@@ -61,11 +63,9 @@ std::string header_of(const SectionRows &section)
   return "[" + section.name + (section.repeat == Repeat::named ? ".NAME]" : "]");
 }
 
-std::string section_reference(const SectionRows &section)
+std::string rows_reference(const SectionRows &section)
 {
-  std::string text = fmt::format("\n### `{}`{}\n\n{}.\n\n| key | form | range | default | example | meaning |\n"
-                                 "|---|---|---|---|---|---|\n",
-                                 header_of(section), section.needed ? "" : ", may be left out", section.meaning);
+  std::string text = "| key | form | range | default | example | meaning |\n|---|---|---|---|---|---|\n";
   for (const Row &row : section.rows) {
     const std::string limits = range_text(row);
     text += fmt::format("| `{}` | {} | {} | {} | `{}` | {} |\n", row.key, cell(form_text(row)),
@@ -74,24 +74,89 @@ std::string section_reference(const SectionRows &section)
   return text;
 }
 
-// What the template of a kind says beyond the examples of the rows: it must run without any other file.
+// The same rows under the same header, with the kinds that read them and what each says of them.
+struct SectionEntry {
+  std::string header, rows;
+  std::vector<std::pair<std::string, std::string>> readers;  // ": the strip in the bite" and "`four-high`, `bite`"
+};
+
+void add_reader(SectionEntry &entry, const std::string &kind, const SectionRows &section)
+{
+  const std::string about = fmt::format("{}: {}.", section.needed ? "" : ", may be left out", section.meaning);
+  const auto known        = std::find_if(entry.readers.begin(), entry.readers.end(),
+                                         [&](const auto &reader) { return reader.first == about; });
+  if (known == entry.readers.end())
+    entry.readers.emplace_back(about, "`" + kind + "`");
+  else
+    known->second += ", `" + kind + "`";
+}
+
+// Every section once, in the order in which the kinds come to it; rows of one header stand together.
+std::vector<SectionEntry> section_entries()
+{
+  std::vector<SectionEntry> all;
+  for (const CaseKind *kind : all_kinds())
+    for (const SectionRows &section : kind->sections) {
+      const std::string header = header_of(section), rows = rows_reference(section);
+      auto place = all.end();  // behind the last of this header
+      for (auto entry = all.begin(); entry != all.end(); ++entry)
+        if (entry->header == header) {
+          place = entry + 1;
+          if (entry->rows == rows)
+            break;
+        }
+      const bool known =
+          place != all.begin() && !all.empty() && (place - 1)->header == header && (place - 1)->rows == rows;
+      if (!known)
+        place = all.insert(place, SectionEntry{header, rows, {}}) + 1;
+      add_reader(*(place - 1), kind->name, section);
+    }
+  return all;
+}
+
+std::string section_references()
+{
+  std::string text, last;
+  for (const SectionEntry &entry : section_entries()) {
+    if (entry.header != last)
+      text += "\n### `" + entry.header + "`\n";
+    last = entry.header;
+    for (const auto &[about, kinds] : entry.readers)
+      text += "\n" + kinds + about + "\n";
+    text += "\n" + entry.rows;
+  }
+  return text;
+}
+
+std::string kind_references()
+{
+  std::string text =
+      "\n## Kinds of case\n\nSections in parentheses may be left out.\n\n| kind | sections |\n|---|---|\n";
+  for (const CaseKind *kind : all_kinds()) {
+    std::string list;
+    for (const SectionRows &section : kind->sections)
+      if (!section.name.empty())
+        list += (list.empty() ? "" : ", ") + fmt::format(section.needed ? "`{}`" : "(`{}`)", header_of(section));
+    text += fmt::format("| `{}` | {} |\n", kind->name, list);
+  }
+  return text;
+}
+
+// One section of a template with what its kind says of it.
 struct Filled {
-  std::string header;
   const SectionRows *section;
-  std::map<std::string, std::string> values;  // TOML, instead of the example
-  std::vector<std::string> shown;             // optional keys that are set all the same
-  bool off = false;                           // every line a comment: something else says it already
+  TemplateNote note;
 };
 
 std::string template_line(const Row &row, const Filled &filled)
 {
-  const auto own       = filled.values.find(row.key);
-  const auto &shown    = filled.shown;
-  const bool has_value = row.fallback.kind != Fallback::Kind::absent || own != filled.values.end() ||
+  const auto own       = filled.note.values.find(row.key);
+  const auto &shown    = filled.note.shown;
+  const bool has_value = row.fallback.kind != Fallback::Kind::absent || own != filled.note.values.end() ||
                          std::find(shown.begin(), shown.end(), row.key) != shown.end();
-  std::string value = own != filled.values.end() ? own->second : example_toml(row);
-  if (own == filled.values.end() && row.fallback.kind != Fallback::Kind::required && !default_toml(row).empty() &&
-      std::find(shown.begin(), shown.end(), row.key) == shown.end())
+  std::string value = own != filled.note.values.end() ? own->second : example_toml(row);
+  if (own == filled.note.values.end() && row.fallback.kind != Fallback::Kind::required &&
+      !default_toml(row).empty() && std::find(shown.begin(), shown.end(), row.key) == shown.end())
     value = default_toml(row);
   const std::string limits = range_text(row);
   const std::string choice = row.kind == Kind::choice ? row.form + "; " : "";
@@ -101,12 +166,13 @@ std::string template_line(const Row &row, const Filled &filled)
 
 std::string template_section(const Filled &filled)
 {
+  const std::string header = filled.note.header.empty() ? header_of(*filled.section) : filled.note.header;
   std::string text =
-      filled.header.empty() ? "" : fmt::format("\n{}  # {}\n", filled.header, filled.section->meaning);
+      filled.section->name.empty() ? "" : fmt::format("\n{}  # {}\n", header, filled.section->meaning);
   for (const Row &row : filled.section->rows)
     if (!is_tolerance(row.key))  // optional, and as many as there are values
       text += template_line(row, filled);
-  if (filled.off)
+  if (filled.note.off)
     for (std::size_t at = 1; at < text.size(); at = text.find('\n', at) + 1)
       if (text.compare(at, 2, "# ") != 0)
         text.insert(at, "# ");
@@ -114,86 +180,21 @@ std::string template_section(const Filled &filled)
 }
 
 // The sections of a kind with the values its template needs.
-std::vector<Filled> filled_sections(const std::string &kind, const std::vector<SectionRows> &sections)
+std::vector<Filled> filled_sections(const CaseKind &kind)
 {
   std::vector<Filled> all;
-  for (const SectionRows &section : sections) {
-    if (section.name == "strip.friction" || section.name == "housing" || section.name == "screwdown" ||
-        section.name == "variant") {
-      all.push_back({header_of(section), &section, {}, {}, true});  // [strip], [frame], [stand] say it in numbers
-    } else if (section.name == "stand" && kind == "chatter") {
-      all.push_back({
-          "[stand]", &section, {               },
-            { "masses", "stiffnesses", "dampings", "entry_distance", "exit_distance"}
-      });
-    } else if (section.name == "strip.flow_stress" && kind == "chatter") {
-      all.push_back({
-          "[strip.flow_stress]",
-          &section,
-          {{"law", "\"reduction-power\""}, {"k", "\"829.64 MPa\""}, {"eps0", "0.00817"}, {"n", "0.3"}},
-          {"k"          }
-      });
-    } else if (section.name == "strip" && kind == "chatter") {
-      all.push_back({"[strip]", &section, {}, {"initial_thickness"}});
-    } else if (section.name == "work_roll" && kind == "chatter") {
-      all.push_back({"[work_roll]", &section, {{"diameter", "\"600 mm\""}}, {}});
-    } else if (section.name == "analysis" && kind == "chatter") {
-      all.push_back({"[analysis]", &section, {}, {"speeds"}});
-    } else if (section.name == "bearing" && kind == "bearing") {
-      all.push_back({
-          "[bearing.trb]",
-          &section,
-          {                   },
-          { "bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile",
-                   "chock_width", "chock_height", "chock_length", "chock_support_width", "chock_support_gap"}
-      });
-    } else if (section.name == "load") {
-      all.push_back({"[load]", &section, {}, {"loads"}});
-    } else if (section.name == "bearing") {
-      all.push_back({
-          "[bearing.trb]",
-          &section,
-          {         },
-          { "bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile"}
-      });
-      all.push_back({
-          "[bearing.crb]",
-          &section,
-          {{"type", "\"four-row cylindrical\""},
-                   {"rollers_per_row", "32"},
-                   {"roller_length", "\"110 mm\""},
-                   {"roller_diameter", "\"75 mm\""}},
-          {                         }
-      });
-    } else if (section.name == "pass" && kind == "bite") {
-      all.push_back({"[[pass]]", &section, {}, {}});
-    } else if (section.name == "pass") {
-      all.push_back({"[[pass]]", &section, {{"synthetic", "true"}}, {"synthetic_range"}});
-      all.push_back({
-          "[[pass]]",
-          &section,
-          {{"name", "\"pass 2\""},
-                   {"synthetic", "true"},
-                   {"synthetic_range", "[\"733.705 kN\", \"742.280 kN\"]"},
-                   {"synthetic_seed", "2"}},
-          {                                            }
-      });
-    } else if (section.name.empty()) {
-      const std::string title = kind == "two-cylinders" ? "two cylinders"
-                                : kind == "lumped"      ? "lumped model"
-                                : kind == "bearing"     ? "four-row tapered roller bearing"
-                                : kind == "bite"        ? "roll bite"
-                                : kind == "chatter"     ? "chatter of a stand"
-                                                        : "four-high stand";
-      all.push_back({
-          "", &section, {{"kind", quoted(kind)}, {"title", quoted(title)}},
-            {                      }
-      });
-    } else if (section.name == "strip.flow_stress") {
-      all.push_back({"[strip.flow_stress]", &section, {}, {"k"}});
-    } else {
-      all.push_back({header_of(section), &section, {}, {}});
-    }
+  for (const SectionRows &section : kind.sections) {
+    const std::size_t before = all.size();
+    for (const TemplateNote &note : kind.notes)
+      if (note.section == section.name)
+        all.push_back({&section, note});
+    if (all.size() == before)
+      all.push_back({&section, {}});
+    if (section.name.empty())
+      all.back().note.values = {
+          {"kind",  quoted(kind.name) },
+          {"title", quoted(kind.title)}
+      };
   }
   return all;
 }
@@ -204,10 +205,9 @@ std::string template_of(const std::string &kind)
   const auto &kinds = case_kinds();
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
     throw InputError(fmt::format("there is no template for the kind '{}'{}", kind, suggestion(kind, kinds)));
-  const auto sections = sections_of(kind);
   std::string text =
       fmt::format("# A case of kind \"{}\" that runs as it is.  Quantities are texts with a unit.\n\n", kind);
-  for (const Filled &filled : filled_sections(kind, sections))
+  for (const Filled &filled : filled_sections(kind_named(kind)))
     text += template_section(filled);
   return text;
 }
@@ -217,7 +217,7 @@ std::string input_reference()
   std::string text =
       "# Input reference\n\n"
       "Printed by the program from the rows that also read the case file (`core/case/stand_rows.cpp`,\n"
-      "`core/case/stand_sections.cpp`); a test compares this page with them.\n\n"
+      "`core/case/kinds`); a test compares this page with them.\n\n"
       "A case is a TOML file. Every value with a unit is a text, `\"1450 mm\"`; counts and pure numbers are\n"
       "bare. Any unit of the right dimension may be used; both ends of a range are allowed. Paths start at the\n"
       "folder of the case file. A key nobody knows is an error.\n\n"
@@ -235,11 +235,7 @@ std::string input_reference()
   }
   text += "\n`N.s/m`, `N*s/m` and `N s/m` are one unit, the micro sign counts as `u`, and `g` is the standard\n"
           "acceleration of free fall, 9.80665 m/s2.\n";
-  for (const std::string &kind : case_kinds()) {
-    text += fmt::format("\n## kind = \"{}\"\n", kind);
-    for (const SectionRows &section : sections_of(kind))
-      text += section_reference(section);
-  }
+  text += kind_references() + "\n## Sections\n" + section_references();
   return text +
          "\nA key `..._tolerance` of `[frame]` or `[given]` becomes the error estimate of its value and of what "
          "follows\n"

@@ -12,6 +12,6 @@ std::string template_of(const std::string &kind);
 /// range and default stand in the descriptions and a quantity is checked by its pattern only.
 std::string case_schema();
 
-/// docs/input.md: every section and key of every kind.
+/// docs/input.md: every section once, with its keys and the kinds that read it.
 std::string input_reference();
 }  // namespace mill

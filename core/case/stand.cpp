@@ -1,5 +1,6 @@
-#include "core/numerics/require.h"
+#include "core/case/kinds.h"
 #include "core/case/stand_reader.h"
+#include "core/numerics/require.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
@@ -101,18 +102,7 @@ Case read_case(const std::string &path, const std::vector<std::string> &sets)
   refuse_unknown_keys(top, rows_of(head_rows()), top_names(head.kind), reading);
   reading.echo = resolved_lines("", head_rows(), head, reading);
 
-  if (head.kind == "four-high")
-    result.spec = read_four_high(root, reading);
-  else if (head.kind == "lumped")
-    result.spec = read_lumped(root, reading);
-  else if (head.kind == "bearing")
-    result.spec = read_bearing_case(root, reading);
-  else if (head.kind == "bite")
-    result.spec = read_bite_case(root, reading);
-  else if (head.kind == "chatter")
-    result.spec = read_chatter(root, reading);
-  else
-    result.spec = read_two_cylinders(root, reading);
+  result.spec = kind_named(head.kind).read(root, reading);
   if (!reading.problems.empty())
     throw InputError(std::move(reading.problems));
   result.resolved = std::move(reading.echo);

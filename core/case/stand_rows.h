@@ -105,5 +105,5 @@ struct SectionRows {
   std::vector<Row> rows;
 };
 const std::vector<std::string> &case_kinds();  ///< those this version reads
-std::vector<SectionRows> sections_of(const std::string &kind);
+const std::vector<SectionRows> &sections_of(const std::string &kind);
 }  // namespace mill

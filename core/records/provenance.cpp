@@ -1,21 +1,13 @@
 #include "core/records/provenance.h"
-#include "core/records/lumped_model.h"
 #include "core/case/stand_rows.h"
+#include "core/numerics/require.h"
+#include "core/records/lumped_model.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <sstream>
 
 namespace mill {
 namespace {
-KeyList words_of(const std::string &names)
-{
-  std::istringstream words(names);
-  KeyList list;
-  for (std::string name; words >> name;)
-    list.push_back(name);
-  return list;
-}
-
 // All rows of a section but these.
 KeyList keys_but(const std::string &section, const std::vector<Row> &rows, const std::string &names)
 {
@@ -37,6 +29,15 @@ KeyList elastic_steel()
   return keys_in("steel", "youngs_modulus poisson_ratio");
 }
 }  // namespace
+
+KeyList words_of(const std::string &names)
+{
+  std::istringstream words(names);
+  KeyList list;
+  for (std::string name; words >> name;)
+    list.push_back(name);
+  return list;
+}
 
 KeyList keys_in(const std::string &section, const std::string &names)
 {
@@ -65,6 +66,16 @@ KeyList load_keys_of_all(const std::vector<Pass> &passes)
   for (std::size_t p = 0; p < passes.size(); ++p)
     keys = joined(keys, load_keys(passes[p], p));
   return keys;
+}
+
+// Rolls
+
+KeyList roll_body_keys(const std::string &section)
+{
+  return keys_but(section, section == "work_roll" ? rows_of(work_roll_rows()) : rows_of(backup_roll_rows()),
+                  "crown crown_table crown_polynomial thermal_crown thermal_crown_table end_chamfer_length "
+                  "end_chamfer_depth axial_shift bending_force bending_model bearing bearing_load "
+                  "chock_mass_upper chock_mass_lower");
 }
 
 // Contact
@@ -226,6 +237,19 @@ KeyList bite_keys(const BiteRun &bite)
 }
 
 // Chain
+
+KeyList spring_keys(const FourHigh &stand, const std::string &name, const std::size_t p)
+{
+  if (name == "K3" || name == "K5")
+    return contact_keys(stand, name == "K3" ? "upper" : "lower", p);
+  if (name == "K4")
+    return bite_keys({stand.strip, stand.bite, p, "work_roll.barrel_diameter"});
+  if (name == "K_Zy" || name == "K_Zy_lower")
+    return seat_keys(stand, name == "K_Zy" ? 0 : 3, p);
+  require(name.rfind("Kzc", 0) == 0, "no keys are known for the spring " + name);
+  const auto roll = std::size_t(name.at(3) - '1');
+  return name.find("_across") == std::string::npos ? seat_keys(stand, roll, p) : seat_across_keys(stand, roll, p);
+}
 
 KeyList mass_shape_keys(const DynamicsSettings &dynamics)
 {

@@ -10,6 +10,8 @@
 namespace mill {
 using KeyList = std::vector<std::string>;
 
+/// "a b" -> a, b
+KeyList words_of(const std::string &names);
 /// "frame", "a b" -> frame.a, frame.b
 KeyList keys_in(const std::string &section, const std::string &names);
 
@@ -37,6 +39,11 @@ KeyList force_keys(const Pass &pass, std::size_t p);
 KeyList load_keys(const Pass &pass, std::size_t p);
 KeyList load_keys_of_all(const std::vector<Pass> &passes);
 
+/// What gives a roll its shape and mass between its ends: all rows of its section but profiles, bearings, chocks and
+/// loads.
+/// @param section  "work_roll" or "backup_roll"
+KeyList roll_body_keys(const std::string &section);
+
 /// Contact of the rolls by finite elements: K3.*, K5.* and contact.NAME.* of a pass.  Both ways of holding the
 /// rolls are solved on one mesh, whose patch must hold the wider contact, so all results have one list.
 /// @param name  "upper" or "lower"
@@ -56,6 +63,9 @@ KeyList seat_keys(const FourHigh &stand, std::size_t i, std::size_t p);
 KeyList seat_across_keys(const FourHigh &stand, std::size_t i, std::size_t p);
 /// Kzc.* of kind "bearing".
 KeyList bearing_case_keys(const BearingCase &spec);
+
+/// A spring that the chain of a stand takes from elsewhere, by its name: "K3", "K4", "K_Zy", "Kzc2_across".
+KeyList spring_keys(const FourHigh &stand, const std::string &name, std::size_t p);
 
 /// Flow stress and friction: the keys that their laws read, and the speed of the pass where friction depends on
 /// it.

@@ -23,19 +23,23 @@ Eigen::RowVector4d bed_functions(const double u, const int derivative)
 }
 }  // namespace
 
+BeamSection beam_section(const RoundSection &section, const Material &m)
+{
+  const double G = m.youngs_modulus / (2 * (1 + m.poisson_ratio));
+  return {m.youngs_modulus * second_moment_of(section), 0.886 * G * area_of(section)};
+}
+
 BeamSection round_section(const double diameter, const Material &m)
 {
-  const double area = M_PI * diameter * diameter / 4;
-  const double G    = m.youngs_modulus / (2 * (1 + m.poisson_ratio));
-  return {m.youngs_modulus * area * diameter * diameter / 16, 0.886 * G * area};
+  return beam_section({diameter}, m);
 }
 
 SteppedBeam backup_beam(const FourHigh &stand)
 {
   const Roll &roll = stand.backup_roll;
   const double h   = roll.barrel_length / 2;
-  return {roll.bearing_span / 2, h, h, round_section(roll.barrel_diameter, stand.steel),
-          round_section(roll.neck_diameter, stand.steel)};
+  return {roll.bearing_span / 2, h, h, beam_section(barrel_section(roll), stand.steel),
+          beam_section(neck_section(roll), stand.steel)};
 }
 
 double drop(const SteppedBeam &beam, const double position)

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/model/roll_section.h"
 #include "core/model/stand.h"
 #include <Eigen/Core>
 #include <limits>
@@ -11,7 +12,8 @@ struct BeamSection {
 };
 
 /// Round section with shear factor 0.886 (Cowper 1966, 6 (1 + nu) / (7 + 6 nu) at nu = 0.3).
-BeamSection round_section(double diameter, const Material &material);
+BeamSection beam_section(const RoundSection &section, const Material &material);
+BeamSection round_section(double diameter, const Material &material);  ///< the same of a solid one
 
 /// Backup roll on its two bearing centres: barrel, two necks, load spread evenly over the middle.  theory.md 4.2
 /// Half lengths from mid-span, half_load <= half_barrel <= half_span.

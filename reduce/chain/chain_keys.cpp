@@ -6,8 +6,13 @@
 namespace mill::reduce {
 Keys backup_roll_keys(const bool solid)
 {
-  return joined(keys_in("backup_roll", "barrel_diameter barrel_length neck_diameter bearing_span bending_model"),
-                keys_in("steel", "youngs_modulus poisson_ratio"), keys_in("dynamics", "mass_reference"),
+  // A beam ends at its bearings; what sits there bends nothing.
+  Keys body;
+  for (const std::string &key : roll_body_keys("backup_roll"))
+    if (key != "backup_roll.neck_length" && key != "backup_roll.bearing_mass")
+      body.push_back(key);
+  return joined(body, keys_in("backup_roll", "bending_model"), keys_in("steel", "youngs_modulus poisson_ratio"),
+                keys_in("dynamics", "mass_reference"),
                 solid ? joined(keys_in("backup_roll", "neck_length"),
                                keys_in("dynamics", "elements_per_radius frequency_limit"))
                       : Keys());
@@ -82,9 +87,8 @@ std::array<Keys, 13> chain_keys(const SpringKeys &s, const bool solid)
     drawn.erase(std::remove(drawn.begin(), drawn.end(), "steel.youngs_modulus"), drawn.end());
   const Keys shape  = joined(drawn, or_given("K_ZW", {}));
   const Keys backup = joined(shape, keys_in("backup_roll", "neck_length bearing_mass"), density);
-  const Keys barrel = keys_in("work_roll", "barrel_diameter barrel_length neck_diameter total_length");
-  const Keys work   = joined(barrel, keys_in("work_roll", "bearing_span bearing_mass"), keys_in("strip", "width"),
-                             density, Keys{"steel.youngs_modulus"}, shape);
+  const Keys work =
+      joined(roll_body_keys("work_roll"), keys_in("strip", "width"), density, Keys{"steel.youngs_modulus"}, shape);
   // The masses of a drawn housing are reduced to where the chain has its point.
   const Keys M1 = joined(keys_in("frame", "upper_post_mass upper_beam_mass upper_packing_mass piston_mass"),
                          s.drawn_housing ? upper_path : Keys{});

@@ -1,4 +1,5 @@
 #include "reduce/chain/equivalent_mass.h"
+#include "core/model/roll_section.h"
 #include "core/numerics/gauss.h"
 #include <algorithm>
 #include <cmath>
@@ -19,12 +20,12 @@ double integral(const std::function<double(double)> &f, const double from, const
 
 double barrel_mass_per_length(const Roll &roll, const Material &m)
 {
-  return m.density * M_PI / 4 * roll.barrel_diameter * roll.barrel_diameter;
+  return mass_per_length(barrel_section(roll), m);
 }
 
 double neck_mass(const Roll &roll, const Material &m)
 {
-  return m.density * M_PI / 4 * roll.neck_diameter * roll.neck_diameter * roll.neck_length;
+  return mass_per_length(neck_section(roll), m) * roll.neck_length;
 }
 
 /// Half the backup roll: the whole neck is smeared over the span between barrel and bearing centre.

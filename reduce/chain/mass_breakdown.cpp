@@ -1,4 +1,5 @@
 #include "reduce/chain/mass_breakdown.h"
+#include "core/model/roll_section.h"
 #include "reduce/chain/equivalent_mass.h"
 #include "reduce/chain/fe_masses.h"
 #include "reduce/stand/six_masses.h"
@@ -21,11 +22,6 @@ struct Displacements {
   double cylinder, chock[2];            // cylinder; backup chocks
   double edge;                          // where f1 has its kink: end of strip or barrel
 };
-
-double per_length(const double diameter, const Material &steel)
-{
-  return steel.density * M_PI / 4 * diameter * diameter;
-}
 
 class Breakdown {
 public:
@@ -83,8 +79,8 @@ MassBreakdown backup_mass(const FourHigh &stand, const Displacements &d, const i
   const Roll &roll = stand.backup_roll;
   const double h = roll.barrel_length / 2, a = roll.bearing_span / 2;
   Breakdown b(side == 0 ? "M2" : "M5", route, d.reference2[side]);
-  b.add_span("barrel", 2 * h * per_length(roll.barrel_diameter, stand.steel), d.f2[side], {0, h});
-  b.add_span("necks", 2 * roll.neck_length * per_length(roll.neck_diameter, stand.steel), d.f2[side], {h, a});
+  b.add_span("barrel", 2 * h * mass_per_length(barrel_section(roll), stand.steel), d.f2[side], {0, h});
+  b.add_span("necks", 2 * roll.neck_length * mass_per_length(neck_section(roll), stand.steel), d.f2[side], {h, a});
   b.add("bearings", 2 * roll.bearing_mass, d.seat2[side]);
   b.add("chocks", 2 * (side == 0 ? roll.chock_mass_upper : roll.chock_mass_lower), d.chock[side]);
   if (side == 0) {
@@ -99,8 +95,8 @@ MassBreakdown work_mass(const FourHigh &stand, const Displacements &d, const int
   const Roll &roll = stand.work_roll;
   const double h = roll.barrel_length / 2, edge = std::min(d.edge, h);
   Breakdown b(side == 0 ? "M3" : "M4", route, d.reference1[side]);
-  b.add_span("barrel", 2 * h * per_length(roll.barrel_diameter, stand.steel), d.f1[side], {0, edge, h});
-  b.add("necks", 2 * roll.neck_length * per_length(roll.neck_diameter, stand.steel),
+  b.add_span("barrel", 2 * h * mass_per_length(barrel_section(roll), stand.steel), d.f1[side], {0, edge, h});
+  b.add("necks", 2 * roll.neck_length * mass_per_length(neck_section(roll), stand.steel),
         d.f1[side](h + roll.neck_length / 2));
   b.add("bearings", 2 * roll.bearing_mass, d.seat1[side]);
   b.add("chocks", 2 * (side == 0 ? roll.chock_mass_upper : roll.chock_mass_lower), d.seat1[side]);

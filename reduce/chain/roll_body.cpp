@@ -1,4 +1,5 @@
 #include "reduce/chain/roll_body.h"
+#include "core/model/roll_section.h"
 #include "core/numerics/gauss.h"
 #include "reduce/chain/short_number.h"
 #include <Eigen/Dense>
@@ -7,11 +8,6 @@
 
 namespace mill::reduce {
 namespace {
-double mass_per_length(const double diameter, const Material &steel)
-{
-  return steel.density * M_PI / 4 * diameter * diameter;
-}
-
 BeamSection scaled(BeamSection section, const double factor)
 {
   section.bending *= factor;
@@ -65,10 +61,10 @@ RollBody beam_roll(const std::string &name, const Roll &roll, const Material &st
 {
   require_roll(name, roll);
   const double h = roll.barrel_length / 2, a = roll.bearing_span / 2, end = h + roll.neck_length;
-  const BeamSection barrel = scaled(round_section(roll.barrel_diameter, steel), scale),
-                    neck   = scaled(round_section(roll.neck_diameter, steel), scale);
-  const double barrel_mass = mass_per_length(roll.barrel_diameter, steel),
-               neck_mass   = mass_per_length(roll.neck_diameter, steel);
+  const BeamSection barrel = scaled(beam_section(barrel_section(roll), steel), scale),
+                    neck   = scaled(beam_section(neck_section(roll), steel), scale);
+  const double barrel_mass = mass_per_length(barrel_section(roll), steel),
+               neck_mass   = mass_per_length(neck_section(roll), steel);
   const double negligible  = 1e-9 * end;
   std::vector<BeamSpan> spans;
   const double common = h - common_half_barrel > negligible ? common_half_barrel : h;

@@ -44,7 +44,7 @@ Rolls beams(const FourHigh &stand)
   const Roll &roll = stand.work_roll;
   return {backup_beam(stand), [&roll, &stand](const double K) {
             return bed_shape({roll.barrel_length / 2, stand.strip.width / 2, K / roll.barrel_length,
-                              round_section(roll.barrel_diameter, stand.steel).bending});
+                              beam_section(barrel_section(roll), stand.steel).bending});
           }};
 }
 

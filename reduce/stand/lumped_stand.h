@@ -1,11 +1,12 @@
 #pragma once
+#include "core/model/stand.h"
 #include "core/records/component.h"
 #include "core/records/lumped_model.h"
-#include "core/model/stand.h"
 #include "reduce/chain/roll_shapes.h"
 #include "reduce/chain/spring_chain.h"
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <string>
 
 namespace mill::reduce {
@@ -33,6 +34,42 @@ struct ChainInputs {
   SolidRolls solid;  ///< without them the closed forms stand in, whatever backup_roll.bending_model says
   std::string at;    ///< working load, "976.2 kN"
 };
+
+/// The springs among them by their names in the results.  A member that is added and not named here does not
+/// compile.
+template <class Io, class Inputs> void each_spring(Io &&io, Inputs &inputs)
+{
+  auto &[K3, K4, K5, K_Zy_upper, K_Zy_lower, Kzc, Kzc_across, solid, at] = inputs;
+  io("K3", K3);
+  io("K5", K5);
+  io("K4", K4);
+  io("K_Zy", K_Zy_upper);
+  io("K_Zy_lower", K_Zy_lower);
+  for (std::size_t i = 0; i < Kzc.size(); ++i) {
+    const std::string name = "Kzc" + std::to_string(i + 1);
+    io(name, Kzc[i]);
+    io(name + "_across", Kzc_across[i]);
+  }
+}
+
+/// All numbers of the chain by their names, in the order of the results; stiffnesses of bearings that nobody knows
+/// are left out.  A member that is added to the model and not named here does not compile.
+template <class Io> void each_number(Io &&io, const LumpedModel &model)
+{
+  const auto &[M, K, Kzc, Kzc_across, C, at] = model;
+  for (std::size_t i = 0; i < M.size(); ++i)
+    io("M" + std::to_string(i + 1), M[i]);
+  for (std::size_t i = 0; i < K.size(); ++i)
+    io("K" + std::to_string(i + 1), K[i]);
+  io("C", C);
+  for (std::size_t i = 0; i < Kzc.size(); ++i) {
+    const std::string name = "Kzc" + std::to_string(i + 1);
+    if (!std::isnan(Kzc[i].value))
+      io(name, Kzc[i]);
+    if (!std::isnan(Kzc_across[i].value))
+      io(name + "_across", Kzc_across[i]);
+  }
+}
 
 /// The lumped model with the shapes and flexibilities it was made of.
 struct LumpedStand {

@@ -1,0 +1,54 @@
+#include "app/case_kinds.h"
+#include "app/kinds/kind_inputs.h"
+#include "app/kinds/manifest_parts.h"
+#include "app/stages/bearing_stage.h"
+#include "app/trace/quick_parts.h"
+#include "core/case/kinds.h"
+#include "core/case/stand_rows.h"
+#include "core/model/stand.h"
+#include <nlohmann/json.hpp>
+
+namespace mill {
+namespace {
+std::optional<KeyList> inputs_of(const BearingCase &spec, const Results &, const std::string &name)
+{
+  const KeyList keys = bearing_case_keys(spec);
+  if (!begins(name, "Kzc.motion."))
+    return keys;
+  KeyList motion = keys_in("load", "loads samples");  // the mass swings on the curve
+  for (const Row &row : rows_of(bearing_motion_rows()))
+    motion.push_back("dynamics." + row.key);
+  return joined(keys, motion);
+}
+}  // namespace
+
+const RunKind &run_kind(const BearingCase &)
+{
+  static const RunKind kind = [] {
+    RunKind k;
+    k.verbs  = {"run", "stiffness"};
+    k.stages = [](const Case &the_case) -> std::vector<std::pair<std::string, double>> {
+      return {
+          {"roller",                                                       3 },
+          {"roller",                                                       10},
+          {"rings",                                                        20},
+          {"bearing " + std::get<BearingCase>(the_case.spec).load.bearing, 4 }
+      };
+    };
+    k.run = [](RunContext &run, Goal, const std::string &) {
+      solve_bearing_case(run, std::get<BearingCase>(run.the_case.spec));
+    };
+    k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
+      add_bearings(manifest, all_bearings(the_case));
+    };
+    k.inputs = [](const Case &the_case, const Results &results, const std::string &name) {
+      return inputs_of(std::get<BearingCase>(the_case.spec), results, name);
+    };
+    k.trace = [](const Case &the_case, QuickMemory &, const std::map<std::string, double> &) {
+      return quick_bearing_case(std::get<BearingCase>(the_case.spec));
+    };
+    return k;
+  }();
+  return kind;
+}
+}  // namespace mill

@@ -1,0 +1,54 @@
+#include "app/case_kinds.h"
+#include "app/kinds/kind_inputs.h"
+#include "app/stages/bite_stage.h"
+#include "app/trace/quick_parts.h"
+#include "app/trace/trace_key.h"
+#include "core/model/stand.h"
+#include <nlohmann/json.hpp>
+
+namespace mill {
+namespace {
+std::optional<KeyList> inputs_of(const BiteCase &spec, const Results &, const std::string &name)
+{
+  for (std::size_t p = 0; p < spec.passes.size(); ++p)
+    if (const auto keys = bite_inputs({spec.strip, spec.bite, p, "work_roll.diameter"}, name, spec.passes[p].name))
+      return keys;
+  return {};
+}
+
+std::optional<StandIn> bite_stand_in(const Case &the_case, const TraceKey &key, const std::vector<QuickResult> &)
+{
+  return pass_of(key) ? strip_instead(std::get<BiteCase>(the_case.spec).strip, key) : std::nullopt;
+}
+}  // namespace
+
+const RunKind &run_kind(const BiteCase &)
+{
+  static const RunKind kind = [] {
+    RunKind k;
+    k.verbs  = {"run", "stiffness"};
+    k.check  = check_bites;
+    k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> {
+      return {
+          {"bite, finite elements", 3},
+          {"bite, curves",          4}
+      };
+    };
+    k.run = [](RunContext &run, Goal, const std::string &) {
+      solve_bite_case(run, std::get<BiteCase>(run.the_case.spec));
+    };
+    k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
+      manifest["geometry"]["work_roll_diameter"] = std::get<BiteCase>(the_case.spec).roll_diameter;
+    };
+    k.inputs = [](const Case &the_case, const Results &results, const std::string &name) {
+      return inputs_of(std::get<BiteCase>(the_case.spec), results, name);
+    };
+    k.trace = [](const Case &the_case, QuickMemory &, const std::map<std::string, double> &) {
+      return quick_bite_case(std::get<BiteCase>(the_case.spec));
+    };
+    k.stand_in = bite_stand_in;
+    return k;
+  }();
+  return kind;
+}
+}  // namespace mill

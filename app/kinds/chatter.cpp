@@ -1,0 +1,57 @@
+#include "app/case_kinds.h"
+#include "app/kinds/kind_inputs.h"
+#include "app/stages/chatter_stage.h"
+#include "app/trace/quick_parts.h"
+#include "core/model/stand.h"
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace mill {
+namespace {
+std::optional<KeyList> inputs_of(const ChatterCase &spec, const Results &, const std::string &name)
+{
+  for (std::size_t i = 0; i < spec.conditions.size(); ++i) {
+    const std::string &condition = spec.conditions[i].name;
+    const KeyList speed          = keys_in(fmt::format("condition.{}", i), "speed");
+    if (begins(name, "bite." + condition + "."))
+      return joined(chatter_bite_keys(spec, i), speed);
+    const KeyList searched =
+        joined(chatter_bite_keys(spec, i), chatter_stand_keys(spec), keys_in("analysis", "speeds"));
+    if (name == "chatter." + condition + ".critical_speed" || name == "chatter." + condition + ".frequency")
+      return searched;
+  }
+  return {};
+}
+}  // namespace
+
+const RunKind &run_kind(const ChatterCase &)
+{
+  static const RunKind kind = [] {
+    RunKind k;
+    k.verbs  = {"run", "chatter"};
+    k.check  = check_conditions;
+    k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> {
+      return {
+          {"chatter", 1}
+      };
+    };
+    k.run = [](RunContext &run, Goal, const std::string &) {
+      solve_chatter_case(run, std::get<ChatterCase>(run.the_case.spec));
+    };
+    k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
+      manifest["geometry"]["work_roll_diameter"] = std::get<ChatterCase>(the_case.spec).roll_diameter;
+    };
+    k.files = [](const Case &the_case) {
+      return std::vector<std::string>{std::get<ChatterCase>(the_case.spec).stand.from};
+    };
+    k.inputs = [](const Case &the_case, const Results &results, const std::string &name) {
+      return inputs_of(std::get<ChatterCase>(the_case.spec), results, name);
+    };
+    k.trace = [](const Case &the_case, QuickMemory &, const std::map<std::string, double> &) {
+      return quick_chatter(std::get<ChatterCase>(the_case.spec));
+    };
+    return k;
+  }();
+  return kind;
+}
+}  // namespace mill

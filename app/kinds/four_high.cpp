@@ -1,0 +1,135 @@
+#include "app/case_kinds.h"
+#include "app/kinds/kind_inputs.h"
+#include "app/kinds/manifest_parts.h"
+#include "app/stages/bite_stage.h"
+#include "app/trace/quick_chain.h"
+#include "app/trace/trace_key.h"
+#include "core/model/stand.h"
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace mill {
+namespace {
+using json = nlohmann::ordered_json;
+
+json geometry_of(const FourHigh &stand)
+{
+  return {
+      {"work_roll_diameter",   stand.work_roll.barrel_diameter                                },
+      {"work_roll_length",     stand.work_roll.barrel_length                                  },
+      {"work_neck_diameter",   stand.work_roll.neck_diameter                                  },
+      {"work_total_length",    stand.work_roll.barrel_length + 2 * stand.work_roll.neck_length},
+      {"work_bearing_span",    stand.work_roll.bearing_span                                   },
+      {"backup_diameter",      stand.backup_roll.barrel_diameter                              },
+      {"backup_length",        stand.backup_roll.barrel_length                                },
+      {"backup_neck_diameter", stand.backup_roll.neck_diameter                                },
+      {"backup_neck_length",   stand.backup_roll.neck_length                                  },
+      {"backup_bearing_span",  stand.backup_roll.bearing_span                                 },
+      {"strip_width",          stand.strip.width                                              },
+      {"entry_thickness",      stand.strip.entry_thickness                                    },
+      {"exit_thickness",       stand.strip.exit_thickness                                     }
+  };
+}
+
+// K3.* and contact.upper.*, or the same of the lower rolls.
+std::optional<KeyList> contact_inputs(const FourHigh &stand, const std::string &name, const std::size_t p)
+{
+  const bool upper = begins(name, "K3.") || begins(name, "contact.upper.");
+  if (!upper && !begins(name, "K5.") && !begins(name, "contact.lower."))
+    return {};
+  const std::string which = upper ? "upper" : "lower";
+  const KeyList keys      = contact_keys(stand, which, p);
+  if (ends(name, ".friction_tangent"))
+    return joined(keys, keys_in("contact." + which, "friction"));
+  return ends(name, ".path_plateau") ? joined(keys, keys_in("contact." + which, "path_trim")) : keys;
+}
+
+std::optional<KeyList> inputs_of(const FourHigh &stand, const Results &results, const std::string &full)
+{
+  for (std::size_t p = 0; p < stand.passes.size(); ++p) {
+    const Pass &pass = stand.passes[p];
+    if (const auto keys = response_inputs(results, stand.dynamics, pass, p, full))
+      return keys;
+    const BiteRun bite{stand.strip, stand.bite, p, "work_roll.barrel_diameter"};
+    if (begins(full, "bite."))
+      if (const auto keys = bite_inputs(bite, full, pass.name))
+        return keys;
+    const std::string prefix = p == 0 ? "" : pass.name + ".";
+    const std::string name   = begins(full, prefix) ? full.substr(prefix.size()) : "";
+    if (const auto keys = contact_inputs(stand, name, p))
+      return keys;
+    if (begins(name, "K4."))
+      return bite_inputs(bite, name, pass.name);
+    for (std::size_t i = 0; i < 4; ++i)
+      if (begins(name, fmt::format("Kzc{}.", i + 1)))
+        return seat_keys(stand, i, p);
+  }
+  return {};
+}
+
+std::optional<StandIn> four_high_stand_in(const Case &the_case, const TraceKey &key,
+                                          const std::vector<QuickResult> &quick)
+{
+  const auto &stand = std::get<FourHigh>(the_case.spec);
+  if (key.name.rfind("given.", 0) == 0)
+    return computed_instead(quick, key.row.key);
+  if (const auto pass = pass_of(key)) {
+    const std::string prefix = *pass == 0 ? "" : stand.passes[*pass].name + ".";
+    if (const QuickResult *contact = find(quick, prefix + "K3");
+        key.row.key == "load" && contact && contact->load > 0)
+      return StandIn{contact->load, "not given: mean of the force record"};
+    return strip_instead(stand.strip, key);
+  }
+  if (key.name == "strip.initial_thickness")
+    return StandIn{stand.strip.entry_thickness, "not given: the entry thickness"};
+  if (key.row.key != "bearing_load")
+    return {};
+  const bool backup          = key.name.rfind("backup_roll.", 0) == 0;
+  const QuickResult *bearing = find(quick, backup ? "Kzc1" : "Kzc2");
+  if (!bearing)
+    return {};
+  return StandIn{bearing->load,
+                 backup ? "not given: half the rolling force" : "not given: from the rolling force, assumed"};
+}
+}  // namespace
+
+const RunKind &run_kind(const FourHigh &)
+{
+  static const RunKind kind = [] {
+    RunKind k;
+    k.verbs  = {"run", "stiffness", "masses", "modes", "chatter", "simulate"};
+    k.check  = check_bites;
+    k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> {
+      return {
+          {"condensation",  1 },
+          {"condensation",  10},
+          {"condensation",  1 },
+          {"condensation",  8 },
+          {"contact upper", 2 },
+          {"contact lower", 2 },
+          {"components",    3 },
+          {"bite, curves",  8 },
+          {"passes",        4 }
+      };
+    };
+    k.run = [](RunContext &run, const Goal goal, const std::string &force_file) {
+      run_four_high(run, std::get<FourHigh>(run.the_case.spec), goal, force_file);
+    };
+    k.describe = [](const Case &the_case, json &manifest) {
+      const auto &stand    = std::get<FourHigh>(the_case.spec);
+      manifest["geometry"] = geometry_of(stand);
+      add_bearings(manifest, stand.bearings);
+      add_passes(manifest, stand.passes, stand.dynamics.force_meaning);
+    };
+    k.inputs = [](const Case &the_case, const Results &results, const std::string &name) {
+      return inputs_of(std::get<FourHigh>(the_case.spec), results, name);
+    };
+    k.trace = [](const Case &the_case, QuickMemory &memory, const std::map<std::string, double> &factors) {
+      return quick_four_high(std::get<FourHigh>(the_case.spec), memory, factors);
+    };
+    k.stand_in = four_high_stand_in;
+    return k;
+  }();
+  return kind;
+}
+}  // namespace mill

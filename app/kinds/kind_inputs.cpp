@@ -1,0 +1,52 @@
+#include "app/kinds/kind_inputs.h"
+#include <fmt/format.h>
+
+namespace mill {
+bool begins(const std::string &name, const std::string &prefix)
+{
+  return name.rfind(prefix, 0) == 0;
+}
+
+bool ends(const std::string &name, const std::string &ending)
+{
+  return name.size() >= ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+std::optional<KeyList> bite_inputs(const BiteRun &bite, const std::string &name, const std::string &pass)
+{
+  const std::string own = "bite." + pass + ".";
+  if (name == "K4.path_plateau")
+    return joined(bite_keys(bite), keys_in("bite", "path_trim"));
+  if (begins(name, "K4."))
+    return bite_keys(bite);
+  if (!begins(name, own))
+    return {};
+  const std::string quantity = name.substr(own.size());
+  const KeyList speed = ends(quantity, "_speed") ? keys_in(fmt::format("pass.{}", bite.pass), "speed") : KeyList{};
+  const bool beside   = quantity.find('.') != std::string::npos && !begins(quantity, "fe.");
+  BiteRun asked       = bite;
+  asked.whole_width   = follows_width(quantity.substr(quantity.rfind('.') + 1));
+  return joined(beside ? slab_keys(asked) : bite_keys(asked), speed);
+}
+
+std::optional<KeyList> response_inputs(const Results &results, const DynamicsSettings &dynamics, const Pass &pass,
+                                       const std::size_t p, const std::string &name)
+{
+  if (!begins(name, pass.name + ".peak_g.") && !begins(name, pass.name + ".rms_g."))
+    return {};
+  KeyList keys;
+  const auto follow = [&](const Half half) {
+    for (const std::string &part : chain_parts(dynamics, half)) {
+      const Parameter *own = results.find(pass.name + "." + part), *first = results.find(part);
+      if (own || first)
+        keys = joined(keys, (own ? own : first)->inputs);
+    }
+  };
+  const bool upper = ends(name, ".upper_work_roll"), one_chain = dynamics.model == "six-mass";
+  if (upper || !one_chain)
+    follow(Half::upper);
+  if (!upper || !one_chain)
+    follow(Half::lower);
+  return joined(keys, response_keys(dynamics, pass, p));
+}
+}  // namespace mill

@@ -1,0 +1,18 @@
+#pragma once
+#include "core/records/provenance.h"
+#include "core/records/results.h"
+#include <optional>
+#include <string>
+
+// Keys behind results that several kinds of case have; nothing for a result that is none of them.
+namespace mill {
+bool begins(const std::string &name, const std::string &prefix);
+bool ends(const std::string &name, const std::string &ending);
+
+/// K4.* and bite.PASS.*; those of one model have its name before theirs.
+std::optional<KeyList> bite_inputs(const BiteRun &bite, const std::string &name, const std::string &pass);
+
+/// PASS.peak_g.* and PASS.rms_g.*: the numbers of the chain that drives the work roll, and what is done with them.
+std::optional<KeyList> response_inputs(const Results &results, const DynamicsSettings &dynamics, const Pass &pass,
+                                       std::size_t p, const std::string &name);
+}  // namespace mill

@@ -1,0 +1,58 @@
+#include "app/case_kinds.h"
+#include "app/kinds/kind_inputs.h"
+#include "app/kinds/manifest_parts.h"
+#include "app/trace/quick_chain.h"
+#include "core/model/stand.h"
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace mill {
+namespace {
+std::optional<KeyList> inputs_of(const Lumped &lumped, const Results &results, const std::string &name)
+{
+  for (std::size_t p = 0; p < lumped.passes.size(); ++p)
+    if (const auto keys = response_inputs(results, lumped.dynamics, lumped.passes[p], p, name))
+      return of_kind(*keys, "lumped");
+  const Parameter *made = results.find(name);
+  return made ? std::optional<KeyList>(of_kind(made->inputs, "lumped")) : std::nullopt;
+}
+
+std::string lumped_refusal(const Case &the_case, const std::string &verb)
+{
+  if (verb != "chatter")
+    return "";
+  return "a lumped model alone cannot chatter: it has no strip (" + the_case.path +
+         "); write a case of kind = \"chatter\" whose [stand] says from = \"" +
+         std::filesystem::path(the_case.path).filename().string() + "\"";
+}
+}  // namespace
+
+const RunKind &run_kind(const Lumped &)
+{
+  static const RunKind kind = [] {
+    RunKind k;
+    k.verbs   = {"run", "modes", "simulate"};
+    k.refusal = lumped_refusal;
+    k.stages  = [](const Case &) -> std::vector<std::pair<std::string, double>> {
+      return {
+          {"passes", 1}
+      };
+    };
+    k.run = [](RunContext &run, const Goal goal, const std::string &force_file) {
+      run_lumped(run, std::get<Lumped>(run.the_case.spec), goal, force_file);
+    };
+    k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
+      const auto &lumped = std::get<Lumped>(the_case.spec);
+      add_passes(manifest, lumped.passes, lumped.dynamics.force_meaning);
+    };
+    k.inputs = [](const Case &the_case, const Results &results, const std::string &name) {
+      return inputs_of(std::get<Lumped>(the_case.spec), results, name);
+    };
+    k.trace = [](const Case &the_case, QuickMemory &memory, const std::map<std::string, double> &) {
+      return quick_lumped(the_case, memory);
+    };
+    return k;
+  }();
+  return kind;
+}
+}  // namespace mill
