@@ -1,9 +1,9 @@
 #include "report/page/run.h"
 #include "core/case/errors.h"
 #include "core/records/files.h"
+#include "core/records/json_archive.h"
 #include "core/records/run_identity.h"
 #include "report/page/curves.h"
-#include "report/page/json_entries.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -30,7 +30,8 @@ Json parsed(const std::string &path)
   const std::string text   = read_text(path);
   const std::string remedy = "; run the case again, or restore the file as the program wrote it";
   try {
-    return json_of<Json>(text);
+    json::require_flat(text);
+    return Json::parse(text);
   } catch (const nlohmann::json::parse_error &error) {
     throw InputError(place_of_byte(path, text, error.byte), "this is not JSON any more" + remedy);
   } catch (const nlohmann::json::exception &) {
