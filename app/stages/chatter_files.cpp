@@ -1,5 +1,6 @@
 #include "app/stages/chatter_files.h"
 #include "app/stages/chatter_results.h"
+#include "app/stages/curve_files.h"
 #include "core/records/csv.h"
 #include "core/records/json_archive.h"
 #include "dynamics/chatter/loop.h"
@@ -46,7 +47,7 @@ void write_speeds(RunContext &run, const ChatterStudy &s)
     table.add("film_thickness", "um", film);
   if (at_frequency > 0)
     table.add("process_damping", "MN s/m", damping);
-  run.out.write("curves/" + base_of(s) + "-speed.csv", csv_text(table));
+  write_curve(run, curve::chatter_speed, slug(s.question.condition.name), table);
 }
 
 // One branch of each pair of roots.
@@ -65,7 +66,7 @@ void write_locus(RunContext &run, const ChatterStudy &s)
     table.add(name + "_growth", "1/s", real).add(name + "_frequency", "Hz", imaginary / (2 * M_PI));
   }
   if (mode > 0)
-    run.out.write("curves/" + base_of(s) + "-locus.csv", csv_text(table));
+    write_curve(run, curve::chatter_locus, slug(s.question.condition.name), table);
 }
 
 struct MapAxis {
@@ -103,8 +104,8 @@ void write_maps(RunContext &run, const ChatterStudy &s)
     table.add("growth_rate", "1/s", growth).add("frequency", "Hz", frequency);
     boundary.add(axis.name, axis.unit, axis.factor * map.value);
     boundary.add("critical_speed", "m/s", map.critical_speed).add("frequency", "Hz", map.critical_frequency);
-    run.out.write("curves/" + base_of(s) + "-map-" + axis.name + ".csv", csv_text(table));
-    run.out.write("curves/" + base_of(s) + "-boundary-" + axis.name + ".csv", csv_text(boundary));
+    write_curve(run, curve::chatter_map, slug(s.question.condition.name), table, axis.name);
+    write_curve(run, curve::chatter_boundary, slug(s.question.condition.name), boundary, axis.name);
   }
 }
 

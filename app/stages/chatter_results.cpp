@@ -1,4 +1,5 @@
 #include "app/stages/chatter_results.h"
+#include "core/records/result_names.h"
 #include "dynamics/chatter/loop.h"
 #include <algorithm>
 #include <cmath>
@@ -73,8 +74,8 @@ void add_bite(RunContext &run, const ChatterStudy &s)
                              const double published, const double measured) {
     std::vector<Check> checks;
     beside(checks, "slab equation without the simplification of Bland and Ford", karman);
-    beside(checks, "published", published, c.note.c_str());
-    beside(checks, "measured", measured);
+    beside(checks, name_of(CheckId::published), published, c.note.c_str());
+    beside(checks, name_of(CheckId::measured), measured);
     add(name, unit, value, std::isnan(karman) ? not_given : apart(karman, value), std::move(checks));
   };
   const bite::BiteState none{};
@@ -165,8 +166,8 @@ void add_stability(RunContext &run, const ChatterStudy &s)
     if (other.name != s.question.analysis.linearisation)
       beside(checks, (other.name + " linearisation").c_str(), other.found.speed,
              "what follows a disturbance decides about the speed");
-  beside(checks, "published", c.published_critical_speed, c.note.c_str());
-  beside(checks, "measured", c.measured_critical_speed);
+  beside(checks, name_of(CheckId::published), c.published_critical_speed, c.note.c_str());
+  beside(checks, name_of(CheckId::measured), c.measured_critical_speed);
   critical("critical_speed", "m/s", s.found.speed, spread(s, &dynamics::StandSpeed::speed), checks);
   std::vector<Check> frequency;
   if (!std::isnan(s.found.frequency)) {

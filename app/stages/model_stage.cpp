@@ -1,10 +1,12 @@
 #include "app/stages/model_stage.h"
+#include "app/stages/curve_files.h"
 #include "app/stages/models_file.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/csv.h"
 #include "core/records/json_archive.h"
 #include "core/records/lumped_model.h"
 #include "core/records/provenance.h"
+#include "core/records/result_names.h"
 #include "reduce/chain/mass_breakdown.h"
 #include "reduce/chain/stand_errors.h"
 #include "reduce/stand/beam_stand.h"
@@ -66,7 +68,7 @@ void write_modes(RunContext &run, const reduce::StandWithModes &s)
     }
     table.add(slug(point.name), "", y);
   }
-  run.out.write("curves/modes-" + s.model.name + ".csv", csv_text(table));
+  write_curve(run, curve::modes_of_model, s.model.name, table);
 }
 
 const char *title_of(const std::string &model)
@@ -208,8 +210,8 @@ void write_shapes(RunContext &run, const FourHigh &stand, const reduce::LumpedSt
       .add("f2_lower", "m/N", chain.f2_lower.value);
   backup.add("f2_upper_fe", "m/N", at(fe.f2_upper, xb, end_backup));
   backup.add("f2_lower_fe", "m/N", at(fe.f2_lower, xb, end_backup));
-  run.out.write("curves/shape-work-roll.csv", csv_text(work));
-  run.out.write("curves/shape-backup-roll.csv", csv_text(backup));
+  write_curve(run, curve::shape_work_roll, "", work);
+  write_curve(run, curve::shape_backup_roll, "", backup);
 }
 
 std::vector<std::string> answer(const StandModels &models, const std::vector<MassesRow> &needed,
@@ -288,19 +290,16 @@ reduce::FeMasses add_fe_masses(LumpedModel &chain, const FourHigh &stand, const 
     if (p.source != Source::computed)
       continue;
     if (stand.dynamics.mass_source == "fe") {
-      p.checks.push_back({"shapes of the chain (4.14)-(4.16)", p.value, p.method});
-      p.checks.push_back({"finite-element axis shape, same integrals (22.14)", fe.integral[i], ""});
+      p.checks.push_back(check(CheckId::closed_form_mass, p.value, p.method));
+      p.checks.push_back(check(CheckId::fe_integral_mass, fe.integral[i]));
       p.method = "kinetic energy of all points of the finite-element shape (22.15)";
       p.error_estimate += std::abs(fe.integral[i] / fe.solid[i] - 1);
       p.value = fe.solid[i];
     } else {
       p.error_estimate += std::abs(fe.solid[i] / p.value - 1);
       // First, since a reader sees the first check beside the number.
-      p.checks.insert(p.checks.begin(),
-                      {
-                          {"all points of the finite elements (22.15)",         fe.solid[i],    "with what turns and bulges"},
-                          {"finite-element axis shape, same integrals (22.14)", fe.integral[i], ""                          }
-      });
+      p.checks.insert(p.checks.begin(), {check(CheckId::fe_solid_mass, fe.solid[i], "with what turns and bulges"),
+                                         check(CheckId::fe_integral_mass, fe.integral[i])});
     }
   }
   return fe;

@@ -1,6 +1,7 @@
 #include "app/stages/chatter_files.h"
 #include "app/stages/chatter_question.h"
 #include "app/stages/chatter_stage.h"
+#include "app/stages/curve_files.h"
 #include "core/records/chatter_record.h"
 #include "core/records/csv.h"
 #include "core/records/json_archive.h"
@@ -150,8 +151,8 @@ void solve_tandem(RunContext &run, const ChatterCase &spec)
   judge_working_speed(run, line, last.condition.speed);
   add_results(run, study, line, inputs);
   run.out.write("curves/chatter-tandem.json", json_of_record(tandem_record(study, line, range)));
-  run.out.write("curves/chatter-tandem-speed.csv", csv_text(curve_table(study.curves)));
-  run.out.write("curves/chatter-tandem-lobes.csv", csv_text(curve_table(study.lobes)));
+  write_curve(run, curve::chatter_speed, tandem_item, curve_table(study.curves));
+  write_curve(run, curve::chatter_lobes, tandem_item, curve_table(study.lobes));
   run.summary += "tandem: " + dynamics::sentence(study.full, range) + "\n";
   run.assume(
       "tandem: every stand has the structure of [stand], neighbours are stand.exit_distance apart; speeds are "

@@ -2,6 +2,7 @@
 #include "core/case/errors.h"
 #include "core/records/files.h"
 #include "core/records/json_archive.h"
+#include "core/records/result_names.h"
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -23,33 +24,12 @@ template <class Record> std::optional<Record> stored(const fs::path &path, std::
   return std::nullopt;
 }
 
-// "2" of "curves/chatter-2-map-tension"; empty when the path is none of the tables of a condition.
-std::string slug_of_table(const std::string &path)
-{
-  static const char *const endings[] = {"-speed",
-                                        "-locus",
-                                        "-map-reduction",
-                                        "-map-tension",
-                                        "-map-viscosity",
-                                        "-boundary-reduction",
-                                        "-boundary-tension",
-                                        "-boundary-viscosity"};
-  const std::string start            = "curves/chatter-";
-  if (path.rfind(start, 0) != 0)
-    return "";
-  for (const std::string ending : endings)
-    if (path.size() > start.size() + ending.size() &&
-        path.compare(path.size() - ending.size(), ending.size(), ending) == 0)
-      return path.substr(start.size(), path.size() - start.size() - ending.size());
-  return "";
-}
-
 // Place of a condition among the results; those without any come last.
 std::size_t place_of(const Run &run, const std::string &name)
 {
-  const std::string start = "chatter." + name + ".";
+  const std::string subject = result_name({family::chatter, name});
   for (std::size_t i = 0; i < run.results.size(); ++i)
-    if (run.results[i].name.rfind(start, 0) == 0)
+    if (is_of(run.results[i].name, subject))
       return i;
   return run.results.size();
 }
@@ -77,8 +57,9 @@ ChatterData read_chatter(const Run &run)
   ChatterData data;
   std::map<std::string, ChatterCondition> found;  // by slug
   for (const auto &[path, table] : run.tables)
-    if (const std::string slug = slug_of_table(path); !slug.empty() && slug != "tandem")
-      found[slug] = {};
+    if (const auto name = curve_name(path);
+        name && std::string(name->kind->family) == family::chatter && name->item != tandem_item)
+      found[name->item] = {};
   std::error_code none;
   const std::string start = "chatter-";
   for (const fs::directory_entry &file : fs::directory_iterator(fs::path(run.directory) / "curves", none)) {
@@ -103,10 +84,5 @@ ChatterData read_chatter(const Run &run)
                      return i != j ? i < j : earlier(a.name, b.name);
                    });
   return data;
-}
-
-const Table *chatter_table(const Run &run, const ChatterCondition &condition, const std::string &what)
-{
-  return run.table("curves/chatter-" + condition.slug + "-" + what);
 }
 }  // namespace mill::report

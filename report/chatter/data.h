@@ -21,6 +21,4 @@ struct ChatterData {
 /// name. Never throws.
 ChatterData read_chatter(const Run &run);
 
-/// curves/chatter-<slug>-<what>.csv; nullptr when not stored.
-const Table *chatter_table(const Run &run, const ChatterCondition &condition, const std::string &what);
 }  // namespace mill::report

@@ -1,4 +1,5 @@
 #include "report/chatter/figures.h"
+#include "report/page/curves.h"
 #include "report/page/number.h"
 #include "report/page/sections.h"
 #include "report/plot/svg.h"
@@ -8,7 +9,7 @@ namespace mill::report {
 namespace {
 bool has_film(const Run &run, const ChatterCondition &condition)
 {
-  const Table *speeds = chatter_table(run, condition, "speed");
+  const Table *speeds = stored_curve(run, curve::chatter_speed, condition.slug);
   return speeds && speeds->column("film_thickness");
 }
 

@@ -1,4 +1,5 @@
 #include "report/chatter/figures.h"
+#include "report/page/curves.h"
 #include "report/page/html.h"
 #include "report/page/names.h"
 #include "tests/support/html_page.h"
@@ -42,9 +43,9 @@ TEST(ReadChatter, NumbersTextsAndGaps)
   // The second has tables and no JSON.
   EXPECT_EQ(data.conditions[1].name, "10");
   EXPECT_TRUE(std::isnan(data.conditions[1].critical.speed));
-  EXPECT_NE(chatter_table(run, data.conditions[1], "speed"), nullptr);
-  EXPECT_NE(chatter_table(run, data.conditions[1], "locus"), nullptr);
-  EXPECT_EQ(chatter_table(run, data.conditions[1], "map-tension"), nullptr);
+  EXPECT_NE(stored_curve(run, curve::chatter_speed, data.conditions[1].slug), nullptr);
+  EXPECT_NE(stored_curve(run, curve::chatter_locus, data.conditions[1].slug), nullptr);
+  EXPECT_EQ(stored_curve(run, curve::chatter_map, data.conditions[1].slug, "tension"), nullptr);
 }
 
 // As the results have them; what has no result comes after them, numbers as numbers.
