@@ -4,6 +4,7 @@
 #include "app/stages/bite_stage.h"
 #include "app/stages/chatter_stage.h"
 #include "app/stages/contact_stage.h"
+#include "app/stages/curve_files.h"
 #include "app/stages/dynamics_stage.h"
 #include "app/stages/frame_stage.h"
 #include "app/stages/model_stage.h"
@@ -29,7 +30,7 @@ void set_beside(RunContext &run, const GivenValues &published)
   for (auto &[name, parameter] : run.results.values)
     for (const auto &[key, value] : published)
       if (name == key || name == key + ".tangent" || name == key + ".combined")
-        parameter.checks.push_back({"published", value.parameter.value, value.parameter.at});
+        parameter.checks.push_back(check(CheckId::published, value.parameter.value, value.parameter.at));
 }
 
 void write_shapes(RunContext &run, const reduce::LumpedStand &s)
@@ -39,8 +40,8 @@ void write_shapes(RunContext &run, const reduce::LumpedStand &s)
   work.add("f1_lower", "m/N", s.f1_lower.value);
   backup.add("x", "m", s.f2_upper.x).add("f2_upper", "m/N", s.f2_upper.value);
   backup.add("f2_lower", "m/N", s.f2_lower.value);
-  run.out.write("curves/shape-work-roll.csv", csv_text(work));
-  run.out.write("curves/shape-backup-roll.csv", csv_text(backup));
+  write_curve(run, curve::shape_work_roll, "", work);
+  write_curve(run, curve::shape_backup_roll, "", backup);
 }
 
 // Mean of the record, or the load that stands for it.

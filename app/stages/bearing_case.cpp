@@ -2,6 +2,7 @@
 #include "app/stages/bearing_published.h"
 #include "app/stages/bearing_results.h"
 #include "app/stages/bearing_stage.h"
+#include "app/stages/curve_files.h"
 #include "bearing/clearance.h"
 #include "core/records/csv.h"
 #include "dynamics/bearing/dynamics.h"
@@ -46,8 +47,7 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
   const auto motion = dynamics::simulate(mass, e.duration, e.output_rate);
   run.out.write("response/bearing-" + slug(spec.load.bearing) + ".csv",
                 csv_text(dynamics::bearing_response_table(motion)));
-  run.out.write("curves/bearing-" + slug(spec.load.bearing) + "-spectrum.csv",
-                csv_text(dynamics::bearing_spectrum_table(motion)));
+  write_curve(run, curve::bearing_spectrum, slug(spec.load.bearing), dynamics::bearing_spectrum_table(motion));
   const auto add = [&](const std::string &name, const std::string &unit, const double value,
                        const std::string &method, std::vector<Check> checks = {}) {
     Parameter p;

@@ -1,5 +1,6 @@
 #include "app/stages/bearing_files.h"
 #include "app/stages/bearing_published.h"
+#include "app/stages/curve_files.h"
 #include "core/records/csv.h"
 #include <Eigen/LU>
 #include <algorithm>
@@ -194,31 +195,31 @@ Table tangent_table(const BearingStudy &s)
 
 void write_load_curve(RunContext &run, const BearingStudy &s)
 {
-  run.out.write("curves/bearing-" + slug(s.question.bearing.name) + ".csv", csv_text(load_table(s)));
+  write_curve(run, curve::bearing, slug(s.question.bearing.name), load_table(s));
 }
 
 void write_bearing(RunContext &run, const BearingStudy &s)
 {
-  const std::string stem = "curves/bearing-" + slug(s.question.bearing.name);
+  const std::string name = slug(s.question.bearing.name);
   if (!s.curve.states.empty())
     write_load_curve(run, s);
-  run.out.write(stem + "-rows.csv", csv_text(row_table(s)));
-  run.out.write(stem + "-rollers.csv", csv_text(roller_table(s)));
-  run.out.write(stem + "-law.csv", csv_text(law_table(s)));
-  run.out.write(stem + "-tangent.csv", csv_text(tangent_table(s)));
-  run.out.write(stem + "-cage.csv", csv_text(cage_table(s)));
+  write_curve(run, curve::bearing_rows, name, row_table(s));
+  write_curve(run, curve::bearing_rollers, name, roller_table(s));
+  write_curve(run, curve::bearing_law, name, law_table(s));
+  write_curve(run, curve::bearing_tangent, name, tangent_table(s));
+  write_curve(run, curve::bearing_cage, name, cage_table(s));
   if (s.parts.roller && s.at.roller_load.maxCoeff() > largest_contact_load(s.parts))
     run.warn(fmt::format(
         "bearing {}: the heaviest roller carries {:.4g} kN, contact elements are meshed up to {:.4g} kN "
         "(4.5 GPa at most); its pressure map and its tilt are left out",
         s.question.bearing.name, s.at.roller_load.maxCoeff() / 1e3, largest_contact_load(s.parts) / 1e3));
   else if (s.parts.roller) {
-    run.out.write(stem + "-tilt.csv", csv_text(tilt_table(s)));
+    write_curve(run, curve::bearing_tilt, name, tilt_table(s));
     const auto state = heaviest_roller(s);
-    run.out.write(stem + "-pressure-inner.csv", csv_text(pressure_table(s.parts.roller->grid, state.inner)));
-    run.out.write(stem + "-pressure-outer.csv", csv_text(pressure_table(s.parts.roller->grid, state.outer)));
+    write_curve(run, curve::bearing_pressure_inner, name, pressure_table(s.parts.roller->grid, state.inner));
+    write_curve(run, curve::bearing_pressure_outer, name, pressure_table(s.parts.roller->grid, state.outer));
   }
   if (const Table beside = published_table(s); !beside.columns.empty())
-    run.out.write(stem + "-published.csv", csv_text(beside));
+    write_curve(run, curve::bearing_published, name, beside);
 }
 }  // namespace mill

@@ -1,4 +1,5 @@
 #include "app/stages/bearing_published.h"
+#include "core/records/result_names.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
@@ -127,15 +128,11 @@ void add_published_results(RunContext &run, const std::string &prefix, const Bea
         fmt::format("sum of the heaviest rollers' tangents, one of each row, times Z/5 = {}/5 = {:.4g}: the link "
                     "between the published per-roller values and the published total",
                     b.rollers_per_row, Z5),
-        {
-            {"published per-roller values times Z/5", Z5 * sum, "their own total"                                   },
-            {"published total",                       total,    "no contact angle, Z/5 for a bearing with clearance"}
-    });
+        {check(CheckId::published_times_Z5, Z5 * sum, "their own total"),
+         check(CheckId::published_total, total, "no contact angle, Z/5 for a bearing with clearance")});
     add("rollers_times_stribeck", mechanics * heavy.tangent.sum(),
         "the same sum times Z cos^2(alpha)/4.085: rigid rings without clearance, (5.15)",
-        {
-            {"published per-roller values times Z cos^2(alpha)/4.085", mechanics * sum, ""}
-    });
+        {check(CheckId::published_times_stribeck, mechanics * sum)});
   }
   if (!std::isfinite(total) || s.curve.states.empty())
     return;

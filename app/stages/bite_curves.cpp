@@ -1,4 +1,5 @@
 #include "app/stages/bite_curves.h"
+#include "app/stages/curve_files.h"
 #include "app/stages/strip_flow_stage.h"
 #include "bite/linear/stiffness_map.h"
 #include "core/records/csv.h"
@@ -86,7 +87,7 @@ void write_sweep(RunContext &run, const BiteStudy &study, const Sweep &sweep)
   t.add("force", "N", force);
   if (any_fe)
     t.add("fe_plastic_slope", "N/m", fe_slope).add("fe_force", "N", fe_force);
-  run.out.write("curves/bite-k4-" + sweep.name + ".csv", csv_text(t));
+  write_curve(run, curve::bite_k4, "", t, sweep.name);
 }
 
 // Working point, half way and both ends: where the curve of the slab theory is checked.
@@ -180,7 +181,7 @@ void write_aspects(RunContext &run, const BiteStudy &study)
   t.add("arc_over_thickness", "", Eigen::Map<const Eigen::VectorXd>(aspects.data(), n));
   t.add("fe", "N/m", fe).add("karman", "N/m", karman).add("orowan", "N/m", orowan);
   t.add("ratio_karman", "", fe.array() / karman.array()).add("ratio_orowan", "", fe.array() / orowan.array());
-  run.out.write("curves/bite-aspect.csv", csv_text(t));
+  write_curve(run, curve::bite_aspect, "", t);
 }
 // K4 by the slab theory over reduction and friction.
 void write_map(RunContext &run, const BiteStudy &study)
@@ -210,7 +211,7 @@ void write_map(RunContext &run, const BiteStudy &study)
   Table t;
   t.add("reduction", "", at_reduction).add("friction", "", at_friction).add("plastic_slope", "N/m", slope);
   t.add("force", "N", force);
-  run.out.write("curves/bite-k4-map.csv", csv_text(t));
+  write_curve(run, curve::bite_map, "", t);
 }
 
 }  // namespace

@@ -1,20 +1,21 @@
 #include "app/stages/bite_files.h"
+#include "app/stages/curve_files.h"
 #include "core/records/csv.h"
 #include <cmath>
 
 namespace mill {
 namespace {
-void write_arc(RunContext &run, const std::string &stem, const BiteAnswer &answer)
+void write_arc(RunContext &run, const std::string &pass, const BiteAnswer &answer)
 {
   const bite::BiteState &s = answer.state;
   Table t;
   t.add("x", "m", s.position).add("thickness", "m", s.thickness).add("pressure", "Pa", s.pressure);
   t.add("shear", "Pa", s.shear).add("slip", "", s.slip);
-  run.out.write(stem + "." + answer.key + ".csv", csv_text(t));
+  write_curve(run, curve::bite_arc, pass, t, answer.key);
 }
 
 // Roll and strip along the contact: heights over the middle plane of the strip.
-void write_roll(RunContext &run, const std::string &stem, const BiteStudy &study)
+void write_roll(RunContext &run, const std::string &pass, const BiteStudy &study)
 {
   const fem::StripFlow &f = study.flow->fine;
   const double R          = study.question.bite.roll_radius;
@@ -29,10 +30,10 @@ void write_roll(RunContext &run, const std::string &stem, const BiteStudy &study
   const Eigen::VectorXd circle = lowest + R - (R * R - x.array().square()).sqrt();
   Table t;
   t.add("x", "m", x).add("circle", "m", circle).add("roll", "m", f.roll_surface).add("strip", "m", strip);
-  run.out.write(stem + ".roll.csv", csv_text(t));
+  write_curve(run, curve::bite_arc, pass, t, "roll");
 }
 
-void write_field(RunContext &run, const std::string &stem, const fem::StripFlow &f)
+void write_field(RunContext &run, const std::string &pass, const fem::StripFlow &f)
 {
   const auto flat = [&](const Eigen::MatrixXd &m) {  // column by column of the mesh, axis first
     Eigen::VectorXd out(m.size());
@@ -45,34 +46,34 @@ void write_field(RunContext &run, const std::string &stem, const fem::StripFlow 
   t.add("x", "m", flat(f.x)).add("y", "m", flat(f.y)).add("strain", "", flat(f.strain));
   t.add("strain_rate", "1/s", flat(f.rate)).add("pressure", "Pa", flat(f.pressure));
   t.add("velocity_x", "m/s", flat(f.vx)).add("velocity_y", "m/s", flat(f.vy));
-  run.out.write(stem + ".field.csv", csv_text(t));
+  write_curve(run, curve::bite_arc, pass, t, "field");
 }
 // What stays in the strip behind the bite.
-void write_outlet(RunContext &run, const std::string &stem, const FlowAnswer &flow)
+void write_outlet(RunContext &run, const std::string &pass, const FlowAnswer &flow)
 {
   if (flow.outlet_height.size() == 0)
     return;
   Table t;
   t.add("y", "m", flow.outlet_height).add("stress", "Pa", flow.outlet_stress);
-  run.out.write(stem + ".outlet.csv", csv_text(t));
+  write_curve(run, curve::bite_outlet, pass, t);
 }
 }  // namespace
 
 // What a file holds stands behind a point, which no slug has: passes "x" and "x-fe" share no name.
 void write_bite(RunContext &run, const BiteStudy &study)
 {
-  const std::string name = "bite-" + slug(study.question.pass), stem = "curves/" + name;
+  const std::string pass = slug(study.question.pass);
   for (const BiteAnswer &answer : study.answers)
     if (answer.refused.empty())
-      write_arc(run, stem, answer);
+      write_arc(run, pass, answer);
   if (!study.flow)
     return;
-  write_roll(run, stem, study);
-  write_field(run, stem, study.flow->fine);
+  write_roll(run, pass, study);
+  write_field(run, pass, study.flow->fine);
   if (std::isnan(study.question.bite.roll_speed))
     run.assume("bite of " + study.question.pass +
                ": no speed is given; strain rates and velocities of its pictures belong to rolls at 1 m/s");
-  write_outlet(run, stem, *study.flow);
-  fem::write_strip_flow_vtu(run.out.file("fields/" + name + ".vtu"), study.flow->fine);
+  write_outlet(run, pass, *study.flow);
+  fem::write_strip_flow_vtu(run.out.file("fields/bite-" + pass + ".vtu"), study.flow->fine);
 }
 }  // namespace mill

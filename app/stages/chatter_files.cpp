@@ -1,20 +1,16 @@
 #include "app/stages/chatter_files.h"
 #include "app/stages/chatter_results.h"
+#include "app/stages/curve_files.h"
 #include "core/records/csv.h"
+#include "core/records/json_archive.h"
 #include "dynamics/chatter/loop.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace mill {
 namespace {
-using Json = nlohmann::ordered_json;
 using dynamics::Verdict;
-
-Json number(const double x)
-{
-  return std::isfinite(x) ? Json(x) : Json(nullptr);
-}
 
 std::string base_of(const ChatterStudy &s)
 {
@@ -51,7 +47,7 @@ void write_speeds(RunContext &run, const ChatterStudy &s)
     table.add("film_thickness", "um", film);
   if (at_frequency > 0)
     table.add("process_damping", "MN s/m", damping);
-  run.out.write("curves/" + base_of(s) + "-speed.csv", csv_text(table));
+  write_curve(run, curve::chatter_speed, slug(s.question.condition.name), table);
 }
 
 // One branch of each pair of roots.
@@ -70,7 +66,7 @@ void write_locus(RunContext &run, const ChatterStudy &s)
     table.add(name + "_growth", "1/s", real).add(name + "_frequency", "Hz", imaginary / (2 * M_PI));
   }
   if (mode > 0)
-    run.out.write("curves/" + base_of(s) + "-locus.csv", csv_text(table));
+    write_curve(run, curve::chatter_locus, slug(s.question.condition.name), table);
 }
 
 struct MapAxis {
@@ -108,8 +104,8 @@ void write_maps(RunContext &run, const ChatterStudy &s)
     table.add("growth_rate", "1/s", growth).add("frequency", "Hz", frequency);
     boundary.add(axis.name, axis.unit, axis.factor * map.value);
     boundary.add("critical_speed", "m/s", map.critical_speed).add("frequency", "Hz", map.critical_frequency);
-    run.out.write("curves/" + base_of(s) + "-map-" + axis.name + ".csv", csv_text(table));
-    run.out.write("curves/" + base_of(s) + "-boundary-" + axis.name + ".csv", csv_text(boundary));
+    write_curve(run, curve::chatter_map, slug(s.question.condition.name), table, axis.name);
+    write_curve(run, curve::chatter_boundary, slug(s.question.condition.name), boundary, axis.name);
   }
 }
 
@@ -146,163 +142,85 @@ void write_histories(RunContext &run, const ChatterStudy &s)
   }
 }
 
-Json searches(const std::vector<OtherSearch> &all)
+std::vector<ChatterVariantInfo> variants_of(const std::vector<OtherSearch> &all)
 {
-  Json list = Json::array();
+  std::vector<ChatterVariantInfo> variants;
   for (const OtherSearch &o : all) {
-    Json one{
-        {"name",           o.name                   },
-        {"verdict",        word_of(o.found.verdict) },
-        {"critical_speed", number(o.found.speed)    },
-        {"frequency",      number(o.found.frequency)},
-        {"growth_rate",    number(o.growth)         }
-    };
+    variants.push_back({o.name, word_of(o.found.verdict), o.found.speed, o.found.frequency, o.growth});
+    ChatterVariantInfo &one = variants.back();
     if (o.mode) {
-      one["ratio"]               = number(o.mode->work_roll_ratio);
-      one["force_phase"]         = number(o.mode->force_phase);
-      one["entry_tension_phase"] = number(o.mode->entry_tension_phase);
-      one["upper_moves_more"]    = o.mode->work_roll_ratio > 1;
+      one.ratio               = o.mode->work_roll_ratio;
+      one.force_phase         = o.mode->force_phase;
+      one.entry_tension_phase = o.mode->entry_tension_phase;
+      one.upper_moves_more    = o.mode->work_roll_ratio > 1;
     }
-    list.push_back(one);
   }
-  return list;
+  return variants;
 }
 
-Json phases(const dynamics::ChatterMode &mode)
+ChatterPhases phases_of(const dynamics::ChatterMode &mode)
 {
-  Json shape = Json::array();
-  for (const auto &body : mode.body)
-    shape.push_back({
-        {"label",     body.label            },
-        {"amplitude", number(body.amplitude)},
-        {"phase",     number(body.phase)    }
-    });
-  return {
-      {"frequency",     number(mode.frequency)          },
-      {"ratio",         number(mode.work_roll_ratio)    },
-      {"force",         number(mode.force_phase)        },
-      {"entry_tension", number(mode.entry_tension_phase)},
-      {"exit_tension",  number(mode.exit_tension_phase) },
-      {"friction",      number(mode.friction_phase)     },
-      {"shape",         shape                           }
-  };
+  return {mode.frequency,          mode.work_roll_ratio, mode.force_phase, mode.entry_tension_phase,
+          mode.exit_tension_phase, mode.friction_phase,  mode.body};
 }
 
-Json critical(const ChatterStudy &s)
+ChatterCritical critical_of(const ChatterStudy &s)
 {
-  return {
-      {"verdict",                 word_of(s.found.verdict)                                      },
-      {"speed",                   number(s.found.speed)                                         },
-      {"frequency",               number(s.found.frequency)                                     },
-      {"growth_at_working_speed", number(s.question.speed_assumed ? not_given : s.growth)       },
-      {"margin",                  number(s.found.margin)                                        },
-      {"margin_speed",            number(s.found.margin_speed)                                  },
-      {"searched",                {s.question.analysis.speeds[0], s.question.analysis.speeds[1]}},
-      {"sentence",                verdict_sentence(s)                                           }
-  };
+  return {word_of(s.found.verdict),
+          s.found.speed,
+          s.found.frequency,
+          s.question.speed_assumed ? not_given : s.growth,
+          s.found.margin,
+          s.found.margin_speed,
+          s.question.analysis.speeds,
+          verdict_sentence(s)};
 }
 
-Json limit_cycle(const ChatterStudy &s)
+LimitCycleInfo limit_cycle_of(const ChatterStudy &s)
 {
-  Json events = Json::array();
-  for (const auto &event : s.run->events) {
-    std::string what = dynamics::in_words(event.change);
+  LimitCycleInfo cycle{
+      s.run_speed, s.cycle.settled, 1e6 * s.cycle.amplitude, s.cycle.frequency, s.run->stopped, "", {}};
+  for (const std::string &limit : s.cycle.settled ? s.cycle.limits : std::vector<std::string>{})
+    cycle.limited_by += (cycle.limited_by.empty() ? "" : ", ") + limit;
+  constexpr std::size_t most = 200;  // the rest repeats what the report shows of them
+  for (std::size_t i = 0; i < std::min(most, s.run->events.size()); ++i) {
+    const auto &event = s.run->events[i];
+    std::string what  = dynamics::in_words(event.change);
     if (event.contact >= 0 && std::size_t(event.contact) < s.contacts.size())
       what += ": " + s.contacts[std::size_t(event.contact)];
-    events.push_back({
-        {"time", event.time},
-        {"what", what      }
-    });
-    if (events.size() == 200)
-      break;  // the rest repeats what the report shows of them
+    cycle.events.push_back({event.time, what});
   }
-  std::string limits;
-  for (const std::string &limit : s.cycle.settled ? s.cycle.limits : std::vector<std::string>{})
-    limits += (limits.empty() ? "" : ", ") + limit;
-  return {
-      {"file",         "response/" + base_of(s) + "-limit-cycle"},
-      {"speed",        number(s.run_speed)                      },
-      {"settled",      s.cycle.settled                          },
-      {"amplitude_um", number(1e6 * s.cycle.amplitude)          },
-      {"frequency",    number(s.cycle.frequency)                },
-      {"limited_by",   limits                                   },
-      {"stopped",      s.run->stopped                           },
-      {"events",       events                                   }
-  };
+  return cycle;
 }
 
-Json sensitivities(const ChatterStudy &s)
-{
-  Json list = Json::array();
-  if (!s.sensitivities)
-    return list;
-  for (const dynamics::Sensitivity &one : s.sensitivities->inputs)
-    list.push_back({
-        {"key",                    one.key                                    },
-        {"name",                   one.name                                   },
-        {"unit",                   one.unit                                   },
-        {"value",                  number(one.value)                          },
-        {"friction_slope",         number(one.friction)                       },
-        {"friction_minus",         number(one.lowered.friction)               },
-        {"friction_plus",          number(one.raised.friction)                },
-        {"speed_slope",            number(one.critical_speed)                 },
-        {"speed_minus",            number(one.lowered.critical_speed)         },
-        {"speed_plus",             number(one.raised.critical_speed)          },
-        {"speed_at_held_friction", number(one.critical_speed_at_held_friction)},
-        {"growth",                 number(one.growth)                         },
-        {"minus_outcome",          one.lowered.outcome                        },
-        {"plus_outcome",           one.raised.outcome                         },
-        {"curved",                 !one.monotone                              }
-    });
-  return list;
-}
-
-Json study_json(const ChatterStudy &s)
+ChatterCondition condition_record(const ChatterStudy &s)
 {
   const RollingCondition &c = s.question.condition;
-  Json json{
-      {"condition", c.name                                                },
-      {"speed",     number(s.question.speed_assumed ? not_given : c.speed)},
-      {"scheme",    s.question.analysis.linearisation                     },
-      {"reduction", 100 * (1 - c.exit_thickness / c.entry_thickness)      },
-      {"viscosity",
-       number(s.question.bite.strip.friction.law == "film" ? 1e3 * s.question.bite.strip.friction.viscosity
-                                                           : not_given)   },
-      {"structure", s.question.structure                                  },
-      {"critical",  critical(s)                                           },
-      {"histories", Json::array()                                         }
-  };
-  for (const ChatterRecord &record : s.records)
-    json["histories"].push_back({
-        {"file",            "response/" + base_of(s) + "-" + record.name},
-        {"speed",           record.speed                                },
-        {"growth_rate",     number(record.growth)                       },
-        {"measured_growth", number(record.in_time)                      }
-    });
-  json["limit_cycle"]   = s.run ? limit_cycle(s) : Json(nullptr);
-  json["phases"]        = s.mode ? phases(*s.mode) : Json(nullptr);
-  json["sensitivities"] = sensitivities(s);
-  json["schemes"]       = searches(s.schemes);
-  json["variants"]      = searches(s.variants);
-  json["structures"]    = searches(s.structures);
-  json["conclusions"]   = Json::array();
-  for (const Conclusion &conclusion : conclusions(s))
-    json["conclusions"].push_back({
-        {"text",   conclusion.text  },
-        {"holds",  conclusion.holds },
-        {"detail", conclusion.detail}
-    });
-  json["published"] = Json::array();
-  for (const PublishedRow &row : published_rows(s))
-    json["published"].push_back({
-        {"quantity",  row.quantity             },
-        {"unit",      row.unit                 },
-        {"here",      number(row.here)         },
-        {"published", number(row.published)    },
-        {"measured",  number(row.measured)     },
-        {"note",      s.question.condition.note}
-    });
-  return json;
+  const Friction &friction  = s.question.bite.strip.friction;
+  ChatterCondition record;
+  record.name      = c.name;
+  record.slug      = slug(c.name);
+  record.speed     = s.question.speed_assumed ? not_given : c.speed;
+  record.scheme    = s.question.analysis.linearisation;
+  record.reduction = 100 * (1 - c.exit_thickness / c.entry_thickness);
+  record.viscosity = friction.law == "film" ? 1e3 * friction.viscosity : not_given;
+  record.structure = s.question.structure;
+  record.critical  = critical_of(s);
+  for (const ChatterRecord &history : s.records)
+    record.histories.push_back(
+        {"response/" + base_of(s) + "-" + history.name, history.speed, history.growth, history.in_time});
+  if (s.run)
+    record.limit_cycle = limit_cycle_of(s);
+  if (s.mode)
+    record.phases = phases_of(*s.mode);
+  if (s.sensitivities)
+    record.sensitivities = s.sensitivities->inputs;
+  record.schemes     = variants_of(s.schemes);
+  record.variants    = variants_of(s.variants);
+  record.structures  = variants_of(s.structures);
+  record.conclusions = conclusions(s);
+  record.published   = published_rows(s);
+  return record;
 }
 }  // namespace
 
@@ -329,6 +247,6 @@ void write_chatter(RunContext &run, const ChatterStudy &s)
   write_locus(run, s);
   write_maps(run, s);
   write_histories(run, s);
-  run.out.write("curves/" + base_of(s) + ".json", study_json(s).dump(1) + "\n");
+  run.out.write("curves/" + base_of(s) + ".json", json_of_record(condition_record(s)));
 }
 }  // namespace mill

@@ -1,4 +1,5 @@
 #include "app/stages/chatter_results.h"
+#include "core/records/result_names.h"
 #include "dynamics/chatter/loop.h"
 #include <algorithm>
 #include <cmath>
@@ -73,8 +74,8 @@ void add_bite(RunContext &run, const ChatterStudy &s)
                              const double published, const double measured) {
     std::vector<Check> checks;
     beside(checks, "slab equation without the simplification of Bland and Ford", karman);
-    beside(checks, "published", published, c.note.c_str());
-    beside(checks, "measured", measured);
+    beside(checks, name_of(CheckId::published), published, c.note.c_str());
+    beside(checks, name_of(CheckId::measured), measured);
     add(name, unit, value, std::isnan(karman) ? not_given : apart(karman, value), std::move(checks));
   };
   const bite::BiteState none{};
@@ -165,8 +166,8 @@ void add_stability(RunContext &run, const ChatterStudy &s)
     if (other.name != s.question.analysis.linearisation)
       beside(checks, (other.name + " linearisation").c_str(), other.found.speed,
              "what follows a disturbance decides about the speed");
-  beside(checks, "published", c.published_critical_speed, c.note.c_str());
-  beside(checks, "measured", c.measured_critical_speed);
+  beside(checks, name_of(CheckId::published), c.published_critical_speed, c.note.c_str());
+  beside(checks, name_of(CheckId::measured), c.measured_critical_speed);
   critical("critical_speed", "m/s", s.found.speed, spread(s, &dynamics::StandSpeed::speed), checks);
   std::vector<Check> frequency;
   if (!std::isnan(s.found.frequency)) {
@@ -219,16 +220,15 @@ void add_sensitivities(RunContext &run, const ChatterStudy &s)
   const Adder working{run, s, "chatter", "exact derivative d ln / d ln", speed_text(s.question.condition.speed)};
   const Adder critical{run, s, "chatter", "exact derivative d ln / d ln",
                        s.found.verdict == Verdict::crossing ? speed_text(s.found.speed) : ""};
-  for (const dynamics::Sensitivity &one : s.sensitivities->inputs) {
-    const auto halves = [&](double dynamics::FiniteChange::*member) {
+  for (const ChatterSensitivity &one : s.sensitivities->inputs) {
+    const auto halves = [&](double FiniteChange::*member) {
       std::vector<Check> checks;
       beside(checks, "from changes of -10 % and +10 %", (one.raised.*member - one.lowered.*member) / 0.2,
              "over a wide span; far off where the curve bends");
       return checks;
     };
-    working("friction_slope." + one.key, "1", one.friction, not_given, halves(&dynamics::FiniteChange::friction));
-    critical("speed_slope." + one.key, "1", one.critical_speed, not_given,
-             halves(&dynamics::FiniteChange::critical_speed));
+    working("friction_slope." + one.key, "1", one.friction, not_given, halves(&FiniteChange::friction));
+    critical("speed_slope." + one.key, "1", one.critical_speed, not_given, halves(&FiniteChange::critical_speed));
   }
 }
 
@@ -286,14 +286,14 @@ void add_chatter_results(RunContext &run, const ChatterStudy &s)
                                  "oil.film_range if it was measured over other films)"));
 }
 
-std::vector<PublishedRow> published_rows(const ChatterStudy &s)
+std::vector<ChatterPublished> published_rows(const ChatterStudy &s)
 {
   const RollingCondition &c = s.question.condition;
-  std::vector<PublishedRow> rows;
+  std::vector<ChatterPublished> rows;
   const auto add = [&](const char *quantity, const char *unit, const double here, const double published,
                        const double measured) {
     if (!std::isnan(published) || !std::isnan(measured))
-      rows.push_back({quantity, unit, here, published, measured});
+      rows.push_back({quantity, unit, here, published, measured, c.note});
   };
   add("critical speed", "m/s", s.found.speed, c.published_critical_speed, c.measured_critical_speed);
   add("rolling force", "kN", s.working ? s.working->state.force / 1e3 : not_given, c.published_force / 1e3,
@@ -311,7 +311,7 @@ std::string published_table(const std::vector<ChatterStudy> &studies)
                                                   : fmt::format("{:+.1f} %", 100 * (here / there - 1));
   };
   for (const ChatterStudy &s : studies)
-    for (const PublishedRow &row : published_rows(s))
+    for (const ChatterPublished &row : published_rows(s))
       text += fmt::format("{:<10} {:<16} {:<5} {:>10} {:>10} {:>9} {:>10} {:>9}\n", s.question.condition.name,
                           row.quantity, row.unit, cell(row.here), cell(row.published),
                           off(row.here, row.published), cell(row.measured), off(row.here, row.measured));
@@ -322,9 +322,9 @@ std::string published_table(const std::vector<ChatterStudy> &studies)
          text;
 }
 
-std::vector<Conclusion> conclusions(const ChatterStudy &s)
+std::vector<ChatterConclusion> conclusions(const ChatterStudy &s)
 {
-  std::vector<Conclusion> out;
+  std::vector<ChatterConclusion> out;
   if (s.variants.empty() || s.found.verdict != Verdict::crossing || !s.mode)
     return out;
   // the stand itself counts as one of the readings

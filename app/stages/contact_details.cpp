@@ -1,8 +1,9 @@
 #include "app/stages/contact_details.h"
 #include "app/stages/contact_slope.h"
 #include "app/stages/contact_stage.h"
-#include "core/records/csv.h"
+#include "app/stages/curve_files.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/records/csv.h"
 #include "fem/roll/contact_readings.h"
 #include "fem/roll/frictional_pair.h"
 #include <cmath>
@@ -203,7 +204,7 @@ void write_pressure_map(RunContext &run, const fem::ContactPair &pair, const std
     }
   Table table;
   table.add("z", "m", z).add("x", "m", x).add("pressure", "Pa", value);
-  run.out.write("curves/contact-" + name + "-pressure.csv", csv_text(table));
+  write_curve(run, curve::contact_pressure, name, table);
 }
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include "app/stages/contact_files.h"
 #include "app/stages/contact_model.h"
 #include "app/stages/contact_slope.h"
+#include "app/stages/curve_files.h"
 #include "app/stages/second_engine.h"
 #include "core/numerics/mesh_pair.h"
 #include <algorithm>
@@ -126,17 +127,17 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
   tangent.checks.push_back({"Hertz line contact, infinitely long (3.5b)", hertz.tangent, "no barrel ends"});
   tangent.checks.push_back({"active set of this one load (2.8)", fine.exact, "steps as nodes come into contact"});
   tangent.checks.push_back({coarse_mesh, coarse.tangent, ""});
-  tangent.checks.push_back({"rolls held as in the stand", held.tangent, held_note});
+  tangent.checks.push_back(check(CheckId::held_as_in_stand, held.tangent, held_note));
   secant.value          = fine.secant;
   secant.error_estimate = mesh_pair_error(fine.secant, coarse.secant);
-  secant.checks.push_back({"Johnson, axis to axis (3.5a)", hertz.secant, "upper end of the band of closed forms"});
+  secant.checks.push_back(check(CheckId::johnson_secant, hertz.secant, "upper end of the band of closed forms"));
   secant.checks.push_back({"Foeppl (3.8)", laws.foeppl, ""});
   secant.checks.push_back({"half space (3.9)", laws.half_space, ""});
   secant.checks.push_back({"Palmgren (3.10)", laws.palmgren, "lower end of the band"});
-  secant.checks.push_back({"mid-length section over the whole length", section_secant,
-                           "what is left of the difference belongs to the barrel ends"});
+  secant.checks.push_back(
+      check(CheckId::middle_section, section_secant, "what is left of the difference belongs to the barrel ends"));
   secant.checks.push_back({coarse_mesh, coarse.secant, ""});
-  secant.checks.push_back({"rolls held as in the stand", held.secant, held_note});
+  secant.checks.push_back(check(CheckId::held_as_in_stand, held.secant, held_note));
   std::optional<ContactSlope> second;
   if (s.second) {
     second = slope_of(s.second->mirrored, F);
@@ -196,14 +197,12 @@ void add_section(RunContext &run, const Study &s, const FourHigh &stand, const d
       s.second ? F / slope_of(s.second->mirrored, F).secant : not_given, hertz.approach, s.mirrored.reference);
   if (s.second) {
     add_line_load_spread(run, s.name, held, s.second->in_stand_at);
-    run.out.write("curves/contact-" + s.name + "-barrel-second.csv",
-                  csv_text(barrel_table(s.second->in_stand_at)));
-    run.out.write("curves/contact-" + s.name + "-second.csv",
-                  csv_text(curve_table(s.second->mirrored, "N", "N/m")));
+    write_curve(run, curve::contact_barrel_second, s.name, barrel_table(s.second->in_stand_at));
+    write_curve(run, curve::contact_second, s.name, curve_table(s.second->mirrored, "N", "N/m"));
   }
 
-  run.out.write("curves/contact-" + s.name + "-barrel.csv", csv_text(barrel_table(held)));
-  run.out.write("curves/contact-" + s.name + "-barrel-mirrored.csv", csv_text(barrel_table(fine)));
+  write_curve(run, curve::contact_barrel, s.name, barrel_table(held));
+  write_curve(run, curve::contact_barrel_mirrored, s.name, barrel_table(fine));
   for (const auto &[which, roll] :
        {std::pair("-backup-roll.vtu", &s.model.backup), std::pair("-work-roll.vtu", &s.model.work)}) {
     const std::string file = "fields/contact-" + s.name + which;
@@ -271,10 +270,9 @@ SolvedContact report_study(RunContext &run, const FourHigh &stand, const Study &
   }
   add_section(run, s, stand, loads[0]);
   add_contact_details(run, s.model, name, K, stand, settings, loads[0], range[range.size() - 1], out.tangent[0]);
-  run.out.write("curves/contact-" + name + ".csv", csv_text(curve_table(s.mirrored, "N", "N/m")));
-  run.out.write("curves/contact-" + name + "-in-stand.csv", csv_text(curve_table(s.in_stand, "N", "N/m")));
-  run.out.write("curves/contact-" + name + "-closed.csv",
-                csv_text(closed_table(s.model.closed_form, range, "N", "N/m")));
+  write_curve(run, curve::contact, name, curve_table(s.mirrored, "N", "N/m"));
+  write_curve(run, curve::contact_in_stand, name, curve_table(s.in_stand, "N", "N/m"));
+  write_curve(run, curve::contact_closed, name, closed_table(s.model.closed_form, range, "N", "N/m"));
   run.progress.note(fmt::format("contact {}: {} loads, largest complementarity residual {:.1e}", name,
                                 range.size(), s.mirrored.residual));
   return out;

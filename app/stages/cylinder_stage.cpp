@@ -2,6 +2,7 @@
 #include "app/stages/contact_model.h"
 #include "app/stages/contact_slope.h"
 #include "app/stages/contact_stage.h"
+#include "app/stages/curve_files.h"
 #include "core/numerics/mesh_pair.h"
 #include "fem/roll/contact_study.h"
 #include "meshes/roll/contact_mesh_size.h"
@@ -87,12 +88,11 @@ void solve_cylinders(RunContext &run, const TwoCylinders &spec)
   });
   scalar("secant", "N/m2", slope.secant, slope2.secant,
          {
-             {"Johnson, axis to axis (3.5a)", hertz.secant, ""             },
-             {"Foeppl (3.8)",                 laws.foeppl,  "another datum"}
+             check(CheckId::johnson_secant, hertz.secant), {"Foeppl (3.8)", laws.foeppl, "another datum"}
   });
 
-  run.out.write("curves/contact-line.csv", csv_text(curve_table(curve, "N/m", "N/m2")));
-  run.out.write("curves/contact-line-closed.csv", csv_text(closed_table(metre, range, "N/m", "N/m2")));
+  write_curve(run, curve::contact, "line", curve_table(curve, "N/m", "N/m2"));
+  write_curve(run, curve::contact_closed, "line", closed_table(metre, range, "N/m", "N/m2"));
   write_fields(run, "fields/contact-line-upper.vtu", upper, spec.steel, point2.state);
   write_fields(run, "fields/contact-line-lower.vtu", lower, spec.steel, point2.state);
   run.progress.note(fmt::format("contact line: {} loads, largest complementarity residual {:.1e}", range.size(),

@@ -1,6 +1,8 @@
 #include "app/stages/dynamics_stage.h"
+#include "app/stages/curve_files.h"
 #include "core/records/csv.h"
 #include "core/records/provenance.h"
+#include "core/records/result_names.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modes.h"
 #include "dynamics/response/response.h"
@@ -83,7 +85,7 @@ void write_poles(RunContext &run, const dynamics::MillModel &chain)
   table.add("pole", "", Eigen::VectorXd::LinSpaced(n, 1, double(n)))
       .add("frequency", "Hz", frequency)
       .add("damping", "", damping);
-  run.out.write("curves/poles.csv", csv_text(table));
+  write_curve(run, curve::poles, "", table);
 }
 }  // namespace
 
@@ -132,7 +134,7 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
   }
   for (std::size_t s = 0; s < chain.springs.size(); ++s)
     table.add("energy_" + chain.springs[s].name, "", modes.strain_share.col(Eigen::Index(s)));
-  run.out.write("curves/modes.csv", csv_text(table));
+  write_curve(run, curve::modes, "", table);
   write_poles(run, chain);
   for (Eigen::Index i = 0; i < n; ++i) {
     Parameter f;
@@ -158,7 +160,7 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
       x[i] = sideways.shape(j, i) / sideways.shape.col(i).cwiseAbs().maxCoeff();
     plane.add(slug(horizontal.labels[std::size_t(j)]), "", x);
   }
-  run.out.write("curves/modes-horizontal.csv", csv_text(plane));
+  write_curve(run, curve::modes_horizontal, "", plane);
   for (Eigen::Index i = 0; i < sideways.frequency.size(); ++i) {
     const std::string &label = mover[std::size_t(i)];
     Parameter f;
@@ -292,8 +294,8 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
     const std::string span                  = fmt::format("{:.3g} .. {:.3g} s", beside.begin, beside.end);
     const dynamics::RollComparison *rolls[] = {&beside.upper_work_roll, &beside.lower_work_roll};
     for (int r = 0; r < 2; ++r) {
-      measured_peak[r].push_back({"measured", in_g(rolls[r]->measured.peak), span});
-      measured_rms[r].push_back({"measured", in_g(rolls[r]->measured.rms), span});
+      measured_peak[r].push_back(check(CheckId::measured, in_g(rolls[r]->measured.peak), span));
+      measured_rms[r].push_back(check(CheckId::measured, in_g(rolls[r]->measured.rms), span));
     }
     Table record;
     record.add("time", "s", measured.time)
@@ -307,9 +309,10 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
   for (int r = 0; r < 2; ++r) {
     const auto fine = dynamics::level(*rolls[r]), half = dynamics::level(coarse.acceleration.col(columns[r]));
     if (!std::isnan(pass.published_peak_g[r]))
-      measured_peak[r].insert(measured_peak[r].begin(), {"published model", pass.published_peak_g[r], ""});
+      measured_peak[r].insert(measured_peak[r].begin(), check(CheckId::published_model, pass.published_peak_g[r]));
     if (!std::isnan(pass.measured_peak_g[r]))
-      measured_peak[r].push_back({"measured", pass.measured_peak_g[r], "peak of a record that is not at hand"});
+      measured_peak[r].push_back(
+          check(CheckId::measured, pass.measured_peak_g[r], "peak of a record that is not at hand"));
     add("peak_g", names[r], in_g(fine.peak), in_g(half.peak), measured_peak[r]);
     add("rms_g", names[r], in_g(fine.rms), in_g(half.rms), measured_rms[r]);
   }

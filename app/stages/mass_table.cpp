@@ -1,5 +1,5 @@
 #include "app/stages/mass_table.h"
-#include <algorithm>
+#include "core/records/result_names.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -7,15 +7,6 @@
 
 namespace mill {
 namespace {
-// Value of the first check whose name begins so; NaN without one.
-double beside(const Parameter &p, const std::string &beginning)
-{
-  const auto found = std::find_if(p.checks.begin(), p.checks.end(), [&](const Check &c) {
-    return c.name.compare(0, beginning.size(), beginning) == 0;
-  });
-  return found == p.checks.end() ? std::nan("") : found->value;
-}
-
 std::string cell(const double kg)
 {
   return std::isnan(kg) ? fmt::format("{:>14}", "-") : fmt::format("{:>14.1f}", kg);
@@ -32,10 +23,12 @@ std::string mass_table(const Results &results)
     const Parameter *p = results.find("M" + std::to_string(i));
     if (!p)
       continue;
-    const bool roll     = i > 1 && i < 6;
-    const double closed = beside(*p, "shapes of the chain"), solid = beside(*p, "all points");
-    const double integral = beside(*p, "finite-element axis shape"), published = beside(*p, "published");
-    const double beams     = beside(*p, "rolls as stepped beams");  // where the chain's rolls are solid
+    const bool roll        = i > 1 && i < 6;
+    const double closed    = value_beside(p->checks, CheckId::closed_form_mass),
+                 solid     = value_beside(p->checks, CheckId::fe_solid_mass);
+    const double integral  = value_beside(p->checks, CheckId::fe_integral_mass),
+                 published = value_beside(p->checks, CheckId::published);
+    const double beams     = value_beside(p->checks, CheckId::stepped_beams);  // where the chain's rolls are solid
     const bool from_solid  = roll && !std::isnan(closed);
     const bool from_closed = roll && !std::isnan(solid);
     text += fmt::format("{:<4}{}{}{}{}{}{:>9}  {}\n", "M" + std::to_string(i), cell(p->value),

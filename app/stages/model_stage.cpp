@@ -1,14 +1,19 @@
 #include "app/stages/model_stage.h"
+#include "app/stages/curve_files.h"
 #include "app/stages/models_file.h"
-#include "core/records/csv.h"
-#include "core/records/lumped_model.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/records/csv.h"
+#include "core/records/json_archive.h"
+#include "core/records/lumped_model.h"
 #include "core/records/provenance.h"
+#include "core/records/result_names.h"
+#include "reduce/chain/mass_breakdown.h"
+#include "reduce/chain/stand_errors.h"
 #include "reduce/stand/beam_stand.h"
 #include "reduce/stand/component_stand.h"
 #include "reduce/stand/kept_modes.h"
+#include "reduce/stand/masses_needed.h"
 #include "reduce/stand/six_masses.h"
-#include "reduce/chain/stand_errors.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -63,7 +68,7 @@ void write_modes(RunContext &run, const reduce::StandWithModes &s)
     }
     table.add(slug(point.name), "", y);
   }
-  run.out.write("curves/modes-" + s.model.name + ".csv", csv_text(table));
+  write_curve(run, curve::modes_of_model, s.model.name, table);
 }
 
 const char *title_of(const std::string &model)
@@ -167,10 +172,11 @@ KeptModes kept_modes(const FourHigh &stand, const reduce::StandSprings &springs,
   const Eigen::VectorXd &best = frequencies.back();
   const Eigen::Index m        = std::upper_bound(best.begin(), best.end(), limit) - best.begin();
   result.frequency            = best.head(m);
-  result.error.resize(m, Eigen::Index(frequencies.size()));
+  result.error.resize(Eigen::Index(frequencies.size()), m);
   for (std::size_t s = 0; s < frequencies.size(); ++s)
-    result.error.col(Eigen::Index(s)) =
-        frequencies[s].head(m).cwiseQuotient(result.frequency).array() - 1;  // fewer modes are always stiffer
+    result.error.row(Eigen::Index(s)) =
+        frequencies[s].head(m).cwiseQuotient(result.frequency).transpose().array() -
+        1;  // fewer are always stiffer
   return result;
 }
 
@@ -204,8 +210,55 @@ void write_shapes(RunContext &run, const FourHigh &stand, const reduce::LumpedSt
       .add("f2_lower", "m/N", chain.f2_lower.value);
   backup.add("f2_upper_fe", "m/N", at(fe.f2_upper, xb, end_backup));
   backup.add("f2_lower_fe", "m/N", at(fe.f2_lower, xb, end_backup));
-  run.out.write("curves/shape-work-roll.csv", csv_text(work));
-  run.out.write("curves/shape-backup-roll.csv", csv_text(backup));
+  write_curve(run, curve::shape_work_roll, "", work);
+  write_curve(run, curve::shape_backup_roll, "", backup);
+}
+
+std::vector<std::string> answer(const StandModels &models, const std::vector<MassesRow> &needed,
+                                const double limit)
+{
+  std::vector<std::string> sentences = models.verdict.sentences;
+  const int enough                   = reduce::masses_enough(needed, 0.05);
+  sentences.insert(sentences.begin(), up_to_where(models, limit));
+  sentences.push_back(
+      enough > 0
+          ? fmt::format("{} masses at well-chosen places show every vertical mode below {:g} Hz within 5 %.",
+                        enough, limit)
+          : fmt::format("Even {} masses at the places looked at do not show every vertical mode below {:g} Hz "
+                        "within 5 %; drive dynamics.model = \"craig-bampton\" instead.",
+                        needed.empty() ? 6 : needed.back().masses, limit));
+  return sentences;
+}
+
+ModelsRecord comparison(const FourHigh &stand, const reduce::LumpedStand &chain, const StandModels &models,
+                        const ComponentSets &components, const reduce::FeMasses &masses)
+{
+  const double limit = stand.dynamics.frequency_limit;
+  ModelsRecord record;
+  record.frequency_limit = limit;
+  record.at              = chain.model.at;
+  record.driven          = stand.dynamics.model;
+  record.masses_needed   = reduce::masses_needed(models.craig_bampton, limit, most_masses, &models.chain);
+  record.answer          = answer(models, record.masses_needed, limit);
+  record.models          = {
+               compared_model(models.chain, "six masses", "chain of six masses and seven springs", limit, {}),
+               compared_model(models.beam, "beams",
+                              fmt::format("stepped Timoshenko beams, {} elements per span", beam_elements), limit,
+                              reduce::in_chain(models.beam)),
+               compared_model(models.craig_bampton, "finite elements",
+                              fmt::format("work roll: {}; backup roll: {}{}", components.fine.work_roll.source,
+                                          components.fine.backup_roll.source,
+                                 components.fine.housing ? "; housing: " + components.fine.housing->source : ""),
+                              limit, reduce::in_chain(models.craig_bampton))};
+  record.pairs      = mode_partners(models);
+  record.mac        = mac_table(models, limit);
+  record.kept_modes = kept_modes(stand, reduce::stand_springs(stand, chain, true), components.fine, limit);
+  record.breakdown  = reduce::chain_breakdown(stand, chain);
+  for (auto &mass : reduce::model_breakdown(stand, models.craig_bampton.model, stand.dynamics.mass_reference))
+    if (!stand.housing.present() || (mass.mass != "M1" && mass.mass != "M6"))  // a housing is one body there
+      record.breakdown.push_back(std::move(mass));
+  record.routes = mass_routes(stand, chain, masses);
+  return record;
 }
 }  // namespace
 
@@ -237,19 +290,16 @@ reduce::FeMasses add_fe_masses(LumpedModel &chain, const FourHigh &stand, const 
     if (p.source != Source::computed)
       continue;
     if (stand.dynamics.mass_source == "fe") {
-      p.checks.push_back({"shapes of the chain (4.14)-(4.16)", p.value, p.method});
-      p.checks.push_back({"finite-element axis shape, same integrals (22.14)", fe.integral[i], ""});
+      p.checks.push_back(check(CheckId::closed_form_mass, p.value, p.method));
+      p.checks.push_back(check(CheckId::fe_integral_mass, fe.integral[i]));
       p.method = "kinetic energy of all points of the finite-element shape (22.15)";
       p.error_estimate += std::abs(fe.integral[i] / fe.solid[i] - 1);
       p.value = fe.solid[i];
     } else {
       p.error_estimate += std::abs(fe.solid[i] / p.value - 1);
       // First, since a reader sees the first check beside the number.
-      p.checks.insert(p.checks.begin(),
-                      {
-                          {"all points of the finite elements (22.15)",         fe.solid[i],    "with what turns and bulges"},
-                          {"finite-element axis shape, same integrals (22.14)", fe.integral[i], ""                          }
-      });
+      p.checks.insert(p.checks.begin(), {check(CheckId::fe_solid_mass, fe.solid[i], "with what turns and bulges"),
+                                         check(CheckId::fe_integral_mass, fe.integral[i])});
     }
   }
   return fe;
@@ -285,27 +335,7 @@ void compare_models(RunContext &run, const FourHigh &stand, const reduce::Lumped
     run.out.write("lumped_model-" + model->model.name + ".toml",
                   lumped_model_toml(own, run.the_case, run.out.path()));
   }
-  ModelsFile file{stand, chain, models, masses, models.verdict.sentences, {}, {}, {}, "", ""};
-  file.masses_needed = reduce::masses_needed(models.craig_bampton, limit, most_masses, &models.chain);
-  const int enough   = reduce::masses_enough(file.masses_needed, 0.05);
-  file.answer.insert(file.answer.begin(), up_to_where(models, limit));
-  file.answer.push_back(
-      enough > 0
-          ? fmt::format("{} masses at well-chosen places show every vertical mode below {:g} Hz within 5 %.",
-                        enough, limit)
-          : fmt::format("Even {} masses at the places looked at do not show every vertical mode below {:g} Hz "
-                        "within 5 %; drive dynamics.model = \"craig-bampton\" instead.",
-                        file.masses_needed.empty() ? 6 : file.masses_needed.back().masses, limit));
-  file.breakdown = reduce::chain_breakdown(stand, chain);
-  for (auto &mass : reduce::model_breakdown(stand, models.craig_bampton.model, stand.dynamics.mass_reference))
-    if (!stand.housing.present() || (mass.mass != "M1" && mass.mass != "M6"))  // a housing is one body there
-      file.breakdown.push_back(std::move(mass));
-  file.kept              = kept_modes(stand, on_bearing, components.fine, limit);
-  file.source_beam       = fmt::format("stepped Timoshenko beams, {} elements per span", beam_elements);
-  file.source_components = fmt::format(
-      "work roll: {}; backup roll: {}{}", components.fine.work_roll.source, components.fine.backup_roll.source,
-      components.fine.housing ? "; housing: " + components.fine.housing->source : "");
-  run.out.write("curves/models.json", models_json(file));
+  run.out.write("curves/models.json", json_of_record(comparison(stand, chain, models, components, masses)));
 }
 
 void add_model_checks(RunContext &run, const StandModels &models)

@@ -1,31 +1,21 @@
 #pragma once
 #include "app/stages/model_stage.h"
-#include "reduce/chain/mass_breakdown.h"
-#include "reduce/stand/masses_needed.h"
+#include "core/records/models_record.h"
 #include <string>
-#include <vector>
 
 namespace mill {
-/// How the frequencies of the assembled stand settle with the modes that its parts keep.
-struct KeptModes {
-  std::vector<int> kept;      ///< (s) fixed-interface modes of each part
-  Eigen::VectorXd frequency;  ///< (m) Hz, with all of them
-  Eigen::MatrixXd error;      ///< (m, s) -, relative to those
-};
+/// One model with its modes below the limit and one beyond it.
+/// @param in_chain  (modes) share of each that six masses can follow; empty: not known
+ComparedModel compared_model(const reduce::StandWithModes &stand, const std::string &title,
+                             const std::string &source, double limit, const Eigen::VectorXd &in_chain);
 
-/// What curves/models.json is made of.
-struct ModelsFile {
-  const FourHigh &stand;
-  const reduce::LumpedStand &chain;
-  const StandModels &models;
-  const reduce::FeMasses &masses;
-  std::vector<std::string> answer;
-  std::vector<reduce::MassesRow> masses_needed;
-  std::vector<reduce::MassBreakdown> breakdown;
-  KeptModes kept;
-  std::string source_beam, source_components;
-};
+/// The modes of the others beside those of the six masses.
+std::vector<ModePartners> mode_partners(const StandModels &models);
 
-/// Text of curves/models.json, which the report shows; SI, 10 digits.
-std::string models_json(const ModelsFile &file);
+/// How alike the shapes of the two detailed models are.
+MacTable mac_table(const StandModels &models, double limit);
+
+/// M1..M6 by every road.
+std::vector<MassRoutes> mass_routes(const FourHigh &stand, const reduce::LumpedStand &chain,
+                                    const reduce::FeMasses &masses);
 }  // namespace mill

@@ -1,22 +1,17 @@
 #include "app/stages/chatter_files.h"
 #include "app/stages/chatter_question.h"
 #include "app/stages/chatter_stage.h"
+#include "app/stages/curve_files.h"
+#include "core/records/chatter_record.h"
 #include "core/records/csv.h"
+#include "core/records/json_archive.h"
 #include "dynamics/tandem/tandem.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace mill {
 namespace {
-using Json = nlohmann::ordered_json;
-
-Json number(const double x)
-{
-  return std::isfinite(x) ? Json(x) : Json(nullptr);
-}
-
 // Conditions from the first stand to the last one, by what comes after what; empty: no tandem.
 std::vector<std::size_t> stands_in_order(const std::vector<RollingCondition> &all)
 {
@@ -98,39 +93,26 @@ void judge_working_speed(RunContext &run, const dynamics::TandemLine &line, cons
   }
 }
 
-Json tandem_json(const dynamics::TandemStudy &study, const dynamics::TandemLine &line,
-                 const dynamics::SpeedRange &range)
+ChatterTandem tandem_record(const dynamics::TandemStudy &study, const dynamics::TandemLine &line,
+                            const dynamics::SpeedRange &range)
 {
-  Json json{
-      {"stands", Json::array()}
-  };
+  ChatterTandem record;
   for (const auto &stand : line.stands)
-    json["stands"].push_back(stand.name);
-  json["verdict"]        = word_of(study.full.verdict);
-  json["sentence"]       = dynamics::sentence(study.full, range);
-  json["critical_speed"] = number(study.full.speed);
-  json["frequency"]      = number(study.full.frequency);
-  json["without_delay"]  = number(study.tension.speed);
-  double alone           = not_given;
-  json["single"]         = Json::array();
+    record.stands.push_back(stand.name);
+  record.verdict        = word_of(study.full.verdict);
+  record.sentence       = dynamics::sentence(study.full, range);
+  record.critical_speed = study.full.speed;
+  record.frequency      = study.full.frequency;
+  record.without_delay  = study.tension.speed;
+  record.any_delay      = study.any_delay;
   for (std::size_t i = 0; i < study.stand.size(); ++i) {
-    alone = std::fmin(alone, study.stand[i].speed);
-    json["single"].push_back({
-        {"name",           line.stands[i].name         },
-        {"critical_speed", number(study.stand[i].speed)}
-    });
+    record.without_tension = std::fmin(record.without_tension, study.stand[i].speed);
+    record.single.push_back({line.stands[i].name, "", study.stand[i].speed});
   }
-  json["without_tension"] = number(alone);
-  json["any_delay"]       = number(study.any_delay);
-  json["shape"]           = Json::array();
   for (const auto &share : study.share)
-    json["shape"].push_back({
-        {"label",     share.stand        },
-        {"amplitude", number(share.gap)  },
-        {"phase",     number(share.phase)}
-    });
-  json["sentences"] = study.sentences;
-  return json;
+    record.shape.push_back({share.stand, share.gap, share.phase});
+  record.sentences = study.sentences;
+  return record;
 }
 
 Table curve_table(const dynamics::TandemCurves &curves)
@@ -168,9 +150,9 @@ void solve_tandem(RunContext &run, const ChatterCase &spec)
   const auto study    = dynamics::tandem_study(line, range);
   judge_working_speed(run, line, last.condition.speed);
   add_results(run, study, line, inputs);
-  run.out.write("curves/chatter-tandem.json", tandem_json(study, line, range).dump(1) + "\n");
-  run.out.write("curves/chatter-tandem-speed.csv", csv_text(curve_table(study.curves)));
-  run.out.write("curves/chatter-tandem-lobes.csv", csv_text(curve_table(study.lobes)));
+  run.out.write("curves/chatter-tandem.json", json_of_record(tandem_record(study, line, range)));
+  write_curve(run, curve::chatter_speed, tandem_item, curve_table(study.curves));
+  write_curve(run, curve::chatter_lobes, tandem_item, curve_table(study.lobes));
   run.summary += "tandem: " + dynamics::sentence(study.full, range) + "\n";
   run.assume(
       "tandem: every stand has the structure of [stand], neighbours are stand.exit_distance apart; speeds are "

@@ -17,9 +17,9 @@ double degrees(const Complex z)
 }
 
 // Amplitude of a point by its name; nan: no such point.
-double amplitude_of(const std::vector<BodyMotion> &body, const std::string &label)
+double amplitude_of(const std::vector<ChatterPoint> &body, const std::string &label)
 {
-  for (const BodyMotion &b : body)
+  for (const ChatterPoint &b : body)
     if (b.label == label)
       return b.amplitude;
   return not_given;

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/records/chatter_record.h"
 #include "dynamics/chatter/chatter.h"
 #include "dynamics/chatter/speed.h"
 #include <Eigen/Core>
@@ -11,13 +12,6 @@ namespace mill::dynamics {
 /// Right eigenvector of a root by inverse iteration on the balanced matrix; largest component 1 there.  (s)
 Eigen::VectorXcd eigenvector(const Eigen::MatrixXd &A, std::complex<double> root);
 
-/// Motion of one point of the stand, away from the strip positive.
-struct BodyMotion {
-  std::string label;
-  double amplitude = 0;          ///< m per m of gap
-  double phase     = not_given;  ///< deg, -180..180, against the gap
-};
-
 /// A mode of stand, bite and strip, scaled so that the gap moves by 1 m in phase 0.  A mode that leaves the gap
 /// alone is scaled to 1 m of its largest point instead, and gap is that small number.
 struct ChatterMode {
@@ -25,7 +19,7 @@ struct ChatterMode {
   double frequency = 0;                    ///< Hz
   double damping   = 0;                    ///< -, -Re/|root|
   Eigen::VectorXcd state;                  ///< (s) as chatter_matrix counts them
-  std::vector<BodyMotion> body;            ///< (m)
+  std::vector<ChatterPoint> body;          ///< (m)
   double work_roll_ratio = not_given;      ///< -, amplitude of the upper work roll over that of the lower
   std::complex<double> gap;                ///< m
   std::complex<double> force;              ///< N

@@ -218,10 +218,10 @@ void fill_finite_changes(SensitivityTable &table, const std::vector<Lever> &leve
     const bool raised               = i % 2;
     const auto lever                = std::size_t(i / 2);
     const double factor             = raised ? 1 + request.change : 1 - request.change;
-    Sensitivity &s                  = table.inputs[lever];
+    ChatterSensitivity &s           = table.inputs[lever];
     (raised ? s.raised : s.lowered) = finite_change(stand, bite, levers[lever], factor, request, table);
   });
-  for (Sensitivity &s : table.inputs)
+  for (ChatterSensitivity &s : table.inputs)
     s.monotone = goes_one_way(s.critical_speed, s.lowered, s.raised);
 }
 
@@ -244,7 +244,7 @@ void fill_held_friction(SensitivityTable &table, const std::vector<Lever> &lever
 void sort_by_size(SensitivityTable &table)
 {
   const bool critical = !std::isnan(table.critical_speed);
-  const auto size     = [&](const Sensitivity &s) {
+  const auto size     = [&](const ChatterSensitivity &s) {
     const double slope = critical ? s.critical_speed : s.growth;
     return std::isnan(slope) ? -1 : std::abs(slope);
   };
@@ -272,7 +272,7 @@ SensitivityTable chatter_sensitivities(const ChatterStandModel &stand, const std
   table.force         = work.point.state.force;
   table.growth        = work.eigenvalue.value.real();
   for (const Lever &lever : levers) {
-    Sensitivity s;
+    ChatterSensitivity s;
     s.key      = lever.key;
     s.name     = lever.name;
     s.unit     = lever.unit;

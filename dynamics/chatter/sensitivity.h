@@ -1,5 +1,6 @@
 #pragma once
 #include "bite/linear/linear_sensitivity.h"
+#include "core/records/chatter_record.h"
 #include "dynamics/chatter/speed.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modal_model.h"
@@ -43,27 +44,6 @@ struct SensitivityRequest {
   int threads          = 2;    ///< that share the finite changes
 };
 
-/// Outcome of one finite change.
-struct FiniteChange {
-  double friction       = not_given;  ///< -, relative change at the working speed; nan: no bite there
-  double critical_speed = not_given;  ///< -, relative change; nan: no critical speed
-  double slope          = not_given;  ///< -, d ln v_crit/d ln p at the changed input; nan: not known
-  std::string outcome;                ///< why one is nan; empty otherwise
-};
-
-/// One input and what it moves.  With friction held: under Coulomb friction of the working point, theory.md 27.4.
-struct Sensitivity {
-  std::string key, name, unit;
-  double value                           = 0;          ///< SI
-  double friction                        = not_given;  ///< -, d ln mu/d ln p at the working speed
-  double force                           = not_given;  ///< -, d ln F/d ln p there
-  double growth                          = not_given;  ///< 1/s, d(growth rate)/d ln p there
-  double critical_speed                  = not_given;  ///< -, d ln v_crit/d ln p; nan: no critical speed
-  double critical_speed_at_held_friction = not_given;  ///< -, the same with friction held
-  FiniteChange lowered, raised;                        ///< by the finite change
-  bool monotone = true;                                ///< critical speed: slopes and finite changes go one way
-};
-
 /// Answer, inputs by falling |slope of the critical speed| (of the growth rate where there is none).
 struct SensitivityTable {
   double working_speed  = 0;          ///< m/s
@@ -76,7 +56,7 @@ struct SensitivityTable {
   double critical_speed_at_held_friction = not_given;  ///< m/s
   double growth_by_log_speed             = not_given;  ///< 1/s, d(growth rate)/d ln v at the critical speed
   std::string verdict;                                 ///< what the search found, in words
-  std::vector<Sensitivity> inputs;
+  std::vector<ChatterSensitivity> inputs;
 };
 
 /// Exact slopes by every number of the bite, of the structure and of the strip between the stands, and finite

@@ -1,26 +1,12 @@
 #pragma once
 #include "core/model/stand.h"
+#include "core/records/models_record.h"
 #include "core/records/stand_model.h"
 #include "reduce/stand/lumped_stand.h"
 #include <string>
 #include <vector>
 
 namespace mill::reduce {
-/// One part behind an equivalent mass.
-struct PartMass {
-  std::string name;       ///< "barrel", "necks", "bearings", "chocks", ...
-  double mass       = 0;  ///< kg, real mass, both sides
-  double equivalent = 0;  ///< kg, what it adds to the equivalent mass
-};
-
-/// One of M1..M6 as the sum of its parts: sum of `equivalent` = value.
-struct MassBreakdown {
-  std::string mass;   ///< "M2"
-  std::string route;  ///< "chain" | "finite elements"
-  std::vector<PartMass> parts;
-  double value = 0;  ///< kg
-};
-
 /// M1..M6 by the shapes of the chain, before given values replace any.  theory.md 22.5
 std::vector<MassBreakdown> chain_breakdown(const FourHigh &stand, const LumpedStand &chain);
 

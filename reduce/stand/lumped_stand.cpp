@@ -1,6 +1,7 @@
 #include "reduce/stand/lumped_stand.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/provenance.h"
+#include "core/records/result_names.h"
 #include "reduce/chain/beam_shapes.h"
 #include "reduce/chain/chain_keys.h"
 #include "reduce/chain/equivalent_mass.h"
@@ -239,8 +240,7 @@ void add_roll_errors(ChainErrors &errors, const ChainValues &values, const Chain
 
 void stand_beside(Parameter &p, const double beams, const bool solid)
 {
-  p.checks.push_back(
-      {solid ? "rolls as stepped beams (4.4)-(4.10)" : "rolls by finite elements (22.13)", beams, ""});
+  p.checks.push_back({solid ? name_of(CheckId::stepped_beams) : "rolls by finite elements (22.13)", beams, ""});
 }
 }  // namespace
 

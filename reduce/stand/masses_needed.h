@@ -1,21 +1,11 @@
 #pragma once
+#include "core/records/models_record.h"
 #include "core/records/stand_model.h"
 #include "reduce/stand/stand_comparison.h"
 #include <string>
 #include <vector>
 
 namespace mill::reduce {
-/// How well a number of masses shows the modes of a stand below the frequency limit.
-struct MassesRow {
-  int masses = 0;
-  std::string added;            ///< point added in this step; for the first rows what they are
-  std::vector<std::string> at;  ///< points that carry the masses
-  double worst_error    = 0;    ///< -, of the frequencies of the modes that are shown
-  int right             = 0;    ///< modes shown with an error below 5 %
-  int modes_below_limit = 0;
-  std::vector<double> missing;  ///< Hz, modes that have no counterpart (assurance below 0.5)
-};
-
 /// How few masses are enough: static (Guyan) reduction of a stand to displacements of points.  Fewer than six: the
 /// best choice among the six places for every number.  Six: the places of the chain.  More: the point that helps
 /// most is added each time (chocks, cylinder, roll ends, quarter points of the rolls), up to `most`.

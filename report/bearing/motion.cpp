@@ -141,7 +141,7 @@ bool complete(const Table &table)
 void bearing_motion(Page &page, const Run &run, const std::string &bearing)
 {
   const Table *table = run.table("response/bearing-" + bearing);
-  const Table *lines = run.table("curves/bearing-" + bearing + "-spectrum");
+  const Table *lines = stored_curve(run, curve::bearing_spectrum, bearing);
   if (!lines)
     lines = run.table("response/bearing-" + bearing + "-spectrum");
   if (!table && !lines)
@@ -173,6 +173,6 @@ void bearing_motion(Page &page, const Run &run, const std::string &bearing)
         "Spectra, with the natural frequency of small motions. The line of the driving force stands beside "
         "its multiples: they come from the curve of the bearing, which is no straight line.");
   else
-    page.absent("Spectra of the mass on the bearing are", "curves/bearing-" + bearing + "-spectrum.csv");
+    page.absent("Spectra of the mass on the bearing are", curve_path(curve::bearing_spectrum, bearing) + ".csv");
 }
 }  // namespace mill::report

@@ -61,9 +61,9 @@ Compared compared(const Run &run, const Table &table, const std::string &result)
   c.assembled_tangent = value_in(run, result + ".tangent");
   for (const char *name : {".rollers_times_Z5", ".tangent"})
     if (const Result *stored = run.find(result + name); stored && c.total == 0)
-      for (const Check &check : stored->checks)
-        if (check.name == "published total" || check.name == "published")
-          c.total = 1e-6 * check.value;
+      for (const CheckId id : {CheckId::published_total, CheckId::published})
+        if (const Check *check = find_check(stored->checks, id))
+          c.total = 1e-6 * check->value;
   return c;
 }
 
@@ -101,7 +101,7 @@ std::string caption(const Compared &c, const double rollers, const double sum, c
 
 void published_comparison(Page &page, const Run &run, const std::string &bearing)
 {
-  const Table *table = run.table("curves/bearing-" + bearing + "-published");
+  const Table *table = stored_curve(run, curve::bearing_published, bearing);
   if (!table)
     return;
   std::string result;
@@ -112,7 +112,7 @@ void published_comparison(Page &page, const Run &run, const std::string &bearing
   const Eigen::Index n = c.published.size();
   if (n == 0 || c.secant.size() != n || c.tangent.size() != n)
     return;
-  const Table *ring    = run.table("curves/bearing-" + bearing + "-rollers");
+  const Table *ring    = stored_curve(run, curve::bearing_rollers, bearing);
   const double rollers = ring ? double(values_of(*ring, {"angle", "rad"}).size()) : 0, sum = c.published.sum();
   std::string body = row_lines(c);
   body += line("sum of these rollers", sum, c.secant.sum(), c.tangent.sum());

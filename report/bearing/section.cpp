@@ -1,25 +1,18 @@
 #include "core/model/roller_bearing.h"
 #include "report/bearing/figures.h"
+#include "report/contact/pressure_map.h"
+#include "report/page/curves.h"
 #include "report/page/names.h"
 #include "report/page/number.h"
-#include "report/contact/pressure_map.h"
 #include "report/page/sections.h"
 #include "report/plot/svg.h"
 
 namespace mill::report {
 namespace {
-const std::vector<std::string> companions{"rows",      "rollers", "law",      "tilt",           "cage",
-                                          "published", "tangent", "spectrum", "pressure-inner", "pressure-outer"};
-
-std::string path_of(const std::string &bearing, const std::string &companion)
-{
-  return "curves/bearing-" + bearing + (companion.empty() ? "" : "-" + companion);
-}
-
 // A run that compares models has more to show than one by the standard alone; then what is missing is said.
 bool is_compared(const Run &run, const std::string &bearing)
 {
-  return run.manifest.kind == "bearing" || run.table(path_of(bearing, "law"));
+  return run.manifest.kind == "bearing" || stored_curve(run, curve::bearing_law, bearing);
 }
 
 // Which rows lean which way decides what a tilt does: said, and whether anybody has confirmed it.
@@ -49,10 +42,10 @@ void sketch(Page &page, const Run &run, const std::string &bearing)
 
 void stiffness(Page &page, const Run &run, const std::string &bearing)
 {
-  const Table &curve  = *run.table(path_of(bearing, ""));
+  const Table &curve  = *stored_curve(run, curve::bearing, bearing);
   const auto marks    = bearing_loads(run, bearing);
-  const Table *rows   = run.table(path_of(bearing, "rows"));
-  const Table *ring   = run.table(path_of(bearing, "rollers"));
+  const Table *rows   = stored_curve(run, curve::bearing_rows, bearing);
+  const Table *ring   = stored_curve(run, curve::bearing_rollers, bearing);
   const auto polars   = ring ? roller_polars(*ring) : std::vector<std::string>();
   const bool compared = is_compared(run, bearing);
   if (compared)
@@ -89,9 +82,9 @@ void stiffness(Page &page, const Run &run, const std::string &bearing)
                 "load. " +
                     heaviest_roller_sentence(*ring));
   if (!rows)
-    page.absent("Row shares are", path_of(bearing, "rows") + ".csv");
+    page.absent("Row shares are", curve_path(curve::bearing_rows, bearing) + ".csv");
   if (!ring)
-    page.absent("Roller loads are", path_of(bearing, "rollers") + ".csv");
+    page.absent("Roller loads are", curve_path(curve::bearing_rollers, bearing) + ".csv");
   if (const std::string table = rows ? row_table(*rows) : ""; !table.empty())
     page.table(table,
                "The rows at the working load. The stiffness is that of the heaviest roller of the row between "
@@ -104,7 +97,7 @@ void rollers(Page &page, const Run &run, const std::string &bearing)
   for (const std::string &name : results_of_bearing(run, bearing))
     if (const Result *load = run.find(name + ".roller_max"); load && heaviest.empty())
       heaviest.push_back({1e-3 * load->value, "heaviest roller, " + name});
-  if (const Table *law = run.table(path_of(bearing, "law")))
+  if (const Table *law = stored_curve(run, curve::bearing_law, bearing))
     page.figure(
         roller_law_drawings(*law, heaviest),
         "One roller pressed between its raceways, both contacts in series. The contact elements count the "
@@ -112,15 +105,16 @@ void rollers(Page &page, const Run &run, const std::string &bearing)
         "plane-strain form no slice knows of its neighbours. All have the profile of the roller, which makes the "
         "tangent step where slices or rows of elements come into contact.");
   else if (run.manifest.kind == "bearing")
-    page.absent("The laws of one roller are", path_of(bearing, "law") + ".csv");
-  if (const Table *tilt = run.table(path_of(bearing, "tilt")))
+    page.absent("The laws of one roller are", curve_path(curve::bearing_law, bearing) + ".csv");
+  if (const Table *tilt = stored_curve(run, curve::bearing_tilt, bearing))
     if (const auto drawings = roller_tilt_drawings(*tilt); !drawings.empty())
       page.figure(drawings,
                   "The heaviest roller tilted at a fixed approach: what slices without a common body make "
                   "of it beside the contact elements they stand for.");
   std::vector<std::string> maps;
-  for (const char *raceway : {"inner", "outer"})
-    if (const Table *map = run.table(path_of(bearing, std::string("pressure-") + raceway)))
+  for (const auto &[raceway, kind] :
+       {std::pair("inner", &curve::bearing_pressure_inner), std::pair("outer", &curve::bearing_pressure_outer)})
+    if (const Table *map = stored_curve(run, *kind, bearing))
       maps.push_back(pressure_map(*map, std::string("Pressure on the ") + raceway + " raceway",
                                   "distance from mid-roller", 510, 300));
   if (!maps.empty())
@@ -131,7 +125,7 @@ void rollers(Page &page, const Run &run, const std::string &bearing)
 
 void cage(Page &page, const Run &run, const std::string &bearing)
 {
-  const Table *table = run.table(path_of(bearing, "cage"));
+  const Table *table = stored_curve(run, curve::bearing_cage, bearing);
   if (!table)
     return;
   page.figure(
@@ -149,18 +143,19 @@ void one_bearing(Page &page, const Run &run, const std::string &bearing)
   cage(page, run, bearing);
   published_comparison(page, run, bearing);
   bearing_motion(page, run, bearing);
+  own_figures(page, run, curve::bearing.family, bearing);
 }
 }  // namespace
 
 void bearing_section(Page &page, const Run &run)
 {
-  const auto bearings = names_of_curves(run, "bearing", companions);
+  const auto bearings = items_of(run, curve::bearing);
   const bool wanted   = run.manifest.kind == "four-high" || run.manifest.kind == "bearing";
   if (bearings.empty() && !wanted)
     return;
   page.section("bearings", "Bearings");
   if (bearings.empty())
-    page.absent("Bearing figures are", "curves/bearing-*.csv");
+    page.absent("Bearing figures are", curve_path(curve::bearing, "*") + ".csv");
   for (const std::string &name : bearings)
     one_bearing(page, run, name);
 }

@@ -93,7 +93,7 @@ std::vector<BitePass> bite_passes(const Run &run)
       if (info.name == name)
         pass.slug = info.slug;
     for (const Model &model : known_models)
-      if (run.find("bite." + name + "." + model.key + ".force"))
+      if (run.find(result_name({family::bite, name, model.key, "force"})))
         pass.models.push_back(model.key);
     for (const Result &other : run.results)
       if (const std::string key = between(other.name, "bite." + name + ".", ".force"); !key.empty())
@@ -112,13 +112,13 @@ std::string bite_model_name(const std::string &key)
 
 double bite_value(const Run &run, const BitePass &pass, const std::string &quantity, const std::string &model)
 {
-  const Result *result = run.find("bite." + pass.name + "." + (model.empty() ? "" : model + ".") + quantity);
+  const Result *result = run.find(result_name({family::bite, pass.name, model, quantity}));
   return result ? result->value : std::nan("");
 }
 
 const Table *bite_table(const Run &run, const BitePass &pass, const std::string &what)
 {
-  return run.table("curves/bite-" + pass.slug + "." + what);
+  return stored_curve(run, curve::bite_arc, pass.slug, what);
 }
 
 double neutral_point(const Table &arc)

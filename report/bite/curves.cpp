@@ -1,5 +1,5 @@
-#include "report/bite/figures.h"
 #include "report/page/curves.h"
+#include "report/bite/figures.h"
 #include "report/plot/heat_map.h"
 #include <cctype>
 #include <cmath>
@@ -55,7 +55,7 @@ std::vector<std::string> k4_curves(const Run &run)
 {
   std::vector<std::string> drawings;
   for (const Input &input : inputs)
-    if (const Table *table = run.table(std::string("curves/bite-k4-") + input.file)) {
+    if (const Table *table = stored_curve(run, curve::bite_k4, "", input.file)) {
       Plot plot = over_input(input, {"K4", "kN/mm"});
       const Column x{input.file, input.unit};
       add_line(plot, *table, x, {"plastic_slope", "kN/mm"}, "plastic slope", Pen::dark);
@@ -70,7 +70,7 @@ std::vector<std::string> bite_force_curves(const Run &run)
 {
   std::vector<std::string> drawings;
   for (const Input &input : inputs)
-    if (const Table *table = run.table(std::string("curves/bite-k4-") + input.file)) {
+    if (const Table *table = stored_curve(run, curve::bite_k4, "", input.file)) {
       Plot plot = over_input(input, {"force", "kN"});
       const Column x{input.file, input.unit};
       if (!add_line(plot, *table, x, {"force", "kN"}, "slab theory", Pen::dark))
@@ -83,7 +83,7 @@ std::vector<std::string> bite_force_curves(const Run &run)
 
 std::string k4_map(const Run &run)
 {
-  const Table *table = run.table("curves/bite-k4-map");
+  const Table *table = stored_curve(run, curve::bite_map);
   if (!table)
     return "";
   const VectorXd x = values_of(*table, {"reduction", "%"}), y = values_of(*table, {"friction", "-"}),
@@ -113,7 +113,7 @@ std::string k4_map(const Run &run)
 
 std::string bite_aspect(const Run &run, const std::vector<BitePass> &passes)
 {
-  const Table *table = run.table("curves/bite-aspect");
+  const Table *table = stored_curve(run, curve::bite_aspect);
   if (!table)
     return "";
   Plot plot;

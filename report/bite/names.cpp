@@ -1,11 +1,12 @@
 #include "report/page/names.h"
+#include "report/page/curves.h"
 #include <algorithm>
 
 // The results of a run of kind "bite" in the order in which one asks for them.
 namespace mill::report {
 bool is_of_one_model(const std::string &name)
 {
-  return name.rfind("bite.", 0) == 0 && std::count(name.begin(), name.end(), '.') == 3;
+  return is_of(name, family::bite) && parts_of(name).size() == 4;
 }
 
 std::vector<Group> bite_groups(const Run &run)
@@ -14,11 +15,11 @@ std::vector<Group> bite_groups(const Run &run)
       {"Stiffness between the work rolls", {}}
   };
   for (const Result &result : run.results) {
-    if (result.name.rfind("K4", 0) == 0)
+    if (is_of(result.name, family::bite_spring))
       groups.front().results.push_back(&result);
-    if (result.name.rfind("bite.", 0) != 0 || is_of_one_model(result.name))
+    if (!is_of(result.name, family::bite) || is_of_one_model(result.name))
       continue;
-    const std::string title = "Bite of " + result.name.substr(5, result.name.find('.', 5) - 5);
+    const std::string title = "Bite of " + parts_of(result.name)[1];
     if (groups.back().title != title)
       groups.push_back({title, {}});
     groups.back().results.push_back(&result);

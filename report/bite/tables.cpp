@@ -1,7 +1,8 @@
+#include "report/page/tables.h"
 #include "report/bite/figures.h"
+#include "report/page/curves.h"
 #include "report/page/number.h"
 #include "report/plot/svg.h"
-#include "report/page/tables.h"
 #include <algorithm>
 #include <cmath>
 
@@ -34,7 +35,7 @@ std::string reference_of(const BitePass &pass)
 
 std::string source_of(const Run &run, const BitePass &pass, const std::string &model)
 {
-  const Result *force = run.find("bite." + pass.name + "." + model + ".force");
+  const Result *force = run.find(result_name({family::bite, pass.name, model, "force"}));
   if (!force)
     return "";
   const std::string start = "computed: ";
@@ -43,7 +44,7 @@ std::string source_of(const Run &run, const BitePass &pass, const std::string &m
 
 double k4(const Run &run, const std::string &quantity)
 {
-  const Result *result = run.find("K4." + quantity);
+  const Result *result = run.find(result_name({family::bite_spring, quantity}));
   return result ? result->value : std::nan("");
 }
 
@@ -154,7 +155,7 @@ std::string k4_table(const Run &run)
   };
   std::string body;
   for (const Entry &entry : entries) {
-    const Result *result = run.find(std::string("K4.") + entry.quantity);
+    const Result *result = run.find(result_name({family::bite_spring, entry.quantity}));
     if (!result)
       continue;
     body += std::string("<tr><th scope=\"row\"><code>K4.") + entry.quantity + "</code><small>" + entry.what +
@@ -190,7 +191,7 @@ std::string k4_relation(const Run &run)
             ", divides the force of one node by the displacement of that node. With half the element length the "
             "force of a node halves and its displacement stays: it belongs to a mesh and not to a mill, and it "
             "is given here because published values are of that kind";
-    const Result *result = run.find("K4.path_plateau");
+    const Result *result = run.find(result_name({family::bite_spring, "path_plateau"}));
     for (const Check &check : result->checks)
       if (std::isfinite(check.value) && check.value > 0)
         text += "; " + escaped(check.name) + ": " + in_kN_per_mm(check.value);

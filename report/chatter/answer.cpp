@@ -60,7 +60,7 @@ std::string change(const double relative)
 double weight(const ChatterSensitivity &s)
 {
   const auto size = [](const double v) { return std::isfinite(v) ? std::abs(v) : 0; };
-  return std::max(size(s.speed_minus), size(s.speed_plus));
+  return std::max(size(s.lowered.critical_speed), size(s.raised.critical_speed));
 }
 
 std::string what_moves_it(const ChatterCondition &c)
@@ -71,8 +71,8 @@ std::string what_moves_it(const ChatterCondition &c)
   for (std::size_t i = 0; i < std::min<std::size_t>(3, all.size()); ++i)
     if (weight(all[i]) > 5e-4)
       text += (text.empty() ? "" : "; ") + (all[i].name.empty() ? all[i].key : all[i].name) + " (" +
-              change(all[i].speed_minus) + " when 10\u00a0% lower, " + change(all[i].speed_plus) +
-              " when 10\u00a0% higher)";
+              change(all[i].lowered.critical_speed) + " when 10\u00a0% lower, " +
+              change(all[i].raised.critical_speed) + " when 10\u00a0% higher)";
   return text.empty() ? "" : "What moves the limit most: " + text + ".";
 }
 

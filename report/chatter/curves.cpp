@@ -1,5 +1,5 @@
-#include "report/chatter/figures.h"
 #include "report/page/curves.h"
+#include "report/chatter/figures.h"
 #include "report/page/number.h"
 #include "report/plot/svg_plot.h"
 #include <algorithm>
@@ -56,7 +56,7 @@ Extent extent_around_work(const Table &table, const Column &column, const Chatte
 std::string over_speed(const Run &run, const ChatterCondition &condition, const Column &y, const Axis &axis,
                        const std::string &title, const double width, const bool zero = false)
 {
-  const Table *table = chatter_table(run, condition, "speed");
+  const Table *table = stored_curve(run, curve::chatter_speed, condition.slug);
   Plot plot;
   plot.title  = title;
   plot.width  = width;
@@ -90,7 +90,7 @@ std::string chatter_frequency(const Run &run, const ChatterCondition &condition)
 std::vector<std::string> chatter_bite(const Run &run, const ChatterCondition &condition)
 {
   Axis force{"force", "kN"};
-  if (const Table *table = chatter_table(run, condition, "speed")) {
+  if (const Table *table = stored_curve(run, curve::chatter_speed, condition.slug)) {
     const Column column{"force", "kN"};
     const double high = 2.5 * extent_around_work(*table, column, condition).high;
     if (finite_extent(values_of(*table, column)).high > high) {  // just above the slowest bite it is enormous
@@ -109,7 +109,7 @@ std::vector<std::string> chatter_bite(const Run &run, const ChatterCondition &co
 
 std::string chatter_process_damping(const Run &run, const ChatterCondition &condition)
 {
-  const Table *table = chatter_table(run, condition, "speed");
+  const Table *table = stored_curve(run, curve::chatter_speed, condition.slug);
   Axis axis{"process damping", "MN s/m"};
   if (table) {  // it falls like 1/v and more, which would press everything of interest on one line
     const Extent extent = extent_around_work(*table, {"process_damping", axis.unit}, condition);
@@ -164,7 +164,7 @@ void choose_window(Plot &plot, const std::vector<Branch> &branches)
 
 std::string chatter_locus(const Run &run, const ChatterCondition &condition)
 {
-  const Table *table = chatter_table(run, condition, "locus");
+  const Table *table = stored_curve(run, curve::chatter_locus, condition.slug);
   if (!table)
     return "";
   const VectorXd v                   = values_of(*table, {"speed", "m/s"});
@@ -207,10 +207,10 @@ std::string chatter_locus(const Run &run, const ChatterCondition &condition)
 }
 
 namespace {
-std::string tandem_growth(const Run &run, const ChatterTandem &tandem, const std::string &file,
+std::string tandem_growth(const Run &run, const ChatterTandem &tandem, const CurveKind &kind,
                           const std::string &title)
 {
-  const Table *table = run.table("curves/chatter-tandem-" + file);
+  const Table *table = stored_curve(run, kind, tandem_item);
   if (!table)
     return "";
   Plot plot;
@@ -234,11 +234,11 @@ std::string tandem_growth(const Run &run, const ChatterTandem &tandem, const std
 
 std::string chatter_tandem_growth(const Run &run, const ChatterTandem &tandem)
 {
-  return tandem_growth(run, tandem, "speed", "Growth rate of all stands together");
+  return tandem_growth(run, tandem, curve::chatter_speed, "Growth rate of all stands together");
 }
 
 std::string chatter_tandem_lobes(const Run &run, const ChatterTandem &tandem)
 {
-  return tandem_growth(run, tandem, "lobes", "The same in finer steps");
+  return tandem_growth(run, tandem, curve::chatter_lobes, "The same in finer steps");
 }
 }  // namespace mill::report

@@ -195,7 +195,7 @@ std::string chatter_map(const Run &run, const ChatterCondition &condition, const
 {
   const auto axis =
       std::find_if(std::begin(axes), std::end(axes), [&](const OtherAxis &a) { return quantity == a.key; });
-  const Table *table             = chatter_table(run, condition, "map-" + quantity);
+  const Table *table             = stored_curve(run, curve::chatter_map, condition.slug, quantity);
   const std::optional<Grid> grid = table && axis != std::end(axes) ? grid_of(*table, *axis) : std::nullopt;
   if (!grid)
     return "";
@@ -211,7 +211,7 @@ std::string chatter_map(const Run &run, const ChatterCondition &condition, const
   svg.text(34, 15, axis->title, "title");
   const Limits limits = limits_of(*grid);
   draw_cells(svg, *grid, limits, at);
-  if (const Table *boundary = chatter_table(run, condition, "boundary-" + quantity))
+  if (const Table *boundary = stored_curve(run, curve::chatter_boundary, condition.slug, quantity))
     draw_boundary(svg, *boundary, *axis, at);
   draw_axes(svg, at, *axis);
   draw_scale(svg, at, limits);

@@ -1,4 +1,5 @@
 #include "report/page/names.h"
+#include "report/page/curves.h"
 #include <algorithm>
 
 // The results of a run of kind "chatter", in words and in the order in which one asks for them.
@@ -77,7 +78,7 @@ std::string chatter_meaning(const std::string &name)
 
 bool is_slope_by_one_input(const std::string &name)
 {
-  return name.rfind("chatter.", 0) == 0 &&
+  return is_of(name, family::chatter) &&
          (name.find(".friction_slope.") != std::string::npos || name.find(".speed_slope.") != std::string::npos);
 }
 
@@ -90,8 +91,8 @@ std::vector<Group> chatter_groups(const Run &run)
 {
   std::vector<Group> groups;
   for (const Result &result : run.results) {
-    const bool chatter = result.name.rfind("chatter.", 0) == 0;
-    if (!chatter && result.name.rfind("bite.", 0) != 0)
+    const bool chatter = is_of(result.name, family::chatter);
+    if (!chatter && !is_of(result.name, family::bite))
       continue;
     const std::size_t start = result.name.find('.') + 1, end = result.name.find('.', start);
     if (end == std::string::npos || std::find(std::begin(asked_first), std::end(asked_first),

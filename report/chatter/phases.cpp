@@ -58,7 +58,7 @@ std::string chatter_phasors(const ChatterPhases &phases)
   };
   all.erase(std::remove_if(all.begin(), all.end(), [](const Phasor &p) { return !std::isfinite(p.angle); }),
             all.end());
-  if (!phases.stored || all.size() < 2)
+  if (all.size() < 2)
     return "";
   const double width = 540, height = 350;
   const Vector2d centre(width / 2, 172);

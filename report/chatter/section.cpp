@@ -1,4 +1,5 @@
 #include "report/chatter/figures.h"
+#include "report/page/curves.h"
 #include "report/page/number.h"
 #include "report/page/sections.h"
 #include "report/plot/svg.h"
@@ -8,7 +9,7 @@ namespace mill::report {
 namespace {
 bool has_film(const Run &run, const ChatterCondition &condition)
 {
-  const Table *speeds = chatter_table(run, condition, "speed");
+  const Table *speeds = stored_curve(run, curve::chatter_speed, condition.slug);
   return speeds && speeds->column("film_thickness");
 }
 
@@ -112,18 +113,15 @@ void limit_cycle(Page &page, const Run &run, const ChatterCondition &condition)
   const std::string drawings  = chatter_limit_cycle(run, condition);
   if (drawings.empty())
     return;
-  std::string says;
-  if (cycle.stored) {
-    says = std::isfinite(cycle.speed) ? " Roll speed " + fixed(cycle.speed, 2) + " m/s." : "";
-    if (std::isfinite(cycle.amplitude))
-      says += (cycle.settled ? " The gap settles at \u00b1" : " The gap has reached \u00b1") +
-              significant(cycle.amplitude, 3) + " \u00b5m" + (cycle.settled ? "" : " and is not settled") +
-              (std::isfinite(cycle.frequency) ? ", " + fixed(cycle.frequency, 1) + " Hz." : ".");
-    if (!cycle.stopped.empty())
-      says += " The run ended early: " + escaped(cycle.stopped) + ".";
-    if (!cycle.limited_by.empty())
-      says += " What limits it: " + escaped(cycle.limited_by) + ".";
-  }
+  std::string says = std::isfinite(cycle.speed) ? " Roll speed " + fixed(cycle.speed, 2) + " m/s." : "";
+  if (std::isfinite(cycle.amplitude))
+    says += (cycle.settled ? " The gap settles at \u00b1" : " The gap has reached \u00b1") +
+            significant(cycle.amplitude, 3) + " \u00b5m" + (cycle.settled ? "" : " and is not settled") +
+            (std::isfinite(cycle.frequency) ? ", " + fixed(cycle.frequency, 1) + " Hz." : ".");
+  if (!cycle.stopped.empty())
+    says += " The run ended early: " + escaped(cycle.stopped) + ".";
+  if (!cycle.limited_by.empty())
+    says += " What limits it: " + escaped(cycle.limited_by) + ".";
   page.figure({drawings},
               "Chatter in full: the whole nonlinear bite, strip that can go slack, rolls that can part. Force and "
               "tensions are totals." +
@@ -188,10 +186,11 @@ void short_condition(Page &page, const Run &run, const ChatterCondition &conditi
           "-*</code>.");
 }
 
-void tandem(Page &page, const Run &run, const ChatterTandem &tandem)
+void tandem(Page &page, const Run &run, const std::optional<ChatterTandem> &stored)
 {
-  const std::string growth = chatter_tandem_growth(run, tandem);
-  if (!tandem.stored && growth.empty())
+  const ChatterTandem tandem = stored.value_or(ChatterTandem());
+  const std::string growth   = chatter_tandem_growth(run, tandem);
+  if (!stored && growth.empty())
     return;
   std::string names;
   for (const std::string &stand : tandem.stands)
@@ -206,7 +205,7 @@ void tandem(Page &page, const Run &run, const ChatterTandem &tandem)
       "The strip carries the thickness that one stand leaves to the next, which meets it after the delay of the "
       "way between them. At some speeds the wave arrives in step with the vibration and feeds it, at others "
       "against it: hence waves in the curve with the delay, the closer the slower the strip.");
-  table(page, chatter_tandem_table(tandem),
+  table(page, stored ? chatter_tandem_table(tandem) : "",
         "Critical speed of the whole and of its parts; in brackets how far each is from the whole.");
   figure(page, {chatter_shape(tandem.shape, "Critical mode of all stands")},
          "Which stand vibrates in the critical mode of the whole, by its gap.");
@@ -220,7 +219,7 @@ void chatter_section(Page &page, const Run &run, const ChatterData &data)
   page.section("chatter", "Chatter");
   for (const std::string &problem : data.problems)
     page.html("<p class=\"absent\">" + escaped(problem) + "</p>");
-  if (data.conditions.empty() && data.problems.empty() && !data.tandem.stored)
+  if (data.conditions.empty() && data.problems.empty() && !data.tandem)
     page.absent("Figures on chatter are", "curves/chatter-*");
   table(page, chatter_summary_table(data.conditions),
         "All conditions. Working over critical: negative is below the critical speed. In brackets how far this "

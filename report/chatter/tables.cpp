@@ -206,8 +206,6 @@ std::string chatter_event_table(const LimitCycleInfo &cycle)
 
 std::string chatter_tandem_table(const ChatterTandem &tandem)
 {
-  if (!tandem.stored)
-    return "";
   const double all = tandem.critical_speed;
   const auto other = [&](const std::string &what, const double speed, const std::string &note) {
     return std::isfinite(speed)

@@ -105,7 +105,8 @@ std::string tornado_of_speed(const ChatterCondition &condition)
 {
   std::vector<Bar> all;
   for (const ChatterSensitivity &s : condition.sensitivities)
-    all.push_back({s.name.empty() ? s.key : s.name, s.speed_slope, s.speed_minus, s.speed_plus, s.curved});
+    all.push_back({s.name.empty() ? s.key : s.name, s.critical_speed, s.lowered.critical_speed,
+                   s.raised.critical_speed, !s.monotone});
   return tornado(all, "Critical speed", "critical speed", "no crossing");
 }
 
@@ -113,8 +114,8 @@ std::string tornado_of_friction(const ChatterCondition &condition)
 {
   std::vector<Bar> all;
   for (const ChatterSensitivity &s : condition.sensitivities)
-    if (size_of(s.friction_slope) > 1e-6 || size_of(s.friction_minus) > 1e-6 || size_of(s.friction_plus) > 1e-6)
-      all.push_back({s.name.empty() ? s.key : s.name, s.friction_slope, s.friction_minus, s.friction_plus, false});
+    if (size_of(s.friction) > 1e-6 || size_of(s.lowered.friction) > 1e-6 || size_of(s.raised.friction) > 1e-6)
+      all.push_back({s.name.empty() ? s.key : s.name, s.friction, s.lowered.friction, s.raised.friction, false});
   return tornado(all, "Friction at the working speed", "friction", "no bite");
 }
 }  // namespace mill::report

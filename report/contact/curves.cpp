@@ -29,7 +29,7 @@ std::vector<WorkingLoad> working_loads(const Run &run, const std::string &contac
   if (!loads.empty())
     return loads;
   for (const Result &result : run.results)
-    if (result.name.rfind("contact." + contact + ".", 0) == 0 && !result.at.empty()) {
+    if (is_of(result.name, result_name({family::contact, contact})) && !result.at.empty()) {
       const double load = quantity_in_text(result.at, unit);
       if (std::isfinite(load))
         return std::vector<WorkingLoad>(1, {result.at, load, not_stored, not_stored});
@@ -41,12 +41,10 @@ std::vector<WorkingLoad> working_loads(const Run &run, const std::string &contac
 double stored_slope(const Run &run, const ContactCurves &contact, const WorkingLoad &working,
                     const std::string &slope)
 {
-  const std::string K  = contact.name == "upper"   ? "K3"
-                         : contact.name == "lower" ? "K5"
-                                                   : "contact." + contact.name;
-  const Result *result = run.find(working.name + "." + K + "." + slope);
+  const std::string K  = spring_of_contact(contact.name);
+  const Result *result = run.find(result_name({working.name, K, slope}));
   if (!result && working.name == contact.loads.front().name)
-    result = run.find(K + "." + slope);
+    result = run.find(result_name({K, slope}));
   return result ? result->value * factor_between(result->unit, contact.stiffness) : not_stored;
 }
 
@@ -96,12 +94,10 @@ std::string place_in(const Band &band)
 
 ContactCurves contact_curves(const Run &run, const std::string &name)
 {
-  const std::string path = "curves/contact-" + name;
   ContactCurves contact{name,
-                        run.table(path),
-                        run.table(path + "-in-stand"),
-                        run.table(path + "-second"),
-                        run.table(path + "-closed"),
+                        stored_curve(run, curve::contact, name),
+                        stored_curve(run, curve::contact_closed, name),
+                        curves_in(run, Figure::load_approach, curve::contact.family, name),
                         "kN",
                         "kN/mm",
                         {}};

@@ -1,4 +1,5 @@
 #pragma once
+#include "report/page/curves.h"
 #include "report/page/run.h"
 #include "report/plot/svg_plot.h"
 #include <array>
@@ -18,12 +19,11 @@ struct WorkingLoad {
 /// cylinders in plane strain have both per length, which their file says by its units.
 struct ContactCurves {
   std::string name;
-  const Table *curve;     ///< load-approach curve, each roll squeezed between two opposite contacts
-  const Table *in_stand;  ///< the same with the rolls held as in the stand; nullptr when not stored
-  const Table *second;    ///< as curve, by the second engine; nullptr when not stored
-  const Table *closed;    ///< closed forms at the same loads; nullptr when not stored
-  std::string load;       ///< "kN" or "N/mm"
-  std::string stiffness;  ///< "kN/mm" or "kN/mm per m"
+  const Table *curve;               ///< load-approach curve, each roll squeezed between two opposite contacts
+  const Table *closed;              ///< closed forms at the same loads; nullptr when not stored
+  std::vector<StoredCurve> curves;  ///< load-approach curves of every kind, that one first
+  std::string load;                 ///< "kN" or "N/mm"
+  std::string stiffness;            ///< "kN/mm" or "kN/mm per m"
   std::vector<WorkingLoad> loads;
 };
 ContactCurves contact_curves(const Run &run, const std::string &name);

@@ -1,14 +1,19 @@
 #include "report/contact/curves.h"
+#include "report/contact/pressure_map.h"
 #include "report/page/curves.h"
 #include "report/page/names.h"
 #include "report/page/number.h"
-#include "report/contact/pressure_map.h"
 #include "report/page/sections.h"
 #include "report/plot/svg_plot.h"
+#include <array>
 #include <cmath>
 
 namespace mill::report {
 namespace {
+// Of the curves that share a figure, in the order of the table of curves.
+constexpr std::array<Pen, 5> pens_of_loads{Pen::dark, Pen::dark_dashed, Pen::pale, Pen::pale_dashed, Pen::dotted};
+constexpr std::array<Pen, 5> pens_of_barrels{Pen::dark, Pen::warm, Pen::dashed, Pen::pale, Pen::dotted};
+
 // Approach of a closed form in µm from its load and secant.
 Line closed_approach(const ContactCurves &contact, const ClosedForm &form)
 {
@@ -27,12 +32,9 @@ std::string load_approach(const ContactCurves &contact)
   plot.x     = {"approach of the axes", "\u00b5m"};
   plot.y     = {"load on the contact", contact.load};
   plot.x.low = plot.y.low = 0;
-  add_line(plot, *contact.curve, {"approach", "\u00b5m"}, {"load", contact.load}, "this run", Pen::dark, true);
-  if (contact.in_stand)
-    add_line(plot, *contact.in_stand, {"approach", "\u00b5m"}, {"load", contact.load}, "held as in the stand",
-             Pen::dark_dashed);
-  if (contact.second)
-    add_line(plot, *contact.second, {"approach", "\u00b5m"}, {"load", contact.load}, "second engine", Pen::pale);
+  for (std::size_t i = 0; i < contact.curves.size(); ++i)
+    add_line(plot, *contact.curves[i].table, {"approach", "\u00b5m"}, {"load", contact.load},
+             contact.curves[i].kind->title, pens_of_loads[i % pens_of_loads.size()], i == 0);
   if (contact.closed)
     for (const ClosedForm &form : closed_secants)
       if (Line line = closed_approach(contact, form); line.x.size() > 0)
@@ -55,9 +57,9 @@ std::string stiffness_over_load(const ContactCurves &contact)
     if (table)
       add_line(plot, *table, {"load", contact.load}, {column, contact.stiffness}, label, pen, markers);
   };
-  add(contact.curve, "tangent", "tangent, this run", Pen::dark, true);
-  add(contact.in_stand, "tangent", "tangent, held as in the stand", Pen::dark_dashed);
-  add(contact.second, "tangent", "tangent, second engine", Pen::pale);
+  for (std::size_t i = 0; i < contact.curves.size(); ++i)
+    add(contact.curves[i].table, "tangent", std::string("tangent, ") + contact.curves[i].kind->title,
+        pens_of_loads[i % pens_of_loads.size()], i == 0);
   add(contact.closed, "hertz_tangent", "tangent, Hertz", Pen::warm);
   add(contact.curve, "secant", "secant, this run", Pen::dashed, true);
   for (const ClosedForm &form : closed_secants)
@@ -67,8 +69,8 @@ std::string stiffness_over_load(const ContactCurves &contact)
   return svg_plot(plot);
 }
 
-std::string along_barrel(const Table &barrel, const Table *mirrored, const Table *second, const char *column,
-                         const char *quantity, const char *unit)
+std::string along_barrel(const std::vector<StoredCurve> &curves, const char *column, const char *quantity,
+                         const char *unit)
 {
   Plot plot;
   plot.title  = quantity;
@@ -77,11 +79,9 @@ std::string along_barrel(const Table &barrel, const Table *mirrored, const Table
   plot.x      = {"distance from mid-length", "mm"};
   plot.y      = {quantity, unit};
   plot.y.low  = 0;
-  add_line(plot, barrel, {"z", "mm"}, {column, unit}, mirrored ? "as in the stand" : "", Pen::dark, true);
-  if (mirrored)
-    add_line(plot, *mirrored, {"z", "mm"}, {column, unit}, "squeezed evenly", Pen::warm);
-  if (second)
-    add_line(plot, *second, {"z", "mm"}, {column, unit}, "as in the stand, second engine", Pen::dashed);
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    add_line(plot, *curves[i].table, {"z", "mm"}, {column, unit}, curves.size() > 1 ? curves[i].kind->title : "",
+             pens_of_barrels[i % pens_of_barrels.size()], i == 0);
   return svg_plot(plot);
 }
 
@@ -101,19 +101,13 @@ std::string band_caption(const bool plane_strain)
 // Why the secant lies where it does in the band: what belongs to the section and what to the barrel ends.
 std::string why_in_band(const Run &run, const std::string &name)
 {
-  const Result *secant = run.find((name == "lower" ? "K5" : "K3") + std::string(".secant"));
-  if (!secant)
+  const Result *secant = run.find(result_name({spring_of_contact(name), "secant"}));
+  if (!secant || name == "line")
     return "";
-  double closed = 0, section = 0, held = 0;
-  for (const Check &check : secant->checks) {
-    if (check.name.rfind("Johnson", 0) == 0)
-      closed = check.value;
-    if (check.name.rfind("mid-length section", 0) == 0)
-      section = check.value;
-    if (check.name.rfind("rolls held as in the stand", 0) == 0)
-      held = check.value;
-  }
-  if (closed <= 0 || section <= 0)
+  const double closed  = value_beside(secant->checks, CheckId::johnson_secant),
+               section = value_beside(secant->checks, CheckId::middle_section),
+               held    = value_beside(secant->checks, CheckId::held_as_in_stand);
+  if (!(closed > 0) || !(section > 0))
     return "";
   if (std::abs(section / closed - 1) > 0.05)
     return "Profile, tilt or an off-centre force leaves this contact no line contact of even load: the closed "
@@ -136,7 +130,6 @@ std::string why_in_band(const Run &run, const std::string &name)
 
 void one_contact(Page &page, const Run &run, const std::string &name)
 {
-  const std::string path      = "curves/contact-" + name;
   const ContactCurves contact = contact_curves(run, name);
   std::string title           = contact_title(name);
   title[0]                    = char(std::toupper(static_cast<unsigned char>(title[0])));
@@ -147,24 +140,25 @@ void one_contact(Page &page, const Run &run, const std::string &name)
       "circles the working loads. Right: the two slopes of that curve. The <b>tangent</b> is what a vibrating "
       "mill feels, the <b>secant</b> what screwing down feels; both grow only with the logarithm of the load. "
       "Small steps of a computed tangent are rows of the mesh that come into contact." +
-          std::string(contact.in_stand
+          std::string(stored_curve(run, curve::contact_in_stand, name)
                           ? " This run squeezes each roll evenly between two contacts, as the closed forms "
                             "do; dashed, the rolls are held as in the stand and bend as well."
                           : ""));
   if (!contact.closed)
-    page.absent("Closed forms beside the contact curve are", path + "-closed.csv");
+    page.absent("Closed forms beside the contact curve are", curve_path(curve::contact_closed, name) + ".csv");
   else if (const std::string table = band_table(contact); !table.empty()) {
     page.table(table, band_caption(name == "line"));
     if (const std::string why = why_in_band(run, name); !why.empty())
       page.paragraph(why);
   }
-  const Table *mirrored = run.table(path + "-barrel-mirrored");
-  const Table *second   = run.table(path + "-barrel-second");
-  if (const Table *barrel = run.table(path + "-barrel"))
+  const std::vector<StoredCurve> barrel = curves_in(run, Figure::barrel, curve::contact.family, name);
+  const bool mirrored                   = stored_curve(run, curve::contact_barrel_mirrored, name);
+  const bool second                     = stored_curve(run, curve::contact_barrel_second, name);
+  if (stored_curve(run, curve::contact_barrel, name))
     page.figure(
-        {along_barrel(*barrel, mirrored, second, "line_load", "line load q", "kN/mm"),
-         along_barrel(*barrel, mirrored, second, "tangent", "tangent per length k", "kN/mm per m"),
-         along_barrel(*barrel, mirrored, second, "peak_pressure", "peak pressure p\u2080", "MPa")},
+        {along_barrel(barrel, "line_load", "line load q", "kN/mm"),
+         along_barrel(barrel, "tangent", "tangent per length k", "kN/mm per m"),
+         along_barrel(barrel, "peak_pressure", "peak pressure p\u2080", "MPa")},
         "Along the barrel: load per length, stiffness per length and largest pressure; from mid-length when both "
         "sides carry the same. A flat line is what a plane-strain formula assumes; what it does towards the end "
         "is "
@@ -179,25 +173,25 @@ void one_contact(Page &page, const Run &run, const std::string &name)
                          "with the first: where the lines lie on one another, both are right."
                        : ""));
   else if (name != "line")
-    page.absent("The distribution along the barrel is", path + "-barrel.csv");
-  if (const Table *map = run.table(path + "-pressure"))
+    page.absent("The distribution along the barrel is", curve_path(curve::contact_barrel, name) + ".csv");
+  if (const Table *map = stored_curve(run, curve::contact_pressure, name))
     page.figure(
         {pressure_map(*map, "Contact pressure", "distance from mid-length")},
         "Pressure over the contact patch, rolls held as in the stand; across, the picture is stretched several "
         "hundred times. The width shows how far the crown is closed and where an edge carries.");
+  own_figures(page, run, curve::contact.family, name);
 }
 }  // namespace
 
 void contact_section(Page &page, const Run &run)
 {
-  const auto contacts = names_of_curves(
-      run, "contact", {"closed", "barrel", "barrel-mirrored", "barrel-second", "in-stand", "second", "pressure"});
+  const auto contacts = items_of(run, curve::contact);
   if (contacts.empty() && (run.manifest.kind == "lumped" || run.manifest.kind == "bearing" ||
                            run.manifest.kind == "bite" || run.manifest.kind == "chatter"))
     return;
   page.section("contact", "Roll contact");
   if (contacts.empty())
-    page.absent("Contact figures are", "curves/contact-*.csv");
+    page.absent("Contact figures are", curve_path(curve::contact, "*") + ".csv");
   for (const std::string &name : contacts)
     one_contact(page, run, name);
 }

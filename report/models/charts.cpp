@@ -1,5 +1,5 @@
-#include "report/page/curves.h"
 #include "report/models/figures.h"
+#include "report/page/curves.h"
 #include "report/page/number.h"
 #include "report/plot/svg.h"
 #include "report/plot/svg_plot.h"
@@ -33,7 +33,7 @@ std::string masses_chart(const ModelData &data)
 {
   const auto &rows = data.masses_needed;
   double low = 1, high = 10;  // %
-  for (const MassCount &row : rows)
+  for (const MassesRow &row : rows)
     if (row.worst_error > 0) {
       low  = std::min(low, 100 * row.worst_error);
       high = std::max(high, 100 * row.worst_error);

@@ -10,7 +10,7 @@ namespace {
 constexpr double ladder_top = 62, ladder_bottom = 640, step_width = 84, line_gap = 14.5;  // px
 
 struct LadderColumn {
-  const Model *model;
+  const ComparedModel *model;
   double x;  // px, middle
   int side;  // where its numbers stand: -1 left, 0 above the step, 1 right
 };
@@ -31,11 +31,11 @@ struct LadderFrame {
 // The six masses in the middle, so that every detailed model is their neighbour.
 std::vector<LadderColumn> columns_of(const ModelData &data)
 {
-  std::vector<const Model *> order;
-  for (const Model &model : data.models)
+  std::vector<const ComparedModel *> order;
+  for (const ComparedModel &model : data.models)
     if (!model.modes.empty() && model.name != "six-mass")
       order.push_back(&model);
-  if (const Model *chain = data.find("six-mass"); chain && !chain->modes.empty())
+  if (const ComparedModel *chain = data.find("six-mass"); chain && !chain->modes.empty())
     order.insert(order.begin() + std::min<std::ptrdiff_t>(1, std::ptrdiff_t(order.size())), chain);
   std::vector<LadderColumn> columns;
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -49,18 +49,18 @@ std::vector<LadderColumn> columns_of(const ModelData &data)
 
 const Partner *partner_of(const ModelData &data, const std::string &model, const int mode)
 {
-  for (const ModePair &pair : data.pairs)
+  for (const ModePartners &pair : data.pairs)
     if (const auto found = pair.partner.find(model);
         found != pair.partner.end() && found->second.mode == mode && !(found->second.mac < alike))
       return &found->second;
   return nullptr;
 }
 
-bool is_joined(const ModelData &data, const Model &model, const int mode)
+bool is_joined(const ModelData &data, const ComparedModel &model, const int mode)
 {
   if (model.name != "six-mass")
     return data.pairs.empty() || partner_of(data, model.name, mode);
-  for (const ModePair &pair : data.pairs)
+  for (const ModePartners &pair : data.pairs)
     if (pair.mode == mode)
       for (const auto &[name, partner] : pair.partner)
         if (data.find(name) && !(partner.mac < alike))
@@ -143,7 +143,7 @@ void draw_joins(Svg &svg, const ModelData &data, const LadderFrame &frame, const
                 const LadderColumn &other)
 {
   const double side = other.x > chain.x ? 1 : -1;
-  for (const ModePair &pair : data.pairs) {
+  for (const ModePartners &pair : data.pairs) {
     const auto found = pair.partner.find(other.model->name);
     if (found == pair.partner.end() || found->second.mac < alike || !frame.holds(pair.six_mass) ||
         !frame.holds(found->second.frequency))

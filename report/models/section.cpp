@@ -1,5 +1,5 @@
-#include "report/modes/animation.h"
 #include "report/models/figures.h"
+#include "report/modes/animation.h"
 #include "report/page/number.h"
 #include "report/page/sections.h"
 #include "report/plot/svg.h"

@@ -22,11 +22,11 @@ std::string share(const double value)
 }
 
 // The six masses' mode for a mode of the detailed model; nullptr when none is like it.
-const ModePair *chain_mode(const ModelData &data, const std::string &model, const int mode)
+const ModePartners *chain_mode(const ModelData &data, const std::string &model, const int mode)
 {
-  const ModePair *best = nullptr;
-  double likeness      = 0;
-  for (const ModePair &pair : data.pairs)
+  const ModePartners *best = nullptr;
+  double likeness          = 0;
+  for (const ModePartners &pair : data.pairs)
     if (const auto found = pair.partner.find(model); found != pair.partner.end() && found->second.mode == mode)
       if (const double mac = found->second.mac; !(mac < alike) && (!best || mac > likeness)) {
         best     = &pair;
@@ -36,7 +36,7 @@ const ModePair *chain_mode(const ModelData &data, const std::string &model, cons
 }
 
 // Frequencies of a mode in the other detailed model, by likeness.
-double other_frequency(const ModelData &data, const Model &detailed, const int mode)
+double other_frequency(const ModelData &data, const ComparedModel &detailed, const int mode)
 {
   const MacTable &mac = data.mac;
   if (mac.rows == detailed.name)
@@ -45,7 +45,7 @@ double other_frequency(const ModelData &data, const Model &detailed, const int m
   return std::nan("");
 }
 
-std::string verdict(const ModePair *pair, const double frequency)
+std::string verdict(const ModePartners *pair, const double frequency)
 {
   if (!pair)
     return "<td class=\"poor-word\">cannot be shown</td>";
@@ -84,7 +84,7 @@ int mac_partner(const MacTable &mac, const int row)
 std::string model_table(const ModelData &data)
 {
   std::string body;
-  for (const Model &model : data.models) {
+  for (const ComparedModel &model : data.models) {
     const auto below = std::count_if(model.modes.begin(), model.modes.end(), [&](const ModelMode &mode) {
       return !(mode.frequency > data.frequency_limit);
     });
@@ -103,7 +103,7 @@ std::string model_table(const ModelData &data)
 
 std::string verdict_table(const ModelData &data)
 {
-  const Model *detailed = data.detailed();
+  const ComparedModel *detailed = data.detailed();
   if (!detailed || !data.find("six-mass"))
     return "";
   const bool second = data.mac.rows == detailed->name && data.find(data.mac.columns);
@@ -112,7 +112,7 @@ std::string verdict_table(const ModelData &data)
     const ModelMode &shown = detailed->modes[std::size_t(mode - 1)];
     if (shown.frequency > data.frequency_limit)
       continue;
-    const ModePair *pair = chain_mode(data, detailed->name, mode);
+    const ModePartners *pair = chain_mode(data, detailed->name, mode);
     body += "<tr><th scope=\"row\">" + std::to_string(mode) + "</th>" +
             cell("<b>" + fixed(shown.frequency, 1) + "</b>");
     if (second) {
@@ -138,11 +138,11 @@ std::string verdict_table(const ModelData &data)
 
 std::string stray_sentence(const ModelData &data)
 {
-  const Model *detailed = data.detailed();
+  const ComparedModel *detailed = data.detailed();
   if (!detailed)
     return "";
   std::vector<std::string> strays;
-  for (const ModePair &pair : data.pairs) {
+  for (const ModePartners &pair : data.pairs) {
     const auto found = pair.partner.find(detailed->name);
     if (found != pair.partner.end() && !(found->second.mac < alike))
       continue;

@@ -14,10 +14,10 @@ using Json = nlohmann::ordered_json;
 constexpr double usual_swing      = 18;  // px of the largest displacement
 constexpr std::size_t most_shares = 6;
 
-std::vector<const Model *> models_with_modes(const ModelData &data)
+std::vector<const ComparedModel *> models_with_modes(const ModelData &data)
 {
-  std::vector<const Model *> models;
-  for (const Model &model : data.models)
+  std::vector<const ComparedModel *> models;
+  for (const ComparedModel &model : data.models)
     if (!model.modes.empty())
       models.push_back(&model);
   return models;
@@ -56,7 +56,7 @@ std::string shape_element(const MovingShape &shape, const Eigen::VectorXd &displ
   return text + "/>\n";
 }
 
-std::string drawing_element(const Model &model, const StandDrawing &drawing)
+std::string drawing_element(const ComparedModel &model, const StandDrawing &drawing)
 {
   const Eigen::VectorXd displacement = drawing.of(model, model.modes.front());
   std::string svg = "<svg role=\"img\" aria-label=\"" + escaped("the stand in a mode of " + model.title) +
@@ -76,7 +76,7 @@ std::string name_of_mode(const int number, const ModelMode &mode)
   return std::to_string(number) + " \u00b7 " + fixed(mode.frequency, 1) + " Hz";
 }
 
-std::string sentence_of(const Model &model, const int number, const ModelMode &mode)
+std::string sentence_of(const ComparedModel &model, const int number, const ModelMode &mode)
 {
   std::string text = "Mode " + std::to_string(number) + " of the model \u201c" + model.title + "\u201d, " +
                      fixed(mode.frequency, 1) + " Hz.";
@@ -119,7 +119,7 @@ Json shares_json(const Shares &shares)
   return list;
 }
 
-Json model_json(const Model &model, const StandDrawing &drawing)
+Json model_json(const ComparedModel &model, const StandDrawing &drawing)
 {
   Json modes = Json::array();
   for (std::size_t i = 0; i < model.modes.size(); ++i) {
@@ -150,10 +150,10 @@ std::string in_script(const Json &json)
   return text;
 }
 
-std::string controls(const std::vector<const Model *> &models, const Model &first)
+std::string controls(const std::vector<const ComparedModel *> &models, const ComparedModel &first)
 {
   std::string model_options, mode_lists;
-  for (const Model *model : models) {
+  for (const ComparedModel *model : models) {
     const bool chosen = model == &first;
     model_options += "<option value=\"" + escaped(model->name) + "\"" + (chosen ? " selected=\"\"" : "") + ">" +
                      escaped(model->title) + "</option>";
@@ -177,13 +177,13 @@ std::string controls(const std::vector<const Model *> &models, const Model &firs
 
 std::string mode_player(const ModelData &data, const std::map<std::string, double> &geometry)
 {
-  const std::vector<const Model *> models = models_with_modes(data);
+  const std::vector<const ComparedModel *> models = models_with_modes(data);
   if (models.empty())
     return "";
-  const Model &first = data.detailed() ? *data.detailed() : *models.front();
+  const ComparedModel &first = data.detailed() ? *data.detailed() : *models.front();
   std::string drawings;
   Json json = Json::array();
-  for (const Model *model : models) {
+  for (const ComparedModel *model : models) {
     const StandDrawing drawing = stand_drawing(*model, geometry);
     drawings += "<div class=\"mode-drawing\" data-model=\"" + escaped(model->name) + "\"" +
                 (model == &first ? "" : " hidden=\"\"") + ">\n" + drawing_element(*model, drawing) + "</div>\n";

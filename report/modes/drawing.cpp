@@ -24,7 +24,7 @@ struct DrawnRoll {
 
 class Builder {
 public:
-  Builder(const Model &model, const StandSizes &sizes) : model_(model), sizes_(sizes)
+  Builder(const ComparedModel &model, const StandSizes &sizes) : model_(model), sizes_(sizes)
   {
     drawing_.displacements.push_back({});
     const double tall  = 4 * (sizes.backup.radius + sizes.work.radius);
@@ -49,7 +49,7 @@ private:
   void label(double y, const std::string &name);
   void others();
 
-  const Model &model_;
+  const ComparedModel &model_;
   StandSizes sizes_;
   double scale_;  // px/m
   StandDrawing drawing_;
@@ -364,7 +364,7 @@ StandDrawing Builder::build()
 }
 }  // namespace
 
-StandDrawing stand_drawing(const Model &model, const std::map<std::string, double> &geometry)
+StandDrawing stand_drawing(const ComparedModel &model, const std::map<std::string, double> &geometry)
 {
   return Builder(model, sizes_of(model, geometry)).build();
 }

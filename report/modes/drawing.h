@@ -42,14 +42,14 @@ struct StandDrawing {
   std::vector<FixedText> texts;
 
   /// (displacements) of one mode, largest of the mode = 1; what was not stored rests.
-  Eigen::VectorXd of(const Model &model, const ModelMode &mode) const;
+  Eigen::VectorXd of(const ComparedModel &model, const ModelMode &mode) const;
 };
 
 /// The stand seen along the rolling direction: rolls with their necks, chocks, cylinder, frame and the springs
 /// between them.  A roll without a line of its own moves with its point; one without a point rests.  Points that
 /// the drawing has no place for stand as named squares on the left.
 /// @param geometry  m, as in run.json; without it the rolls take assumed proportions
-StandDrawing stand_drawing(const Model &model, const std::map<std::string, double> &geometry);
+StandDrawing stand_drawing(const ComparedModel &model, const std::map<std::string, double> &geometry);
 
 /// Corners at `swing` px times the displacement, up.
 std::vector<Eigen::Vector2d> moved(const MovingShape &shape, const Eigen::VectorXd &displacement, double swing);

@@ -2,7 +2,7 @@
 #include <cmath>
 
 namespace mill::report {
-Eigen::VectorXd StandDrawing::of(const Model &model, const ModelMode &mode) const
+Eigen::VectorXd StandDrawing::of(const ComparedModel &model, const ModelMode &mode) const
 {
   Eigen::VectorXd d = Eigen::VectorXd::Zero(Eigen::Index(displacements.size()));
   for (std::size_t i = 0; i < displacements.size(); ++i) {

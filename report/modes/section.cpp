@@ -133,7 +133,7 @@ void mode_section(Page &page, const Run &run)
   if (!has_chain(run))
     return;
   page.section("modes", "Natural modes");
-  if (const Table *modes = run.table("curves/modes")) {
+  if (const Table *modes = stored_curve(run, curve::modes)) {
     page.figure({shapes(*modes)},
                 "Shapes of the vertical modes of the six-mass chain. Masses that move together keep "
                 "the direction of their arrows; two neighbours that move against each other strain "
@@ -143,12 +143,12 @@ void mode_section(Page &page, const Run &run)
         "Where each mode keeps its strain energy. A long bar says which stiffness decides the frequency: a "
         "spring with a share of 50&nbsp;% moves it by a quarter of its own relative change.");
   } else
-    page.absent("Mode shapes and energy shares are", "curves/modes.csv");
-  if (const Table *poles = run.table("curves/poles"))
+    page.absent("Mode shapes and energy shares are", curve_path(curve::modes) + ".csv");
+  if (const Table *poles = stored_curve(run, curve::poles))
     page.table(pole_table(*poles),
                "Poles of the chain with its dampers, of which real ones stand by themselves; with a "
                "damper in the bite they are not those of the undamped modes above.");
-  if (const Table *modes = run.table("curves/modes-horizontal"))
+  if (const Table *modes = stored_curve(run, curve::modes_horizontal))
     page.table(horizontal_table(*modes),
                "Horizontal modes: rolls on their bearings and chock seats, uncoupled from "
                "the vertical chain; shapes with the largest displacement as 1.");

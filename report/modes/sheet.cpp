@@ -19,7 +19,7 @@ double or_rest(const double displacement)
   return std::isfinite(displacement) ? displacement : 0;
 }
 
-const Eigen::VectorXd *line_of(const Model &model, const ModelMode &mode, const std::string &name,
+const Eigen::VectorXd *line_of(const ComparedModel &model, const ModelMode &mode, const std::string &name,
                                const Eigen::VectorXd **z)
 {
   for (std::size_t i = 0; i < model.lines.size(); ++i)
@@ -30,7 +30,7 @@ const Eigen::VectorXd *line_of(const Model &model, const ModelMode &mode, const 
   return nullptr;
 }
 
-double displacement_of(const Model &model, const ModelMode &mode, const std::string &name)
+double displacement_of(const ComparedModel &model, const ModelMode &mode, const std::string &name)
 {
   const auto found = std::find(model.points.begin(), model.points.end(), name);
   return found == model.points.end() ? std::nan("") : mode.points[found - model.points.begin()];
@@ -38,7 +38,7 @@ double displacement_of(const Model &model, const ModelMode &mode, const std::str
 
 struct Sheet {
   Svg &svg;
-  const Model &model;
+  const ComparedModel &model;
   double scale;  // px/m
 
   void bar(const ModelMode &mode, const std::string &name, const double x, const double y, const double half) const
@@ -94,7 +94,7 @@ struct Sheet {
 
 std::string mode_sheet(const ModelData &data)
 {
-  const Model *model = data.detailed();
+  const ComparedModel *model = data.detailed();
   if (!model)
     return "";
   double longest = 0;

@@ -1,7 +1,11 @@
 #include "report/page/curves.h"
 #include "report/page/number.h"
+#include "report/page/page.h"
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <system_error>
 
 namespace mill::report {
@@ -109,5 +113,97 @@ double interpolated(const Eigen::VectorXd &x, const Eigen::VectorXd &y, const do
       return y[i] + share * (y[i + 1] - y[i]);
     }
   return std::numeric_limits<double>::quiet_NaN();
+}
+
+const Table *stored_curve(const Run &run, const CurveKind &kind, const std::string &item, const std::string &of)
+{
+  return run.table(curve_path(kind, item, of));
+}
+
+std::vector<StoredCurve> curves_in(const Run &run, const Figure figure, const std::string &family,
+                                   const std::string &item)
+{
+  std::vector<StoredCurve> found;
+  for (const CurveKind *kind : curve::all)
+    if (kind->figure == figure && kind->family == family)
+      if (const Table *table = stored_curve(run, *kind, item))
+        found.push_back({kind, table});
+  return found;
+}
+
+std::vector<std::string> items_of(const Run &run, const CurveKind &kind)
+{
+  std::vector<std::string> items;
+  for (const auto &[path, table] : run.tables)
+    if (const auto name = curve_name(path); name && name->kind == &kind)
+      items.push_back(name->item);
+  std::sort(items.begin(), items.end(), std::greater<>());  // upper before lower, trb before crb: the load path
+  return items;
+}
+
+namespace {
+std::string in_words(std::string name)
+{
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+// A column in the unit in which its largest value reads best.
+struct ReadableColumn {
+  Axis axis;
+  Eigen::VectorXd value;
+};
+
+ReadableColumn readable(const Table &table, const std::size_t i)
+{
+  const Eigen::VectorXd &column = table.columns[i];
+  const double largest          = column.array().isNaN().select(0, column.cwiseAbs()).maxCoeff();
+  const Shown shown             = engineering(largest, table.units[i]);
+  ReadableColumn out{
+      {in_words(table.names[i]), shown.unit.empty() ? "-" : shown.unit},
+      column
+  };
+  if (largest > 0)
+    out.value *= shown.value / largest;
+  return out;
+}
+}  // namespace
+
+std::vector<std::string> plain_drawings(const CurveKind &kind, const Table &table)
+{
+  std::vector<Plot> plots;
+  std::vector<std::string> units;
+  const ReadableColumn x = readable(table, 0);
+  for (std::size_t i = 1; i < table.names.size(); ++i) {
+    const auto known = std::find(units.begin(), units.end(), table.units[i]) - units.begin();
+    ReadableColumn y = readable(table, i);
+    if (std::size_t(known) == units.size()) {
+      units.push_back(table.units[i]);
+      plots.emplace_back();
+      plots.back().title = kind.title;
+      plots.back().x     = x.axis;
+      plots.back().y     = y.axis;
+    }
+    Plot &plot = plots[std::size_t(known)];
+    if (y.axis.unit != plot.y.unit)
+      y.value *= factor_between(y.axis.unit, plot.y.unit);
+    constexpr Pen pens[] = {Pen::dark, Pen::warm, Pen::dashed, Pen::pale, Pen::dotted};
+    plot.lines.push_back({y.axis.quantity, x.value, y.value, pens[plot.lines.size() % std::size(pens)]});
+  }
+  std::vector<std::string> drawings;
+  for (const Plot &plot : plots)
+    drawings.push_back(svg_plot(plot));
+  return drawings;
+}
+
+void own_figures(Page &page, const Run &run, const std::string &family, const std::string &item)
+{
+  for (const auto &[kind, table] : curves_in(run, Figure::own, family, item))
+    if (table->names.size() > 1 && table->columns[0].size() > 0) {
+      std::string title = kind->title;
+      title[0]          = char(std::toupper(static_cast<unsigned char>(title[0])));
+      page.figure(plain_drawings(*kind, *table),
+                  title + ", as stored in <code>" + curve_path(*kind, item) + ".csv</code>.");
+    }
 }
 }  // namespace mill::report

@@ -1,6 +1,7 @@
 #include "report/page/html.h"
-#include "report/page/embedded.h"
 #include "report/models/data.h"
+#include "report/page/curves.h"
+#include "report/page/embedded.h"
 #include "report/page/page.h"
 #include "report/page/sections.h"
 #include "report/plot/svg.h"
@@ -22,7 +23,7 @@ std::string scripts()
 bool has_chain(const Run &run)
 {
   return run.manifest.kind != "two-cylinders" && run.manifest.kind != "bearing" &&
-         run.manifest.kind != "chatter" && (run.find("M1") || run.table("curves/modes"));
+         run.manifest.kind != "chatter" && (run.find("M1") || stored_curve(run, curve::modes));
 }
 
 std::string html_page(const Run &run)

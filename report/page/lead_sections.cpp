@@ -1,8 +1,9 @@
+#include "report/page/curves.h"
 #include "report/page/names.h"
 #include "report/page/number.h"
 #include "report/page/sections.h"
-#include "report/plot/svg.h"
 #include "report/page/tables.h"
+#include "report/plot/svg.h"
 #include <algorithm>
 #include <cmath>
 
@@ -61,7 +62,7 @@ std::string chatter_tiles(const Run &run)
                {".growth_rate", ", growth rate at work"}
       }) {
         const std::size_t start = std::string("chatter.").size(), end = result->name.find('.', start);
-        if (result->name.rfind("chatter.", 0) == 0 && result->name.substr(end) == ending)
+        if (is_of(result->name, family::chatter) && result->name.substr(end) == ending)
           all += tile(result, (group.title == "Chatter, tandem" ? "" : "condition ") +
                                   result->name.substr(start, end - start) + label);
       }
@@ -90,7 +91,7 @@ std::string tiles(const Run &run)
     all += tile(run.find("K4.combined"), "K4, strip and both arcs") +
            tile(run.find("K4.plastic_slope"), "K4, plastic slope");
     for (const Result &result : run.results)
-      if (result.name.rfind("bite.", 0) == 0 && !is_of_one_model(result.name))
+      if (is_of(result.name, family::bite) && !is_of_one_model(result.name))
         for (const char *quantity : {"force", "torque", "forward_slip"})
           if (const auto dot = result.name.find('.', 5); result.name.substr(dot + 1) == quantity)
             all += tile(&result, result.name.substr(5, dot - 5) +
@@ -123,7 +124,7 @@ std::string what_is_in_short(const Run &run)
 bool has_chatter(const Run &run)
 {
   return std::any_of(run.results.begin(), run.results.end(),
-                     [](const Result &result) { return result.name.rfind("chatter.", 0) == 0; });
+                     [](const Result &result) { return is_of(result.name, family::chatter); });
 }
 
 std::string what_chatter_leaves_out()
@@ -140,7 +141,7 @@ std::string what_is_left_out(const Run &run)
 {
   if (run.manifest.kind == "chatter")
     return what_chatter_leaves_out();
-  if (run.table("curves/modes-craig-bampton"))
+  if (stored_curve(run, curve::modes_of_model, "craig-bampton"))
     return "Vertical motion, the same on both sides of mid-length; rocking and the motion along the pass line are "
            "not in it. What six masses leave out is listed under \"How few masses are enough?\". Rolls joined by "
            "springs of one working load are linear and have no feedback from the strip: they ring, but they "

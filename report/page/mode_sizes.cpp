@@ -5,7 +5,7 @@
 namespace mill::report {
 namespace {
 // Proportions of a stand of 1400 mm, as long as the longest axis that is stored.
-StandSizes assumed_sizes(const Model &model)
+StandSizes assumed_sizes(const ComparedModel &model)
 {
   double longest = 0;
   for (const ModelLine &line : model.lines)
@@ -20,7 +20,7 @@ StandSizes assumed_sizes(const Model &model)
 }
 }  // namespace
 
-StandSizes sizes_of(const Model &model, const std::map<std::string, double> &geometry)
+StandSizes sizes_of(const ComparedModel &model, const std::map<std::string, double> &geometry)
 {
   if (!has_roll_sizes(geometry))
     return assumed_sizes(model);

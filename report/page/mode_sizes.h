@@ -17,5 +17,5 @@ struct StandSizes {
 
 /// From run.json; without the rolls' sizes the proportions of a stand of 1400 mm, as long as the model's longest
 /// axis.
-StandSizes sizes_of(const Model &model, const std::map<std::string, double> &geometry);
+StandSizes sizes_of(const ComparedModel &model, const std::map<std::string, double> &geometry);
 }  // namespace mill::report

@@ -1,4 +1,5 @@
 #include "report/page/names.h"
+#include "core/records/result_names.h"
 #include <algorithm>
 
 namespace mill::report {
@@ -113,17 +114,6 @@ const Words aspects[] = {
     {"lower_work_roll",          "lower work roll"                                         },
 };
 
-std::vector<std::string> parts_of(const std::string &name)
-{
-  std::vector<std::string> parts(1);
-  for (const char c : name)
-    if (c == '.')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  return parts;
-}
-
 std::string words_of(const std::string &part)
 {
   for (const Words &words : quantities)
@@ -202,7 +192,7 @@ std::vector<Group> short_groups(const Run &run)
       frequency{"Natural frequency", {}};
   if (run.manifest.kind == "two-cylinders" || !chain_value(run, "K1"))
     for (const Result &result : run.results)
-      if (parts_of(result.name)[0] == "contact")
+      if (is_of(result.name, family::contact))
         contact.results.push_back(&result);
   for (int i = 1; i <= 7; ++i)
     add(stiffness, chain_value(run, "K" + std::to_string(i)));
@@ -229,24 +219,5 @@ std::string contact_title(const std::string &contact)
   if (contact == "lower")
     return "lower contact (K5)";
   return contact == "line" ? "line contact" : "contact " + contact;
-}
-
-std::vector<std::string> names_of_curves(const Run &run, const std::string &prefix,
-                                         const std::vector<std::string> &companions)
-{
-  const std::string start = "curves/" + prefix + "-";
-  const auto ends_with    = [](const std::string &text, const std::string &ending) {
-    return text.size() > ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-  };
-  std::vector<std::string> names;
-  for (const auto &[path, table] : run.tables) {
-    if (path.compare(0, start.size(), start) != 0)
-      continue;
-    if (std::none_of(companions.begin(), companions.end(),
-                     [&](const auto &c) { return ends_with(path, "-" + c); }))
-      names.push_back(path.substr(start.size()));
-  }
-  std::sort(names.begin(), names.end(), std::greater<>());  // upper before lower, trb before crb: the load path
-  return names;
 }
 }  // namespace mill::report

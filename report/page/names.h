@@ -36,8 +36,4 @@ bool is_of_one_model(const std::string &name);
 
 /// "upper" -> "upper contact (K3)".
 std::string contact_title(const std::string &contact);
-
-/// Names in curves/<prefix>-<name>.csv whose name has none of the endings of companion files.
-std::vector<std::string> names_of_curves(const Run &run, const std::string &prefix,
-                                         const std::vector<std::string> &companions);
 }  // namespace mill::report

@@ -1,9 +1,10 @@
 #include "report/page/run.h"
 #include "core/case/errors.h"
 #include "core/records/files.h"
+#include "core/records/json_archive.h"
+#include "core/records/result_names.h"
 #include "core/records/run_identity.h"
 #include "report/page/curves.h"
-#include "report/page/json_entries.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -30,7 +31,8 @@ Json parsed(const std::string &path)
   const std::string text   = read_text(path);
   const std::string remedy = "; run the case again, or restore the file as the program wrote it";
   try {
-    return json_of<Json>(text);
+    json::require_flat(text);
+    return Json::parse(text);
   } catch (const nlohmann::json::parse_error &error) {
     throw InputError(place_of_byte(path, text, error.byte), "this is not JSON any more" + remedy);
   } catch (const nlohmann::json::exception &) {
@@ -210,6 +212,23 @@ void read_tables(const std::string &folder, const Checksums &of_this_run, Run &r
   }
 }
 
+// A file whose ending no kind of curve has would count as a contact or a bearing of its own.
+void leave_out_unknown_curves(Run &run)
+{
+  std::vector<std::string> items;  // curves/contact-upper
+  for (const auto &[path, table] : run.tables)
+    if (const auto name = curve_name(path); name && !*name->kind->ending)
+      items.push_back(path);
+  for (const std::string &path : items)
+    if (!run.manifest.bearings.count(curve_name(path)->item) &&
+        std::any_of(items.begin(), items.end(), [&](const std::string &other) {
+          return path.size() > other.size() && path.compare(0, other.size() + 1, other + "-") == 0;
+        })) {
+      run.remarks.push_back(path + ".csv is none of the curves that this program knows and is not shown.");
+      run.tables.erase(path);
+    }
+}
+
 // A pass whose case states no working load works at the mean of its record.
 void fill_loads(Run &run)
 {
@@ -263,6 +282,7 @@ Run read_run(const std::string &directory)
   require_unchanged(directory, checksums, run.manifest.run_id);
   read_tables("curves", checksums, run);
   read_tables("response", checksums, run);
+  leave_out_unknown_curves(run);
   fill_loads(run);
   std::sort(run.remarks.begin(), run.remarks.end());  // the order of a directory is not defined
   return run;

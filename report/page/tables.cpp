@@ -1,4 +1,5 @@
 #include "report/page/tables.h"
+#include "core/records/result_names.h"
 #include "report/page/number.h"
 #include "report/plot/svg.h"
 #include <algorithm>
@@ -94,20 +95,12 @@ std::string group_head(const Group &group)
   return "<tr class=\"group\"><th colspan=\"6\">" + escaped(group.title) + "</th></tr>\n";
 }
 
-const Check *check_named(const Result &result, const std::string &word)
-{
-  for (const Check &check : result.checks)
-    if (contains(check.name, word))
-      return &check;
-  return nullptr;
-}
-
 // What stands beside a number in the short table: its first check, and what was published.
 std::string first_checks(const Result &result)
 {
   if (result.checks.empty())
     return "\u2013";
-  const Check *published = check_named(result, "published");
+  const Check *published = find_published(result.checks);
   std::string cell       = check_text(result, result.checks[0]);
   if (published && published != &result.checks[0])
     cell += "<br/>" + check_text(result, *published);
@@ -115,9 +108,8 @@ std::string first_checks(const Result &result)
 }
 
 // Value of another origin and how many times as large this run's is.
-std::string compared_cells(const Result &result, const std::string &word)
+std::string compared_cells(const Result &result, const Check *check)
 {
-  const Check *check = check_named(result, word);
   if (!check)
     return "<td class=\"num\">\u2013</td><td class=\"num\">\u2013</td>";
   return "<td class=\"num\">" + g_text(in_g(check->value, result.unit)) + "</td><td class=\"num\">" +
@@ -230,7 +222,8 @@ std::string peak_table(const Run &run)
               (pass.synthetic ? " <small>synthetic force</small>" : "") + "</th><td>" + roll +
               "</td><td class=\"num\"><b>" + g_text(in_g(peak->value, peak->unit)) +
               "</b></td><td class=\"num\">" + (rms ? significant(in_g(rms->value, rms->unit), 3) : "\u2013") +
-              "</td>" + compared_cells(*peak, "published") + compared_cells(*peak, "measured") + "</tr>\n";
+              "</td>" + compared_cells(*peak, find_published(peak->checks)) +
+              compared_cells(*peak, find_check(peak->checks, CheckId::measured)) + "</tr>\n";
     }
   if (rows.empty())
     return "";

@@ -1,6 +1,6 @@
 #include "report/page/number.h"
-#include "report/plot/plot_layout.h"
 #include "report/page/sections.h"
+#include "report/plot/plot_layout.h"
 #include "report/plot/svg.h"
 #include "report/plot/ticks.h"
 #include <algorithm>
@@ -18,7 +18,7 @@ struct StackedBar {
   const MassBreakdown *of;
 };
 
-double value_of(const MassPart &part, const bool real)
+double value_of(const PartMass &part, const bool real)
 {
   const double value = real ? part.mass : part.equivalent;
   return std::isfinite(value) && value > 0 ? value : 0;
@@ -27,7 +27,7 @@ double value_of(const MassPart &part, const bool real)
 double sum_of(const MassBreakdown &breakdown, const bool real)
 {
   double sum = 0;
-  for (const MassPart &part : breakdown.parts)
+  for (const PartMass &part : breakdown.parts)
     sum += real ? part.mass : part.equivalent;
   return sum;
 }
@@ -71,7 +71,7 @@ std::vector<std::string> part_names(const std::vector<StackedBar> &bars)
 {
   std::vector<std::string> names;
   for (const StackedBar &bar : bars)
-    for (const MassPart &part : bar.of->parts)
+    for (const PartMass &part : bar.of->parts)
       if (value_of(part, bar.real) > 0 && std::find(names.begin(), names.end(), part.name) == names.end())
         names.push_back(part.name);
   return names;
@@ -119,7 +119,7 @@ std::string panel(const std::string &mass, const std::vector<StackedBar> &bars, 
     const double y = top + 4 + double(i) * bar_step;
     svg.text(bars_left - 8, y + 15, bars[i].label, "t ty", Anchor::end);
     double sum = 0;
-    for (const MassPart &part : bars[i].of->parts) {
+    for (const PartMass &part : bars[i].of->parts) {
       const double value = value_of(part, bars[i].real), x = to_x(sum), width = to_x(sum + value) - x;
       if (width <= 0)
         continue;

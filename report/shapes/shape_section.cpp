@@ -1,7 +1,7 @@
 #include "report/page/curves.h"
 #include "report/page/number.h"
-#include "report/plot/plot_layout.h"
 #include "report/page/sections.h"
+#include "report/plot/plot_layout.h"
 #include "report/shapes/shape_sketch.h"
 #include <algorithm>
 #include <cmath>
@@ -181,7 +181,8 @@ std::string how_far_apart(const Run &run, const std::vector<Roll> &rolls)
 
 void shape_section(Page &page, const Run &run)
 {
-  const Table *work = run.table("curves/shape-work-roll"), *backup = run.table("curves/shape-backup-roll");
+  const Table *work   = stored_curve(run, curve::shape_work_roll),
+              *backup = stored_curve(run, curve::shape_backup_roll);
   if (!work && !backup && run.manifest.kind != "four-high")
     return;
   page.section("shapes", "Roll shapes and equivalent masses");
@@ -221,8 +222,8 @@ void shape_section(Page &page, const Run &run)
                 "unevenly." +
                     how_far_apart(run, rolls));
   if (!backup)
-    page.absent("The backup roll's shape is", "curves/shape-backup-roll.csv");
+    page.absent("The backup roll's shape is", curve_path(curve::shape_backup_roll) + ".csv");
   if (!work)
-    page.absent("The work roll's shape is", "curves/shape-work-roll.csv");
+    page.absent("The work roll's shape is", curve_path(curve::shape_work_roll) + ".csv");
 }
 }  // namespace mill::report

@@ -153,16 +153,21 @@ inline ordered_json chatter_json(const std::string &name)
   const auto input = [&](const char *key, const char *words, const double friction, const double speed,
                          const ordered_json &minus, const ordered_json &plus, const bool curved) {
     json["sensitivities"].push_back({
-        {"key",            key            },
-        {"name",           words          },
-        {"friction_slope", friction       },
-        {"friction_minus", -0.1 * friction},
-        {"friction_plus",  0.1 * friction },
-        {"speed_slope",    speed          },
-        {"speed_minus",    minus          },
-        {"speed_plus",     plus           },
-        {"curved",         curved         }
+        {"key",            key     },
+        {"name",           words   },
+        {"friction",       friction},
+        {"critical_speed", speed   },
+        {"monotone",       !curved }
     });
+    ordered_json &last = json["sensitivities"].back();
+    last["lowered"]    = {
+           {"friction",       -0.1 * friction},
+           {"critical_speed", minus          }
+    };
+    last["raised"] = {
+        {"friction",       0.1 * friction},
+        {"critical_speed", plus          }
+    };
   };
   input("oil.viscosity", "viscosity of the oil", -1.1, -0.27, 0.029, -0.025, false);
   input("condition.entry_thickness", "entry thickness", 3.4, -0.17, 0.052, 0.001, true);

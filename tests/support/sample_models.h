@@ -158,13 +158,13 @@ inline ordered_json models_json()
         {"six_mass", chain_frequencies[std::size_t(mode - 1)]}
     };
     if (other > 0) {
-      const double f = beam_frequencies[std::size_t(other - 1)];
-      pair["beam"]   = {
-            {"mode",      other},
-            {"frequency", f    },
-            {"mac",       mac  }
+      const double f           = beam_frequencies[std::size_t(other - 1)];
+      pair["partners"]["beam"] = {
+          {"mode",      other},
+          {"frequency", f    },
+          {"mac",       mac  }
       };
-      pair["craig-bampton"] = {
+      pair["partners"]["craig-bampton"] = {
           {"mode",      other     },
           {"frequency", soft * f  },
           {"mac",       mac - 0.01}

@@ -79,7 +79,7 @@ SensitivityTable table_of(const bite::Linearisation scheme, const double change)
                                film_bite(2, 18.2), request);
 }
 
-const Sensitivity &row(const SensitivityTable &table, const std::string &key)
+const ChatterSensitivity &row(const SensitivityTable &table, const std::string &key)
 {
   return *std::find_if(table.inputs.begin(), table.inputs.end(), [&](const auto &s) { return s.key == key; });
 }
@@ -153,7 +153,7 @@ std::vector<Check> speed_slopes()
   std::vector<Check> checks;
   for (const Entry &e : entries) {
     const std::string name = e.name;
-    const Sensitivity &s   = row(table, e.key);
+    const ChatterSensitivity &s = row(table, e.key);
     const auto v           = [&](const double factor) { return critical(e.scaled(factor)); };
     checks.push_back(absolute(name + ", over +-1 %", "-", log_slope(v, 0.01), e.slope, 1e-7));
     checks.push_back(absolute(name + ", exact", "-", s.critical_speed, e.slope, 1e-3));
@@ -165,7 +165,7 @@ std::vector<Check> speed_slopes()
   checks.push_back(
       {"roll diameter, exact", "-", row(table, "work_roll.diameter").critical_speed, 0, 0, Judged::at_least});
   double turning = 0;  // both thicknesses and nothing else
-  for (const Sensitivity &s : table.inputs)
+  for (const ChatterSensitivity &s : table.inputs)
     turning += !s.monotone;
   checks.push_back(absolute("inputs that do not go one way", "-", turning, 2, 0));
   checks.push_back(absolute(

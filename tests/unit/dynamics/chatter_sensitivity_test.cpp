@@ -96,7 +96,7 @@ struct Six {
   }
 };
 
-const Sensitivity &row(const SensitivityTable &table, const std::string &key)
+const ChatterSensitivity &row(const SensitivityTable &table, const std::string &key)
 {
   const auto found =
       std::find_if(table.inputs.begin(), table.inputs.end(), [&](const auto &s) { return s.key == key; });
@@ -347,7 +347,7 @@ TEST(ChatterSensitivity, SimilarityOfTheStand)
     request.scheme             = scheme;
     const auto table           = chatter_sensitivities(six.stand(), six.numbers(), film_pass(), request);
     double speed = 0, growth = 0;
-    for (const Sensitivity &s : table.inputs)
+    for (const ChatterSensitivity &s : table.inputs)
       if ((s.key.rfind("stand.", 0) == 0 && s.key.back() == ']') || s.key == "condition.width") {
         speed += s.critical_speed;
         growth += s.growth;
@@ -356,7 +356,7 @@ TEST(ChatterSensitivity, SimilarityOfTheStand)
     EXPECT_TRUE(near(speed, 0, exact));
     EXPECT_TRUE(near(growth, 0, within(1e-7, "1/s, of slopes up to 50", 1)));
     double dampings = 0;
-    for (const Sensitivity &s : table.inputs)
+    for (const ChatterSensitivity &s : table.inputs)
       if (s.key.rfind("stand.dampings[", 0) == 0)
         dampings += s.critical_speed;
     EXPECT_TRUE(near(row(table, "stand.dampings").critical_speed, dampings, exact));
@@ -431,7 +431,7 @@ TEST(ChatterSensitivity, WithoutCriticalSpeed)
   EXPECT_TRUE(std::isnan(table.inputs.front().critical_speed));
   EXPECT_GE(std::abs(table.inputs.front().growth), std::abs(table.inputs.back().growth));
   // A softer strip is below the range's end; the unchanged one is not.
-  const Sensitivity &k = row(table, "strip.flow_stress.k");
+  const ChatterSensitivity &k = row(table, "strip.flow_stress.k");
   EXPECT_TRUE(std::isnan(k.lowered.critical_speed));
   EXPECT_EQ(k.lowered.outcome.rfind("critical speed 16.", 0), 0u) << k.lowered.outcome;
   EXPECT_EQ(k.raised.outcome.rfind("stable from 12 to 17.5 m/s", 0), 0u) << k.raised.outcome;
@@ -451,7 +451,7 @@ TEST(ChatterSensitivity, ThreadsChangeNothing)
   ASSERT_EQ(one.inputs.size(), three.inputs.size());
   const auto same = [](const double a, const double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
   for (std::size_t i = 0; i < one.inputs.size(); ++i) {
-    const Sensitivity &a = one.inputs[i], &b = three.inputs[i];
+    const ChatterSensitivity &a = one.inputs[i], &b = three.inputs[i];
     EXPECT_EQ(a.key, b.key);
     EXPECT_TRUE(same(a.lowered.critical_speed, b.lowered.critical_speed)) << a.key;
     EXPECT_TRUE(same(a.raised.critical_speed, b.raised.critical_speed)) << a.key;
@@ -463,13 +463,13 @@ TEST(ChatterSensitivity, ThreadsChangeNothing)
 TEST(ChatterSensitivity, FiniteChangesWithoutBite)
 {
   const Six six;
-  RollBite pass              = film_pass();
-  pass.strip.exit_thickness  = 0.72e-3;  // 9 %: a tenth less at the entry is no reduction
-  SensitivityRequest request = at_work(0.1);
-  request.range.from         = 16;
-  request.range.to           = 20;
-  const auto table           = chatter_sensitivities(six.stand(), {}, pass, request);
-  const Sensitivity &entry   = row(table, "condition.entry_thickness");
+  RollBite pass                   = film_pass();
+  pass.strip.exit_thickness       = 0.72e-3;  // 9 %: a tenth less at the entry is no reduction
+  SensitivityRequest request      = at_work(0.1);
+  request.range.from              = 16;
+  request.range.to                = 20;
+  const auto table                = chatter_sensitivities(six.stand(), {}, pass, request);
+  const ChatterSensitivity &entry = row(table, "condition.entry_thickness");
   EXPECT_TRUE(std::isnan(entry.lowered.friction));
   EXPECT_EQ(entry.lowered.outcome,
             "strip.exit_thickness = 0.72 mm must be positive and below strip.entry_thickness = 0.7101 mm");

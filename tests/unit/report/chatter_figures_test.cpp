@@ -100,8 +100,8 @@ TEST(ChatterTables, SchemesVariantsConclusionsEventsTandem)
                            "<td class=\"num\">20</td>"))
       << events;
   const ChatterData data = read_chatter(read_run(sample::run_with_chatter()));
-  EXPECT_TRUE(says(chatter_tandem_table(data.tandem), "17.44 <span class=\"deviation\">(+2.0\u00a0%)"));
-  EXPECT_TRUE(says(chatter_tandem_table(data.tandem), "stand 2 alone</th><td class=\"num\">18.00 <span"));
+  EXPECT_TRUE(says(chatter_tandem_table(*data.tandem), "17.44 <span class=\"deviation\">(+2.0\u00a0%)"));
+  EXPECT_TRUE(says(chatter_tandem_table(*data.tandem), "stand 2 alone</th><td class=\"num\">18.00 <span"));
 }
 
 // Speeds 5 .. 30 m/s on 64 .. 380 px, tension 50 .. 150 % on 290 .. 40 px.
@@ -182,7 +182,7 @@ TEST(ChatterTornado, OrderNotesAndBars)
 
 TEST(ChatterPhases, ArrowsAndLabels)
 {
-  ChatterPhases phases{true, 128, 0.5, 90, -60.7, -61, 179.99, {}};
+  ChatterPhases phases{128, 0.5, 90, -60.7, -61, 179.99, {}};
   const std::string drawing = chatter_phasors(phases);
   const auto labels         = texts_of(drawing, "t");
   ASSERT_EQ(labels.size(), 5u);

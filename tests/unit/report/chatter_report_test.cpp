@@ -1,4 +1,5 @@
 #include "report/chatter/figures.h"
+#include "report/page/curves.h"
 #include "report/page/html.h"
 #include "report/page/names.h"
 #include "tests/support/html_page.h"
@@ -25,26 +26,26 @@ TEST(ReadChatter, NumbersTextsAndGaps)
   EXPECT_EQ(c.speed, 17.5);
   EXPECT_EQ(c.critical.verdict, "crossing");
   EXPECT_EQ(c.critical.growth_at_working, -0.75);
-  EXPECT_EQ(c.critical.searched_to, 30);
+  EXPECT_EQ(c.critical.searched[1], 30);
   EXPECT_TRUE(std::isnan(c.critical.margin));
   ASSERT_EQ(c.histories.size(), 3u);
   EXPECT_EQ(c.histories[2].file, "response/chatter-2-above");
-  EXPECT_TRUE(c.limit_cycle.stored);
+  EXPECT_TRUE(c.limit_cycle.settled);
   EXPECT_EQ(c.limit_cycle.events.size(), 40u);
   EXPECT_EQ(c.phases.shape.size(), 6u);
   ASSERT_EQ(c.sensitivities.size(), 3u);
-  EXPECT_TRUE(c.sensitivities[1].curved);
-  EXPECT_TRUE(std::isnan(c.sensitivities[2].speed_minus));
+  EXPECT_FALSE(c.sensitivities[1].monotone);
+  EXPECT_TRUE(std::isnan(c.sensitivities[2].lowered.critical_speed));
   EXPECT_TRUE(std::isnan(c.structures[1].critical_speed));
-  EXPECT_TRUE(data.tandem.stored);
-  EXPECT_EQ(data.tandem.sentences.size(), 1u);
-  EXPECT_EQ(data.tandem.single.size(), 2u);
+  ASSERT_TRUE(data.tandem);
+  EXPECT_EQ(data.tandem->sentences.size(), 1u);
+  EXPECT_EQ(data.tandem->single.size(), 2u);
   // The second has tables and no JSON.
   EXPECT_EQ(data.conditions[1].name, "10");
   EXPECT_TRUE(std::isnan(data.conditions[1].critical.speed));
-  EXPECT_NE(chatter_table(run, data.conditions[1], "speed"), nullptr);
-  EXPECT_NE(chatter_table(run, data.conditions[1], "locus"), nullptr);
-  EXPECT_EQ(chatter_table(run, data.conditions[1], "map-tension"), nullptr);
+  EXPECT_NE(stored_curve(run, curve::chatter_speed, data.conditions[1].slug), nullptr);
+  EXPECT_NE(stored_curve(run, curve::chatter_locus, data.conditions[1].slug), nullptr);
+  EXPECT_EQ(stored_curve(run, curve::chatter_map, data.conditions[1].slug, "tension"), nullptr);
 }
 
 // As the results have them; what has no result comes after them, numbers as numbers.

@@ -65,3 +65,20 @@ TEST(Curves, InterpolationIsExactOverTheLogarithm)
   EXPECT_TRUE(std::isnan(interpolated(x, y, 0.5))) << "a curve is never extrapolated";
   EXPECT_TRUE(std::isnan(interpolated(x, y, 1001)));
 }
+
+// What a line of the table of curves is worth without any code of the report.
+TEST(Curves, APlainFigureDrawsEveryColumnByItsUnit)
+{
+  Table table;
+  table.add("z", "m", Eigen::Vector2d(0, 0.7)).add("line_load", "N/m", Eigen::Vector2d(1e6, 2e6));
+  table.add("peak_pressure", "Pa", Eigen::Vector2d(1e9, 5e8))
+      .add("mean_pressure", "Pa", Eigen::Vector2d(1e8, 2e8));
+  const CurveKind kind{"contact", true, "anything", "a plain curve", Figure::own, {}, true};
+  const auto drawings = plain_drawings(kind, table);
+  ASSERT_EQ(drawings.size(), 2u) << "one for each unit";
+  EXPECT_NE(drawings[0].find("line load [kN/m"), std::string::npos) << drawings[0].substr(0, 3000);
+  EXPECT_NE(drawings[1].find("peak pressure"), std::string::npos);
+  EXPECT_NE(drawings[1].find("mean pressure"), std::string::npos);
+  EXPECT_NE(drawings[1].find("[MPa]"), std::string::npos);
+  EXPECT_NE(drawings[1].find("z [mm]"), std::string::npos);
+}

@@ -1,7 +1,7 @@
-#include "report/page/html.h"
+#include "report/models/figures.h"
 #include "report/modes/animation.h"
 #include "report/modes/drawing.h"
-#include "report/models/figures.h"
+#include "report/page/html.h"
 #include "tests/support/html_page.h"
 #include "tests/support/sample_models.h"
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(ReadModels, NumbersTextsAndGaps)
   EXPECT_EQ(data.title("nobody"), "nobody");
   EXPECT_EQ(data.detailed()->name, "craig-bampton");
   EXPECT_TRUE(std::isnan(data.models[0].modes[0].error_estimate));
-  const Model &beam = data.models[1];
+  const ComparedModel &beam = data.models[1];
   EXPECT_EQ(beam.modes[0].points.size(), 12);
   EXPECT_TRUE(std::isnan(beam.modes[0].points[11]));
   ASSERT_EQ(beam.modes[1].lines.size(), 4u);

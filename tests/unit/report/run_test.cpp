@@ -1,5 +1,7 @@
 #include "core/case/errors.h"
 #include "core/records/files.h"
+#include "report/page/curves.h"
+#include "report/page/html.h"
 #include "report/page/run.h"
 #include "tests/support/near.h"
 #include "tests/support/sample_run.h"
@@ -135,4 +137,21 @@ TEST(Run, NestingAndNumbersBeyondAllBoundsAreRefused)
   overwrite(directory + "/run.json", "{\"versions\": {\"a\": " + deep + "}}");
   EXPECT_EQ(message_of(directory), "no error");
   EXPECT_EQ(read_run(directory).remarks.size(), 1u) << "run.json";
+}
+
+// An ending that no kind of curve has made a contact of its own out of a curve of a known one.
+TEST(Run, ACurveOfNoKindIsSaidAndIsNoContactOfItsOwn)
+{
+  const std::filesystem::path directory = write_sample_run(), curves = directory / "curves";
+  std::filesystem::copy_file(curves / "contact-upper.csv", curves / "contact-upper-roughness.csv");
+  std::filesystem::copy_file(curves / "bearing-trb.csv", curves / "bearing-trb-anything.csv");
+  const auto run = read_run(directory.string());
+  EXPECT_EQ(items_of(run, curve::contact), (std::vector<std::string>{"upper", "lower"}));
+  EXPECT_EQ(items_of(run, curve::bearing), (std::vector<std::string>{"trb", "crb"}));
+  ASSERT_EQ(run.remarks.size(), 2u);
+  EXPECT_EQ(run.remarks[1],
+            "curves/contact-upper-roughness.csv is none of the curves that this program knows and is not shown.");
+  const std::string html = html_page(run);
+  EXPECT_EQ(html.find("Contact upper-roughness"), std::string::npos);
+  EXPECT_NE(html.find("curves/contact-upper-roughness.csv is none of the curves"), std::string::npos);
 }
