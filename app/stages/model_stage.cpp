@@ -1,14 +1,14 @@
 #include "app/stages/model_stage.h"
 #include "app/stages/models_file.h"
+#include "core/numerics/mesh_pair.h"
 #include "core/records/csv.h"
 #include "core/records/lumped_model.h"
-#include "core/numerics/mesh_pair.h"
 #include "core/records/provenance.h"
+#include "reduce/chain/stand_errors.h"
 #include "reduce/stand/beam_stand.h"
 #include "reduce/stand/component_stand.h"
 #include "reduce/stand/kept_modes.h"
 #include "reduce/stand/six_masses.h"
-#include "reduce/chain/stand_errors.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -135,7 +135,7 @@ void say_what_differs(RunContext &run, const FourHigh &stand)
     run.assume(
         "given.K_ZW stiffens the backup rolls of six masses and beams; the finite elements keep what is drawn");
   const double facing       = std::min(stand.work_roll.barrel_length, stand.backup_roll.barrel_length);
-  const Parameter *touching = run.results.find("contact.upper.contact_length");
+  const Parameter *touching = run.find("contact.upper.contact_length");
   if (touching && touching->value < 0.98 * facing)
     run.assume(
         fmt::format("beams and finite elements are joined by K3 and K5 spread evenly over the common barrel; the "

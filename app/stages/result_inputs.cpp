@@ -1,6 +1,6 @@
 #include "app/stages/result_inputs.h"
-#include "core/records/provenance.h"
 #include "core/case/stand_rows.h"
+#include "core/records/provenance.h"
 #include <fmt/format.h>
 #include <optional>
 
@@ -165,14 +165,18 @@ std::vector<std::string> beside_the_chain(const Case &the_case, const std::strin
 
 void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, const std::size_t pass)
 {
-  springs.K3.inputs         = contact_keys(stand, "upper", pass);
-  springs.K5.inputs         = contact_keys(stand, "lower", pass);
-  springs.K4.inputs         = bite_keys({stand.strip, stand.bite, pass, "work_roll.barrel_diameter"});
-  springs.K_Zy_upper.inputs = seat_keys(stand, 0, pass);
-  springs.K_Zy_lower.inputs = seat_keys(stand, 3, pass);
-  for (std::size_t i = 0; i < springs.Kzc.size(); ++i) {
-    springs.Kzc[i].inputs        = seat_keys(stand, i, pass);
-    springs.Kzc_across[i].inputs = seat_across_keys(stand, i, pass);
-  }
+  springs.K3.inputs = contact_keys(stand, "upper", pass);
+  springs.K5.inputs = contact_keys(stand, "lower", pass);
+  springs.K4.inputs = bite_keys({stand.strip, stand.bite, pass, "work_roll.barrel_diameter"});
+  const auto solved = [&](const std::size_t seat) { return !stand.given.count(fmt::format("Kzc{}", seat + 1)); };
+  for (std::size_t i = 0; i < springs.Kzc.size(); ++i)
+    if (solved(i)) {
+      springs.Kzc[i].inputs        = seat_keys(stand, i, pass);
+      springs.Kzc_across[i].inputs = seat_across_keys(stand, i, pass);
+    }
+  if (solved(0))
+    springs.K_Zy_upper.inputs = seat_keys(stand, 0, pass);
+  if (solved(3))
+    springs.K_Zy_lower.inputs = seat_keys(stand, 3, pass);
 }
 }  // namespace mill
