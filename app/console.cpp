@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <mutex>
 #include <unistd.h>
 #include <vector>
 
@@ -53,9 +54,10 @@ void say(const std::string &text)
 struct ProgressBar::State {
   std::vector<std::pair<std::string, double>> stages;
   bool quiet, terminal;
-  double done                                 = 0;  // share of the whole, never falls
-  int last_percent                            = -1;
-  std::size_t stage_at                        = 0;  // how far in the list of stages
+  double done                  = 0;  // share of the whole, never falls
+  int last_percent             = -1;
+  std::vector<double> fraction = std::vector<double>(stages.size(), 0.);  // of each stage
+  std::mutex access;                                                      // stages run side by side
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
@@ -71,22 +73,19 @@ void ProgressBar::show(const std::string &stage, const double fraction)
   State &s = *state;
   if (s.quiet)
     return;
-  // Stages come in the order of the list; one that is skipped (cached) counts as done.
-  double before = 0, all = 0, own = 0;
-  for (std::size_t i = s.stage_at; i < s.stages.size(); ++i)
-    if (s.stages[i].first == stage) {
-      s.stage_at = i;
-      break;
-    }
+  const std::lock_guard lock(s.access);
+  // Stages run side by side; the next report of a name that is done belongs to the next stage of that name.
+  double all = 0, reached = 0;
+  bool known = false;
   for (std::size_t i = 0; i < s.stages.size(); ++i) {
+    if (!known && s.stages[i].first == stage && s.fraction[i] < 1) {
+      s.fraction[i] = std::max(s.fraction[i], fraction);
+      known         = true;
+    }
     all += s.stages[i].second;
-    before += i < s.stage_at ? s.stages[i].second : 0;
-    own = i == s.stage_at ? s.stages[i].second : own;
+    reached += s.stages[i].second * s.fraction[i];
   }
-  s.done = std::max(s.done, all > 0 ? (before + own * fraction) / all : fraction);
-  // The next report of the same name belongs to the next stage of that name.
-  if (fraction >= 1 && s.stage_at < s.stages.size() && s.stages[s.stage_at].first == stage)
-    ++s.stage_at;
+  s.done                                      = std::max(s.done, all > 0 ? reached / all : fraction);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - s.start;
   const int percent                           = int(100 * s.done);
   if (s.terminal) {

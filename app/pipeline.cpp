@@ -15,6 +15,10 @@
 #include "reduce/stand/lumped_stand.h"
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace mill {
 namespace {
@@ -66,81 +70,164 @@ PassModel model_of_pass(const FourHigh &stand, const reduce::LumpedStand &chain,
   return six;
 }
 
+// Records and working loads of all passes.
+struct PassForces {
+  std::vector<ForceRecord> records;
+  std::vector<double> loads;  // N
+};
+
+PassForces forces_of(RunContext &run, FourHigh &stand, const std::string &force_file)
+{
+  PassForces forces;
+  forces.records.resize(stand.passes.size());
+  for (std::size_t p = 0; p < stand.passes.size(); ++p) {
+    Pass &pass          = stand.passes[p];
+    ForceRecord &record = forces.records[p];
+    if (!force_file.empty())
+      pass.force_file = force_file;
+    if (has_force(pass))
+      record = force_of(pass);
+    forces.loads.push_back(working_load(pass, record));
+    if (record.force.size() > 0 && std::abs(forces.loads[p] / record.force.mean() - 1) > 0.05)
+      run.warn(
+          fmt::format("{}: pass.load is {}, the mean of its force record {}; stiffnesses belong to the first, "
+                      "accelerations to the second",
+                      pass.name, in_kN(forces.loads[p]), in_kN(record.force.mean())));
+  }
+  return forces;
+}
+
+// What the chain is made of: parts that need nothing of each other.  What is given is not solved.
+struct StandParts {
+  ComponentSets components;
+  std::map<std::string, SolvedContact> contacts;
+  std::vector<StandBearings> bearings;  // by pass
+  std::vector<Parameter> K4;            // by pass
+};
+
+// All parts side by side, those that take longest first; results come in the order in which they are taken.
+class PartsOfStand {
+public:
+  PartsOfStand(RunContext &run, const FourHigh &stand, const std::vector<double> &loads, const Goal goal)
+      : all(run), n_passes(stand.passes.size())
+  {
+    parts.K4.resize(n_passes);
+    add(contacts, [&](RunContext &own) { parts.contacts = solve_contacts(own, stand, loads); });
+    add(bearings, [&](RunContext &own) { parts.bearings = solve_bearings(own, stand, loads); });
+    add(components, [&, goal](RunContext &own) {
+      if (goal >= Goal::masses || stand.backup_roll.bending_model == "solid")
+        parts.components = stand_components(own, stand, goal >= Goal::masses);
+    });
+    for (std::size_t p = 0; p < n_passes; ++p)
+      add(first_bite + p, [&, goal, p](RunContext &own) {
+        if (!stand.given.count("K4"))
+          parts.K4[p] =
+              solve_bite_stiffness(own, stand, stand.passes[p], loads[p], p == 0, draws_bite_curves(goal));
+      });
+    all.work();
+    for (const std::size_t part : {components, contacts, bearings})
+      all.take(part);
+  }
+  bool has_bite(const std::size_t pass) const  // else take_bite() throws
+  {
+    return !all.failed(first_bite + pass);
+  }
+  void take_bite(const std::size_t pass)
+  {
+    all.take(first_bite + pass);
+  }
+  StandParts parts;
+
+private:
+  enum : std::size_t { contacts, bearings, components, first_bite };
+  void add(const std::size_t place, IndependentStage stage)
+  {
+    if (place != n_added++)
+      throw std::logic_error("a part of the stand stands in the wrong place");
+    all.add(std::move(stage));
+  }
+  SideBySide all;
+  std::size_t n_passes, n_added = 0;
+};
+
+reduce::ChainInputs chain_inputs(const FourHigh &stand, const StandParts &parts, const std::size_t p,
+                                 const double load)
+{
+  reduce::ChainInputs in;
+  if (parts.contacts.count("upper"))
+    in.K3 = parts.contacts.at("upper").tangent[p];
+  if (parts.contacts.count("lower"))
+    in.K5 = parts.contacts.at("lower").tangent[p];
+  in.K4         = parts.K4[p];
+  in.K_Zy_upper = parts.bearings[p].K_Zy_upper;
+  in.K_Zy_lower = parts.bearings[p].K_Zy_lower;
+  in.Kzc        = parts.bearings[p].Kzc;
+  in.Kzc_across = parts.bearings[p].Kzc_across;
+  in.solid      = solid_rolls(parts.components);
+  in.at         = in_kN(load);
+  set_inputs(in, stand, p);
+  return in;
+}
+
+// The chain of one pass, what stands beside it, and what is done with it.
+void run_pass(RunContext &run, const FourHigh &stand, const StandParts &parts, const PassForces &forces,
+              const std::size_t p, const Goal goal)
+{
+  const Pass &pass = stand.passes[p];
+  const bool first = p == 0;
+  auto chain       = reduce::lumped_stand(stand, chain_inputs(stand, parts, p, forces.loads[p]));
+  StandModels models;
+  reduce::FeMasses fe_masses{};
+  if (goal >= Goal::masses) {
+    models    = stand_models(stand, chain, parts.components);
+    fe_masses = add_fe_masses(chain.model, stand, models);
+  }
+  add_model(run, chain.model, first ? "" : pass.name + ".");
+  if (first) {
+    run.results.add("K_ZW", chain.K_ZW);
+    run.results.add("K_Zy", chain.K_Zy_upper);
+    run.results.add("K_Zy_lower", chain.K_Zy_lower);
+    write_shapes(run, chain);
+    run.out.write("lumped_model.toml", lumped_model_toml(chain.model, run.the_case, run.out.path()));
+  }
+  if (goal >= Goal::modes && first)
+    add_modes(run, chain.model, stand.dynamics, stand.frame.chock_to_housing_stiffness,
+              {2 * stand.work_roll.chock_mass_upper, 2 * stand.work_roll.chock_mass_lower});
+  if (goal >= Goal::masses && first) {
+    compare_models(run, stand, chain, models, parts.components, fe_masses);
+    add_housing_frequencies(run, stand, parts.components);
+    add_model_checks(run, models);
+  }
+  if (goal == Goal::chatter)
+    solve_stand_chatter(run, stand, pass, chain, models);
+  if (goal >= Goal::simulate) {
+    if (has_force(pass))
+      simulate_pass(run, model_of_pass(stand, chain, models), stand.dynamics, pass, forces.records[p]);
+    else
+      run.warn(pass.name + " has a load but no force record: nothing was simulated for it");
+  }
+  run.progress.at("passes", double(p + 1) / double(stand.passes.size()));
+}
 }  // namespace
 
 void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::string &force_file)
 {
   if (goal == Goal::chatter)
     stand.dynamics.force_meaning = "measured";  // the stand without the strip, which the bite then adds
-  std::vector<ForceRecord> forces(stand.passes.size());
-  std::vector<double> loads;
-  for (std::size_t p = 0; p < stand.passes.size(); ++p) {
-    if (!force_file.empty())
-      stand.passes[p].force_file = force_file;
-    if (has_force(stand.passes[p]))
-      forces[p] = force_of(stand.passes[p]);
-    loads.push_back(working_load(stand.passes[p], forces[p]));
-    if (forces[p].force.size() > 0 && std::abs(loads[p] / forces[p].force.mean() - 1) > 0.05)
-      run.warn(
-          fmt::format("{}: pass.load is {}, the mean of its force record {}; stiffnesses belong to the first, "
-                      "accelerations to the second",
-                      stand.passes[p].name, in_kN(loads[p]), in_kN(forces[p].force.mean())));
-  }
+  const PassForces forces = forces_of(run, stand, force_file);
   set_given_inputs(stand.given);
   resolve_frame(run, stand);
-  ComponentSets components;  // before the contacts: what the meshes cannot show is said at once
-  if (goal >= Goal::masses || stand.backup_roll.bending_model == "solid")
-    components = stand_components(run, stand, goal >= Goal::masses);
-  const auto contacts     = solve_contacts(run, stand, loads);
-  const auto all_bearings = solve_bearings(run, stand, loads);
+  PartsOfStand made(run, stand, forces.loads, goal);
+  SideBySide passes(run);
+  for (std::size_t p = 0; p < stand.passes.size(); ++p)
+    passes.add([&, p](RunContext &own) {
+      if (made.has_bite(p))
+        run_pass(own, stand, made.parts, forces, p, goal);
+    });
+  passes.work();
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
-    const Pass &pass     = stand.passes[p];
-    const bool first     = p == 0;
-    const auto &bearings = all_bearings[p];
-    const Parameter K4   = solve_bite_stiffness(run, stand, pass, loads[p], first, draws_bite_curves(goal));
-    reduce::ChainInputs in;
-    in.K3         = contacts.at("upper").tangent[p];
-    in.K5         = contacts.at("lower").tangent[p];
-    in.K4         = K4;
-    in.K_Zy_upper = bearings.K_Zy_upper;
-    in.K_Zy_lower = bearings.K_Zy_lower;
-    in.Kzc        = bearings.Kzc;
-    in.Kzc_across = bearings.Kzc_across;
-    in.solid      = solid_rolls(components);
-    in.at         = in_kN(loads[p]);
-    set_inputs(in, stand, p);
-    auto chain = reduce::lumped_stand(stand, in);
-    StandModels models;
-    reduce::FeMasses fe_masses{};
-    if (goal >= Goal::masses) {
-      models    = stand_models(stand, chain, components);
-      fe_masses = add_fe_masses(chain.model, stand, models);
-    }
-    add_model(run, chain.model, first ? "" : pass.name + ".");
-    if (first) {
-      run.results.add("K_ZW", chain.K_ZW);
-      run.results.add("K_Zy", chain.K_Zy_upper);
-      run.results.add("K_Zy_lower", chain.K_Zy_lower);
-      write_shapes(run, chain);
-      run.out.write("lumped_model.toml", lumped_model_toml(chain.model, run.the_case, run.out.path()));
-    }
-    if (goal >= Goal::modes && first)
-      add_modes(run, chain.model, stand.dynamics, stand.frame.chock_to_housing_stiffness,
-                {2 * stand.work_roll.chock_mass_upper, 2 * stand.work_roll.chock_mass_lower});
-    if (goal >= Goal::masses && first) {
-      compare_models(run, stand, chain, models, components, fe_masses);
-      add_housing_frequencies(run, stand, components);
-      add_model_checks(run, models);
-    }
-    if (goal == Goal::chatter)
-      solve_stand_chatter(run, stand, pass, chain, models);
-    if (goal >= Goal::simulate) {
-      if (has_force(pass))
-        simulate_pass(run, model_of_pass(stand, chain, models), stand.dynamics, pass, forces[p]);
-      else
-        run.warn(pass.name + " has a load but no force record: nothing was simulated for it");
-    }
-    run.progress.at("passes", double(p + 1) / double(stand.passes.size()));
+    made.take_bite(p);
+    passes.take(p);
   }
   set_beside(run, stand.published);
   if (stand.passes.size() > 1)

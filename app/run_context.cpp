@@ -3,14 +3,18 @@
 #include "app/out_of_memory.h"
 #include "core/case/kinds.h"
 #include "core/numerics/sparse.h"
+#include "core/process/parallel.h"
 #include "core/records/files.h"
 #include "core/records/run_identity.h"
 #include "fem/body/elastic_body.h"
 #include "meshes/common/gmsh_scope.h"
 #include <Eigen/Core>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <exception>
+#include <iterator>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -33,32 +37,147 @@ void RunContext::assume(const std::string &sentence)
   progress.note("assumed: " + sentence);
 }
 
-namespace {
-// The stages that run, the innermost last; one that an exception leaves stays, so that it can be named.
-std::vector<std::string> &stages_in_progress()
+RunContext RunContext::branch() const
 {
-  static std::vector<std::string> stages;
+  RunContext own{the_case, out, cache, fresh, made, threads, progress};
+  own.started = started;
+  own.earlier = this;
+  return own;
+}
+
+const Parameter *RunContext::find(const std::string &name) const
+{
+  const Parameter *own = results.find(name);
+  return own || !earlier ? own : earlier->find(name);
+}
+
+void RunContext::absorb(RunContext &&other)
+{
+  for (auto &[name, parameter] : other.results.values)
+    results.add(name, std::move(parameter));
+  for (const std::string &sentence : other.results.warnings)
+    if (std::find(results.warnings.begin(), results.warnings.end(), sentence) == results.warnings.end())
+      results.warnings.push_back(sentence);
+  const auto append = [](auto &all, auto &more) { all.insert(all.end(), more.begin(), more.end()); };
+  append(results.assumptions, other.results.assumptions);
+  append(times, other.times);
+  summary += other.summary;
+}
+
+SideBySide::SideBySide(RunContext &of) : run(of) {}
+
+void SideBySide::add(IndependentStage stage)
+{
+  stages.push_back(std::move(stage));
+}
+
+void SideBySide::work()
+{
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    branches.push_back(run.branch());
+  failures.resize(stages.size());
+  std::atomic<long> first_failure{long(stages.size())};
+  share_tasks(long(stages.size()), run.threads, [&](const long i) {
+    if (i > first_failure)
+      return;
+    try {
+      stages[std::size_t(i)](branches[std::size_t(i)]);
+    } catch (...) {
+      failures[std::size_t(i)] = std::current_exception();
+      long first               = first_failure;
+      while (i < first && !first_failure.compare_exchange_weak(first, i)) {
+      }
+    }
+  });
+}
+
+bool SideBySide::failed(const std::size_t i) const
+{
+  return failures.at(i) != nullptr;
+}
+
+void SideBySide::take(const std::size_t i)
+{
+  run.absorb(std::move(branches.at(i)));
+  if (failures.at(i))
+    std::rethrow_exception(failures[i]);
+}
+
+void run_side_by_side(RunContext &run, std::vector<IndependentStage> stages)
+{
+  SideBySide all(run);
+  const std::size_t n = stages.size();
+  for (IndependentStage &stage : stages)
+    all.add(std::move(stage));
+  all.work();
+  for (std::size_t i = 0; i < n; ++i)
+    all.take(i);
+}
+
+bool MadeKeys::count(const std::string &key) const
+{
+  const std::lock_guard lock(access);
+  return made.count(key) > 0;
+}
+
+void MadeKeys::insert(const std::string &key)
+{
+  const std::lock_guard lock(access);
+  made.insert(key);
+}
+
+MadeKeys::Turn::Turn(MadeKeys &of, std::string of_part) : keys(of), key(std::move(of_part))
+{
+  std::unique_lock lock(keys.access);
+  keys.released.wait(lock, [&] { return keys.taken.count(key) == 0; });
+  keys.taken.insert(key);
+}
+
+MadeKeys::Turn::~Turn()
+{
+  {
+    const std::lock_guard lock(keys.access);
+    keys.taken.erase(key);
+  }
+  keys.released.notify_all();
+}
+
+namespace {
+// The stages that run, the last one begun last; one that an exception leaves stays, so that it can be named.
+struct StagesInProgress {
+  std::mutex access;
+  std::vector<std::string> names;
+};
+
+StagesInProgress &in_progress()
+{
+  static StagesInProgress stages;
   return stages;
 }
 }  // namespace
 
 std::string stage_in_progress()
 {
-  return stages_in_progress().empty() ? "" : stages_in_progress().back();
+  const std::lock_guard lock(in_progress().access);
+  return in_progress().names.empty() ? "" : in_progress().names.back();
 }
 
 StageTimer::StageTimer(RunContext &s, std::string name)
     : run(s), stage(std::move(name)), start(std::chrono::steady_clock::now())
 {
-  stages_in_progress().push_back(stage);
+  const std::lock_guard lock(in_progress().access);
+  in_progress().names.push_back(stage);
 }
 
 StageTimer::~StageTimer()
 {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  run.times.push_back({stage, elapsed.count(), cached});
-  if (std::uncaught_exceptions() == 0)
-    stages_in_progress().pop_back();
+  run.times.push_back({stage, elapsed.count(), work.processor_seconds(), cached, work.factorisations()});
+  if (std::uncaught_exceptions() > 0)
+    return;
+  const std::lock_guard lock(in_progress().access);
+  auto &names = in_progress().names;
+  names.erase(std::next(std::find(names.rbegin(), names.rend(), stage)).base());
 }
 
 std::string version()
@@ -67,6 +186,27 @@ std::string version()
 }
 
 namespace {
+// A stage that factorises nothing has no list.
+void add_timings(json &manifest, const std::vector<StageTime> &times)
+{
+  for (const StageTime &time : times) {
+    json stage{
+        {"stage",             time.stage            },
+        {"seconds",           time.seconds          },
+        {"processor_seconds", time.processor_seconds},
+        {"cached",            time.cached           }
+    };
+    for (const Factorisation &f : time.factorisations)
+      stage["factorisations"].push_back({
+          {"order",    f.order   },
+          {"nonzeros", f.nonzeros},
+          {"flops",    f.flops   },
+          {"times",    f.times   }
+      });
+    manifest["timings"].push_back(stage);
+  }
+}
+
 // Files beside the case that a run reads.
 std::vector<std::string> input_files(const Case &the_case, const std::string &force_file)
 {
@@ -110,12 +250,7 @@ std::string manifest_json(const RunContext &run)
                       std::to_string(EIGEN_MINOR_VERSION)},
         {"compiler", __VERSION__}}  }
   };
-  for (const StageTime &time : run.times)
-    manifest["timings"].push_back({
-        {"stage",   time.stage  },
-        {"seconds", time.seconds},
-        {"cached",  time.cached }
-    });
+  add_timings(manifest, run.times);
   for (const auto &[file, sum] : checksums_below(run.out.staging()))
     manifest["files"][file] = sum;
   rusage usage{};

@@ -44,6 +44,11 @@ double by_law(const BearingQuestion &q, const std::string &law)
 }
 }  // namespace
 
+std::vector<bearing::ChockSupport> supports_across(const RollerBearing &b)
+{
+  return on_block(b) ? std::vector<bearing::ChockSupport>{on_liner(b)} : std::vector<bearing::ChockSupport>();
+}
+
 Parameter bearing_across(RunContext &run, const BearingStudy &s, const std::vector<std::string> &inputs)
 {
   const BearingQuestion &q = s.question;

@@ -2,6 +2,9 @@
 #include "app/stages/bearing_study.h"
 
 namespace mill {
+/// Supports of the chock that bearing_across will ask for.
+std::vector<bearing::ChockSupport> supports_across(const RollerBearing &bearing);
+
 /// Stiffness of a bearing across the load it carries, N/m: what a roll feels that moves along the pass line under
 /// the rolling force.  A block chock then bears with its whole side on the liner of the housing window instead of
 /// on its supports (theory.md 6, horizontal motion); its error estimate is of this quantity: roller's mesh, rings'

@@ -1,4 +1,5 @@
 #include "app/stages/bearing_model.h"
+#include "app/stages/kept_part.h"
 #include "bearing/clearance.h"
 #include "bearing/geometry.h"
 #include "bearing/ring_sections.h"
@@ -17,6 +18,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <map>
+#include <optional>
+#include <vector>
 
 namespace mill {
 namespace {
@@ -26,31 +30,6 @@ constexpr const char *roller_version = "roller 2", *rings_version = "rings 6";
 std::string file_name(const RunContext &run, const char *what, const std::string &key)
 {
   return run.cache + "/" + what + "-" + key + ".bin";
-}
-
-// Takes a part from the cache, or makes and keeps it.
-template <class Part, class Load, class Make, class Save>
-Part cached(RunContext &run, const std::string &stage, const std::string &file, const std::string &key,
-            const Load &load, const Make &make, const Save &save)
-{
-  StageTimer timer(run, stage);
-  std::string note;
-  auto stored = run.fresh && !run.made.count(key) ? std::nullopt : load(file, key, &note);
-  if (!note.empty())
-    run.progress.note(note);
-  if (stored) {
-    run.progress.note(stage + ": taken from " + file);
-    timer.cached = true;
-    return std::move(*stored);
-  }
-  Part part = make();
-  try {
-    save(file, key, part);
-    run.made.insert(key);
-  } catch (const InputError &e) {
-    run.warn(stage + " could not be kept for the next run: " + e.what());  // but it is good
-  }
-  return part;
 }
 
 std::string inputs_of(const RollerSetup &setup)
@@ -67,8 +46,8 @@ fem::CondensedRoller condensed_roller(RunContext &run, const std::string &name, 
     meshes::remove_meshes(meshes);
     return roller;
   };
-  return cached<fem::CondensedRoller>(run, name, file_name(run, "roller", key), key, fem::load_roller, make,
-                                      fem::save_roller);
+  return kept_part<fem::CondensedRoller>(run, name, file_name(run, "roller", key), key, fem::load_roller, make,
+                                         fem::save_roller);
 }
 
 // Everything the rings' flexibility is made from: their sections and what holds them.
@@ -91,13 +70,13 @@ fem::RingResult condensed_rings(RunContext &run, const RollerBearing &b, const b
     const RingMeshes fine       = meshes::mesh_rings(sections, {}, run.out.staging(), own);
     const RingMeshes coarse =
         meshes::mesh_rings(sections, meshes::coarsened({}), run.out.staging(), own + "-coarse");
-    auto result = fem::ring_flexibility(sections, fine, &coarse, {}, run.progress);
+    auto result = fem::ring_flexibility(sections, fine, &coarse, {}, run.progress, run.threads);
     meshes::remove_meshes(fine);
     meshes::remove_meshes(coarse);
     return result;
   };
-  return cached<fem::RingResult>(run, "rings and chock of bearing " + b.name, file_name(run, "rings", key), key,
-                                 fem::load_rings, make, fem::save_rings);
+  return kept_part<fem::RingResult>(run, "rings and chock of bearing " + b.name, file_name(run, "rings", key), key,
+                                    fem::load_rings, make, fem::save_rings);
 }
 
 // What surrounds the cup in another way: the orders in which it shows, on the coarser meshes.
@@ -114,12 +93,12 @@ fem::RingResult condensed_surroundings(RunContext &run, const bearing::ChockSupp
     options.chock_harmonics = harmonics;
     options.last_harmonic   = harmonics - 1;
     options.share           = 0;  // all of these orders
-    auto result             = fem::ring_flexibility(sections, meshes, nullptr, options, run.progress);
+    auto result             = fem::ring_flexibility(sections, meshes, nullptr, options, run.progress, run.threads);
     meshes::remove_meshes(meshes);
     return result;
   };
-  return cached<fem::RingResult>(run, support.name + ", bearing " + support.bearing.name,
-                                 file_name(run, "rings", key), key, fem::load_rings, make, fem::save_rings);
+  return kept_part<fem::RingResult>(run, support.name + ", bearing " + support.bearing.name,
+                                    file_name(run, "rings", key), key, fem::load_rings, make, fem::save_rings);
 }
 
 // What the law of one roller counts of the rings; the rest is theirs.
@@ -187,10 +166,8 @@ std::function<double(double)> drop_of(const RollerBearing &b)
 }
 
 namespace {
-void add_rings(RunContext &run, const RollerBearing &b, BearingParts &parts)
+void add_rings(RunContext &run, const RollerBearing &b, const fem::RingResult &rings, BearingParts &parts)
 {
-  const auto datum  = datum_of(b);
-  const auto rings  = condensed_rings(run, b, datum);
   parts.model.rings = rings.flexibility;
   parts.notes       = rings.notes;
   for (BearingVariant &companion : parts.companions)
@@ -200,13 +177,48 @@ void add_rings(RunContext &run, const RollerBearing &b, BearingParts &parts)
   for (const bearing::ChockSupport &support : bearing::open_supports(b))
     parts.supports.push_back({support.name, with_support(run, b, parts, support).model});
 }
+
+// What is condensed for a bearing, each by itself.
+struct CondensedParts {
+  std::optional<fem::CondensedRoller> roller, coarse_roller;
+  std::optional<fem::RingResult> rings;
+  std::map<std::string, fem::RingResult> surroundings;
+};
+
+CondensedParts condensed_parts(RunContext &run, const RollerBearing &b, const double largest_load,
+                               const std::vector<bearing::ChockSupport> &supports)
+{
+  CondensedParts parts;
+  std::vector<IndependentStage> stages;
+  if (b.rings == "elastic")
+    stages.push_back([&](RunContext &own) { parts.rings = condensed_rings(own, b, datum_of(b)); });
+  if (b.roller_law == "fe") {
+    const auto setup = setup_of(b, bearing::ring_walls(b), land_of(b), largest_load);
+    const auto name  = "roller of bearing " + b.name;
+    stages.push_back([&, setup, name](RunContext &own) { parts.roller = condensed_roller(own, name, setup); });
+    stages.push_back([&, setup, name](RunContext &own) {
+      parts.coarse_roller = condensed_roller(own, name + ", coarse mesh", coarsened(setup));
+    });
+  }
+  for (const bearing::ChockSupport &support : supports) {
+    auto &result = parts.surroundings[support.name];
+    stages.push_back([&](RunContext &own) {
+      result = condensed_surroundings(own, support, datum_of(b), fem::RingOptions().chock_harmonics);
+    });
+  }
+  run_side_by_side(run, std::move(stages));
+  return parts;
+}
 }  // namespace
 
 BearingParts with_support(RunContext &run, const RollerBearing &b, BearingParts parts,
                           const bearing::ChockSupport &support)
 {
   const int harmonics = parts.model.rings.chock_harmonics;
-  const auto other    = condensed_surroundings(run, support, datum_of(b), harmonics);
+  const auto made     = parts.surroundings.find(support.name);
+  const auto other    = made != parts.surroundings.end() && harmonics == fem::RingOptions().chock_harmonics
+                            ? made->second
+                            : condensed_surroundings(run, support, datum_of(b), harmonics);
   const auto exchange = [&](bearing::BearingModel &model) {
     model.rings = bearing::with_surroundings_of(model.rings, parts.coarse_rings, other.flexibility, harmonics);
   };
@@ -215,6 +227,7 @@ BearingParts with_support(RunContext &run, const RollerBearing &b, BearingParts 
     exchange(companion.model);
   return parts;
 }
+
 std::string roller_inputs(const RollerBearing &b, const double largest_load)
 {
   return b.roller_law == "fe" ? inputs_of(setup_of(b, bearing::ring_walls(b), land_of(b), largest_load)) : "";
@@ -225,26 +238,31 @@ std::string ring_inputs(const RollerBearing &b)
   return b.rings == "elastic" ? inputs_of(bearing::ring_sections(b, datum_of(b))) : "";
 }
 
-BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double largest_load)
+BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double largest_load,
+                           const std::vector<bearing::ChockSupport> &also)
 {
   BearingParts parts;
   parts.model.bearing = with_row_places(b);
+  auto supports       = also;
+  if (b.rings == "elastic") {
+    const auto open = bearing::open_supports(b);
+    supports.insert(supports.begin(), open.begin(), open.end());
+  }
+  auto condensed     = condensed_parts(run, b, largest_load, supports);
+  parts.surroundings = std::move(condensed.surroundings);
   if (b.roller_law == "fe") {
     const auto walls      = bearing::ring_walls(b);
-    const double land     = land_of(b);
-    const auto setup      = setup_of(b, walls, land, largest_load);
-    const auto name       = "roller of bearing " + b.name;
     parts.law_depth_inner = walls.inner;
     parts.law_depth_outer = walls.outer;
-    const auto coarse     = condensed_roller(run, name + ", coarse mesh", coarsened(setup));
     parts.companions.push_back({"roller on a mesh twice as coarse", parts.model});
-    parts.companions.back().model.roller = bearing::with_limits(fem::fe_roller_law(coarse, b.slices, drop_of(b)));
-    parts.roller       = std::make_shared<const fem::CondensedRoller>(condensed_roller(run, name, setup));
+    parts.companions.back().model.roller =
+        bearing::with_limits(fem::fe_roller_law(*condensed.coarse_roller, b.slices, drop_of(b)));
+    parts.roller       = std::make_shared<const fem::CondensedRoller>(std::move(*condensed.roller));
     parts.model.roller = bearing::with_limits(fem::fe_roller_law(*parts.roller, b.slices, drop_of(b)));
   } else
     parts.model.roller = bearing::with_limits(bearing::roller_law(b));
   if (b.rings == "elastic")
-    add_rings(run, b, parts);
+    add_rings(run, b, *condensed.rings, parts);
   return parts;
 }
 

@@ -2,8 +2,10 @@
 #include "app/run_context.h"
 #include "bearing/assembly.h"
 #include "bearing/chock_supports.h"
+#include "fem/bearing/ring_flexibility.h"
 #include "fem/bearing/roller_contact.h"
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +27,7 @@ struct BearingParts {
   std::shared_ptr<const fem::CondensedRoller> roller;  ///< roller_law = "fe" only
   double law_depth_inner = 0, law_depth_outer = 0;     ///< m, of the raceways in the law of one roller
   std::vector<std::string> notes;                      ///< sentences for the report
+  std::map<std::string, fem::RingResult> surroundings;  ///< of the cup, by the name of the chock's support
 };
 
 /// Largest load, N, that one roller may get under these radial loads, generously and rounded up to a power of two
@@ -40,10 +43,12 @@ RollerBearing with_row_places(RollerBearing bearing);
 std::string roller_inputs(const RollerBearing &bearing, double largest_load);
 std::string ring_inputs(const RollerBearing &bearing);
 
-/// Meshes and condenses roller, raceways, rings and chock, or takes them from the cache.  A support of the chock
-/// that is left open costs another two seconds each, on the coarser mesh.
+/// Meshes and condenses roller, raceways, rings and chock side by side, or takes them from the cache.  A support
+/// of the chock that is left open costs another two seconds each, on the coarser mesh.
 /// @param largest_load  N, on one roller
-BearingParts bearing_parts(RunContext &run, const RollerBearing &bearing, double largest_load);
+/// @param also          other supports that with_support will be asked for
+BearingParts bearing_parts(RunContext &run, const RollerBearing &bearing, double largest_load,
+                           const std::vector<bearing::ChockSupport> &also = {});
 
 /// The model and its companions with the chock held in another way: the chock alone is meshed again, on the
 /// coarser mesh, or taken from the cache.

@@ -1,9 +1,9 @@
 #include "app/stages/bearing_stage.h"
+#include "app/output_dir.h"
 #include "app/stages/bearing_across.h"
 #include "app/stages/bearing_files.h"
 #include "app/stages/bearing_published.h"
 #include "app/stages/bearing_results.h"
-#include "app/output_dir.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -111,19 +111,31 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
     }
     return q;
   };
+  const auto is_given = [&](const Seat &seat) { return stand.given.count(seat.name) > 0; };
   for (const Seat &seat : seats)
     for (const double F : forces) {
+      if (is_given(seat))
+        continue;
       double &bound = largest[seat.roll->bearing];
       bound         = std::max(bound, largest_roller_load(question(seat, load_of(stand, seat, F).value, true)));
     }
+  std::vector<IndependentStage> made;
   for (const auto &[name, bound] : largest)
-    parts[name] = bearing_parts(run, bearing_of(stand.bearings, name), bound);
+    made.push_back([&stand, &part = parts[name], of = name, most = bound](RunContext &own) {
+      const RollerBearing &b = bearing_of(stand.bearings, of);
+      part                   = bearing_parts(own, b, most, supports_across(b));
+    });
+  run_side_by_side(run, std::move(made));
   std::vector<StandBearings> out(forces.size());
   for (std::size_t p = 0; p < forces.size(); ++p) {
     std::map<std::string, BearingStudy> done;  // same bearing, same load
     std::map<std::string, Parameter> across;
     for (std::size_t i = 0; i < seats.size(); ++i) {
-      const Seat &seat    = seats[i];
+      const Seat &seat = seats[i];
+      if (is_given(seat)) {
+        out[p].Kzc[i] = stand.given.at(seat.name).parameter;
+        continue;
+      }
       const SeatLoad load = load_of(stand, seat, forces[p]);
       const auto key      = seat.roll->bearing + fmt::format(" {} {}", load.value, seat.backup);
       if (!done.count(key))

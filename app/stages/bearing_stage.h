@@ -14,7 +14,9 @@ struct StandBearings {
 };
 
 /// Solves the bearings of the stand at the loads that each rolling force puts on them; for the first one Kzc1..4.*
-/// go into the results and curves/bearing-*.csv are written.
+/// go into the results and curves/bearing-*.csv are written.  A bearing whose Kzc is given is not solved; across
+/// the load nothing is known of it then, and what the chain takes of both bearings of a roll is twice the given
+/// one.
 /// @param rolling_forces  N, one per pass
 std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand,
                                           const std::vector<double> &rolling_forces);

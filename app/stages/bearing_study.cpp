@@ -1,9 +1,14 @@
 #include "app/stages/bearing_study.h"
 #include "app/stages/bearing_files.h"
+#include "app/stages/bearing_store.h"
+#include "app/stages/kept_part.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/process/parallel.h"
+#include "core/records/files.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -47,39 +52,56 @@ bearing::AssemblyState solved(bearing::BearingModel model, const BearingStudy &s
   return bearing::BearingAssembly(std::move(model)).solve(s.drive);
 }
 
-// How well each ingredient of the model is known: the state without it, or with its neighbour.
-void add_companions(BearingStudy &s)
+// How well each ingredient of the model is known: the model without it, or with its neighbour.
+std::vector<BearingVariant> companions_of(const BearingStudy &s)
 {
-  for (const BearingVariant &v : s.parts.companions)
-    s.companions.push_back({v.about, solved(v.model, s)});
+  std::vector<BearingVariant> out = s.parts.companions;
   if (s.slice_deviation != 0) {
-    auto stiffer   = s.parts.model;
-    stiffer.roller = bearing::stiffened(stiffer.roller, 1 + s.slice_deviation);
-    s.companions.push_back({"contact elements instead of slices", solved(std::move(stiffer), s)});
+    out.push_back({"contact elements instead of slices", s.parts.model});
+    out.back().model.roller = bearing::stiffened(s.parts.model.roller, 1 + s.slice_deviation);
   }
   if (!s.parts.roller) {
     // Without elements the spread of the published laws is how well the law of one roller is known.
     const bool is_iso = s.question.bearing.roller_law == "iso";
-    auto other        = s.parts.model;
+    out.push_back({"another law of one roller", s.parts.model});
+    auto &other = out.back().model;
     other.roller =
         bearing::with_limits(bearing::roller_law(by_standard(other.bearing, is_iso ? "palmgren" : "iso")));
-    s.companions.push_back({"another law of one roller", solved(std::move(other), s)});
   }
-  for (const BearingVariant &v : s.parts.supports)
-    s.supports.push_back({v.about, solved(v.model, s)});
+  return out;
 }
 
 // Rows in the other arrangements in use, between rigid rings: what hangs on an arrangement that nobody stated.
-void add_arrangements(BearingStudy &s, bearing::BearingModel rigid)
+std::vector<BearingVariant> arrangements_of(const BearingStudy &s, const bearing::BearingModel &rigid)
 {
-  if (!s.question.bearing.row_hands_assumed)
-    return;
+  std::vector<BearingVariant> out;
   const RollerBearing &b = s.question.bearing;
+  if (!b.row_hands_assumed)
+    return out;
   for (const std::string &hands : usual_arrangements(b.rows))
     if (const std::string name = arrangement_name(hands, b.rows); name != arrangement_name(b.row_hands, b.rows)) {
-      rigid.bearing.row_hands = hands;
-      s.arrangements.push_back({name, solved(rigid, s)});
+      out.push_back({name, rigid});
+      out.back().model.bearing.row_hands = hands;
     }
+  return out;
+}
+
+std::vector<bearing::AssemblyState> solved_all(const RunContext &run, const BearingStudy &s,
+                                               const std::vector<BearingVariant> &variants)
+{
+  std::vector<bearing::AssemblyState> states(variants.size());
+  share_tasks(long(variants.size()), run.threads,
+              [&](const long i) { states[std::size_t(i)] = solved(variants[std::size_t(i)].model, s); });
+  return states;
+}
+
+std::vector<StudyVariant> named(const std::vector<BearingVariant> &variants,
+                                std::vector<bearing::AssemblyState> &&states)
+{
+  std::vector<StudyVariant> out;
+  for (std::size_t i = 0; i < variants.size(); ++i)
+    out.push_back({variants[i].about, std::move(states.at(i))});
+  return out;
 }
 
 // The radial stiffness by the other models, beside that of the case.
@@ -142,6 +164,65 @@ double largest_roller_load(const BearingQuestion &q)
   return bound;
 }
 
+namespace {
+bearing::BearingModel with_rigid_rings(bearing::BearingModel model)
+{
+  model.rings         = {};
+  model.bearing.rings = "rigid";
+  return model;
+}
+
+// Curves and working load by the model of the case, by the standard, and between rigid rings; then what each
+// ingredient is known to.  The curve's failure is left in the study.
+SolvedBearing solve_all(RunContext &run, BearingStudy &s)
+{
+  const BearingQuestion &q = s.question;
+  SolvedBearing out;
+  const auto rigid_model = with_rigid_rings(s.parts.model);
+  std::vector<bearing::RingDrive> drives;
+  for (const double load : q.loads)
+    drives.push_back(drive_of(q, load));
+  run.progress.at("bearing " + q.bearing.name, 0);
+  bearing::AssemblyCurve standard_curve, rigid_curve;
+  const auto by = [&](const bearing::BearingModel &model, bearing::AssemblyCurve &curve,
+                      bearing::AssemblyState &at) {
+    bearing::BearingAssembly assembly(model);
+    curve = assembly.curve(drives);
+    at    = assembly.solve(s.drive);
+  };
+  run_side_by_side(run, {[&](RunContext &own) {
+                           bearing::BearingAssembly assembly(s.parts.model);
+                           s.curve = assembly.curve(drives);
+                           out.at  = solve_or_keep(own, s, assembly);
+                         },
+                         [&](RunContext &) { by(standard_model(q, "iso"), standard_curve, out.standard); },
+                         [&](RunContext &) { by(rigid_model, rigid_curve, out.rigid); }});
+  run.progress.at("bearing " + q.bearing.name, 0.8);
+  out.palmgren        = bearing::BearingAssembly(standard_model(q, "palmgren")).solve(s.drive);
+  out.slice_deviation = s.slice_deviation = deviation_of_slices(s.parts, out.at.roller_load.maxCoeff());
+  out.companions                          = solved_all(run, s, companions_of(s));
+  out.supports                            = solved_all(run, s, s.parts.supports);
+  out.arrangements                        = solved_all(run, s, arrangements_of(s, rigid_model));
+  out.curve                               = s.curve.states;
+  out.standard_curve                      = std::move(standard_curve.states);
+  out.rigid_curve                         = std::move(rigid_curve.states);
+  return out;
+}
+
+SolvedBearing solved_or_kept(RunContext &run, BearingStudy &s)
+{
+  const BearingQuestion &q = s.question;
+  const std::string key = hash_of(bearing_inputs_text(q, s.parts.roller ? s.parts.roller->setup.largest_load : 0));
+  const auto save       = [&](const std::string &file, const std::string &of, const SolvedBearing &solved) {
+    if (!s.curve.failure)  // which the next run has to say again
+      save_bearing(file, of, solved);
+  };
+  return kept_part<SolvedBearing>(
+      run, "bearing " + q.bearing.name, run.cache + "/bearing-" + key + ".bin", key, load_bearing,
+      [&] { return solve_all(run, s); }, save);
+}
+}  // namespace
+
 BearingStudy study_bearing(RunContext &run, const BearingParts &parts, const BearingQuestion &q)
 {
   BearingStudy s;
@@ -149,34 +230,25 @@ BearingStudy study_bearing(RunContext &run, const BearingParts &parts, const Bea
   s.parts                  = parts;
   s.parts.model.cage_angle = q.cage_angle;
   s.drive                  = drive_of(q, q.radial);
-  StageTimer timer(run, "bearing " + q.bearing.name);
-  auto rigid_parts          = s.parts.model;
-  rigid_parts.rings         = {};
-  rigid_parts.bearing.rings = "rigid";
-  bearing::BearingAssembly assembly(s.parts.model), rigid(rigid_parts), iso(standard_model(q, "iso")),
-      palmgren(standard_model(q, "palmgren"));
-  std::vector<bearing::RingDrive> drives;
-  for (const double load : q.loads)
-    drives.push_back(drive_of(q, load));
-  run.progress.at("bearing " + q.bearing.name, 0);
-  s.curve          = assembly.curve(drives);
-  s.standard_curve = iso.curve(drives);
-  s.rigid_curve    = rigid.curve(drives);
+  SolvedBearing solved     = solved_or_kept(run, s);
+  s.curve.states           = std::move(solved.curve);
+  s.standard_curve.states  = std::move(solved.standard_curve);
+  s.rigid_curve.states     = std::move(solved.rigid_curve);
   if (s.curve.failure)
     run.warn(fmt::format("bearing {}: {}; the curve ends at {} of {} loads", q.bearing.name, s.curve.failure->what,
-                         s.curve.states.size(), drives.size()));
-  run.progress.at("bearing " + q.bearing.name, 0.8);
-  s.at             = solve_or_keep(run, s, assembly);
-  s.standard       = iso.solve(s.drive);
-  s.rigid          = rigid.solve(s.drive);
-  s.tangent        = bearing::radial_tangent(s.at, s.drive);
-  s.secant         = bearing::radial_secant(s.at);
-  s.tangent_across = bearing::stiffness_along(s.at, s.drive, 1);
-
-  s.slice_deviation = deviation_of_slices(s.parts, s.at.roller_load.maxCoeff());
-  add_companions(s);
-  add_arrangements(s, rigid_parts);
-  add_checks(s, palmgren.solve(s.drive), model_name(rigid_parts.bearing));
+                         s.curve.states.size(), q.loads.size()));
+  s.at              = std::move(solved.at);
+  s.standard        = std::move(solved.standard);
+  s.rigid           = std::move(solved.rigid);
+  s.tangent         = bearing::radial_tangent(s.at, s.drive);
+  s.secant          = bearing::radial_secant(s.at);
+  s.tangent_across  = bearing::stiffness_along(s.at, s.drive, 1);
+  s.slice_deviation = solved.slice_deviation;
+  const auto rigid  = with_rigid_rings(s.parts.model);
+  s.companions      = named(companions_of(s), std::move(solved.companions));
+  s.supports        = named(s.parts.supports, std::move(solved.supports));
+  s.arrangements    = named(arrangements_of(s, rigid), std::move(solved.arrangements));
+  add_checks(s, solved.palmgren, model_name(rigid.bearing));
   run.progress.at("bearing " + q.bearing.name, 1);
   return s;
 }

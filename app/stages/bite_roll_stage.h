@@ -5,4 +5,7 @@
 namespace mill {
 /// Flexibility of the work roll's surface in the bite, from its section on two meshes.
 fem::BiteRollResult roll_flexibility(RunContext &run, const BiteQuestion &question);
+
+/// Everything that the section depends on, as text; its hash is the key of the cache.
+std::string section_inputs(const BiteQuestion &question);
 }  // namespace mill

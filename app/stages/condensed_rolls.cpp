@@ -1,14 +1,14 @@
 #include "app/stages/condensed_rolls.h"
+#include "app/stages/kept_part.h"
 #include "core/records/files.h"
 #include "core/records/record_text.h"
 #include "fem/body/members.h"
 #include "fem/roll/roll_cache.h"
-#include "meshes/roll/contact_mesh_size.h"
 #include "meshes/common/gmsh_scope.h"
 #include "meshes/common/members.h"
+#include "meshes/roll/contact_mesh_size.h"
 #include <filesystem>
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -33,41 +33,32 @@ std::shared_ptr<const fem::CondensedRoll> condensed(RunContext &run, const std::
                                                     const Material &steel, const CondenseWish &wanted,
                                                     const bool companion)
 {
-  StageTimer timer(run, "condensation, " + name + (companion ? ", coarse mesh" : ""));
   const fem::CondenseOptions options = options_of(wanted, companion);
   const std::string key              = hash_of(roll_inputs(geometry, size, steel, wanted, companion));
   const std::string file             = run.cache + "/roll-" + key + ".bin";
-  std::string note;
-  auto stored = run.fresh && !run.made.count(key) ? std::nullopt : fem::load_roll(file, key, &note);
-  if (!note.empty())
-    run.progress.note(note);
-  if (stored) {
-    run.progress.note(name + ": condensed roll taken from " + file);
-    timer.cached = true;
-    return std::make_shared<const fem::CondensedRoll>(std::move(*stored));
-  }
-  const std::string mesh_file = run.out.staging() + "/roll-" + key + ".msh";
-  const MeshFile mesh         = meshes::mesh_roll(name, geometry, size, mesh_file);
-  const fem::ElasticBody body(mesh, steel, 2);
-  fem::CondensedRoll roll;
-  try {
-    roll = fem::condense(body, geometry, options, run.progress);
-  } catch (SolverError &e) {
-    e.report.what = name + ": " + e.report.what;
-    throw;
-  }
-  if (options.keep_fields)
-    roll.field_mesh = read_text(mesh_file);
-  fs::remove(mesh_file);
-  run.progress.note(fmt::format("{}: {} elements, {} unknowns, {} retained, factor {:.0f} MB", name, mesh.n_cells,
-                                roll.n_unknowns, roll.grid.area.size(), roll.factor_bytes / 1e6));
-  try {
-    fem::save_roll(file, key, roll);
-    run.made.insert(key);
-  } catch (const InputError &e) {
-    run.warn(std::string("a condensed roll could not be kept for the next run: ") + e.what());  // but it is good
-  }
-  return std::make_shared<const fem::CondensedRoll>(std::move(roll));
+  const auto make                    = [&] {
+    const std::string mesh_file = run.out.staging() + "/roll-" + key + ".msh";
+    const MeshFile mesh         = meshes::mesh_roll(name, geometry, size, mesh_file);
+    const fem::ElasticBody body(mesh, steel, 2);
+    fem::CondensedRoll roll;
+    try {
+      roll = fem::condense(body, geometry, options, run.progress, run.threads);
+    } catch (SolverError &e) {
+      e.report.what = name + ": " + e.report.what;
+      throw;
+    }
+    if (options.keep_fields)
+      roll.field_mesh = read_text(mesh_file);
+    fs::remove(mesh_file);
+    run.progress.note(fmt::format("{}: {} elements, {} unknowns, {} retained, factor {:.0f} MB", name,
+                                                     mesh.n_cells, roll.n_unknowns, roll.grid.area.size(), roll.factor_bytes / 1e6));
+    return roll;
+  };
+  const auto save = [](const std::string &to, const std::string &of, const fem::CondensedRoll &roll) {
+    fem::save_roll(to, of, roll);
+  };
+  return std::make_shared<const fem::CondensedRoll>(kept_part<fem::CondensedRoll>(
+      run, "condensation, " + name + (companion ? ", coarse mesh" : ""), file, key, fem::load_roll, make, save));
 }
 }  // namespace
 
@@ -82,8 +73,11 @@ CondensedPair condensed_pair(RunContext &run, const std::string &name, const Rol
                              const meshes::RollMeshSize &size, const Material &steel, const CondenseWish &wanted)
 {
   CondensedPair pair;
-  pair.coarse = condensed(run, name, geometry, meshes::coarsened(size), steel, wanted, true);
-  pair.fine   = condensed(run, name, geometry, size, steel, wanted, false);
+  run_side_by_side(
+      run, {[&](RunContext &own) { pair.fine = condensed(own, name, geometry, size, steel, wanted, false); },
+            [&](RunContext &own) {
+              pair.coarse = condensed(own, name, geometry, meshes::coarsened(size), steel, wanted, true);
+            }});
   return pair;
 }
 }  // namespace mill

@@ -88,12 +88,17 @@ void add_path_plateau(RunContext &run, const ContactModel &m, const std::string 
 void add_joint(RunContext &run, const ContactModel &m, const std::string &name, const double load,
                const double largest)
 {
-  const auto fine   = fem::fitted_joint_stiffness(m.whole, load, largest),
-             coarse = fem::fitted_joint_stiffness(m.whole_coarse, load, largest),
-             exact  = fem::joint_stiffness(m.whole, fem::solve_load(m.whole, load));
-  const double L    = m.closed_form.length;
-  const auto hertz  = reduce::line_contact(m.closed_form, load);
-  const double axes = m.whole.radii_sum;
+  const auto fitted = [&](const fem::ContactPair &pair) {
+    return fem::remembered(pair, fmt::format("joint {:a} {:a}", load, largest),
+                           [&] { return fem::fitted_joint_stiffness(pair, load, largest); });
+  };
+  const Eigen::MatrixXd fine = fitted(m.whole), coarse = fitted(m.whole_coarse),
+                        exact = fem::remembered(m.whole, fmt::format("joint at {:a}", load), [&] {
+                          return fem::joint_stiffness(m.whole, fem::solve_load(m.whole, load));
+                        });
+  const double L              = m.closed_form.length;
+  const auto hertz            = reduce::line_contact(m.closed_form, load);
+  const double axes           = m.whole.radii_sum;
   const std::string method =
       "contact FEM, slope over the load fitted, frictionless, " + m.whole.reference + ", theory.md (2.14)";
   // Own to each entry: two meshes, and how far the active set of this one load stands from the fit.

@@ -38,12 +38,6 @@ std::pair<double, double> facing_part(const FourHigh &stand)
   return {std::max(-L_backup, shift - L_work), std::min(L_backup, shift + L_work)};
 }
 
-reduce::CylinderPair closed_form(const FourHigh &stand)
-{
-  const auto [low, high] = facing_part(stand);
-  return {stand.work_roll.barrel_diameter, stand.backup_roll.barrel_diameter, high - low, stand.steel};
-}
-
 bool reaches_patch_edge(const fem::ContactPair &pair, const double load)
 {
   const auto point = fem::solve_load(pair, load);
@@ -94,8 +88,16 @@ void make_pairs(ContactModel &m, const std::string &name, const FourHigh &stand,
   m.whole_coarse    = mirrored(*m.backup.coarse, *m.work.coarse, fem::Extent::whole);
   m.in_stand        = in_stand(*m.backup.fine, *m.work.fine);
   m.in_stand_coarse = in_stand(*m.backup.coarse, *m.work.coarse);
+  for (fem::ContactPair *pair : all_pairs(m))
+    pair->solved = std::make_shared<fem::SolvedLoads>();
 }
 }  // namespace
+
+reduce::CylinderPair closed_form(const FourHigh &stand)
+{
+  const auto [low, high] = facing_part(stand);
+  return {stand.work_roll.barrel_diameter, stand.backup_roll.barrel_diameter, high - low, stand.steel};
+}
 
 std::vector<fem::ContactPair *> all_pairs(ContactModel &m)
 {
@@ -150,9 +152,12 @@ ContactModel contact_model(RunContext &run, const FourHigh &stand, const std::st
   // Crown, bending and a narrow strip gather the load, so the contact may be wider than that of a uniform load.
   for (double reach = first_reach; reach < 12; reach *= 1.5) {
     const auto plan = planned_rolls(stand, settings, largest_load, reach);
-    m.backup =
-        condensed_pair(run, "backup roll", plan.backup.geometry, plan.backup.size, stand.steel, plan.wanted);
-    m.work = condensed_pair(run, "work roll", plan.work.geometry, plan.work.size, stand.steel, plan.wanted);
+    const auto into = [&](CondensedPair &pair, const char *roll, const PlannedRoll &planned) {
+      return [&, roll](RunContext &own) {
+        pair = condensed_pair(own, roll, planned.geometry, planned.size, stand.steel, plan.wanted);
+      };
+    };
+    run_side_by_side(run, {into(m.backup, "backup roll", plan.backup), into(m.work, "work roll", plan.work)});
     make_pairs(m, name, stand, settings);
     if (!reaches_patch_edge(m.mirrored, largest_load) && !reaches_patch_edge(m.in_stand, largest_load))
       return m;

@@ -18,6 +18,9 @@ struct ContactModel {
   fem::Extent extent = fem::Extent::quarter;
 };
 
+/// The two rolls of a contact as cylinders without ends.
+reduce::CylinderPair closed_form(const FourHigh &stand);
+
 /// Every pair of a model.
 std::vector<fem::ContactPair *> all_pairs(ContactModel &model);
 

@@ -4,8 +4,11 @@
 #include "app/stages/contact_model.h"
 #include "app/stages/contact_slope.h"
 #include "app/stages/curve_files.h"
+#include "app/stages/contact_store.h"
 #include "app/stages/second_engine.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/process/parallel.h"
+#include "core/records/files.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -20,7 +23,9 @@ struct Study {
   ContactModel model;
   ContactCurve mirrored, in_stand, coarse, in_stand_coarse;
   std::optional<SecondEngine> second;
-  std::string twin;  // contact that is the same one, already written
+  std::string twin;   // contact that is the same one, already written
+  std::string key;    // of what is solved, in the cache
+  bool kept = false;  // all of it was there
 };
 
 }  // namespace
@@ -214,20 +219,89 @@ void add_section(RunContext &run, const Study &s, const FourHigh &stand, const d
   }
 }
 
+std::string file_of(const RunContext &run, const Study &s)
+{
+  return run.cache + "/contact-" + s.key + ".bin";
+}
+
+// What an earlier run solved of this contact.
+std::optional<SolvedStudy> kept_study(RunContext &run, const Study &s)
+{
+  std::string note;
+  auto kept = run.fresh ? std::nullopt : load_study(file_of(run, s), s.key, &note);
+  if (!note.empty())
+    run.progress.note(note);
+  return kept;
+}
+
+void take_over(Study &s, SolvedStudy &&kept)
+{
+  s.mirrored        = std::move(kept.mirrored);
+  s.in_stand        = std::move(kept.in_stand);
+  s.coarse          = std::move(kept.coarse);
+  s.in_stand_coarse = std::move(kept.in_stand_coarse);
+  s.second          = std::move(kept.second);
+  s.kept            = true;
+  const auto pairs  = all_pairs(s.model);
+  for (std::size_t i = 0; i < pairs.size() && i < kept.known.size(); ++i)
+    pairs[i]->solved = std::make_shared<fem::SolvedLoads>(std::move(kept.known[i]));
+}
+
+// Curves and single loads outlive the run once all that is read off them has been.
+void keep_study(RunContext &run, Study &s)
+{
+  if (s.kept)
+    return;
+  SolvedStudy all{s.mirrored, s.in_stand, s.coarse, s.in_stand_coarse, s.second, {}};
+  for (const fem::ContactPair *pair : all_pairs(s.model))
+    all.known.push_back(pair->solved->known());
+  try {
+    save_study(file_of(run, s), s.key, all);
+  } catch (const InputError &e) {
+    run.warn("contact " + s.name + " could not be kept for the next run: " + e.what());
+  }
+}
+
+// The curves of both engines, side by side.
+void sweep_all(RunContext &run, const FourHigh &stand, Study &s, const ContactSettings &settings,
+               const std::optional<FourierRolls> &second, const std::array<double, 2> &reach, const double load)
+{
+  StageTimer timer(run, "contact " + s.name);
+  const auto range = fem::log_spaced(reach[0], reach[1], settings.samples);
+  // The second curve is smooth, every other load does; the largest is the last of both.
+  const auto every_other = fem::log_spaced(reach[0], reach[1], std::max(8, (settings.samples + 1) / 2));
+  const auto swept       = [&](ContactCurve &curve, const fem::ContactPair &pair) {
+    return [&](RunContext &own) { curve = fem::sweep(pair, range, own.progress); };
+  };
+  std::vector<IndependentStage> sweeps{swept(s.mirrored, s.model.mirrored), swept(s.in_stand, s.model.in_stand),
+                                       swept(s.coarse, s.model.coarse),
+                                       swept(s.in_stand_coarse, s.model.in_stand_coarse)};
+  if (second)
+    sweeps.push_back([&](RunContext &own) {
+      s.second = solve_again(own, stand, *second, s.name, settings, every_other, load);
+    });
+  run_side_by_side(run, std::move(sweeps));
+}
+
 Study study_of(RunContext &run, const FourHigh &stand, const std::string &name, const std::string &K,
                const ContactSettings &settings, const std::vector<double> &loads)
 {
-  const auto [low, high] = swept_range(name, settings, loads);
-  Study s{name, K, contact_model(run, stand, name, settings, high), {}, {}, {}, {}, {}, {}};
-  StageTimer timer(run, "contact " + name);
-  const auto range  = fem::log_spaced(low, high, settings.samples);
-  s.mirrored        = fem::sweep(s.model.mirrored, range, run.progress);
-  s.in_stand        = fem::sweep(s.model.in_stand, range, run.progress);
-  s.coarse          = fem::sweep(s.model.coarse, range, run.progress);
-  s.in_stand_coarse = fem::sweep(s.model.in_stand_coarse, range, run.progress);
-  // The second curve is smooth, every other load does; the largest is the last of both.
-  const auto every_other = fem::log_spaced(low, high, std::max(8, (settings.samples + 1) / 2));
-  s.second               = solve_again(run, stand, s.model, name, settings, every_other, loads[0]);
+  const auto range = swept_range(name, settings, loads);
+  Study s;
+  s.name    = name;
+  s.K       = K;
+  s.key     = hash_of(contact_inputs(stand, name, settings, loads));
+  auto kept = kept_study(run, s);
+  std::optional<FourierRolls> second;
+  std::vector<IndependentStage> rolls{
+      [&](RunContext &own) { s.model = contact_model(own, stand, name, settings, range[1]); }};
+  if (second_engine_knows(run, stand, name) && !kept)
+    rolls.push_back([&](RunContext &own) { second = fourier_rolls(own, stand, settings, range[1]); });
+  run_side_by_side(run, std::move(rolls));
+  if (kept)
+    take_over(s, std::move(*kept));
+  else
+    sweep_all(run, stand, s, settings, second, range, loads[0]);
   return s;
 }
 
@@ -288,11 +362,22 @@ std::map<std::string, SolvedContact> solve_contacts(RunContext &run, const FourH
                                                     const std::vector<double> &loads)
 {
   std::map<std::string, SolvedContact> out;
-  const Study upper = study_of(run, stand, "upper", "K3", stand.upper_contact, loads);
-  const Study lower = same_contact(stand) ? renamed(upper, "lower", "K5")
-                                          : study_of(run, stand, "lower", "K5", stand.lower_contact, loads);
-  out["upper"]      = report_study(run, stand, upper, stand.upper_contact, loads);
-  out["lower"]      = report_study(run, stand, lower, stand.lower_contact, loads);
+  const bool upper = !stand.given.count("K3"), lower = !stand.given.count("K5");
+  std::vector<Study> studies;
+  if (upper)
+    studies.push_back(study_of(run, stand, "upper", "K3", stand.upper_contact, loads));
+  if (lower)
+    studies.push_back(upper && same_contact(stand)
+                          ? renamed(studies[0], "lower", "K5")
+                          : study_of(run, stand, "lower", "K5", stand.lower_contact, loads));
+  for (Study &s : studies) {
+    StageTimer timer(run, "contact " + s.name + ", results");
+    timer.cached         = s.kept;
+    const auto &settings = s.name == "upper" ? stand.upper_contact : stand.lower_contact;
+    out[s.name]          = report_study(run, stand, s, settings, loads);
+    if (s.twin.empty())
+      keep_study(run, s);
+  }
   return out;
 }
 }  // namespace mill

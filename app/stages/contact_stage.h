@@ -1,7 +1,7 @@
 #pragma once
 #include "app/run_context.h"
-#include "core/records/records.h"
 #include "core/model/stand.h"
+#include "core/records/records.h"
 #include <map>
 #include <string>
 #include <vector>
@@ -22,7 +22,8 @@ std::array<double, 2> swept_range(const std::string &name, const ContactSettings
                                   const std::vector<double> &loads);
 
 /// Solves the roll contacts upper (K3) and lower (K5) by finite elements at the working loads, writes
-/// curves/contact-*.csv and fields/*.vtu, and adds K3.*, K5.* and contact.*.* to the results.
+/// curves/contact-*.csv and fields/*.vtu, and adds K3.*, K5.* and contact.*.* to the results.  A contact whose
+/// stiffness is given is not solved and not in the answer.
 /// @param loads  (passes) N, working loads
 std::map<std::string, SolvedContact> solve_contacts(RunContext &run, const FourHigh &stand,
                                                     const std::vector<double> &loads);

@@ -28,12 +28,16 @@ void solve_cylinders(RunContext &run, const TwoCylinders &spec)
 {
   const ContactSettings &c = spec.contact;
   const reduce::CylinderPair metre{spec.upper_diameter, spec.lower_diameter, 1, spec.steel};
-  const auto slab = [&](const std::string &name, const double diameter) {
+  const auto slab = [&](RunContext &own, const std::string &name, const double diameter) {
     const PlannedRoll plan = planned_cylinder(spec, diameter);
-    return condensed_pair(run, name, plan.geometry, plan.size, spec.steel, {true, false, false});
+    return condensed_pair(own, name, plan.geometry, plan.size, spec.steel, {true, false, false});
   };
-  const CondensedPair upper = slab("upper cylinder", spec.upper_diameter),
-                      lower = slab("lower cylinder", spec.lower_diameter);
+  CondensedPair upper, lower;
+  const auto slab_into = [&](CondensedPair &pair, const std::string &name, const double diameter) {
+    return [&, name, diameter](RunContext &own) { pair = slab(own, name, diameter); };
+  };
+  run_side_by_side(run, {slab_into(upper, "upper cylinder", spec.upper_diameter),
+                         slab_into(lower, "lower cylinder", spec.lower_diameter)});
   StageTimer timer(run, "contact line");
   const auto contact = [&](const fem::CondensedRoll &a, const fem::CondensedRoll &b) {
     auto pair      = fem::make_pair("line", a, fem::held_by_mirror(a), b, fem::held_by_mirror(b),

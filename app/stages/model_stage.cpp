@@ -140,7 +140,7 @@ void say_what_differs(RunContext &run, const FourHigh &stand)
     run.assume(
         "given.K_ZW stiffens the backup rolls of six masses and beams; the finite elements keep what is drawn");
   const double facing       = std::min(stand.work_roll.barrel_length, stand.backup_roll.barrel_length);
-  const Parameter *touching = run.results.find("contact.upper.contact_length");
+  const Parameter *touching = run.find("contact.upper.contact_length");
   if (touching && touching->value < 0.98 * facing)
     run.assume(
         fmt::format("beams and finite elements are joined by K3 and K5 spread evenly over the common barrel; the "

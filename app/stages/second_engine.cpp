@@ -1,13 +1,14 @@
 #include "app/stages/second_engine.h"
 #include "app/stages/contact_stage.h"
+#include "app/stages/kept_part.h"
 #include "core/records/files.h"
 #include "core/records/record_text.h"
+#include "fem/body/members.h"
 #include "fem/roll/contact_study.h"
 #include "fem/roll/fourier_contact.h"
-#include "fem/body/members.h"
 #include "fem/roll/roll_cache.h"
-#include "meshes/common/gmsh_scope.h"
 #include "meshes/bearing/meridian.h"
+#include "meshes/common/gmsh_scope.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -23,31 +24,22 @@ constexpr const char *stage_version = "fourier 2";
 fem::FourierRoll fourier_roll(RunContext &run, const std::string &name, const RollGeometry &g, const Material &m,
                               const fem::FourierOptions &options, const Eigen::VectorXd &edge)
 {
-  StageTimer timer(run, "Fourier series, " + name);
   const std::string key  = hash_of(fourier_inputs(g, m, options, edge));
   const std::string file = run.cache + "/fourier-" + key + ".bin";
-  std::string note;
-  auto stored = run.fresh && !run.made.count(key) ? std::nullopt : fem::load_fourier_roll(file, key, &note);
-  if (!note.empty())
-    run.progress.note(note);
-  if (stored) {
-    timer.cached = true;
-    return std::move(*stored);
-  }
-  const std::string own = run.out.staging() + "/fourier-" + key + ".msh";
-  const MeshFile mesh   = meshes::mesh_meridian(name, g, meshes::meridian_size(options.half_width), own);
-  const fem::SectionBody body(mesh, m, 2, fem::Section::axisymmetric);
-  fs::remove(own);
-  auto roll =
-      fem::fourier_roll(body, g, m, edge.size() > 0 ? edge : fem::stations_of(body), options, run.progress);
-  try {
-    fem::save_roll(file, key, roll);
-    run.made.insert(key);
-  } catch (const InputError &e) {
-    run.warn(std::string("a condensed roll could not be kept for the next run: ") + e.what());
-  }
-  return roll;
+  const auto make        = [&] {
+    const std::string own = run.out.staging() + "/fourier-" + key + ".msh";
+    const MeshFile mesh   = meshes::mesh_meridian(name, g, meshes::meridian_size(options.half_width), own);
+    const fem::SectionBody body(mesh, m, 2, fem::Section::axisymmetric);
+    fs::remove(own);
+    return fem::fourier_roll(body, g, m, edge.size() > 0 ? edge : fem::stations_of(body), options, run.progress);
+  };
+  const auto save = [](const std::string &to, const std::string &of, const fem::FourierRoll &roll) {
+    fem::save_roll(to, of, roll);
+  };
+  return kept_part<fem::FourierRoll>(run, "Fourier series, " + name, file, key, fem::load_fourier_roll, make,
+                                     save);
 }
+
 // The approach as the first engine counts it: from the first touch, and under a force off the middle at the force.
 ContactCurve counted_from_touch(const fem::FourierPair &pair, ContactCurve curve, const fem::FourierDrive &drive)
 {
@@ -79,27 +71,39 @@ std::string fourier_inputs(const RollGeometry &geometry, const Material &steel, 
                      options, edge);
 }
 
-std::optional<SecondEngine> solve_again(RunContext &run, const FourHigh &stand, const ContactModel &model,
-                                        const std::string &name, const ContactSettings &settings,
-                                        const Eigen::VectorXd &loads, const double working_load)
+bool second_engine_knows(RunContext &run, const FourHigh &stand, const std::string &name)
 {
   const auto &bending = stand.work_roll.bending_force;
-  if (stand.work_roll.axial_shift != 0 || bending[0] != 0 || bending[1] != 0) {
-    run.assume(
-        fmt::format("contact {}: the second engine does not know {}; the error estimates come from two meshes "
-                    "of the first one only",
-                    name, stand.work_roll.axial_shift != 0 ? "shifted rolls" : "roll bending forces"));
-    return {};
-  }
-  const bool whole = model.extent == fem::Extent::whole;
+  if (stand.work_roll.axial_shift == 0 && bending[0] == 0 && bending[1] == 0)
+    return true;
+  run.assume(
+      fmt::format("contact {}: the second engine does not know {}; the error estimates come from two meshes "
+                  "of the first one only",
+                  name, stand.work_roll.axial_shift != 0 ? "shifted rolls" : "roll bending forces"));
+  return false;
+}
+
+FourierRolls fourier_rolls(RunContext &run, const FourHigh &stand, const ContactSettings &settings,
+                           const double largest)
+{
+  const PlannedPair plan = planned_rolls(stand, settings, largest, first_reach);
   fem::FourierOptions options;
   // For the whole sweep, so that another working load finds the rolls in the cache: the contact at a quarter of
   // the largest load.  Below it the harmonics follow their asymptote.
-  options.half_width   = 0.5 * reduce::line_contact(model.closed_form, loads[loads.size() - 1]).half_width;
-  options.both_sides   = whole;
-  const auto &geometry = model.backup.fine->geometry;
-  const auto backup    = fourier_roll(run, "backup roll", geometry, stand.steel, options, {});
-  const auto work = fourier_roll(run, "work roll", model.work.fine->geometry, stand.steel, options, backup.edge);
+  options.half_width = 0.5 * reduce::line_contact(closed_form(stand), largest).half_width;
+  options.both_sides = plan.wanted.both_sides;
+  FourierRolls rolls;
+  rolls.backup = fourier_roll(run, "backup roll", plan.backup.geometry, stand.steel, options, {});
+  rolls.work   = fourier_roll(run, "work roll", plan.work.geometry, stand.steel, options, rolls.backup.edge);
+  return rolls;
+}
+
+SecondEngine solve_again(RunContext &run, const FourHigh &stand, const FourierRolls &rolls,
+                         const std::string &name, const ContactSettings &settings, const Eigen::VectorXd &loads,
+                         const double working_load)
+{
+  const bool whole           = is_one_sided(stand, settings);
+  const auto &[backup, work] = rolls;
   StageTimer timer(run, "contact " + name + ", second engine");
   const Eigen::VectorXd side = fem::station_centres(backup.edge);
   Eigen::VectorXd z          = side;

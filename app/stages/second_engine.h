@@ -16,12 +16,24 @@ struct SecondEngine {
 std::string fourier_inputs(const RollGeometry &geometry, const Material &steel, const fem::FourierOptions &options,
                            const Eigen::VectorXd &edge);
 
-/// Condenses both rolls (or takes them from the cache) and sweeps the loads.  Nothing for shifted rolls or bending
-/// forces on the chocks, which this engine does not know; the run then says so.
+/// Both rolls as the second engine has them.
+struct FourierRolls {
+  fem::FourierRoll backup, work;
+};
+
+/// False for shifted rolls or bending forces on the chocks, which this engine does not know; the run then says so.
+bool second_engine_knows(RunContext &run, const FourHigh &stand, const std::string &name);
+
+/// Condenses both rolls, or takes them from the cache.
+/// @param largest  N, of the loads that will be swept
+FourierRolls fourier_rolls(RunContext &run, const FourHigh &stand, const ContactSettings &settings,
+                           double largest);
+
+/// Sweeps the loads.
 /// @throws SolverError  as the engine
-std::optional<SecondEngine> solve_again(RunContext &run, const FourHigh &stand, const ContactModel &model,
-                                        const std::string &name, const ContactSettings &settings,
-                                        const Eigen::VectorXd &loads, double working_load);
+SecondEngine solve_again(RunContext &run, const FourHigh &stand, const FourierRolls &rolls,
+                         const std::string &name, const ContactSettings &settings, const Eigen::VectorXd &loads,
+                         double working_load);
 
 /// Adds contact.<name>.line_load_spread: largest difference of the line load between the engines over its mean,
 /// where both are in contact and not within nine half widths of where it ends, since the pressure is singular at a

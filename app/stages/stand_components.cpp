@@ -1,14 +1,15 @@
 #include "app/stages/stand_components.h"
-#include "core/records/files.h"
+#include "app/stages/kept_part.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/records/files.h"
 #include "core/records/record_text.h"
 #include "fem/body/component_cache.h"
-#include "fem/housing/housing_component.h"
 #include "fem/body/members.h"
+#include "fem/housing/housing_component.h"
 #include "fem/roll/roll_component.h"
 #include "meshes/common/gmsh_scope.h"
-#include "meshes/housing/housing.h"
 #include "meshes/common/members.h"
+#include "meshes/housing/housing.h"
 #include "meshes/roll/roll.h"
 #include "reduce/chain/chain_keys.h"
 #include <Eigen/Dense>
@@ -19,7 +20,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace mill {
 namespace {
@@ -29,32 +31,18 @@ constexpr const char *stage_version = "components 2";
 Component cached(RunContext &run, const std::string &name, const std::string &inputs,
                  const std::function<Component()> &make)
 {
-  StageTimer timer(run, "components, " + name);
-  const std::string key  = hash_of(fmt::format("{} {} {} {} {}", stage_version, fem::library_version(),
-                                               meshes::library_version(), name, inputs));
-  const std::string file = run.cache + "/component-" + key + ".bin";
-  std::string note;
-  std::optional<Component> stored;
-  if (!run.fresh || run.made.count(key))
-    stored = fem::load_component(file, key, &note);
-  if (!note.empty())
-    run.progress.note(note);
-  if (stored) {
-    timer.cached = true;
-    return *stored;
-  }
-  const Component made = make();
-  run.progress.note(fmt::format("{}: {}, {} interface displacements, {} modes to {:.0f} Hz, shows up to {:.0f} Hz",
-                                name, made.source, made.n_interface(), made.fixed_frequency.size(),
-                                made.fixed_frequency.size() > 0 ? made.fixed_frequency.maxCoeff() : 0.,
-                                made.reach));
-  try {
-    fem::save_component(file, key, made);
-    run.made.insert(key);
-  } catch (const InputError &e) {
-    run.warn(std::string("a reduced body could not be kept for the next run: ") + e.what());  // but it is good
-  }
-  return made;
+  const std::string key = hash_of(fmt::format("{} {} {} {} {}", stage_version, fem::library_version(),
+                                              meshes::library_version(), name, inputs));
+  const auto made       = [&] {
+    Component c = make();
+    run.progress.note(
+              fmt::format("{}: {}, {} interface displacements, {} modes to {:.0f} Hz, shows up to {:.0f} Hz", name,
+                          c.source, c.n_interface(), c.fixed_frequency.size(),
+                    c.fixed_frequency.size() > 0 ? c.fixed_frequency.maxCoeff() : 0., c.reach));
+    return c;
+  };
+  return kept_part<Component>(run, "components, " + name, run.cache + "/component-" + key + ".bin", key,
+                              fem::load_component, made, fem::save_component);
 }
 
 // A mesh that follows waves to the frequency limit: as fine as the case says, or finer.
@@ -68,7 +56,7 @@ constexpr int finest = 6;  // elements per radius that are chosen unasked: more 
 RollMesh mesh_of(RunContext &run, const std::string &name, const RollGeometry &g, const Material &steel,
                  const int n)
 {
-  const std::string path = fmt::format("{}/{}-{}.msh", run.out.staging(), slug(name), ::getpid());
+  const std::string path = fmt::format("{}/{}-{}.msh", run.out.staging(), slug(name), n);
   const MeshFile mesh    = meshes::mesh_roll(name, g, meshes::vibration_mesh_size(g, n), path);
   RollMesh made{std::make_unique<fem::ElasticBody>(mesh, steel, 2), 0};
   made.reach = fem::roll_reach(*made.body, g, steel);
@@ -152,7 +140,7 @@ Component housing(RunContext &run, const FourHigh &stand, const bool fine)
   const MillHousing &h = stand.housing;
   const auto size      = housing_size(stand, !fine);
   return cached(run, fine ? "housing" : "housing, coarse mesh", housing_component_inputs(stand, !fine), [&] {
-    const std::string path = fmt::format("{}/housing-{}.msh", run.out.staging(), ::getpid());
+    const std::string path = fmt::format("{}/housing-{}.msh", run.out.staging(), fine ? "fine" : "coarse");
     const MeshFile mesh    = meshes::mesh_housing(h, size, path);
     const fem::ElasticBody body(mesh, h.steel, 2);
     fem::HousingComponentOptions options;
@@ -178,19 +166,22 @@ std::string housing_component_inputs(const FourHigh &stand, const bool coarse)
 
 ComponentSets stand_components(RunContext &run, const FourHigh &stand, const bool with_housing)
 {
-  ReducedRoll work = roll(run, "work roll", stand.work_roll, stand);
-  run.progress.at("components", 0.3);
-  ReducedRoll backup = roll(run, "backup roll", stand.backup_roll, stand);
-  run.progress.at("components", 0.6);
+  ReducedRoll work, backup;
+  std::optional<Component> fine_housing, coarse_housing;
+  const bool housed = with_housing && stand.housing.present();
+  std::vector<IndependentStage> stages{
+      [&](RunContext &own) { work = roll(own, "work roll", stand.work_roll, stand); },
+      [&](RunContext &own) { backup = roll(own, "backup roll", stand.backup_roll, stand); }};
+  if (housed) {
+    stages.push_back([&](RunContext &own) { fine_housing = housing(own, stand, true); });
+    stages.push_back([&](RunContext &own) { coarse_housing = housing(own, stand, false); });
+  }
+  run_side_by_side(run, std::move(stages));
   ComponentSets sets{
-      {std::move(work.fine),   std::move(backup.fine),   std::nullopt},
-      {std::move(work.coarse), std::move(backup.coarse), std::nullopt}
+      {std::move(work.fine),   std::move(backup.fine),   std::move(fine_housing)  },
+      {std::move(work.coarse), std::move(backup.coarse), std::move(coarse_housing)}
   };
   sets.present = true;
-  if (with_housing && stand.housing.present()) {
-    sets.coarse.housing = housing(run, stand, false);
-    sets.fine.housing   = housing(run, stand, true);
-  }
   run.progress.at("components", 1);
   return sets;
 }

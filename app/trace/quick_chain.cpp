@@ -152,6 +152,23 @@ double factor(const SpringFactors &factors, const std::string &name)
   return known == factors.end() ? 1 : known->second;
 }
 
+// A bearing that is given is known along its load only, and both of a backup roll are twice the given one.
+void follow_given_bearing(QuickResult &r, const FourHigh &stand)
+{
+  const std::string seat = r.name == "K_Zy" ? "Kzc1" : r.name == "K_Zy_lower" ? "Kzc4" : r.name.substr(0, 4);
+  if (seat == r.name || seat.substr(0, 3) != "Kzc" || !is_given(stand.given, seat))
+    return;
+  if (r.name == seat + "_across") {
+    r.parameter.value  = not_given;
+    r.parameter.inputs = r.closed = {};
+  } else if (r.name.substr(0, 4) == "K_Zy") {
+    const std::string name = r.name;
+    r                      = given_result(seat, stand.given.at(seat).parameter);
+    r.name                 = name;
+    r.parameter.value *= 2;
+  }
+}
+
 // Springs that finite elements would give, in closed form or given.
 void add_springs(QuickResults &all, const FourHigh &stand, const std::size_t p, const std::string &prefix,
                  const double load, const SpringFactors &factors)
@@ -163,6 +180,7 @@ void add_springs(QuickResults &all, const FourHigh &stand, const std::size_t p, 
   for (QuickResult &r : made) {
     r.parameter.inputs = spring_keys(stand, r.name, p);
     r.parameter.value *= factor(factors, prefix + r.name);
+    follow_given_bearing(r, stand);
     const std::string given = r.name == "K_Zy_lower" ? "K_Zy" : r.name;  // one value for both backup rolls
     if (is_given(stand.given, given)) {
       const std::string name = r.name;

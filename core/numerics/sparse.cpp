@@ -1,11 +1,15 @@
 #include "core/numerics/sparse.h"
 #include "core/case/errors.h"
+#include "core/numerics/blas_threads.h"
 #include "core/process/memory.h"
+#include "core/process/stage_work.h"
 #include <algorithm>
 #include <cholmod.h>
+#include <condition_variable>
 #include <dlfcn.h>
 #include <filesystem>
 #include <metis.h>
+#include <mutex>
 #include <numeric>
 #include <omp.h>
 
@@ -27,6 +31,51 @@ SolverError no_memory(const std::string &what, const double needed, const double
                       "threads (--threads), or a higher limit",
                       ""});
 }
+
+thread_local int threads_of_this = 0;  // 0: nobody set them
+
+// CHOLMOD asks for four threads whatever the machine has; a thread that nobody set has none to give.
+void use_own_threads()
+{
+  if (threads_of_this == 0)
+    set_blas_threads(1);
+}
+
+// Memory that a factorisation is granted until it has taken it; another one that no longer fits beside it waits.
+class MemoryGrant {
+public:
+  MemoryGrant(const double needed, const double limit) : bytes(needed)
+  {
+    std::unique_lock lock(state().access);
+    state().returned.wait(lock, [&] { return state().granted == 0 || state().granted + bytes <= limit; });
+    state().granted += bytes;
+    ++state().holders;
+  }
+  ~MemoryGrant()
+  {
+    {
+      const std::lock_guard lock(state().access);
+      state().granted = --state().holders == 0 ? 0 : state().granted - bytes;
+    }
+    state().returned.notify_all();
+  }
+  MemoryGrant(const MemoryGrant &)            = delete;
+  MemoryGrant &operator=(const MemoryGrant &) = delete;
+
+private:
+  struct State {
+    std::mutex access;
+    std::condition_variable returned;
+    double granted = 0;  // byte
+    int holders    = 0;
+  };
+  static State &state()
+  {
+    static State one;
+    return one;
+  }
+  double bytes;
+};
 
 // Node graph of the unknowns that are not retained, and METIS' order of it.
 std::vector<int> nested_dissection(const SymmetricSparse &K, const std::vector<int> &node_of,
@@ -85,6 +134,7 @@ struct CondensingFactor::Implementation {
 
   Implementation()
   {
+    use_own_threads();
     cholmod_l_start(&common);
     common.print              = 0;
     common.supernodal         = CHOLMOD_SUPERNODAL;
@@ -145,8 +195,11 @@ CondensingFactor::CondensingFactor(const SymmetricSparse &K, const std::vector<i
   // complement there are the factor, the inverse and what the caller makes of it.
   const double copies = 16. * double(K.nonZeros()) + 8. * double(self->L->maxcsize);
   const double needed = self->cost.bytes + copies + 3 * 8. * double(m) * double(m);
-  if (needed > (available > 0 ? available : memory_left().bytes))
+  const double limit  = available > 0 ? available : memory_left().bytes;
+  if (needed > limit)
     throw no_memory("the factor of " + matrix + " with what is made of it", needed, available);
+  const MemoryGrant grant(needed, limit);
+  StageWork::add({long(n), self->cost.n_nonzeros, self->cost.n_flops});
   // Postordering may renumber columns; the retained unknowns must still be the last, in their order.
   const auto *perm = static_cast<const SuiteSparse_long *>(self->L->Perm);
   for (int i = 0; i < m; ++i)
@@ -191,6 +244,7 @@ Eigen::MatrixXd CondensingFactor::schur_factor() const
 
 Eigen::MatrixXd CondensingFactor::solve(const Eigen::MatrixXd &B) const
 {
+  use_own_threads();
   cholmod_dense b{};
   b.nrow = b.d     = B.rows();
   b.ncol           = B.cols();
@@ -208,6 +262,7 @@ Eigen::MatrixXd CondensingFactor::solve(const Eigen::MatrixXd &B) const
 
 Eigen::MatrixXd inverse_from_factor(const Eigen::MatrixXd &lower)
 {
+  use_own_threads();
   Eigen::MatrixXd inverse = lower;
   const int n             = int(lower.rows());
   int info                = 0;
@@ -236,6 +291,19 @@ bool is_reference_blas(const std::string &path)
 
 void set_blas_threads(const int n)
 {
-  omp_set_num_threads(n);  // the openmp flavour of OpenBLAS and CHOLMOD share this pool
+  threads_of_this = n;
+  omp_set_num_threads(n);                    // the openmp flavour of OpenBLAS and CHOLMOD share this pool
+  omp_set_max_active_levels(n > 1 ? 1 : 0);  // CHOLMOD names its own number of threads; at level 0 it gets one
+}
+
+OneBlasThread::OneBlasThread() : before(threads_of_this)
+{
+  set_blas_threads(1);
+}
+
+OneBlasThread::~OneBlasThread()
+{
+  if (before > 1)
+    set_blas_threads(before);
 }
 }  // namespace mill

@@ -1,45 +1,12 @@
 #pragma once
-#include <algorithm>
-#include <atomic>
-#include <exception>
-#include <mutex>
-#include <thread>
-#include <vector>
+#include <functional>
 
 namespace mill {
-/// Calls task(i) for i = 0 .. n-1 from up to `threads` threads, the caller's among them; each i once, in no order.
-/// Fewer threads than asked for do the work where the system starts no more.
+/// Calls task(i) for i = 0 .. n-1 from up to `threads` threads, the caller's among them; each i once, the lowest
+/// first.  Fewer threads than asked for do the work where the system starts no more.  Tasks may share out work of
+/// their own: all of it goes to the same threads (oneTBB's, no more than the machine has processors), and a thread
+/// that waits takes up nothing but parts of what it waits for.
 /// Tasks write to places of their own, so that the outcome is the same with any number of threads.
 /// An exception of a task ends the work and comes out here, the first of several.
-template <class Task> void share_tasks(const long n, const int threads, const Task &task)
-{
-  std::atomic<long> next{0};
-  std::exception_ptr failure;
-  std::mutex failing;
-  const auto work = [&] {
-    for (long i = next++; i < n; i = next++)
-      try {
-        task(i);
-      } catch (...) {
-        const std::lock_guard lock(failing);
-        if (!failure)
-          failure = std::current_exception();
-        next = n;
-      }
-  };
-  const long wanted = std::min<long>(threads, n) - 1;
-  std::vector<std::thread> others;
-  others.reserve(std::size_t(std::max(0L, wanted)));
-  try {
-    for (long i = 0; i < wanted; ++i)
-      others.emplace_back(work);
-  } catch (const std::exception &) {
-    // the system starts no more threads, or has no memory for them: those that run share the tasks
-  }
-  work();
-  for (std::thread &other : others)
-    other.join();
-  if (failure)
-    std::rethrow_exception(failure);
-}
+void share_tasks(long n, int threads, const std::function<void(long)> &task);
 }  // namespace mill

@@ -1,10 +1,11 @@
 #pragma once
 #include "core/model/material.h"
-#include "core/records/mesh_file.h"
 #include "core/model/ring_sections.h"
+#include "core/model/roller_bearing.h"
 #include "core/model/roller_setup.h"
 #include "core/model/stand.h"
 #include "core/model/strip.h"
+#include "core/records/mesh_file.h"
 
 // The members of the records that computations are made from, each list once.  A structured binding takes apart
 // the whole struct: a member that is added to it and not named here does not compile.  What a list leaves out
@@ -174,6 +175,77 @@ template <class Io> void each_member(Io &&io, const MillHousing &record)
   io("screw_pad", screw_pad);
   io("seat_pad", seat_pad);
   io("steel", steel);
+}
+
+// A bearing with all that its equilibrium follows.  Type is said again by the angles; name and what was filled in
+// are for messages.
+template <class Io> void each_member(Io &&io, const RollerBearing &record)
+{
+  const auto &[name, type, bore, outside_diameter, width, pitch_diameter, rows, rollers_per_row, roller_length,
+               roller_total_length, roller_diameter, roller_cone_angle, cup_angle, rib_angle, row_hands,
+               row_hands_assumed, radial_clearance, end_play, preload, profile, crown_drop, profile_load,
+               profile_share, profile_table, youngs_modulus, poisson_ratio, yield_pressure, roller_law, rings,
+               slices, chock, chock_width, chock_height, chock_length, chock_support_width, chock_support_gap,
+               chock_assumed, support_assumed, filled] = record;
+  io("bore", bore);
+  io("outside_diameter", outside_diameter);
+  io("width", width);
+  io("pitch_diameter", pitch_diameter);
+  io("rows", rows);
+  io("rollers_per_row", rollers_per_row);
+  io("roller_length", roller_length);
+  io("roller_total_length", roller_total_length);
+  io("roller_diameter", roller_diameter);
+  io("roller_cone_angle", roller_cone_angle);
+  io("cup_angle", cup_angle);
+  io("rib_angle", rib_angle);
+  io("row_hands", row_hands);
+  io("row_hands_assumed", row_hands_assumed);
+  io("radial_clearance", radial_clearance);
+  io("end_play", end_play);
+  io("preload", preload);
+  io("profile", profile);
+  io("crown_drop", crown_drop);
+  io("profile_load", profile_load);
+  io("profile_share", profile_share);
+  io("profile_table", profile_table);
+  io("youngs_modulus", youngs_modulus);
+  io("poisson_ratio", poisson_ratio);
+  io("yield_pressure", yield_pressure);
+  io("roller_law", roller_law);
+  io("rings", rings);
+  io("slices", slices);
+  io("chock", chock);
+  io("chock_width", chock_width);
+  io("chock_height", chock_height);
+  io("chock_length", chock_length);
+  io("chock_support_width", chock_support_width);
+  io("chock_support_gap", chock_support_gap);
+  io("chock_assumed", chock_assumed);
+  io("support_assumed", support_assumed);
+}
+
+// A roll as its contact sees it: what hangs on its necks and how the chain takes its bending is no part of it.
+template <class Io> void each_member(Io &&io, const Roll &record)
+{
+  const auto &[barrel_diameter, barrel_length, neck_diameter, neck_length, bearing_span, crown, crown_table,
+               crown_polynomial, thermal_crown, thermal_crown_table, end_chamfer_length, end_chamfer_depth,
+               axial_shift, bending_force, bending_model, bearing, bearing_mass, chock_mass_upper,
+               chock_mass_lower, bearing_load] = record;
+  io("barrel_diameter", barrel_diameter);
+  io("barrel_length", barrel_length);
+  io("neck_diameter", neck_diameter);
+  io("neck_length", neck_length);
+  io("bearing_span", bearing_span);
+  io("crown", crown);
+  io("crown_table", crown_table);
+  io("crown_polynomial", crown_polynomial);
+  io("thermal_crown", thermal_crown);
+  io("thermal_crown_table", thermal_crown_table);
+  io("end_chamfer_length", end_chamfer_length);
+  io("end_chamfer_depth", end_chamfer_depth);
+  io("axial_shift", axial_shift);
+  io("bending_force", bending_force);
 }
 
 // The two places are for messages.

@@ -1,8 +1,10 @@
 #include "fem/bearing/chock_flexibility.h"
 #include "core/numerics/gauss.h"
+#include "core/process/parallel.h"
 #include "fem/body/harmonic_body.h"
 #include "fem/body/held_stiffness.h"
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -172,28 +174,34 @@ Eigen::MatrixXd both_halves(const Eigen::MatrixXd &even, const Eigen::MatrixXd &
 }  // namespace
 
 ChockFlexibility chock_flexibility(const RingSection &cup, const MeshFile &mesh, const bool halved,
-                                   const Material &material, const int harmonics, const int modes)
+                                   const Material &material, const int harmonics, const int modes,
+                                   const int threads)
 {
   const ElasticBody body(mesh, material, 2);
   const SymmetricSparse &K = body.stiffness();
   const int rows           = int(cup.raceways.size());
+  // Even and odd about the mid-plane by cosine and sine; a block that is not halved has no odd one.
+  std::array<Eigen::MatrixXd, 4> parity;
+  std::array<int, 4> n_unknowns{};
+  share_tasks(4, threads, [&](const long i) {
+    const bool sine = i >= 2, odd = i % 2 == 1;
+    if (harmonics == (sine ? 1 : 0) || (odd && !halved))
+      return;
+    const Eigen::MatrixXd loads = harmonic_loads(body, cup, halved, sine, harmonics, modes);
+    const HeldStiffness held(K, supports(body, sine, odd));
+    n_unknowns[std::size_t(i)] = held.n_unknowns();
+    parity[std::size_t(i)]     = 2 * held.flexibility(loads);  // the other side of the load line does as much work
+  });
   ChockFlexibility out;
   out.harmonics   = harmonics;
-  const auto side = [&](const bool sine) {
-    const int orders = harmonics - (sine ? 1 : 0);
+  const auto side = [&](const std::size_t even, const int orders) -> Eigen::MatrixXd {
     if (orders == 0)
       return Eigen::MatrixXd(0, 0);
-    const Eigen::MatrixXd loads = harmonic_loads(body, cup, halved, sine, harmonics, modes);
-    const auto parity           = [&](const bool odd) -> Eigen::MatrixXd {
-      const HeldStiffness held(K, supports(body, sine, odd));
-      out.n_unknowns = held.n_unknowns();
-      return 2 * held.flexibility(loads);  // the other side of the load line does as much work
-    };
-    const Eigen::MatrixXd even = parity(false);
-    return halved ? both_halves(even, parity(true), orders, rows, modes) : even;
+    return halved ? both_halves(parity[even], parity[even + 1], orders, rows, modes) : parity[even];
   };
-  out.cosine = side(false);
-  out.sine   = side(true);
+  out.cosine     = side(0, harmonics);
+  out.sine       = side(2, harmonics - 1);
+  out.n_unknowns = *std::max_element(n_unknowns.begin(), n_unknowns.end());
   return out;
 }
 

@@ -19,9 +19,10 @@ struct ChockFlexibility {
 /// its barrel): both parities about the load line and, if only half is meshed, about the mid-plane.  theory.md 15
 /// @param mesh       of meshes::mesh_chock for this cup
 /// @param harmonics  n >= 1; 2 to 3 quadratic elements per wave are wanted
+/// @param threads  parities that are factorised side by side
 /// Cost: one factorisation per parity.
 ChockFlexibility chock_flexibility(const RingSection &cup, const MeshFile &mesh, bool halved,
-                                   const Material &material, int harmonics, int modes);
+                                   const Material &material, int harmonics, int modes, int threads = 1);
 
 /// Displacement and stress of the meshed half of the block under roller loads, for a picture.
 /// @param load  (rows, Z) N, normal loads of the rollers at azimuths 2 pi j / Z from the support; what is not

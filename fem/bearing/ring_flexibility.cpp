@@ -1,8 +1,10 @@
 #include "fem/bearing/ring_flexibility.h"
+#include "core/process/parallel.h"
 #include "fem/bearing/chock_flexibility.h"
 #include "fem/body/harmonic_body.h"
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <sstream>
 
@@ -143,47 +145,64 @@ struct Computed {
 // The block in the place of the round housing.  Only what it is more flexible by comes from its own, coarse mesh:
 // the round housing on the same mesh lines is taken off again, and with it what the coarse lines get wrong at the
 // rollers.
-void put_chock(Computed &c, const RingSections &sections, const RingMeshes &meshes, const RingOptions &options)
+void put_chock(Computed &c, const RingSections &sections, const RingMeshes &meshes, const RingOptions &options,
+               const ChockFlexibility &of_block)
 {
   const int n = std::min<int>(options.chock_harmonics, int(c.rings.outer.size()));
-  auto chock =
-      chock_flexibility(sections.cup, meshes.chock, meshes.chock_halved, sections.material, n, options.modes);
   const LoadedSection lines(sections.cup, meshes.chock_section, sections.material, options.modes);
   const Eigen::Index size = c.rings.rows * c.rings.modes;
+  // The orders are side by side, so that fewer of them are a corner of all.
+  Eigen::MatrixXd block_cosine = of_block.cosine.topLeftCorner(n * size, n * size),
+                  block_sine   = of_block.sine.topLeftCorner((n - 1) * size, (n - 1) * size);
   for (int m = 0; m < n; ++m) {
-    auto cosine                 = chock.cosine.block(m * size, m * size, size, size);
+    auto cosine                 = block_cosine.block(m * size, m * size, size, size);
     const Eigen::MatrixXd round = lines.flexibility(m);
     if (m == n - 1)
       c.chock_difference = (cosine - round).norm() / round.norm();
     const Eigen::MatrixXd rest = c.rings.outer[std::size_t(m)] - round;
     cosine += rest;
     if (m > 0)
-      chock.sine.block((m - 1) * size, (m - 1) * size, size, size) += rest;
+      block_sine.block((m - 1) * size, (m - 1) * size, size, size) += rest;
     c.rings.outer[std::size_t(m)].setZero();
   }
   c.rings.chock_harmonics = n;
-  c.rings.chock_cosine    = chock.cosine;
-  c.rings.chock_sine      = chock.sine;
-  c.n_chock_unknowns      = chock.n_unknowns;
+  c.rings.chock_cosine    = block_cosine;
+  c.rings.chock_sine      = block_sine;
+  c.n_chock_unknowns      = of_block.n_unknowns;
 }
 
 Computed compute(const RingSections &sections, const RingMeshes &meshes, const RingOptions &options,
-                 const std::function<void(double)> &done)
+                 const int threads, const std::function<void(double)> &done)
 {
   Computed c;
-  c.rings.rows  = int(sections.cone.raceways.size());
-  c.rings.modes = options.modes;
-  const Ring cone(sections.cone, meshes.cone, meshes.cone_raceway, sections.material, options.modes);
-  const Ring cup(sections.cup, meshes.cup, meshes.cup_raceway, sections.material, options.modes);
-  // How many harmonics it will be is not known: some 60.
-  const auto cone_left =
-      series(cone, options, c.rings.inner, [&](const int m) { done(0.4 * std::min(1., m / 60.)); });
-  const auto cup_left =
-      series(cup, options, c.rings.outer, [&](const int m) { done(0.4 + 0.3 * std::min(1., m / 60.)); });
+  c.rings.rows     = int(sections.cone.raceways.size());
+  c.rings.modes    = options.modes;
+  const bool block = !meshes.chock.path.empty();
+  double cone_left = 0, cup_left = 0;
+  int cone_unknowns = 0, cup_unknowns = 0;
+  ChockFlexibility chock;
+  std::atomic<double> part{0};
+  const auto advance   = [&](const double by) { done(part = part + by); };
+  const auto series_of = [&](const RingSection &ring, const MeshFile &whole, const MeshFile &raceway,
+                             std::vector<Eigen::MatrixXd> &out, int &n_unknowns) {
+    const Ring body(ring, whole, raceway, sections.material, options.modes);
+    n_unknowns = body.n_unknowns();
+    // How many harmonics it will be is not known: some 60.
+    return series(body, options, out, [&](const int m) { advance(m < 60 ? 0.35 / 60 : 0); });
+  };
+  share_tasks(3, threads, [&](const long i) {
+    if (i == 0 && block)
+      chock = chock_flexibility(sections.cup, meshes.chock, meshes.chock_halved, sections.material,
+                                options.chock_harmonics, options.modes, threads);
+    if (i == 1)
+      cone_left = series_of(sections.cone, meshes.cone, meshes.cone_raceway, c.rings.inner, cone_unknowns);
+    if (i == 2)
+      cup_left = series_of(sections.cup, meshes.cup, meshes.cup_raceway, c.rings.outer, cup_unknowns);
+  });
   c.truncated          = std::max(cone_left, cup_left);
-  c.n_section_unknowns = cone.n_unknowns() + cup.n_unknowns();
-  if (!meshes.chock.path.empty())
-    put_chock(c, sections, meshes, options);
+  c.n_section_unknowns = cone_unknowns + cup_unknowns;
+  if (block)
+    put_chock(c, sections, meshes, options, chock);
   done(1);
   return c;
 }
@@ -234,10 +253,11 @@ std::vector<std::string> notes(const RingSections &sections, const RingResult &r
 }  // namespace
 
 RingResult ring_flexibility(const RingSections &sections, const RingMeshes &meshes, const RingMeshes *coarse,
-                            const RingOptions &options, const Progress &progress)
+                            const RingOptions &options, const Progress &progress, const int threads)
 {
   const double share = coarse ? 0.7 : 1;  // of the time
-  const Computed c = compute(sections, meshes, options, [&](const double f) { progress.at("rings", share * f); });
+  const Computed c =
+      compute(sections, meshes, options, threads, [&](const double f) { progress.at("rings", share * f); });
   RingResult out;
   out.flexibility        = c.rings;
   out.truncated          = c.truncated;
@@ -248,7 +268,7 @@ RingResult ring_flexibility(const RingSections &sections, const RingMeshes &mesh
   if (coarse) {
     RingOptions same   = options;
     same.last_harmonic = int(std::max(c.rings.inner.size(), c.rings.outer.size())) - 1;
-    out.companion      = compute(sections, *coarse, same, [&](const double f) {
+    out.companion      = compute(sections, *coarse, same, threads, [&](const double f) {
                       progress.at("rings", share + (1 - share) * f);
                     }).rings;
     const int Z        = 36;  // any number of rollers tells two meshes apart

@@ -1,7 +1,7 @@
 #pragma once
 #include "bearing/ring_flexibility.h"
-#include "core/process/progress.h"
 #include "core/model/ring_sections.h"
+#include "core/process/progress.h"
 #include <string>
 #include <vector>
 
@@ -30,10 +30,11 @@ struct RingResult {
 /// counts. Bodies of revolution by one factorisation per harmonic; the block by one per parity.  theory.md 15
 /// @param meshes  of these sections
 /// @param coarse  a coarser set, for companion and error estimate; null: none (error_estimate 0)
+/// @param threads  cone, cup and the parities of the block are done side by side
 /// @throws SolverError  a matrix is not positive definite
 /// Cost: some 10 s for four rows at mesh size 1, 1 GB.
 RingResult ring_flexibility(const RingSections &sections, const RingMeshes &meshes, const RingMeshes *coarse,
-                            const RingOptions &options = {}, const Progress &progress = {});
+                            const RingOptions &options = {}, const Progress &progress = {}, int threads = 1);
 
 /// m/N: flexibility of the whole bearing's rings along a radial load on the line psi = 0 (towards the chock's
 /// support), shared by the rollers of every row as max(0, cos psi)^(10/9), from the mean normal displacement

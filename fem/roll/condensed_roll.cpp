@@ -1,10 +1,14 @@
 #include "fem/roll/condensed_roll.h"
 #include "core/case/errors.h"
 #include "core/process/memory.h"
+#include "core/process/parallel.h"
 #include "fem/body/free_unknowns.h"
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace mill::fem {
 namespace {
@@ -106,7 +110,7 @@ Retained choose(const FreeUnknowns &f, const std::vector<int> &axis, const std::
 }  // namespace
 
 CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, const CondenseOptions &options,
-                       const Progress &progress)
+                       const Progress &progress, const int threads)
 {
   CondensedRoll roll;
   roll.geometry                = geometry;
@@ -114,9 +118,23 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
   read_grid(body, patch, roll);
   const int n = int(patch.size());
 
-  const auto solve_parity = [&](const Parity &parity) {
+  const SymmetricSparse &stiffness = body.unit_stiffness();
+  if (geometry.neck_length > 0 && !options.slab) {
+    const Eigen::VectorXd seat = body.face_load("neck", seat_pressure, &geometry);
+    roll.seat_lever            = seat.dot(body.nodes().col(2)) / seat.sum();
+  }
+  if (!options.slab) {
+    roll.axis_z.resize(Eigen::Index(body.axis().size()));
+    for (std::size_t k = 0; k < body.axis().size(); ++k)
+      roll.axis_z[Eigen::Index(k)] = body.nodes()(body.axis()[k], 2);
+  }
+  struct Size {
+    int n_unknowns = 0;
+    FactorCost cost;
+  };
+  const auto solve_parity = [&](const Parity &parity, Size &size) {
     ParityFlexibility out;
-    const FreeUnknowns f = free_unknowns(body.unit_stiffness(), held_unknowns(body, parity, options.slab));
+    const FreeUnknowns f = free_unknowns(stiffness, held_unknowns(body, parity, options.slab));
     const auto axis      = parity.squeeze ? std::vector<int>() : body.axis();
     const bool traction  = options.tractions && parity.squeeze;
     const Retained kept  = choose(f, axis, patch, traction);
@@ -126,9 +144,7 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
     const double left   = options.memory > 0 ? options.memory : memory_left().bytes;
     const CondensingFactor factor(f.K, f.node, kept.all, std::max(1., left - 8 * values));
     const Eigen::MatrixXd C = inverse_from_factor(factor.schur_factor()) / body.stiffness_unit();
-    roll.n_unknowns         = int(f.unknown.size());
-    roll.factor_bytes       = factor.cost().bytes;
-    roll.factor_flops       = factor.cost().n_flops;
+    size                    = {int(f.unknown.size()), factor.cost()};
     const std::vector<int> normal(kept.patch_row.begin(), kept.patch_row.begin() + n);
     out.patch = rows_and_columns(C, normal, normal);
     if (traction) {
@@ -136,16 +152,11 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
       out.traction.topRows(n) *= -1;
       out.traction.leftCols(n) *= -1;
     }
-    if (!parity.squeeze) {
-      roll.axis_z.resize(Eigen::Index(axis.size()));
-      for (std::size_t k = 0; k < axis.size(); ++k)
-        roll.axis_z[Eigen::Index(k)] = body.nodes()(axis[k], 2);
+    if (!parity.squeeze)
       out.axis = rows_and_columns(C, kept.axis_row, normal);
-    }
     if (!parity.squeeze && geometry.neck_length > 0) {
       const Eigen::VectorXd seat = body.face_load("neck", seat_pressure, &geometry);
-      roll.seat_lever            = seat.dot(body.nodes().col(2)) / seat.sum();
-      Eigen::VectorXd load       = Eigen::VectorXd::Zero(roll.n_unknowns);
+      Eigen::VectorXd load       = Eigen::VectorXd::Zero(size.n_unknowns);
       for (int i = 0; i < seat.size(); ++i)
         if (f.place[3 * i + 1] >= 0)
           load[f.place[3 * i + 1]] = seat[i] / seat.sum();
@@ -161,32 +172,47 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
       out.seat_axis  = along_y(axis);
     }
     if (fields) {
-      Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(roll.n_unknowns, n);
+      Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(size.n_unknowns, n);
       for (int i = 0; i < n; ++i)
         if (const int place = f.place[3 * patch[i] + 1]; place >= 0)
           loads(place, i) = -1;  // towards the axis is -y
       const Eigen::MatrixXd u = factor.solve(loads) / body.stiffness_unit();
       out.field.setZero(3 * body.nodes().rows(), n);
-      for (int i = 0; i < roll.n_unknowns; ++i)
+      for (int i = 0; i < size.n_unknowns; ++i)
         out.field.row(f.unknown[i]) = u.row(i);
     }
     return out;
   };
   const bool odd_squeeze   = !options.slab && (options.both_sides || options.odd_squeeze);
   const bool odd_translate = !options.slab && options.both_sides;
-  const int n_parities     = (options.slab ? 1 : 2) + odd_squeeze + odd_translate;
-  int done                 = 0;
-  const auto solve         = [&](ParityFlexibility &out, const Parity &parity) {
-    out = solve_parity(parity);
-    progress.at("condensation", double(++done) / n_parities);
+  std::vector<std::pair<Parity, ParityFlexibility *>> parities{
+      {{true, false}, &roll.squeeze}
   };
-  solve(roll.squeeze, {true, false});
   if (!options.slab)
-    solve(roll.translate, {false, false});
+    parities.push_back({
+        {false, false},
+        &roll.translate
+    });
   if (odd_squeeze)
-    solve(roll.squeeze_odd, {true, true});
+    parities.push_back({
+        {true, true},
+        &roll.squeeze_odd
+    });
   if (odd_translate)
-    solve(roll.translate_odd, {false, true});
+    parities.push_back({
+        {false, true},
+        &roll.translate_odd
+    });
+  std::vector<Size> sizes(parities.size());
+  std::atomic<int> done{0};
+  share_tasks(long(parities.size()), threads, [&](const long i) {
+    const auto &[parity, out] = parities[std::size_t(i)];
+    *out                      = solve_parity(parity, sizes[std::size_t(i)]);
+    progress.at("condensation", double(++done) / double(parities.size()));
+  });
+  roll.n_unknowns   = sizes.back().n_unknowns;
+  roll.factor_bytes = sizes.back().cost.bytes;
+  roll.factor_flops = sizes.back().cost.n_flops;
   return roll;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-#include "core/records/mesh_file.h"
-#include "core/process/progress.h"
 #include "core/model/stand.h"
+#include "core/process/progress.h"
+#include "core/records/mesh_file.h"
 #include "fem/body/elastic_body.h"
 #include <Eigen/Core>
 
@@ -62,9 +62,10 @@ struct CondenseOptions {
 };
 
 /// Condenses a meshed roll.  Cost: one factorisation per parity.
+/// @param threads  parities that are factorised side by side
 /// @throws SolverError  predicted memory too large; matrix not positive definite
 CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, const CondenseOptions &options,
-                       const Progress &progress = {});
+                       const Progress &progress = {}, int threads = 1);
 
 /// One of the four parities.
 struct Parity {

@@ -338,8 +338,11 @@ Eigen::VectorXd along_the_load(const ContactPair &pair, const ContactPoint &poin
 
 ContactPoint solve_load(const ContactPair &pair, const double load, const std::vector<char> &start)
 {
-  contact::ActiveSet solver(pair.problem);
-  return solve_with(pair, solver, load, start);
+  const auto solve = [&] {
+    contact::ActiveSet solver(pair.problem);
+    return solve_with(pair, solver, load, start);
+  };
+  return pair.solved && start.empty() ? pair.solved->point(load, solve) : solve();
 }
 
 ContactCurve sweep(const ContactPair &pair, const Eigen::VectorXd &loads, const Progress &progress)

@@ -6,10 +6,15 @@
 #include <Eigen/SparseCore>
 #include <functional>
 #include <limits>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
 namespace mill::fem {
+class SolvedLoads;
+
 /// Two condensed rolls facing each other along one contact line.
 struct ContactPair {
   std::string name;       ///< "upper", "lower", "line"
@@ -30,6 +35,8 @@ struct ContactPair {
   /// What is imposed besides the force, for the whole: the tilt of the axes (rad), or where the force stands (m).
   double tilt        = 0;                                         ///< rad, used when load_offset is not given
   double load_offset = std::numeric_limits<double>::quiet_NaN();  ///< m
+  /// What is known of this pair, shared by its copies; null: nothing is remembered.
+  std::shared_ptr<SolvedLoads> solved;
 };
 
 /// Distance of the two undeformed surfaces at (x, z), from the analytic profiles and never from facets: radii and
@@ -65,7 +72,30 @@ struct ContactPoint {
   double moment = 0;  ///< N m, of the contact force about mid-length
   Eigen::MatrixXd compliance;  ///< (k, k) d(approach, tilt)/d(force, moment), total: m/N, 1/N, 1/(N m)
 };
+/// A load that starts from nothing is solved once, where the pair remembers its loads.
 ContactPoint solve_load(const ContactPair &pair, double load, const std::vector<char> &start = {});
+
+/// Loads of a pair that are solved, and numbers made from them by name.
+class SolvedLoads {
+public:
+  struct Known {
+    std::map<double, ContactPoint> points;  ///< by load
+    std::map<std::string, Eigen::MatrixXd> numbers;
+  };
+  SolvedLoads() = default;
+  explicit SolvedLoads(Known known);
+  Known known() const;
+  ContactPoint point(double load, const std::function<ContactPoint()> &solve);
+  Eigen::MatrixXd number(const std::string &name, const std::function<Eigen::MatrixXd()> &make);
+
+private:
+  mutable std::mutex access;
+  Known at;
+};
+
+/// The number of this name, made once where the pair remembers.
+Eigen::MatrixXd remembered(const ContactPair &pair, const std::string &name,
+                           const std::function<Eigen::MatrixXd()> &make);
 
 /// Approach (m) at which the undeformed rolls begin to touch: with their axes held at `tilt` (rad), counted at z =
 /// 0; or, when `offset` (m) is given, free to tilt under a force there and counted there.

@@ -2,7 +2,15 @@
 #include <gmsh.h>
 
 namespace mill::meshes {
-GmshScope::GmshScope()
+namespace {
+std::mutex &gmsh_access()
+{
+  static std::mutex access;
+  return access;
+}
+}  // namespace
+
+GmshScope::GmshScope() : alone(gmsh_access())
 {
   gmsh::initialize(0, nullptr,
                    false);  // false: do not read the user's Gmsh options, results must not depend on them

@@ -1,23 +1,11 @@
 #include "fem/strip/rigid_plastic/strip_flow_factor.h"
-#include "core/numerics/sparse.h"
+#include "core/numerics/blas_threads.h"
+#include "core/process/stage_work.h"
 #include <new>
-#include <omp.h>
 #include <suitesparse/umfpack.h>
 
 namespace mill::fem {
 namespace {
-// The BLAS on one thread until the end of the scope.
-struct OneThread {
-  int before = omp_get_max_threads();
-  OneThread()
-  {
-    set_blas_threads(1);
-  }
-  ~OneThread()
-  {
-    set_blas_threads(before);
-  }
-};
 // A singular matrix is the caller's to judge; memory is not, and a smaller step would not help.
 void require_memory(const int status)
 {
@@ -41,7 +29,7 @@ struct UnsymmetricFactor::Implementation {
   }
   Eigen::VectorXd solve(const int system, const Eigen::VectorXd &b) const
   {
-    const OneThread alone;
+    const OneBlasThread alone;
     Eigen::VectorXd x(b.size());
     double info[UMFPACK_INFO];
     const int status = umfpack_di_solve(system, matrix.outerIndexPtr(), matrix.innerIndexPtr(), matrix.valuePtr(),
@@ -57,7 +45,7 @@ UnsymmetricFactor::UnsymmetricFactor(UnsymmetricFactor &&) noexcept = default;
 
 bool UnsymmetricFactor::factorise(const Eigen::SparseMatrix<double> &matrix)
 {
-  const OneThread alone;
+  const OneBlasThread alone;
   const int n = int(matrix.cols());
   const bool known =
       self->symbolic && self->matrix.cols() == n && self->matrix.nonZeros() == matrix.nonZeros() &&
@@ -77,6 +65,8 @@ bool UnsymmetricFactor::factorise(const Eigen::SparseMatrix<double> &matrix)
   }
   const int status = umfpack_di_numeric(outer, inner, values, self->symbolic, &self->numeric, self->control, info);
   require_memory(status);
+  if (status == UMFPACK_OK)
+    StageWork::add({n, info[UMFPACK_LNZ] + info[UMFPACK_UNZ], info[UMFPACK_FLOPS]});
   return status == UMFPACK_OK;
 }
 

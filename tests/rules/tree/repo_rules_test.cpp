@@ -78,6 +78,7 @@ TEST(Layers, ThirdPartyStaysBehindItsFolder)
       {"toml++/",             {"core"}                 },
       {"cholmod",             {"core"}                 },
       {"metis.h",             {"core"}                 },
+      {"tbb/",                {"core"}                 },
       {"suitesparse/umfpack", {"fem"}                  },
       {"nlohmann/",           {"core", "report", "app"}},
       {"CLI/",                {"app"}                  },

@@ -1,5 +1,6 @@
 #include "core/case/errors.h"
 #include "core/process/parallel.h"
+#include "core/process/stage_work.h"
 #include "tests/support/address_space.h"
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -40,4 +41,46 @@ TEST(ShareTasks, WithoutRoomForThreadsTheWorkIsDoneAllTheSame)
     share_tasks(long(calls.size()), 64, [&](const long i) { ++calls[std::size_t(i)]; });
   }
   EXPECT_EQ(calls, std::vector<int>(1000, 1));
+}
+
+TEST(ShareTasks, TasksThatShareOutWorkOfTheirOwnEndAsWell)
+{
+  std::vector<std::vector<int>> calls(20, std::vector<int>(20, 0));
+  share_tasks(20, 4, [&](const long i) {
+    share_tasks(20, 4, [&](const long j) { ++calls[std::size_t(i)][std::size_t(j)]; });
+  });
+  EXPECT_EQ(calls, std::vector<std::vector<int>>(20, std::vector<int>(20, 1)));
+}
+
+namespace {
+void spend(const double seconds)
+{
+  const mill::StageWork own;
+  while (own.processor_seconds() < seconds) {
+  }
+}
+}  // namespace
+
+TEST(StageWork, CountsThreadsThatShareItsWorkOnce)
+{
+  const mill::StageWork stage;
+  share_tasks(8, 2, [](long) { spend(0.01); });
+  EXPECT_GE(stage.processor_seconds(), 0.08);
+  EXPECT_LE(stage.processor_seconds(), 0.16);
+}
+
+TEST(StageWork, FactorisationsBelongToTheInnermostStageAndEqualOnesAreCounted)
+{
+  mill::StageWork outer;
+  mill::StageWork::add({10, 100, 1000});
+  {
+    mill::StageWork inner;
+    share_tasks(4, 2, [](const long i) { mill::StageWork::add({i < 2 ? 20 : 30, 5, 7}); });
+    const auto all = inner.factorisations();
+    ASSERT_EQ(all.size(), 2u);
+    EXPECT_EQ(all[0].order, 30);
+    EXPECT_EQ(all[0].times, 2);
+  }
+  ASSERT_EQ(outer.factorisations().size(), 1u);
+  EXPECT_EQ(outer.factorisations()[0].order, 10);
 }

@@ -1,0 +1,27 @@
+#pragma once
+#include "app/stages/contact_model.h"
+#include "app/stages/second_engine.h"
+#include "core/records/records.h"
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mill {
+/// Everything that was solved of one contact: its curves, the second engine's, and single loads of every pair.
+struct SolvedStudy {
+  ContactCurve mirrored, in_stand, coarse, in_stand_coarse;
+  std::optional<SecondEngine> second;
+  std::vector<fem::SolvedLoads::Known> known;  ///< of all_pairs(), in their order
+};
+
+/// Everything that it depends on, as text; its hash is the key of the cache.
+/// @param loads  (passes) N, working loads
+std::string contact_inputs(const FourHigh &stand, const std::string &name, const ContactSettings &settings,
+                           const std::vector<double> &loads);
+
+/// @throws InputError  cannot be written
+void save_study(const std::string &path, const std::string &key, const SolvedStudy &study);
+/// What was kept, or nothing; `note` says why an entry cannot be used.
+std::optional<SolvedStudy> load_study(const std::string &path, const std::string &key, std::string *note);
+}  // namespace mill

@@ -1,0 +1,116 @@
+#include "core/records/files.h"
+#include "tests/support/program.h"
+#include <algorithm>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+// Stages run side by side; results must not know of it, and what is given or kept is not solved.
+namespace fs = std::filesystem;
+
+namespace {
+// Quick to condense: coarse contacts, slab bite, bearings by the standard.
+const std::string coarse =
+    " -q --set contact.upper.elements_per_half_width=2 --set contact.lower.elements_per_half_width=2 "
+    "--set contact.upper.samples=7 --set contact.lower.samples=7 --set bite.method=slab "
+    "--set dynamics.output_rate='5 kHz' --set bearing.trb.roller_law=iso --set bearing.trb.rings=rigid ";
+
+// Runs the demo stand with a cache of its own, unless one is named.
+std::string folder_of(const std::string &verb, const std::string &name, const std::string &more,
+                      const std::string &cache = "")
+{
+  const std::string folder = scratch(name);
+  const auto outcome = millstand(verb + " cases/four-high-1400.toml -o " + folder + coarse + more + " --cache " +
+                                 (cache.empty() ? scratch(name + "-cache") : cache));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return folder;
+}
+
+nlohmann::json stages_of(const std::string &folder)
+{
+  return nlohmann::json::parse(mill::read_text(folder + "/run.json")).at("timings");
+}
+
+std::string stages_that_begin(const std::string &folder, const std::string &beginning)
+{
+  std::string found;
+  for (const auto &stage : stages_of(folder))
+    if (const auto name = stage.at("stage").get<std::string>(); name.rfind(beginning, 0) == 0)
+      found += name + "; ";
+  return found;
+}
+
+// Files of two runs that differ, except the record of the run and the report that shows it.
+std::string different_files(const std::string &a, const std::string &b)
+{
+  std::string different;
+  for (const auto &entry : fs::recursive_directory_iterator(a)) {
+    const std::string name = fs::relative(entry.path(), a).string();
+    if (!entry.is_regular_file() || name == "run.json" || name == "report.html" || name == "run.log")
+      continue;
+    if (!fs::exists(b + "/" + name) || mill::read_text(entry.path().string()) != mill::read_text(b + "/" + name))
+      different += name + " ";
+  }
+  return different;
+}
+}  // namespace
+
+TEST(Schedule, ResultsAreTheSameToTheBitWithAnyNumberOfThreads)
+{
+  const auto one = folder_of("run", "one-thread", "--threads 1"),
+             two = folder_of("run", "two-threads", "--threads 2");
+  EXPECT_EQ(different_files(one, two), "");
+}
+
+TEST(Schedule, TheSameCaseAgainIsTakenFromTheCacheAndSaysTheSame)
+{
+  const std::string cache = scratch("kept");
+  const auto first = folder_of("run", "first", "", cache), again = folder_of("run", "again", "", cache);
+  EXPECT_EQ(different_files(first, again), "");
+  for (const auto &stage : stages_of(again)) {
+    const auto name = stage.at("stage").get<std::string>();
+    for (const char *kept : {"condensation", "contact upper", "bearing", "bite, section", "components"})
+      if (name.rfind(kept, 0) == 0)
+        EXPECT_TRUE(stage.at("cached").get<bool>()) << name;
+  }
+  EXPECT_EQ(stages_that_begin(again, "Fourier"), "")
+      << "the second engine's curve is kept, its rolls are not asked for";
+  const auto fresh = folder_of("run", "fresh", "--fresh", cache);
+  EXPECT_EQ(different_files(first, fresh), "");
+  for (const auto &stage : stages_of(fresh))
+    if (stage.at("stage").get<std::string>().rfind("contact", 0) == 0)
+      EXPECT_FALSE(stage.at("cached").get<bool>());
+}
+
+TEST(Schedule, AGivenStiffnessIsNotSolved)
+{
+  const std::string cache = scratch("given-cache");
+  const std::string K3 = " --set 'given.K3=4e4 kN/mm'", K5 = " --set 'given.K5=4e4 kN/mm'";
+  const auto one_contact = folder_of("stiffness", "given-k3", K3 + " --set bite.arc=rigid", cache);
+  EXPECT_EQ(stages_that_begin(one_contact, "contact upper"), "");
+  EXPECT_NE(stages_that_begin(one_contact, "contact lower"), "");
+  const std::string Kzc = " --set 'given.Kzc1=2e4 kN/mm' --set 'given.Kzc2=2e4 kN/mm' --set 'given.Kzc3=2e4 kN/mm'"
+                          " --set 'given.Kzc4=2e4 kN/mm'";
+  const auto all = folder_of("stiffness", "given-all", K3 + K5 + Kzc + " --set 'given.K4=5e3 kN/mm'", cache);
+  for (const char *stage : {"contact", "condensation", "Fourier", "bearing", "roller", "rings", "bite"})
+    EXPECT_EQ(stages_that_begin(all, stage), "");
+  const auto values = nlohmann::json::parse(mill::read_text(all + "/results.json")).at("values");
+  EXPECT_DOUBLE_EQ(values.at("K_Zy").at("value").get<double>(), 4e10) << "both bearings of a backup roll";
+}
+
+TEST(Schedule, AStageSaysWhatItFactorised)
+{
+  const auto folder = folder_of("masses", "factors", "--set bite.arc=rigid");
+  int factorised    = 0;
+  for (const auto &stage : stages_of(folder)) {
+    EXPECT_GE(stage.at("processor_seconds").get<double>(), 0);
+    if (stage.at("stage").get<std::string>().rfind("condensation", 0) != 0)
+      continue;
+    for (const auto &f : stage.at("factorisations")) {
+      factorised += f.at("times").get<int>();
+      EXPECT_GT(f.at("nonzeros").get<double>(), f.at("order").get<double>());
+      EXPECT_GT(f.at("flops").get<double>(), f.at("nonzeros").get<double>());
+    }
+  }
+  EXPECT_EQ(factorised, 14) << "two rolls: three parities on the fine mesh, four on the coarse one";
+}
