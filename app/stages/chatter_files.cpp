@@ -266,8 +266,8 @@ Json study_json(const ChatterStudy &s)
       {"scheme",    s.question.analysis.linearisation                     },
       {"reduction", 100 * (1 - c.exit_thickness / c.entry_thickness)      },
       {"viscosity",
-       number(s.question.bite.strip.friction.law == "film" ? 1e3 * s.question.bite.strip.friction.viscosity
-                                                           : not_given)   },
+       number(has_film(s.question.bite.strip.friction) ? 1e3 * s.question.bite.strip.friction.viscosity
+                                                       : not_given)       },
       {"structure", s.question.structure                                  },
       {"critical",  critical(s)                                           },
       {"histories", Json::array()                                         }

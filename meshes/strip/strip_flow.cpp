@@ -63,8 +63,8 @@ StripBlock strip_block(const Strip &strip, const double roll_radius, const int a
   b.outside         = b.arc_length < h1 + h2 ? 1.5 * h1 : h1;
   b.along           = along;
   b.through         = through;
-  const double mu   = strip.friction.coefficient;
-  if (strip.friction.law == "coulomb" && mu > 0) {  // as theory.md (8.7), without tensions
+  const double mu   = plain_coefficient(strip.friction);
+  if (mu > 0) {  // as theory.md (8.7), without tensions
     const double root = std::sqrt(roll_radius / h2), angle = std::sqrt(dh / roll_radius);
     const double half = std::atan(root * angle) - std::log(h1 / h2) / (4 * mu * root);
     b.neutral         = std::clamp(std::tan(half / 2) / (root * angle), 0.1, 0.5);

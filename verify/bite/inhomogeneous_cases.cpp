@@ -1,10 +1,10 @@
 #include "bite/slab/karman.h"
 #include "bite/slab/karman_arc.h"
-#include "verify/solvers/moved_bite.h"
 #include "bite/slab/orowan.h"
 #include "bite/slab/sims.h"
 #include "core/case/errors.h"
 #include "verify/bite/karman_models.h"
+#include "verify/solvers/moved_bite.h"
 #include "verify/verification.h"
 #include <array>
 #include <cmath>
@@ -334,7 +334,7 @@ std::vector<Check> cold_conditions()
     RollBite b                   = one_mm_wide({"tandem", 300, h1, h2, 829.642590, mu, s1, s2, 0.00817, 0});
     b.strip.width                = 1.206;
     b.strip.initial_thickness    = 3 * mm;
-    b.strip.flow_stress.law      = "reduction-power";
+    b.strip.flow_stress.law      = FlowStressLaw::reduction_power;
     b.strip.flow_stress.eps0     = 0.00817;
     b.strip.flow_stress.n        = 0.3;
     b.strip.friction.shear_limit = not_given;

@@ -1,8 +1,8 @@
 #include "core/case/errors.h"
 #include "dynamics/chatter/modes.h"
 #include "dynamics/chatter/speed.h"
-#include "verify/chatter/models.h"
 #include "verify/bite/slab_models.h"
+#include "verify/chatter/models.h"
 #include "verify/verification.h"
 #include <Eigen/LU>
 #include <cmath>
@@ -191,7 +191,7 @@ std::vector<Check> calibration()
   constant.strip.flow_stress.k         = 770e6;
   bite::RollBite swift                 = reduction_power;
   swift.strip.flow_stress              = {};
-  swift.strip.flow_stress.law          = "swift";
+  swift.strip.flow_stress.law          = FlowStressLaw::swift;
   swift.strip.flow_stress.k            = 720e6;
   swift.strip.flow_stress.eps0         = 0.01;
   swift.strip.flow_stress.n            = 0.2;

@@ -1,6 +1,6 @@
 #include "verify/solvers/closed_coefficients.h"
+#include "core/laws/flow_stress_law.h"
 #include "core/numerics/derivative.h"
-#include "bite/laws/flow_stress.h"
 #include "core/numerics/gauss.h"
 
 namespace mill::bite {

@@ -1,7 +1,7 @@
 #include "fem/strip/elastic_plastic/strip_elastic_results.h"
-#include "bite/laws/friction.h"
 #include "bite/slab/neutral_point.h"
 #include "bite/slab/sentence.h"
+#include "core/laws/friction_law.h"
 #include "fem/strip/rigid_plastic/strip_flow_factor.h"
 #include <algorithm>
 #include <cmath>
@@ -260,7 +260,7 @@ void add_derivatives(StripElastic &out, const ElasticPass &pass, const ElasticGr
   // Friction by the speed of the roll where the law knows one; speeds of the strip in proportion
   double friction_by_speed = speed ? 0 : not_given;
   const Friction &law      = pass.bite->strip.friction;
-  if (speed && (law.law == "speed" || law.law == "film")) {
+  if (speed && needs_speed(law)) {
     using D        = bite::Dual<1>;
     const D v      = D::variable(pass.speed, 0);
     const double k = s.entry_flow_stress;
@@ -348,14 +348,13 @@ StripElastic elastic_results(const ElasticPass &pass, const ElasticGrid &solved,
             (pass.model.arc == bite::Arc::rigid ? "rigid roll" : "elastic roll");
   s.force    = e.force * pass.stress * pass.length * strip.width;
   s.torque   = e.traction * pass.stress * pass.length * strip.width * pass.bite->roll_radius;
-  s.friction = strip.friction.law == "factor" ? 0.5 * (strip.friction.entry_factor + strip.friction.exit_factor)
-                                              : u[grid.bulk(Bulk::friction)];
+  s.friction = friction_value(strip.friction, u[grid.bulk(Bulk::friction)]);
   add_balances(out, pass, grid, e, u);
   const StripMaterial material{&strip.flow_stress, 1, 0, 0};
   s.entry_flow_stress = material_flow_stress(material, pass.inlet_strain);
   s.exit_flow_stress =
       material_flow_stress(material, pass.inlet_strain + std::log(strip.entry_thickness / flow.exit_thickness));
-  if (pass.film)
+  if (has_film(strip.friction))
     s.film_thickness = bite::film_thickness(
         strip.friction,
         bite::Inlet<double>{pass.speed, s.entry_speed, s.exit_speed, pass.bite->roll_radius,

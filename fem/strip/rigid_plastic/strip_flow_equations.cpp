@@ -32,7 +32,7 @@ StripPass strip_pass(const bite::RollBite &bite, const StripFlowModel &model,
   p.mean_rate_by = rate.by;
   if (model.arc != bite::Arc::rigid)
     p.mean_rate_by[2] = 0;
-  const bool idle = strip.friction.law == "coulomb" && strip.friction.coefficient == 0;
+  const bool idle = plain_coefficient(strip.friction) == 0;
   if (std::isnan(model.exit_speed) && !idle) {
     // What the rolls cannot pull through is refused before it makes a Newton iteration fail.
     bite::KarmanOptions quick;
@@ -56,7 +56,7 @@ Eigen::VectorXd first_guess(const StripPass &pass, const StripGrid &grid)
   u[grid.whole(Whole::entry)]    = -pass.arc_length;
   u[grid.whole(Whole::radius)]   = R;
   u[grid.whole(Whole::tension)]  = strip.exit_tension / pass.stress;
-  u[grid.whole(Whole::friction)] = strip.friction.law == "factor" ? 0 : pass.friction;
+  u[grid.whole(Whole::friction)] = slides(strip.friction) ? pass.friction : 0;
   const double exit_speed        = std::isnan(pass.model.exit_speed) ? 1 + pass.exit_slip : pass.model.exit_speed;
   for (int i = 0; i <= 2 * grid.n_along; ++i) {
     const auto corner  = [&](const int I) { return -grid.spine[I][0] * pass.arc_length + grid.spine[I][2]; };

@@ -1,8 +1,8 @@
 #include "fem/strip/rigid_plastic/strip_flow_results.h"
 #include "bite/slab/flattening.h"
-#include "bite/laws/friction.h"
 #include "bite/slab/neutral_point.h"
 #include "bite/slab/sentence.h"
+#include "core/laws/friction_law.h"
 #include <algorithm>
 #include <cmath>
 
@@ -138,7 +138,7 @@ void add_arc(StripFlow &flow, const StripPass &pass, const StripGrid &grid, cons
   flow.slip_changes   = bite::find_neutral_point(s, 1e-3 * stage.least_slip);
   const Friction &law = pass.bite->strip.friction;
   for (int i = 0; i < n; ++i) {
-    const bool limited = law.law != "factor" && node(i, 5) > law.shear_limit;
+    const bool limited = slides(law) && node(i, 5) > law.shear_limit;
     if (limited || std::abs(node(i, 3)) < stage.least_slip)
       s.sticking_length += L * node(i, 4);
     if (node(i, 1) < 0)
@@ -183,7 +183,7 @@ void add_notes(StripFlow &flow, const StripPass &pass)
 {
   using bite::sentence;
   bite::BiteState &s  = flow.state;
-  const bool factor   = pass.bite->strip.friction.law == "factor";
+  const bool factor   = !slides(pass.bite->strip.friction);
   const double on_arc = s.arc_length - s.exit_position;
   if (!factor && s.bite_angle > s.friction)
     s.notes.push_back(sentence("the angle of bite ", s.bite_angle, " rad is larger than the friction ", s.friction,
@@ -223,10 +223,9 @@ StripFlow strip_flow_results(const StripPass &pass, const StripGrid &grid, const
             (pass.model.arc == bite::Arc::rigid       ? "rigid roll"
              : pass.model.arc == bite::Arc::hitchcock ? "Hitchcock's arc"
                                                       : "elastic roll");
-  s.force    = e.force.value * pass.stress * pass.length * strip.width;
-  s.torque   = e.traction.value * pass.stress * pass.length * strip.width * pass.bite->roll_radius;
-  s.friction = strip.friction.law == "factor" ? 0.5 * (strip.friction.entry_factor + strip.friction.exit_factor)
-                                              : u[grid.whole(Whole::friction)];
+  s.force             = e.force.value * pass.stress * pass.length * strip.width;
+  s.torque            = e.traction.value * pass.stress * pass.length * strip.width * pass.bite->roll_radius;
+  s.friction          = friction_value(strip.friction, u[grid.whole(Whole::friction)]);
   flow.entry_position = s.arc_length = -u[grid.whole(Whole::entry)] * pass.length;
   s.exit_position                    = -u[grid.whole(Whole::exit)] * pass.length;
   s.flattened_radius                 = u[grid.whole(Whole::radius)] * pass.length;
@@ -245,7 +244,7 @@ StripFlow strip_flow_results(const StripPass &pass, const StripGrid &grid, const
   s.entry_flow_stress = scaled_flow_stress(pass, entry_strain) * pass.stress;
   s.exit_flow_stress =
       scaled_flow_stress(pass, entry_strain + std::log(strip.entry_thickness / flow.exit_thickness)) * pass.stress;
-  if (strip.friction.law == "film")
+  if (has_film(strip.friction))
     s.film_thickness = bite::film_thickness(
         strip.friction, bite::Inlet<double>{pass.speed, s.entry_speed, s.exit_speed, s.flattened_radius,
                                             s.arc_length, s.entry_flow_stress - strip.entry_tension});

@@ -1,7 +1,7 @@
-#include "bite/laws/friction.h"
 #include "bite/arc/half_plane.h"
 #include "bite/slab/karman.h"
 #include "core/case/errors.h"
+#include "core/laws/friction_law.h"
 #include "core/records/files.h"
 #include "fem/strip/elastic_plastic/strip_elastic.h"
 #include "fem/strip/rigid_plastic/strip_flow.h"
@@ -227,7 +227,7 @@ TEST(StripFlow, MovingGap)
 TEST(StripFlow, SpeedLawOfFriction)
 {
   bite::RollBite b               = demo();
-  b.strip.friction.law           = "speed";
+  b.strip.friction.law           = FrictionLaw::speed;
   b.strip.friction.at_unit_speed = 0.2;
   b.strip.friction.per_log_speed = -0.02;
   b.roll_speed                   = 2;
@@ -243,7 +243,7 @@ TEST(StripFlow, FilmFrictionIsThatOfItsOwnSpeeds)
 {
   bite::RollBite b          = demo();
   Friction &f               = b.strip.friction;
-  f.law                     = "film";
+  f.law                     = FrictionLaw::film;
   f.mu0                     = 0.1;
   f.mu1                     = 0.15;
   f.decay                   = 1e6;
@@ -308,7 +308,7 @@ TEST(StripFlow, OneLawForSlabAndBothStrips)
   b.strip.entry_thickness      = 2e-3;
   b.strip.exit_thickness       = 1.5e-3;
   b.strip.friction.coefficient = 0.06;
-  b.strip.flow_stress          = {"power", 900e6, 0, 0.3, 0, {}};
+  b.strip.flow_stress          = {FlowStressLaw::power, 900e6, 0, 0.3, 0, {}};
   const bite::BiteState slab   = bite::solve_karman(b, bite::Theory::karman, bite::Arc::rigid);
   const fem::StripFlow rigid   = solve(b);
   fem::StripElasticModel model;

@@ -1,7 +1,7 @@
 // The bite at one moment, the linear and the nonlinear motion, and what a record tells, over stands and strips
 // that no publication has.
-#include "bite/slab/bland_ford.h"
 #include "bite/linear/unsteady_bite.h"
+#include "bite/slab/bland_ford.h"
 #include "core/case/errors.h"
 #include "dynamics/chatter/equations.h"
 #include "dynamics/chatter/run.h"
@@ -32,12 +32,12 @@ bite::RollBite rolling(const double oil = 1)
   b.strip.entry_tension     = 110e6;
   b.strip.exit_tension      = 150e6;
   b.strip.initial_thickness = 2.4e-3;
-  b.strip.flow_stress.law   = "swift";
+  b.strip.flow_stress.law   = FlowStressLaw::swift;
   b.strip.flow_stress.k     = 780e6;
   b.strip.flow_stress.eps0  = 0.01;
   b.strip.flow_stress.n     = 0.2;
   Friction &film            = b.strip.friction;
-  film.law                  = "film";
+  film.law                  = FrictionLaw::film;
   film.mu0                  = 0.015;
   film.mu1                  = 0.12;
   film.decay                = 2e6;
