@@ -2,6 +2,7 @@
 #include "bite/slab/slab_checks.h"
 #include "core/case/errors.h"
 #include "core/laws/friction_law.h"
+#include "fem/strip/common/strip_results.h"
 #include "fem/strip/elastic_plastic/strip_elastic_equations.h"
 #include <algorithm>
 #include <cmath>
@@ -34,15 +35,14 @@ ElasticPass elastic_pass(const bite::RollBite &bite, const StripElasticModel &mo
         "elastic-plastic strip: at least 8 elements along and 2 through half the thickness, the finest between "
         "0 and 1 of the others, a positive factor on the stiffness");
   ElasticPass p;
-  p.bite   = &bite;
-  p.model  = model;
-  p.length = strip.entry_thickness;
-  p.speed  = std::isnan(bite.roll_speed) ? 1 : bite.roll_speed;
-  p.exit   = strip.exit_thickness / p.length;
-  p.radius = bite.roll_radius / p.length;
-  p.inlet_strain =
-      std::isnan(strip.initial_thickness) ? 0 : std::log(strip.initial_thickness / strip.entry_thickness);
-  p.reduction = std::log(1 / p.exit);
+  p.bite         = &bite;
+  p.model        = model;
+  p.length       = strip.entry_thickness;
+  p.speed        = std::isnan(bite.roll_speed) ? 1 : bite.roll_speed;
+  p.exit         = strip.exit_thickness / p.length;
+  p.radius       = bite.roll_radius / p.length;
+  p.inlet_strain = entry_strain(strip);
+  p.reduction    = std::log(1 / p.exit);
   // Half way through the pass, so that every stress is near one.
   p.stress            = material_flow_stress({&strip.flow_stress, 1, 0, 0}, p.inlet_strain + 0.5 * p.reduction);
   const double centre = p.radius - 0.5 * (1 - p.exit);

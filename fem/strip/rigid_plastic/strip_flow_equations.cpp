@@ -2,6 +2,7 @@
 #include "bite/slab/karman.h"
 #include "bite/slab/slab_checks.h"
 #include "core/case/errors.h"
+#include "fem/strip/common/strip_results.h"
 #include <cmath>
 
 namespace mill::fem {
@@ -20,10 +21,9 @@ StripPass strip_pass(const bite::RollBite &bite, const StripFlowModel &model,
   p.length      = strip.entry_thickness;
   p.speed       = std::isnan(bite.roll_speed) ? 1 : bite.roll_speed;
   // Half way through the pass, so that every stress is near one.
-  const double entry_strain =
-      std::isnan(strip.initial_thickness) ? 0 : std::log(strip.initial_thickness / strip.entry_thickness);
-  p.stress   = scaled_flow_stress(p, entry_strain + 0.5 * std::log(strip.entry_thickness / strip.exit_thickness));
-  using Size = bite::Dual<3>;
+  p.stress =
+      scaled_flow_stress(p, entry_strain(strip) + 0.5 * std::log(strip.entry_thickness / strip.exit_thickness));
+  using Size    = bite::Dual<3>;
   const Size h1 = Size::variable(1, 0), h2 = Size::variable(strip.exit_thickness / p.length, 1),
              R = Size::variable(bite.roll_radius / p.length, 2), centre = R - 0.5 * (h1 - h2);
   const Size arc_length = sqrt(R * R - centre * centre), rate = 2.0 * log(h1 / h2) / arc_length;

@@ -1,4 +1,4 @@
-#include "fem/strip/rigid_plastic/strip_flow_factor.h"
+#include "fem/strip/common/unsymmetric_factor.h"
 #include "core/numerics/sparse.h"
 #include <new>
 #include <omp.h>
