@@ -1,8 +1,8 @@
 // Timing of the slab theories of the bite.  Goals: a state with all derivatives in 20 us on a given arc and in 200
 // us with the flattening; a map of 10 000 K4 in 2 s.
-#include "bite/slab/bland_ford.h"
 #include "bite/linear/linear_coefficients.h"
 #include "bite/linear/stiffness_map.h"
+#include "bite/slab/bland_ford.h"
 #include "tests/support/demo_pass.h"
 #include "tests/support/film_pass.h"
 #include <benchmark/benchmark.h>
@@ -46,7 +46,7 @@ BENCHMARK(hardening_under_a_film)
 void unhardened_power_law(benchmark::State &state)
 {
   RollBite bite          = demo_pass();
-  bite.strip.flow_stress = {"swift", 28e6, 0.01, 0.2, 0, {}};
+  bite.strip.flow_stress = {FlowStressLaw::swift, 28e6, 0.01, 0.2, 0, {}};
   solve(state, bite, {Theory::bland_ford, Arc(state.range(0)), 0});
 }
 BENCHMARK(unhardened_power_law)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
@@ -55,7 +55,7 @@ void friction_factors(benchmark::State &state)
 {
   RollBite bite = factor_pass();
   if (state.range(1))
-    bite.strip.flow_stress = {"swift", 1.3e9, 0.05, 0.15, 0, {}};
+    bite.strip.flow_stress = {FlowStressLaw::swift, 1.3e9, 0.05, 0.15, 0, {}};
   solve(state, bite, {Theory::hu_ehmann, Arc(state.range(0)), 0});
 }
 BENCHMARK(friction_factors)

@@ -17,14 +17,10 @@ GaussRule graded(const int n, const double q)
 
 bool starts_steeply(const RollBite &bite)
 {
-  const FlowStress &law  = bite.strip.flow_stress;
-  const bool shifted     = law.law == "swift" || law.law == "reduction-power";
-  const bool power       = shifted || law.law == "ludwik" || law.law == "power";
-  const double h1        = bite.strip.entry_thickness;
-  const double h0        = std::isnan(bite.strip.initial_thickness) ? h1 : bite.strip.initial_thickness;
-  const double to_branch = std::log(h0 / h1) + (shifted ? law.eps0 : 0);
-  const double of_pass   = std::log(h1 / bite.strip.exit_thickness);
-  return power && to_branch < 0.5 * of_pass;
+  const double h1      = bite.strip.entry_thickness;
+  const double h0      = std::isnan(bite.strip.initial_thickness) ? h1 : bite.strip.initial_thickness;
+  const double of_pass = std::log(h1 / bite.strip.exit_thickness);
+  return strain_from_branch(bite.strip.flow_stress, std::log(h0 / h1)) < 0.5 * of_pass;
 }
 }  // namespace
 

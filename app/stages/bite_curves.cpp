@@ -116,7 +116,7 @@ std::vector<Sweep> sweeps_of(const BiteStudy &study)
          Eigen::VectorXd::LinSpaced(n, 0, 0.5 * k),
          [](RollBite &b, const double value) { b.strip.entry_tension = b.strip.exit_tension = value; },
          {}});
-  if (strip.friction.law == "coulomb" || strip.friction.law == "factor") {
+  if (is_a_number(strip.friction)) {
     const double mu = study.chosen().state.friction;
     sweeps.push_back({"friction", "", Eigen::VectorXd::LinSpaced(n, 0.5 * mu, std::min(1.0, 1.6 * mu)),
                       by(MapQuantity::friction), some_of(n)});
@@ -142,10 +142,7 @@ RollBite of_aspect(const BiteStudy &study, const double a)
   strip.exit_thickness    = h * (1 - r);
   strip.initial_thickness = not_given;
   strip.entry_tension = strip.exit_tension = 0;
-  if (strip.friction.law != "factor") {
-    strip.friction.law         = "coulomb";
-    strip.friction.coefficient = study.chosen().state.friction;
-  }
+  strip.friction                           = as_number(strip.friction, study.chosen().state.friction);
   return bite;
 }
 
@@ -186,9 +183,8 @@ void write_aspects(RunContext &run, const BiteStudy &study)
 // K4 by the slab theory over reduction and friction.
 void write_map(RunContext &run, const BiteStudy &study)
 {
-  const RollBite &bite  = study.question.bite;
-  const std::string law = bite.strip.friction.law;
-  if (law != "coulomb" && law != "factor")
+  const RollBite &bite = study.question.bite;
+  if (!is_a_number(bite.strip.friction))
     return;
   bite::SlabModel model = slab_model(study.question.setup);
   if (model.arc == Arc::elastic)

@@ -21,7 +21,7 @@ double backup_half_width(const FourHigh &stand, const double force)
 void check_pass(const bite::RollBite &bite, const BiteSetup &setup, const Pass &pass,
                 std::vector<Problem> &problems)
 {
-  if (bite.strip.friction.law == "film")
+  if (follows_bite(bite.strip.friction))
     return;
   try {
     bite::solve_slab(bite, {slab_model(setup).theory, bite::Arc::rigid});

@@ -33,7 +33,7 @@ BiteAnswer ask(const BiteStudy &study, const std::string &key, const bite::SlabM
 // What stands beside the chosen theory: the others that know this friction, the rigid roll and the free arc.
 std::vector<std::pair<std::string, bite::SlabModel>> models_beside(const BiteQuestion &q)
 {
-  const bool factors = q.bite.strip.friction.law == "factor";
+  const bool factors = !slides(q.bite.strip.friction);
   const Arc arc      = q.setup.arc == "rigid" ? Arc::rigid : Arc::hitchcock;
   std::vector<std::pair<std::string, bite::SlabModel>> models{
       {"karman-rigid", {Theory::karman, Arc::rigid}},
@@ -48,7 +48,7 @@ std::vector<std::pair<std::string, bite::SlabModel>> models_beside(const BiteQue
     models.push_back({
         "bland-ford", {Theory::bland_ford, arc}
     });
-  if (factors || q.bite.strip.friction.coefficient >= 0.25)  // it takes the strip as sticking
+  if (factors || plain_coefficient(q.bite.strip.friction) >= 0.25)  // it takes the strip as sticking
     models.push_back({
         "sims", {Theory::sims, arc}
     });

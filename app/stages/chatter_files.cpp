@@ -203,7 +203,7 @@ ChatterCondition condition_record(const ChatterStudy &s)
   record.speed     = s.question.speed_assumed ? not_given : c.speed;
   record.scheme    = s.question.analysis.linearisation;
   record.reduction = 100 * (1 - c.exit_thickness / c.entry_thickness);
-  record.viscosity = friction.law == "film" ? 1e3 * friction.viscosity : not_given;
+  record.viscosity = has_film(friction) ? 1e3 * friction.viscosity : not_given;
   record.structure = s.question.structure;
   record.critical  = critical_of(s);
   for (const ChatterRecord &history : s.records)

@@ -2,7 +2,7 @@
 #include "app/stages/chatter_files.h"
 #include "app/stages/chatter_question.h"
 #include "app/stages/chatter_results.h"
-#include "bite/laws/flow_stress.h"
+#include "core/laws/flow_stress_law.h"
 #include <cmath>
 #include <exception>
 #include <fmt/format.h>
@@ -72,7 +72,7 @@ void solve_chatter_case(RunContext &run, const ChatterCase &spec)
   run.assume(
       "the flattened radius and the far ends of the strip do not follow the vibration; friction forces have no "
       "part in the vertical force; the far stands run at constant speed");
-  if (spec.strip.friction.law == "film" && spec.strip.friction.film_factor == 3)
+  if (has_film(spec.strip.friction) && spec.strip.friction.film_factor == 3)
     run.assume(
         "film factor 3 is that of the source of the published friction law; the inlet film of Wilson and Walowit "
         "has 3/2, and a friction law goes with the factor it was fitted with");

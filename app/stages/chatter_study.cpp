@@ -213,7 +213,7 @@ void draw_maps(RunContext &run, ChatterStudy &s)
   axes.emplace_back(MapQuantity::reduction, around(reduction, 0.5, std::min(1.5, 0.9 / reduction), n));
   if (q.condition.entry_tension + q.condition.exit_tension > 0)
     axes.emplace_back(MapQuantity::tension, around(1, 0.25, 1.75, n));
-  if (q.bite.strip.friction.law == "film")
+  if (has_film(q.bite.strip.friction))
     axes.emplace_back(MapQuantity::viscosity, around(q.bite.strip.friction.viscosity, 0.4, 2, n));
   for (const auto &[quantity, values] : axes)
     s.maps.push_back(dynamics::stability_map(q.stand, q.bite, q.scheme, speed, quantity, values, run.threads));

@@ -1,9 +1,8 @@
 #include "app/stages/strip_flow_stage.h"
 #include "app/stages/strip_flow_store.h"
 #include "bite/members.h"
-#include "core/records/cache_entry.h"
-#include "core/records/files.h"
 #include "core/process/parallel.h"
+#include "core/records/cache_entry.h"
 #include "core/records/record_text.h"
 #include "fem/body/elastic_body.h"
 #include "fem/strip/elastic_plastic/strip_elastic.h"
@@ -15,7 +14,7 @@
 namespace mill {
 namespace {
 // Raised by hand when the finite-element bite changes what it computes.
-constexpr const char *flow_version = "strip flow 3";
+constexpr const char *flow_version = "strip flow 4";
 constexpr const char *flow_kind = "millstand bite 1", *point_kind = "millstand bite point 1";
 
 std::string key_of(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
@@ -50,11 +49,9 @@ double slope_of(const fem::StripFlow &flow)
   return -bite::by(flow.state.force_by, bite::Input::exit_thickness);
 }
 
-MeshFile meshed(const RunContext &run, const FlowQuestion &q, const int along, const int through,
-                const std::string &name)
+StripLines lines_of(const FlowQuestion &q, const int along, const int through)
 {
-  return meshes::write_strip_block(meshes::strip_block(q.bite.strip, q.bite.roll_radius, along, through),
-                                   run.out.staging() + "/" + name + ".msh");
+  return meshes::strip_lines(meshes::strip_block(q.bite.strip, q.bite.roll_radius, along, through));
 }
 
 fem::StripFlowModel rigid_model(const FlowQuestion &q)
@@ -68,13 +65,9 @@ fem::StripFlowModel rigid_model(const FlowQuestion &q)
 }
 
 // Rigid-plastic strip on a mesh of so many elements.
-fem::StripFlow rigid_flow(const RunContext &run, const FlowQuestion &q, const int along, const int through,
-                          const fem::StripFlow *start)
+fem::StripFlow rigid_flow(const FlowQuestion &q, const int along, const int through, const fem::StripFlow *start)
 {
-  const MeshFile mesh = meshed(run, q, along, through, "strip-" + slug(q.pass));
-  const auto flow     = fem::solve_strip_flow(mesh, q.bite, rigid_model(q), nullptr, start);
-  std::remove(mesh.path.c_str());
-  return flow;
+  return fem::solve_strip_flow(lines_of(q, along, through), q.bite, rigid_model(q), nullptr, start);
 }
 
 fem::StripElastic elastic_flow(const FlowQuestion &q, const int along, const int through,
@@ -109,9 +102,9 @@ FlowAnswer rigid_answer(RunContext &run, const FlowQuestion &q)
 {
   FlowAnswer answer;
   const int along   = multiple_of_four(q.setup.elements_along);
-  const auto coarse = rigid_flow(run, q, multiple_of_four(along / 2), half(q.setup.elements_through), nullptr);
+  const auto coarse = rigid_flow(q, multiple_of_four(along / 2), half(q.setup.elements_through), nullptr);
   run.progress.at(timer_name(q), 0.3);
-  answer.fine          = rigid_flow(run, q, along, q.setup.elements_through, &coarse);
+  answer.fine          = rigid_flow(q, along, q.setup.elements_through, &coarse);
   answer.coarse_force  = coarse.state.force;
   answer.coarse_torque = coarse.state.torque;
   answer.coarse_slope  = slope_of(coarse);
@@ -180,7 +173,6 @@ namespace {
 struct PointTask {
   const FlowQuestion *question;
   std::string key, file;
-  MeshFile mesh;
   std::optional<FlowPoint> point;
   std::string refused;
 };
@@ -212,7 +204,8 @@ void keep_point(RunContext &run, const PointTask &task)
 void solve_point(PointTask &task)
 {
   try {
-    const auto flow = fem::solve_strip_flow(task.mesh, task.question->bite, rigid_model(*task.question));
+    const FlowQuestion &q = *task.question;
+    const auto flow = rigid_flow(q, multiple_of_four(q.setup.elements_along), q.setup.elements_through, nullptr);
     task.point      = FlowPoint{flow.state.force, slope_of(flow)};
   } catch (const InputError &e) {
     task.refused = e.problems.front().message;
@@ -235,16 +228,11 @@ std::vector<std::optional<FlowPoint>> solve_flow_points(RunContext &run,
     points[i]              = kept_point(run, file, key);
     if (points[i])
       continue;
-    // Meshed here, one after the other: the mesher has one state for the whole program.
-    tasks.push_back({&q, key, file,
-                     meshed(run, q, multiple_of_four(q.setup.elements_along), q.setup.elements_through,
-                            "strip-point-" + std::to_string(i)),
-                     std::nullopt, ""});
+    tasks.push_back({&q, key, file, std::nullopt, ""});
     place.push_back(i);
   }
   share_tasks(long(tasks.size()), run.threads, [&](const long i) { solve_point(tasks[std::size_t(i)]); });
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    std::remove(tasks[i].mesh.path.c_str());
     if (tasks[i].point)
       keep_point(run, tasks[i]);
     else

@@ -1,9 +1,9 @@
 #include "bite/arc/elastic_arc.h"
 #include "bite/arc/elastic_arc_problem.h"
-#include "bite/laws/friction.h"
 #include "bite/slab/karman_arc.h"
 #include "bite/slab/sentence.h"
 #include "core/case/errors.h"
+#include "core/laws/friction_law.h"
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
@@ -115,10 +115,10 @@ void fill_state(const ArcProblem &problem, const ArcFlexibility *given, const Un
   const Strip &strip   = bite.strip;
   const auto r         = problem.response(u, 1);
   const double width   = strip.width;
-  const bool factor    = strip.friction.law == "factor";
+  const bool factor    = !slides(strip.friction);
   state.force          = width * problem.weight.dot(u.pressure);
   state.torque         = width * r.torque;
-  state.friction       = factor ? 0.5 * (strip.friction.entry_factor + strip.friction.exit_factor) : u.mu;
+  state.friction       = friction_value(strip.friction, u.mu);
   state.arc_length     = r.entry;
   state.exit_position  = r.exit;
   state.flattened_radius =
@@ -134,7 +134,7 @@ void fill_state(const ArcProblem &problem, const ArcFlexibility *given, const Un
   state.entry_flow_stress = r.entry_yield;
   state.exit_flow_stress  = r.exit_yield;
   state.largest_shear     = r.largest_shear;
-  if (strip.friction.law == "film") {
+  if (has_film(strip.friction)) {
     const auto plain     = arc_strip<double>(bite, u.mu, [](const double v, Input) { return v; });
     state.film_thickness = film_thickness(strip.friction, inlet_of<double>(plain, r, bite.roll_speed));
   }
@@ -189,8 +189,8 @@ BiteState solve_checked(const RollBite &bite, const ArcFlexibility *flexibility,
 {
   const Friction &law = bite.strip.friction;
   Unknowns u;
-  if (law.law != "factor")  // for a film a start, found by Newton with the pressures
-    u.mu = law.law == "film" ? 0.05 : coulomb_coefficient(law, Inlet<double>{bite.roll_speed, 0, 0, 1, 1, 1});
+  if (slides(law))  // for a film a start, found by Newton with the pressures
+    u.mu = follows_bite(law) ? 0.05 : coulomb_coefficient(law, Inlet<double>{bite.roll_speed, 0, 0, 1, 1, 1});
   const double reference =
       std::isfinite(bite.strip.initial_thickness) ? bite.strip.initial_thickness : bite.strip.entry_thickness;
   const double stress = flow_stress(bite.strip.flow_stress, std::log(reference / bite.strip.exit_thickness));
@@ -238,12 +238,10 @@ BiteState solve_elastic_arc(const RollBite &bite, const ArcFlexibility *flexibil
     return solve_checked(bite, flexibility, options);
   } catch (const SolverError &) {
     // A bite that cannot roll does not converge either, and says so less well.
-    const std::string &law = bite.strip.friction.law;
-    if (law == "film")
+    const Friction &law = bite.strip.friction;
+    if (follows_bite(law))
       throw;
-    const double mu =
-        law == "factor" ? 0
-                        : coulomb_coefficient(bite.strip.friction, Inlet<double>{bite.roll_speed, 0, 0, 1, 1, 1});
+    const double mu = slides(law) ? coulomb_coefficient(law, Inlet<double>{bite.roll_speed, 0, 0, 1, 1, 1}) : 0;
     KarmanOptions quick = options;
     quick.derivatives   = false;
     quick.points        = 0;

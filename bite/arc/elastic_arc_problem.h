@@ -1,7 +1,7 @@
 #pragma once
 #include "bite/arc/elastic_arc_grid.h"
 #include "bite/arc/elastic_arc_response.h"
-#include "bite/laws/friction.h"
+#include "core/laws/friction_law.h"
 
 // Pressures of an elastic arc on one set of points, and Newton's method for all of them.  theory.md 17.6
 namespace mill::bite {
@@ -36,15 +36,7 @@ template <class T, class Make> ArcStrip<T> arc_strip(const RollBite &bite, const
   in.arm              = bite.roll_radius;
   in.elastic_modulus  = s.youngs_modulus / (1 - s.poisson_ratio * s.poisson_ratio);
   in.law              = s.flow_stress;
-  in.factor_law       = s.friction.law == "factor";
-  in.friction         = mu;
-  if (in.factor_law) {
-    in.entry_factor = make(s.friction.entry_factor, Input::friction);
-    in.exit_factor  = make(s.friction.exit_factor, Input::friction);
-  } else {
-    in.limited      = std::isfinite(s.friction.shear_limit);
-    in.entry_factor = in.exit_factor = T(in.limited ? s.friction.shear_limit : 1.0);
-  }
+  in.friction         = traction_of(s.friction, slides(s.friction) ? mu : make(0.0, Input::friction));
   return in;
 }
 
@@ -94,7 +86,7 @@ public:
 
   double law(const double mu, const ArcResponse<double> &r) const
   {
-    if (bite_.strip.friction.law != "film")
+    if (!follows_bite(bite_.strip.friction))
       return mu;
     const auto strip = arc_strip<double>(bite_, mu, [](const double v, Input) { return v; });
     return coulomb_coefficient(bite_.strip.friction, inlet_of<double>(strip, r, bite_.roll_speed));
@@ -146,14 +138,16 @@ public:
     };
     for (Eigen::Index i = 0; i < n; ++i)
       put(i, t.response.pressure[i]);
-    if (bite_.strip.friction.law == "film") {
+    const Friction &friction = bite_.strip.friction;
+    if (follows_bite(friction)) {
       const Row speed = make(bite_.roll_speed, Input::roll_speed);
-      put(n, coulomb_coefficient(bite_.strip.friction, inlet_of<Row>(strip, t.response, speed)));
+      put(n, coulomb_coefficient(friction, inlet_of<Row>(strip, t.response, speed)));
     } else {
       t.by_mu[n] = 0;
-      if (with_inputs && bite_.strip.friction.law == "speed") {
-        const Row speed = make(bite_.roll_speed, Input::roll_speed);
-        put(n, speed_friction(bite_.strip.friction, speed));
+      if (with_inputs && needs_speed(friction)) {
+        Inlet<Row> inlet;
+        inlet.roll_speed = make(bite_.roll_speed, Input::roll_speed);
+        put(n, coulomb_coefficient(friction, inlet));
       }
     }
     // mu is the law's number plus what is added to it

@@ -1,7 +1,8 @@
 #pragma once
-#include "bite/bite.h"
 #include "bite/arc/elastic_arc_row.h"
-#include "bite/laws/flow_stress.h"
+#include "bite/bite.h"
+#include "core/laws/flow_stress_law.h"
+#include "core/laws/friction_law.h"
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -12,12 +13,10 @@ namespace mill::bite {
 template <class T> struct ArcStrip {
   T entry_thickness, exit_thickness, strain_reference;
   T entry_tension, exit_tension;
-  T friction;                   // Coulomb's mu
-  T entry_factor, exit_factor;  // limit of the friction stress over the shear yield stress
+  Traction<T> friction;
   T flow_factor, radius;
   double elastic_modulus = 0;  ///< Pa, E/(1 - nu^2) of the strip
   double arm             = 0;  ///< m, radius of the roll
-  bool factor_law = false, limited = true;
   FlowStress law;
 };
 
@@ -149,18 +148,11 @@ private:
     const T s            = (at - x[in_cell]) / w;
     return place(at, in.exit_thickness + (c.at(s) - g_min), c.slope(s) / w);
   }
-  T limit(const T &k, const int side) const
-  {
-    return 0.5 * k * (side > 0 ? in.entry_factor : in.exit_factor);
-  }
   void settle(Place &e, const T &f, const int side) const
   {
-    e.f = f;
-    e.p = f / e.h + e.k;
-    if (in.factor_law || (in.limited && in.friction * e.p > limit(e.k, side)))
-      e.tau = limit(e.k, side);
-    else
-      e.tau = in.friction * e.p;
+    e.f   = f;
+    e.p   = f / e.h + e.k;
+    e.tau = traction_limit(in.friction, e.p, e.k, side);
   }
   /// From one place to another of the same cell:  f' = p h' - side 2 tau  is linear in f while the friction keeps
   /// its regime; collocation at both ends and the middle (Lobatto, order 4), solved for the far end.
@@ -168,11 +160,13 @@ private:
   {
     const T w          = to.x - from.x;
     const Place middle = place_inside(in_cell, T(0.5 * (from.x + to.x)));
+    const T &mu        = in.friction.coefficient;
     const auto reach   = [&](const bool limited) {
       const auto rate = [&](const Place &e) {  // of f, and the constant part
-        return limited ? std::array<T, 2>{e.dh / e.h, e.k * e.dh - 2.0 * double(side) * limit(e.k, side)}
-                         : std::array<T, 2>{(e.dh - 2.0 * double(side) * in.friction) / e.h,
-                                          e.k * (e.dh - 2.0 * double(side) * in.friction)};
+        const double twice = 2.0 * side;
+        return limited
+                     ? std::array<T, 2>{e.dh / e.h, e.k * e.dh - twice * largest_traction(in.friction, e.k, side)}
+                     : std::array<T, 2>{(e.dh - twice * mu) / e.h, e.k * (e.dh - twice * mu)};
       };
       const auto a = rate(from), m = rate(middle), b = rate(to);
       const T start = a[0] * from.f + a[1];
@@ -180,8 +174,8 @@ private:
           from.f + w / 6.0 * (start + 4.0 * (m[0] * (0.5 * from.f + w / 8.0 * (start - b[1])) + m[1]) + b[1]);
       return known / (1.0 - w / 6.0 * (4.0 * m[0] * (0.5 - w / 8.0 * b[0]) + b[0]));
     };
-    settle(to, reach(in.factor_law), side);
-    if (!in.factor_law && in.limited && value_of(in.friction) * value_of(to.p) > value_of(limit(to.k, side)))
+    settle(to, reach(!in.friction.slides), side);
+    if (in.friction.slides && at_limit(in.friction, to.p, to.k, side))
       settle(to, reach(true), side);
   }
   void march()
@@ -226,7 +220,7 @@ private:
         drive = drive - 0.5 * (exits[c].tau + tau_exit) * (x_n - exits[c].x) +
                 0.5 * (tau_entry + entries[c + 1].tau) * (entries[c + 1].x - x_n);
       const Place &b = c < j ? exits[c] : entries[c + 1];
-      if (value_of(b.tau) < value_of(in.friction) * value_of(b.p) * (1 - 1e-12) || in.factor_law)
+      if (value_of(b.tau) < value_of(sliding_traction(in.friction, b.p)) * (1 - 1e-12) || !in.friction.slides)
         r.sticking_length += length;
     }
     r.torque            = in.arm * drive;
@@ -245,8 +239,9 @@ private:
     r.plastic_length = x_entry - x_exit;
     r.entry_yield    = yield(in.entry_thickness);
     r.exit_yield     = yield(in.exit_thickness);
-    r.largest_shear  = in.factor_law ? std::max(value_of(in.entry_factor), value_of(in.exit_factor))
-                                     : value_of(in.friction) * r.neutral_pressure / (0.5 * value_of(k_n));
+    const auto &law  = in.friction;
+    r.largest_shear  = law.slides ? value_of(law.coefficient) * r.neutral_pressure / (0.5 * value_of(k_n))
+                                  : std::max(value_of(law.entry_factor), value_of(law.exit_factor));
   }
   /// Ends of the contact: where the straight pressure of the last cell with any would be nil.
   static double nil_between(const double x0, const double p0, const double x1, const double p1)

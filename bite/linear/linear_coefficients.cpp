@@ -1,6 +1,7 @@
 #include "bite/linear/linear_coefficients.h"
 #include "bite/linear/linearised_bite.h"
 #include "bite/slab/slab_checks.h"
+#include "core/case/errors.h"
 
 namespace mill::bite {
 LinearCoefficients linear_coefficients(const RollBite &bite, const BiteState &state, const Linearisation scheme)

@@ -1,7 +1,8 @@
 #include "bite/linear/linear_sensitivity.h"
-#include "bite/slab/flattening.h"
 #include "bite/linear/linearised_bite.h"
+#include "bite/slab/flattening.h"
 #include "bite/slab/slab_checks.h"
+#include "core/case/errors.h"
 #include <algorithm>
 
 namespace mill::bite {
@@ -17,25 +18,13 @@ Direction variable(const RollBite &bite, const PassNumber number)
 
 template <class T> StripLaws<T> directed_laws(const RollBite &bite)
 {
-  auto laws     = strip_laws<T>(bite.strip);
-  const auto of = [&](const PassNumber number) { return T(variable(bite, number)); };
-  auto &s       = laws.flow_stress;
-  s.k           = of(PassNumber::stress);
-  s.eps0        = of(PassNumber::pre_strain);
-  s.n           = of(PassNumber::exponent);
-  s.k0          = of(PassNumber::initial_stress);
-
-  auto &f              = laws.friction;
-  f.coefficient        = of(PassNumber::friction);
-  f.scale              = of(PassNumber::friction_scale);
-  f.at_unit_speed      = of(PassNumber::at_unit_speed);
-  f.per_log_speed      = of(PassNumber::per_log_speed);
-  f.mu0                = of(PassNumber::mu0);
-  f.mu1                = of(PassNumber::mu1);
-  f.decay              = of(PassNumber::decay);
-  f.viscosity          = of(PassNumber::viscosity);
-  f.pressure_viscosity = of(PassNumber::pressure_viscosity);
-  f.film_factor        = of(PassNumber::film_factor);
+  auto laws         = strip_laws<T>(bite.strip);
+  const auto direct = [&](const auto &places, const PassNumber first) {
+    for (std::size_t i = 0; i < places.size(); ++i)
+      *places[i] = T(variable(bite, PassNumber(int(first) + int(i))));
+  };
+  direct(places_of_constants(laws.flow_stress), PassNumber::stress);
+  direct(places_of_constants(laws.friction), PassNumber::friction);
   return laws;
 }
 
@@ -109,7 +98,7 @@ LinearSensitivity linear_sensitivity(const RollBite &bite, const BiteState &stat
   d.entry_speed      = s.contact.entry_speed.by;
   d.exit_speed       = s.contact.exit_speed.by;
   d.neutral_position = s.contact.neutral_position.by;
-  if (bite.strip.friction.law == "film")
+  if (has_film(bite.strip.friction))
     d.film_thickness = s.contact.film.by;
 
   using Number = Dual<5, Direction>;

@@ -23,7 +23,10 @@ enum class PassNumber {
   exponent,            ///< -, n
   initial_stress,      ///< Pa, k0
   initial_thickness,   ///< m
-  friction,            ///< -, Coulomb's mu
+  friction,            ///< -, Coulomb's mu; from here the constants of the friction laws in their order
+  shear_limit,         ///< -, none that a bite is differentiated by, as both factors
+  entry_factor,        ///< -
+  exit_factor,         ///< -
   friction_scale,      ///< -, scale of the speed law
   at_unit_speed,       ///< -
   per_log_speed,       ///< -
@@ -34,7 +37,7 @@ enum class PassNumber {
   pressure_viscosity,  ///< 1/Pa
   film_factor          ///< -
 };
-constexpr int n_pass_numbers           = 25;
+constexpr int n_pass_numbers           = int(PassNumber::friction) + int(n_friction_constants);
 template <class T> using PerPassNumber = std::array<T, n_pass_numbers>;
 
 /// What a case file calls the number.
@@ -68,7 +71,7 @@ struct LinearSensitivity {
   PerPassNumber<LinearCoefficients> by{};    ///< of the coefficients, in the units of their rows
 };
 
-/// Exact: the steady state and its linearisation in numbers that carry the derivatives by all 25 numbers and, of
+/// Exact: the steady state and its linearisation in numbers that carry the derivatives by all numbers and, of
 /// each, those by gap, gap rate, tensions and entry thickness.
 /// @param state  of the bite by Bland and Ford on Hitchcock's arc
 /// @throws InputError, SolverError  as linear_coefficients

@@ -6,19 +6,12 @@
 namespace mill::bite {
 RollBite with_quantity(RollBite bite, const MapQuantity quantity, const double value)
 {
-  Friction &law = bite.strip.friction;
   switch (quantity) {
   case MapQuantity::reduction:
     bite.strip.exit_thickness = bite.strip.entry_thickness * (1 - value);
     break;
   case MapQuantity::friction:
-    if (law.law == "coulomb")
-      law.coefficient = value;
-    else if (law.law == "factor")
-      law.entry_factor = law.exit_factor = value;
-    else
-      throw InputError("a map over friction needs the law \"coulomb\" or \"factor\": the law \"" + law.law +
-                       "\" has no single number; take the roll speed instead");
+    bite.strip.friction = with_number(bite.strip.friction, value);
     break;
   case MapQuantity::entry_tension:
     bite.strip.entry_tension = value;

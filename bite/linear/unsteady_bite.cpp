@@ -1,6 +1,7 @@
 #include "bite/linear/unsteady_bite.h"
 #include "bite/slab/bland_ford.h"
 #include "bite/slab/slab_checks.h"
+#include "core/case/errors.h"
 #include <algorithm>
 
 namespace mill::bite {

@@ -3,6 +3,7 @@
 #include "bite/slab/flattening.h"
 #include "bite/slab/sentence.h"
 #include "bite/slab/slab_checks.h"
+#include "core/case/errors.h"
 #include <algorithm>
 
 namespace mill::bite {
@@ -93,7 +94,7 @@ BiteState solve_bland_ford(const RollBite &bite, const Arc arc, const int curve_
     throw InputError(sentence("strip.entry_tension = ", s.entry_tension / 1e6,
                               " MPa: the theory of Bland and Ford divides it by the flow stress at the entry, "
                               "which strip.flow_stress.law = \"",
-                              s.flow_stress.law,
+                              name_of(s.flow_stress.law),
                               "\" leaves open for a strip without strain; take karman, or give "
                               "strip.initial_thickness"));
   const HillRules &rules = hill_rules(bite);

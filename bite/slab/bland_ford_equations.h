@@ -1,8 +1,8 @@
 #pragma once
-#include "bite/laws/friction.h"
-#include "bite/slab/pass_inputs.h"
 #include "bite/quadrature.h"
+#include "bite/slab/pass_inputs.h"
 #include "bite/slab/settle.h"
+#include "core/laws/friction_law.h"
 
 // Bland and Ford's slab with hardening, tensions, a lubricant and a moving gap, written once for any number type.
 // theory.md 8.2, 8.3, 8.7
@@ -22,19 +22,13 @@ template <class T> struct BlandFordContact {
 
 /// Hardening and friction of a strip with constants that can be differentiated.
 template <class T> struct StripLaws {
-  FlowStressLaw<T> flow_stress;
-  FrictionLaw<T> friction;
+  FlowStressOf<T> flow_stress;
+  FrictionOf<T> friction;
 };
 
 template <class T> StripLaws<T> strip_laws(const Strip &strip)
 {
-  const FlowStress &s = strip.flow_stress;
-  const Friction &f   = strip.friction;
-  return {
-      {s.law,  s.k,   s.eps0,  s.n,         s.k0, s.table},
-      { f.law, f.coefficient, f.scale, f.at_unit_speed, f.per_log_speed,                      f.mu0,                f.mu1, f.decay, f.viscosity,
-       f.pressure_viscosity, f.film_factor}
-  };
+  return {flow_stress_in<T>(strip.flow_stress), friction_in<T>(strip.friction)};
 }
 
 /// What is held while a state is linearised.
@@ -67,11 +61,10 @@ BlandFordContact<T> bland_ford_contact(const Laws &strip, const PassInputs<T> &i
       held.exit_speed ? *held.exit_speed : strip_speed(in, entry_speed, c.entry_position, c.exit_position);
   const Inlet<T> inlet{in.roll_speed, entry_speed,      film_exit_speed,
                        in.radius,     c.entry_position, entry_stress - in.entry_tension};
-  c.film          = strip.friction.law == "film" ? film_thickness(strip.friction, inlet) : T(not_given);
-  c.friction      = in.friction + (held.friction                  ? *held.friction
-                                   : strip.friction.law == "film" ? film_friction(strip.friction, c.film)
-                                                                  : coulomb_coefficient(strip.friction, inlet));
-  const T balance = log(c.exit_factor / c.entry_factor * in.entry_thickness / c.exit_thickness);  // (8.7)
+  const Coefficient<T> law = coefficient_at(strip.friction, inlet);
+  c.film                   = law.film;
+  c.friction               = in.friction + (held.friction ? *held.friction : law.mu);
+  const T balance          = log(c.exit_factor / c.entry_factor * in.entry_thickness / c.exit_thickness);  // (8.7)
   c.neutral_angle =
       0.5 * (c.entry_angle + c.exit_angle) - sqrt(in.exit_thickness / in.radius) * balance / (4.0 * c.friction);
   c.balance            = value_of(balance);

@@ -3,6 +3,7 @@
 #include "bite/slab/flattening.h"
 #include "bite/slab/sentence.h"
 #include "bite/slab/slab_checks.h"
+#include "core/case/errors.h"
 #include <algorithm>
 
 namespace mill::bite {
@@ -78,7 +79,7 @@ BiteState solve_hu_ehmann(const RollBite &bite, const Arc arc, const int curve_p
                      "elastic arc");
   const Strip &s         = bite.strip;
   const HillRules &rules = hill_rules(bite);
-  const Integration how  = s.flow_stress.law == "constant" ? Integration::closed : Integration::quadrature;
+  const Integration how  = hardens(s.flow_stress) ? Integration::quadrature : Integration::closed;
   BiteState state;
   state.model            = arc == Arc::rigid ? "Hu-Ehmann slab, rigid arc" : "Hu-Ehmann slab, Hitchcock's arc";
   state.flattened_radius = bite.roll_radius;

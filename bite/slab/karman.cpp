@@ -1,11 +1,11 @@
 #include "bite/slab/karman.h"
 #include "bite/arc/elastic_arc.h"
 #include "bite/slab/flattening.h"
-#include "bite/laws/friction.h"
 #include "bite/slab/karman_arc.h"
 #include "bite/slab/sentence.h"
 #include "bite/slab/sims.h"
 #include "core/case/errors.h"
+#include "core/laws/friction_law.h"
 #include <algorithm>
 #include <cmath>
 
@@ -63,9 +63,8 @@ Lubricated lubricated(const RollBite &bite, const Theory theory, const double ra
                       const KarmanOptions &options)
 {
   const Friction &law = bite.strip.friction;
-  if (law.law != "film") {
-    const double mu =
-        law.law == "factor" ? 0 : coulomb_coefficient(law, Inlet<double>{bite.roll_speed, 0, 0, 0, 0, 0});
+  if (!follows_bite(law)) {
+    const double mu = slides(law) ? coulomb_coefficient(law, Inlet<double>{bite.roll_speed, 0, 0, 0, 0, 0}) : 0;
     return {solve_on_circle(bite, theory, radius, mu, options, start.bite.neutral_share), mu};
   }
   KarmanOptions quick = options;
@@ -108,7 +107,7 @@ void follow_friction_law(const Wide &law, Wide &x)
 void add_notes(const RollBite &bite, BiteState &state, const Arc arc)
 {
   const Strip &strip = bite.strip;
-  const bool factor  = strip.friction.law == "factor";
+  const bool factor  = !slides(strip.friction);
   if (!factor && state.bite_angle > state.friction)
     state.notes.push_back(sentence("the angle of bite ", state.bite_angle, " rad is larger than the friction ",
                                    state.friction,
@@ -157,7 +156,8 @@ BiteState solve_karman(const RollBite &bite, const Theory theory, const Arc arc,
         "the elastic arc is known to the theory karman only: the pressure along an arc that is no circle is "
         "integrated with it");
   if (needs_speed(bite.strip.friction) && !(bite.roll_speed > 0))
-    throw InputError("strip.friction.law = \"" + bite.strip.friction.law + "\" needs the speed of the rolls");
+    throw InputError("strip.friction.law = \"" + name_of(bite.strip.friction.law) +
+                     "\" needs the speed of the rolls");
   BiteState state;
   if (theory == Theory::sims)
     state = solve_sims(bite, arc, options.points);
@@ -200,20 +200,18 @@ BiteState solve_karman(const RollBite &bite, const Theory theory, const Arc arc,
     Wide force = widened(s.force), torque = widened(s.torque);
     if (needs_speed(strip.friction)) {
       const Inlet<Wide> inlet = inlet_of(bite, s, radius);
-      const Wide law          = coulomb_coefficient(strip.friction, inlet);
-      if (strip.friction.law == "film")
-        state.film_thickness = film_thickness(strip.friction, inlet).value;
-      follow_friction_law(law, force);
-      follow_friction_law(law, torque);
+      const auto law          = coefficient_at(strip.friction, inlet);
+      state.film_thickness    = law.film.value;
+      follow_friction_law(law.mu, force);
+      follow_friction_law(law.mu, torque);
     }
-    const bool factor      = strip.friction.law == "factor";
-    state.force            = strip.width * s.force.value;
-    state.torque           = strip.width * s.torque.value;
-    state.friction         = factor ? 0.5 * (strip.friction.entry_factor + strip.friction.exit_factor) : solved.mu;
-    state.flattened_radius = radius;
-    state.arc_length       = s.arc_length.value;
-    state.bite_angle       = s.arc_length.value / radius;
-    state.neutral_position = s.neutral_position;
+    state.force             = strip.width * s.force.value;
+    state.torque            = strip.width * s.torque.value;
+    state.friction          = friction_value(strip.friction, solved.mu);
+    state.flattened_radius  = radius;
+    state.arc_length        = s.arc_length.value;
+    state.bite_angle        = s.arc_length.value / radius;
+    state.neutral_position  = s.neutral_position;
     state.neutral_thickness = s.neutral_thickness.value;
     state.sticking_length   = s.sticking_length;
     const double flux       = s.neutral_thickness.value * s.neutral_cosine.value;

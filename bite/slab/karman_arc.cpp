@@ -28,28 +28,9 @@ std::vector<FlowPiece> flow_pieces(const FlowStress &law, const double reference
   const auto coordinate = [&](const double h) {
     return std::sqrt((h - h2) * (small_angles ? radius : 0.25 / radius));
   };
-  if (law.law != "table") {
-    std::vector<FlowPiece> pieces{
-        {0, law}
-    };
-    if (const double h = reference * std::exp(-strain_of_growth(law)); h > h2 && h < h1)
-      pieces.push_back({coordinate(h), law});
-    return pieces;
-  }
-  // Of a table one straight line after the other: between its kinks everything is smooth.
-  const std::size_t first = table_interval(law.table, std::log(reference / h2));
-  const std::size_t last  = table_interval(law.table, std::log(reference / h1));
   std::vector<FlowPiece> pieces;
-  for (std::size_t i = first; i >= last && i > 0; --i) {  // thin strip has the larger strain
-    const auto &a = law.table[i - 1], &b = law.table[i];
-    FlowStress line;
-    line.law       = "ludwik";
-    line.n         = 1;
-    line.k         = (b[1] - a[1]) / (b[0] - a[0]);
-    line.k0        = a[1] - line.k * a[0];
-    const double h = std::max(h2, reference * std::exp(-b[0]));
-    pieces.push_back({coordinate(h), line});
-  }
+  for (const SmoothFlowStress &smooth : smooth_pieces_of(law, std::log(reference / h2), std::log(reference / h1)))
+    pieces.push_back({coordinate(std::max(h2, reference * std::exp(-smooth.from))), smooth.law});
   pieces.front().from = 0;
   return pieces;
 }
@@ -69,22 +50,12 @@ SliceInputs<T> slice_inputs(const RollBite &bite, const Theory theory, const dou
   in.flow_factor      = input<T>(1.0, Input::flow_stress);
   in.radius           = input<T>(radius, Input::arc_radius);
   in.arm              = bite.roll_radius;
-  in.factor_law       = friction.law == "factor";
   in.wedge            = theory == Theory::orowan;
   in.small_angles     = options.small_angles;
-  if (in.factor_law) {
-    // Both factors grow alike per unit of mu: mu p is the friction stress at a mean pressure of k/2 over mu.
-    in.entry_factor = input<T>(friction.entry_factor, Input::friction);
-    in.exit_factor  = input<T>(friction.exit_factor, Input::friction);
-    in.friction     = T(0.0);
-  } else {
-    in.limited      = std::isfinite(friction.shear_limit);
-    in.entry_factor = T(in.limited ? friction.shear_limit : 1.0);
-    in.exit_factor  = in.entry_factor;
-    in.friction     = input<T>(mu, Input::friction);
-  }
-  in.pieces = flow_pieces(strip.flow_stress, value_of(in.strain_reference), strip.entry_thickness,
-                          strip.exit_thickness, radius, options.small_angles);
+  // Both factors grow alike per unit of mu: mu p is the friction stress at a mean pressure of k/2 over mu.
+  in.friction = traction_of(friction, input<T>(slides(friction) ? mu : 0.0, Input::friction));
+  in.pieces   = flow_pieces(strip.flow_stress, value_of(in.strain_reference), strip.entry_thickness,
+                            strip.exit_thickness, radius, options.small_angles);
   return in;
 }
 
@@ -253,7 +224,7 @@ double limited_length(const BranchPath &path, const SliceInputs<double> &in, con
   const auto &nodes = path.nodes();
   const bool down   = nodes.front().t > end;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!(nodes[i].at_limit || in.factor_law))
+    if (!(nodes[i].at_limit || !in.friction.slides))
       continue;
     const double a = nodes[i].t, b = i + 1 < nodes.size() ? nodes[i + 1].t : end;
     const double x = down ? std::max(a, end) : std::min(a, end), y = down ? std::max(b, end) : std::min(b, end);
@@ -267,8 +238,8 @@ void refuse_skidding(const RollBite &bite, const Theory theory, const double rad
                      const KarmanOptions &options)
 {
   const Friction &law = bite.strip.friction;
-  const bool factor   = law.law == "factor";
-  const double given  = factor ? 0.5 * (law.entry_factor + law.exit_factor) : mu;
+  const bool factor   = !slides(law);
+  const double given  = friction_value(law, mu);
   const double draft  = bite.strip.entry_thickness - bite.strip.exit_thickness;
   const double angle =
       options.small_angles ? std::sqrt(draft / radius) : 2 * std::asin(std::sqrt(draft / (4 * radius)));
@@ -288,10 +259,7 @@ void refuse_skidding(const RollBite &bite, const Theory theory, const double rad
 void check_slices(const RollBite &bite)
 {
   check_pass(bite);
-  if (bite.strip.friction.law == "factor")
-    check_factors(bite);
-  else
-    check_coulomb(bite);
+  check_friction(bite);
   if (bite.gap_rate != 0)
     throw InputError(
         sentence("the gap opens at ", bite.gap_rate,
@@ -367,8 +335,8 @@ CircularBite solve_on_circle(const RollBite &bite, const Theory theory, const do
   out.sticking_length  = limited_length(hill.exit, in, t_n) + limited_length(hill.entry, in, t_n);
   out.least_pressure   = std::min(least_pressure(hill.exit, t_n), least_pressure(hill.entry, t_n));
   const double limit   = 0.5 * d.yield;
-  out.largest_shear    = in.factor_law ? std::max(value_of(in.entry_factor), value_of(in.exit_factor))
-                                       : mu * out.peak_pressure / limit;
+  out.largest_shear    = in.friction.slides ? mu * out.peak_pressure / limit
+                                            : std::max(in.friction.entry_factor, in.friction.exit_factor);
   if (options.points > 0) {
     sample_arc(hill, t_n, options.points, out);
     out.peak_pressure = std::max(out.peak_pressure, out.pressure.maxCoeff());

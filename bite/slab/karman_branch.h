@@ -1,7 +1,8 @@
 #pragma once
-#include "core/numerics/derivative.h"
-#include "bite/laws/flow_stress.h"
 #include "bite/slab/orowan.h"
+#include "core/laws/flow_stress_law.h"
+#include "core/laws/friction_law.h"
+#include "core/numerics/derivative.h"
 #include <array>
 #include <vector>
 
@@ -17,13 +18,11 @@ struct FlowPiece {
 template <class T> struct SliceInputs {
   T entry_thickness, exit_thickness, strain_reference;  // the strain counts from the last
   T entry_tension, exit_tension;
-  T friction;      // Coulomb's mu; unused where the friction is a factor
-  T entry_factor;  // friction stress at its limit over the shear yield stress, entry side
-  T exit_factor;
-  T flow_factor;        // on the flow stress
-  T radius;             // of the arc
-  double arm      = 0;  ///< m, of the torque: radius of the roll
-  bool factor_law = false, limited = true, wedge = false, small_angles = false;
+  Traction<T> friction;
+  T flow_factor;   // on the flow stress
+  T radius;        // of the arc
+  double arm = 0;  ///< m, of the torque: radius of the roll
+  bool wedge = false, small_angles = false;
   std::vector<FlowPiece> pieces;  // rising
 };
 
@@ -69,9 +68,8 @@ public:
     }
     s.yield         = yield(s.thickness);
     const T mean    = f / s.thickness;
-    const T &factor = side_ > 0 ? in.entry_factor : in.exit_factor;
-    const T limit   = 0.5 * s.yield * factor;
-    const bool slip = !in.factor_law && !at_limit;
+    const T limit   = largest_traction(in.friction, s.yield, side_);
+    const bool slip = in.friction.slides && !at_limit;
     // A roll does not pull at the strip: no friction there, and who solves for the bite refuses the state.
     // Friction of the other sign would make the pressure run away.
     const bool pulls = slip && value_of(mean) + value_of(s.yield) < 0;
@@ -80,18 +78,20 @@ public:
       s.shear    = T(0.0);
     } else if (!in.wedge) {
       s.pressure = mean + s.yield;
-      s.shear    = slip ? in.friction * s.pressure : limit;
+      s.shear    = slip ? sliding_traction(in.friction, s.pressure) : limit;
     } else {
       const T lever = in.small_angles ? T(0.0) : wedge_lever(angle);
       const T phi   = in.small_angles ? T(0.0) : angle;
       if (slip)
         s.pressure = slipping_pressure(mean, s.yield, lever, phi);
       else
-        s.pressure = mean + s.yield * wedge_value(factor, phi) - double(side_) * limit * lever;
-      s.shear = slip ? in.friction * s.pressure : limit;
+        s.pressure = mean +
+                     s.yield * wedge_value(side_ > 0 ? in.friction.entry_factor : in.friction.exit_factor, phi) -
+                     double(side_) * limit * lever;
+      s.shear = slip ? sliding_traction(in.friction, s.pressure) : limit;
     }
-    if (in.limited && !in.factor_law)
-      s.excess = value_of(in.friction) * value_of(s.pressure) / (value_of(limit) + 1e-300) - 1;
+    if (in.friction.limited && in.friction.slides)
+      s.excess = value_of(sliding_traction(in.friction, s.pressure)) / (value_of(limit) + 1e-300) - 1;
     return s;
   }
 
@@ -117,9 +117,10 @@ private:
   /// p (1 +- mu lever) = mean + k w(2 mu p/k, phi): rises monotonically in p, Newton from the last slice.  (17.4)
   T slipping_pressure(const T &mean, const T &yield, const T &lever, const T &phi) const
   {
-    const double k = value_of(yield), mu = value_of(in.friction), m = value_of(mean), angle = value_of(phi);
+    const double k = value_of(yield), mu = value_of(in.friction.coefficient), m = value_of(mean),
+                 angle = value_of(phi);
     if (!(k > 0))  // a power law at the entry
-      return mean / (1.0 + double(side_) * in.friction * lever);
+      return mean / (1.0 + double(side_) * in.friction.coefficient * lever);
     const double straight = 1 + side_ * mu * value_of(lever);
     double p = guess_ > 0 ? guess_ : m + k, rise = straight;
     for (int i = 0; i < 30; ++i) {
@@ -138,10 +139,12 @@ private:
     guess_ = p;
     // One more step, in numbers with derivatives: exact by the theorem of implicit functions.
     const bool slips    = 2 * mu * p < k;
-    const T a           = slips ? T(2.0 * in.friction * p / yield) : T(1.0);
+    const T a           = slips ? T(2.0 * in.friction.coefficient * p / yield) : T(1.0);
     const WedgeFactor w = wedge_factor(value_of(a), angle);
     rise                = straight - (slips ? 2 * mu * w.by_shear : 0);
-    return p - (p * (1.0 + double(side_) * in.friction * lever) - mean - yield * wedge_number(w, a, phi)) / rise;
+    return p -
+           (p * (1.0 + double(side_) * in.friction.coefficient * lever) - mean - yield * wedge_number(w, a, phi)) /
+               rise;
   }
 
   const SliceInputs<T> &in;

@@ -25,9 +25,10 @@ BranchPath::BranchPath(const SliceInputs<double> &inputs, const int side, const 
   equation_.piece = side > 0 ? 0 : inputs.pieces.size() - 1;
   const double stress =
       std::max(slice.yield, equation_.yield(side > 0 ? in_.exit_thickness : in_.entry_thickness));
-  const double shear = std::max(0.02, std::min(0.5, std::max(in_.friction, 0.5 * in_.entry_factor)));
-  scale_             = {tolerance * stress * in_.exit_thickness, tolerance * stress * length,
-                        tolerance * stress * length * shear * in_.arm};
+  const double shear =
+      std::max(0.02, std::min(0.5, std::max(in_.friction.coefficient, 0.5 * in_.friction.entry_factor)));
+  scale_ = {tolerance * stress * in_.exit_thickness, tolerance * stress * length,
+            tolerance * stress * length * shear * in_.arm};
   nodes_.push_back(node);
 }
 

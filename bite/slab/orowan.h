@@ -1,6 +1,6 @@
 #pragma once
+#include "core/laws/flow_stress_law.h"
 #include "core/numerics/derivative.h"
-#include "bite/laws/flow_stress.h"
 
 // Stress in a wedge of plastic material between two rough plates: what makes Orowan's theory inhomogeneous.
 // theory.md 17.2

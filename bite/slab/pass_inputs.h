@@ -1,7 +1,7 @@
 #pragma once
 #include "bite/bite.h"
+#include "core/laws/flow_stress_law.h"
 #include "core/numerics/derivative.h"
-#include "bite/laws/flow_stress.h"
 #include <algorithm>
 #include <vector>
 
@@ -136,11 +136,8 @@ std::vector<T> smooth_pieces(const Law &law, const PassInputs<T> &in, const T &f
       if (value_of(t) > value_of(from) && value_of(t) < value_of(to))
         inside.push_back(t);
   };
-  if (law.law == "table")
-    for (const auto &row : law.table)
-      cut(row[0]);
-  else
-    cut(strain_of_growth(law));
+  for (const double strain : strains_of_kinks(law))
+    cut(strain);
   std::sort(inside.begin(), inside.end(), [](const T &a, const T &b) { return value_of(a) < value_of(b); });
   angles.insert(angles.end(), inside.begin(), inside.end());
   angles.push_back(to);

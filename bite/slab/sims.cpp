@@ -1,9 +1,9 @@
 #include "bite/slab/sims.h"
-#include "bite/laws/friction.h"
 #include "bite/slab/flattening.h"
 #include "bite/slab/karman_arc.h"
 #include "bite/slab/sentence.h"
 #include "core/case/errors.h"
+#include "core/laws/friction_law.h"
 #include "core/numerics/derivative.h"
 #include "core/numerics/gauss.h"
 #include <cmath>
@@ -57,14 +57,15 @@ void check_sticking(const RollBite &bite)
 {
   const Strip &strip       = bite.strip;
   const Friction &friction = strip.friction;
-  if (friction.law == "factor" && std::min(friction.entry_factor, friction.exit_factor) < 2 * smallest_friction)
-    throw InputError(sentence("Sims' formula takes the strip as sticking; with friction factors of ",
-                              friction.entry_factor, " and ", friction.exit_factor,
-                              " it slips. Give factors of at least 0.5, or use karman or orowan"));
-  if (friction.law == "film")
+  if (!slides(friction)) {
+    if (std::min(friction.entry_factor, friction.exit_factor) < 2 * smallest_friction)
+      throw InputError(sentence("Sims' formula takes the strip as sticking; with friction factors of ",
+                                friction.entry_factor, " and ", friction.exit_factor,
+                                " it slips. Give factors of at least 0.5, or use karman or orowan"));
+  } else if (follows_bite(friction)) {
     throw InputError(
         "Sims' formula takes the strip as sticking; under a film it slips. Use karman, orowan or bland_ford");
-  if (friction.law != "factor") {
+  } else {
     const double mu = coulomb_coefficient(friction, Inlet<double>{bite.roll_speed, 0, 0, 0, 0, 0});
     if (!(mu >= smallest_friction))
       throw InputError(sentence("Sims' formula takes the strip as sticking; with a friction coefficient of ", mu,
@@ -133,9 +134,9 @@ BiteState solve_sims(const RollBite &bite, const Arc arc, const int points)
       arc == Arc::hitchcock ? following_slope(bite, state.force, by(state.force_by, Input::exit_thickness),
                                               by(state.force_by, Input::arc_radius))
                             : by(state.force_by, Input::exit_thickness);
-  state.friction          = strip.friction.law == "factor"
-                                ? 0.5 * (strip.friction.entry_factor + strip.friction.exit_factor)
-                                : coulomb_coefficient(strip.friction, Inlet<double>{bite.roll_speed, 0, 0, 0, 0, 0});
+  state.friction          = slides(strip.friction)
+                                ? coulomb_coefficient(strip.friction, Inlet<double>{bite.roll_speed, 0, 0, 0, 0, 0})
+                                : friction_value(strip.friction, 0);
   const double R          = state.flattened_radius;
   state.arc_length        = std::sqrt(R * (strip.entry_thickness - strip.exit_thickness));
   state.bite_angle        = state.arc_length / R;
@@ -155,7 +156,7 @@ BiteState solve_sims(const RollBite &bite, const Arc arc, const int points)
   stuck.strip.flow_stress           = {};
   stuck.strip.flow_stress.k         = mean;
   stuck.strip.friction              = {};
-  stuck.strip.friction.law          = "factor";
+  stuck.strip.friction.law          = FrictionLaw::factor;
   stuck.strip.friction.entry_factor = stuck.strip.friction.exit_factor = 1;
   KarmanOptions options;
   options.small_angles    = true;
@@ -170,7 +171,7 @@ BiteState solve_sims(const RollBite &bite, const Arc arc, const int points)
     state.shear     = hill.shear;
     state.slip      = hill.slip;
   }
-  if (strip.flow_stress.law != "constant")
+  if (hardens(strip.flow_stress))
     state.notes.push_back("Sims' formula takes one flow stress; given is its mean over the arc.");
   return state;
 }

@@ -1,9 +1,10 @@
 #include "bite/slab/slab_checks.h"
 #include "bite/slab/flattening.h"
-#include "bite/laws/friction.h"
 #include "bite/slab/pass_inputs.h"
 #include "bite/slab/sentence.h"
 #include "bite/slab/settle.h"
+#include "core/case/errors.h"
+#include "core/laws/friction_law.h"
 
 namespace mill::bite {
 namespace {
@@ -68,37 +69,34 @@ void check_coulomb(const RollBite &bite)
 {
   const Friction &law = bite.strip.friction;
   if (needs_speed(law) && std::isnan(bite.roll_speed))
-    throw InputError("strip.friction.law = \"" + law.law +
+    throw InputError("strip.friction.law = \"" + name_of(law.law) +
                      "\" depends on the speed of the rolls, which is not given; give it, or use law \"coulomb\"");
-  if (law.law == "film") {
-    if (!(law.viscosity > 0 && law.pressure_viscosity > 0 && law.film_factor > 0))
-      throw InputError("strip.friction: a film needs a positive viscosity, pressure_viscosity and film_factor");
-    if (!(law.mu0 > 0 && law.mu1 >= 0 && law.decay >= 0))
-      throw InputError("strip.friction: the film law needs mu0 > 0, mu1 >= 0 and decay >= 0");
+  check_constants(law);
+  if (follows_bite(law)) {
     const auto in = pass_inputs<double>(bite, bite.roll_radius);
     if (entry_starts_from_nothing(bite.strip) ||
         !(stress_at(bite.strip.flow_stress, in, in.entry_thickness) > bite.strip.entry_tension))
-      throw InputError(
-          "strip.friction.law = \"film\": the strip yields at no pressure at the entry, so the film has "
-          "nothing to carry there; a flow stress law that starts above zero is needed");
+      throw InputError("strip.friction.law = \"" + name_of(law.law) +
+                       "\": the strip yields at no pressure at the entry, so the film has nothing to carry there; "
+                       "a flow stress law that starts above zero is needed");
     return;
   }
-  // Refuses factors and unknown laws by the way.
+  // Refuses factors by the way.
   const double mu = coulomb_coefficient(law, Inlet<double>{bite.roll_speed, 0, 0, 1, 1, 1});
   if (mu > 0)
     return;
-  if (law.law == "coulomb")
+  if (!needs_speed(law))
     throw InputError("strip.friction must be positive: without friction the rolls do not pull the strip through");
-  throw InputError(sentence("strip.friction: the speed law gives mu = ", mu, " at ", bite.roll_speed,
-                            " m/s; it must be positive"));
+  throw InputError(sentence("strip.friction: the ", name_of(law.law), " law gives mu = ", mu, " at ",
+                            bite.roll_speed, " m/s; it must be positive"));
 }
 
 void check_factors(const RollBite &bite)
 {
   const Friction &law = bite.strip.friction;
-  if (law.law != "factor")
+  if (slides(law))
     throw InputError(
-        "strip.friction.law = \"" + law.law +
+        "strip.friction.law = \"" + name_of(law.law) +
         "\": the theory of Hu and Ehmann takes friction factors; law \"factor\" with entry_factor and "
         "exit_factor (m is about 2 mu p / k), or another theory");
   const auto inside = [](const double m) { return m >= 0 && m <= 1; };
@@ -107,10 +105,19 @@ void check_factors(const RollBite &bite)
                               law.exit_factor, " must lie between 0 and 1, and not both be 0"));
 }
 
+void check_friction(const RollBite &bite)
+{
+  if (slides(bite.strip.friction))
+    check_coulomb(bite);
+  else
+    check_factors(bite);
+}
+
 std::string friction_in_words(const Friction &law, const double coefficient)
 {
-  return law.law == "coulomb" ? sentence("strip.friction = ", coefficient)
-                              : sentence("the friction, by its ", law.law, " law ", coefficient, ",");
+  return !std::isnan(plain_coefficient(law))
+             ? sentence("strip.friction = ", coefficient)
+             : sentence("the friction, by its ", name_of(law.law), " law ", coefficient, ",");
 }
 
 void refuse_neutral_point(const std::string &friction, const double angle_of_bite, const double needed,

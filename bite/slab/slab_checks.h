@@ -16,6 +16,9 @@ void check_coulomb(const RollBite &bite);
 /// Checks a law of friction factors.  @throws InputError
 void check_factors(const RollBite &bite);
 
+/// One of both, by the law.  @throws InputError
+void check_friction(const RollBite &bite);
+
 /// "strip.friction = 0.02", or the coefficient with the law that gives it.
 std::string friction_in_words(const Friction &law, double coefficient);
 

@@ -1,6 +1,6 @@
-#include "core/records/files.h"
 #include "core/case/given.h"
 #include "core/case/stand_reader.h"
+#include "core/records/files.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -153,7 +153,7 @@ void read_friction_law(const Node &root, ChatterCase &spec, const bool strip_has
       oil.film_range[0] >= oil.film_range[1])
     contradict(reading, "oil.film_range", "does not run from the thinner to the thicker film", {});
   spec.strip.friction     = oil;
-  spec.strip.friction.law = "film";
+  spec.strip.friction.law = FrictionLaw::film;
   spec.film_range         = oil.film_range;
 }
 
@@ -173,14 +173,13 @@ bool read_strip_of_chatter(const Node &root, ChatterCase &spec, Reading &reading
   read_and_echo(section, section.header(), rows, strip, reading, sections);
   if (!section.node && !section.refused)
     reading.add(Place{reading.file}, "the section [strip] is missing; it needs flow_stress");
-  const Section law = section_at(root, "strip.flow_stress", reading);
-  read_and_echo(law, law.header(), flow_stress_rows(), strip.flow_stress, reading);
+  strip.flow_stress          = read_flow_stress(root, reading);
   strip.friction.coefficient = strip.coulomb;
   if (has_law)
-    read_and_echo({&entry->value, "strip.friction"}, "[strip.friction]", friction_rows(), strip.friction, reading);
+    strip.friction = read_friction_law({&entry->value, "strip.friction"}, reading);
   spec.strip = strip;
   check_flow_and_friction(spec.strip, reading);
-  if (has_law && strip.friction.law == "factor")
+  if (has_law && !slides(strip.friction))
     contradict(reading, "strip.friction.law", "has no Coulomb coefficient; chatter takes coulomb, speed or film",
                {});
   return entry != nullptr;

@@ -10,6 +10,9 @@ Section section_at(const Node &root, const std::string &name, Reading &reading);
 /// [[pass]]; `root` may have none.
 std::vector<Pass> read_passes(const Node &root, const std::vector<Field<PassInput>> &rows, Reading &reading);
 Strip read_strip(const Node &root, Reading &reading);
+FlowStress read_flow_stress(const Node &root, Reading &reading);
+/// @param section  [strip.friction]
+Friction read_friction_law(const Section &section, Reading &reading);
 BiteSetup read_bite_setup(const Node &root, Reading &reading);
 /// [housing] and [screwdown]; without the section nothing is given.
 MillHousing read_housing(const Node &root, const Material &steel, Reading &reading);

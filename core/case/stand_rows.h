@@ -30,6 +30,14 @@ struct StripInput : Strip {
   double coulomb = not_given;  ///< -
 };
 
+/// [strip.flow_stress] and [strip.friction]: the law by its name.
+struct FlowStressInput : FlowStress {
+  std::string name = name_of(law);
+};
+struct FrictionInput : Friction {
+  std::string name = name_of(law);
+};
+
 /// [work_roll] of kind = "bite".
 struct BiteRollInput {
   double diameter = 0;  ///< m
@@ -58,11 +66,11 @@ const std::vector<Field<Frame>> &frame_rows();
 const std::vector<Field<MillHousing>> &housing_rows();
 const std::vector<Field<Screwdown>> &screwdown_rows();
 const std::vector<Field<StripInput>> &strip_rows();
-const std::vector<Field<Friction>> &friction_rows();
+const std::vector<Field<FrictionInput>> &friction_rows();
 const std::vector<Field<BiteSetup>> &bite_rows();
 const std::vector<Field<BiteRollInput>> &bite_roll_rows();
 const std::vector<Field<PassInput>> &bite_pass_rows();
-const std::vector<Field<FlowStress>> &flow_stress_rows();
+const std::vector<Field<FlowStressInput>> &flow_stress_rows();
 const std::vector<Field<Material>> &chatter_steel_rows();
 const std::vector<Field<StripInput>> &chatter_strip_rows();  ///< friction last
 const std::vector<Field<OilInput>> &oil_rows();

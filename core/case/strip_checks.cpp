@@ -5,46 +5,39 @@
 
 namespace mill {
 namespace {
-// Initial value of the flow stress, where the law has one of its own; the strip must carry its back tension there.
-double initial_stress(const FlowStress &flow)
+template <class Law, class Rows> std::vector<std::string> keys_of(const Law &law, const Rows &constants)
 {
-  if (flow.law == "constant")
-    return flow.k;
-  if (flow.law == "swift" || flow.law == "reduction-power")
-    return flow.k * std::pow(flow.eps0, flow.n);
-  if (flow.law == "ludwik" || flow.law == "voce")
-    return flow.k0;
-  if (flow.law == "table" && !flow.table.empty())
-    return flow.table.front()[1];
-  return not_given;
+  std::vector<std::string> keys;
+  for (const auto member : row_of(law.law).needs)
+    for (const auto &constant : constants)
+      if (constant.member == member)
+        keys.push_back(constant.key);
+  return keys;
 }
 
-void check_flow_stress(const FlowStress &flow, Reading &reading)
+std::vector<std::string> keys_needed(const FlowStress &flow)
 {
-  const std::string name = "strip.flow_stress.";
-  const auto needs       = [&](const char *key) {
-    if (!reading.places.count(name + key) && !reading.bad.count(name + key))
-      contradict(reading, name + "law", fmt::format("needs '{}'", key), {});
-  };
-  if (!reading.usable({name + "law"}))
-    return;
-  if (flow.law == "table")
-    needs("table");
-  else
-    needs("k");
-  if (flow.law == "ludwik" || flow.law == "voce")
-    needs("k0");
-  if (flow.law == "swift" || flow.law == "reduction-power")
-    needs("eps0");
-  if (flow.law != "constant" && flow.law != "table")
-    needs("n");
+  return row_of(flow.law).tabled ? std::vector<std::string>{"table"} : keys_of(flow, flow_stress_constants());
+}
+
+std::vector<std::string> keys_needed(const Friction &friction)
+{
+  return keys_of(friction, friction_constants());
+}
+
+// Every key that a law cannot do without.
+template <class Law> void check_law(const std::string &section, const Law &law, Reading &reading)
+{
+  for (const std::string &key : keys_needed(law))
+    if (!reading.places.count(section + key) && !reading.bad.count(section + key))
+      contradict(reading, section + "law", fmt::format("needs '{}'", key), {});
 }
 
 // @param key  full, "strip.entry_tension" or "pass.0.entry_tension"
 void check_tension(const std::string &key, const double tension, const Strip &strip, Reading &reading)
 {
   const double limit    = initial_stress(strip.flow_stress);
-  const std::string law = strip.flow_stress.law == "table" ? "table" : "k";
+  const std::string law = row_of(strip.flow_stress.law).tabled ? "table" : "k";
   if (reading.usable({key, "strip.flow_stress.k", "strip.flow_stress.law", "strip.flow_stress.table"}) &&
       limit > 0 && tension >= limit)
     contradict(reading, key,
@@ -53,33 +46,14 @@ void check_tension(const std::string &key, const double tension, const Strip &st
                {"strip.flow_stress." + law});
 }
 
-// Keys a friction law cannot do without.
-void check_friction(const Friction &friction, Reading &reading)
-{
-  const std::string name = "strip.friction.";
-  if (!reading.places.count(name + "law"))
-    return;  // a number, or refused
-  const auto needs = [&](const char *key) {
-    if (!reading.places.count(name + key) && !reading.bad.count(name + key))
-      contradict(reading, name + "law", fmt::format("needs '{}'", key), {});
-  };
-  if (friction.law == "coulomb")
-    needs("coefficient");
-  if (friction.law == "factor")
-    for (const char *key : {"entry_factor", "exit_factor"})
-      needs(key);
-  if (friction.law == "speed")
-    needs("at_unit_speed");
-  if (friction.law == "film")
-    for (const char *key : {"mu0", "mu1", "decay", "viscosity", "pressure_viscosity"})
-      needs(key);
-}
 }  // namespace
 
 void check_flow_and_friction(const Strip &strip, Reading &reading)
 {
-  check_flow_stress(strip.flow_stress, reading);
-  check_friction(strip.friction, reading);
+  if (reading.usable({"strip.flow_stress.law"}))
+    check_law("strip.flow_stress.", strip.flow_stress, reading);
+  if (reading.places.count("strip.friction.law"))  // else a number, or refused
+    check_law("strip.friction.", strip.friction, reading);
 }
 
 void check_strip(const Strip &strip, Reading &reading)
@@ -94,7 +68,7 @@ void check_strip(const Strip &strip, Reading &reading)
                {"strip.entry_thickness"});
   check_flow_and_friction(strip, reading);
   check_tension("strip.entry_tension", strip.entry_tension, strip, reading);
-  if (strip.flow_stress.law == "constant")  // a hardening strip is stronger behind the bite
+  if (!hardens(strip.flow_stress))  // a hardening strip is stronger behind the bite
     check_tension("strip.exit_tension", strip.exit_tension, strip, reading);
 }
 
@@ -126,7 +100,7 @@ void check_pass_names(const std::vector<Pass> &passes, Reading &reading)
 
 void check_passes_in_bite(const std::vector<Pass> &passes, const Strip &strip, Reading &reading)
 {
-  const bool by_speed = strip.friction.law == "speed" || strip.friction.law == "film";
+  const bool by_speed = needs_speed(strip.friction);
   for (std::size_t i = 0; i < passes.size(); ++i) {
     const Pass &pass     = passes[i];
     const auto key       = [&](const char *k) { return fmt::format("pass.{}.{}", i, k); };
@@ -140,7 +114,7 @@ void check_passes_in_bite(const std::vector<Pass> &passes, const Strip &strip, R
                  {own_exit ? entry_key : exit_key});
     if (!std::isnan(pass.entry_tension))
       check_tension(key("entry_tension"), pass.entry_tension, strip, reading);
-    if (!std::isnan(pass.exit_tension) && strip.flow_stress.law == "constant")
+    if (!std::isnan(pass.exit_tension) && !hardens(strip.flow_stress))
       check_tension(key("exit_tension"), pass.exit_tension, strip, reading);
     if (by_speed && std::isnan(pass.speed) && reading.usable({key("speed")}))
       contradict(
@@ -154,10 +128,10 @@ void check_passes_in_bite(const std::vector<Pass> &passes, const Strip &strip, R
 
 void check_bite_setup(const BiteSetup &setup, const Friction &friction, Reading &reading)
 {
-  if (reading.usable({"bite.theory"}) && setup.theory == "hu-ehmann" && friction.law != "factor")
+  if (reading.usable({"bite.theory"}) && setup.theory == "hu-ehmann" && slides(friction))
     contradict(reading, "bite.theory", "is a theory of friction factors; give strip.friction a law of factors",
                {"strip.friction", "strip.friction.law"});
-  if (reading.usable({"bite.theory"}) && setup.theory == "bland-ford" && friction.law == "factor")
+  if (reading.usable({"bite.theory"}) && setup.theory == "bland-ford" && !slides(friction))
     contradict(reading, "bite.theory", "knows no friction factors; choose karman, orowan or hu-ehmann",
                {"strip.friction.law"});
   if (reading.usable({"bite.strip", "bite.arc"}) && setup.strip == "elastic-plastic" && setup.arc == "hitchcock")

@@ -11,7 +11,7 @@ void read_friction(const Section &strip, StripInput &input, Reading &reading)
     return;
   }
   const Section law = section_at(*strip.node, "friction", reading);
-  read_and_echo({law.node, "strip.friction"}, "[strip.friction]", friction_rows(), input.friction, reading);
+  input.friction    = read_friction_law({law.node, "strip.friction"}, reading);
 }
 
 // The rows of [strip] without the number that a section [strip.friction] stands for.
@@ -21,7 +21,30 @@ std::vector<Field<StripInput>> rows_without_friction()
   rows.pop_back();
   return rows;
 }
+
+// The constants of a law with what its name stands for; a name that is none has been refused.
+template <class Law, class Input, class Parse> Law law_of(const Input &input, const Parse &parse)
+{
+  Law law = input;
+  law.law = parse(input.name);
+  return law;
+}
 }  // namespace
+
+FlowStress read_flow_stress(const Node &root, Reading &reading)
+{
+  const Section section = section_at(root, "strip.flow_stress", reading);
+  FlowStressInput input;
+  read_and_echo(section, section.header(), flow_stress_rows(), input, reading);
+  return law_of<FlowStress>(input, flow_stress_law);
+}
+
+Friction read_friction_law(const Section &section, Reading &reading)
+{
+  FrictionInput input;
+  read_and_echo(section, section.header(), friction_rows(), input, reading);
+  return law_of<Friction>(input, friction_law);
+}
 
 Strip read_strip(const Node &root, Reading &reading)
 {
@@ -34,8 +57,7 @@ Strip read_strip(const Node &root, Reading &reading)
                         : std::vector<std::string>{"flow_stress"});
   if (!section.node)
     return strip;
-  const Section law = section_at(root, "strip.flow_stress", reading);
-  read_and_echo(law, law.header(), flow_stress_rows(), strip.flow_stress, reading);
+  strip.flow_stress = read_flow_stress(root, reading);
   read_friction(section, strip, reading);
   return strip;
 }

@@ -2,6 +2,17 @@
 
 // What is rolled, by which friction, and how the bite is computed.  Columns as in stand_rows.cpp.
 namespace mill {
+namespace {
+// "coulomb | factor"
+template <class Law> std::string names_of(const std::vector<Law> &laws)
+{
+  std::string names;
+  for (const Law law : laws)
+    names += (names.empty() ? "" : " | ") + name_of(law);
+  return names;
+}
+}  // namespace
+
 const std::vector<Field<StripInput>> &strip_rows()
 {
   using T = StripInput;
@@ -35,69 +46,53 @@ const std::vector<Field<StripInput>> &strip_rows()
   return rows;
 }
 
-const std::vector<Field<FlowStress>> &flow_stress_rows()
+const std::vector<Field<FlowStressInput>> &flow_stress_rows()
 {
-  using T = FlowStress;
-  static const std::vector<Field<T>> rows{
-      {"law",   &T::law,  "constant | swift | ludwik | voce | power | reduction-power | table", any,            required,
-       "constant",                                                                                                                                                 "law of the plane-strain flow stress"       },
-      {"k",     &T::k,    "MPa",                                                                {0, 10000},     0,        "28 MPa",                                "the constant, or the factor of the law"    },
-      {"eps0",  &T::eps0, "1",                                                                  {0, 10},        0,        "0",                                     "strain offset of swift and reduction-power"},
-      {"n",     &T::n,    "1",                                                                  {0, 100},       0,        "0",                                     "exponent; rate of voce"                    },
-      {"k0",    &T::k0,   "MPa",                                                                {0, 10000},     0,        "0 MPa",                                 "initial value of ludwik and voce"          },
-      {"table",
-       &T::table,
-       "1, MPa",                                                                                {0.001, 10000},
-       absent,                                                                                                            R"([[0.0, "28 MPa"], [1.0, "28 MPa"]])",
-       "strain and stress, law table"                                                                                                                                                                          },
-  };
+  using T                                 = FlowStressInput;
+  static const std::string names          = names_of(flow_stress_laws());
+  static const std::vector<Field<T>> rows = [] {
+    std::vector<Field<T>> all{
+        {"law", &T::name, names.c_str(), any, required, "constant", "law of the plane-strain flow stress"}
+    };
+    for (const FlowStressConstant &c : flow_stress_constants())
+      all.push_back({
+          c.key, static_cast<double T::*>(c.member), c.unit, {c.range[0], c.range[1]},
+              0, c.example, c.meaning
+      });
+    all.push_back({
+        "table",
+        &T::table,
+        "1, MPa",
+        {0.001, 10000},
+        absent,
+        R"([[0.0, "28 MPa"], [1.0, "28 MPa"]])",
+        "strain and stress, law table"
+    });
+    return all;
+  }();
   return rows;
 }
 
-const std::vector<Field<Friction>> &friction_rows()
+const std::vector<Field<FrictionInput>> &friction_rows()
 {
-  using T = Friction;
-  static const std::vector<Field<T>> rows{
-      {"law",                &T::law,           "coulomb | factor | speed | film", any,         required, "film",
-       "friction stress mu p, or m times the shear yield stress (factor); mu a number, by speed, or by oil film"                                                             },
-      {"coefficient",        &T::coefficient,   "1",                               {0, 1},      0,        "0.05",       "mu of coulomb"                                      },
-      {"shear_limit",
-       &T::shear_limit,
-       "1",                                                                        {0.01, 1},
-       1,                                                                                                 "1",
-       "largest friction stress over the shear yield stress, for the models that know one"                                                                                   },
-      {"entry_factor",       &T::entry_factor,  "1",                               {0, 1},      0,        "0.1",        "m before the neutral point, law factor"             },
-      {"exit_factor",        &T::exit_factor,   "1",                               {0, 1},      0,        "0.1",        "m behind the neutral point, law factor"             },
-      {"scale",
-       &T::scale,
-       "1",                                                                        {0, 100},
-       1,                                                                                                 "1",
-       "mu = scale (at_unit_speed + per_log_speed ln(v / (1 m/s))), law speed"                                                                                               },
-      {"at_unit_speed",      &T::at_unit_speed, "1",                               {0, 1},      0,        "0.066723",   "law speed"                                          },
-      {"per_log_speed",
-       &T::per_log_speed,
-       "1",                                                                        {-1, 1},
-       0,                                                                                                 "-0.00662",
-       "law speed; negative where friction falls with speed"                                                                                                                 },
-      {"mu0",                &T::mu0,           "1",                               {0, 1},      0,        "0.012",      "mu = mu0 + mu1 exp(-decay film thickness), law film"},
-      {"mu1",                &T::mu1,           "1",                               {0, 1},      0,        "0.142",      "law film"                                           },
-      {"decay",              &T::decay,         "1/um",                            {0, 1000},   0,        "2.43 1/um",  "law film"                                           },
-      {"viscosity",
-       &T::viscosity,
-       "Pa s",                                                                     {0, 100},
-       0,                                                                                                 "0.005 Pa s",
-       "of the oil at the inlet of the bite, law film"                                                                                                                       },
-      {"pressure_viscosity",
-       &T::pressure_viscosity,
-       "1/Pa",                                                                     {0, 1e-6},
-       0,                                                                                                 "2e-8 1/Pa",
-       "exponent of the oil's viscosity over pressure, law film"                                                                                                             },
-      {"film_factor",
-       &T::film_factor,
-       "1",                                                                        {0.01, 100},
-       3,                                                                                                 "3",
-       "factor of the inlet film, law film; 3 in the source of the law, 3/2 by Wilson and Walowit"                                                                           },
-  };
+  using T                                 = FrictionInput;
+  static const std::string names          = names_of(friction_laws());
+  static const std::vector<Field<T>> rows = [] {
+    std::vector<Field<T>> all{
+        {"law", &T::name, names.c_str(), any, required, "film", friction_laws_in_words}
+    };
+    for (const FrictionConstant &c : friction_constants())
+      all.push_back({
+          c.key,
+          static_cast<double T::*>(c.member),
+          c.unit,
+          {c.range[0], c.range[1]},
+          c.fallback,
+          c.example,
+          c.meaning
+      });
+    return all;
+  }();
   return rows;
 }
 

@@ -38,35 +38,20 @@ template <class Io> void each_member(Io &&io, const Material &record)
   io("density", density);
 }
 
+// The constants of the laws are listed with them (core/laws).
 template <class Io> void each_member(Io &&io, const FlowStress &record)
 {
-  const auto &[law, k, eps0, n, k0, table] = record;
-  io("law", law);
-  io("k", k);
-  io("eps0", eps0);
-  io("n", n);
-  io("k0", k0);
-  io("table", table);
+  io("law", name_of(record.law));
+  for (const FlowStressConstant &constant : flow_stress_constants())
+    io(constant.key, record.*constant.member);
+  io("table", record.table);
 }
 
 template <class Io> void each_member(Io &&io, const Friction &record)
 {
-  const auto &[law, coefficient, shear_limit, entry_factor, exit_factor, scale, at_unit_speed, per_log_speed, mu0,
-               mu1, decay, viscosity, pressure_viscosity, film_factor] = record;
-  io("law", law);
-  io("coefficient", coefficient);
-  io("shear_limit", shear_limit);
-  io("entry_factor", entry_factor);
-  io("exit_factor", exit_factor);
-  io("scale", scale);
-  io("at_unit_speed", at_unit_speed);
-  io("per_log_speed", per_log_speed);
-  io("mu0", mu0);
-  io("mu1", mu1);
-  io("decay", decay);
-  io("viscosity", viscosity);
-  io("pressure_viscosity", pressure_viscosity);
-  io("film_factor", film_factor);
+  io("law", name_of(record.law));
+  for (const FrictionConstant &constant : friction_constants())
+    io(constant.key, record.*constant.member);
 }
 
 template <class Io> void each_member(Io &&io, const Strip &record)

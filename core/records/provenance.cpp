@@ -194,20 +194,21 @@ KeyList bearing_case_keys(const BearingCase &spec)
 
 KeyList strip_law_keys(const Strip &strip)
 {
-  const std::string &flow = strip.flow_stress.law, &rub = strip.friction.law;
-  std::string names = "flow_stress.law friction.law friction.shear_limit";
-  const auto add    = [&](const bool used, const char *more) { names += used ? std::string(" ") + more : ""; };
-  add(flow == "table", "flow_stress.table initial_thickness");
-  add(flow != "table", "flow_stress.k");
-  add(flow != "table" && flow != "constant", "flow_stress.n initial_thickness");
-  add(flow == "swift" || flow == "reduction-power", "flow_stress.eps0");
-  add(flow == "ludwik" || flow == "voce", "flow_stress.k0");
-  add(rub == "coulomb", "friction friction.coefficient");
-  add(rub == "factor", "friction.entry_factor friction.exit_factor");
-  add(rub == "speed", "friction.scale friction.at_unit_speed friction.per_log_speed");
-  add(rub == "film", "friction.mu0 friction.mu1 friction.decay friction.viscosity friction.pressure_viscosity "
-                     "friction.film_factor");
-  return keys_in("strip", names);
+  KeyList keys   = keys_in("strip", "flow_stress.law friction.law friction.shear_limit");
+  const auto add = [&](const std::string &key) { keys.push_back("strip." + key); };
+  if (row_of(strip.flow_stress.law).tabled)
+    add("flow_stress.table");
+  for (const FlowStressConstant &constant : flow_stress_constants())
+    if (reads(strip.flow_stress, constant.member))
+      add(std::string("flow_stress.") + constant.key);
+  if (hardens(strip.flow_stress))
+    add("initial_thickness");
+  if (!std::isnan(plain_coefficient(strip.friction)))
+    add("friction");  // the number in place of a section
+  for (const FrictionConstant &constant : friction_constants())
+    if (reads(strip.friction, constant.member))
+      add(std::string("friction.") + constant.key);
+  return keys;
 }
 
 bool follows_width(const std::string &quantity)
@@ -218,8 +219,7 @@ bool follows_width(const std::string &quantity)
 KeyList slab_keys(const BiteRun &bite)
 {
   const std::string both = "entry_thickness exit_thickness entry_tension exit_tension";
-  const std::string &rub = bite.strip.friction.law;
-  const bool fast        = rub == "speed" || rub == "film";
+  const bool fast        = needs_speed(bite.strip.friction);
   return joined(bite.whole_width ? keys_in("strip", "width") : KeyList{}, keys_in("strip", both),
                 strip_law_keys(bite.strip), keys_in(pass_section(bite.pass), both + (fast ? " speed" : "")),
                 KeyList{bite.roll_key}, elastic_steel(), keys_in("bite", "arc"),
@@ -365,15 +365,12 @@ void set_given_inputs(LumpedModel &model)
 KeyList chatter_bite_keys(const ChatterCase &spec, const std::size_t i)
 {
   KeyList keys = joined(keys_in("work_roll", "diameter"), elastic_steel());
-  for (const std::string &key : strip_law_keys(spec.strip)) {
-    const std::string film = "strip.friction.", name = key.substr(key.rfind('.') + 1);
-    if (spec.strip.friction.law != "film" || key.rfind(film, 0) != 0)
+  for (const std::string &key : strip_law_keys(spec.strip))
+    if (!has_film(spec.strip.friction) || key.rfind("strip.friction.", 0) != 0)
       keys.push_back(key);
-    else if (name == "viscosity" || name == "pressure_viscosity" || name == "film_factor")
-      keys.push_back("oil." + name);
-    else if (name == "mu0" || name == "mu1" || name == "decay")
-      keys.push_back("oil.friction." + name);
-  }
+  for (const FrictionConstant &constant : friction_constants())  // a film is that of [oil]
+    if (has_film(spec.strip.friction) && reads(spec.strip.friction, constant.member))
+      keys.push_back(constant.input);
   return joined(keys, keys_in(fmt::format("condition.{}", i),
                               "entry_thickness exit_thickness entry_tension exit_tension width"));
 }

@@ -25,9 +25,9 @@ bite::RollBite with_quantity(bite::RollBite bite, const MapQuantity quantity, co
     strip.exit_tension *= value;
     break;
   case MapQuantity::viscosity:
-    if (strip.friction.law != "film")
+    if (!has_film(strip.friction))
       throw InputError("a map over the viscosity needs the film law of an oil, but strip.friction.law = \"" +
-                       strip.friction.law + "\"");
+                       name_of(strip.friction.law) + "\"");
     if (!(value > 0 && std::isfinite(value)))
       throw InputError(fmt::format("a viscosity of {:g} Pa s must be positive", value));
     strip.friction.viscosity = value;

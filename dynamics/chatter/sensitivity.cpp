@@ -39,7 +39,7 @@ std::vector<Lever> levers_of(const ChatterStandModel &stand, const std::vector<S
       });
   };
   together("condition.tensions", "both tensions", PassNumber::entry_tension, PassNumber::exit_tension);
-  if (bite.strip.friction.law == "film")
+  if (has_film(bite.strip.friction))
     together("oil.friction", "friction as a whole", PassNumber::mu0, PassNumber::mu1);
   for (const StructureNumber &number : numbers) {
     Lever lever{number.key, number.name, number.unit, number.value, {}};

@@ -1,6 +1,5 @@
 #include "meshes/strip/strip_flow.h"
 #include "core/case/errors.h"
-#include "meshes/common/structured.h"
 #include <algorithm>
 #include <cmath>
 
@@ -51,6 +50,16 @@ std::vector<double> growing_lines(const double first, const double length, const
     x *= length / out.back();
   return out;
 }
+
+Eigen::VectorXd in_order(const std::vector<double> &values)
+{
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), Eigen::Index(values.size()));
+}
+
+Eigen::VectorXd backwards(const std::vector<double> &values)
+{
+  return in_order(values).reverse();
+}
 }  // namespace
 
 StripBlock strip_block(const Strip &strip, const double roll_radius, const int along, const int through)
@@ -63,8 +72,8 @@ StripBlock strip_block(const Strip &strip, const double roll_radius, const int a
   b.outside         = b.arc_length < h1 + h2 ? 1.5 * h1 : h1;
   b.along           = along;
   b.through         = through;
-  const double mu   = strip.friction.coefficient;
-  if (strip.friction.law == "coulomb" && mu > 0) {  // as theory.md (8.7), without tensions
+  const double mu   = plain_coefficient(strip.friction);
+  if (mu > 0) {  // as theory.md (8.7), without tensions
     const double root = std::sqrt(roll_radius / h2), angle = std::sqrt(dh / roll_radius);
     const double half = std::atan(root * angle) - std::log(h1 / h2) / (4 * mu * root);
     b.neutral         = std::clamp(std::tan(half / 2) / (root * angle), 0.1, 0.5);
@@ -72,7 +81,7 @@ StripBlock strip_block(const Strip &strip, const double roll_radius, const int a
   return b;
 }
 
-MeshFile write_strip_block(const StripBlock &b, const std::string &path)
+StripLines strip_lines(const StripBlock &b)
 {
   if (!(b.along >= 4 && b.along % 4 == 0 && b.through >= 1))
     throw InputError("the mesh of the strip needs a multiple of 4 elements along the arc, not " +
@@ -83,31 +92,7 @@ MeshFile write_strip_block(const StripBlock &b, const std::string &path)
   const int beside              = std::max(1, b.along / 4);
   const auto inlet              = growing_lines(b.arc_length * (1 - arc[arc.size() - 2]), b.outside, beside);
   const auto outlet             = growing_lines(b.arc_length * arc[1], b.outside, beside);
-  std::vector<double> x, half;
-  for (int i = beside; i > 0; --i)
-    x.push_back(-outlet[i]);
-  for (const double t : arc)
-    x.push_back(t * b.arc_length);
-  for (int i = 1; i <= beside; ++i)
-    x.push_back(b.arc_length + inlet[i]);
-  for (const double at : x) {  // a parabola between the thicknesses: the solver's spines take their own heights
-    const double t = std::clamp(at / b.arc_length, 0., 1.);
-    half.push_back(0.5 * (b.exit_thickness + (b.entry_thickness - b.exit_thickness) * t * t));
-  }
-  StructuredGrid grid;
-  grid.n = {int(x.size()), b.through + 1};
-  for (int j = 0; j <= b.through; ++j)
-    for (std::size_t i = 0; i < x.size(); ++i)
-      grid.points.push_back({x[i], half[i] * j / b.through, 0});
-  grid.group = [&b](const int direction, const int side, const std::array<double, 3> &middle) -> std::string {
-    if (direction == 0)
-      return side ? "inlet" : "outlet";
-    if (!side)
-      return "axis";
-    return middle[0] > 0 && middle[0] < b.arc_length ? "roll" : "surface";
-  };
-  MeshFile mesh        = write_grid(grid, path);
-  mesh.contact_element = b.arc_length * std::min(arc[1], 1 - arc[arc.size() - 2]);
-  return mesh;
+  return {backwards(inlet), (1 - backwards(arc).array()).matrix(), in_order(outlet),
+          Eigen::VectorXd::LinSpaced(b.through + 1, 0, 1)};
 }
 }  // namespace mill::meshes

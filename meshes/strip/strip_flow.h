@@ -1,7 +1,6 @@
 #pragma once
-#include "core/records/mesh_file.h"
 #include "core/model/strip.h"
-#include <string>
+#include "core/records/strip_lines.h"
 
 namespace mill::meshes {
 /// Sizes of the mesh of half a strip between its rolls: one block of quadrilaterals from the inlet to the outlet,
@@ -23,8 +22,7 @@ struct StripBlock {
 /// where constant friction and flow stress put it on a flat arc.
 StripBlock strip_block(const Strip &strip, double roll_radius, int along = 48, int through = 12);
 
-/// Writes the mesh as Gmsh 4.1; groups roll, surface, axis, inlet, outlet.
-/// @throws InputError   counts or lengths that make no mesh
-/// @throws SolverError  as write_grid
-MeshFile write_strip_block(const StripBlock &block, const std::string &path);
+/// The lines of the mesh; the solver places its spines on them itself.
+/// @throws InputError  counts or lengths that make no mesh
+StripLines strip_lines(const StripBlock &block);
 }  // namespace mill::meshes

@@ -15,12 +15,12 @@ inline mill::bite::RollBite film_pass()
   bite.strip.entry_tension     = 180e6;
   bite.strip.exit_tension      = 189e6;
   bite.strip.initial_thickness = 3e-3;
-  bite.strip.flow_stress.law   = "reduction-power";
+  bite.strip.flow_stress.law   = mill::FlowStressLaw::reduction_power;
   bite.strip.flow_stress.k     = 84.6 * 9.80665e6;
   bite.strip.flow_stress.eps0  = 0.00817;
   bite.strip.flow_stress.n     = 0.3;
   mill::Friction &film         = bite.strip.friction;
-  film.law                     = "film";
+  film.law                     = mill::FrictionLaw::film;
   film.mu0                     = 0.012;
   film.mu1                     = 0.142;
   film.decay                   = 2.43e6;
@@ -42,7 +42,7 @@ inline mill::bite::RollBite factor_pass()
   bite.strip.entry_tension         = 38e3 / (0.505 * 0.260e-3);
   bite.strip.exit_tension          = 35e3 / (0.505 * 0.180e-3);
   bite.strip.flow_stress.k         = 1.2e9;
-  bite.strip.friction.law          = "factor";
+  bite.strip.friction.law          = mill::FrictionLaw::factor;
   bite.strip.friction.entry_factor = 0.10;
   bite.strip.friction.exit_factor  = 0.12;
   return bite;

@@ -31,14 +31,14 @@ bite::RollBite bite_of(const PassRow &row)
   b.strip.flow_stress.k     = row.stress * 1e6;
   const double plane_strain = 2 / std::sqrt(3.);
   if (row.n > 0) {  // the uniaxial strain is 2/sqrt 3 of the thickness strain
-    b.strip.flow_stress.law  = "swift";
+    b.strip.flow_stress.law  = FlowStressLaw::swift;
     b.strip.flow_stress.k    = plane_strain * row.stress * 1e6 * std::pow(plane_strain, row.n);
     b.strip.flow_stress.eps0 = row.eps0 / plane_strain;
     b.strip.flow_stress.n    = row.n;
   }
   b.strip.friction.coefficient = row.friction;
   if (row.friction == 0) {
-    b.strip.friction.law          = "factor";
+    b.strip.friction.law          = FrictionLaw::factor;
     b.strip.friction.entry_factor = b.strip.friction.exit_factor = 1;
   }
   return b;

@@ -1,6 +1,6 @@
 #include "verify/bite/free_arc_slab.h"
-#include "bite/laws/flow_stress.h"
 #include "core/case/errors.h"
+#include "core/laws/flow_stress_law.h"
 #include <Eigen/Dense>
 #include <cmath>
 

@@ -335,7 +335,7 @@ std::vector<Check> cold_conditions()
     RollBite b                   = one_mm_wide({"tandem", 300, h1, h2, 829.642590, mu, s1, s2, 0.00817, 0});
     b.strip.width                = 1.206;
     b.strip.initial_thickness    = 3 * mm;
-    b.strip.flow_stress.law      = "reduction-power";
+    b.strip.flow_stress.law      = FlowStressLaw::reduction_power;
     b.strip.flow_stress.eps0     = 0.00817;
     b.strip.flow_stress.n        = 0.3;
     b.strip.friction.shear_limit = not_given;

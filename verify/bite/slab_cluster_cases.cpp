@@ -53,7 +53,7 @@ std::vector<Check> cluster_inputs()
     rotation         = std::max(rotation, std::abs(speed[i] / 60 / b.roll_radius / omega[i] - 1));
     for (int reading = 0; reading < 4; ++reading) {
       Friction law;
-      law.law           = "speed";
+      law.law           = FrictionLaw::speed;
       law.at_unit_speed = 0.066723;
       law.per_log_speed = reading % 2 ? 0.00662 : -0.00662;
       friction          = std::max(
@@ -201,7 +201,7 @@ std::vector<Check> cluster_tuned()
           RollBite other                    = bite;
           other.roll_radius                 = t.radius;
           other.strip.friction              = {};
-          other.strip.friction.law          = "factor";
+          other.strip.friction.law          = FrictionLaw::factor;
           other.strip.friction.entry_factor = other.strip.friction.exit_factor = m;
           return force_or_limit(other, Arc::rigid);
         });
@@ -313,7 +313,7 @@ std::vector<Check> hu_ehmann()
   RollBite bite                    = cluster_bite(1, 1.4e9, 0);
   bite.strip.entry_tension         = 2.9e8;
   bite.strip.exit_tension          = 3.85e8;
-  bite.strip.friction.law          = "factor";
+  bite.strip.friction.law          = FrictionLaw::factor;
   bite.strip.friction.entry_factor = 0.15;
   bite.strip.friction.exit_factor  = 0.10;
   bite.roll_speed                  = 3;
@@ -346,7 +346,7 @@ std::vector<Check> hu_ehmann()
                       row[1] / row[2] - 1, 1e-4, Judged::absolute});
   }
   RollBite vector                    = cluster_bite(1, 1.2e9, 0);
-  vector.strip.friction.law          = "factor";
+  vector.strip.friction.law          = FrictionLaw::factor;
   vector.strip.friction.entry_factor = 0.10;
   vector.strip.friction.exit_factor  = 0.12;
   const Strip &s                     = vector.strip;

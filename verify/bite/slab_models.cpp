@@ -1,8 +1,8 @@
 #include "verify/bite/slab_models.h"
-#include "core/numerics/derivative.h"
-#include "bite/laws/flow_stress.h"
 #include "bite/slab/slab_bite.h"
 #include "core/case/errors.h"
+#include "core/laws/flow_stress_law.h"
+#include "core/numerics/derivative.h"
 #include <cmath>
 
 namespace mill::verify {
@@ -41,11 +41,11 @@ RollBite film_bite(const int condition, const double roll_speed)
   b.strip.entry_tension     = row[2] * 1e6;
   b.strip.exit_tension      = row[3] * 1e6;
   b.strip.initial_thickness = 3e-3;
-  b.strip.flow_stress.law   = "reduction-power";
+  b.strip.flow_stress.law   = FlowStressLaw::reduction_power;
   b.strip.flow_stress.eps0  = 0.00817;
   b.strip.flow_stress.n     = 0.3;
   Friction &film            = b.strip.friction;
-  film.law                  = "film";
+  film.law                  = FrictionLaw::film;
   film.mu0                  = 0.012;
   film.mu1                  = 0.142;
   film.decay                = 2.43e6;
@@ -158,7 +158,7 @@ double rising_root(double low, double high, const double target, const std::func
 
 double force_or_limit(const RollBite &bite, const Arc arc)
 {
-  const Theory theory = bite.strip.friction.law == "factor" ? Theory::hu_ehmann : Theory::bland_ford;
+  const Theory theory = slides(bite.strip.friction) ? Theory::bland_ford : Theory::hu_ehmann;
   try {
     return solve_slab(bite, {theory, arc, 0}).force;
   } catch (const SolverError &) {

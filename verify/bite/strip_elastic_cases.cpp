@@ -1,5 +1,5 @@
 #include "bite/arc/half_plane.h"
-#include "bite/laws/flow_stress.h"
+#include "core/laws/flow_stress_law.h"
 #include "fem/strip/elastic_plastic/strip_elastic.h"
 #include "verify/bite/bite_passes.h"
 #include "verify/bite/free_arc_slab.h"

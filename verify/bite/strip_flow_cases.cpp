@@ -183,13 +183,12 @@ std::vector<Check> exact_derivatives()
     plain.derivatives         = false;
     const fem::StripFlow flow = rolled(b, 24, model);
     // The same mesh for all three, as the derivative means it.
-    const ScratchFile file("strip_flow");
-    const MeshFile mesh = meshes::write_strip_block(meshes::strip_block(b.strip, b.roll_radius, 24, 6), file.path);
-    const double value  = member;
-    member              = value + step;
-    const fem::StripFlow up   = fem::solve_strip_flow(mesh, b, plain, nullptr, &flow);
+    const StripLines lines    = meshes::strip_lines(meshes::strip_block(b.strip, b.roll_radius, 24, 6));
+    const double value        = member;
+    member                    = value + step;
+    const fem::StripFlow up   = fem::solve_strip_flow(lines, b, plain, nullptr, &flow);
     member                    = value - step;
-    const fem::StripFlow down = fem::solve_strip_flow(mesh, b, plain, nullptr, &flow);
+    const fem::StripFlow down = fem::solve_strip_flow(lines, b, plain, nullptr, &flow);
     member                    = value;
     const double exact =
         model.arc == bite::Arc::rigid ? bite::by(flow.state.force_by, input) : flow.state.force_by_exit_following;

@@ -1,14 +1,12 @@
 #include "verify/bite/strip_flow_passes.h"
 #include "meshes/strip/strip_flow.h"
-#include "verify/contact/meshed.h"
 
 namespace mill::verify {
 fem::StripFlow rolled(const bite::RollBite &bite, const int along, const fem::StripFlowModel &model,
                       const double finest, const bite::ArcFlexibility *flexibility, const fem::StripFlow *start)
 {
-  const ScratchFile file("strip_flow");
   meshes::StripBlock block = meshes::strip_block(bite.strip, bite.roll_radius, along, along / 4);
   block.finest             = finest;
-  return fem::solve_strip_flow(meshes::write_strip_block(block, file.path), bite, model, flexibility, start);
+  return fem::solve_strip_flow(meshes::strip_lines(block), bite, model, flexibility, start);
 }
 }  // namespace mill::verify

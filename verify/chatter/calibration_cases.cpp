@@ -185,7 +185,7 @@ std::vector<Check> calibration()
   constant.strip.flow_stress.k         = 770e6;
   bite::RollBite swift                 = reduction_power;
   swift.strip.flow_stress              = {};
-  swift.strip.flow_stress.law          = "swift";
+  swift.strip.flow_stress.law          = FlowStressLaw::swift;
   swift.strip.flow_stress.k            = 720e6;
   swift.strip.flow_stress.eps0         = 0.01;
   swift.strip.flow_stress.n            = 0.2;

@@ -1,5 +1,5 @@
 #include "verify/solvers/closed_coefficients.h"
-#include "bite/laws/flow_stress.h"
+#include "core/laws/flow_stress_law.h"
 #include "core/numerics/derivative.h"
 #include "core/numerics/gauss.h"
 

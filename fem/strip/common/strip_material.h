@@ -1,6 +1,6 @@
 #pragma once
+#include "core/laws/flow_stress_law.h"
 #include "core/numerics/derivative.h"
-#include "bite/laws/flow_stress.h"
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>

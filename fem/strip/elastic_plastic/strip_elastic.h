@@ -1,8 +1,5 @@
 #pragma once
-#include "bite/bite.h"
-#include "fem/strip/rigid_plastic/strip_flow.h"
-#include <Eigen/Core>
-#include <vector>
+#include "fem/strip/common/strip_state.h"
 
 // Steady plane-strain rolling of an elastic-plastic strip by finite elements.  theory.md 19
 namespace mill::fem {

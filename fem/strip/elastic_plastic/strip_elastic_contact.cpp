@@ -1,7 +1,7 @@
-#include "bite/laws/friction.h"
 #include "bite/arc/half_plane.h"
 #include "bite/slab/sentence.h"
 #include "core/case/errors.h"
+#include "core/laws/friction_law.h"
 #include "fem/strip/elastic_plastic/strip_elastic_equations.h"
 #include <cmath>
 
@@ -170,22 +170,21 @@ void ElasticAssembly::spine_contact(const int i)
           e = D::variable(unknowns[strain], 5), k_factor = D::variable(unknowns[factor], 6),
           w    = D::variable(weight, 9);
   const D norm = 1.0 / sqrt(1.0 + m * m), slip = (u + v * m) * norm - 1.0;
-  const D d0          = stage.least_slip * log(D::variable(unknowns[h1], 7) / D::variable(unknowns[h2], 8));
-  const D sign        = slip / sqrt(slip * slip + d0 * d0),
-          shear_yield = 0.5 * k_factor * material_flow_stress(material, e);
-  const Friction &law = pass.bite->strip.friction;
+  const D d0              = stage.least_slip * log(D::variable(unknowns[h1], 7) / D::variable(unknowns[h2], 8));
+  const D sign            = slip / sqrt(slip * slip + d0 * d0),
+          shear_yield     = 0.5 * k_factor * material_flow_stress(material, e);
+  const Friction &law     = pass.bite->strip.friction;
+  const auto traction_law = bite::traction_of(law, coefficient);
+  const D k               = 2.0 * shear_yield * w;  // as a force, as f
   D limit(0.);
-  if (law.law == "factor") {
-    const D held = 0.5 * (law.entry_factor + law.exit_factor) + 0.5 * (law.exit_factor - law.entry_factor) * sign;
+  if (!traction_law.slides) {
     // none where nothing presses
     const D pressure = f / w, pressed = stage.held_shape ? D(1.) : pressure / (sqrt(pressure * pressure) + 0.01);
-    limit = (held + coefficient) * shear_yield * w * pressed;
+    limit = bite::traction_limit(traction_law, f, k, D(-sign)) * pressed;
   } else {
-    const D sliding =
-        stage.held_shape ? D(1.2 * coefficient.value * 2 * shear_yield.value * weight) : coefficient * f;
-    const bool limited = sliding.value > law.shear_limit * shear_yield.value * weight;
-    c.limited          = sliding.value / (shear_yield.value * weight);
-    limit              = limited ? law.shear_limit * shear_yield * w : sliding;
+    const D pressing = stage.held_shape ? D(1.2 * k.value) : f;
+    c.limited        = coefficient.value * pressing.value / (shear_yield.value * weight);
+    limit            = bite::traction_limit(traction_law, pressing, k, 1);
   }
   const D along = -1.0 * limit * sign, fx = (f * m + along) * norm, fy = (along * m - f) * norm;
   c.shear = along.value / weight;
@@ -303,7 +302,7 @@ void ElasticAssembly::bulk()
     add(row, at(Bulk::exit_thickness), -arc.by[1]);
     add(row, at(Bulk::radius), -arc.by[2]);
   }
-  if (strip.friction.law == "factor") {
+  if (!slides(strip.friction)) {
     give(Bulk::friction, 0);
   } else if (!pass.film) {
     give(Bulk::friction,

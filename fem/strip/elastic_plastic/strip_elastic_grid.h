@@ -1,6 +1,7 @@
 #pragma once
-#include "fem/strip/elastic_plastic/strip_elastic.h"
 #include "fem/strip/common/strip_material.h"
+#include "fem/strip/common/strip_nodes.h"
+#include "fem/strip/elastic_plastic/strip_elastic.h"
 #include <array>
 #include <vector>
 
@@ -28,25 +29,16 @@ enum class Bulk {
 };
 constexpr int n_bulk = 16;
 
-/// Structured grid of n_along x n_through elements: Q2 velocity, linear pressure in each element (not continuous),
+/// Q2 velocity, linear pressure in each element (not continuous),
 /// rows of elements with straight ends whose upper lines are streamlines; stress and strain where three Gauss rows
-/// of every element cross its downstream face.  Node (i, j): spine i = 0 .. 2 n_along from the inlet on, row j
-/// from the mid plane; corners are even.  Abscissae are scaled and run along the strip, 0 on the line of centres.
-struct ElasticGrid {
-  int n_along = 0, n_through = 0, n_unknowns = 0;
+/// of every element cross its downstream face.  Abscissae are scaled and run along the strip, 0 on the line of
+/// centres.
+struct ElasticGrid : StripNodes {
   Eigen::VectorXd x;            ///< (2 n_along + 1) -
   Eigen::VectorXd tributary;    ///< (2 n_along + 1) -, Simpson weight of a spine in an integral along the surface
   std::vector<char> may_touch;  ///< (2 n_along + 1) roll and strip are tried for contact there
-  std::vector<int> velocity_of, height_of, pressure_of, state_of, force_of;
+  std::vector<int> pressure_of, state_of, force_of;
 
-  int velocity(const int i, const int j, const int component) const
-  {
-    return velocity_of[2 * (i * (2 * n_through + 1) + j) + component];
-  }
-  int height(const int i, const int J) const
-  {
-    return J == 0 ? -1 : height_of[i * n_through + J - 1];
-  }
   int pressure(const int I, const int J, const int m) const
   {
     return pressure_of[3 * (I * n_through + J) + m];
@@ -114,14 +106,14 @@ Eigen::VectorXd interpolated(const ElasticGrid &from, const Eigen::VectorXd &unk
 /// Spine where the touching strip is thinnest; `before` counts where no other is thinner, 0: none yet.
 int thinnest_spine(const ElasticGrid &grid, const Eigen::VectorXd &unknowns, int before);
 
-/// Quadratic Lagrange polynomial of node a = 0, 1, 2 at 0, 1/2, 1, and its derivative.
+/// The same polynomials at 0, 1/2, 1.
 inline double along_shape(const double t, const int a)
 {
-  return a == 0 ? (1 - t) * (1 - 2 * t) : a == 1 ? 4 * t * (1 - t) : t * (2 * t - 1);
+  return quadratic(2 * t - 1, a);
 }
 inline double along_slope(const double t, const int a)
 {
-  return a == 0 ? 4 * t - 3 : a == 1 ? 4 - 8 * t : 4 * t - 1;
+  return 2 * quadratic_slope(2 * t - 1, a);
 }
 /// Three-point Gauss rule on 0 .. 1.
 struct GaussRows {

@@ -1,6 +1,6 @@
 #pragma once
+#include "fem/strip/common/unsymmetric_factor.h"
 #include "fem/strip/elastic_plastic/strip_elastic_equations.h"
-#include "fem/strip/rigid_plastic/strip_flow_factor.h"
 
 // Newton's method on the elastic-plastic strip, and the ways to its last level.  theory.md 19.5
 namespace mill::fem {

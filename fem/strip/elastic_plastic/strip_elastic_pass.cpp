@@ -1,7 +1,8 @@
-#include "bite/laws/friction.h"
 #include "bite/slab/sentence.h"
 #include "bite/slab/slab_checks.h"
 #include "core/case/errors.h"
+#include "core/laws/friction_law.h"
+#include "fem/strip/common/strip_results.h"
 #include "fem/strip/elastic_plastic/strip_elastic_equations.h"
 #include <algorithm>
 #include <cmath>
@@ -15,10 +16,7 @@ ElasticPass elastic_pass(const bite::RollBite &bite, const StripElasticModel &mo
 {
   bite::check_pass(bite);
   const Strip &strip = bite.strip;
-  if (strip.friction.law == "factor")
-    bite::check_factors(bite);
-  else
-    bite::check_coulomb(bite);
+  bite::check_friction(bite);
   if (!(strip.youngs_modulus > 0 && strip.poisson_ratio > 0 && strip.poisson_ratio < 0.5))
     throw InputError(
         sentence("an elastic-plastic strip needs strip.youngs_modulus above 0 and strip.poisson_ratio between 0 "
@@ -37,15 +35,14 @@ ElasticPass elastic_pass(const bite::RollBite &bite, const StripElasticModel &mo
         "elastic-plastic strip: at least 8 elements along and 2 through half the thickness, the finest between "
         "0 and 1 of the others, a positive factor on the stiffness");
   ElasticPass p;
-  p.bite   = &bite;
-  p.model  = model;
-  p.length = strip.entry_thickness;
-  p.speed  = std::isnan(bite.roll_speed) ? 1 : bite.roll_speed;
-  p.exit   = strip.exit_thickness / p.length;
-  p.radius = bite.roll_radius / p.length;
-  p.inlet_strain =
-      std::isnan(strip.initial_thickness) ? 0 : std::log(strip.initial_thickness / strip.entry_thickness);
-  p.reduction = std::log(1 / p.exit);
+  p.bite         = &bite;
+  p.model        = model;
+  p.length       = strip.entry_thickness;
+  p.speed        = std::isnan(bite.roll_speed) ? 1 : bite.roll_speed;
+  p.exit         = strip.exit_thickness / p.length;
+  p.radius       = bite.roll_radius / p.length;
+  p.inlet_strain = entry_strain(strip);
+  p.reduction    = std::log(1 / p.exit);
   // Half way through the pass, so that every stress is near one.
   p.stress            = material_flow_stress({&strip.flow_stress, 1, 0, 0}, p.inlet_strain + 0.5 * p.reduction);
   const double centre = p.radius - 0.5 * (1 - p.exit);
@@ -54,7 +51,7 @@ ElasticPass elastic_pass(const bite::RollBite &bite, const StripElasticModel &mo
   const double E      = model.stiffness * strip.youngs_modulus / p.stress;
   p.shear_compliance  = (1 + strip.poisson_ratio) / E;
   p.bulk_compliance   = 3 * (1 - 2 * strip.poisson_ratio) / E;
-  p.film              = strip.friction.law == "film";
+  p.film              = follows_bite(strip.friction);
   return p;
 }
 
@@ -76,10 +73,8 @@ VectorXd first_guess(const ElasticPass &pass, const ElasticGrid &grid)
     u[grid.bulk(Bulk::exit_end)]  = grid.x[grid.exit_spine];
   }
   const Friction &law = pass.bite->strip.friction;
-  if (law.law == "film")
-    u[grid.bulk(Bulk::friction)] = law.mu0;
-  else if (law.law != "factor")
-    u[grid.bulk(Bulk::friction)] = bite::coulomb_coefficient(law, bite::Inlet<double>{pass.speed, 0, 0, 1, 1, 1});
+  if (slides(law))
+    u[grid.bulk(Bulk::friction)] = bite::starting_coefficient(law, pass.speed);
   const double s1 = u[grid.bulk(Bulk::entry_tension)], nu = pass.bite->strip.poisson_ratio;
   u[grid.bulk(Bulk::inlet_pressure)] = -(1 + nu) / 3 * s1;
   u[grid.bulk(Bulk::inlet_xx)]       = (2 - nu) / 3 * s1;

@@ -1,8 +1,9 @@
 #include "fem/strip/elastic_plastic/strip_elastic_results.h"
-#include "bite/laws/friction.h"
 #include "bite/slab/neutral_point.h"
 #include "bite/slab/sentence.h"
-#include "fem/strip/rigid_plastic/strip_flow_factor.h"
+#include "core/laws/friction_law.h"
+#include "fem/strip/common/strip_results.h"
+#include "fem/strip/common/unsymmetric_factor.h"
 #include <algorithm>
 #include <cmath>
 
@@ -13,16 +14,6 @@ using Eigen::VectorXd;
 
 namespace {
 constexpr double touching = 1e-6;  // roll pressure over the unit of stress that counts as contact
-
-// Lagrange polynomial l of the points p at t.
-double lagrange(const std::array<double, 3> &p, const int l, const double t)
-{
-  double value = 1;
-  for (int m = 0; m < 3; ++m)
-    if (m != l)
-      value *= (t - p[m]) / (p[l] - p[m]);
-  return value;
-}
 
 // Stress (deviatoric) and strain of a row at its upstream face, its first and its last Radau point.
 std::array<std::array<double, 4>, 3> row_values(const ElasticGrid &grid, const ElasticEquations &e,
@@ -46,9 +37,7 @@ void add_fields(StripFlow &flow, const ElasticPass &pass, const ElasticGrid &gri
                 const VectorXd &u)
 {
   const int columns = int(grid.x.size()), rows = 2 * grid.n_through + 1, last = columns - 1;
-  for (MatrixXd *field : {&flow.x, &flow.y, &flow.vx, &flow.vy, &flow.pressure, &flow.strain, &flow.rate,
-                          &flow.sxx, &flow.syy, &flow.sxy})
-    field->setZero(columns, rows);
+  size_fields(flow, columns, rows);
   MatrixXd count = MatrixXd::Zero(columns, rows);
   const auto at  = [&](const int id) { return id < 0 ? 0 : u[id]; };
   for (int i = 0; i < columns; ++i)
@@ -138,17 +127,10 @@ void add_arc(StripElastic &out, const ElasticPass &pass, const ElasticGrid &grid
   flow.slip_changes = bite::find_neutral_point(s, 1e-3 * d0);
   if (n == 0)
     return;
-  s.peak_pressure = s.pressure.maxCoeff();
-  // The edge of entry is nearly singular: the hill behind the first trough, if there is one, is the peak.
-  int trough = n - 1;
-  while (trough > 0 && s.pressure[trough] <= s.pressure[trough - 1])
-    --trough;  // up the edge
-  while (trough >= 2 && s.pressure[trough - 2] < s.pressure[trough])
-    trough -= 2;
-  if (trough >= 2)
-    flow.second_peak = s.pressure.head(trough).maxCoeff();
-  if (!std::isnan(flow.second_peak))
-    s.peak_pressure = flow.second_peak;
+  int edge = n - 1;
+  while (edge > 0 && s.pressure[edge] <= s.pressure[edge - 1])
+    --edge;
+  find_peak(flow, edge);
   flow.entry_position = s.arc_length = n > 0 ? s.position[n - 1] : 0;
   s.exit_position                    = n > 0 ? s.position[0] : 0;
   // Elastic ends of the contact, where no point of the surface row yields
@@ -165,12 +147,8 @@ void add_arc(StripElastic &out, const ElasticPass &pass, const ElasticGrid &grid
     out.elastic_exit  = std::max(0., grid.x[exit] - last_yield) * L;
   }
   s.flattened_radius = pass.radius * L;
-  if (pass.model.arc == bite::Arc::elastic && n > 2) {
-    int thin = 0;
-    s.thickness.minCoeff(&thin);
-    const double reach = s.position[n - 1] - s.position[thin];
-    s.flattened_radius = reach * reach / (s.thickness[n - 1] - s.thickness[thin]);
-  }
+  if (pass.model.arc == bite::Arc::elastic && n > 2)
+    s.flattened_radius = radius_of_arc(s);
   s.bite_angle = s.arc_length / s.flattened_radius;
 }
 
@@ -260,7 +238,7 @@ void add_derivatives(StripElastic &out, const ElasticPass &pass, const ElasticGr
   // Friction by the speed of the roll where the law knows one; speeds of the strip in proportion
   double friction_by_speed = speed ? 0 : not_given;
   const Friction &law      = pass.bite->strip.friction;
-  if (speed && (law.law == "speed" || law.law == "film")) {
+  if (speed && needs_speed(law)) {
     using D        = bite::Dual<1>;
     const D v      = D::variable(pass.speed, 0);
     const double k = s.entry_flow_stress;
@@ -301,14 +279,7 @@ void add_notes(StripElastic &out, const ElasticPass &pass)
 {
   bite::BiteState &s  = out.flow.state;
   const double length = s.arc_length - s.exit_position;
-  if (out.flow.slip_changes == 0)
-    s.notes.push_back("the slip between strip and roll does not change its sign: no neutral point in the arc");
-  if (out.flow.slip_changes > 1)
-    s.notes.push_back(sentence("the slip changes its sign ", out.flow.slip_changes,
-                               " times along the arc: the neutral position is the middle of the zone"));
-  if (s.sticking_length > 0.1 * length)
-    s.remarks.push_back(sentence("the friction stress is at its limit, or slip nil, over ",
-                                 s.sticking_length * 1e3, " mm of an arc of ", length * 1e3, " mm"));
+  add_slip_notes(out.flow, false);
   if (out.elastic_entry + out.elastic_exit > 0.1 * length)
     s.remarks.push_back(sentence("the strip's surface is elastic over ", out.elastic_entry * 1e3,
                                  " mm of the contact at the entry and ", out.elastic_exit * 1e3,
@@ -348,14 +319,13 @@ StripElastic elastic_results(const ElasticPass &pass, const ElasticGrid &solved,
             (pass.model.arc == bite::Arc::rigid ? "rigid roll" : "elastic roll");
   s.force    = e.force * pass.stress * pass.length * strip.width;
   s.torque   = e.traction * pass.stress * pass.length * strip.width * pass.bite->roll_radius;
-  s.friction = strip.friction.law == "factor" ? 0.5 * (strip.friction.entry_factor + strip.friction.exit_factor)
-                                              : u[grid.bulk(Bulk::friction)];
+  s.friction = friction_value(strip.friction, u[grid.bulk(Bulk::friction)]);
   add_balances(out, pass, grid, e, u);
   const StripMaterial material{&strip.flow_stress, 1, 0, 0};
   s.entry_flow_stress = material_flow_stress(material, pass.inlet_strain);
   s.exit_flow_stress =
       material_flow_stress(material, pass.inlet_strain + std::log(strip.entry_thickness / flow.exit_thickness));
-  if (pass.film)
+  if (has_film(strip.friction))
     s.film_thickness = bite::film_thickness(
         strip.friction,
         bite::Inlet<double>{pass.speed, s.entry_speed, s.exit_speed, pass.bite->roll_radius,

@@ -1,7 +1,7 @@
 #include "fem/strip/rigid_plastic/strip_flow.h"
 #include "core/case/errors.h"
+#include "fem/strip/common/unsymmetric_factor.h"
 #include "fem/strip/rigid_plastic/strip_flow_equations.h"
-#include "fem/strip/rigid_plastic/strip_flow_factor.h"
 #include "fem/strip/rigid_plastic/strip_flow_results.h"
 #include <chrono>
 #include <cmath>
@@ -306,13 +306,12 @@ Gradients gradients(StripPass pass, const StripGrid &grid, StripStage stage, con
 }
 }  // namespace
 
-StripFlow solve_strip_flow(const MeshFile &mesh, const bite::RollBite &bite, const StripFlowModel &model,
+StripFlow solve_strip_flow(const StripLines &lines, const bite::RollBite &bite, const StripFlowModel &model,
                            const bite::ArcFlexibility *flexibility, const StripFlow *start)
 {
-  const auto begin       = std::chrono::steady_clock::now();
-  const StripPass pass   = strip_pass(bite, model, flexibility);
-  const StripLines lines = strip_lines(mesh);
-  const StripGrid grid   = strip_grid(scaled(lines, 1 / pass.length));
+  const auto begin     = std::chrono::steady_clock::now();
+  const StripPass pass = strip_pass(bite, model, flexibility);
+  const StripGrid grid = strip_grid(scaled(lines, 1 / pass.length));
   std::vector<StripFlowLevel> history;
   const VectorXd u       = solve_unknowns(pass, grid, start, history);
   const StripStage stage = last_stage(pass);

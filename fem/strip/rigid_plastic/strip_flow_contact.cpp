@@ -1,4 +1,4 @@
-#include "bite/laws/friction.h"
+#include "core/laws/friction_law.h"
 #include "fem/strip/rigid_plastic/strip_flow_equations.h"
 #include <algorithm>
 #include <cmath>
@@ -25,18 +25,6 @@ template <class T> T spine_place(const StripGrid &grid, const int i, const T &en
   return i % 2 == 0 ? T(corner(i / 2)) : T(0.5 * (corner(i / 2) + corner(i / 2 + 1)));
 }
 
-// Largest friction stress, (18.11); friction: coefficient, or what is added to the factors.
-template <class T>
-T friction_limit(const Friction &law, const T &friction, const T &pressure, const T &shear_yield, const T &slip)
-{
-  if (law.law == "factor")
-    return (slip.value < 0 ? law.entry_factor + friction : law.exit_factor + friction) * shear_yield;
-  const T sliding = friction * (pressure.value > 0 ? pressure : T(0.));
-  if (std::isnan(law.shear_limit))
-    return sliding;
-  const T sticking = law.shear_limit * shear_yield;
-  return sliding.value < sticking.value ? sliding : sticking;
-}
 }  // namespace
 
 void StripAssembly::contact()
@@ -84,11 +72,13 @@ void StripAssembly::contact()
     const Node rise   = of[3] - 0.5 * of[14] / of[15];  // relative to a roll that moves with half the gap rate
     const Node slip   = of[2] * tx + rise * ty - 1.0;
     const Node strain = i % 2 ? 0.5 * (of[10] + of[11]) : of[10];
-    const Node shear_yield = 0.5 * of[13] * scaled_flow_stress(pass, strain);
-    Node limit             = friction_limit(law, of[12], pressure, shear_yield, slip);
+    const Node flow_stress = of[13] * scaled_flow_stress(pass, strain), shear_yield = 0.5 * flow_stress;
+    const auto traction_law = bite::traction_of(law, of[12]);
+    Node limit = bite::traction_limit(traction_law, pressure.value > 0 ? pressure : Node(0.), flow_stress,
+                                      slip.value < 0 ? 1 : -1);  // (18.11)
     if (stage.picard)
-      limit = law.law == "factor" ? Node(limit.value)
-                                  : Node(std::min(1.2 * of[12].value * 2 * shear_yield.value, shear_yield.value));
+      limit = traction_law.slides ? Node(std::min(1.2 * of[12].value * flow_stress.value, shear_yield.value))
+                                  : Node(limit.value);
     const Node smeared = sqrt(slip * slip + stage.least_slip * stage.least_slip);
     double direction   = slip.value / smeared.value;
     if (before) {  // as in the bulk
@@ -111,7 +101,7 @@ void StripAssembly::contact()
     out.friction_power += std::abs(traction.value * slip.value) * size.value;
     out.nodes.row(i - grid.first) << spine_place(grid, i, entry, exit).value, pressure.value, traction.value,
         slip.value, size.value,
-        law.law == "factor" ? limit.value / shear_yield.value : of[12].value * pressure.value / shear_yield.value;
+        (traction_law.slides ? of[12].value * pressure.value : limit.value) / shear_yield.value;
   }
 }
 
@@ -296,7 +286,7 @@ void StripAssembly::friction()
   for (int m = 0; m < 8; ++m)
     of[m] = Speed::variable(value(columns[m]), m);
   Speed coefficient(0.);
-  if (strip.friction.law != "factor") {
+  if (slides(strip.friction)) {
     const Speed roll = pass.speed * of[2];
     coefficient      = bite::coulomb_coefficient(
              strip.friction,

@@ -2,6 +2,7 @@
 #include "bite/slab/karman.h"
 #include "bite/slab/slab_checks.h"
 #include "core/case/errors.h"
+#include "fem/strip/common/strip_results.h"
 #include <cmath>
 
 namespace mill::fem {
@@ -20,10 +21,9 @@ StripPass strip_pass(const bite::RollBite &bite, const StripFlowModel &model,
   p.length      = strip.entry_thickness;
   p.speed       = std::isnan(bite.roll_speed) ? 1 : bite.roll_speed;
   // Half way through the pass, so that every stress is near one.
-  const double entry_strain =
-      std::isnan(strip.initial_thickness) ? 0 : std::log(strip.initial_thickness / strip.entry_thickness);
-  p.stress   = scaled_flow_stress(p, entry_strain + 0.5 * std::log(strip.entry_thickness / strip.exit_thickness));
-  using Size = bite::Dual<3>;
+  p.stress =
+      scaled_flow_stress(p, entry_strain(strip) + 0.5 * std::log(strip.entry_thickness / strip.exit_thickness));
+  using Size    = bite::Dual<3>;
   const Size h1 = Size::variable(1, 0), h2 = Size::variable(strip.exit_thickness / p.length, 1),
              R = Size::variable(bite.roll_radius / p.length, 2), centre = R - 0.5 * (h1 - h2);
   const Size arc_length = sqrt(R * R - centre * centre), rate = 2.0 * log(h1 / h2) / arc_length;
@@ -32,7 +32,7 @@ StripPass strip_pass(const bite::RollBite &bite, const StripFlowModel &model,
   p.mean_rate_by = rate.by;
   if (model.arc != bite::Arc::rigid)
     p.mean_rate_by[2] = 0;
-  const bool idle = strip.friction.law == "coulomb" && strip.friction.coefficient == 0;
+  const bool idle = plain_coefficient(strip.friction) == 0;
   if (std::isnan(model.exit_speed) && !idle) {
     // What the rolls cannot pull through is refused before it makes a Newton iteration fail.
     bite::KarmanOptions quick;
@@ -56,7 +56,7 @@ Eigen::VectorXd first_guess(const StripPass &pass, const StripGrid &grid)
   u[grid.whole(Whole::entry)]    = -pass.arc_length;
   u[grid.whole(Whole::radius)]   = R;
   u[grid.whole(Whole::tension)]  = strip.exit_tension / pass.stress;
-  u[grid.whole(Whole::friction)] = strip.friction.law == "factor" ? 0 : pass.friction;
+  u[grid.whole(Whole::friction)] = slides(strip.friction) ? pass.friction : 0;
   const double exit_speed        = std::isnan(pass.model.exit_speed) ? 1 + pass.exit_slip : pass.model.exit_speed;
   for (int i = 0; i <= 2 * grid.n_along; ++i) {
     const auto corner  = [&](const int I) { return -grid.spine[I][0] * pass.arc_length + grid.spine[I][2]; };

@@ -1,34 +1,10 @@
 #include "fem/strip/rigid_plastic/strip_flow_grid.h"
-#include "core/case/errors.h"
 #include <algorithm>
 #include <cmath>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_system.h>
-#include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_in.h>
-#include <deal.II/grid/tria.h>
-#include <fstream>
 
 namespace mill::fem {
 namespace {
 using Eigen::VectorXd;
-
-std::vector<double> distinct(std::vector<double> values, const double tolerance)
-{
-  std::sort(values.begin(), values.end());
-  std::vector<double> out;
-  for (const double v : values)
-    if (out.empty() || v - out.back() > tolerance)
-      out.push_back(v);
-  return out;
-}
-
-VectorXd vector_of(const std::vector<double> &values)
-{
-  return Eigen::Map<const VectorXd>(values.data(), Eigen::Index(values.size()));
-}
 
 VectorXd every_second(const VectorXd &lines)
 {
@@ -66,53 +42,6 @@ double at_node(const VectorXd &lines, const int i)
 }
 }  // namespace
 
-StripLines strip_lines(const MeshFile &mesh)
-{
-  dealii::Triangulation<2> triangulation;
-  dealii::GridIn<2> reader(triangulation);
-  std::ifstream file(mesh.path);
-  if (!file)
-    throw InputError("the mesh " + mesh.path + " of the strip cannot be read");
-  reader.read_msh(file);
-  const auto roll = mesh.groups.find("roll");
-  if (roll == mesh.groups.end())
-    throw InputError("the mesh " + mesh.path + " has no boundary group roll: it is no mesh of a strip");
-  double low = 1e300, high = -1e300, inlet = -1e300;
-  for (const auto &point : triangulation.get_vertices())
-    inlet = std::max(inlet, point[0]);
-  for (const auto &cell : triangulation.active_cell_iterators())
-    for (const auto &face : cell->face_iterators())
-      if (face->at_boundary() && int(face->boundary_id()) == roll->second)
-        for (const int v : {0, 1}) {
-          low  = std::min(low, face->vertex(v)[0]);
-          high = std::max(high, face->vertex(v)[0]);
-        }
-  const double small = 1e-9 * (high - low);
-  std::vector<double> x, y;
-  for (const auto &point : triangulation.get_vertices()) {
-    x.push_back(-point[0]);
-    if (point[0] > inlet - small)
-      y.push_back(point[1]);
-  }
-  x = distinct(x, small);
-  y = distinct(y, 1e-9 * *std::max_element(y.begin(), y.end()));
-  if (x.size() * y.size() != triangulation.n_vertices())
-    throw InputError("the nodes of the mesh " + mesh.path + " are not on lines across the strip");
-  std::vector<double> before, on, behind;
-  for (const double v : x) {
-    if (v <= -high + small)
-      before.push_back(-high - v);
-    if (v >= -high - small && v <= -low + small)
-      on.push_back((v + high) / (high - low));
-    if (v >= -low - small)
-      behind.push_back(v + low);
-  }
-  StripLines lines{vector_of(before), vector_of(on), vector_of(behind), vector_of(y) / y.back()};
-  lines.inlet[lines.inlet.size() - 1] = lines.outlet[0] = lines.arc[0] = 0;
-  lines.arc[lines.arc.size() - 1]                                      = 1;
-  return lines;
-}
-
 bool coarsened(StripLines &lines)
 {
   for (const VectorXd *v : {&lines.inlet, &lines.arc, &lines.outlet, &lines.rows})
@@ -142,42 +71,22 @@ StripGrid strip_grid(const StripLines &lines)
   for (int i = 0; i <= behind; ++i)
     g.spine.push_back({0, 1, lines.outlet[i]});
 
-  // The mesh in its own indices: spines and rows are placed by unknowns, so that this is all deal.II needs to
-  // know.
-  dealii::Triangulation<2> triangulation;
-  dealii::GridGenerator::subdivided_hyper_rectangle(triangulation, {unsigned(g.n_along), unsigned(g.n_through)},
-                                                    dealii::Point<2>(0, 0),
-                                                    dealii::Point<2>(g.n_along, g.n_through));
-  const dealii::FESystem<2> fe(dealii::FE_Q<2>(2), 2, dealii::FE_Q<2>(1), 1);
-  dealii::DoFHandler<2> dofs(triangulation);
-  dofs.distribute_dofs(fe);
   const int columns = 2 * g.n_along + 1, rows = 2 * g.n_through + 1;
-  g.velocity_of.resize(2 * columns * rows);
-  g.pressure_of.resize((g.n_along + 1) * (g.n_through + 1));
-  std::vector<dealii::types::global_dof_index> local(fe.n_dofs_per_cell());
-  for (const auto &cell : dofs.active_cell_iterators()) {
-    cell->get_dof_indices(local);
-    for (unsigned l = 0; l < local.size(); ++l) {
-      const auto at       = cell->vertex(0) + fe.unit_support_point(l);
-      const int component = int(fe.system_to_component_index(l).first);
-      const int i = int(std::lround(2 * at[0])), j = int(std::lround(2 * at[1]));
-      if (component < 2)
-        g.velocity_of[2 * (i * rows + j) + component] = int(local[l]);
-      else
-        g.pressure_of[i / 2 * (g.n_through + 1) + j / 2] = int(local[l]);
-    }
-  }
-  int n             = int(dofs.n_dofs());
-  const auto number = [&n](std::vector<int> &of, const std::size_t size) {
-    of.resize(size);
-    for (int &index : of)
-      index = n++;
+  // Along the strip, so that a good order of elimination is easy to find.
+  int n           = 0;
+  const auto take = [&n](std::vector<int> &of, const int count) {
+    for (int k = 0; k < count; ++k)
+      of.push_back(n++);
   };
-  number(g.height_of, std::size_t(columns) * g.n_through);
-  number(g.strain_of, std::size_t(3) * (g.n_along + 1) * g.n_through);
-  g.contact_of.assign(columns, -1);
-  for (int i = g.first; i <= g.last; ++i)
-    g.contact_of[i] = n++;
+  for (int i = 0; i < columns; ++i) {
+    take(g.velocity_of, 2 * rows);
+    take(g.height_of, g.n_through);
+    if (i % 2 == 0) {
+      take(g.pressure_of, g.n_through + 1);
+      take(g.strain_of, 3 * g.n_through);
+    }
+    g.contact_of.push_back(i >= g.first && i <= g.last ? n++ : -1);
+  }
   g.n_unknowns = n + n_whole;
   g.held.assign(g.n_unknowns, 0);
   for (int i = 0; i < columns; ++i)
@@ -196,13 +105,8 @@ Eigen::VectorXd interpolated(const StripGrid &from, const VectorXd &unknowns, co
   // Strain between the Gauss rows of an element, on one corner spine.
   const auto strain = [&](const int I, const Place1 &row) {
     double sum = 0;
-    for (int k = 0; k < 3; ++k) {
-      double l = 1;
-      for (int m = 0; m < 3; ++m)
-        if (m != k)
-          l *= (row.t - shapes.point[m]) / (shapes.point[k] - shapes.point[m]);
-      sum += l * value(from.strain(I, row.interval, k));
-    }
+    for (int k = 0; k < 3; ++k)
+      sum += lagrange(shapes.point, k, row.t) * value(from.strain(I, row.interval, k));
     return sum;
   };
   for (int i = 0; i <= 2 * to.n_along; ++i) {
@@ -250,27 +154,18 @@ const StripShapes &strip_shapes()
 {
   static const StripShapes shapes = [] {
     StripShapes s;
-    const dealii::QGauss<1> gauss(3);
-    for (int k = 0; k < 3; ++k) {
-      s.point[k]  = 2 * gauss.point(k)[0] - 1;
-      s.weight[k] = 2 * gauss.weight(k);
-    }
-    const dealii::FE_Q<2> velocity(2), pressure(1);
-    // deal.II's unit square is 0 .. 1, ours -1 .. 1.
+    const double outer = std::sqrt(0.6);
+    s.point << -outer, 0, outer;
+    s.weight << 5. / 9, 8. / 9, 5. / 9;
     for (int q = 0; q < 9; ++q) {
-      const dealii::Point<2> at(0.5 * (1 + s.point[q / 3]), 0.5 * (1 + s.point[q % 3]));
-      for (unsigned l = 0; l < 9; ++l) {
-        const auto node     = velocity.get_unit_support_points()[l];
-        const int n         = 3 * int(std::lround(2 * node[0])) + int(std::lround(2 * node[1]));
-        s.value(q, n)       = velocity.shape_value(l, at);
-        const auto gradient = velocity.shape_grad(l, at);
-        s.along(q, n)       = 0.5 * gradient[0];
-        s.through(q, n)     = 0.5 * gradient[1];
+      const double x = s.point[q / 3], y = s.point[q % 3];
+      for (int n = 0; n < 9; ++n) {
+        s.value(q, n)   = quadratic(x, n / 3) * quadratic(y, n % 3);
+        s.along(q, n)   = quadratic_slope(x, n / 3) * quadratic(y, n % 3);
+        s.through(q, n) = quadratic(x, n / 3) * quadratic_slope(y, n % 3);
       }
-      for (unsigned l = 0; l < 4; ++l) {
-        const auto node = pressure.get_unit_support_points()[l];
-        s.corner(q, 2 * int(std::lround(node[0])) + int(std::lround(node[1]))) = pressure.shape_value(l, at);
-      }
+      for (int n = 0; n < 4; ++n)
+        s.corner(q, n) = 0.25 * (n / 2 ? 1 + x : 1 - x) * (n % 2 ? 1 + y : 1 - y);
     }
     // Integrals of the Lagrange polynomials of the Gauss points up to each point, exact with the same rule.
     for (int k = 0; k < 3; ++k)
@@ -278,12 +173,8 @@ const StripShapes &strip_shapes()
         s.gathered(k, l)  = 0;
         const double half = 0.5 * (s.point[k] + 1);
         for (int q = 0; q < 3; ++q) {
-          const double t    = -1 + half * (1 + s.point[q]);
-          double polynomial = 1;
-          for (int m = 0; m < 3; ++m)
-            if (m != l)
-              polynomial *= (t - s.point[m]) / (s.point[l] - s.point[m]);
-          s.gathered(k, l) += half * s.weight[q] * polynomial;
+          const double t = -1 + half * (1 + s.point[q]);
+          s.gathered(k, l) += half * s.weight[q] * lagrange(s.point, l, t);
         }
       }
     return s;

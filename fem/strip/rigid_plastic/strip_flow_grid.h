@@ -1,5 +1,6 @@
 #pragma once
 #include "bite/bite.h"
+#include "fem/strip/common/strip_nodes.h"
 #include "fem/strip/rigid_plastic/strip_flow.h"
 #include <array>
 #include <vector>
@@ -17,31 +18,19 @@ enum class Whole {
 };
 constexpr int n_whole = 6;
 
-/// Structured grid of n_along x n_through elements, Q2 velocity, Q1 pressure.  Node (i, j) is on spine
-/// i = 0 .. 2 n_along from the inlet to the outlet, row j = 0 .. 2 n_through from the mid plane; corners are even.
+/// Q2 velocity, Q1 pressure.
 /// Columns of the equations: the unknowns, then the bite::n_inputs inputs by which they are differentiated.
-struct StripGrid {
-  StripLines lines;  ///< distances over the length scale
-  int n_along = 0, n_through = 0;
+struct StripGrid : StripNodes {
+  StripLines lines;         ///< distances over the length scale
   int first = 0, last = 0;  ///< spines where contact begins and ends
-  int n_unknowns = 0;
-  std::vector<int> velocity_of, pressure_of, height_of, strain_of, contact_of;
+  std::vector<int> pressure_of, strain_of, contact_of;
   std::vector<char> held;  ///< (unknowns) 1: velocity that is zero
   /// Abscissa of corner spine I: spine[I][0] entry + spine[I][1] exit + spine[I][2].
   std::vector<std::array<double, 3>> spine;
 
-  int velocity(const int i, const int j, const int component) const
-  {
-    return velocity_of[2 * (i * (2 * n_through + 1) + j) + component];
-  }
   int pressure(const int I, const int J) const
   {
     return pressure_of[I * (n_through + 1) + J];
-  }
-  /// Height of row J on spine i; -1 on the mid plane.
-  int height(const int i, const int J) const
-  {
-    return J == 0 ? -1 : height_of[i * n_through + J - 1];
   }
   /// Strain where Gauss row k of element row J crosses corner spine I.
   int strain(const int I, const int J, const int k) const
@@ -62,7 +51,7 @@ struct StripGrid {
     return n_unknowns + int(which);
   }
 };
-/// Numbers the unknowns; velocities and pressures by deal.II's Taylor-Hood element.
+/// Numbers the unknowns, along the strip.
 StripGrid strip_grid(const StripLines &lines);
 
 /// Every second line; false if a count is odd or the result coarser than 12 x 3 on the arc.
@@ -81,13 +70,4 @@ struct StripShapes {
 };
 const StripShapes &strip_shapes();
 
-/// Quadratic Lagrange polynomial of node a = 0, 1, 2 at -1, 0, 1, and its derivative.
-inline double quadratic(const double t, const int a)
-{
-  return a == 0 ? 0.5 * t * (t - 1) : a == 1 ? 1 - t * t : 0.5 * t * (t + 1);
-}
-inline double quadratic_slope(const double t, const int a)
-{
-  return a == 0 ? t - 0.5 : a == 1 ? -2 * t : t + 0.5;
-}
 }  // namespace mill::fem

@@ -1,8 +1,9 @@
 #include "fem/strip/rigid_plastic/strip_flow_results.h"
 #include "bite/slab/flattening.h"
-#include "bite/laws/friction.h"
 #include "bite/slab/neutral_point.h"
 #include "bite/slab/sentence.h"
+#include "core/laws/friction_law.h"
+#include "fem/strip/common/strip_results.h"
 #include <algorithm>
 #include <cmath>
 
@@ -32,13 +33,8 @@ double strain_at(const StripGrid &grid, const VectorXd &u, const int I, const in
   const StripShapes &s = strip_shapes();
   const auto in        = [&](const int J, const double t) {
     double sum = 0;
-    for (int k = 0; k < 3; ++k) {
-      double l = u[grid.strain(I, J, k)];
-      for (int m = 0; m < 3; ++m)
-        if (m != k)
-          l *= (t - s.point[m]) / (s.point[k] - s.point[m]);
-      sum += l;
-    }
+    for (int k = 0; k < 3; ++k)
+      sum += u[grid.strain(I, J, k)] * lagrange(s.point, k, t);
     return sum;
   };
   if (j % 2)
@@ -53,9 +49,7 @@ void add_fields(StripFlow &flow, const StripPass &pass, const StripGrid &grid, c
 {
   const int columns = 2 * grid.n_along + 1, rows = 2 * grid.n_through + 1, last = columns - 1;
   const double g0 = stage.least_rate * pass.mean_rate;
-  for (MatrixXd *field : {&flow.x, &flow.y, &flow.vx, &flow.vy, &flow.pressure, &flow.strain, &flow.rate,
-                          &flow.sxx, &flow.syy, &flow.sxy})
-    field->setZero(columns, rows);
+  size_fields(flow, columns, rows);
   MatrixXd xx = MatrixXd::Zero(columns, rows), yy = xx, xy = xx, count = xx;
   for (int I = 0; I < grid.n_along; ++I)
     for (int J = 0; J < grid.n_through; ++J)
@@ -138,7 +132,7 @@ void add_arc(StripFlow &flow, const StripPass &pass, const StripGrid &grid, cons
   flow.slip_changes   = bite::find_neutral_point(s, 1e-3 * stage.least_slip);
   const Friction &law = pass.bite->strip.friction;
   for (int i = 0; i < n; ++i) {
-    const bool limited = law.law != "factor" && node(i, 5) > law.shear_limit;
+    const bool limited = slides(law) && node(i, 5) > law.shear_limit;
     if (limited || std::abs(node(i, 3)) < stage.least_slip)
       s.sticking_length += L * node(i, 4);
     if (node(i, 1) < 0)
@@ -146,13 +140,7 @@ void add_arc(StripFlow &flow, const StripPass &pass, const StripGrid &grid, cons
     if (i < n - 1)  // the edge of entry is singular
       s.largest_shear = std::max(s.largest_shear, node(i, 5));
   }
-  // The hill: from the edge of entry down to the first trough, then the highest behind it.
-  int trough = n - 1;
-  while (trough >= 2 && node(trough - 2, 1) < node(trough, 1))
-    trough -= 2;
-  if (trough >= 2)
-    flow.second_peak = k * node.col(1).head(trough).maxCoeff();
-  s.peak_pressure = std::isnan(flow.second_peak) ? s.pressure.maxCoeff() : flow.second_peak;
+  find_peak(flow, n - 1);
 }
 
 void add_balances(StripFlow &flow, const StripPass &pass, const StripGrid &grid, const StripEquations &e,
@@ -182,20 +170,12 @@ void add_balances(StripFlow &flow, const StripPass &pass, const StripGrid &grid,
 void add_notes(StripFlow &flow, const StripPass &pass)
 {
   using bite::sentence;
-  bite::BiteState &s  = flow.state;
-  const bool factor   = pass.bite->strip.friction.law == "factor";
-  const double on_arc = s.arc_length - s.exit_position;
+  bite::BiteState &s = flow.state;
+  const bool factor  = !slides(pass.bite->strip.friction);
   if (!factor && s.bite_angle > s.friction)
     s.notes.push_back(sentence("the angle of bite ", s.bite_angle, " rad is larger than the friction ", s.friction,
                                ": the pass runs, but the strip has to be pushed in at its head"));
-  if (flow.slip_changes == 0 && std::isnan(pass.model.exit_speed))
-    s.notes.push_back("the slip between strip and roll does not change its sign: no neutral point in the arc");
-  if (flow.slip_changes > 1)
-    s.notes.push_back(sentence("the slip changes its sign ", flow.slip_changes,
-                               " times along the arc: the neutral position is the middle of the zone"));
-  if (s.sticking_length > 0.1 * on_arc)
-    s.remarks.push_back(sentence("the friction stress is at its limit, or slip nil, over ",
-                                 s.sticking_length * 1e3, " mm of an arc of ", on_arc * 1e3, " mm"));
+  add_slip_notes(flow, !std::isnan(pass.model.exit_speed));
   if (flow.negative_length > 0)
     s.notes.push_back(sentence("roll and strip pull at each other over ", flow.negative_length * 1e3,
                                " mm: more elements along the arc, or the release of the last spine"));
@@ -223,29 +203,25 @@ StripFlow strip_flow_results(const StripPass &pass, const StripGrid &grid, const
             (pass.model.arc == bite::Arc::rigid       ? "rigid roll"
              : pass.model.arc == bite::Arc::hitchcock ? "Hitchcock's arc"
                                                       : "elastic roll");
-  s.force    = e.force.value * pass.stress * pass.length * strip.width;
-  s.torque   = e.traction.value * pass.stress * pass.length * strip.width * pass.bite->roll_radius;
-  s.friction = strip.friction.law == "factor" ? 0.5 * (strip.friction.entry_factor + strip.friction.exit_factor)
-                                              : u[grid.whole(Whole::friction)];
+  s.force             = e.force.value * pass.stress * pass.length * strip.width;
+  s.torque            = e.traction.value * pass.stress * pass.length * strip.width * pass.bite->roll_radius;
+  s.friction          = friction_value(strip.friction, u[grid.whole(Whole::friction)]);
   flow.entry_position = s.arc_length = -u[grid.whole(Whole::entry)] * pass.length;
   s.exit_position                    = -u[grid.whole(Whole::exit)] * pass.length;
   s.flattened_radius                 = u[grid.whole(Whole::radius)] * pass.length;
   if (pass.flexibility) {
-    Eigen::Index thinnest;
-    const double least = s.thickness.minCoeff(&thinnest), reach = s.arc_length - s.position[thinnest];
-    s.flattened_radius = reach * reach / (s.thickness[s.thickness.size() - 1] - least);
+    s.flattened_radius = radius_of_arc(s);
     flow.flattening    = flattened_arc(pass, grid, u).displacement.reverse() * pass.length;
   } else {
     flow.flattening = VectorXd::Zero(s.position.size());
   }
   s.bite_angle = s.arc_length / s.flattened_radius;
   add_balances(flow, pass, grid, e, u);
-  const double entry_strain =
-      std::isnan(strip.initial_thickness) ? 0 : std::log(strip.initial_thickness / strip.entry_thickness);
-  s.entry_flow_stress = scaled_flow_stress(pass, entry_strain) * pass.stress;
+  const double before = entry_strain(strip);
+  s.entry_flow_stress = scaled_flow_stress(pass, before) * pass.stress;
   s.exit_flow_stress =
-      scaled_flow_stress(pass, entry_strain + std::log(strip.entry_thickness / flow.exit_thickness)) * pass.stress;
-  if (strip.friction.law == "film")
+      scaled_flow_stress(pass, before + std::log(strip.entry_thickness / flow.exit_thickness)) * pass.stress;
+  if (has_film(strip.friction))
     s.film_thickness = bite::film_thickness(
         strip.friction, bite::Inlet<double>{pass.speed, s.entry_speed, s.exit_speed, s.flattened_radius,
                                             s.arc_length, s.entry_flow_stress - strip.entry_tension});

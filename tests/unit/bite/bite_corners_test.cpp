@@ -66,14 +66,14 @@ void expect_end(const RollBite &bite, const SlabModel &model, const std::string 
 // What hung: a branch whose pressure fell below nil, in steps of a millionth of the arc.
 TEST(BiteCorners, ThatOnceHung)
 {
-  const FlowStress constant{"constant", 28 * MPa, 0, 0, 0, {}};
+  const FlowStress constant{FlowStressLaw::constant, 28 * MPa, 0, 0, 0, {}};
   const RollBite corners[] = {
       pass(8, 0.005, 210, constant, 0.2, 1),
       pass(8, 0.008, 5, constant, 1, 0.01, 27.999972),
       pass(0.02, 0.005, 725, constant, 0.2, 0.01, 27.999972),
-      pass(1000, 100, 210, {"swift", 1e4 * MPa, 10, 0.2, 0, {}}, 0.2, 1, 9900, 9999),
+      pass(1000, 100, 210, {FlowStressLaw::swift, 1e4 * MPa, 10, 0.2, 0, {}}, 0.2, 1, 9900, 9999),
       pass(0.1, 0.005, 1500, constant, 1, 1),
-      pass(0.26, 0.005, 34.8, {"constant", 1180 * MPa, 0, 0, 0, {}}, 0.059523, 1, 289.41, 385.04),
+      pass(0.26, 0.005, 34.8, {FlowStressLaw::constant, 1180 * MPa, 0, 0, 0, {}}, 0.059523, 1, 289.41, 385.04),
   };
   for (const RollBite &bite : corners)
     for (const Theory theory : {Theory::karman, Theory::orowan, Theory::bland_ford})
@@ -86,7 +86,7 @@ TEST(BiteCorners, OfEveryRow)
   constexpr unsigned seed = 20240;
   std::mt19937 random(seed);
   const auto one_of       = [&](const std::vector<double> &values) { return values[random() % values.size()]; };
-  const char *laws[]      = {"constant", "swift", "ludwik", "voce", "power", "reduction-power", "table"};
+  const auto &laws        = flow_stress_laws();
   const Theory theories[] = {Theory::karman, Theory::orowan, Theory::bland_ford, Theory::hu_ehmann, Theory::sims};
   for (int i = 0; i < 300; ++i) {
     const double k = one_of({1e-6, 1, 28, 700, 10000}), entry = one_of({0.01, 0.1, 1, 8, 100, 1000});
@@ -96,7 +96,7 @@ TEST(BiteCorners, OfEveryRow)
                    one_of({0, 1e-3, 0.2, 1, 3, 100}),
                    one_of({0, 1e-6, 1}) * k * MPa,
                    {}};
-    if (law.law == "table")
+    if (law.law == FlowStressLaw::table)
       law.table = {
           {0,    law.k    },
           {1e-6, law.k    },
@@ -107,7 +107,7 @@ TEST(BiteCorners, OfEveryRow)
     RollBite b =
         pass(entry, exit, one_of({5, 50, 210, 725, 1500}), law, one_of({0, 1e-9, 1e-3, 0.05, 0.2, 0.5, 1}),
              one_of({0.01, 1, 1}), k * one_of({0, 0, 0.5, 0.999999}), k * one_of({0, 0, 0.5, 0.999999}));
-    b.strip.friction.law          = random() % 4 ? "coulomb" : "factor";
+    b.strip.friction.law          = random() % 4 ? FrictionLaw::coulomb : FrictionLaw::factor;
     b.strip.friction.entry_factor = one_of({0, 1e-6, 0.3, 1});
     b.strip.friction.exit_factor  = one_of({0, 1e-6, 0.3, 1});
     expect_end(b, {theories[random() % 5], random() % 3 ? Arc::rigid : Arc::hitchcock},
@@ -117,7 +117,7 @@ TEST(BiteCorners, OfEveryRow)
 
 TEST(BiteCorners, MoreThanTheRollsCanTakeOffIsRefused)
 {
-  const FlowStress law{"constant", 28 * MPa, 0, 0, 0, {}};
+  const FlowStress law{FlowStressLaw::constant, 28 * MPa, 0, 0, 0, {}};
   try {
     solve_slab(pass(1000, 100, 210, law, 0.2, 1), {Theory::karman, Arc::rigid});
     FAIL() << "accepted";

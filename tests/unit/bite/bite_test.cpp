@@ -1,7 +1,7 @@
-#include "bite/laws/flow_stress.h"
 #include "bite/slab/neutral_point.h"
 #include "bite/slab/slab_bite.h"
 #include "core/case/errors.h"
+#include "core/laws/flow_stress_law.h"
 #include "tests/support/demo_pass.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
@@ -26,7 +26,7 @@ RollBite constant_pass(const double R_mm, const double h1_mm, const double h2_mm
 FlowStress law(const std::string &name)
 {
   FlowStress f;
-  f.law  = name;
+  f.law  = flow_stress_law(name);
   f.k    = 700e6;
   f.k0   = 300e6;
   f.eps0 = 0.01;
@@ -119,7 +119,7 @@ TEST(Bite, ColdPassesWithHardeningTensionAndFlattening)
     bite.strip.entry_tension     = c[2] * 1e6;
     bite.strip.exit_tension      = c[3] * 1e6;
     bite.strip.initial_thickness = 3e-3;
-    bite.strip.flow_stress.law   = "reduction-power";
+    bite.strip.flow_stress.law   = FlowStressLaw::reduction_power;
     bite.strip.flow_stress.eps0  = 0.00817;
     bite.strip.flow_stress.n     = 0.3;
     const BiteState state        = solve_bite(bite, Arc::hitchcock);
@@ -261,12 +261,12 @@ TEST(Bite, StripSpringsBackBehindAFreeArc)
 TEST(Bite, TableIsIntegratedAcrossItsKinks)
 {
   RollBite ludwik               = demo_pass();
-  ludwik.strip.flow_stress.law  = "ludwik";
+  ludwik.strip.flow_stress.law  = FlowStressLaw::ludwik;
   ludwik.strip.flow_stress.k0   = 28e6;
   ludwik.strip.flow_stress.k    = 20e6;
   ludwik.strip.flow_stress.n    = 1;
   RollBite table                = ludwik;
-  table.strip.flow_stress.law   = "table";
+  table.strip.flow_stress.law   = FlowStressLaw::table;
   table.strip.flow_stress.table = {
       {0,    28e6  },
       {0.1,  30e6  },
@@ -407,9 +407,9 @@ TEST(BiteErrors, SayWhatIsWrong)
   bite.strip.friction.coefficient = 0;
   EXPECT_EQ(message_of(bite),
             "strip.friction must be positive: without friction the rolls do not pull the strip through");
-  bite = demo_pass();
-  bite.strip.flow_stress.law =
-      "power";  // what an unhardened strip of a pure power law yields at is open: no tension to divide by it
+  bite                       = demo_pass();
+  bite.strip.flow_stress.law = FlowStressLaw::power;  // what an unhardened strip of a pure power law yields at is
+                                                      // open: no tension to divide by it
   bite.strip.flow_stress.n = 0.2;
   EXPECT_EQ(message_of(bite), "accepted");
   bite.strip.entry_tension = 1e6;

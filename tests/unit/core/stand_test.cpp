@@ -1,9 +1,9 @@
 // Whole cases: values arrive in SI, the echo reads back as the same case, templates and schema come from the same
 // rows, and a mutilated case is read or refused and nothing else.
-#include "core/records/files.h"
 #include "core/case/input_reference.h"
-#include "core/model/stand.h"
 #include "core/case/stand_rows.h"
+#include "core/model/stand.h"
+#include "core/records/files.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include "tests/support/refusal.h"
@@ -325,7 +325,7 @@ TEST_F(Cases, FrictionIsANumberOrALaw)
 {
   const std::string path = file("a.toml", template_of("bite"));
   EXPECT_EQ(std::get<BiteCase>(read_case(path).spec).strip.friction.coefficient, 0.2);
-  EXPECT_EQ(std::get<BiteCase>(read_case(path).spec).strip.friction.law, "coulomb");
+  EXPECT_EQ(std::get<BiteCase>(read_case(path).spec).strip.friction.law, FrictionLaw::coulomb);
   const std::vector<std::string> speed{
       "strip.friction={ law = \"speed\", at_unit_speed = 0.066723, per_log_speed = "
       "-0.00662 }",
@@ -334,7 +334,7 @@ TEST_F(Cases, FrictionIsANumberOrALaw)
   EXPECT_EQ(std::get<BiteCase>(c.spec).strip.friction.per_log_speed, -0.00662);
   const Case again = read_case(file("b.toml", c.resolved));
   EXPECT_EQ(values_of(c), values_of(again));
-  EXPECT_EQ(std::get<BiteCase>(again.spec).strip.friction.law, "speed");
+  EXPECT_EQ(std::get<BiteCase>(again.spec).strip.friction.law, FrictionLaw::speed);
 }
 
 TEST_F(Cases, ThicknessesAndPeaksOfAPassMayBeItsOwn)

@@ -41,25 +41,25 @@ std::vector<RollBite> passes()
     all.push_back(b);
   };
   add([](Strip &s) {
-    s.flow_stress       = {"constant", 760e6};
+    s.flow_stress       = {FlowStressLaw::constant, 760e6};
     s.initial_thickness = not_given;
   });
   add([](Strip &s) {
-    s.flow_stress          = {"swift", 700e6, 0.01, 0.2};
+    s.flow_stress          = {FlowStressLaw::swift, 700e6, 0.01, 0.2};
     s.friction             = Friction{};
     s.friction.coefficient = 0.04;
   });
   add([](Strip &s) {
-    s.flow_stress            = {"ludwik", 300e6, 0, 0.4, 450e6};
+    s.flow_stress            = {FlowStressLaw::ludwik, 300e6, 0, 0.4, 450e6};
     s.friction               = Friction{};
-    s.friction.law           = "speed";
+    s.friction.law           = FrictionLaw::speed;
     s.friction.at_unit_speed = 0.066723;
     s.friction.per_log_speed = -0.00662;
   });
-  add([](Strip &s) { s.flow_stress = {"voce", 350e6, 0, 2.5, 500e6}; });
-  add([](Strip &s) { s.flow_stress = {"power", 730e6, 0, 0.15}; });
+  add([](Strip &s) { s.flow_stress = {FlowStressLaw::voce, 350e6, 0, 2.5, 500e6}; });
+  add([](Strip &s) { s.flow_stress = {FlowStressLaw::power, 730e6, 0, 0.15}; });
   add([](Strip &s) {
-    s.flow_stress.law   = "table";
+    s.flow_stress.law   = FlowStressLaw::table;
     s.flow_stress.table = {
         {0,   500e6},
         {1,   700e6},
@@ -69,7 +69,7 @@ std::vector<RollBite> passes()
   });
   // Strain from the entry, hardening with an infinite slope there.
   add([](Strip &s) {
-    s.flow_stress       = {"ludwik", 300e6, 0, 0.4, 650e6};
+    s.flow_stress       = {FlowStressLaw::ludwik, 300e6, 0, 0.4, 650e6};
     s.initial_thickness = not_given;
   });
   return all;
@@ -195,8 +195,8 @@ TEST(LinearSensitivity, DifferencesUnderEveryLaw)
           const double size = std::abs(of(base));
           // 2e-4 to the fourth power times a curvature below 1e6; rounding of states 1e-14 over the step.
           EXPECT_NEAR(exact, (4 * one - two) / 3, 1e-7 * size)
-              << what << " by " << name_of(number).key << ", " << pass.strip.flow_stress.law << ", "
-              << pass.strip.friction.law;
+              << what << " by " << name_of(number).key << ", " << name_of(pass.strip.flow_stress.law) << ", "
+              << name_of(pass.strip.friction.law);
         };
         const int p = int(number);
         expect(

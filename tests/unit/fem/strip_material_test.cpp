@@ -1,7 +1,7 @@
 #include "bite/arc/half_plane.h"
 #include "core/case/errors.h"
-#include "fem/strip/elastic_plastic/strip_elastic.h"
 #include "fem/strip/common/strip_material.h"
+#include "fem/strip/elastic_plastic/strip_elastic.h"
 #include "tests/support/near.h"
 #include <cmath>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ FlowStress constant(const double k)
 FlowStress swift()
 {
   FlowStress law;
-  law.law  = "swift";
+  law.law  = FlowStressLaw::swift;
   law.k    = 1.3;
   law.eps0 = 0.01;
   law.n    = 0.2;
@@ -294,7 +294,7 @@ TEST(StripElastic, TakesAnyFlexibilityAndAnyLawOfFriction)
   const bite::ArcFlexibility surface =
       bite::half_plane_flexibility(Eigen::VectorXd::LinSpaced(301, -30e-3, 30e-3), b.roll, b.roll_radius);
   bite::RollBite slower               = b;
-  slower.strip.friction.law           = "speed";
+  slower.strip.friction.law           = FrictionLaw::speed;
   slower.strip.friction.scale         = 1;
   slower.strip.friction.at_unit_speed = 0.05 + 0.01 * std::log(10.);
   slower.strip.friction.per_log_speed = -0.01;
@@ -313,7 +313,7 @@ TEST(StripElastic, FactorsOfFrictionActWhereTheRollPresses)
   model.elements_along          = 16;
   model.elements_through        = 2;
   bite::RollBite b              = thin_pass();
-  b.strip.friction.law          = "factor";
+  b.strip.friction.law          = FrictionLaw::factor;
   b.strip.friction.entry_factor = b.strip.friction.exit_factor = 0.15;
   const StripElastic s                                         = solve_elastic_strip(b, model);
   const auto &state                                            = s.flow.state;

@@ -1,7 +1,7 @@
 // The closed pressure hill against the slab equation it comes from, integrated step by step here.
-#include "bite/laws/flow_stress.h"
 #include "bite/slab/slab_bite.h"
 #include "core/case/errors.h"
+#include "core/laws/flow_stress_law.h"
 #include "tests/support/demo_pass.h"
 #include "tests/support/near.h"
 #include <cmath>
@@ -78,7 +78,7 @@ RollBite cold_pass()
   bite.strip.exit_tension         = 189e6;
   bite.strip.initial_thickness    = 3e-3;
   bite.strip.friction.coefficient = 0.02832038583977992;
-  bite.strip.flow_stress.law      = "reduction-power";
+  bite.strip.flow_stress.law      = FlowStressLaw::reduction_power;
   bite.strip.flow_stress.k        = 829.64259e6;
   bite.strip.flow_stress.eps0     = 0.00817;
   bite.strip.flow_stress.n        = 0.3;
@@ -93,7 +93,7 @@ TEST(BiteSlab, ClosedFormSolvesItsOwnEquation)
   tension.strip.entry_tension  = 2e6;
   RollBite swift               = tension;
   swift.strip.flow_stress      = {};
-  swift.strip.flow_stress.law  = "swift";
+  swift.strip.flow_stress.law  = FlowStressLaw::swift;
   swift.strip.flow_stress.k    = 60e6;
   swift.strip.flow_stress.eps0 = 0.05;
   swift.strip.flow_stress.n    = 0.15;

@@ -25,11 +25,11 @@ bite::RollBite pass(const double entry, const double exit, const double back, co
   b.strip.entry_tension               = back;
   b.strip.exit_tension                = front;
   b.strip.initial_thickness           = 2.8e-3;
-  b.strip.flow_stress.law             = "reduction-power";
+  b.strip.flow_stress.law             = FlowStressLaw::reduction_power;
   b.strip.flow_stress.k               = 800e6;
   b.strip.flow_stress.eps0            = 0.01;
   b.strip.flow_stress.n               = 0.25;
-  b.strip.friction.law                = "film";
+  b.strip.friction.law                = FrictionLaw::film;
   b.strip.friction.mu0                = 0.012;
   b.strip.friction.mu1                = 0.142;
   b.strip.friction.decay              = 2.43e6;

@@ -1,5 +1,5 @@
 #include "core/records/files.h"
-#include "fem/strip/rigid_plastic/strip_flow.h"
+#include "fem/strip/common/strip_state.h"
 #include <sstream>
 
 namespace mill::fem {

@@ -1,4 +1,4 @@
-#include "fem/strip/rigid_plastic/strip_flow_factor.h"
+#include "fem/strip/common/unsymmetric_factor.h"
 #include "core/numerics/blas_threads.h"
 #include "core/process/stage_work.h"
 #include <new>
