@@ -308,7 +308,7 @@ TEST(LinearSensitivity, NumbersOfAPass)
   b.strip.exit_tension      = 0;
   EXPECT_FALSE(has(PassNumber::initial_thickness) || has(PassNumber::exit_tension));
   b.strip.flow_stress = {
-      "table", 0, 0, 0, 0, {{0, 5e8}, {1, 6e8}}
+      FlowStressLaw::table, 0, 0, 0, 0, {{0, 5e8}, {1, 6e8}}
   };
   EXPECT_FALSE(has(PassNumber::stress));
   EXPECT_EQ(value_of(b, PassNumber::stress_factor), 1);
