@@ -35,7 +35,7 @@ double spread(const ChatterStudy &s, double dynamics::StandSpeed::*value)
   return widest > 1e-9 ? widest : not_given;
 }
 
-struct Adder {
+struct ChatterAdder {
   RunContext &run;
   const ChatterStudy &study;
   std::string family;  // "bite" or "chatter"
@@ -69,7 +69,7 @@ void add_bite(RunContext &run, const ChatterStudy &s)
     return;
   const RollingCondition &c    = s.question.condition;
   const bite::BiteState &state = s.working->state;
-  const Adder add{run, s, "bite", state.model, speed_text(c.speed)};
+  const ChatterAdder add{run, s, "bite", state.model, speed_text(c.speed)};
   const auto by_karman = [&](const char *name, const char *unit, const double value, const double karman,
                              const double published, const double measured) {
     std::vector<Check> checks;
@@ -91,7 +91,7 @@ void add_bite(RunContext &run, const ChatterStudy &s)
   by_karman("neutral_position", "m", state.neutral_position, other(k.neutral_position), not_given, not_given);
   by_karman("arc_length", "m", state.arc_length, other(k.arc_length), not_given, not_given);
   by_karman("torque", "N m", state.torque, other(k.torque), not_given, not_given);
-  const Adder slope{run, s, "bite", "exact derivative, " + s.question.analysis.linearisation + " linearisation",
+  const ChatterAdder slope{run, s, "bite", "exact derivative, " + s.question.analysis.linearisation + " linearisation",
                     speed_text(c.speed)};
   const auto &[P, Q, F, mu, xn] = s.working->by;
   const char *by[]              = {"gap", "gap_rate", "entry_tension", "exit_tension", "entry_thickness"};
@@ -113,7 +113,7 @@ void add_searches(RunContext &run, const ChatterStudy &s, const std::string &gro
       continue;  // its verdict stands in the file of the condition
     const std::string stand  = schemes ? s.question.structure : group + " " + other.name;
     const std::string scheme = schemes ? other.name : s.question.analysis.linearisation;
-    const Adder add{run, s, "chatter",
+    const ChatterAdder add{run, s, "chatter",
                     "eigenvalues of stand, bite and strip; " + stand + ", " + scheme + " linearisation",
                     speed_text(other.found.speed)};
     const std::string name = group + "." + other.name + ".";
@@ -134,7 +134,7 @@ bool grows(const std::complex<double> &root)
 void add_growth(RunContext &run, const ChatterStudy &s, const std::string &method)
 {
   const RollingCondition &c = s.question.condition;
-  const Adder working{run, s, "chatter", method, speed_text(c.speed)};
+  const ChatterAdder working{run, s, "chatter", method, speed_text(c.speed)};
   std::vector<Check> growth, frequency;
   if (s.in_time) {
     beside(growth, "record of the time simulation", s.in_time->growth);
@@ -158,7 +158,7 @@ void add_stability(RunContext &run, const ChatterStudy &s)
 {
   const RollingCondition &c = s.question.condition;
   const std::string system  = s.question.structure + ", " + s.question.analysis.linearisation + " linearisation";
-  const Adder critical{run, s, "chatter", "eigenvalues of stand, bite and strip; " + system,
+  const ChatterAdder critical{run, s, "chatter", "eigenvalues of stand, bite and strip; " + system,
                        s.found.verdict == Verdict::crossing ? speed_text(s.found.speed) : ""};
   std::vector<Check> checks;
   beside(checks, "Routh's array in extended precision", s.speed_by_routh);
@@ -189,7 +189,7 @@ void add_stability(RunContext &run, const ChatterStudy &s)
   if (!s.question.speed_assumed)
     add_growth(run, s, critical.method);
   if (s.mode) {
-    const Adder shape{run, s, "chatter", "eigenvector of the least stable mode; " + system,
+    const ChatterAdder shape{run, s, "chatter", "eigenvector of the least stable mode; " + system,
                       speed_text(s.found.at ? s.found.speed : c.speed)};
     shape("work_roll_ratio", "1", s.mode->work_roll_ratio);
     shape("force_phase", "deg", s.mode->force_phase);
@@ -201,7 +201,7 @@ void add_stability(RunContext &run, const ChatterStudy &s)
       shape("process_damping", "N s/m", dynamics::process_damping(s.question.stand, point->by, s.mode->frequency));
   }
   if (s.run && s.cycle.settled && s.cycle.amplitude > 0) {
-    const Adder cycle{run, s, "chatter", "time simulation with the whole bite; " + system,
+    const ChatterAdder cycle{run, s, "chatter", "time simulation with the whole bite; " + system,
                       speed_text(s.run_speed)};
     cycle("limit_cycle_amplitude", "m", s.cycle.amplitude);
     cycle("limit_cycle_frequency", "Hz", s.cycle.frequency);
@@ -217,8 +217,8 @@ void add_sensitivities(RunContext &run, const ChatterStudy &s)
 {
   if (!s.sensitivities)
     return;
-  const Adder working{run, s, "chatter", "exact derivative d ln / d ln", speed_text(s.question.condition.speed)};
-  const Adder critical{run, s, "chatter", "exact derivative d ln / d ln",
+  const ChatterAdder working{run, s, "chatter", "exact derivative d ln / d ln", speed_text(s.question.condition.speed)};
+  const ChatterAdder critical{run, s, "chatter", "exact derivative d ln / d ln",
                        s.found.verdict == Verdict::crossing ? speed_text(s.found.speed) : ""};
   for (const ChatterSensitivity &one : s.sensitivities->inputs) {
     const auto halves = [&](double FiniteChange::*member) {

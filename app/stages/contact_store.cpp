@@ -9,7 +9,7 @@
 namespace mill {
 namespace {
 // Raised by hand when the solution of a contact changes what it computes.
-constexpr const char *stage_version = "contact 1", *kind = "millstand contact 1";
+constexpr const char *contact_stage_version = "contact 1", *kind = "millstand contact 1";
 
 template <class Archive, class Vector> void integers(Archive &a, Vector &v)
 {
@@ -116,7 +116,7 @@ std::string contact_inputs(const FourHigh &stand, const std::string &name, const
   for (const PlannedRoll *roll : {&plan.backup, &plan.work})
     for (const bool companion : {false, true})
       rolls += roll_inputs(roll->geometry, roll->size, stand.steel, plan.wanted, companion);
-  return record_text(stage_version, name, rolls, at_rest(stand.steel), stand.work_roll, stand.backup_roll,
+  return record_text(contact_stage_version, name, rolls, at_rest(stand.steel), stand.work_roll, stand.backup_roll,
                      stand.strip.width, settings, loads);
 }
 

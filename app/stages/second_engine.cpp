@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace mill {
 namespace {
 // Raised by hand when the second engine changes what it computes.
-constexpr const char *stage_version = "fourier 2";
+constexpr const char *fourier_stage_version = "fourier 2";
 
 fem::FourierRoll fourier_roll(RunContext &run, const std::string &name, const RollGeometry &g, const Material &m,
                               const fem::FourierOptions &options, const Eigen::VectorXd &edge)
@@ -67,7 +67,7 @@ ContactCurve counted_from_touch(const fem::FourierPair &pair, ContactCurve curve
 std::string fourier_inputs(const RollGeometry &geometry, const Material &steel, const fem::FourierOptions &options,
                            const Eigen::VectorXd &edge)
 {
-  return record_text(stage_version, fem::library_version(), meshes::library_version(), geometry, at_rest(steel),
+  return record_text(fourier_stage_version, fem::library_version(), meshes::library_version(), geometry, at_rest(steel),
                      options, edge);
 }
 

@@ -26,12 +26,12 @@
 namespace mill {
 namespace {
 // Raised by hand when meshing or reduction changes what it computes.
-constexpr const char *stage_version = "components 2";
+constexpr const char *component_stage_version = "components 2";
 
 Component cached(RunContext &run, const std::string &name, const std::string &inputs,
                  const std::function<Component()> &make)
 {
-  const std::string key = hash_of(fmt::format("{} {} {} {} {}", stage_version, fem::library_version(),
+  const std::string key = hash_of(fmt::format("{} {} {} {} {}", component_stage_version, fem::library_version(),
                                               meshes::library_version(), name, inputs));
   const auto made       = [&] {
     Component c = make();

@@ -6,19 +6,19 @@
 
 namespace mill {
 namespace {
-using F = Friction;
+using FrictionConstants = Friction;
 
 // clang-format off: lists of lists of different lengths crash clang-format 14 with AlignArrayOfStructures
 //                        name       needs                                   may   number
 //                        slides, needs_speed, follows_bite, film
-const FrictionRow coulomb{"coulomb", {&F::coefficient}, {}, {&F::coefficient},
+const FrictionRow coulomb{"coulomb", {&FrictionConstants::coefficient}, {}, {&FrictionConstants::coefficient},
                           true,   false,       false,        false};
-const FrictionRow factor{ "factor",  {&F::entry_factor, &F::exit_factor}, {}, {&F::entry_factor, &F::exit_factor},
+const FrictionRow factor{ "factor",  {&FrictionConstants::entry_factor, &FrictionConstants::exit_factor}, {}, {&FrictionConstants::entry_factor, &FrictionConstants::exit_factor},
                           false,  false,       false,        false};
-const FrictionRow speed{  "speed",   {&F::at_unit_speed}, {&F::scale, &F::per_log_speed}, {},
+const FrictionRow speed{  "speed",   {&FrictionConstants::at_unit_speed}, {&FrictionConstants::scale, &FrictionConstants::per_log_speed}, {},
                           true,   true,        false,        false};
-const FrictionRow film{   "film",    {&F::mu0, &F::mu1, &F::decay, &F::viscosity, &F::pressure_viscosity},
-                          {&F::film_factor}, {},
+const FrictionRow film{   "film",    {&FrictionConstants::mu0, &FrictionConstants::mu1, &FrictionConstants::decay, &FrictionConstants::viscosity, &FrictionConstants::pressure_viscosity},
+                          {&FrictionConstants::film_factor}, {},
                           true,   true,        true,         true};
 // clang-format on
 
@@ -64,43 +64,43 @@ const std::array<FrictionConstant, n_friction_constants> &friction_constants()
 {
   // clang-format off: as above
   static const std::array rows{
-    FrictionConstant{"coefficient", &F::coefficient, "1", {0, 1}, 0, "0.05",
+    FrictionConstant{"coefficient", &FrictionConstants::coefficient, "1", {0, 1}, 0, "0.05",
                      "mu of coulomb",
                      "strip.friction", "friction coefficient", "1"},
-    FrictionConstant{"shear_limit", &F::shear_limit, "1", {0.01, 1}, 1, "1",
+    FrictionConstant{"shear_limit", &FrictionConstants::shear_limit, "1", {0.01, 1}, 1, "1",
                      "largest friction stress over the shear yield stress, for the models that know one",
                      "", "", "1"},
-    FrictionConstant{"entry_factor", &F::entry_factor, "1", {0, 1}, 0, "0.1",
+    FrictionConstant{"entry_factor", &FrictionConstants::entry_factor, "1", {0, 1}, 0, "0.1",
                      "m before the neutral point, law factor",
                      "", "", "1"},
-    FrictionConstant{"exit_factor", &F::exit_factor, "1", {0, 1}, 0, "0.1",
+    FrictionConstant{"exit_factor", &FrictionConstants::exit_factor, "1", {0, 1}, 0, "0.1",
                      "m behind the neutral point, law factor",
                      "", "", "1"},
-    FrictionConstant{"scale", &F::scale, "1", {0, 100}, 1, "1",
+    FrictionConstant{"scale", &FrictionConstants::scale, "1", {0, 100}, 1, "1",
                      "mu = scale (at_unit_speed + per_log_speed ln(v / (1 m/s))), law speed",
                      "strip.friction.scale", "friction, factor on the speed law", "1"},
-    FrictionConstant{"at_unit_speed", &F::at_unit_speed, "1", {0, 1}, 0, "0.066723",
+    FrictionConstant{"at_unit_speed", &FrictionConstants::at_unit_speed, "1", {0, 1}, 0, "0.066723",
                      "law speed",
                      "strip.friction.at_unit_speed", "friction at 1 m/s", "1"},
-    FrictionConstant{"per_log_speed", &F::per_log_speed, "1", {-1, 1}, 0, "-0.00662",
+    FrictionConstant{"per_log_speed", &FrictionConstants::per_log_speed, "1", {-1, 1}, 0, "-0.00662",
                      "law speed; negative where friction falls with speed",
                      "strip.friction.per_log_speed", "friction by the logarithm of the speed", "1"},
-    FrictionConstant{"mu0", &F::mu0, "1", {0, 1}, 0, "0.012",
+    FrictionConstant{"mu0", &FrictionConstants::mu0, "1", {0, 1}, 0, "0.012",
                      "mu = mu0 + mu1 exp(-decay film thickness), law film",
                      "oil.friction.mu0", "friction under a thick film, mu0", "1"},
-    FrictionConstant{"mu1", &F::mu1, "1", {0, 1}, 0, "0.142",
+    FrictionConstant{"mu1", &FrictionConstants::mu1, "1", {0, 1}, 0, "0.142",
                      "law film",
                      "oil.friction.mu1", "friction that a film takes away, mu1", "1"},
-    FrictionConstant{"decay", &F::decay, "1/um", {0, 1000}, 0, "2.43 1/um",
+    FrictionConstant{"decay", &FrictionConstants::decay, "1/um", {0, 1000}, 0, "2.43 1/um",
                      "law film",
                      "oil.friction.decay", "decay of the friction with the film", "1/m"},
-    FrictionConstant{"viscosity", &F::viscosity, "Pa s", {0, 100}, 0, "0.005 Pa s",
+    FrictionConstant{"viscosity", &FrictionConstants::viscosity, "Pa s", {0, 100}, 0, "0.005 Pa s",
                      "of the oil at the inlet of the bite, law film",
                      "oil.viscosity", "viscosity of the oil", "Pa s"},
-    FrictionConstant{"pressure_viscosity", &F::pressure_viscosity, "1/Pa", {0, 1e-6}, 0, "2e-8 1/Pa",
+    FrictionConstant{"pressure_viscosity", &FrictionConstants::pressure_viscosity, "1/Pa", {0, 1e-6}, 0, "2e-8 1/Pa",
                      "exponent of the oil's viscosity over pressure, law film",
                      "oil.pressure_viscosity", "pressure coefficient of the viscosity", "1/Pa"},
-    FrictionConstant{"film_factor", &F::film_factor, "1", {0.01, 100}, 3, "3",
+    FrictionConstant{"film_factor", &FrictionConstants::film_factor, "1", {0.01, 100}, 3, "3",
                      "factor of the inlet film, law film; 3 in the source of the law, 3/2 by Wilson and Walowit",
                      "oil.film_factor", "factor of the film law", "1"}
   };

@@ -11,12 +11,12 @@ std::string cell(const std::string &text)
   return "<td class=\"num\">" + text + "</td>";
 }
 
-std::string words(const std::string &text)
+std::string in_plain_words(const std::string &text)
 {
   return "<td>" + (text.empty() ? "\u2013" : escaped(text)) + "</td>";
 }
 
-std::string row(const std::string &head, const std::string &cells)
+std::string table_row(const std::string &head, const std::string &cells)
 {
   return "<tr><th scope=\"row\">" + escaped(head) + "</th>" + cells + "</tr>\n";
 }
@@ -78,7 +78,7 @@ std::string chatter_summary_table(const std::vector<ChatterCondition> &condition
                                                            : "<span class=\"good-word\">stable</span>";
     const std::string speed       = std::isfinite(c.critical.speed) ? speed_text(c.critical.speed)
                                                                     : verdict_in_words(c.critical.verdict, not_given);
-    body += row(c.name, "<td>" + at_work + "</td>" + cell("<b>" + escaped(speed) + "</b>") +
+    body += table_row(c.name, "<td>" + at_work + "</td>" + cell("<b>" + escaped(speed) + "</b>") +
                             beside(c.critical.speed, other ? other->published : not_given) +
                             beside(c.critical.speed, other ? other->measured : not_given) +
                             cell(fixed(c.critical.frequency, 1)) + cell(speed_text(c.speed)) +
@@ -99,7 +99,7 @@ std::string chatter_published_table(const std::vector<ChatterCondition> &conditi
         return cell(significant(value, 4) + deviation(entry.here, value));
       };
       const bool bare = entry.unit.empty() || entry.unit == "-" || entry.unit == "1";
-      body += row(c.name, words(entry.quantity + (bare ? "" : " [" + unit_sign(entry.unit) + "]")) +
+      body += table_row(c.name, in_plain_words(entry.quantity + (bare ? "" : " [" + unit_sign(entry.unit) + "]")) +
                               cell("<b>" + significant(entry.here, 5) + "</b>") + other(entry.published) +
                               other(entry.measured) + "<td>" + escaped(entry.note) + "</td>");
     }
@@ -137,7 +137,7 @@ std::string chatter_scheme_table(const ChatterCondition &condition)
     for (const Meaning &meaning : meanings)
       if (scheme.name == meaning.name)
         what = meaning.what;
-    body += row(scheme.name, words(what) + outcome_cells(scheme, condition.critical.speed));
+    body += table_row(scheme.name, in_plain_words(what) + outcome_cells(scheme, condition.critical.speed));
   }
   return table(std::string("<th>linearisation</th><th>what follows the vibration</th>") + outcome_head, body);
 }
@@ -146,7 +146,7 @@ std::string chatter_variant_table(const ChatterCondition &condition)
 {
   std::string body;
   for (const ChatterVariantInfo &v : condition.variants)
-    body += row(v.name, outcome_cells(v, condition.critical.speed) + cell(significant(v.ratio, 3)) +
+    body += table_row(v.name, outcome_cells(v, condition.critical.speed) + cell(significant(v.ratio, 3)) +
                             cell(fixed(v.force_phase, 1)) + cell(fixed(v.entry_tension_phase, 1)) + "<td>" +
                             (!std::isfinite(v.ratio) ? "\u2013"
                              : v.upper_moves_more    ? "upper"
@@ -162,10 +162,10 @@ std::string chatter_conclusion_table(const ChatterCondition &condition)
 {
   std::string body;
   for (const ChatterConclusion &c : condition.conclusions)
-    body += row(c.text, std::string("<td>") +
+    body += table_row(c.text, std::string("<td>") +
                             (c.holds ? "<span class=\"good-word\">holds in all</span>"
                                      : "<span class=\"poor-word\">depends on the variant</span>") +
-                            "</td>" + words(c.detail));
+                            "</td>" + in_plain_words(c.detail));
   return table("<th>conclusion</th><th></th><th>found</th>", body);
 }
 
@@ -173,7 +173,7 @@ std::string chatter_structure_table(const ChatterCondition &condition)
 {
   std::string body;
   for (const ChatterVariantInfo &s : condition.structures)
-    body += row(s.name, outcome_cells(s, condition.critical.speed) + cell(significant(s.growth, 3)));
+    body += table_row(s.name, outcome_cells(s, condition.critical.speed) + cell(significant(s.growth, 3)));
   return table(std::string("<th>model of the stand</th>") + outcome_head +
                    "<th>growth rate at the working speed [1/s]</th>",
                body);
@@ -200,7 +200,7 @@ std::string chatter_event_table(const LimitCycleInfo &cycle)
   std::string body;
   for (const Kind &kind : kinds)
     body +=
-        row(kind.what, cell(fixed(kind.first, 4)) + cell(fixed(kind.last, 4)) + cell(std::to_string(kind.count)));
+        table_row(kind.what, cell(fixed(kind.first, 4)) + cell(fixed(kind.last, 4)) + cell(std::to_string(kind.count)));
   return table("<th>event</th><th>first [s]</th><th>last [s]</th><th>how often</th>", body);
 }
 
@@ -209,20 +209,20 @@ std::string chatter_tandem_table(const ChatterTandem &tandem)
   const double all = tandem.critical_speed;
   const auto other = [&](const std::string &what, const double speed, const std::string &note) {
     return std::isfinite(speed)
-               ? row(what, cell(speed_text(speed) + deviation(speed, all)) + cell("\u2013") + words(note))
+               ? table_row(what, cell(speed_text(speed) + deviation(speed, all)) + cell("\u2013") + in_plain_words(note))
                : "";
   };
-  std::string body = row("all stands, strip in between",
+  std::string body = table_row("all stands, strip in between",
                          cell("<b>" + speed_text(all) + "</b>") + cell(fixed(tandem.frequency, 1)) +
-                             words(tandem.verdict.empty() ? "" : verdict_in_words(tandem.verdict, all)));
+                             in_plain_words(tandem.verdict.empty() ? "" : verdict_in_words(tandem.verdict, all)));
   body += other("tension shared alone", tandem.without_delay,
                 "the thickness that a stand leaves is forgotten on the way to the next");
   for (const ChatterVariantInfo &stand : tandem.single)
-    body += row("stand " + stand.name + " alone",
+    body += table_row("stand " + stand.name + " alone",
                 cell(std::isfinite(stand.critical_speed)
                          ? speed_text(stand.critical_speed) + deviation(stand.critical_speed, all)
                          : "\u2013") +
-                    cell(fixed(stand.frequency, 1)) + words("its strip ends at constant speed"));
+                    cell(fixed(stand.frequency, 1)) + in_plain_words("its strip ends at constant speed"));
   return table("<th>system</th><th>critical speed [m/s]</th><th>frequency [Hz]</th><th>meaning</th>", body);
 }
 }  // namespace mill::report

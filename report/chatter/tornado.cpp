@@ -14,7 +14,7 @@ struct Bar {
   bool curved;
 };
 
-constexpr double width = 1040, names = 250, bars = 268, bars_end = 800, slopes = 876, notes = 892, row = 25,
+constexpr double width = 1040, names = 250, bars = 268, bars_end = 800, slopes = 876, notes = 892, bar_row = 25,
                  head      = 56;
 constexpr std::size_t most = 16;
 
@@ -50,7 +50,7 @@ void draw_head(Svg &svg, const std::string &title)
   svg.text(slopes, 39, "slope [%/%]", "axis", Anchor::end);
 }
 
-// Upper half of a row: 10 % lower, lower half: 10 % higher.
+// Upper half of a bar_row: 10 % lower, lower half: 10 % higher.
 std::string tornado(std::vector<Bar> all, const std::string &title, const std::string &quantity,
                     const std::string &missing)
 {
@@ -73,7 +73,7 @@ std::string tornado(std::vector<Bar> all, const std::string &title, const std::s
   const auto to_x   = [&, from = low - room, to = high + room](const double percent) {
     return bars + (percent - from) / (to - from) * (bars_end - bars);
   };
-  const double bottom = head + row * double(all.size());
+  const double bottom = head + bar_row * double(all.size());
   Svg svg(width, bottom + 46, title);
   draw_head(svg, title);
   const Ticks ticks = linear_ticks(low - room, high + room, 8);
@@ -82,7 +82,7 @@ std::string tornado(std::vector<Bar> all, const std::string &title, const std::s
     svg.text(to_x(ticks.at[i]), bottom + 16, ticks.labels[i], "t tx", Anchor::middle);
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const double y  = head + row * double(i);
+    const double y  = head + bar_row * double(i);
     const auto draw = [&](const double change, const double offset, const char *pen) {
       if (std::isfinite(change))
         svg.rect(std::min(to_x(0), to_x(100 * change)), y + offset, std::abs(to_x(100 * change) - to_x(0)), 9,

@@ -10,7 +10,7 @@ namespace {
 const char *const mass_names[] = {"M1 upper frame",     "M2 upper backup roll", "M3 upper work roll",
                                   "M4 lower work roll", "M5 lower backup roll", "M6 lower frame"};
 
-constexpr double label_width = 150, column = 138, row = 52, head = 64;  // px, grid of the shape figure
+constexpr double label_width = 150, column = 138, row = 52, figure_head = 64;  // px, grid of the shape figure
 
 void draw_arrow(Svg &svg, const double x, const double y, const double displacement)
 {
@@ -35,11 +35,11 @@ void draw_arrow(Svg &svg, const double x, const double y, const double displacem
 std::string shapes(const Table &modes)
 {
   const Eigen::VectorXd frequency = values_of(modes, {"frequency", "Hz"});
-  Svg svg(label_width + double(frequency.size()) * column, head + 6 * row + 28,
+  Svg svg(label_width + double(frequency.size()) * column, figure_head + 6 * row + 28,
           "shapes of the modes, displacement relative to the largest");
   for (int mass = 0; mass < 6; ++mass) {
-    const double y = head + (mass + 0.5) * row;
-    svg.line(0, head + mass * row, label_width + double(frequency.size()) * column, head + mass * row, "grid");
+    const double y = figure_head + (mass + 0.5) * row;
+    svg.line(0, figure_head + mass * row, label_width + double(frequency.size()) * column, figure_head + mass * row, "grid");
     svg.text(0, y + 4, mass_names[mass], "t");
   }
   for (Eigen::Index mode = 0; mode < frequency.size(); ++mode) {
@@ -50,12 +50,12 @@ std::string shapes(const Table &modes)
       const Eigen::VectorXd y = values_of(modes, {"y" + std::to_string(mass + 1), "-"});
       if (y.size() != frequency.size())
         continue;
-      const double centre = head + (mass + 0.5) * row;
+      const double centre = figure_head + (mass + 0.5) * row;
       draw_arrow(svg, x - 18, centre, y[mode]);
       svg.text(x + 42, centre + 4, fixed(y[mode], 2), "t", Anchor::end);
     }
   }
-  svg.text(label_width + double(frequency.size()) * column / 2, head + 6 * row + 22,
+  svg.text(label_width + double(frequency.size()) * column / 2, figure_head + 6 * row + 22,
            "vertical displacement, largest of the mode = 1 [-]; arrow up: upwards", "axis", Anchor::middle);
   return svg.str();
 }
