@@ -1,8 +1,8 @@
 #include "dynamics/response/response.h"
 #include "core/case/errors.h"
+#include "core/numerics/short_number.h"
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace mill::dynamics {
 DrivenModel driven_model(const MillModel &model)
@@ -50,13 +50,11 @@ std::string output_rate_warning(const double output_rate, const double highest_m
   const double points = output_rate / highest_mode;
   if (points >= 20)
     return "";
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "output_rate = %.4g kHz gives %.3g points per period of the highest mode (%.4g Hz), so that its "
-                "peaks may be seen up to %.2g %% low; %.3g kHz would show them",
-                output_rate / 1e3, points, highest_mode, 100 * (1 - std::cos(std::min(M_PI / 2, M_PI / points))),
-                std::ceil(20 * highest_mode / 1e3));
-  return text;
+  const double lost = 100 * (1 - std::cos(std::min(M_PI / 2, M_PI / points)));
+  return "output_rate = " + short_number(output_rate / 1e3) + " kHz gives " + short_number(points, 3) +
+         " points per period of the highest mode (" + short_number(highest_mode) +
+         " Hz), so that its peaks may be seen up to " + short_number(lost, 2) + " % low; " +
+         short_number(std::ceil(20 * highest_mode / 1e3), 3) + " kHz would show them";
 }
 
 namespace {

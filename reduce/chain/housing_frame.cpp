@@ -1,7 +1,7 @@
 #include "reduce/chain/housing_frame.h"
 #include "core/case/errors.h"
 #include "core/numerics/gauss.h"
-#include "reduce/chain/short_number.h"
+#include "reduce/chain/quoted_mm.h"
 #include <Eigen/Dense>
 #include <cmath>
 #include <vector>

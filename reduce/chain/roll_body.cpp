@@ -1,7 +1,7 @@
 #include "reduce/chain/roll_body.h"
 #include "core/model/roll_section.h"
 #include "core/numerics/gauss.h"
-#include "reduce/chain/short_number.h"
+#include "core/numerics/short_number.h"
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "reduce/chain/screwdown.h"
 #include "core/case/errors.h"
-#include "reduce/chain/short_number.h"
+#include "reduce/chain/quoted_mm.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 #include "reduce/chain/timoshenko_beam.h"
-#include "reduce/chain/short_number.h"
+#include "core/numerics/short_number.h"
 #include <Eigen/Dense>
 #include <cmath>
 

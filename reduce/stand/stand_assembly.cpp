@@ -1,5 +1,5 @@
 #include "reduce/stand/stand_assembly.h"
-#include "reduce/chain/short_number.h"
+#include "core/numerics/short_number.h"
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,6 +1,6 @@
 #include "reduce/stand/stand_comparison.h"
 #include "core/case/errors.h"
-#include "reduce/chain/short_number.h"
+#include "core/numerics/short_number.h"
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,8 @@
+#include "core/numerics/short_number.h"
 #include "report/page/embedded.h"
-#include "report/plot/envelope.h"
 #include "report/page/sections.h"
+#include "report/plot/envelope.h"
 #include "report/plot/svg.h"
-#include <array>
-#include <charconv>
 #include <cmath>
 
 namespace mill::report {
@@ -11,11 +10,7 @@ namespace {
 // Six digits: the screen shows no more, and the report stays small enough to be mailed.
 std::string json_number(const double value)
 {
-  if (!std::isfinite(value))
-    return "null";
-  std::array<char, 40> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6);
-  return std::string(text.data(), end.ptr);
+  return std::isfinite(value) ? short_number(value, 6) : "null";
 }
 
 // A script element ends at the first "</", also inside a string.

@@ -243,7 +243,7 @@ TEST(ChatterCurves, MarksZeroLineAndWindow)
   EXPECT_TRUE(says(locus, "18.00 m/s, 128.0 Hz"));
   EXPECT_TRUE(says(locus, "dot shade-5"));
   EXPECT_FALSE(says(locus, "1400")) << "a mode damped that much would press the others on one line";
-  EXPECT_TRUE(says(chatter_tandem_growth(run, read_chatter(run).tandem), "tension alone"));
+  EXPECT_TRUE(says(chatter_tandem_growth(run, *read_chatter(run).tandem), "tension alone"));
 }
 
 TEST(ChatterCurves, UnitsOfTheMill)

@@ -247,7 +247,7 @@ TEST(ModelAnimation, CornersFollowStoredDisplacements)
 
 TEST(StandDrawing, RollsFollowTheirAxes)
 {
-  Model model;
+  ComparedModel model;
   model.points = {"upper frame", "upper work roll", "cylinder", "a place nobody knows"};
   model.lines  = {
        {"upper backup roll", VectorXd::LinSpaced(12, 0, 1.65)}
