@@ -145,7 +145,7 @@ struct Reader {
 std::string stored_flow(const FlowAnswer &answer)
 {
   FlowAnswer a = answer;  // the list of members is not const
-  json body;
+  nlohmann::json body;
   each_member(Writer{body["state"]}, a.fine.state);
   each_member(Writer{body["flow"]}, a.fine);
   each_member(Writer{body["answer"]}, a);
@@ -155,7 +155,7 @@ std::string stored_flow(const FlowAnswer &answer)
 std::optional<FlowAnswer> restored_flow(const std::string &text)
 {
   try {
-    const json body = json::parse(text);
+    const nlohmann::json body = nlohmann::json::parse(text);
     FlowAnswer a;
     each_member(Reader{body.at("state")}, a.fine.state);
     each_member(Reader{body.at("flow")}, a.fine);
