@@ -143,7 +143,7 @@ int run_chain(const CommandLine &command)
   run.started       = now();
   run.progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
   run.progress.log  = [&](const std::string &line) { log.line(line); };
-  set_blas_threads(run.threads);
+  set_blas_threads(1);  // stages and their parts share the threads; results are then the same with any number
   reserve_address_space(run.threads);
   fem::set_assembly_threads(run.threads);
   if (run.threads < wanted)

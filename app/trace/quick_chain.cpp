@@ -152,16 +152,19 @@ double factor(const SpringFactors &factors, const std::string &name)
   return known == factors.end() ? 1 : known->second;
 }
 
-// A bearing that is given is known along its load only, and both of a backup roll are twice the given one.
+// A bearing that is given is known along its load only.
+bool is_across_given_bearing(const std::string &name, const GivenValues &given)
+{
+  return name.size() > 4 && name.substr(4) == "_across" && is_given(given, name.substr(0, 4));
+}
+
+// Both bearings of a backup roll are twice the given one.
 void follow_given_bearing(QuickResult &r, const FourHigh &stand)
 {
   const std::string seat = r.name == "K_Zy" ? "Kzc1" : r.name == "K_Zy_lower" ? "Kzc4" : r.name.substr(0, 4);
   if (seat == r.name || seat.substr(0, 3) != "Kzc" || !is_given(stand.given, seat))
     return;
-  if (r.name == seat + "_across") {
-    r.parameter.value  = not_given;
-    r.parameter.inputs = r.closed = {};
-  } else if (r.name.substr(0, 4) == "K_Zy") {
+  if (r.name.substr(0, 4) == "K_Zy") {
     const std::string name = r.name;
     r                      = given_result(seat, stand.given.at(seat).parameter);
     r.name                 = name;
@@ -178,6 +181,8 @@ void add_springs(QuickResults &all, const FourHigh &stand, const std::size_t p, 
   made.insert(made.end(), bearings.begin(), bearings.end());
   made.push_back(quick_bite(stand, int(p)));
   for (QuickResult &r : made) {
+    if (is_across_given_bearing(r.name, stand.given))
+      continue;  // nobody knows it, as in a run
     r.parameter.inputs = spring_keys(stand, r.name, p);
     r.parameter.value *= factor(factors, prefix + r.name);
     follow_given_bearing(r, stand);
@@ -226,6 +231,8 @@ LumpedModel add_chain(QuickResults &all, const FourHigh &stand, const std::strin
   reduce::ChainInputs in;
   reduce::each_spring(
       [&](const std::string &name, Parameter &p) {
+        if (is_across_given_bearing(name, stand.given))
+          return;
         p        = made(name).parameter;
         p.inputs = made(name).closed;
       },

@@ -2,6 +2,7 @@
 #include "core/case/errors.h"
 #include "core/numerics/blas_threads.h"
 #include "core/process/memory.h"
+#include "core/process/parallel.h"
 #include "core/process/stage_work.h"
 #include <algorithm>
 #include <cholmod.h>
@@ -112,9 +113,13 @@ std::vector<int> nested_dissection(const SymmetricSparse &K, const std::vector<i
   idx_t options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(options);
   options[METIS_OPTION_SEED] = 1;  // results must not depend on the clock
-  const int status =
-      n > 0 ? METIS_NodeND(&n, start.data(), adjacent.data(), nullptr, options, order.data(), inverse.data())
-            : METIS_OK;
+  int status                 = METIS_OK;
+  if (n > 0) {
+    // METIS draws from the C library's rand(), which all threads share: two orderings at once would depend on
+    // chance.
+    const std::lock_guard alone(random_numbers_of_c());
+    status = METIS_NodeND(&n, start.data(), adjacent.data(), nullptr, options, order.data(), inverse.data());
+  }
   if (status == METIS_ERROR_MEMORY)
     throw no_memory("ordering a matrix of " + std::to_string(K.rows()) + " unknowns", 0);
   if (status != METIS_OK)

@@ -82,4 +82,10 @@ void share_tasks(const long n, const int threads, const std::function<void(long)
     });
   tasks.rethrow();
 }
+
+std::mutex &random_numbers_of_c()
+{
+  static std::mutex access;
+  return access;
+}
 }  // namespace mill

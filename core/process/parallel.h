@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <mutex>
 
 namespace mill {
 /// Calls task(i) for i = 0 .. n-1 from up to `threads` threads, the caller's among them; each i once, the lowest
@@ -9,4 +10,8 @@ namespace mill {
 /// Tasks write to places of their own, so that the outcome is the same with any number of threads.
 /// An exception of a task ends the work and comes out here, the first of several.
 void share_tasks(long n, int threads, const std::function<void(long)> &task);
+
+/// For libraries that seed and draw from rand() of the C library (METIS, Gmsh): one at a time, else what they make
+/// would depend on the schedule.
+std::mutex &random_numbers_of_c();
 }  // namespace mill

@@ -9,7 +9,7 @@ namespace mill {
 struct Factorisation {
   long order      = 0;  ///< unknowns
   double nonzeros = 0;  ///< of the factor: the fill
-  double flops    = 0;
+  double flops    = 0;  ///< -
   int times       = 1;  ///< how many alike
 };
 

@@ -1,16 +1,9 @@
 #include "meshes/common/gmsh_scope.h"
+#include "core/process/parallel.h"
 #include <gmsh.h>
 
 namespace mill::meshes {
-namespace {
-std::mutex &gmsh_access()
-{
-  static std::mutex access;
-  return access;
-}
-}  // namespace
-
-GmshScope::GmshScope() : alone(gmsh_access())
+GmshScope::GmshScope() : alone(random_numbers_of_c())
 {
   gmsh::initialize(0, nullptr,
                    false);  // false: do not read the user's Gmsh options, results must not depend on them
