@@ -26,9 +26,8 @@ Place place_of_byte(const std::string &path, const std::string &text, const std:
   return place;
 }
 
-Json parsed(const std::string &path)
+Json parsed(const std::string &path, const std::string &text)
 {
-  const std::string text   = read_text(path);
   const std::string remedy = "; run the case again, or restore the file as the program wrote it";
   try {
     json::require_flat(text);
@@ -100,7 +99,7 @@ Result result_of(const std::string &name, const Json &entry)
 // Returns the run_id; empty when the file states none.
 std::string read_results(const std::string &path, Run &run)
 {
-  const Json json = parsed(path);
+  const Json json = parsed(path, read_text(path));
   try {
     run.case_name = json.at("case").get<std::string>();
     run.status    = json.at("status").get<std::string>();
@@ -173,10 +172,12 @@ Checksums checksums_of(const Json &manifest)
 // Returns the checksums of the other files; none where the file states none.
 Checksums read_manifest(const std::string &path, Run &run)
 {
-  if (std::filesystem::is_regular_file(path))
-    read_text(path);  // what the system refuses is no missing file: no page without its run
+  // Read outside of what follows: a file that the system refuses is no missing one, and no page is without its
+  // run.
+  const bool there       = std::filesystem::is_regular_file(path);
+  const std::string text = there ? read_text(path) : "";
   try {
-    const Json json = parsed(path);
+    const Json json = parsed(path, text);
     run.manifest    = manifest_of(json);
     return checksums_of(json);
   } catch (const InputError &) {

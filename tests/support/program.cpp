@@ -42,11 +42,11 @@ std::string scratch(const std::string &name)
   return (base() / name).string();
 }
 
-Outcome millstand(const std::string &arguments, const std::string &folder)
+Outcome millstand(const std::string &arguments, const std::string &folder, const std::string &before)
 {
   const fs::path out = base() / "stdout", err = base() / "stderr";
-  const std::string command = "cd '" + folder + "' && '" MILLSTAND_PROGRAM "' " + arguments + " >'" +
-                              out.string() + "' 2>'" + err.string() + "' </dev/null";
+  const std::string command = "cd '" + folder + "' && " + before + " && '" MILLSTAND_PROGRAM "' " + arguments +
+                              " >'" + out.string() + "' 2>'" + err.string() + "' </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(out), text_of(err)};
 }

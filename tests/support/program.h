@@ -9,7 +9,9 @@ struct Outcome {
 };
 
 /// Runs `millstand <arguments>` in the given folder.
-Outcome millstand(const std::string &arguments, const std::string &folder = MILLSTAND_SOURCE_DIR);
+/// @param before  command of the shell that goes before it, "ulimit -v 600000"
+Outcome millstand(const std::string &arguments, const std::string &folder = MILLSTAND_SOURCE_DIR,
+                  const std::string &before = "true");
 
 /// A folder of this test alone, removed at the end of the program.
 std::string scratch(const std::string &name);

@@ -1,15 +1,12 @@
 // Little address space (ulimit -v): every limit ends with results or with a sentence and exit code 3. Before, the
 // BLAS asked for its buffers for ever, and what was too little for a factor was called our own mistake.
-#include "tests/support/address_space.h"
 #include "tests/support/program.h"
 #include <gtest/gtest.h>
 
 namespace {
 Outcome with_address_space(const int megabytes, const std::string &arguments)
 {
-  const AddressSpaceLimit tight(rlim_t(megabytes) << 20);
-  EXPECT_TRUE(tight.set);
-  return millstand(arguments);
+  return millstand(arguments, MILLSTAND_SOURCE_DIR, "ulimit -v " + std::to_string(1024 * megabytes));
 }
 
 bool says(const std::string &text, const std::string &what)
