@@ -1,7 +1,7 @@
 #pragma once
+#include "core/model/stand.h"
 #include "core/records/files.h"
 #include "core/records/result_folder.h"
-#include "core/model/stand.h"
 #include <memory>
 #include <string>
 
@@ -13,7 +13,8 @@ class OutputDir {
 public:
   /// Creates the folder and its staging folder with curves/, response/ and fields/; what was staged and not
   /// published goes with this object.
-  /// @throws InputError  the folder holds files of another case or of no run (unless `overwrite`), or its name is wrong
+  /// @throws InputError  the folder holds files of another case or of no run (unless `overwrite`), or its name is
+  /// wrong
   /// @throws SystemError  disk or permission refuse it
   OutputDir(std::string path, const Case &of, bool overwrite, std::string run_id);
 

@@ -91,8 +91,9 @@ void add_bite(RunContext &run, const ChatterStudy &s)
   by_karman("neutral_position", "m", state.neutral_position, other(k.neutral_position), not_given, not_given);
   by_karman("arc_length", "m", state.arc_length, other(k.arc_length), not_given, not_given);
   by_karman("torque", "N m", state.torque, other(k.torque), not_given, not_given);
-  const ChatterAdder slope{run, s, "bite", "exact derivative, " + s.question.analysis.linearisation + " linearisation",
-                    speed_text(c.speed)};
+  const ChatterAdder slope{run, s, "bite",
+                           "exact derivative, " + s.question.analysis.linearisation + " linearisation",
+                           speed_text(c.speed)};
   const auto &[P, Q, F, mu, xn] = s.working->by;
   const char *by[]              = {"gap", "gap_rate", "entry_tension", "exit_tension", "entry_thickness"};
   const char *P_unit[]          = {"1/s", "1", "m/(s Pa)", "m/(s Pa)", "1/s"};
@@ -114,8 +115,8 @@ void add_searches(RunContext &run, const ChatterStudy &s, const std::string &gro
     const std::string stand  = schemes ? s.question.structure : group + " " + other.name;
     const std::string scheme = schemes ? other.name : s.question.analysis.linearisation;
     const ChatterAdder add{run, s, "chatter",
-                    "eigenvalues of stand, bite and strip; " + stand + ", " + scheme + " linearisation",
-                    speed_text(other.found.speed)};
+                           "eigenvalues of stand, bite and strip; " + stand + ", " + scheme + " linearisation",
+                           speed_text(other.found.speed)};
     const std::string name = group + "." + other.name + ".";
     add(name + "critical_speed", "m/s", other.found.speed);
     add(name + "frequency", "Hz", other.found.frequency);
@@ -159,7 +160,7 @@ void add_stability(RunContext &run, const ChatterStudy &s)
   const RollingCondition &c = s.question.condition;
   const std::string system  = s.question.structure + ", " + s.question.analysis.linearisation + " linearisation";
   const ChatterAdder critical{run, s, "chatter", "eigenvalues of stand, bite and strip; " + system,
-                       s.found.verdict == Verdict::crossing ? speed_text(s.found.speed) : ""};
+                              s.found.verdict == Verdict::crossing ? speed_text(s.found.speed) : ""};
   std::vector<Check> checks;
   beside(checks, "Routh's array in extended precision", s.speed_by_routh);
   for (const OtherSearch &other : s.schemes)
@@ -190,7 +191,7 @@ void add_stability(RunContext &run, const ChatterStudy &s)
     add_growth(run, s, critical.method);
   if (s.mode) {
     const ChatterAdder shape{run, s, "chatter", "eigenvector of the least stable mode; " + system,
-                      speed_text(s.found.at ? s.found.speed : c.speed)};
+                             speed_text(s.found.at ? s.found.speed : c.speed)};
     shape("work_roll_ratio", "1", s.mode->work_roll_ratio);
     shape("force_phase", "deg", s.mode->force_phase);
     shape("entry_tension_phase", "deg", s.mode->entry_tension_phase);
@@ -202,7 +203,7 @@ void add_stability(RunContext &run, const ChatterStudy &s)
   }
   if (s.run && s.cycle.settled && s.cycle.amplitude > 0) {
     const ChatterAdder cycle{run, s, "chatter", "time simulation with the whole bite; " + system,
-                      speed_text(s.run_speed)};
+                             speed_text(s.run_speed)};
     cycle("limit_cycle_amplitude", "m", s.cycle.amplitude);
     cycle("limit_cycle_frequency", "Hz", s.cycle.frequency);
   }
@@ -217,9 +218,10 @@ void add_sensitivities(RunContext &run, const ChatterStudy &s)
 {
   if (!s.sensitivities)
     return;
-  const ChatterAdder working{run, s, "chatter", "exact derivative d ln / d ln", speed_text(s.question.condition.speed)};
+  const ChatterAdder working{run, s, "chatter", "exact derivative d ln / d ln",
+                             speed_text(s.question.condition.speed)};
   const ChatterAdder critical{run, s, "chatter", "exact derivative d ln / d ln",
-                       s.found.verdict == Verdict::crossing ? speed_text(s.found.speed) : ""};
+                              s.found.verdict == Verdict::crossing ? speed_text(s.found.speed) : ""};
   for (const ChatterSensitivity &one : s.sensitivities->inputs) {
     const auto halves = [&](double FiniteChange::*member) {
       std::vector<Check> checks;

@@ -276,8 +276,8 @@ StandModels stand_models(const FourHigh &stand, const reduce::LumpedStand &chain
   // The residual of the modes left out, and what a coarser mesh moves.
   auto &error = m.craig_bampton.modes.error_estimate;
   for (Eigen::Index i = 0; i < std::min(error.size(), coarse.modes.frequency.size()); ++i)
-    error[i] += mesh_pair_error(m.craig_bampton.modes.frequency[i], coarse.modes.frequency[i],
-                                roll_mesh_gain(components));
+    error[i] +=
+        mesh_pair_error(m.craig_bampton.modes.frequency[i], coarse.modes.frequency[i], roll_mesh_gain(components));
   m.verdict = reduce::chain_verdict(m.craig_bampton, m.chain, limit, "the finite-element model");
   return m;
 }

@@ -1,11 +1,12 @@
 #pragma once
-#include "core/records/results.h"
 #include "core/model/stand.h"
+#include "core/records/results.h"
 #include "reduce/stand/lumped_stand.h"
 
 namespace mill {
 /// Writes into contacts, bearings, bites and responses of a run the keys that stand behind them, by the lists of
-/// core/records/provenance.h that a trace follows too.  Masses, springs and modes carry theirs along from the chain.
+/// core/records/provenance.h that a trace follows too.  Masses, springs and modes carry theirs along from the
+/// chain.
 void set_inputs(Results &results, const Case &the_case);
 
 /// Results that a run adds to those of a trace and that state this key, none of them in the chain of springs and

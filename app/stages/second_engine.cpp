@@ -67,8 +67,8 @@ ContactCurve counted_from_touch(const fem::FourierPair &pair, ContactCurve curve
 std::string fourier_inputs(const RollGeometry &geometry, const Material &steel, const fem::FourierOptions &options,
                            const Eigen::VectorXd &edge)
 {
-  return record_text(fourier_stage_version, fem::library_version(), meshes::library_version(), geometry, at_rest(steel),
-                     options, edge);
+  return record_text(fourier_stage_version, fem::library_version(), meshes::library_version(), geometry,
+                     at_rest(steel), options, edge);
 }
 
 bool second_engine_knows(RunContext &run, const FourHigh &stand, const std::string &name)

@@ -104,16 +104,16 @@ std::vector<QuickResult> quick_bearings(const FourHigh &stand, const double F, c
     r.load             = load;
     r.closed =
         joined(seat_load_keys(stand, backup, i < 2 ? "upper" : "lower", pass), closed_bearing_keys(b, false));
-    r.road             = backup ? "bearings of the backup rolls" : "bearings of the work rolls";
-    r.file             = "bearing/assembly";
-    r.equation         = "(5.23)";
-    r.stands_for       = by_elements(b) ? model_name(b) : "";
+    r.road       = backup ? "bearings of the backup rolls" : "bearings of the work rolls";
+    r.file       = "bearing/assembly";
+    r.equation   = "(5.23)";
+    r.stands_for = by_elements(b) ? model_name(b) : "";
     all.push_back(r);
     if (backup)
       add_both(r, i == 0 ? "K_Zy" : "K_Zy_lower");
     r.name += "_across";
-    r.closed           = joined(r.closed, keys_in("bearing." + b.name, "slices"));
-    r.parameter.value  = stiffness_along(state, drive, 1);
+    r.closed          = joined(r.closed, keys_in("bearing." + b.name, "slices"));
+    r.parameter.value = stiffness_along(state, drive, 1);
     r.parameter.method += ", across the load";
     r.file       = "app/stages/bearing_across";
     r.stands_for = by_elements(b) ? model_name(b) + ", a block chock on its liner" : "";
