@@ -1,10 +1,12 @@
-#include "app/stages/bearing_study.h"
+#include "app/stages/bearing_store.h"
+#include "app/stages/bite_roll_stage.h"
 #include "app/stages/bite_stage.h"
 #include "app/stages/contact_stage.h"
-#include "app/trace/quick_parts.h"
+#include "app/stages/contact_store.h"
 #include "app/stages/second_engine.h"
 #include "app/stages/stand_components.h"
 #include "app/stages/strip_flow_stage.h"
+#include "app/trace/quick_parts.h"
 #include "bite/members.h"
 #include "core/records/files.h"
 #include "core/records/provenance.h"
@@ -44,6 +46,7 @@ void add_contact(Texts &texts, const FourHigh &stand, const std::string &name, c
   options.both_sides = plan.wanted.both_sides;
   for (const PlannedRoll *roll : {&plan.backup, &plan.work})
     texts["second engine"] += fourier_inputs(roll->geometry, stand.steel, options, {});
+  texts["contacts"] += contact_inputs(stand, name, settings, loads);
 }
 
 Texts texts_of(const FourHigh &stand)
@@ -57,7 +60,15 @@ Texts texts_of(const FourHigh &stand)
       const double load   = std::isnan(roll->bearing_load) ? share * pass.load : roll->bearing_load;
       texts["rollers"] += roller_inputs(bearing, roller_load_bound(bearing, load, 0));
       texts["rings"] += ring_inputs(bearing);
+      BearingQuestion question;
+      question.bearing = bearing;
+      question.radial  = load;
+      texts["bearings"] += bearing_inputs_text(question, largest_roller_load(question));
     }
+    BiteQuestion section;
+    section.bite  = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
+    section.setup = stand.bite;
+    texts["bite sections"] += section_inputs(section);
     const FlowQuestion q{bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel), stand.bite, ""};
     texts["bite"] += flow_inputs(q, nullptr);
   }
@@ -89,8 +100,9 @@ Texts texts_of(const BearingCase &spec)
   q.tilt    = spec.load.tilt;
   q.loads   = {spec.load.loads[0], spec.load.loads[1]};
   return {
-      {"rollers", roller_inputs(q.bearing, largest_roller_load(q))},
-      {"rings",         ring_inputs(q.bearing)                         }
+      {"rollers",              roller_inputs(q.bearing, largest_roller_load(q))},
+      {"rings",                ring_inputs(q.bearing) },
+      {"bearings", bearing_inputs_text(q, largest_roller_load(q))                       }
   };
 }
 
@@ -187,6 +199,9 @@ std::vector<std::string> not_seen_by_a_roll_mesh()
 const std::string equilibrium = " radial_clearance end_play preload profile crown_drop profile_load profile_share "
                                 "profile_table yield_pressure slices rib_angle";
 
+// Of a profile that the case does not have: no other value is tried.
+const std::string no_other_profile = "crown_drop profile_load profile_table";
+
 std::vector<std::string> not_seen_by_a_bearing()
 {
   return head + records + pass_of_strip + after_the_springs + frame +
@@ -246,6 +261,33 @@ TEST(CacheKeys, EveryRowOfAFourHighEntersOrIsKnownNotTo)
 {
   const BaseCase base  = drawn_stand();
   const auto roll_mesh = not_seen_by_a_roll_mesh();
+  // Solved contacts are kept with the whole rolls, solved bearings with the whole bearing, under their loads.
+  const auto contacts = head + records + pass_of_strip + after_the_springs + frame + of("steel", no_inertia) +
+                        of("work_roll", seat) + of("backup_roll", seat) +
+                        of("strip", "youngs_modulus poisson_ratio") +
+                        std::vector<std::string>{"bearing.*", "bite.*", "strip.f*", "strip.initial*", "strip.e*"};
+  const auto bearings =
+      head + records + pass_of_strip + after_the_springs + frame +
+      of("work_roll", "barrel_diameter barrel_length neck_diameter total_length bearing_span axial_shift "
+                      "bending_force bearing_mass chock_mass_upper chock_mass_lower" +
+                          profile) +
+      of("backup_roll", "barrel_diameter barrel_length neck_diameter neck_length bearing_span bearing_mass "
+                        "chock_mass_upper chock_mass_lower bending_model" +
+                            profile) +
+      std::vector<std::string>{"steel.*", "strip.*", "bite.*", "contact.*"} +
+      of("bearing.trb", "type " + no_other_profile) +
+      of("bearing.crb",
+         "type pitch_diameter width roller_total_length roller_cone_angle cup_angle end_play preload "
+         "rings " +
+             no_other_profile);
+  const auto sections =
+      head + records + after_the_springs + frame + of("pass.#", "load entry_tension exit_tension speed") +
+      of("steel", no_inertia) + std::vector<std::string>{"bearing.*", "backup_roll.*", "contact.*"} +
+      of("strip", "width initial_thickness entry_tension exit_tension youngs_modulus poisson_ratio") +
+      std::vector<std::string>{"strip.f*"} +
+      of("bite", "method theory samples path_trim arc mesh elements_along elements_through") +
+      of("work_roll",
+         "barrel_length neck_diameter total_length bearing_span axial_shift bending_force" + profile + seat);
   const auto loads   = of("pass.#", "load") + of("work_roll", "bearing_load") + of("backup_roll", "bearing_load");
   const auto bearing = not_seen_by_a_bearing() + loads;
   const auto vibration =
@@ -272,8 +314,11 @@ TEST(CacheKeys, EveryRowOfAFourHighEntersOrIsKnownNotTo)
                             {"rollers",          bearing + of("bearing.trb", beside_a_roller)},
                             {"rings",                  bearing + of("bearing.trb",                                      beside_the_rings)},
                             {"bite", bite},
-                            {"components of the rolls",              rolls                                                  },
-                            {"component of the housing",housing}
+                            {"contacts",              contacts                                                  },
+                            {"bearings",bearings},
+                            {"bite sections",              sections                                                                   },
+                            {"components of the rolls",rolls},
+                            {"component of the housing",                 housing                                                                                       }
   });
   std::filesystem::remove(base.file);
 }
@@ -294,7 +339,10 @@ TEST(CacheKeys, EveryRowOfTheOtherKindsEntersOrIsKnownNotTo)
           "cases/bearing-266.toml", {"bearing.trb.roller_total_length=34 mm"}
   },
       {{"rollers", bearing + of("bearing.trb", beside_a_roller) + of("model", "rings")},
-       {"rings", bearing + of("bearing.trb", beside_the_rings) + of("model", "roller_law") + of("load", "tilt")}});
+       {"rings", bearing + of("bearing.trb", beside_the_rings) + of("model", "roller_law") + of("load", "tilt")},
+       {"bearings", head + std::vector<std::string>{"dynamics.*", "published.*"} +
+                        of("load", "bearing cage_angle samples") +
+                        of("bearing.trb", "type roller_law rings slices " + no_other_profile)}});
   const auto bite = head + records + of("pass.#", "load") + of("steel", no_inertia) +
                     std::vector<std::string>{"published.*"} + of("bite", "method theory samples path_trim");
   expect_followed(
