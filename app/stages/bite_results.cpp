@@ -314,6 +314,13 @@ void note_bite(RunContext &run, const BiteStudy &s)
     run.warn(where + note);
   for (const std::string &remark : s.chosen().state.remarks)
     run.assume(where + remark);
+  if (!s.failures.empty()) {
+    std::string causes;
+    for (const std::string &failure : s.failures)
+      causes += (causes.empty() ? "" : "; ") + failure;
+    run.warn(where + "the value is that of " + model_text(s.chosen()) +
+             ", because finite elements found none: " + causes);
+  }
   if (!s.slab().refused.empty())
     run.warn(where + "the slab theory that stands beside has no answer: " + s.slab().refused);
   const bool free_arc = s.chosen().key == "karman-elastic-arc" ||

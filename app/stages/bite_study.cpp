@@ -64,26 +64,80 @@ std::string key_of(const BiteSetup &setup)
   return setup.arc == "elastic" ? "karman-elastic-arc" : setup.theory;
 }
 
-void add_finite_elements(RunContext &run, BiteStudy &study)
+// The section of the roll, where a model of the study needs one.
+void add_section(RunContext &run, BiteStudy &study)
 {
-  BiteAnswer answer;
-  answer.key = "fe";
-  const FlowQuestion q{study.question.bite, study.question.setup, study.question.pass};
-  const bool shaped = study.question.setup.arc == "elastic";
-  if (shaped && study.question.setup.strip == "rigid-plastic")
+  if (study.flexibility.position.size() > 0)
+    return;
+  auto roll               = roll_flexibility(run, study.question);
+  study.flexibility       = std::move(roll.flexibility);
+  study.flexibility_error = mesh_pair_safety * roll.error_estimate;
+}
+
+// The finite elements of one setting; what they say is kept where they find no answer.
+std::optional<FlowAnswer> try_flow(RunContext &run, BiteStudy &study, const BiteSetup &setup)
+{
+  const FlowQuestion q{study.question.bite, setup, study.question.pass};
+  const bool shaped = setup.arc == "elastic";
+  if (shaped && setup.strip == "rigid-plastic")
     run.assume(
         "bite of " + q.pass +
         ": a rigid-plastic strip ends with a step of pressure, under which a free arc has no "
         "limit; its finite elements run on Hitchcock's circle, bite.strip = \"elastic-plastic\" on the free arc");
+  if (shaped)
+    add_section(run, study);
   try {
-    study.flow       = solve_flow(run, q, shaped ? &study.flexibility : nullptr);
-    answer.state     = study.flow->fine.state;
-    answer.stiffness = bite::slab_stiffness(q.bite, answer.state);
+    return solve_flow(run, q, shaped ? &study.flexibility : nullptr);
   } catch (const SolverError &e) {
-    answer.refused = e.what();
-    study.failure  = std::current_exception();
+    study.failures.push_back(setup.strip + " strip: " + e.report.what);
+  } catch (const InputError &e) {
+    study.failures.push_back(setup.strip + " strip: " + e.problems.front().message);
+  }
+  return std::nullopt;
+}
+
+BiteSetup other_strip(BiteSetup setup)
+{
+  const bool was_elastic = setup.strip == "elastic-plastic";
+  setup.strip            = was_elastic ? "rigid-plastic" : "elastic-plastic";
+  if (setup.arc != "rigid")
+    setup.arc = was_elastic ? "hitchcock" : "elastic";
+  return setup;
+}
+
+void add_finite_elements(RunContext &run, BiteStudy &study)
+{
+  BiteAnswer answer;
+  answer.key = "fe";
+  study.flow = try_flow(run, study, study.question.setup);
+  if (!study.flow) {
+    const BiteSetup other = other_strip(study.question.setup);
+    study.flow            = try_flow(run, study, other);
+    if (study.flow)
+      study.question.setup = other;
+  }
+  if (study.flow) {
+    answer.state     = study.flow->fine.state;
+    answer.stiffness = bite::slab_stiffness(study.question.bite, answer.state);
+  } else {
+    answer.refused = study.failures.front();
   }
   study.answers.push_back(std::move(answer));
+}
+
+// From the fullest theory to the simplest, where finite elements have no answer.
+constexpr const char *fallbacks[] = {"karman-elastic-arc", "karman", "bland-ford",
+                                     "hu-ehmann",          "orowan", "karman-rigid"};
+
+// No theory has an answer: what the first one says, and how the finite elements ended.
+[[noreturn]] void refuse_pass(const BiteStudy &study)
+{
+  std::string tried;
+  for (const std::string &failure : study.failures)
+    tried += (tried.empty() ? "" : "; ") + failure;
+  throw SolverError({"bite of " + study.question.pass + ": no theory has an answer: " + study.slab().refused,
+                     study.regime.reason, tried.empty() ? "the pass is none that these rolls can make" : tried,
+                     "a smaller work roll, less reduction, less friction, more tension; or K4 in [given]", ""});
 }
 }  // namespace
 
@@ -103,7 +157,14 @@ const BiteAnswer &BiteStudy::slab() const
 const BiteAnswer &BiteStudy::chosen() const
 {
   const BiteAnswer *fe = question.setup.method == "fe" ? find("fe") : nullptr;
-  return fe ? *fe : slab();
+  if (fe)
+    return *fe;
+  if (question.setup.method == "slab")
+    return slab();
+  for (const char *key : fallbacks)
+    if (const BiteAnswer *answer = find(key))
+      return *answer;
+  refuse_pass(*this);
 }
 
 bool BiteStudy::beyond_circle() const
@@ -136,30 +197,44 @@ void add_for_accuracy(BiteStudy &study)
 BiteStudy study_bite(RunContext &run, const BiteQuestion &question)
 {
   BiteStudy study;
-  study.question = question;
+  study.regime           = bite::regime_of(question.bite);
+  study.question         = question;
+  study.question.setup   = settled_setup(question.setup, study.regime);
+  const BiteSetup &setup = study.question.setup;
   // A circle needs no section of the roll; with the curves it is shown all the same what the free arc would do.
-  if (question.setup.arc == "elastic" || (question.setup.arc == "hitchcock" && question.curves)) {
-    auto roll               = roll_flexibility(run, question);
-    study.flexibility       = std::move(roll.flexibility);
-    study.flexibility_error = mesh_pair_safety * roll.error_estimate;
-  }
+  if (setup.arc == "elastic" || (setup.arc == "hitchcock" && question.curves))
+    add_section(run, study);
   {
     StageTimer timer(run, "bite, slab theories, " + question.pass);
-    const std::string chosen = key_of(question.setup);
-    const auto model         = slab_model(question.setup);
+    const std::string chosen = key_of(setup);
+    const auto model         = slab_model(setup);
     BiteAnswer first         = ask(study, chosen, model);
-    if (!first.refused.empty() && question.setup.method == "slab")
+    if (!first.refused.empty() && setup.method == "slab")
       bite::solve_slab(question.bite, model,
                        model.arc == Arc::elastic ? &study.flexibility : nullptr);  // throws what it said
     study.answers.push_back(std::move(first));
-    for (const auto &[key, other] : models_beside(question))
+    for (const auto &[key, other] : models_beside(study.question))
       if (key != chosen)
         study.answers.push_back(ask(study, key, other));
   }
-  if (question.setup.method == "fe")
+  if (setup.method == "fe")
     add_finite_elements(run, study);
+  study.chosen();  // or no theory has an answer
   add_for_accuracy(study);
   return study;
+}
+
+BiteSetup settled_setup(BiteSetup setup, const bite::Regime &regime)
+{
+  const bool circle = setup.arc == "hitchcock", rigid_strip = setup.strip == "rigid-plastic";
+  const bool other_theory = setup.method == "slab" && setup.theory != "karman";  // none of them knows a free arc
+  const bool elastic =
+      setup.strip == "elastic-plastic" || (regime.elastic_strip && !circle && !rigid_strip && !other_theory);
+  if (setup.strip == "auto")
+    setup.strip = elastic ? "elastic-plastic" : "rigid-plastic";
+  if (setup.arc == "auto")
+    setup.arc = elastic ? "elastic" : "hitchcock";
+  return setup;
 }
 
 bite::SlabModel slab_model(const BiteSetup &setup)

@@ -1,6 +1,7 @@
 #pragma once
 #include "app/run_context.h"
 #include "bite/bite.h"
+#include "bite/slab/regime.h"
 #include "bite/slab/slab_bite.h"
 #include "fem/strip/rigid_plastic/strip_flow.h"
 #include <exception>
@@ -45,10 +46,12 @@ struct FlowAnswer {
 
 /// One pass by every model that applies.
 struct BiteStudy {
-  BiteQuestion question;
+  BiteQuestion question;  ///< with the solver that the regime asks for
+  bite::Regime regime;
   std::vector<BiteAnswer> answers;  ///< the chosen slab theory first, "fe" last
   std::optional<FlowAnswer> flow;
-  std::exception_ptr failure;        ///< of the finite elements: the slab theories stand all the same
+  std::vector<std::string>
+      failures;  ///< of finite elements, one sentence each, in the order in which they were tried
   bite::ArcFlexibility flexibility;  ///< of the roll's section; empty with a rigid arc
   double flexibility_error = 0;      ///< -, of its shape, from two meshes
   std::optional<BiteAnswer> softer;  ///< the chosen slab theory on a section softer by that error; free arc only
@@ -58,9 +61,14 @@ struct BiteStudy {
   bool beyond_circle() const;  ///< the chosen answer is on Hitchcock's circle, beyond its range
 };
 
-/// Solves one pass.
+/// Solves one pass.  Where finite elements find no answer those of the other strip are tried, then the slab
+/// theories give the values: Karman on a free arc, on Hitchcock's circle, Bland and Ford.
 /// @throws InputError   the rolls cannot take the strip, with the numbers
+/// @throws SolverError  no theory has an answer
 BiteStudy study_bite(RunContext &run, const BiteQuestion &question);
+
+/// Settings of [bite] with what they leave to the regime of the pass.
+BiteSetup settled_setup(BiteSetup setup, const bite::Regime &regime);
 
 /// The slab theory of [bite] with its arc.
 bite::SlabModel slab_model(const BiteSetup &setup);

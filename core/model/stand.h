@@ -1,10 +1,10 @@
 #pragma once
-#include "core/model/chatter.h"
 #include "core/case/errors.h"
+#include "core/model/chatter.h"
 #include "core/model/material.h"
-#include "core/records/parameter.h"
 #include "core/model/roller_bearing.h"
 #include "core/model/strip.h"
+#include "core/records/parameter.h"
 #include <array>
 #include <cmath>
 #include <limits>
@@ -139,14 +139,14 @@ struct ContactSettings {
 
 /// How the roll bite is computed.
 struct BiteSetup {
-  std::string method   = "fe";         ///< fe | slab: what gives K4; slab theories stand beside finite elements
-  std::string theory   = "karman";     ///< bland-ford | hu-ehmann | karman | orowan | sims
-  std::string arc      = "hitchcock";  ///< rigid | hitchcock | elastic
-  std::string strip    = "rigid-plastic";  ///< rigid-plastic | elastic-plastic, in the finite-element bite
-  int elements_along   = 48;               ///< of the arc
-  int elements_through = 12;               ///< of half the thickness
-  int samples          = 9;                ///< along every curve of K4
-  double path_trim     = 0.2;              ///< -, share of the contact path left out at each end for the plateau
+  std::string method   = "fe";      ///< fe | slab: what gives K4; slab theories stand beside finite elements
+  std::string theory   = "karman";  ///< bland-ford | hu-ehmann | karman | orowan | sims
+  std::string arc      = "auto";    ///< auto | rigid | hitchcock | elastic
+  std::string strip    = "auto";    ///< auto | rigid-plastic | elastic-plastic, in the finite-element bite
+  int elements_along   = 48;        ///< of the arc
+  int elements_through = 12;        ///< of half the thickness
+  int samples          = 9;         ///< along every curve of K4
+  double path_trim     = 0.2;       ///< -, share of the contact path left out at each end for the plateau
 };
 
 /// Settings of the lumped model's runs.

@@ -223,7 +223,9 @@ KeyList slab_keys(const BiteRun &bite)
   return joined(bite.whole_width ? keys_in("strip", "width") : KeyList{}, keys_in("strip", both),
                 strip_law_keys(bite.strip), keys_in(pass_section(bite.pass), both + (fast ? " speed" : "")),
                 KeyList{bite.roll_key}, elastic_steel(), keys_in("bite", "arc"),
-                bite.setup.arc == "elastic" ? keys_in("strip", "youngs_modulus poisson_ratio") : KeyList{});
+                bite.setup.arc == "elastic" || bite.setup.arc == "auto"
+                    ? keys_in("strip", "youngs_modulus poisson_ratio")
+                    : KeyList{});
 }
 
 KeyList bite_keys(const BiteRun &bite)
@@ -231,7 +233,7 @@ KeyList bite_keys(const BiteRun &bite)
   const KeyList keys = joined(slab_keys(bite), keys_in("bite", "method"));
   if (bite.setup.method != "fe")
     return joined(keys, keys_in("bite", "theory"));
-  const bool elastic = bite.setup.strip == "elastic-plastic";
+  const bool elastic = bite.setup.strip != "rigid-plastic";
   return joined(keys, keys_in("bite", "strip elements_along elements_through"),
                 elastic ? keys_in("strip", "youngs_modulus poisson_ratio") : KeyList{});
 }

@@ -1,8 +1,20 @@
 #include "fem/strip/common/strip_results.h"
 #include "bite/slab/sentence.h"
+#include "core/case/errors.h"
 #include <cmath>
 
 namespace mill::fem {
+void StripCourse::spend(const int n_unknowns, const double limit)
+{
+  work += n_unknowns;
+  if (work > limit)
+    throw SolverError({"roll bite by finite elements: no convergence within the work allowed",
+                       bite::sentence(work, " unknowns times factorisations"),
+                       "a pass at the end of what can be rolled, or a mesh too coarse for it",
+                       "a pass nearby; fewer elements, bite.elements_along",
+                       levels.empty() ? "" : "the last level that converged: " + levels.back().stage});
+}
+
 double entry_strain(const Strip &strip)
 {
   return std::isnan(strip.initial_thickness) ? 0 : std::log(strip.initial_thickness / strip.entry_thickness);

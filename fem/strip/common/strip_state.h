@@ -19,6 +19,14 @@ struct StripFlowLevel {
   double force       = 0;  ///< N
 };
 
+/// How a solution was come to.
+struct StripCourse {
+  std::vector<StripFlowLevel> levels;
+  double work = 0;  ///< unknowns times factorisations, of levels that failed as well
+  /// Notes one factorisation.  @throws SolverError  more work than the limit
+  void spend(int n_unknowns, double limit);
+};
+
 /// What must close if the solution is one, each over its reference.  theory.md 18.6
 struct StripFlowBalance {
   double flux    = 0;  ///< -, (flux out - flux in) / flux in
@@ -37,6 +45,7 @@ struct StripFlow {
   StripLines lines;
   int n_unknowns        = 0;
   double seconds        = 0;       ///< s
+  double work           = 0;       ///< unknowns times factorisations
   double entry_position = 0;       ///< m, where the contact begins
   double exit_thickness = 0;       ///< m, of the strip far behind the bite
   double exit_tension   = 0;       ///< Pa, given, or found where StripFlowModel::exit_speed is given

@@ -117,7 +117,7 @@ void place_lines(const ElasticGrid &g, VectorXd &u)
 }
 
 // A rigid roll is met where its circle meets the strip.
-Solved solve_on_circle(const ElasticPass &pass, std::vector<StripFlowLevel> &history)
+Solved solve_on_circle(const ElasticPass &pass, StripCourse &course)
 {
   const StripElasticModel &model = pass.model;
   auto [before, behind]          = expected_reach(pass);
@@ -137,14 +137,14 @@ Solved solve_on_circle(const ElasticPass &pass, std::vector<StripFlowLevel> &his
                                {-size,     behind,    4 * end}
     },
                            std::max(2, model.elements_through / 2));
-    ElasticContinuation first(pass, coarse.grid, coarse.roll, first_guess(pass, coarse.grid), history);
+    ElasticContinuation first(pass, coarse.grid, coarse.roll, first_guess(pass, coarse.grid), course);
     bool begun = true;
     try {
       solve_cold(first, 0.1);
     } catch (const SolverError &) {  // a finer mesh may do
       begun = false;
     }
-    ElasticContinuation c(pass, s.grid, s.roll, interpolated(coarse.grid, first.u, s.grid), history);
+    ElasticContinuation c(pass, s.grid, s.roll, interpolated(coarse.grid, first.u, s.grid), course);
     place_lines(s.grid, c.u);
     if (begun && c.newton(first.at, "Newton, free surface")) {
       harden(c, 0.1);
@@ -161,15 +161,14 @@ Solved solve_on_circle(const ElasticPass &pass, std::vector<StripFlowLevel> &his
 }
 
 // An elastic roll: where, is found on a coarse mesh.
-Solved solve_on_elastic_roll(const ElasticPass &pass, const bite::ArcFlexibility *flexibility,
-                             std::vector<StripFlowLevel> &history)
+Solved solve_on_elastic_roll(const ElasticPass &pass, const bite::ArcFlexibility *flexibility, StripCourse &course)
 {
   const StripElasticModel &model = pass.model;
   auto [before, behind]          = expected_reach(pass);
   for (int attempt = 0; attempt < 3; ++attempt, before *= 1.4, behind *= 1.4) {
     Solved coarse = meshed(pass, flexibility, -before, behind, (before + behind) / 36, {},
                            std::min(4, model.elements_through));
-    ElasticContinuation c(pass, coarse.grid, coarse.roll, first_guess(pass, coarse.grid), history);
+    ElasticContinuation c(pass, coarse.grid, coarse.roll, first_guess(pass, coarse.grid), course);
     solve_cold(c, fit_rate);
     if (reaches_limit(coarse.grid, c.u))
       continue;
@@ -184,7 +183,7 @@ Solved solve_on_elastic_roll(const ElasticPass &pass, const bite::ArcFlexibility
     },
                                  model.elements_through);
     {
-      ElasticContinuation d(pass, fine.grid, fine.roll, interpolated(coarse.grid, c.u, fine.grid), history);
+      ElasticContinuation d(pass, fine.grid, fine.roll, interpolated(coarse.grid, c.u, fine.grid), course);
       d.fits = true;
       try {
         solve_warm(d);
@@ -200,11 +199,10 @@ Solved solve_on_elastic_roll(const ElasticPass &pass, const bite::ArcFlexibility
   refuse_reach(pass, before, behind);
 }
 
-Solved solve_from_nothing(const ElasticPass &pass, const bite::ArcFlexibility *flexibility,
-                          std::vector<StripFlowLevel> &history)
+Solved solve_from_nothing(const ElasticPass &pass, const bite::ArcFlexibility *flexibility, StripCourse &course)
 {
-  return pass.model.arc == bite::Arc::elastic ? solve_on_elastic_roll(pass, flexibility, history)
-                                              : solve_on_circle(pass, history);
+  return pass.model.arc == bite::Arc::elastic ? solve_on_elastic_roll(pass, flexibility, course)
+                                              : solve_on_circle(pass, course);
 }
 
 // Unknowns in the units of another pass
@@ -228,7 +226,7 @@ VectorXd in_units(const ElasticGrid &grid, VectorXd u, const double length, cons
 }
 
 Solved solve_from(const ElasticPass &pass, const StripElastic &start, const bite::ArcFlexibility *flexibility,
-                  std::vector<StripFlowLevel> &history)
+                  StripCourse &course)
 {
   Solved s;
   std::vector<double> lines = start.lines;
@@ -242,7 +240,7 @@ Solved solve_from(const ElasticPass &pass, const StripElastic &start, const bite
       start.flow.y(start.flow.y.rows() - 1, start.flow.y.cols() - 1) * 2;  // entry thickness then
   ElasticContinuation c(
       pass, s.grid, s.roll,
-      in_units(s.grid, start.flow.unknowns, length / pass.length, start.stress_unit / pass.stress), history);
+      in_units(s.grid, start.flow.unknowns, length / pass.length, start.stress_unit / pass.stress), course);
   if (start.entry_spine >= 0) {
     s.grid.entry_spine     = start.entry_spine;
     s.grid.exit_spine      = start.exit_spine;
@@ -256,7 +254,7 @@ Solved solve_from(const ElasticPass &pass, const StripElastic &start, const bite
   if (!s.grid.ends_of_contact)
     solve_warm(c);
   if (reaches_limit(s.grid, c.u))
-    return solve_from_nothing(pass, flexibility, history);
+    return solve_from_nothing(pass, flexibility, course);
   s.unknowns = c.u;
   return s;
 }
@@ -269,9 +267,9 @@ StripElastic solve_elastic_strip(const bite::RollBite &bite, const StripElasticM
   const ElasticPass pass = elastic_pass(bite, model);
   if (flexibility && model.arc != bite::Arc::elastic)
     throw InputError("a flexibility of the roll's surface is for Arc::elastic only");
-  std::vector<StripFlowLevel> history;
-  Solved s           = start && start->flow.unknowns.size() > 0 ? solve_from(pass, *start, flexibility, history)
-                                                                : solve_from_nothing(pass, flexibility, history);
+  StripCourse course;
+  Solved s           = start && start->flow.unknowns.size() > 0 ? solve_from(pass, *start, flexibility, course)
+                                                                : solve_from_nothing(pass, flexibility, course);
   ElasticStage stage = last_stage(pass);
   StripElastic out   = elastic_results(pass, s.grid, s.roll, stage, s.unknowns);
   // Inlet and outlet have moved with the ends of the contact.
@@ -279,7 +277,8 @@ StripElastic solve_elastic_strip(const bite::RollBite &bite, const StripElasticM
   const int last          = int(there.x.size()) - 1;
   out.touch_from          = (s.touch_from + there.x[0] - s.grid.x[0]) * pass.length;
   out.touch_to            = (s.touch_to + there.x[last] - s.grid.x[last]) * pass.length;
-  out.flow.history        = std::move(history);
+  out.flow.history        = std::move(course.levels);
+  out.flow.work           = course.work;
   out.flow.seconds        = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return out;
 }

@@ -15,6 +15,7 @@ struct StripElasticModel {
   double tolerance     = 1e-9;  ///< -, norm of the scaled residual of a converged state
   double stiffness     = 1;     ///< -, factor on the strip's elastic moduli
   bool derivatives     = true;  ///< by all inputs, two more factorisations
+  double work_limit    = INFINITY;  ///< unknowns times factorisations, after which a solution is given up
 };
 
 /// State of the strip, its elastic zones and what stays in it.  Fields as in StripFlow; entry and exit are those

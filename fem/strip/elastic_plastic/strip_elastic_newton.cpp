@@ -8,8 +8,8 @@ using bite::sentence;
 using Eigen::VectorXd;
 
 ElasticContinuation::ElasticContinuation(const ElasticPass &p, ElasticGrid &g, const ElasticRoll &r,
-                                         VectorXd start, std::vector<StripFlowLevel> &h)
-    : pass(p), grid(g), roll(r), u(std::move(start)), history(h)
+                                         VectorXd start, StripCourse &h)
+    : pass(p), grid(g), roll(r), u(std::move(start)), course(h)
 {
 }
 
@@ -24,6 +24,7 @@ bool ElasticContinuation::newton(ElasticStage stage, const char *what, const int
   for (int step = 1; step <= steps && std::isfinite(residual); ++step) {
     Eigen::SparseMatrix<double> K(grid.n_unknowns, grid.n_unknowns);
     K.setFromTriplets(e.entries.begin(), e.entries.end());
+    course.spend(grid.n_unknowns, pass.model.work_limit);
     if (!factor.factorise(K))
       break;
     const VectorXd d = factor.solve(e.residual), from = u;
@@ -52,8 +53,8 @@ bool ElasticContinuation::newton(ElasticStage stage, const char *what, const int
     residual = last_residual = e.residual.norm();
     if (residual < enough && !moved) {
       const double unit = pass.stress * pass.length * pass.bite->strip.width;
-      history.push_back({what, grid.n_unknowns, stage.least_rate, stage.least_slip * pass.reduction,
-                         stage.flattening, step, residual, e.force * unit});
+      course.levels.push_back({what, grid.n_unknowns, stage.least_rate, stage.least_slip * pass.reduction,
+                               stage.flattening, step, residual, e.force * unit});
       at = stage;
       return true;
     }

@@ -8,7 +8,7 @@ namespace mill::fem {
 class ElasticContinuation {
 public:
   ElasticContinuation(const ElasticPass &pass, ElasticGrid &grid, const ElasticRoll &roll, Eigen::VectorXd start,
-                      std::vector<StripFlowLevel> &history);
+                      StripCourse &course);
   /// One level; on failure the unknowns stay what they were.
   /// @param leaps  where no step lowers the residual: half a step up; false: a small one
   bool newton(ElasticStage stage, const char *what, int steps = 40, bool leaps = true);
@@ -28,7 +28,7 @@ private:
   double largest_share(const Eigen::VectorXd &d) const;
   UnsymmetricFactor factor;
   RowMemory memory;
-  std::vector<StripFlowLevel> &history;
+  StripCourse &course;
 };
 
 /// g0 at which the mesh is fitted to the contact: the strip still creeps, so no point changes between elastic and

@@ -23,8 +23,8 @@ std::string text(const double value)
 // Newton's method on one grid, with what has converged so far.
 class Continuation {
 public:
-  Continuation(const StripPass &p, const StripGrid &g, VectorXd start, std::vector<StripFlowLevel> &h)
-      : pass(p), grid(g), u(std::move(start)), history(h)
+  Continuation(const StripPass &p, const StripGrid &g, VectorXd start, StripCourse &h)
+      : pass(p), grid(g), u(std::move(start)), course(h)
   {
   }
 
@@ -99,6 +99,7 @@ public:
     middle.flexibility  = 0.5 * (at.flexibility + target.flexibility);
     middle.tension      = 0.5 * (at.tension + target.tension);
     middle.end_pressure = 0.5 * (at.end_pressure + target.end_pressure);
+    middle.friction     = std::sqrt(at.friction * target.friction);
     return advance(middle, depth + 1) && advance(target, depth + 1);
   }
 
@@ -113,17 +114,18 @@ private:
   {
     Eigen::SparseMatrix<double> K(grid.n_unknowns, grid.n_unknowns);
     K.setFromTriplets(e.entries.begin(), e.entries.end());
+    course.spend(grid.n_unknowns, pass.model.work_limit);
     return factor.factorise(K) ? factor.solve(e.residual) : VectorXd();
   }
   void note(const char *what, const StripStage &stage, const int iterations, const double residual,
             const double force)
   {
     const double width = pass.bite->strip.width;
-    history.push_back({what, grid.n_unknowns, stage.least_rate, stage.least_slip, stage.flexibility, iterations,
-                       residual, force * pass.stress * pass.length * width});
+    course.levels.push_back({what, grid.n_unknowns, stage.least_rate, stage.least_slip, stage.flexibility,
+                             iterations, residual, force * pass.stress * pass.length * width});
   }
   UnsymmetricFactor factor;
-  std::vector<StripFlowLevel> &history;
+  StripCourse &course;
 };
 
 StripStage last_stage(const StripPass &pass)
@@ -173,6 +175,7 @@ void solve_cold(Continuation &c)
   const Strip &strip   = c.pass.bite->strip;
   const double tension = std::max(std::abs(strip.entry_tension), std::abs(strip.exit_tension)) / c.pass.stress;
   stage.tension        = std::min(1., 0.3 / tension);
+  stage.friction       = c.pass.more_friction;
   if (!c.picard(stage))
     refuse(c.pass, c, stage);
   stage.picard = false;
@@ -197,6 +200,11 @@ void solve_cold(Continuation &c)
   }
   if (stage.tension < 1) {
     stage.tension = 1;
+    if (!c.advance(stage))
+      refuse(c.pass, c, stage);
+  }
+  if (stage.friction > 1) {
+    stage.friction = 1;
     if (!c.advance(stage))
       refuse(c.pass, c, stage);
   }
@@ -226,11 +234,10 @@ StripLines scaled(StripLines lines, const double by)
   return lines;
 }
 
-VectorXd solve_unknowns(const StripPass &pass, const StripGrid &grid, const StripFlow *start,
-                        std::vector<StripFlowLevel> &history)
+VectorXd solve_unknowns(const StripPass &pass, const StripGrid &grid, const StripFlow *start, StripCourse &course)
 {
   if (start && start->unknowns.size() > 0) {
-    Continuation c(pass, grid, interpolated(strip_grid(start->lines), start->unknowns, grid), history);
+    Continuation c(pass, grid, interpolated(strip_grid(start->lines), start->unknowns, grid), course);
     if (solve_warm(c))
       return c.u;
   }
@@ -241,14 +248,14 @@ VectorXd solve_unknowns(const StripPass &pass, const StripGrid &grid, const Stri
   for (auto g = grids.rbegin(); g != grids.rend(); ++g) {
     const bool finest = g + 1 == grids.rend();
     if (u) {
-      Continuation c(pass, *g, interpolated(*(g - 1), *u, *g), history);
+      Continuation c(pass, *g, interpolated(*(g - 1), *u, *g), course);
       u.reset();
       if (solve_warm(c))
         u = c.u;
       if (u)
         continue;
     }
-    Continuation c(pass, *g, first_guess(pass, *g), history);
+    Continuation c(pass, *g, first_guess(pass, *g), course);
     try {
       solve_cold(c);
       u = c.u;
@@ -312,12 +319,13 @@ StripFlow solve_strip_flow(const StripLines &lines, const bite::RollBite &bite, 
   const auto begin     = std::chrono::steady_clock::now();
   const StripPass pass = strip_pass(bite, model, flexibility);
   const StripGrid grid = strip_grid(scaled(lines, 1 / pass.length));
-  std::vector<StripFlowLevel> history;
-  const VectorXd u       = solve_unknowns(pass, grid, start, history);
+  StripCourse course;
+  const VectorXd u       = solve_unknowns(pass, grid, start, course);
   const StripStage stage = last_stage(pass);
   StripFlow flow         = strip_flow_results(pass, grid, stage, u);
   flow.lines             = lines;
-  flow.history           = std::move(history);
+  flow.history           = std::move(course.levels);
+  flow.work              = course.work;
   if (model.derivatives) {
     const Gradients held = gradients(pass, grid, stage, u, true);
     flow.state.force_by  = held.force;

@@ -13,6 +13,7 @@ struct StripFlowModel {
   bool release = true;  ///< the contact ends where the pressure has fallen to zero; false: on the line of centres
   bool follow_surface = true;  ///< false: contact begins at the geometric entry, mesh lines stay where they are
   bool derivatives    = true;  ///< by all inputs, two more factorisations
+  double work_limit   = INFINITY;  ///< unknowns times factorisations, after which a solution is given up
 };
 
 /// Solves for velocity, pressure, roll pressure, surface, ends of contact and strain in one system of equations.

@@ -243,7 +243,9 @@ void StripAssembly::whole()
     const Reduction radius = Reduction::variable(value(R), 0),
                     by     = C * radius /
                          (Reduction::variable(value(columns[1]), 1) - Reduction::variable(value(columns[2]), 2));
-    add(row(Whole::radius), -(radius + stage.flexibility * out.force.value * by), columns);
+    add(row(Whole::radius),
+        -((1 - stage.flexibility) * pass.start_radius + stage.flexibility * (radius + out.force.value * by)),
+        columns);
     for (int c = 0; c < grid.n_unknowns + bite::n_inputs; ++c)
       if (out.force.by[c] != 0)
         add(row(Whole::radius), c, -stage.flexibility * by.value * out.force.by[c]);
@@ -293,6 +295,10 @@ void StripAssembly::friction()
              bite::Inlet<Speed>{roll, of[3] * roll, of[4] * roll, pass.length * of[5], -pass.length * of[6],
                                 pass.stress * (scaled_flow_stress(pass, Speed(0.)) - of[7])});
   }
+  if (slides(strip.friction))
+    coefficient *= stage.friction;
+  else  // a law of factors: what is added to both
+    coefficient += (stage.friction - 1) * std::max(strip.friction.entry_factor, strip.friction.exit_factor);
   add(columns[0], of[0] - coefficient - of[1], columns);
 }
 }  // namespace mill::fem

@@ -1,11 +1,47 @@
 #include "fem/strip/rigid_plastic/strip_flow_equations.h"
 #include "bite/slab/karman.h"
+#include "bite/slab/skidding.h"
 #include "bite/slab/slab_checks.h"
 #include "core/case/errors.h"
 #include "fem/strip/common/strip_results.h"
 #include <cmath>
+#include <optional>
 
 namespace mill::fem {
+namespace {
+// A neutral point nearer to the end of the arc than this friction puts it wanders in Newton's method.
+constexpr double safe_margin = 2.2;
+
+// What the rolls cannot pull through is refused before it makes a Newton iteration fail; what a slab theory makes
+// of the pass is where the continuation starts.
+void start_from_slab(StripPass &p)
+{
+  bite::KarmanOptions quick;
+  quick.derivatives      = false;
+  quick.points           = 0;
+  bite::RollBite resting = *p.bite;
+  resting.gap_rate       = 0;  // Karman's equation knows no moving gap
+  const auto slab        = [&](const bite::Arc arc) {
+    return bite::solve_karman(resting, bite::Theory::karman, arc, nullptr, quick);
+  };
+  std::optional<bite::BiteState> state;
+  if (p.model.arc == bite::Arc::hitchcock)
+    try {
+      state = slab(bite::Arc::hitchcock);
+    } catch (const SolverError &) {  // no flattened radius by that theory
+    }
+  if (!state)
+    state = slab(bite::Arc::rigid);
+  p.exit_slip      = state->forward_slip;
+  p.friction       = slides(p.bite->strip.friction) ? state->friction : 0;
+  const double own = p.bite->roll_radius;
+  if (state->flattened_radius > 1.2 * own || bite::friction_margin(resting, own, p.friction) < safe_margin)
+    p.start_radius = state->flattened_radius / p.length;
+  const double margin = bite::friction_margin(resting, p.start_radius * p.length, p.friction);
+  p.more_friction     = std::max(1., safe_margin / margin);
+}
+}  // namespace
+
 StripPass strip_pass(const bite::RollBite &bite, const StripFlowModel &model,
                      const bite::ArcFlexibility *flexibility)
 {
@@ -33,18 +69,9 @@ StripPass strip_pass(const bite::RollBite &bite, const StripFlowModel &model,
   if (model.arc != bite::Arc::rigid)
     p.mean_rate_by[2] = 0;
   const bool idle = plain_coefficient(strip.friction) == 0;
-  if (std::isnan(model.exit_speed) && !idle) {
-    // What the rolls cannot pull through is refused before it makes a Newton iteration fail.
-    bite::KarmanOptions quick;
-    quick.derivatives      = false;
-    quick.points           = 0;
-    bite::RollBite resting = bite;
-    resting.gap_rate       = 0;  // Karman's equation knows no moving gap
-    const bite::BiteState slab =
-        bite::solve_karman(resting, bite::Theory::karman, bite::Arc::rigid, nullptr, quick);
-    p.exit_slip = slab.forward_slip;
-    p.friction  = slab.friction;
-  }
+  p.start_radius  = bite.roll_radius / p.length;
+  if (std::isnan(model.exit_speed) && !idle)
+    start_from_slab(p);
   return p;
 }
 
@@ -52,14 +79,15 @@ Eigen::VectorXd first_guess(const StripPass &pass, const StripGrid &grid)
 {
   Eigen::VectorXd u  = Eigen::VectorXd::Zero(grid.n_unknowns);
   const Strip &strip = pass.bite->strip;
-  const double h2 = strip.exit_thickness / pass.length, R = pass.bite->roll_radius / pass.length;
-  u[grid.whole(Whole::entry)]    = -pass.arc_length;
+  const double h2 = strip.exit_thickness / pass.length, R = pass.start_radius, centre = R - 0.5 * (1 - h2),
+               arc_length        = std::sqrt(R * R - centre * centre);
+  u[grid.whole(Whole::entry)]    = -arc_length;
   u[grid.whole(Whole::radius)]   = R;
   u[grid.whole(Whole::tension)]  = strip.exit_tension / pass.stress;
-  u[grid.whole(Whole::friction)] = slides(strip.friction) ? pass.friction : 0;
+  u[grid.whole(Whole::friction)] = pass.friction * pass.more_friction;
   const double exit_speed        = std::isnan(pass.model.exit_speed) ? 1 + pass.exit_slip : pass.model.exit_speed;
   for (int i = 0; i <= 2 * grid.n_along; ++i) {
-    const auto corner  = [&](const int I) { return -grid.spine[I][0] * pass.arc_length + grid.spine[I][2]; };
+    const auto corner  = [&](const int I) { return -grid.spine[I][0] * arc_length + grid.spine[I][2]; };
     const double x     = i % 2 == 0 ? corner(i / 2) : 0.5 * (corner(i / 2) + corner(i / 2 + 1));
     const bool touches = i >= grid.first && i <= grid.last;
     const double half  = touches ? circle_height(h2, 0., R, x) : i < grid.first ? 0.5 : 0.5 * h2;

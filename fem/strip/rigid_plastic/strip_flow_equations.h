@@ -18,9 +18,11 @@ struct StripPass {
   double arc_length = 1;                 ///< -, geometric, rigid roll
   double mean_rate  = 1;                 ///< -, of shear, 2 ln(h1/h2) / arc length
   std::array<double, 3> mean_rate_by{};  ///< of it by entry and exit thickness and the radius of a rigid arc
-  double exit_slip   = 0;                ///< -, forward slip of a slab theory, for the start
-  double friction    = 0;                ///< -, coefficient of a slab theory, for the start
-  double held_radius = not_given;        ///< -, while the shape of the arc is held
+  double exit_slip     = 0;              ///< -, forward slip of a slab theory, for the start
+  double friction      = 0;              ///< -, coefficient of a slab theory, for the start
+  double more_friction = 1;  ///< -, multiple of the friction with which a bite next to skidding is begun
+  double start_radius  = 0;  ///< -, of the circle to begin with, that of a slab theory where the roll is flattened
+  double held_radius   = not_given;  ///< -, while the shape of the arc is held
 };
 /// @throws InputError  as solve_strip_flow
 StripPass strip_pass(const bite::RollBite &bite, const StripFlowModel &model,
@@ -36,6 +38,7 @@ struct StripStage {
   double end_pressure = 0;      ///< -, of the roll at the exit where it is released
   double flexibility  = 0;      ///< -, share of the roll's flexibility that acts
   double tension      = 1;      ///< -, share of both tensions that acts
+  double friction     = 1;      ///< -, multiple of the friction that acts
   bool arc_held       = false;  ///< the arc does not answer to pressure: for derivatives only
 };
 
