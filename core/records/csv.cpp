@@ -355,6 +355,7 @@ std::string csv_text(const Table &table)
     text += (c ? "," : "") + header_text(table.names[c], table.units[c]);
   text += '\n';
   const Eigen::Index n_rows = table.columns.empty() ? 0 : table.columns.front().size();
+  text.reserve(text.size() + std::size_t(n_rows) * (1 + 22 * table.columns.size()));  // of most numbers
   for (Eigen::Index r = 0; r < n_rows; ++r) {
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
       if (c)

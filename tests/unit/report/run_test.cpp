@@ -58,12 +58,12 @@ TEST(Run, ReadsWhatARunLeaves)
 TEST(Run, ItsOwnTablesAreNotReadAgain)
 {
   const std::string directory                    = write_sample_run();
-  const Run read                                 = read_run(directory);
+  const auto read                                = read_run(directory);
   auto at_hand                                   = read.tables;
   at_hand.at("response/pass-1").columns.at(0)[0] = 77;
   at_hand.at("response/pass-2").columns.at(0)[0] = std::numeric_limits<double>::infinity();
   at_hand["curves/never-written"]                = at_hand.at("response/pass-1");
-  const Run own                                  = read_own_run(directory, at_hand);
+  const auto own                                 = read_own_run(directory, at_hand);
   EXPECT_EQ(own.table("response/pass-1")->columns.at(0)[0], 77) << "taken as it is";
   EXPECT_EQ(own.table("response/pass-2")->columns.at(0)[0], read.table("response/pass-2")->columns.at(0)[0])
       << "a file says this in another way: read";
