@@ -162,7 +162,7 @@ int run_chain(const CommandLine &command)
     out.write("results.json", results_json(run.results, the_case.name, status, out.run_id()));
     out.write("run.json", manifest_json(run));
     StageTimer timer(run, "report");
-    out.write("report.html", report::html_report(out.staging()));
+    out.write("report.html", report::html_page(report::read_own_run(out.staging(), out.take_tables())));
     out.publish();
     log.require_complete();
   };

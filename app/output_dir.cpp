@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -96,6 +97,30 @@ void OutputDir::write(const std::string &name, const std::string &text) const
     write_atomically(file(name), run_id_line(id) + text);
   else
     write_atomically(file(name), text);
+  if (is_summed(name)) {
+    const std::string sum = hash_of(text);
+    const std::lock_guard lock(written->access);
+    written->sums[name] = sum;
+  }
+}
+
+void OutputDir::write_table(const std::string &name, Table table) const
+{
+  write(name + ".csv", csv_text(table));
+  const std::lock_guard lock(written->access);
+  written->tables[name] = std::move(table);
+}
+
+std::map<std::string, Table> OutputDir::take_tables() const
+{
+  const std::lock_guard lock(written->access);
+  return std::exchange(written->tables, {});
+}
+
+std::map<std::string, std::string> OutputDir::checksums() const
+{
+  const std::lock_guard lock(written->access);
+  return checksums_below(staging(), written->sums);
 }
 
 void OutputDir::publish() const

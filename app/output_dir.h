@@ -1,8 +1,11 @@
 #pragma once
 #include "core/model/stand.h"
+#include "core/records/csv.h"
 #include "core/records/files.h"
 #include "core/records/result_folder.h"
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 
 namespace mill {
@@ -24,13 +27,28 @@ public:
   std::string file(const std::string &name) const;  ///< path of a staged file
   void write(const std::string &name, const std::string &text) const;  ///< a TOML file begins with the run_id
 
+  /// A long table as CSV, which the report then need not read again.
+  void write_table(const std::string &name, Table table) const;
+  /// Those written so far, by name without ".csv"; they are given away.
+  std::map<std::string, Table> take_tables() const;
+  /// Checksums of the staged files in curves/, response/ and fields/, as checksums_below(); what write() wrote is
+  /// not read again.
+  std::map<std::string, std::string> checksums() const;
+
   /// Puts the staged files in the place of those of the earlier run; what that run wrote and this one did not is
   /// removed.
   void publish() const;
 
 private:
+  // What stages that run side by side have written.
+  struct Written {
+    std::mutex access;
+    std::map<std::string, std::string> sums;
+    std::map<std::string, Table> tables;
+  };
   std::string directory, id;
   std::unique_ptr<Staging> staged;
+  std::unique_ptr<Written> written = std::make_unique<Written>();
 };
 
 /// @throws InputError  two passes whose names lead to the same file names, or a name too long for one

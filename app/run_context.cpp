@@ -251,7 +251,7 @@ std::string manifest_json(const RunContext &run)
         {"compiler", __VERSION__}}  }
   };
   add_timings(manifest, run.times);
-  for (const auto &[file, sum] : checksums_below(run.out.staging()))
+  for (const auto &[file, sum] : run.out.checksums())
     manifest["files"][file] = sum;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -49,21 +49,38 @@ std::vector<bearing::ChockSupport> supports_across(const RollerBearing &b)
   return on_block(b) ? std::vector<bearing::ChockSupport>{on_liner(b)} : std::vector<bearing::ChockSupport>();
 }
 
-Parameter bearing_across(RunContext &run, const BearingStudy &s, const std::vector<std::string> &inputs)
+namespace {
+// Stiffness across the load by the model of the case, by the standard, by Palmgren (NaN beside contact elements,
+// where nobody asks), and by every companion.
+Eigen::VectorXd all_across(RunContext &run, const BearingStudy &s)
 {
   const BearingQuestion &q = s.question;
-  const bool liner         = on_block(q.bearing);
-  const BearingParts parts = liner ? with_support(run, q.bearing, s.parts, on_liner(q.bearing)) : s.parts;
+  const BearingParts parts =
+      on_block(q.bearing) ? with_support(run, q.bearing, s.parts, on_liner(q.bearing)) : s.parts;
+  const auto n = Eigen::Index(parts.companions.size());
+  Eigen::VectorXd all(3 + n);
+  all.head<3>() << across(parts.model, q), by_law(q, "iso"), s.parts.roller ? not_given : by_law(q, "palmgren");
+  for (Eigen::Index i = 0; i < n; ++i)
+    all[3 + i] = across(parts.companions[std::size_t(i)].model, q);
+  return all;
+}
+}  // namespace
+
+Parameter bearing_across(RunContext &run, const BearingStudy &s, const std::vector<std::string> &inputs)
+{
+  const BearingQuestion &q  = s.question;
+  const bool liner          = on_block(q.bearing);
+  const Eigen::VectorXd all = s.readings->numbers("across the load", [&] { return all_across(run, s); });
   Parameter p;
-  p.value          = across(parts.model, q);
+  p.value          = all[0];
   p.unit           = "N/m";
   p.method         = model_name(q.bearing) + ", across the load" + (liner ? ", chock on its liner" : "");
   p.at             = fmt::format("{:.6g} kN on one bearing", q.radial / 1e3);
   p.inputs         = inputs;
-  const double iso = by_law(q, "iso");
-  p.error_estimate = parts.roller ? std::abs(s.slice_deviation) : std::abs(iso / by_law(q, "palmgren") - 1);
-  for (const BearingVariant &companion : parts.companions)
-    p.error_estimate += mesh_pair_error(p.value, across(companion.model, q), 2);
+  const double iso = all[1], palmgren = all[2];
+  p.error_estimate = s.parts.roller ? std::abs(s.slice_deviation) : std::abs(iso / palmgren - 1);
+  for (const double companion : all.tail(all.size() - 3))
+    p.error_estimate += mesh_pair_error(p.value, companion, 2);
   if (liner && q.bearing.support_assumed)  // nobody said that the liner carries the whole side
     p.error_estimate += std::abs(s.tangent_across / p.value - 1);
   p.checks = {

@@ -45,8 +45,7 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
   mass.amplitude    = e.amplitude;
   mass.frequency    = e.frequency;
   const auto motion = dynamics::simulate(mass, e.duration, e.output_rate);
-  run.out.write("response/bearing-" + slug(spec.load.bearing) + ".csv",
-                csv_text(dynamics::bearing_response_table(motion)));
+  run.out.write_table("response/bearing-" + slug(spec.load.bearing), dynamics::bearing_response_table(motion));
   write_curve(run, curve::bearing_spectrum, slug(spec.load.bearing), dynamics::bearing_spectrum_table(motion));
   const auto add = [&](const std::string &name, const std::string &unit, const double value,
                        const std::string &method, std::vector<Check> checks = {}) {
@@ -102,6 +101,7 @@ void solve_bearing_case(RunContext &run, const BearingCase &spec)
   add_published_results(run, "Kzc", study, inputs);
   note_bearing(run, "Kzc", study);
   write_bearing(run, study);
+  study.readings->keep(run);
   if (q.cage_angle == 0)  // the field is symmetric about the load line
     write_chock(run, q.bearing, study.at.roller_load);
   drive_mass(run, spec, study);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
 namespace mill {
 namespace {
@@ -205,19 +206,27 @@ void write_bearing(RunContext &run, const BearingStudy &s)
     write_load_curve(run, s);
   write_curve(run, curve::bearing_rows, name, row_table(s));
   write_curve(run, curve::bearing_rollers, name, roller_table(s));
-  write_curve(run, curve::bearing_law, name, law_table(s));
+  BearingReadings &readings = *s.readings;
+  write_curve(run, curve::bearing_law, name, readings.table("law", [&] { return law_table(s); }));
   write_curve(run, curve::bearing_tangent, name, tangent_table(s));
-  write_curve(run, curve::bearing_cage, name, cage_table(s));
+  write_curve(run, curve::bearing_cage, name, readings.table("cage", [&] { return cage_table(s); }));
   if (s.parts.roller && s.at.roller_load.maxCoeff() > largest_contact_load(s.parts))
     run.warn(fmt::format(
         "bearing {}: the heaviest roller carries {:.4g} kN, contact elements are meshed up to {:.4g} kN "
         "(4.5 GPa at most); its pressure map and its tilt are left out",
         s.question.bearing.name, s.at.roller_load.maxCoeff() / 1e3, largest_contact_load(s.parts) / 1e3));
   else if (s.parts.roller) {
-    write_curve(run, curve::bearing_tilt, name, tilt_table(s));
-    const auto state = heaviest_roller(s);
-    write_curve(run, curve::bearing_pressure_inner, name, pressure_table(s.parts.roller->grid, state.inner));
-    write_curve(run, curve::bearing_pressure_outer, name, pressure_table(s.parts.roller->grid, state.outer));
+    write_curve(run, curve::bearing_tilt, name, readings.table("tilt", [&] { return tilt_table(s); }));
+    std::optional<fem::RollerContactState> heaviest;
+    const auto pressure = [&](const char *side, fem::RollerSide fem::RollerContactState::*of) {
+      return readings.table(side, [&] {
+        if (!heaviest)
+          heaviest = heaviest_roller(s);
+        return pressure_table(s.parts.roller->grid, (*heaviest).*of);
+      });
+    };
+    write_curve(run, curve::bearing_pressure_inner, name, pressure("inner", &fem::RollerContactState::inner));
+    write_curve(run, curve::bearing_pressure_outer, name, pressure("outer", &fem::RollerContactState::outer));
   }
   if (const Table beside = published_table(s); !beside.columns.empty())
     write_curve(run, curve::bearing_published, name, beside);

@@ -73,32 +73,45 @@ RowRollers heaviest_of_rows(const bearing::AssemblyState &state)
   return out;
 }
 
-Table published_table(const BearingStudy &s)
+namespace {
+// (rows, 2) N, load at which the law of one roller has the published stiffness as secant and as tangent.
+Eigen::MatrixXd loads_that_fit(const BearingStudy &s, const Eigen::VectorXd &value)
 {
-  const auto rows    = s.at.roller_load.rows();
-  const auto heavy   = heaviest_of_rows(s.at);
   const auto &law    = s.parts.model.roller;
   const auto secant  = [&](const double load) { return load / bearing::roller_approach(law, load); };
   const auto tangent = [&](const double load) {
     return bearing::roller_load(law, bearing::roller_approach(law, load), 0).stiffness;
   };
-  Eigen::VectorXd value(rows), fit_secant(rows), fit_tangent(rows);
-  bool any = false;
-  for (Eigen::Index r = 0; r < rows; ++r) {
-    value[r]       = published(s, row_key(r));
-    any            = any || std::isfinite(value[r]);
-    fit_secant[r]  = where(secant, value[r], 10, 2e5);
-    fit_tangent[r] = where(tangent, value[r], 10, 2e5);
-  }
+  std::string name = "load of a roller";
+  for (const double one : value)
+    name += fmt::format(" {:a}", one);
+  const Eigen::VectorXd fits = s.readings->numbers(name, [&] {
+    Eigen::MatrixX2d found(value.size(), 2);
+    for (Eigen::Index r = 0; r < value.size(); ++r)
+      found.row(r) << where(secant, value[r], 10, 2e5), where(tangent, value[r], 10, 2e5);
+    return Eigen::VectorXd(found.reshaped());
+  });
+  return fits.reshaped(value.size(), 2);
+}
+}  // namespace
+
+Table published_table(const BearingStudy &s)
+{
+  const auto rows  = s.at.roller_load.rows();
+  const auto heavy = heaviest_of_rows(s.at);
+  Eigen::VectorXd value(rows);
+  for (Eigen::Index r = 0; r < rows; ++r)
+    value[r] = published(s, row_key(r));
   Table t;
-  if (!any)
+  if (!value.array().isFinite().any())
     return t;
+  const Eigen::MatrixXd fit = loads_that_fit(s, value);
   t.add("row", "", Eigen::VectorXd::LinSpaced(rows, 1, double(rows)))
       .add("published", "N/m", value)
       .add("roller_load", "N", heavy.load)
       .add("secant", "N/m", heavy.secant)
       .add("tangent", "N/m", heavy.tangent);
-  return t.add("load_that_fits_secant", "N", fit_secant).add("load_that_fits_tangent", "N", fit_tangent);
+  return t.add("load_that_fits_secant", "N", fit.col(0)).add("load_that_fits_tangent", "N", fit.col(1));
 }
 
 void add_published_results(RunContext &run, const std::string &prefix, const BearingStudy &s,
@@ -136,18 +149,25 @@ void add_published_results(RunContext &run, const std::string &prefix, const Bea
   }
   if (!std::isfinite(total) || s.curve.states.empty())
     return;
-  p.unit                  = "N";
-  p.at                    = fmt::format("{:.4g} kN/mm", total / 1e6);
-  const auto beyond_curve = states_beyond(s);
-  const auto fit          = [&](const std::string &name, const Stiffness &stiffness, const std::string &what) {
+  p.unit = "N";
+  p.at   = fmt::format("{:.4g} kN/mm", total / 1e6);
+  std::vector<bearing::AssemblyState> beyond_curve;
+  const auto beyond_it = [&](const std::string &name, const Stiffness &stiffness) {
+    return s.readings->numbers(fmt::format("{} {:a} beyond the curve", name, total), [&] {
+      if (beyond_curve.empty())
+        beyond_curve = states_beyond(s);
+      return Eigen::VectorXd::Constant(1, where_on_curve(beyond_curve, stiffness, total));
+    })[0];
+  };
+  const auto fit = [&](const std::string &name, const Stiffness &stiffness, const std::string &what) {
     const double load   = where_on_curve(s.curve.states, stiffness, total);
-    const double beyond = std::isnan(load) ? where_on_curve(beyond_curve, stiffness, total) : load;
+    const double beyond = std::isnan(load) ? beyond_it(name, stiffness) : load;
     const double iso    = where_on_curve(s.standard_curve.states, stiffness, total);
     const double rigid  = where_on_curve(s.rigid_curve.states, stiffness, total);
     if (std::isnan(beyond)) {
       run.assume(
-                   fmt::format("{}: the {} takes the published {:.4g} kN/mm at no load up to twenty times the swept range",
-                               prefix, what, total / 1e6));
+          fmt::format("{}: the {} takes the published {:.4g} kN/mm at no load up to twenty times the swept range",
+                      prefix, what, total / 1e6));
       return;
     }
     std::vector<Check> checks;
@@ -156,9 +176,9 @@ void add_published_results(RunContext &run, const std::string &prefix, const Bea
     if (std::isfinite(rigid) && b.rings == "elastic")
       checks.push_back({"the same rollers, rigid rings", rigid, ""});
     add(name, beyond,
-                 "bearing load at which the " + what + " takes the published total" +
-                     (std::isnan(load) ? ", beyond the swept range" : ""),
-                 std::move(checks));
+        "bearing load at which the " + what + " takes the published total" +
+            (std::isnan(load) ? ", beyond the swept range" : ""),
+        std::move(checks));
   };
   fit(
       "load_that_fits_tangent",

@@ -151,6 +151,8 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
       if (p == 0)
         report_seat(run, seat, load, study, inputs);
     }
+    for (const auto &[key, study] : done)
+      study.readings->keep(run);
     out[p].K_Zy_upper = both(out[p].Kzc[0]);
     out[p].K_Zy_lower = both(out[p].Kzc[3]);
   }

@@ -212,8 +212,10 @@ SolvedBearing solve_all(RunContext &run, BearingStudy &s)
 SolvedBearing solved_or_kept(RunContext &run, BearingStudy &s)
 {
   const BearingQuestion &q = s.question;
-  const std::string key = hash_of(bearing_inputs_text(q, s.parts.roller ? s.parts.roller->setup.largest_load : 0));
-  const auto save       = [&](const std::string &file, const std::string &of, const SolvedBearing &solved) {
+  const std::string inputs = bearing_inputs_text(q, s.parts.roller ? s.parts.roller->setup.largest_load : 0);
+  const std::string key    = hash_of(inputs);
+  s.readings               = std::make_shared<BearingReadings>(run, inputs);
+  const auto save          = [&](const std::string &file, const std::string &of, const SolvedBearing &solved) {
     if (!s.curve.failure)  // which the next run has to say again
       save_bearing(file, of, solved);
   };

@@ -1,5 +1,6 @@
 #pragma once
 #include "app/stages/bearing_model.h"
+#include "app/stages/bearing_readings.h"
 #include "core/model/stand.h"
 #include <functional>
 #include <optional>
@@ -41,6 +42,7 @@ struct BearingStudy {
   std::vector<StudyVariant> arrangements;  ///< rigid rings, other usual rows, where the case does not say its own
   std::vector<Check> tangent_checks, secant_checks;
   bearing::AssemblyCurve curve, standard_curve, rigid_curve;
+  std::shared_ptr<BearingReadings> readings;  ///< what else was solved of it, shared by copies
 };
 
 /// One number of a state: a stiffness, a share.

@@ -132,13 +132,13 @@ Table history_table(const ChatterStudy &s, const dynamics::ChatterHistory &h, co
 void write_histories(RunContext &run, const ChatterStudy &s)
 {
   for (const ChatterRecord &record : s.records)
-    run.out.write("response/" + base_of(s) + "-" + record.name + ".csv",
-                  csv_text(history_table(s, record.history, 0, 0, 0, 0)));
+    run.out.write_table("response/" + base_of(s) + "-" + record.name,
+                        history_table(s, record.history, 0, 0, 0, 0));
   if (s.run) {
     const RollingCondition &c = s.question.condition;
-    run.out.write(
-        "response/" + base_of(s) + "-limit-cycle.csv",
-        csv_text(history_table(s, s.run->history, s.run_force, c.entry_tension, c.exit_tension, s.run_friction)));
+    run.out.write_table(
+        "response/" + base_of(s) + "-limit-cycle",
+        history_table(s, s.run->history, s.run_force, c.entry_tension, c.exit_tension, s.run_friction));
   }
 }
 

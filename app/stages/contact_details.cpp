@@ -131,14 +131,24 @@ void add_friction(RunContext &run, const FourHigh &stand, const ContactModel &m,
                   const Parameter &tangent)
 {
   constexpr int steps = 10;
-  const auto effect   = [&](const fem::CondensedRoll &backup, const fem::CondensedRoll &work, const int n_steps) {
+  const auto solved   = [&](const fem::CondensedRoll &backup, const fem::CondensedRoll &work, const int n_steps) {
     const auto quarter = fem::make_pair(name, backup, fem::held_by_mirror(backup), work, fem::held_by_mirror(work),
                                           even_drop(stand, settings, backup.grid.z));
     return fem::friction_effect(quarter, backup, work, settings.friction, load, n_steps);
   };
-  const auto fine   = effect(*m.backup.fine, *m.work.fine, steps);
-  const auto coarse = effect(*m.backup.coarse, *m.work.coarse, steps),
-             twice  = effect(*m.backup.coarse, *m.work.coarse, 2 * steps);
+  const auto effect = [&](const fem::ContactPair &pair,
+                          std::shared_ptr<const fem::CondensedRoll> CondensedPair::*mesh, const int n_steps) {
+    const Eigen::MatrixXd both =
+        fem::remembered(pair, fmt::format("friction {:a} {:a} {}", settings.friction, load, n_steps), [&] {
+          const ContactModel &all = complete(m);
+          const auto made         = solved(*(all.backup.*mesh), *(all.work.*mesh), n_steps);
+          return Eigen::MatrixXd(Eigen::RowVector2d(made.ratio, made.slipping));
+        });
+    return fem::FrictionEffect{both(0, 0), both(0, 1)};
+  };
+  const auto fine   = effect(m.mirrored, &CondensedPair::fine, steps);
+  const auto coarse = effect(m.coarse, &CondensedPair::coarse, steps),
+             twice  = effect(m.coarse, &CondensedPair::coarse, 2 * steps);
   Parameter p       = computed(
             "N/m", tangent.value * fine.ratio,
             tangent.error_estimate + mesh_pair_error(fine.ratio, coarse.ratio) + difference(twice.ratio, coarse.ratio),

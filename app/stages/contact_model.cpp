@@ -104,6 +104,16 @@ std::vector<fem::ContactPair *> all_pairs(ContactModel &m)
   return {&m.mirrored, &m.in_stand, &m.coarse, &m.in_stand_coarse, &m.whole, &m.whole_coarse};
 }
 
+std::vector<const fem::ContactPair *> all_pairs(const ContactModel &m)
+{
+  return {&m.mirrored, &m.in_stand, &m.coarse, &m.in_stand_coarse, &m.whole, &m.whole_coarse};
+}
+
+const ContactModel &complete(const ContactModel &m)
+{
+  return m.completed ? m.completed() : m;
+}
+
 Eigen::VectorXd profile_drop(const FourHigh &stand, const ContactSettings &settings, const double side,
                              const Eigen::VectorXd &z)
 {

@@ -2,6 +2,7 @@
 #include "app/stages/condensed_rolls.h"
 #include "fem/roll/contact_study.h"
 #include "reduce/chain/line_contact.h"
+#include <functional>
 #include <vector>
 
 namespace mill {
@@ -16,13 +17,19 @@ struct ContactModel {
   fem::ContactPair whole;            ///< as mirrored, over both sides: for the joint stiffness
   fem::ContactPair whole_coarse;     ///< the same on the companion mesh
   fem::Extent extent = fem::Extent::quarter;
+  /// Of a model whose rolls were not needed so far: the same with them and with the compliances of its pairs.
+  std::function<const ContactModel &()> completed;
 };
+
+/// The model with its rolls.
+const ContactModel &complete(const ContactModel &model);
 
 /// The two rolls of a contact as cylinders without ends.
 reduce::CylinderPair closed_form(const FourHigh &stand);
 
 /// Every pair of a model.
 std::vector<fem::ContactPair *> all_pairs(ContactModel &model);
+std::vector<const fem::ContactPair *> all_pairs(const ContactModel &model);
 
 /// (n) m, how much both rolls lack in radius at z of the stand, and what crossed axes add.
 /// @param side  1: upper contact, -1: lower

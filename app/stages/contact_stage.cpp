@@ -3,8 +3,8 @@
 #include "app/stages/contact_files.h"
 #include "app/stages/contact_model.h"
 #include "app/stages/contact_slope.h"
-#include "app/stages/curve_files.h"
 #include "app/stages/contact_store.h"
+#include "app/stages/curve_files.h"
 #include "app/stages/second_engine.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/process/parallel.h"
@@ -13,19 +13,22 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <future>
+#include <memory>
 
 namespace mill {
 namespace {
 // One contact with everything that its results are made of.
 struct Study {
-  std::string name;  // "upper"
-  std::string K;     // "K3"
-  ContactModel model;
+  std::string name;                           // "upper"
+  std::string K;                              // "K3"
+  std::shared_ptr<const ContactModel> model;  // of twins the same
   ContactCurve mirrored, in_stand, coarse, in_stand_coarse;
   std::optional<SecondEngine> second;
-  std::string twin;   // contact that is the same one, already written
-  std::string key;    // of what is solved, in the cache
-  bool kept = false;  // all of it was there
+  std::string twin;                 // contact that is the same one, already written
+  std::string key;                  // of what is solved, in the cache
+  bool kept = false;                // all of it was there
+  std::vector<std::string> fields;  // VTU files of backup roll and work roll, once they are made
 };
 
 }  // namespace
@@ -74,7 +77,7 @@ void add_curvature(RunContext &run, const Study &s, const std::string &prefix, c
 {
   if (std::isnan(fine))
     return;
-  const auto hertz = reduce::line_contact(s.model.closed_form, F);
+  const auto hertz = reduce::line_contact(s.model->closed_form, F);
   // (3.5a) and (3.5b) differ by one in the bracket.
   const double A_over_L = 1 / hertz.secant - 1 / hertz.tangent;
   Parameter curvature   = blank("N/m2", F, s.mirrored.reference);
@@ -91,7 +94,7 @@ void add_curvature(RunContext &run, const Study &s, const std::string &prefix, c
 void add_held(RunContext &run, const Study &s, const std::string &prefix, const double F, const ContactSlope &held,
               const Parameter &tangent, const Parameter &secant)
 {
-  const auto coarse = slope_at(s.model.in_stand_coarse, s.in_stand_coarse, F, Role::companion);
+  const auto coarse = slope_at(s.model->in_stand_coarse, s.in_stand_coarse, F, Role::companion);
   std::optional<ContactSlope> second;
   if (s.second)
     second = slope_of(s.second->in_stand, F);
@@ -114,14 +117,14 @@ void add_held(RunContext &run, const Study &s, const std::string &prefix, const 
 // K.tangent, K.secant and their values with the rolls held as in the stand, at one working load.
 std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const std::string &prefix, const double F)
 {
-  const auto fine             = slope_at(s.model.mirrored, s.mirrored, F);
-  const auto coarse           = slope_at(s.model.coarse, s.coarse, F, Role::companion);
-  const auto hertz            = reduce::line_contact(s.model.closed_form, F);
-  const auto laws             = reduce::secant_laws(s.model.closed_form, F);
-  const auto middle           = fem::barrel_profile(s.model.mirrored, fem::solve_load(s.model.mirrored, F));
-  const auto mid              = fem::middle_station(s.model.mirrored.grid);
-  const double section_secant = s.model.closed_form.length * middle.line_load[mid] / middle.approach[mid];
-  const auto held             = slope_at(s.model.in_stand, s.in_stand, F);
+  const auto fine             = slope_at(s.model->mirrored, s.mirrored, F);
+  const auto coarse           = slope_at(s.model->coarse, s.coarse, F, Role::companion);
+  const auto hertz            = reduce::line_contact(s.model->closed_form, F);
+  const auto laws             = reduce::secant_laws(s.model->closed_form, F);
+  const auto middle           = fem::barrel_profile(s.model->mirrored, fem::solve_load(s.model->mirrored, F));
+  const auto mid              = fem::middle_station(s.model->mirrored.grid);
+  const double section_secant = s.model->closed_form.length * middle.line_load[mid] / middle.approach[mid];
+  const auto held             = slope_at(s.model->in_stand, s.in_stand, F);
   const std::string held_note = "bending, strip width, backup roll balanced by shear";
 
   Parameter tangent = blank("N/m", F, s.mirrored.reference);
@@ -167,16 +170,36 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
   return {tangent, secant};
 }
 
-// Half width, peak pressure and approach at mid-length, and the files of one working load.
-void add_section(RunContext &run, const Study &s, const FourHigh &stand, const double F)
+// Displacement, stress and pressure of both rolls for ParaView; those of a twin are copies.
+void write_study_fields(RunContext &run, Study &s, const FourHigh &stand, const contact::State &state)
 {
-  const auto point  = fem::solve_load(s.model.mirrored, F);
-  const auto point2 = fem::solve_load(s.model.coarse, F);
-  const auto fine   = fem::barrel_profile(s.model.mirrored, point);
-  const auto coarse = fem::barrel_profile(s.model.coarse, point2);
-  const auto held   = fem::barrel_profile(s.model.in_stand, fem::solve_load(s.model.in_stand, F));
-  const auto hertz  = reduce::line_contact(s.model.closed_form, F);
-  const auto mid = fem::middle_station(s.model.mirrored.grid), mid2 = fem::middle_station(s.model.coarse.grid);
+  const char *const endings[]                = {"-backup-roll.vtu", "-work-roll.vtu"};
+  CondensedPair ContactModel::*const rolls[] = {&ContactModel::backup, &ContactModel::work};
+  const bool made                            = s.fields.size() == 2;
+  for (int i = 0; i < 2; ++i) {
+    const std::string file = "fields/contact-" + s.name + endings[i];
+    if (!s.twin.empty())
+      std::filesystem::copy_file(run.out.file("fields/contact-" + s.twin + endings[i]), run.out.file(file),
+                                 std::filesystem::copy_options::overwrite_existing);
+    else if (made)
+      run.out.write(file, s.fields[std::size_t(i)]);
+    else {
+      write_fields(run, file, complete(*s.model).*rolls[i], stand.steel, state);
+      s.fields.push_back(read_text(run.out.file(file)));
+    }
+  }
+}
+
+// Half width, peak pressure and approach at mid-length, and the files of one working load.
+void add_section(RunContext &run, Study &s, const FourHigh &stand, const double F)
+{
+  const auto point  = fem::solve_load(s.model->mirrored, F);
+  const auto point2 = fem::solve_load(s.model->coarse, F);
+  const auto fine   = fem::barrel_profile(s.model->mirrored, point);
+  const auto coarse = fem::barrel_profile(s.model->coarse, point2);
+  const auto held   = fem::barrel_profile(s.model->in_stand, fem::solve_load(s.model->in_stand, F));
+  const auto hertz  = reduce::line_contact(s.model->closed_form, F);
+  const auto mid = fem::middle_station(s.model->mirrored.grid), mid2 = fem::middle_station(s.model->coarse.grid);
   // Half width and peak are fitted apart (1.4); a parabola of them must carry the line load again.
   const double misfit =
       std::abs(0.5 * M_PI * fine.half_width[mid] * fine.peak_pressure[mid] / fine.line_load[mid] - 1);
@@ -191,7 +214,7 @@ void add_section(RunContext &run, const Study &s, const FourHigh &stand, const d
     run.results.add("contact." + s.name + "." + what, p);
   };
   const auto at_middle = [&](const Eigen::VectorXd &values) {
-    return s.second ? values[s.model.mirrored.grid.whole ? values.size() / 2 : 0] : not_given;
+    return s.second ? values[s.model->mirrored.grid.whole ? values.size() / 2 : 0] : not_given;
   };
   const BarrelProfile other = s.second ? s.second->mirrored_at : BarrelProfile();
   add("half_width", "m", fine.half_width[mid], coarse.half_width[mid2], at_middle(other.half_width),
@@ -208,15 +231,7 @@ void add_section(RunContext &run, const Study &s, const FourHigh &stand, const d
 
   write_curve(run, curve::contact_barrel, s.name, barrel_table(held));
   write_curve(run, curve::contact_barrel_mirrored, s.name, barrel_table(fine));
-  for (const auto &[which, roll] :
-       {std::pair("-backup-roll.vtu", &s.model.backup), std::pair("-work-roll.vtu", &s.model.work)}) {
-    const std::string file = "fields/contact-" + s.name + which;
-    if (s.twin.empty())
-      write_fields(run, file, *roll, stand.steel, point2.state);
-    else
-      std::filesystem::copy_file(run.out.file("fields/contact-" + s.twin + which), run.out.file(file),
-                                 std::filesystem::copy_options::overwrite_existing);
-  }
+  write_study_fields(run, s, stand, point2.state);
 }
 
 std::string file_of(const RunContext &run, const Study &s)
@@ -224,14 +239,34 @@ std::string file_of(const RunContext &run, const Study &s)
   return run.cache + "/contact-" + s.key + ".bin";
 }
 
-// What an earlier run solved of this contact.
+// What an earlier run solved of this contact, of every pair of a model.
 std::optional<SolvedStudy> kept_study(RunContext &run, const Study &s)
 {
   std::string note;
   auto kept = run.fresh ? std::nullopt : load_study(file_of(run, s), s.key, &note);
   if (!note.empty())
     run.progress.note(note);
+  if (kept && kept->pairs.size() != all_pairs(ContactModel()).size())
+    return std::nullopt;
   return kept;
+}
+
+// A model that knows what was kept of it and makes its rolls when something else is asked.
+// @param whole  the model with its rolls, when it is asked for
+ContactModel known_model(const FourHigh &stand, const ContactSettings &settings, SolvedStudy &kept,
+                         const std::shared_future<ContactModel> &whole)
+{
+  ContactModel m;
+  m.extent         = is_one_sided(stand, settings) ? fem::Extent::whole : fem::Extent::quarter;
+  m.closed_form    = closed_form(stand);
+  m.completed      = [whole]() -> const ContactModel      &{ return whole.get(); };
+  const auto pairs = all_pairs(m);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    *pairs[i]           = std::move(kept.pairs[i]);
+    pairs[i]->solved    = std::make_shared<fem::SolvedLoads>(std::move(kept.known[i]));
+    pairs[i]->completed = [whole, i]() -> const fem::ContactPair & { return *all_pairs(whole.get())[i]; };
+  }
+  return m;
 }
 
 void take_over(Study &s, SolvedStudy &&kept)
@@ -241,10 +276,27 @@ void take_over(Study &s, SolvedStudy &&kept)
   s.coarse          = std::move(kept.coarse);
   s.in_stand_coarse = std::move(kept.in_stand_coarse);
   s.second          = std::move(kept.second);
+  s.fields          = std::move(kept.fields);
   s.kept            = true;
-  const auto pairs  = all_pairs(s.model);
-  for (std::size_t i = 0; i < pairs.size() && i < kept.known.size(); ++i)
-    pairs[i]->solved = std::make_shared<fem::SolvedLoads>(std::move(kept.known[i]));
+}
+
+fem::ContactPair without_problem(const fem::ContactPair &pair)
+{
+  fem::ContactPair light;
+  light.name         = pair.name;
+  light.reference    = pair.reference;
+  light.grid         = pair.grid;
+  light.axis         = pair.axis;
+  light.axis_support = pair.axis_support;
+  light.path         = pair.path;
+  light.mean         = pair.mean;
+  light.drop         = pair.drop;
+  light.radii_sum    = pair.radii_sum;
+  light.multiplicity = pair.multiplicity;
+  light.axial_mirror = pair.axial_mirror;
+  light.tilt         = pair.tilt;
+  light.load_offset  = pair.load_offset;
+  return light;
 }
 
 // Curves and single loads outlive the run once all that is read off them has been.
@@ -252,9 +304,11 @@ void keep_study(RunContext &run, Study &s)
 {
   if (s.kept)
     return;
-  SolvedStudy all{s.mirrored, s.in_stand, s.coarse, s.in_stand_coarse, s.second, {}};
-  for (const fem::ContactPair *pair : all_pairs(s.model))
+  SolvedStudy all{s.mirrored, s.in_stand, s.coarse, s.in_stand_coarse, s.second, {}, {}, s.fields};
+  for (const fem::ContactPair *pair : all_pairs(*s.model)) {
     all.known.push_back(pair->solved->known());
+    all.pairs.push_back(without_problem(*pair));
+  }
   try {
     save_study(file_of(run, s), s.key, all);
   } catch (const InputError &e) {
@@ -273,9 +327,9 @@ void sweep_all(RunContext &run, const FourHigh &stand, Study &s, const ContactSe
   const auto swept       = [&](ContactCurve &curve, const fem::ContactPair &pair) {
     return [&](RunContext &own) { curve = fem::sweep(pair, range, own.progress); };
   };
-  std::vector<IndependentStage> sweeps{swept(s.mirrored, s.model.mirrored), swept(s.in_stand, s.model.in_stand),
-                                       swept(s.coarse, s.model.coarse),
-                                       swept(s.in_stand_coarse, s.model.in_stand_coarse)};
+  std::vector<IndependentStage> sweeps{swept(s.mirrored, s.model->mirrored), swept(s.in_stand, s.model->in_stand),
+                                       swept(s.coarse, s.model->coarse),
+                                       swept(s.in_stand_coarse, s.model->in_stand_coarse)};
   if (second)
     sweeps.push_back([&](RunContext &own) {
       s.second = solve_again(own, stand, *second, s.name, settings, every_other, load);
@@ -288,20 +342,28 @@ Study study_of(RunContext &run, const FourHigh &stand, const std::string &name, 
 {
   const auto range = swept_range(name, settings, loads);
   Study s;
-  s.name    = name;
-  s.K       = K;
-  s.key     = hash_of(contact_inputs(stand, name, settings, loads));
-  auto kept = kept_study(run, s);
+  s.name           = name;
+  s.K              = K;
+  s.key            = hash_of(contact_inputs(stand, name, settings, loads));
+  auto kept        = kept_study(run, s);
+  const bool again = second_engine_knows(run, stand, name);  // or says why not
+  const auto model = [&run, &stand, &settings, name, most = range[1]] {
+    return contact_model(run, stand, name, settings, most);
+  };
+  if (kept) {
+    s.model = std::make_shared<const ContactModel>(
+        known_model(stand, settings, *kept, std::async(std::launch::deferred, model).share()));
+    take_over(s, std::move(*kept));
+    return s;
+  }
   std::optional<FourierRolls> second;
-  std::vector<IndependentStage> rolls{
-      [&](RunContext &own) { s.model = contact_model(own, stand, name, settings, range[1]); }};
-  if (second_engine_knows(run, stand, name) && !kept)
+  std::vector<IndependentStage> rolls{[&](RunContext &own) {
+    s.model = std::make_shared<const ContactModel>(contact_model(own, stand, name, settings, range[1]));
+  }};
+  if (again)
     rolls.push_back([&](RunContext &own) { second = fourier_rolls(own, stand, settings, range[1]); });
   run_side_by_side(run, std::move(rolls));
-  if (kept)
-    take_over(s, std::move(*kept));
-  else
-    sweep_all(run, stand, s, settings, second, range, loads[0]);
+  sweep_all(run, stand, s, settings, second, range, loads[0]);
   return s;
 }
 
@@ -323,18 +385,16 @@ Study renamed(Study s, const std::string &name, const std::string &K)
   s.K    = K;
   for (ContactCurve *curve : {&s.mirrored, &s.in_stand, &s.coarse, &s.in_stand_coarse})
     curve->name = name;
-  for (fem::ContactPair *pair : all_pairs(s.model))
-    pair->name = name;
   return s;
 }
 
-SolvedContact report_study(RunContext &run, const FourHigh &stand, const Study &s, const ContactSettings &settings,
+SolvedContact report_study(RunContext &run, const FourHigh &stand, Study &s, const ContactSettings &settings,
                            const std::vector<double> &loads)
 {
   const std::string &name = s.name, &K = s.K;
   const auto &range = s.mirrored.load;
   for (const double load : loads)
-    require_resolved(run, s.model, name, settings, load);
+    require_resolved(run, *s.model, name, settings, load);
   SolvedContact out;
   out.curve = s.mirrored;
   for (std::size_t p = 0; p < loads.size(); ++p) {
@@ -343,10 +403,10 @@ SolvedContact report_study(RunContext &run, const FourHigh &stand, const Study &
     out.secant.push_back(secant);
   }
   add_section(run, s, stand, loads[0]);
-  add_contact_details(run, s.model, name, K, stand, settings, loads[0], range[range.size() - 1], out.tangent[0]);
+  add_contact_details(run, *s.model, name, K, stand, settings, loads[0], range[range.size() - 1], out.tangent[0]);
   write_curve(run, curve::contact, name, curve_table(s.mirrored, "N", "N/m"));
   write_curve(run, curve::contact_in_stand, name, curve_table(s.in_stand, "N", "N/m"));
-  write_curve(run, curve::contact_closed, name, closed_table(s.model.closed_form, range, "N", "N/m"));
+  write_curve(run, curve::contact_closed, name, closed_table(s.model->closed_form, range, "N", "N/m"));
   run.progress.note(fmt::format("contact {}: {} loads, largest complementarity residual {:.1e}", name,
                                 range.size(), s.mirrored.residual));
   return out;

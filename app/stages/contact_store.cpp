@@ -9,7 +9,7 @@
 namespace mill {
 namespace {
 // Raised by hand when the solution of a contact changes what it computes.
-constexpr const char *contact_stage_version = "contact 1", *kind = "millstand contact 1";
+constexpr const char *contact_stage_version = "contact 2", *kind = "millstand contact 2";
 
 template <class Archive, class Vector> void integers(Archive &a, Vector &v)
 {
@@ -81,6 +81,47 @@ template <class Archive> void members(Archive &a, fem::SolvedLoads::Known &k)
   pairs(a, k.numbers, [&](std::string &name) { a.text(name); });
 }
 
+// A matrix that may be zero throughout, as the motion of axes that stay straight.
+template <class Archive> void zero_or_full(Archive &a, Eigen::MatrixXd &m)
+{
+  int rows = int(m.rows()), cols = int(m.cols()), full = m.size() > 0 && !m.isZero(0) ? 1 : 0;
+  for (int *count : {&rows, &cols, &full})
+    a.count(*count);
+  if (rows < 0 || cols < 0 || rows > 1000000 || cols > 1000000)
+    return a.fail();
+  if (full)
+    return a.array(m);
+  m = Eigen::MatrixXd::Zero(rows, cols);
+}
+
+template <class Archive> void members(Archive &a, fem::ContactPair &p)
+{
+  a.text(p.name);
+  a.text(p.reference);
+  int whole = p.grid.whole ? 1 : 0;
+  for (int *value : {&p.grid.n_x, &p.grid.n_z, &p.grid.degree, &whole})
+    a.count(*value);
+  p.grid.whole = whole == 1;
+  for (Eigen::VectorXd *v : {&p.grid.x, &p.grid.z, &p.grid.area, &p.path, &p.drop})
+    a.array(*v);
+  zero_or_full(a, p.axis);
+  zero_or_full(a, p.axis_support);
+  a.array(p.mean);
+  for (double *value : {&p.radii_sum, &p.multiplicity, &p.axial_mirror, &p.tilt, &p.load_offset})
+    a.number(*value);
+}
+
+template <class Archive, class List, class Each> void list(Archive &a, List &all, const Each &each)
+{
+  int n = int(all.size());
+  a.count(n);
+  if (n < 0 || n > 100)
+    return a.fail();
+  all.resize(std::size_t(n));
+  for (auto &one : all)
+    each(one);
+}
+
 template <class Archive> void members(Archive &a, SolvedStudy &s)
 {
   for (ContactCurve *curve : {&s.mirrored, &s.in_stand, &s.coarse, &s.in_stand_coarse})
@@ -95,15 +136,10 @@ template <class Archive> void members(Archive &a, SolvedStudy &s)
     members(a, second.in_stand_at);
     s.second = second;
   }
-  int n = int(s.known.size());
-  a.count(n);
-  if (n < 0 || n > 100) {
-    a.fail();
-    return;
-  }
-  s.known.resize(std::size_t(n));
-  for (auto &known : s.known)
-    members(a, known);
+  const auto own = [&](auto &one) { members(a, one); };
+  list(a, s.known, own);
+  list(a, s.pairs, own);
+  list(a, s.fields, [&](std::string &text) { a.text(text); });
 }
 }  // namespace
 
@@ -135,7 +171,7 @@ std::optional<SolvedStudy> load_study(const std::string &path, const std::string
   SolvedStudy study;
   fem::Reader reader{*bytes};
   members(reader, study);
-  if (reader.good && reader.at == bytes->size())
+  if (reader.good && reader.at == bytes->size() && study.pairs.size() == study.known.size())
     return study;
   if (note)
     *note = path + " is not used: it is incomplete";

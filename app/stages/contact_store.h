@@ -8,11 +8,14 @@
 #include <vector>
 
 namespace mill {
-/// Everything that was solved of one contact: its curves, the second engine's, and single loads of every pair.
+/// Everything that was solved of one contact: its curves, the second engine's, single loads of every pair, and
+/// what is read off a pair; not the rolls and the compliances made of them, which only another load needs.
 struct SolvedStudy {
   ContactCurve mirrored, in_stand, coarse, in_stand_coarse;
   std::optional<SecondEngine> second;
   std::vector<fem::SolvedLoads::Known> known;  ///< of all_pairs(), in their order
+  std::vector<fem::ContactPair> pairs;         ///< the same, without `problem`
+  std::vector<std::string> fields;             ///< VTU files of backup roll and work roll
 };
 
 /// Everything that it depends on, as text; its hash is the key of the cache.

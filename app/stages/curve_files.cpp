@@ -5,6 +5,6 @@ void write_curve(const RunContext &run, const CurveKind &kind, const std::string
                  const std::string &of)
 {
   require_columns(kind, table);
-  run.out.write(curve_path(kind, item, of) + ".csv", csv_text(table));
+  run.out.write_table(curve_path(kind, item, of), table);
 }
 }  // namespace mill

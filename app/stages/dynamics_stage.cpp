@@ -301,7 +301,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
     record.add("time", "s", measured.time)
         .add("upper_work_roll", "g", measured.upper_work_roll / dynamics::standard_gravity)
         .add("lower_work_roll", "g", measured.lower_work_roll / dynamics::standard_gravity);
-    run.out.write(file + "-measured.csv", csv_text(record));
+    run.out.write_table(file + "-measured", std::move(record));
   }
   const Eigen::VectorXd *rolls[] = {&upper, &lower};
   const int columns[]            = {dynamics::upper_work_roll, dynamics::lower_work_roll};
@@ -317,7 +317,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
     add("rms_g", names[r], in_g(fine.rms), in_g(half.rms), measured_rms[r]);
   }
 
-  run.out.write(file + ".csv", csv_text(dynamics::response_table(response)));
+  run.out.write_table(file, dynamics::response_table(response));
   const auto spectrum_f = dynamics::amplitude_spectral_density(response.force, settings.output_rate);
   const auto spectrum_u = dynamics::amplitude_spectral_density(upper, settings.output_rate);
   const auto spectrum_l = dynamics::amplitude_spectral_density(lower, settings.output_rate);
@@ -326,7 +326,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
       .add("force", "N/sqrt(Hz)", spectrum_f.density)
       .add("upper_work_roll", "g/sqrt(Hz)", spectrum_u.density / dynamics::standard_gravity)
       .add("lower_work_roll", "g/sqrt(Hz)", spectrum_l.density / dynamics::standard_gravity);
-  run.out.write(file + "-spectrum.csv", csv_text(spectrum));
+  run.out.write_table(file + "-spectrum", std::move(spectrum));
   run.progress.note(fmt::format("{}: spectra of {} segments of {} samples, {} window", pass.name,
                                 spectrum_f.n_segments, spectrum_f.segment_length, spectrum_f.window));
   if (pass.synthetic || pass.force_file.empty())

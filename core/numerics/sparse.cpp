@@ -13,6 +13,7 @@
 #include <mutex>
 #include <numeric>
 #include <omp.h>
+#include <optional>
 
 extern "C" {
 void dpotri_(const char *uplo, const int *n, double *a, const int *lda, int *info);
@@ -78,6 +79,84 @@ private:
   double bytes;
 };
 
+// What METIS orders: the neighbours of each vertex, one list behind the other.
+struct NodeGraph {
+  std::vector<idx_t> start{0}, adjacent;
+  idx_t size() const
+  {
+    return idx_t(start.size()) - 1;
+  }
+  bool operator==(const NodeGraph &other) const
+  {
+    return start == other.start && adjacent == other.adjacent;
+  }
+};
+
+// Orders of the small graphs asked for last.  All harmonics of a ring have one graph, and METIS, which works for
+// one thread at a time, takes longer for it than the factorisation.  The same graph has the same order, so nobody
+// can tell.
+class KnownOrders {
+public:
+  std::optional<std::vector<idx_t>> find(const NodeGraph &graph)
+  {
+    const std::lock_guard lock(access);
+    const auto found =
+        std::find_if(known.begin(), known.end(), [&](const Known &one) { return one.graph == graph; });
+    if (found == known.end())
+      return std::nullopt;
+    std::rotate(known.begin(), found, found + 1);
+    return known.front().order;
+  }
+  void add(const NodeGraph &graph, const std::vector<idx_t> &order)
+  {
+    if (graph.size() > largest)
+      return;
+    const std::lock_guard lock(access);
+    known.insert(known.begin(), {graph, order});
+    if (known.size() > most)
+      known.pop_back();
+  }
+
+private:
+  static constexpr idx_t largest    = 20000;  // vertices, some 3 MB
+  static constexpr std::size_t most = 16;
+  struct Known {
+    NodeGraph graph;
+    std::vector<idx_t> order;
+  };
+  std::mutex access;
+  std::vector<Known> known;
+};
+
+// By METIS: which vertex comes first, second, ...
+std::vector<idx_t> nested_dissection(NodeGraph &graph, const long n_unknowns)
+{
+  static KnownOrders known;
+  idx_t n = graph.size();
+  if (n == 0)
+    return {};
+  if (auto order = known.find(graph))
+    return *order;
+  std::vector<idx_t> order(n), inverse(n);
+  idx_t options[METIS_NOPTIONS];
+  METIS_SetDefaultOptions(options);
+  options[METIS_OPTION_SEED] = 1;  // results must not depend on the clock
+  int status                 = METIS_OK;
+  {
+    // METIS draws from the C library's rand(), which all threads share: two orderings at once would depend on
+    // chance.
+    const std::lock_guard alone(random_numbers_of_c());
+    status = METIS_NodeND(&n, graph.start.data(), graph.adjacent.data(), nullptr, options, order.data(),
+                          inverse.data());
+  }
+  if (status == METIS_ERROR_MEMORY)
+    throw no_memory("ordering a matrix of " + std::to_string(n_unknowns) + " unknowns", 0);
+  if (status != METIS_OK)
+    throw std::logic_error("METIS refuses the graph of a stiffness matrix");
+  known.add(graph, order);
+  return order;
+}
+
 // Node graph of the unknowns that are not retained, and METIS' order of it.
 std::vector<int> nested_dissection(const SymmetricSparse &K, const std::vector<int> &node_of,
                                    const std::vector<char> &is_retained)
@@ -101,32 +180,16 @@ std::vector<int> nested_dissection(const SymmetricSparse &K, const std::vector<i
       neighbours[b].push_back(a);
     }
   }
-  idx_t n = idx_t(node_of_vertex.size());
-  std::vector<idx_t> start{0}, adjacent;
+  NodeGraph graph;
   for (auto &list : neighbours) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
-    adjacent.insert(adjacent.end(), list.begin(), list.end());
-    start.push_back(idx_t(adjacent.size()));
+    graph.adjacent.insert(graph.adjacent.end(), list.begin(), list.end());
+    graph.start.push_back(idx_t(graph.adjacent.size()));
   }
-  std::vector<idx_t> order(n), inverse(n);
-  idx_t options[METIS_NOPTIONS];
-  METIS_SetDefaultOptions(options);
-  options[METIS_OPTION_SEED] = 1;  // results must not depend on the clock
-  int status                 = METIS_OK;
-  if (n > 0) {
-    // METIS draws from the C library's rand(), which all threads share: two orderings at once would depend on
-    // chance.
-    const std::lock_guard alone(random_numbers_of_c());
-    status = METIS_NodeND(&n, start.data(), adjacent.data(), nullptr, options, order.data(), inverse.data());
-  }
-  if (status == METIS_ERROR_MEMORY)
-    throw no_memory("ordering a matrix of " + std::to_string(K.rows()) + " unknowns", 0);
-  if (status != METIS_OK)
-    throw std::logic_error("METIS refuses the graph of a stiffness matrix");
-  std::vector<int> nodes(n);
-  for (idx_t i = 0; i < n; ++i)
-    nodes[i] = node_of_vertex[order[i]];
+  std::vector<int> nodes;
+  for (const idx_t vertex_in_turn : nested_dissection(graph, long(K.rows())))
+    nodes.push_back(node_of_vertex[std::size_t(vertex_in_turn)]);
   return nodes;
 }
 }  // namespace

@@ -12,6 +12,8 @@
 
 namespace mill {
 namespace {
+constexpr double largest_in_cell = 1e15;  // nothing a mill records reaches this in any unit
+
 // A cell with its place; the column counts characters.  Its text stays where it is in the file: a record of 100 s
 // has millions of cells.
 struct Cell {
@@ -221,9 +223,8 @@ double number_of(const Cell &cell, const std::string &name, Sheet &sheet)
       text                = with_point;
       sheet.decimal_comma = true;
     }
-  double number            = 0;
-  constexpr double largest = 1e15;  // nothing a mill records reaches this in any unit
-  if (!parse_number(text, number) || std::abs(number) > largest)
+  double number = 0;
+  if (!parse_number(text, number) || std::abs(number) > largest_in_cell)
     throw InputError(sheet.place(cell),
                      fmt::format("'{}' in column '{}' is not a finite number", cell.text, name));
   return number;
@@ -354,6 +355,7 @@ std::string csv_text(const Table &table)
     text += (c ? "," : "") + header_text(table.names[c], table.units[c]);
   text += '\n';
   const Eigen::Index n_rows = table.columns.empty() ? 0 : table.columns.front().size();
+  text.reserve(text.size() + std::size_t(n_rows) * (1 + 22 * table.columns.size()));  // of most numbers
   for (Eigen::Index r = 0; r < n_rows; ++r) {
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
       if (c)
@@ -363,6 +365,23 @@ std::string csv_text(const Table &table)
     text += '\n';
   }
   return text;
+}
+
+bool reads_back(const Table &table)
+{
+  const auto plain = [](const std::string &text) {
+    return text == without_blanks(text) && text.find_first_of("\n\r\"[]") == std::string::npos;
+  };
+  if (table.columns.empty() || table.columns.front().size() == 0)
+    return false;  // a file without rows has its own rules
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (table.names[c].empty() || !plain(table.names[c]) || !plain(table.units[c]))
+      return false;
+    for (const double value : table.columns[c])
+      if (std::abs(value) > largest_in_cell)  // not true of NaN, which is read as such
+        return false;
+  }
+  return true;
 }
 
 Table read_table(const std::string &path)

@@ -16,6 +16,9 @@ struct Table {
 
 /// Text of a table: commas, 17 digits at most, '\n', header "name [unit]" in quotes where RFC 4180 wants them.
 std::string csv_text(const Table &table);
+/// Does read_table() give back every bit of what csv_text() makes of this table?  Not where a number is infinite
+/// or beyond what a cell may hold, or a name has to be written in another way.
+bool reads_back(const Table &table);
 /// Reads a file that csv_text wrote.  @throws InputError
 Table read_table(const std::string &path);
 

@@ -5,14 +5,16 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
-const std::string id_head = "# run_id ";
-}
+const std::string id_head            = "# run_id ";
+constexpr const char *summed_parts[] = {"curves", "response", "fields"};
+}  // namespace
 
 std::string run_id_line(const std::string &run_id)
 {
@@ -51,14 +53,24 @@ void require_unmixed(const std::string &path, const std::string &text)
     require_one_run(path, run_id_of_toml(text), manifest, json["run_id"].get<std::string>());
 }
 
-std::map<std::string, std::string> checksums_below(const std::string &directory)
+bool is_summed(const std::string &name)
+{
+  return std::any_of(std::begin(summed_parts), std::end(summed_parts),
+                     [&](const std::string &part) { return name.rfind(part + "/", 0) == 0; });
+}
+
+std::map<std::string, std::string> checksums_below(const std::string &directory,
+                                                   const std::map<std::string, std::string> &known)
 {
   std::map<std::string, std::string> sums;
-  for (const char *part : {"curves", "response", "fields"})
+  for (const char *part : summed_parts)
     if (fs::is_directory(fs::path(directory) / part))
       for (const auto &entry : fs::directory_iterator(fs::path(directory) / part))
-        if (entry.is_regular_file())
-          sums[part + ("/" + entry.path().filename().string())] = hash_of(read_text(entry.path().string()));
+        if (entry.is_regular_file()) {
+          const std::string name = part + ("/" + entry.path().filename().string());
+          const auto found       = known.find(name);
+          sums[name] = found != known.end() ? found->second : hash_of(read_text(entry.path().string()));
+        }
   return sums;
 }
 

@@ -24,8 +24,13 @@ void require_one_run(const std::string &file, const std::string &run_id, const s
 /// @throws InputError  publishing was interrupted there, or run.json beside it is of another run
 void require_unmixed(const std::string &path, const std::string &text);
 
+/// Is a file of this name, as "curves/modes.csv", one of those that checksums_below() lists?
+bool is_summed(const std::string &name);
+
 /// Checksums of the files in curves/, response/ and fields/ below a folder: "curves/modes.csv" -> hash.
-std::map<std::string, std::string> checksums_below(const std::string &directory);
+/// @param known  of files whose text was at hand when they were written; they are not read
+std::map<std::string, std::string> checksums_below(const std::string &directory,
+                                                   const std::map<std::string, std::string> &known = {});
 
 /// @throws InputError  a file of the list that is there has another checksum; one that is gone is no error
 void require_unchanged(const std::string &directory, const std::map<std::string, std::string> &checksums,

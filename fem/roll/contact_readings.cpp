@@ -19,9 +19,10 @@ Eigen::MatrixXd pressure_map(const ContactPair &pair, const ContactPoint &point)
   return p;
 }
 
-Eigen::Matrix<double, 6, 6> joint_stiffness(const ContactPair &pair, const ContactPoint &point)
+Eigen::Matrix<double, 6, 6> joint_stiffness(const ContactPair &of, const ContactPoint &point)
 {
-  const PatchGrid &g = pair.grid;
+  const ContactPair &pair = complete(of);
+  const PatchGrid &g      = pair.grid;
   if (!g.whole || !pair.axis.isZero(0))
     throw std::logic_error("a joint stiffness needs the whole contact between axes that stay straight");
   // Closing of the gap by a motion of the second roll along y (towards the first), along z (by the slope of the

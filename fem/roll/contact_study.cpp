@@ -336,18 +336,25 @@ Eigen::VectorXd along_the_load(const ContactPair &pair, const ContactPoint &poin
 }
 }  // namespace
 
+const ContactPair &complete(const ContactPair &pair)
+{
+  return pair.completed ? pair.completed() : pair;
+}
+
 ContactPoint solve_load(const ContactPair &pair, const double load, const std::vector<char> &start)
 {
   const auto solve = [&] {
-    contact::ActiveSet solver(pair.problem);
-    return solve_with(pair, solver, load, start);
+    const ContactPair &whole = complete(pair);
+    contact::ActiveSet solver(whole.problem);
+    return solve_with(whole, solver, load, start);
   };
   return pair.solved && start.empty() ? pair.solved->point(load, solve) : solve();
 }
 
-ContactCurve sweep(const ContactPair &pair, const Eigen::VectorXd &loads, const Progress &progress)
+ContactCurve sweep(const ContactPair &of, const Eigen::VectorXd &loads, const Progress &progress)
 {
-  const Eigen::Index n = loads.size();
+  const ContactPair &pair = complete(of);
+  const Eigen::Index n    = loads.size();
   ContactCurve curve;
   curve.name      = pair.name;
   curve.reference = pair.reference;

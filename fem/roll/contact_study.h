@@ -37,7 +37,12 @@ struct ContactPair {
   double load_offset = std::numeric_limits<double>::quiet_NaN();  ///< m
   /// What is known of this pair, shared by its copies; null: nothing is remembered.
   std::shared_ptr<SolvedLoads> solved;
+  /// Of a pair whose `problem` was not kept for the next run: the same with it, made when something is not known.
+  std::function<const ContactPair &()> completed;
 };
+
+/// The pair with its `problem`.
+const ContactPair &complete(const ContactPair &pair);
 
 /// Distance of the two undeformed surfaces at (x, z), from the analytic profiles and never from facets: radii and
 /// the drops of the two profiles (m on the radius, positive: smaller roll), shifted so that the smallest is zero.

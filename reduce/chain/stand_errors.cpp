@@ -45,10 +45,16 @@ FrequencyErrors frequency_errors(const StandWithModes &modes, const FourHigh &st
 {
   const Eigen::Index m = modes.modes.frequency.size();
   FrequencyErrors sum{Eigen::VectorXd::Zero(m), std::vector<Keys>(std::size_t(m))};
-  const auto quotient = [&](const StandModel &model, const Eigen::Index i) {
-    const auto v = modes.modes.shape.col(i);
-    return v.dot(stiffness_of(model) * v) / v.dot(model.M * v);
+  const auto quotients = [&](const StandModel &model) {
+    const Eigen::MatrixXd K = stiffness_of(model);
+    Eigen::VectorXd all(m);
+    for (Eigen::Index i = 0; i < m; ++i) {
+      const auto v = modes.modes.shape.col(i);
+      all[i]       = v.dot(K * v) / v.dot(model.M * v);
+    }
+    return all;
   };
+  const Eigen::VectorXd unmoved = quotients(modes.model);
   std::vector<Uncertain> inputs = springs_of_chain(chain);
   for (const FrameValue &part : frame_values(stand.frame))
     inputs.push_back({part.error, {part.tolerance_key}, [member = part.member](FourHigh &s, StandSprings &) {
@@ -61,8 +67,9 @@ FrequencyErrors frequency_errors(const StandWithModes &modes, const FourHigh &st
     const StandModel moved = build(other, its_springs);
     if (moved.M.rows() != modes.model.M.rows())
       continue;
+    const Eigen::VectorXd quotient = quotients(moved);
     for (Eigen::Index i = 0; i < m; ++i) {
-      const double slope = 0.5 * std::log(quotient(moved, i) / quotient(modes.model, i)) / step;
+      const double slope = 0.5 * std::log(quotient[i] / unmoved[i]) / step;
       if (!(std::abs(slope) > no_slope))
         continue;
       sum.error[i] += std::abs(slope) * input.error;

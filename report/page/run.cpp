@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace mill::report {
 namespace {
@@ -191,7 +192,16 @@ Checksums read_manifest(const std::string &path, Run &run)
   return {};
 }
 
-void read_tables(const std::string &folder, const Checksums &of_this_run, Run &run)
+using Tables = std::map<std::string, Table>;
+
+// A table that its run still has, or else that of the file.
+Table table_of(const std::string &name, const std::string &path, Tables &at_hand)
+{
+  const auto found = at_hand.find(name);
+  return found != at_hand.end() && reads_back(found->second) ? std::move(found->second) : read_table(path);
+}
+
+void read_tables(const std::string &folder, const Checksums &of_this_run, Tables &at_hand, Run &run)
 {
   namespace fs         = std::filesystem;
   const fs::path where = fs::path(run.directory) / folder;
@@ -206,7 +216,7 @@ void read_tables(const std::string &folder, const Checksums &of_this_run, Run &r
       continue;
     }
     try {
-      run.tables[name] = read_table(file.path().string());
+      run.tables[name] = table_of(name, file.path().string(), at_hand);
     } catch (const InputError &error) {
       run.remarks.push_back(name + ".csv cannot be read and is left out: " + error.what());
     }
@@ -266,7 +276,9 @@ BearingInfo Run::bearing(const std::string &name) const
   return found == manifest.bearings.end() ? BearingInfo{} : found->second;
 }
 
-Run read_run(const std::string &directory)
+namespace {
+// @param at_hand  tables of the run that has just written the folder; null: somebody else reads it
+Run read_folder(const std::string &directory, Tables *at_hand)
 {
   namespace fs = std::filesystem;
   Run run;
@@ -280,12 +292,25 @@ Run read_run(const std::string &directory)
   const std::string run_id  = read_results(results, run);
   const Checksums checksums = read_manifest(manifest, run);
   require_one_run(results, run_id, manifest, run.manifest.run_id);
-  require_unchanged(directory, checksums, run.manifest.run_id);
-  read_tables("curves", checksums, run);
-  read_tables("response", checksums, run);
+  Tables none;
+  if (!at_hand)
+    require_unchanged(directory, checksums, run.manifest.run_id);
+  for (const char *folder_of_tables : {"curves", "response"})
+    read_tables(folder_of_tables, checksums, at_hand ? *at_hand : none, run);
   leave_out_unknown_curves(run);
   fill_loads(run);
   std::sort(run.remarks.begin(), run.remarks.end());  // the order of a directory is not defined
   return run;
+}
+}  // namespace
+
+Run read_run(const std::string &directory)
+{
+  return read_folder(directory, nullptr);
+}
+
+Run read_own_run(const std::string &directory, Tables at_hand)
+{
+  return read_folder(directory, &at_hand);
 }
 }  // namespace mill::report

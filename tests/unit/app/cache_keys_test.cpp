@@ -261,7 +261,8 @@ TEST(CacheKeys, EveryRowOfAFourHighEntersOrIsKnownNotTo)
 {
   const BaseCase base  = drawn_stand();
   const auto roll_mesh = not_seen_by_a_roll_mesh();
-  // Solved contacts are kept with the whole rolls, solved bearings with the whole bearing, under their loads.
+  // Solved contacts are kept with the whole rolls, solved bearings with the whole bearing, under their loads; so are the
+  // fields of a contact and the readings of a bearing, under the same texts.
   const auto contacts = head + records + pass_of_strip + after_the_springs + frame + of("steel", no_inertia) +
                         of("work_roll", seat) + of("backup_roll", seat) +
                         of("strip", "youngs_modulus poisson_ratio") +

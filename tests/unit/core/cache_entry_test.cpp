@@ -1,5 +1,5 @@
-#include "core/records/cache_entry.h"
 #include "core/case/errors.h"
+#include "core/records/cache_entry.h"
 #include "core/records/files.h"
 #include "tests/support/obstacles.h"
 #include <atomic>
@@ -113,6 +113,42 @@ TEST_F(CacheEntry, NoTruncationAndNoFlippedBitIsTrusted)
   }
   overwrite(whole + "x");
   EXPECT_FALSE(read_cache_entry(path, kind, key)) << "something behind it";
+}
+
+// The checksum goes by words in several sums: no bit, no pair of high bits and no exchange of words is lost in
+// them.
+TEST_F(CacheEntry, NoChangeOfALongEntryIsTrusted)
+{
+  std::string long_bytes(331, '\0');
+  std::mt19937 random(5);
+  for (char &byte : long_bytes)
+    byte = char(random());
+  write_cache_entry(path, kind, key, long_bytes);
+  const std::string whole = read_text(path);
+  ASSERT_EQ(read_cache_entry(path, kind, key), long_bytes);
+  const std::size_t head    = whole.size() - long_bytes.size();
+  const auto expect_refused = [&](const std::string &broken, const std::string &what) {
+    overwrite(broken);
+    EXPECT_FALSE(read_cache_entry(path, kind, key)) << what;
+  };
+  for (std::size_t bit = 8 * head; bit < 8 * whole.size(); ++bit) {
+    std::string broken = whole;
+    broken[bit / 8] ^= char(1 << bit % 8);
+    expect_refused(broken, "bit " + std::to_string(bit));
+  }
+  for (std::size_t word = 0; word + 5 <= long_bytes.size() / 8; ++word) {
+    std::string flipped = whole, exchanged = whole;
+    const std::size_t at = head + 8 * word, next = at + 32;
+    flipped[at + 7] ^= char(0x80);
+    flipped[next + 7] ^= char(0x80);
+    expect_refused(flipped, "highest bits from word " + std::to_string(word));
+    for (const std::size_t other : {at + 8, next})
+      if (whole.substr(at, 8) != whole.substr(other, 8)) {
+        exchanged = whole;
+        exchanged.replace(at, 8, whole.substr(other, 8)).replace(other, 8, whole.substr(at, 8));
+        expect_refused(exchanged, "exchange of word " + std::to_string(word));
+      }
+  }
 }
 
 // A pipe would be waited for and a device read for ever: CTest's time limit is part of this test.

@@ -1,6 +1,6 @@
 // Recorded forces as they come from real recorders, and each way in which they are wrong.
-#include "core/records/csv.h"
 #include "core/case/errors.h"
+#include "core/records/csv.h"
 #include "core/records/files.h"
 #include "tests/support/near.h"
 #include <filesystem>
@@ -187,6 +187,27 @@ TEST_F(Csv, ATableComesBackWithAllDigits)
   EXPECT_TRUE(std::isnan(back.columns[1][7]));
   EXPECT_EQ(back.column("load")->size(), 500);
   EXPECT_EQ(back.column("none"), nullptr);
+}
+
+// Whoever still has a table need not read its file where both are the same to the bit.
+TEST_F(Csv, ATableThatItsFileDoesNotGiveBackIsKnown)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const auto of = [](const std::string &name, const std::string &unit, const double value) {
+    return Table().add(name, unit, Eigen::VectorXd::Constant(2, value));
+  };
+  for (const Table &same : {of("load", "N", 1e15), of("a, b", "N or N m per m", -1e-300), of("#x", "", nan)}) {
+    EXPECT_TRUE(reads_back(same)) << same.names[0];
+    write_atomically(path, csv_text(same));
+    const Table back = read_table(path);
+    EXPECT_EQ(back.names, same.names);
+    EXPECT_EQ(back.units, same.units);
+    EXPECT_TRUE(back.columns[0] == same.columns[0] || std::isnan(same.columns[0][0])) << same.names[0];
+  }
+  for (const Table &other :
+       {of("load", "N", inf), of("load", "N", 1.1e15), of("load [N]", "", 1), of(" load", "N", 1),
+        of("a\nb", "", 1), of("a\"b", "", 1), of("", "", 1), Table(), Table().add("load", "N", Eigen::VectorXd())})
+    EXPECT_FALSE(reads_back(other)) << (other.names.empty() ? "no column" : other.names[0]);
 }
 
 TEST_F(Csv, AMutilatedFileIsReadOrRefusedAndNothingElse)

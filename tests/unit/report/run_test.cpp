@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 using namespace mill;
@@ -51,6 +52,23 @@ TEST(Run, ReadsWhatARunLeaves)
   EXPECT_TRUE(near(run.manifest.passes.at(1).load, 1e3 * run.table("response/pass-2")->column("force")->mean(),
                    within(1e-14, "a pass without a working load works at the mean of its record")));
   EXPECT_TRUE(run.remarks.empty());
+}
+
+// The run that has just written a folder still has its tables.
+TEST(Run, ItsOwnTablesAreNotReadAgain)
+{
+  const std::string directory                    = write_sample_run();
+  const auto read                                = read_run(directory);
+  auto at_hand                                   = read.tables;
+  at_hand.at("response/pass-1").columns.at(0)[0] = 77;
+  at_hand.at("response/pass-2").columns.at(0)[0] = std::numeric_limits<double>::infinity();
+  at_hand["curves/never-written"]                = at_hand.at("response/pass-1");
+  const auto own                                 = read_own_run(directory, at_hand);
+  EXPECT_EQ(own.table("response/pass-1")->columns.at(0)[0], 77) << "taken as it is";
+  EXPECT_EQ(own.table("response/pass-2")->columns.at(0)[0], read.table("response/pass-2")->columns.at(0)[0])
+      << "a file says this in another way: read";
+  EXPECT_EQ(own.tables.size(), read.tables.size()) << "what is no file is not of the run";
+  EXPECT_EQ(own.remarks, read.remarks);
 }
 
 TEST(Run, NoResultsIsAnInputErrorWithTheRemedy)
