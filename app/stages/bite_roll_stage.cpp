@@ -8,6 +8,7 @@
 #include "fem/body/elastic_body.h"
 #include "meshes/common/gmsh_scope.h"
 #include "meshes/roll/bite_roll.h"
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -59,7 +60,7 @@ meshes::BiteRollSize section_size(const BiteQuestion &q)
   size.arc    = std::sqrt(size.radius * (strip.entry_thickness - strip.exit_thickness));
   // Elastic zones and the flattening make the contact of a light pass much longer than its rigid arc.
   if (q.setup.strip == "elastic-plastic")
-    size.reach = 4.8;
+    size.reach = std::clamp(0.6 * size.radius / size.arc, 1.2, 4.8);  // within 40 degrees of the roll
   return size;
 }
 }  // namespace

@@ -23,7 +23,8 @@ BiteAnswer ask(const BiteStudy &study, const std::string &key, const bite::SlabM
     answer.state     = bite::solve_slab(bite, model, shaped ? &study.flexibility : nullptr);
     answer.stiffness = bite::slab_stiffness(bite, answer.state);
   } catch (const InputError &e) {
-    answer.refused = e.problems.front().message;
+    answer.refused    = e.problems.front().message;
+    answer.impossible = true;
   } catch (const SolverError &e) {
     answer.refused = e.what();
   }
@@ -69,9 +70,14 @@ void add_section(RunContext &run, BiteStudy &study)
 {
   if (study.flexibility.position.size() > 0)
     return;
-  auto roll               = roll_flexibility(run, study.question);
-  study.flexibility       = std::move(roll.flexibility);
-  study.flexibility_error = mesh_pair_safety * roll.error_estimate;
+  try {
+    auto roll               = roll_flexibility(run, study.question);
+    study.flexibility       = std::move(roll.flexibility);
+    study.flexibility_error = mesh_pair_safety * roll.error_estimate;
+  } catch (const InputError &e) {  // an arc too long for a section: the models take a half plane instead
+    run.assume("bite of " + study.question.pass +
+               ": the roll's surface is that of a half plane: " + e.problems.front().message);
+  }
 }
 
 // The finite elements of one setting; what they say is kept where they find no answer.
@@ -87,7 +93,7 @@ std::optional<FlowAnswer> try_flow(RunContext &run, BiteStudy &study, const Bite
   if (shaped)
     add_section(run, study);
   try {
-    return solve_flow(run, q, shaped ? &study.flexibility : nullptr);
+    return solve_flow(run, q, shaped && study.flexibility.position.size() > 0 ? &study.flexibility : nullptr);
   } catch (const SolverError &e) {
     study.failures.push_back(setup.strip + " strip: " + e.report.what);
   } catch (const InputError &e) {
@@ -126,12 +132,24 @@ void add_finite_elements(RunContext &run, BiteStudy &study)
 }
 
 // From the fullest theory to the simplest, where finite elements have no answer.
-constexpr const char *fallbacks[] = {"karman-elastic-arc", "karman", "bland-ford",
-                                     "hu-ehmann",          "orowan", "karman-rigid"};
+constexpr const char *fallbacks[] = {"karman-elastic-arc", "karman", "bland-ford", "hu-ehmann", "orowan"};
+
+// Where every slab theory says that no roll can take the strip finite elements are not asked.
+void refuse_impossible(const BiteStudy &study)
+{
+  const auto impossible = [](const BiteAnswer &answer) { return answer.impossible; };
+  if (std::all_of(study.answers.begin(), study.answers.end(), impossible))
+    throw InputError("bite of " + study.question.pass + ": " + study.slab().refused);
+}
 
 // No theory has an answer: what the first one says, and how the finite elements ended.
 [[noreturn]] void refuse_pass(const BiteStudy &study)
 {
+  if (std::isnan(study.regime.flattening))
+    throw InputError(
+        "bite of " + study.question.pass +
+        ": no arc of these rolls carries its own force: they flatten by more than the reduction closes (" +
+        study.regime.reason + "); a smaller work roll, less reduction, less friction or more tension is needed");
   std::string tried;
   for (const std::string &failure : study.failures)
     tried += (tried.empty() ? "" : "; ") + failure;
@@ -217,6 +235,7 @@ BiteStudy study_bite(RunContext &run, const BiteQuestion &question)
       if (key != chosen)
         study.answers.push_back(ask(study, key, other));
   }
+  refuse_impossible(study);
   if (setup.method == "fe")
     add_finite_elements(run, study);
   study.chosen();  // or no theory has an answer

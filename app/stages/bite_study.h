@@ -22,8 +22,9 @@ struct BiteQuestion {
 
 /// One model's answer, or why it has none.
 struct BiteAnswer {
-  std::string key;      ///< "fe", "karman", "karman-elastic-arc": names results and files
-  std::string refused;  ///< empty, or what the model says
+  std::string key;          ///< "fe", "karman", "karman-elastic-arc": names results and files
+  std::string refused;      ///< empty, or what the model says
+  bool impossible = false;  ///< refused because no roll can take the strip, and not for want of convergence
   bite::BiteState state;
   bite::BiteStiffness stiffness;
 };

@@ -17,8 +17,17 @@ namespace {
 constexpr const char *flow_version = "strip flow 5";
 constexpr const char *flow_kind = "millstand bite 1", *point_kind = "millstand bite point 1";
 
-// Unknowns times factorisations: four times what the default mesh takes, some 10 s on one core.
-constexpr double rigid_work = 1e6, elastic_work = 1.5e6;
+// Unknowns times factorisations of both meshes of a pass: twice what the default mesh takes, some 8 and 14 s on
+// one core.
+constexpr double rigid_work = 6e5, elastic_work = 1.3e6;
+
+// A finer mesh than the default one may take more.
+double allowed(const double work, const BiteSetup &setup)
+{
+  const BiteSetup usual;
+  return work * std::max(1., double(setup.elements_along) * setup.elements_through /
+                                 (usual.elements_along * usual.elements_through));
+}
 
 std::string key_of(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
 {
@@ -60,8 +69,7 @@ StripLines lines_of(const FlowQuestion &q, const int along, const int through)
 fem::StripFlowModel rigid_model(const FlowQuestion &q)
 {
   fem::StripFlowModel model;
-  model.arc        = slab_model(q.setup).arc;
-  model.work_limit = rigid_work;
+  model.arc = slab_model(q.setup).arc;
   // A rigid-plastic strip ends with a step of pressure, under which a free arc has no limit (theory.md 17).
   if (model.arc == bite::Arc::elastic)
     model.arc = bite::Arc::hitchcock;
@@ -69,27 +77,30 @@ fem::StripFlowModel rigid_model(const FlowQuestion &q)
 }
 
 // Rigid-plastic strip on a mesh of so many elements.
-fem::StripFlow rigid_flow(const FlowQuestion &q, const int along, const int through, const fem::StripFlow *start)
+fem::StripFlow rigid_flow(const FlowQuestion &q, const int along, const int through, const fem::StripFlow *start,
+                          const double work)
 {
-  return fem::solve_strip_flow(lines_of(q, along, through), q.bite, rigid_model(q), nullptr, start);
+  fem::StripFlowModel model = rigid_model(q);
+  model.work_limit          = work;
+  return fem::solve_strip_flow(lines_of(q, along, through), q.bite, model, nullptr, start);
 }
 
 fem::StripElastic elastic_flow(const FlowQuestion &q, const int along, const int through,
-                               const bite::ArcFlexibility *flexibility, const fem::StripElastic *start)
+                               const bite::ArcFlexibility *flexibility, const double work)
 {
   fem::StripElasticModel model;
-  model.arc              = flexibility ? bite::Arc::elastic : bite::Arc::rigid;
+  model.arc              = q.setup.arc == "rigid" ? bite::Arc::rigid : bite::Arc::elastic;
   model.elements_along   = along;
   model.elements_through = through;
-  model.work_limit       = elastic_work;
+  model.work_limit       = work;
   try {
-    return fem::solve_elastic_strip(q.bite, model, flexibility, start);
+    return fem::solve_elastic_strip(q.bite, model, flexibility);
   } catch (const InputError &) {
     if (!flexibility)
       throw;
     // The contact is longer than the section of the roll was made for.  On a half plane, which has no end, only
     // what is wrong with the pass itself is thrown again.
-    return fem::solve_elastic_strip(q.bite, model, nullptr, start);
+    return fem::solve_elastic_strip(q.bite, model);
   }
 }
 
@@ -107,9 +118,10 @@ FlowAnswer rigid_answer(RunContext &run, const FlowQuestion &q)
 {
   FlowAnswer answer;
   const int along   = multiple_of_four(q.setup.elements_along);
-  const auto coarse = rigid_flow(q, multiple_of_four(along / 2), half(q.setup.elements_through), nullptr);
+  const double work = allowed(rigid_work, q.setup);
+  const auto coarse = rigid_flow(q, multiple_of_four(along / 2), half(q.setup.elements_through), nullptr, work);
   run.progress.at(timer_name(q), 0.3);
-  answer.fine          = rigid_flow(q, along, q.setup.elements_through, &coarse);
+  answer.fine          = rigid_flow(q, along, q.setup.elements_through, &coarse, work - coarse.work);
   answer.coarse_force  = coarse.state.force;
   answer.coarse_torque = coarse.state.torque;
   answer.coarse_slope  = slope_of(coarse);
@@ -123,10 +135,11 @@ FlowAnswer elastic_answer(RunContext &run, const FlowQuestion &q, const bite::Ar
   // Ten times dearer than the rigid-plastic strip, and made for thin strip: half the elements, a third of the
   // rows.
   const int along   = std::max(16, half(q.setup.elements_along)),
-            through = std::max(2, q.setup.elements_through / 3);
-  const auto coarse = elastic_flow(q, half(along), half(through), flexibility, nullptr);
+            through = std::max(3, q.setup.elements_through / 3);
+  const double work = allowed(elastic_work, q.setup);
+  const auto coarse = elastic_flow(q, std::max(10, half(along)), half(through), flexibility, work);
   run.progress.at(timer_name(q), 0.3);
-  const auto fine           = elastic_flow(q, along, through, flexibility, nullptr);
+  const auto fine           = elastic_flow(q, along, through, flexibility, work - coarse.flow.work);
   answer.fine               = fine.flow;
   answer.coarse_force       = coarse.flow.state.force;
   answer.coarse_torque      = coarse.flow.state.torque;
@@ -212,7 +225,8 @@ void solve_point(PointTask &task)
 {
   try {
     const FlowQuestion &q = *task.question;
-    const auto flow = rigid_flow(q, multiple_of_four(q.setup.elements_along), q.setup.elements_through, nullptr);
+    const auto flow = rigid_flow(q, multiple_of_four(q.setup.elements_along), q.setup.elements_through, nullptr,
+                                 allowed(rigid_work, q.setup));
     task.point      = FlowPoint{flow.state.force, slope_of(flow)};
   } catch (const InputError &e) {
     task.refused = e.problems.front().message;

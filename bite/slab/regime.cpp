@@ -9,8 +9,9 @@
 
 namespace mill::bite {
 namespace {
-// Beyond these the elastic zones and the shape of the arc move the force by more than the finite elements err.
-constexpr double much_elastic = 0.05, much_flattened = 1.3;
+// Beyond these the elastic zones and the shape of the arc move the force by more than the finite elements err; in
+// thick strip the elastic zones are a part of the rigid ends that the plane flow has anyway.
+constexpr double much_elastic = 0.05, much_flattened = 1.3, thin_from = 2.5;
 
 std::optional<BiteState> on_hitchcock(const RollBite &bite)
 {
@@ -56,7 +57,7 @@ Regime regime_of(const RollBite &bite)
   r.arc_over_thickness = 2 * std::sqrt(bite.roll_radius * (s.entry_thickness - s.exit_thickness)) /
                          (s.entry_thickness + s.exit_thickness);
   r.elastic_share = elastic_share(s, radius);
-  const bool thin = r.arc_over_thickness > 1;
+  const bool thin = r.arc_over_thickness > thin_from;
   const bool flat = !state || r.flattening > much_flattened;
   r.elastic_strip = thin && (flat || r.elastic_share > much_elastic);
   r.reason        = sentence(

@@ -63,6 +63,49 @@ std::string refusal(const bite::RollBite &b)
 }
 }  // namespace
 
+// Friction 1.2 to 1.5 times the least that draws the strip in, rolls flattened or not.
+TEST(StripFlow, BitesNextToSkiddingConverge)
+{
+  struct {
+    double radius, entry, exit, k, mu, entry_tension, exit_tension;
+  } const passes[] = {
+      {0.0934, 0.243e-3, 0.2126e-3, 583e6, 0.0238, 111e6, 15e6 },
+      {0.5432, 181.3e-3, 106.6e-3,  130e6, 0.2505, 11e6,  7e6  },
+      {0.0644, 0.465e-3, 0.386e-3,  356e6, 0.0326, 80e6,  60e6 },
+      {0.0770, 0.710e-3, 0.693e-3,  945e6, 0.1085, 2e6,   314e6}, // a rigid roll would skid
+  };
+  for (const auto &p : passes) {
+    bite::RollBite b             = demo();
+    b.roll_radius                = p.radius;
+    b.strip.entry_thickness      = p.entry;
+    b.strip.exit_thickness       = p.exit;
+    b.strip.entry_tension        = p.entry_tension;
+    b.strip.exit_tension         = p.exit_tension;
+    b.strip.flow_stress.k        = p.k;
+    b.strip.friction.coefficient = p.mu;
+    fem::StripFlowModel model;
+    model.arc          = bite::Arc::hitchcock;
+    model.derivatives  = false;
+    const auto flow    = fem::solve_strip_flow(lines_of(b), b, model);
+    const double force = bite::solve_karman(b, bite::Theory::karman, bite::Arc::hitchcock).force;
+    EXPECT_NEAR(flow.state.force / force, 1, 0.08) << p.radius;  // slab against finite elements, 12 x 3 elements
+    EXPECT_LT(std::abs(flow.balance.power), 0.02) << p.radius;
+    EXPECT_LT(flow.work, 2e5) << p.radius;
+  }
+}
+
+TEST(StripFlow, MoreWorkThanAllowedIsRefused)
+{
+  fem::StripFlowModel model;
+  model.work_limit = 1e4;
+  try {
+    fem::solve_strip_flow(lines_of(demo()), demo(), model);
+    FAIL();
+  } catch (const SolverError &e) {
+    EXPECT_EQ(e.report.what, "roll bite by finite elements: no convergence within the work allowed");
+  }
+}
+
 TEST(StripBlock, Lines)
 {
   const StripLines lines = lines_of(demo(), 24);

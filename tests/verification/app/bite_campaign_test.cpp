@@ -1,0 +1,120 @@
+#include "app/stages/bite_study.h"
+#include "core/case/errors.h"
+#include "tests/support/drawn_pass.h"
+#include <atomic>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <mutex>
+#include <thread>
+
+// Passes drawn from hot and cold practice: each ends with a value by a named solver, or says why no roll takes it.
+// MILLSTAND_PASSES=2000 runs the long form and MILLSTAND_PASSES_REPORT=1 prints one line a pass.
+namespace {
+using namespace mill;
+
+int passes_wanted()
+{
+  const char *given = std::getenv("MILLSTAND_PASSES");
+  return given ? std::atoi(given) : 60;
+}
+
+double thread_seconds()
+{
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
+
+struct Ending {
+  enum { value, impossible, failed } what = failed;
+  std::string words;  // the solver, or the reason
+  double force = not_given, slab = not_given, seconds = 0;
+};
+
+BiteQuestion question_of(const int i)
+{
+  BiteQuestion q;
+  q.bite   = drawn_pass(i);
+  q.pass   = "pass " + std::to_string(i);
+  q.curves = false;
+  if (!std::getenv("MILLSTAND_PASSES")) {  // the short form asks which way a pass takes, not for digits
+    q.setup.elements_along   = 16;
+    q.setup.elements_through = 6;
+  }
+  return q;
+}
+
+Ending ending_of(RunContext &run, const int i)
+{
+  Ending e;
+  const double begin = thread_seconds();
+  try {
+    const BiteStudy study = study_bite(run, question_of(i));
+    e.what                = Ending::value;
+    e.words               = study.chosen().state.model;
+    e.force               = study.chosen().state.force;
+    for (const std::string &failure : study.failures)
+      e.words += "; " + failure;
+    for (const char *slab : {"karman-elastic-arc", "karman"})
+      if (const BiteAnswer *answer = study.find(slab); answer && std::isnan(e.slab))
+        e.slab = answer->state.force;
+  } catch (const InputError &error) {
+    e.what  = Ending::impossible;
+    e.words = error.problems.front().message;
+  } catch (const SolverError &error) {
+    e.words = error.report.what;
+  }
+  e.seconds = thread_seconds() - begin;
+  return e;
+}
+}  // namespace
+
+TEST(BiteCampaign, EveryPassEndsWithAValueOrAPhysicalReason)
+{
+  const int n              = passes_wanted();
+  const std::string folder = testing::TempDir() + "bite-campaign-" + std::to_string(::getpid());
+  Case the_case;
+  the_case.name = "campaign";
+  const OutputDir out(folder, the_case, true, "id");
+  std::vector<Ending> endings{std::size_t(n)};
+  std::atomic<int> next{0};
+  std::mutex printing;
+  const auto work = [&] {
+    RunContext run{the_case, out, folder};
+    for (int i = next++; i < n; i = next++) {
+      const Ending e = endings[std::size_t(i)] = ending_of(run, i);
+      if (std::getenv("MILLSTAND_PASSES_REPORT")) {
+        const std::lock_guard<std::mutex> lock(printing);
+        std::printf("%d %s %.4g kN, slab %.4g kN, %.1f s: %s\n", i,
+                    e.what == Ending::value        ? "value"
+                    : e.what == Ending::impossible ? "impossible"
+                                                   : "failed",
+                    e.force / 1e3, e.slab / 1e3, e.seconds, e.words.c_str());
+      }
+    }
+  };
+  std::thread beside(work);
+  work();
+  beside.join();
+  std::filesystem::remove_all(folder);
+
+  int possible = 0, values = 0;
+  for (int i = 0; i < n; ++i) {
+    const Ending &e = endings[std::size_t(i)];
+    EXPECT_FALSE(e.words.empty()) << i;
+    EXPECT_LT(e.seconds, 20) << i << ": " << e.words;
+    if (e.what == Ending::impossible)
+      continue;
+    ++possible;
+    if (e.what == Ending::value) {
+      ++values;
+      EXPECT_TRUE(e.force > 0 && std::isfinite(e.force)) << i;
+    } else {
+      ADD_FAILURE() << i << ": " << e.words;
+    }
+  }
+  EXPECT_GE(values, 0.995 * possible);
+  EXPECT_GT(possible, n / 2) << "too few passes that rolls can take: the draw says little";
+}
