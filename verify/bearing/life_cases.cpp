@@ -69,9 +69,10 @@ std::vector<Check> designation_rollers()
     if (all.empty())
       continue;
     const RollerCandidate &one = all.front();
-    checks.push_back(within("its rollers take of the wall between bore and outside diameter",
-                            one.roller_diameter / ((c.outside_diameter - c.bore) / 2), 0.3, 0.7));
-    checks.push_back(within("its rollers take of the width of a row",
+    checks.push_back(
+        within("roller diameter over the wall between bore and outside diameter, " + entry.designation,
+               one.roller_diameter / ((c.outside_diameter - c.bore) / 2), 0.3, 0.7));
+    checks.push_back(within("roller length over the width of a row, " + entry.designation,
                             one.roller_length * std::cos(one.cup_angle) / (c.width / c.rows), 0.5, 1));
   }
   return checks;
