@@ -242,6 +242,22 @@ void add_estimates(RatingResults &out, const RollerBearing &b)
   one("roller_diameter", "m", b.roller_diameter, &RollerCandidate::roller_diameter);
   one("roller_length", "m", b.roller_length, &RollerCandidate::roller_length);
   one("cup_angle", "rad", b.cup_angle, &RollerCandidate::cup_angle);
+  double low = 1, high = 1;
+  for (const RollerCandidate &c : b.candidates) {
+    low  = std::min(low, c.stiffness);
+    high = std::max(high, c.stiffness);
+  }
+  Parameter &p =
+      out.add("stiffness_spread", "1", stiffness_spread(b.candidates),
+              fmt::format("largest distance of the radial stiffness with {} other sets of rollers, (5.30); "
+                          "part of the errors of the stiffnesses",
+                          b.candidates.size() - 1),
+              {
+                  {"softest set over the one taken",  low,  ""},
+                  {"stiffest set over the one taken", high, ""}
+  });
+  p.source = Source::estimated;
+  p.at.clear();
 }
 }  // namespace
 
