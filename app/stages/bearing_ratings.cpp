@@ -30,6 +30,11 @@ struct RatedBearing {
   {
   }
 
+  // A moment alone loads the rollers, and leaves no force but rounding.
+  bool has_equivalent_load() const
+  {
+    return loads.dynamic > 1e-9 * study.at.roller_load.sum();
+  }
   bearing::ReferenceLife life(const bearing::AssemblyState &at, const bool edge = true) const
   {
     return bearing::reference_life(bearing, at, C, edge);
@@ -94,15 +99,15 @@ void add_basic_ratings(RatingResults &out, const RatedBearing &r)
     if (by_maker)
       p.source = b.catalogue_source.empty() ? Source::given : Source::published;
     if (std::isnan(p.error_estimate))
-      p.error_lacks = drawing_keys(b);
+      p.error_lacks = by_maker ? keys_in("bearing." + b.name, "dynamic_rating") : drawing_keys(b);
     return &p;
   };
   const auto life = r.life(r.study.at);
-  one("C", r.C, b.dynamic_rating, r.by_formula.dynamic, "ISO 281",
-      {
-          {"load for 1e6 revolutions by slices", r.loads.dynamic * std::pow(life.life / 1e6, 0.3),
-           "P (L10r/1e6)^0.3: the solved loads of the rollers in place of the standard's"}
-  });
+  std::vector<Check> by_slices;
+  if (r.has_equivalent_load())
+    by_slices.push_back({"load for 1e6 revolutions by slices", r.loads.dynamic * std::pow(life.life / 1e6, 0.3),
+                         "P (L10r/1e6)^0.3: the solved loads of the rollers in place of the standard's"});
+  one("C", r.C, b.dynamic_rating, r.by_formula.dynamic, "ISO 281", by_slices);
   Parameter *C0 = one("C0", r.C0, b.static_rating, r.by_formula.static_rating, "ISO 76",
                       {
                           {"Hertz pressure 4000 MPa under the heaviest roller", from_hertz,
@@ -135,26 +140,35 @@ void add_loads_and_safety(RatingResults &out, const RatedBearing &r)
           ratio_error(safe, S0));
 }
 
-void add_lives(RatingResults &out, const RatedBearing &r)
+// L10, where radial or axial load give an equivalent one, and L10r; the error of L10r is returned.
+double add_basic_lives(RatingResults &out, const RatedBearing &r)
 {
-  const BearingStudy &s  = r.study;
+  const auto life   = r.life(r.study.at);
+  const auto number = [&](const bearing::AssemblyState &at) { return r.life(at).life; };
+  std::vector<Check> beside{
+      {"ISO/TS 16281, rigid rings", number(r.study.standard), ""},
+      { "without the factor of the ends",          r.life(r.study.at,              false).life, ""}
+  };
+  double error = error_of(r.study, number);
+  if (r.has_equivalent_load()) {
+    const double L10 = bearing::basic_life(r.C, r.loads.dynamic);
+    out.add("L10", "1", L10, "ISO 281, 1e6 (C/P)^(10/3) revolutions, (5.34)",
+            {
+                {"ISO/TS 16281 by slices", life.life, "the solved load of every roller"}
+    },
+            ratio_error(life.life, L10));
+    beside.push_back({"ISO 281", L10, "load of the rollers by a factor"});
+    error = std::max(std::isfinite(error) ? error : 0, ratio_error(L10, life.life));
+  }
+  out.add("L10r", "1", life.life,
+          "ISO/TS 16281 by slices of every roller, revolutions, (5.37); " + model_name(r.bearing), beside, error);
+  return error;
+}
+
+void add_modified_life(RatingResults &out, const RatedBearing &r, const double error_of_life)
+{
   const RollerBearing &b = r.bearing;
-  const auto life        = r.life(s.at);
-  const double L10       = bearing::basic_life(r.C, r.loads.dynamic);
-  const auto number      = [&](const bearing::AssemblyState &at) { return r.life(at).life; };
-  const double own       = error_of(s, number);
-  out.add("L10", "1", L10, "ISO 281, 1e6 (C/P)^(10/3) revolutions, (5.34)",
-          {
-              {"ISO/TS 16281 by slices", life.life, "the solved load of every roller"}
-  },
-          ratio_error(life.life, L10));
-  out.add("L10r", "1", life.life, "ISO/TS 16281 by slices of every roller, revolutions, (5.37); " + model_name(b),
-          {
-              {"ISO/TS 16281, rigid rings",      number(s.standard), ""         },
-              {"without the factor of the ends", r.life(s.at,        false).life, ""},
-              {"ISO 281",                                L10,                                          "load of the rollers by a factor"                  }
-  },
-          own);
+  const auto life        = r.life(r.study.at);
   const bool known_oil = std::isfinite(b.viscosity_ratio), known_dirt = std::isfinite(b.contamination);
   const double kappa  = known_oil ? b.viscosity_ratio : usual_viscosity;
   const double dirt   = known_dirt ? b.contamination : usual_contamination;
@@ -162,29 +176,30 @@ void add_lives(RatingResults &out, const RatedBearing &r)
     return r.a_ISO(k, e, life.equivalent_load) * life.life;
   };
   const double value = modified(kappa, dirt);
-  double spread      = std::isfinite(own) ? own : 0;
-  if (!known_oil)
-    spread +=
+  double error       = std::isfinite(error_of_life) ? error_of_life : 0;
+  if (!known_oil) {
+    error +=
         std::max(ratio_error(modified(kappa / 2, dirt), value), ratio_error(modified(2 * kappa, dirt), value));
-  if (!known_dirt)
-    spread += std::max(ratio_error(modified(kappa, 0.2), value), ratio_error(modified(kappa, 0.4), value));
-  out.add(
-      "L10mr", "1", value,
-      fmt::format("ISO 281, a_ISO L10r revolutions with kappa {:.3g} and e_C {:.3g}, (5.39)", kappa, dirt),
-      {
-          {"ISO 281, a_ISO L10", r.a_ISO(kappa, dirt, r.loads.dynamic) * L10, "load of the rollers by a factor"}
-  },
-      spread);
-  if (!known_oil)
     out.run.assume(
         fmt::format("bearing.{}.viscosity_ratio is not given: 1 assumed in the modified life, known to a "
                     "factor of two",
                     b.name));
-  if (!known_dirt)
+  }
+  if (!known_dirt) {
+    error += std::max(ratio_error(modified(kappa, 0.2), value), ratio_error(modified(kappa, 0.4), value));
     out.run.assume(
-        fmt::format("bearing.{}.contamination is not given: 0.3 assumed in the modified life, 0.2 .. 0.4 of "
-                    "typical contamination (ISO 281)",
+        fmt::format("bearing.{}.contamination is not given: 0.3 assumed in the modified life, 0.2 .. 0.4 "
+                    "of typical contamination (ISO 281)",
                     b.name));
+  }
+  std::vector<Check> beside;
+  if (r.has_equivalent_load())
+    beside.push_back({"ISO 281, a_ISO L10",
+                      r.a_ISO(kappa, dirt, r.loads.dynamic) * bearing::basic_life(r.C, r.loads.dynamic),
+                      "load of the rollers by a factor"});
+  out.add("L10mr", "1", value,
+          fmt::format("ISO 281, a_ISO L10r revolutions with kappa {:.3g} and e_C {:.3g}, (5.39)", kappa, dirt),
+          beside, error);
 }
 
 void add_speeds(RatingResults &out, const RatedBearing &r)
@@ -195,7 +210,9 @@ void add_speeds(RatingResults &out, const RatedBearing &r)
   const RollerBearing &b = r.bearing;
   const auto hours       = [&](const char *name) {
     const Parameter *life = out.run.results.find(out.prefix + name);
-    Parameter timed       = *life;
+    if (!life)
+      return;
+    Parameter timed = *life;
     timed.value /= speed;
     timed.unit = "s";
     timed.method += fmt::format(", at {:.4g} turns of the shaft in a minute", 60 * speed);
@@ -278,12 +295,14 @@ void add_rating_results(RunContext &run, const BearingStudy &s, const std::vecto
   const RatedBearing rated(s);
   add_estimates(out, b);
   add_basic_ratings(out, rated);
-  if (!(rated.loads.dynamic > 0)) {
-    run.assume(fmt::format("bearing.{}: no life and no safety: neither radial nor axial load", b.name));
-    return;
-  }
-  add_loads_and_safety(out, rated);
-  add_lives(out, rated);
+  if (rated.has_equivalent_load())
+    add_loads_and_safety(out, rated);
+  else
+    run.assume(
+        fmt::format("bearing.{}: neither radial nor axial load, so there is no equivalent load, no S0 and no L10; "
+                    "the life by slices counts what every roller carries",
+                    b.name));
+  add_modified_life(out, rated, add_basic_lives(out, rated));
   add_speeds(out, rated);
 }
 }  // namespace mill

@@ -56,6 +56,22 @@ double with_estimates(const BearingStudy &s, const double error)
 {
   return error + stiffness_spread(s.question.bearing.candidates);
 }
+
+// The same of another number: what hangs on the contact angle, and what on the number of rollers.
+double estimate_error(const BearingStudy &s, const std::string &name)
+{
+  const auto &candidates = s.question.bearing.candidates;
+  if (name.rfind("roller_", 0) == 0) {
+    double spread = 0;
+    for (const RollerCandidate &c : candidates)
+      spread =
+          std::max(spread, std::abs(double(candidates.front().rollers_per_row) / double(c.rollers_per_row) - 1));
+    return spread;
+  }
+  const bool of_angle =
+      name.find("axial") != std::string::npos || name.find("tilt") == 0 || name == "moment" || name == "rib_max";
+  return of_angle ? axial_spread(candidates) : 0;
+}
 }  // namespace
 
 std::vector<std::string> bearing_inputs(const RollerBearing &b)
@@ -164,7 +180,7 @@ void add_bearing_results(RunContext &run, const std::string &prefix, const Beari
     Parameter p      = plain(s, inputs);
     p.value          = number(s.at);
     p.unit           = unit;
-    p.error_estimate = error_of(s, number);
+    p.error_estimate = error_of(s, number) + estimate_error(s, name);
     p.checks         = beside(s, number, of_arrangement);
     p.method += more;
     run.results.add(prefix + "." + name, p);

@@ -104,6 +104,8 @@ std::vector<RollerCandidate> roller_candidates(const RollerBearing &b, const Kno
       continue;
     c.roller_length = length_of(b, c.roller_diameter, Z);
     c.filling       = Z * c.roller_diameter / (M_PI * pitch_diameter(b));
+    if (!fixed && c.filling > largest_filling)
+      break;  // more rollers of nearly the same diameter fill more
     if (has_room(b, c) && (fixed || (c.filling >= least_filling && c.filling <= largest_filling)))
       out.push_back(c);
   }
@@ -125,6 +127,16 @@ double stiffness_spread(const std::vector<RollerCandidate> &candidates)
   double spread = 0;
   for (const RollerCandidate &c : candidates)
     spread = std::max(spread, std::abs(c.stiffness - 1));
+  return spread;
+}
+
+double axial_spread(const std::vector<RollerCandidate> &candidates)
+{
+  const auto axial = [](const RollerCandidate &c) { return c.stiffness * std::pow(std::tan(c.cup_angle), 1.9); };
+  double spread    = 0;
+  for (const RollerCandidate &c : candidates)
+    if (c.cup_angle > 0)
+      spread = std::max(spread, std::abs(axial(c) / axial(candidates.front()) - 1));
   return spread;
 }
 

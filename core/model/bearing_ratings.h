@@ -50,6 +50,9 @@ void relate_stiffness(std::vector<RollerCandidate> &candidates);
 /// Largest relative distance of a candidate's radial stiffness from that of the first; 0 for one or none.
 double stiffness_spread(const std::vector<RollerCandidate> &candidates);
 
+/// The same of the stiffness along the axis, as Z^0.9 l^0.8 sin(alpha)^1.9: it hangs on the contact angle.
+double axial_spread(const std::vector<RollerCandidate> &candidates);
+
 /// Contact pressure, Pa, at which a raceway under a line contact begins to yield by von Mises' criterion in plane
 /// strain.  (5.42)
 /// @param flow_stress   Pa

@@ -78,6 +78,7 @@ TEST_F(Designation, AloneItMakesABearing)
   EXPECT_LT(b.roller_length * std::cos(b.cup_angle), b.width / 4);
   EXPECT_GE(b.candidates.size(), 5u);
   EXPECT_LT(stiffness_spread(b.candidates), 0.05);
+  EXPECT_GT(axial_spread(b.candidates), 0.3);  // 12 .. 18 deg
   EXPECT_EQ(
       b.filled.at(0),
       "bearing.trb: LM761649D/LM761610/LM761610D in the catalogue has 343.05 mm x 457.1 mm x 254 mm, 4 rows, C "
