@@ -29,6 +29,15 @@ std::string arrangement_sentence(const BearingInfo &info)
          "stiffness against tilting.";
 }
 
+// A bearing that is loaded along its axis alone has no secant, and no curve over a radial load.
+bool has_radial_load(const Run &run, const std::string &bearing)
+{
+  const auto names = results_of_bearing(run, bearing);
+  return names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string &name) {
+           return run.find(name + ".secant") != nullptr;
+         });
+}
+
 void sketch(Page &page, const Run &run, const std::string &bearing)
 {
   const BearingInfo info = run.bearing(bearing);
@@ -82,6 +91,8 @@ void stiffness(Page &page, const Run &run, const std::string &bearing)
                 "Load of every roller around the ring, all rows on one scale; 0\u00b0 is the direction of the "
                 "load. " +
                     heaviest_roller_sentence(*ring));
+  if (!curve && has_radial_load(run, bearing))
+    page.absent("Load curves are", curve_path(curve::bearing, bearing) + ".csv");
   if (!rows)
     page.absent("Row shares are", curve_path(curve::bearing_rows, bearing) + ".csv");
   if (!ring)
