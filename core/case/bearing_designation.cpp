@@ -14,7 +14,7 @@ constexpr double usual_angle = 15 * M_PI / 180, usual_angle_spread = 3 * M_PI / 
 
 std::string kilonewtons(const double force)
 {
-  return fmt::format("{:.4g} kN", force / 1e3);
+  return fmt::format("{:.6g} kN", force / 1e3);
 }
 
 /// The keys of one bearing as they stand in the case.
@@ -147,13 +147,13 @@ std::string estimate_text(const RollerBearing &b, const std::string &keys)
     most  = std::max(most, other.rollers_per_row);
   }
   const std::string others = least == most ? "" : fmt::format("; {} .. {} rollers do so too", least, most);
-  return fmt::format(
-      "bearing.{}.{}: estimated, {} rollers of {:.4g} x {:.4g} mm in each row, filling {:.0f} % of the "
-      "pitch circle, give C {} and C0 {} at a contact angle of {}, (5.40), (5.41){}; the radial "
-      "stiffness is known to {:.2g} % through that",
-      b.name, keys, c.rollers_per_row, 1e3 * c.roller_diameter, 1e3 * c.roller_length, 100 * c.filling,
-      kilonewtons(b.dynamic_rating), kilonewtons(b.static_rating), degrees(c.cup_angle), others,
-      std::max(0.01, 100 * stiffness_spread(b.candidates)));
+  const std::string angle  = c.cup_angle > 0 ? " at a contact angle of " + degrees(c.cup_angle) : "";
+  return fmt::format("bearing.{}.{}: estimated, {} rollers of {:.4g} x {:.4g} mm in each row, filling {:.0f} % of "
+                     "the pitch circle, give C {} and C0 {}{}, (5.40), (5.41){}; the radial stiffness is known to "
+                     "{:.2g} % through that",
+                     b.name, keys, c.rollers_per_row, 1e3 * c.roller_diameter, 1e3 * c.roller_length,
+                     100 * c.filling, kilonewtons(b.dynamic_rating), kilonewtons(b.static_rating), angle, others,
+                     std::max(0.01, 100 * stiffness_spread(b.candidates)));
 }
 
 // Rollers, and the angle of a tapered bearing, that no key gives.

@@ -139,7 +139,7 @@ TEST_F(Designation, UnknownOnesAreRefusedWithTheNearest)
   EXPECT_EQ(refused("designation = \"LM451349D\"\ndynamic_rating = \"20 kN\"\nstatic_rating = \"90000 kN\""),
             "case.toml:5:15: bearing.trb.designation = \"LM451349D\": no rollers of 266.7 mm x 355.6 mm give C 20 "
             "kN and "
-            "C0 9e+04 kN by ISO 281 and ISO 76; give rollers_per_row, roller_diameter and roller_length");
+            "C0 90000 kN by ISO 281 and ISO 76; give rollers_per_row, roller_diameter and roller_length");
 }
 
 TEST_F(Designation, AnOwnCatalogueIsSearchedFirst)
