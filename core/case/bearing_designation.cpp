@@ -156,11 +156,38 @@ std::string estimate_text(const RollerBearing &b, const std::string &keys)
                      std::max(0.01, 100 * stiffness_spread(b.candidates)));
 }
 
+void refuse_to_estimate(const Keys &keys, const std::string &why)
+{
+  keys.give_up();
+  const std::string key = keys.full("designation");
+  keys.reading.add(keys.reading.place(key), fmt::format("{}: {}", keys.reading.said(key), why));
+}
+
+// Takes over what the first candidate says of these keys.
+void take_rollers(RollerBearing &b, std::vector<std::string> keys, const bool angle)
+{
+  const RollerCandidate &chosen = b.candidates.front();
+  std::string names;
+  if (angle)
+    keys.push_back("cup_angle");
+  for (const std::string &key : keys) {
+    if (key == "rollers_per_row")
+      b.rollers_per_row = chosen.rollers_per_row;
+    else if (key == "roller_diameter")
+      b.roller_diameter = chosen.roller_diameter;
+    else if (key == "roller_length")
+      b.roller_length = chosen.roller_length;
+    else
+      b.cup_angle = chosen.cup_angle;
+    names += (names.empty() ? "" : ", ") + key;
+  }
+  b.estimated = keys;
+  b.filled.push_back(estimate_text(b, names));
+}
+
 // Rollers, and the angle of a tapered bearing, that no key gives.
 void estimate(RollerBearing &b, const Keys &keys, const CatalogueBearing &from)
 {
-  const bool tapered = b.type == "four-row tapered";
-  const bool angle   = tapered && keys.left_out("cup_angle");
   std::vector<std::string> missing;
   for (const char *key : {"rollers_per_row", "roller_diameter", "roller_length"})
     if (keys.left_out(key))
@@ -169,54 +196,30 @@ void estimate(RollerBearing &b, const Keys &keys, const CatalogueBearing &from)
                                                keys.full("outside_diameter"), keys.full("pitch_diameter")}))
     return;
   if (!(b.dynamic_rating > 0 && b.static_rating > 0)) {
-    keys.give_up();
-    if (missing.size() > 1 || missing[0] != "roller_diameter")
-      keys.reading.add(
-          keys.reading.place(keys.full("designation")),
-          fmt::format("{}: the catalogue has no ratings of it, from which rollers could be estimated; give "
-                      "rollers_per_row, roller_diameter and roller_length, or dynamic_rating and static_rating",
-                      keys.reading.said(keys.full("designation"))));
-    return;
+    if (missing == std::vector<std::string>{"roller_diameter"})
+      return;  // which a bearing can do without
+    return refuse_to_estimate(keys,
+                              "the catalogue has no ratings of it, from which rollers could be estimated; give "
+                              "rollers_per_row, roller_diameter and roller_length, or dynamic_rating and "
+                              "static_rating");
   }
-  KnownRollers known;
-  known.rollers_per_row = b.rollers_per_row;
-  known.roller_diameter = b.roller_diameter;
-  known.roller_length   = b.roller_length > 0 ? b.roller_length : not_given;
-  const bool said_angle = std::isfinite(from.e);
-  RollerBearing trial   = b;
+  const bool angle = b.type == "four-row tapered" && keys.left_out("cup_angle");
+  const KnownRollers known{b.rollers_per_row, b.roller_diameter,
+                           b.roller_length > 0 ? b.roller_length : not_given};
+  RollerBearing trial = b;
   if (angle)
-    trial.cup_angle = said_angle ? std::atan(from.e / 1.5) : usual_angle;
+    trial.cup_angle = std::isfinite(from.e) ? std::atan(from.e / 1.5) : usual_angle;
   b.candidates = roller_candidates(trial, known);
-  if (b.candidates.empty()) {
-    keys.give_up();
-    keys.reading.add(keys.reading.place(keys.full("designation")),
-                     fmt::format("{}: no rollers of {} x {} give C {} and C0 {} by ISO 281 and ISO 76; give "
-                                 "rollers_per_row, roller_diameter and roller_length",
-                                 keys.reading.said(keys.full("designation")), millimetres(b.bore),
-                                 millimetres(b.outside_diameter), kilonewtons(b.dynamic_rating),
-                                 kilonewtons(b.static_rating)));
-    return;
-  }
-  const bool estimated_angle = angle && keys.left_out("roller_cone_angle");
-  if (estimated_angle && !said_angle)
+  if (b.candidates.empty())
+    return refuse_to_estimate(keys,
+                              fmt::format("no rollers of {} x {} give C {} and C0 {} by ISO 281 and ISO 76; give "
+                                          "rollers_per_row, roller_diameter and roller_length",
+                                          millimetres(b.bore), millimetres(b.outside_diameter),
+                                          kilonewtons(b.dynamic_rating), kilonewtons(b.static_rating)));
+  const bool open_angle = angle && keys.left_out("roller_cone_angle");
+  if (open_angle && std::isnan(from.e))
     add_other_angles(trial, b.candidates);
-  const RollerCandidate &chosen = b.candidates.front();
-  for (const std::string &key : missing) {
-    if (key == "rollers_per_row")
-      b.rollers_per_row = chosen.rollers_per_row;
-    else
-      (key == "roller_diameter" ? b.roller_diameter : b.roller_length) =
-          key == "roller_diameter" ? chosen.roller_diameter : chosen.roller_length;
-  }
-  if (estimated_angle) {
-    b.cup_angle = chosen.cup_angle;
-    missing.push_back("cup_angle");
-  }
-  b.estimated = missing;
-  std::string names;
-  for (const std::string &key : missing)
-    names += (names.empty() ? "" : ", ") + key;
-  b.filled.push_back(estimate_text(b, names));
+  take_rollers(b, missing, open_angle);
 }
 }  // namespace
 
