@@ -60,7 +60,7 @@ struct AssemblyState {
 };
 
 /// Radial stiffness along the radial load, N/m: loads of the other load-driven components kept, motions of the
-/// motion-driven ones kept.  0 without a radial load.
+/// motion-driven ones kept.  Without a radial load along x.
 double radial_tangent(const AssemblyState &state, const RingDrive &drive);
 /// d F / d u along one axis (0..4), N/m, or N m for the turns (3, 4): loads of the other load-driven components
 /// kept, motions of the motion-driven ones kept.

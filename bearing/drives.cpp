@@ -44,15 +44,16 @@ std::string drive_text(const RingDrive &drive)
 double radial_tangent(const AssemblyState &state, const RingDrive &drive)
 {
   const double radial = state.load.head<2>().norm();
-  if (!(radial > 0))
-    return 0;
   // x and y always follow the load; with them the components that a load drives.
   std::vector<Eigen::Index> follow{0, 1};
   for (std::size_t i = 2; i < 5; ++i)
     if (!drive.by_motion[i])
       follow.push_back(Eigen::Index(i));
   Eigen::VectorXd towards = Eigen::VectorXd::Zero(Eigen::Index(follow.size()));
-  towards.head(2)         = state.load.head<2>() / radial;
+  // The rounding of rollers that balance each other has no direction.
+  towards[0] = 1;
+  if (radial > 1e-9 * state.roller_load.sum())
+    towards.head(2) = state.load.head<2>() / radial;
   const Eigen::MatrixXd K = state.tangent(follow, follow);
   return 1 / towards.dot(K.fullPivLu().solve(towards));
 }

@@ -49,11 +49,6 @@ void require_closed_apex(const RollerBearing &b)
   throw InputError(text.str());
 }
 
-double pitch_diameter(const RollerBearing &b)
-{
-  return std::isfinite(b.pitch_diameter) ? b.pitch_diameter : (b.bore + b.outside_diameter) / 2;
-}
-
 Eigen::VectorXd row_positions(const RollerBearing &b)
 {
   if (b.rows == 1)

@@ -23,8 +23,7 @@ ApexClosure apex_closure(double pitch_diameter, double roller_diameter, double r
 /// @throws InputError  with the closing angle and the roller diameter that would close the given angle
 void require_closed_apex(const RollerBearing &bearing);
 
-/// Pitch diameter at mid-roller, m: the given one, else the mean of bore and outside diameter (NaN without these).
-double pitch_diameter(const RollerBearing &bearing);
+using mill::pitch_diameter;
 
 /// Axial positions of the row centres (rows), m, symmetric about the middle of the bearing, pitch = width / rows.
 /// NaN when the width is not given and there is more than one row.

@@ -4,34 +4,6 @@
 #include <cmath>
 
 namespace mill::bearing {
-double rating_factor(const double g)
-{
-  if (!(g > 0 && g < 1))
-    throw InputError("bearing: roller diameter times cos(cup angle) over pitch diameter must lie between 0 and 1");
-  const double ratio = (1 - g) / (1 + g);
-  const double outer = std::pow(1.04 * std::pow(ratio, 143.0 / 108), 9.0 / 2);  // cup against cone
-  return 207.9 * 0.83 * std::pow(g, 2.0 / 9) * std::pow(1 - g, 29.0 / 27) / std::pow(1 + g, 0.25) *
-         std::pow(1 + outer, -2.0 / 9);
-}
-
-Ratings ratings(const RollerBearing &b)
-{
-  if (!(b.roller_diameter > 0 && pitch_diameter(b) > 0))
-    throw InputError("bearing." + b.name + ": ratings need roller_diameter and a pitch diameter");
-  const double ca = std::cos(b.cup_angle), cot = 1 / std::tan(b.cup_angle);
-  const double D = 1e3 * b.roller_diameter, L = 1e3 * b.roller_length;  // the formulas hold in N and mm
-  const double g = b.roller_diameter * ca / pitch_diameter(b), i = b.rows, Z = b.rollers_per_row;
-  const double b_m = 1.1;  // tapered rollers of contemporary steel
-  return {b_m * rating_factor(g) * std::pow(i * L * ca, 7.0 / 9) * std::pow(Z, 0.75) * std::pow(D, 29.0 / 27),
-          44 * (1 - g) * i * Z * L * D * ca,
-          1.5 * std::tan(b.cup_angle),
-          0.4,
-          0.4 * cot,
-          0.45 * cot,
-          0.67,
-          0.67 * cot};
-}
-
 double friswell_stiffness(const RollerBearing &b, const double radial_load)
 {
   if (!(radial_load > 0))

@@ -1,28 +1,12 @@
 #pragma once
 #include "bearing/roller_law.h"
+#include "core/model/bearing_ratings.h"
 
 // Formulas that need no equilibrium: sanity of the geometry and of the assembled stiffness.  theory.md 5.7
 namespace mill::bearing {
-/// f_c of the basic dynamic rating of a radial roller bearing, N and mm.  ISO 281.
-/// @param g  D_we cos(alpha) / D_pw, between 0 and 1
-/// @throws InputError  g outside
-double rating_factor(double g);
-
-/// Basic ratings of all rows, and the factors of the equivalent load.
-struct Ratings {
-  double dynamic;        ///< N, C_r
-  double static_rating;  ///< N, C_0r
-  double e;              ///< -, axial over radial load above which the axial load counts: 1.5 tan(alpha)
-  double X;              ///< -, single row, F_a/F_r > e: 0.4
-  double Y;              ///< -, single row, F_a/F_r > e: 0.4 cot(alpha)
-  double pair_Y1;        ///< -, pair, F_a/F_r <= e: 0.45 cot(alpha)
-  double pair_X2;        ///< -, pair, F_a/F_r > e: 0.67
-  double pair_Y2;        ///< -, pair, F_a/F_r > e: 0.67 cot(alpha)
-};
-/// C_r = b_m f_c (i L cos a)^(7/9) Z^(3/4) D^(29/27) with b_m 1.1, C_0r = 44 (1 - g) i Z L D cos a.  ISO 281,
-/// ISO 76. The axial factors are infinite for a bearing without contact angle.
-/// @throws InputError  roller or pitch diameter missing
-Ratings ratings(const RollerBearing &bearing);
+using mill::rating_factor;
+using mill::Ratings;
+using mill::ratings;
 
 /// Radial tangent of a roller bearing without clearance by one formula, N/m, SI:
 ///   k = 1e9 (i Z)^0.9 L^0.8 F^0.1 cos(a)^1.9

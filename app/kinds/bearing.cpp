@@ -12,7 +12,9 @@ namespace mill {
 namespace {
 std::optional<KeyList> inputs_of(const BearingCase &spec, const Results &, const std::string &name)
 {
-  const KeyList keys = bearing_case_keys(spec);
+  KeyList keys = bearing_case_keys(spec);
+  if (begins(name, "bearing."))
+    keys = joined(keys, rating_keys(bearing_of(spec.bearings, spec.load.bearing)));
   if (!begins(name, "Kzc.motion."))
     return keys;
   KeyList motion = keys_in("load", "loads samples");  // the mass swings on the curve

@@ -44,6 +44,22 @@ std::optional<KeyList> contact_inputs(const FourHigh &stand, const std::string &
   return ends(name, ".path_plateau") ? joined(keys, keys_in("contact." + which, "path_trim")) : keys;
 }
 
+// bearing.NAME.*: of the upper rolls' seats.
+std::optional<KeyList> rating_inputs_of(const FourHigh &stand, const std::string &name)
+{
+  std::optional<KeyList> keys;
+  for (const std::size_t i : {std::size_t(0), std::size_t(1)}) {
+    const Roll &roll    = i == 0 ? stand.backup_roll : stand.work_roll;
+    const char *section = i == 0 ? "backup_roll" : "work_roll";
+    if (!begins(name, "bearing." + roll.bearing + ".") || stand.given.count(i == 0 ? "Kzc1" : "Kzc2"))
+      continue;
+    const KeyList more = joined(seat_keys(stand, i, 0), rating_keys(bearing_of(stand.bearings, roll.bearing)),
+                                keys_in(section, "barrel_diameter"), KeyList{"pass.0.speed"});
+    keys               = keys ? joined(*keys, more) : more;
+  }
+  return keys;
+}
+
 std::optional<KeyList> inputs_of(const FourHigh &stand, const Results &results, const std::string &full)
 {
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
@@ -60,6 +76,9 @@ std::optional<KeyList> inputs_of(const FourHigh &stand, const Results &results, 
       return keys;
     if (begins(name, "K4."))
       return bite_inputs(bite, name, pass.name);
+    if (p == 0)
+      if (const auto keys = rating_inputs_of(stand, name))
+        return keys;
     for (std::size_t i = 0; i < 4; ++i)
       if (begins(name, fmt::format("Kzc{}.", i + 1)))
         return seat_keys(stand, i, p);

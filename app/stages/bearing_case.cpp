@@ -1,5 +1,6 @@
 #include "app/stages/bearing_files.h"
 #include "app/stages/bearing_published.h"
+#include "app/stages/bearing_ratings.h"
 #include "app/stages/bearing_results.h"
 #include "app/stages/bearing_stage.h"
 #include "app/stages/curve_files.h"
@@ -83,22 +84,19 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
 
 void solve_bearing_case(RunContext &run, const BearingCase &spec)
 {
-  BearingQuestion q;
-  q.bearing         = bearing_of(spec.bearings, spec.load.bearing);
-  q.radial          = spec.load.radial;
-  q.axial           = spec.load.axial;
-  q.tilt            = spec.load.tilt;
-  q.cage_angle      = spec.load.cage_angle;
-  q.loads           = log_spaced(spec.load.loads, spec.load.samples);
+  BearingQuestion q = question_of(spec);
+  if (spec.load.radial > 0)
+    q.loads = log_spaced(spec.load.loads, spec.load.samples);
   q.published       = spec.published;
   q.published_total = "Kzc";
   const auto parts  = bearing_parts(run, q.bearing, largest_roller_load(q));
   const auto study  = study_bearing(run, parts, q);
   auto inputs       = bearing_inputs(q.bearing);
-  for (const char *key : {"radial", "axial", "tilt", "cage_angle"})
+  for (const char *key : {"radial", "axial", "tilt", "cage_angle", "axial_displacement", "moment", "speed"})
     inputs.push_back(std::string("load.") + key);
   add_bearing_results(run, "Kzc", study, inputs);
   add_published_results(run, "Kzc", study, inputs);
+  add_rating_results(run, study, inputs);
   note_bearing(run, "Kzc", study);
   write_bearing(run, study);
   study.readings->keep(run);

@@ -2,6 +2,7 @@
 #include "app/stages/bearing_published.h"
 #include "bearing/chock_supports.h"
 #include "bearing/geometry.h"
+#include "core/model/bearing_ratings.h"
 #include "core/records/provenance.h"
 #include <algorithm>
 #include <cmath>
@@ -10,16 +11,6 @@
 
 namespace mill {
 namespace {
-std::string load_text(const BearingStudy &s)
-{
-  std::string text = fmt::format("{:.6g} kN on one bearing", s.question.radial / 1e3);
-  if (s.question.axial != 0)
-    text += fmt::format(", {:.6g} kN axial", s.question.axial / 1e3);
-  if (s.question.tilt != 0)
-    text += fmt::format(", tilted by {:.4g} mrad", s.question.tilt * 1e3);
-  return text;
-}
-
 Parameter plain(const BearingStudy &s, const std::vector<std::string> &inputs)
 {
   Parameter p;
@@ -59,6 +50,30 @@ StateNumber of_heaviest(Eigen::VectorXd RowRollers::*number)
 }
 }  // namespace
 
+namespace {
+// What estimated rollers leave open of a stiffness, beside what the model leaves open.
+double with_estimates(const BearingStudy &s, const double error)
+{
+  return error + stiffness_spread(s.question.bearing.candidates);
+}
+
+// The same of another number: what hangs on the contact angle, and what on the number of rollers.
+double estimate_error(const BearingStudy &s, const std::string &name)
+{
+  const auto &candidates = s.question.bearing.candidates;
+  if (name.rfind("roller_", 0) == 0) {
+    double spread = 0;
+    for (const RollerCandidate &c : candidates)
+      spread =
+          std::max(spread, std::abs(double(candidates.front().rollers_per_row) / double(c.rollers_per_row) - 1));
+    return spread;
+  }
+  const bool of_angle =
+      name.find("axial") != std::string::npos || name.find("tilt") == 0 || name == "moment" || name == "rib_max";
+  return of_angle ? axial_spread(candidates) : 0;
+}
+}  // namespace
+
 std::vector<std::string> bearing_inputs(const RollerBearing &b)
 {
   return bearing_keys(b);
@@ -66,10 +81,11 @@ std::vector<std::string> bearing_inputs(const RollerBearing &b)
 
 Parameter tangent_of(const BearingStudy &s, const std::vector<std::string> &inputs)
 {
-  Parameter p      = plain(s, inputs);
-  p.value          = s.tangent;
-  p.error_estimate = error_of(s, [&](const auto &at) { return bearing::radial_tangent(at, s.drive); });
-  p.checks         = s.tangent_checks;
+  Parameter p = plain(s, inputs);
+  p.value     = s.tangent;
+  p.error_estimate =
+      with_estimates(s, error_of(s, [&](const auto &at) { return bearing::radial_tangent(at, s.drive); }));
+  p.checks = s.tangent_checks;
   return p;
 }
 
@@ -78,7 +94,7 @@ Parameter across_of(const BearingStudy &s, const std::vector<std::string> &input
   const auto across = [&](const bearing::AssemblyState &at) { return bearing::stiffness_along(at, s.drive, 1); };
   Parameter p       = plain(s, inputs);
   p.value           = s.tangent_across;
-  p.error_estimate  = error_of(s, across);
+  p.error_estimate  = with_estimates(s, error_of(s, across));
   p.method += ", across the load";
   p.checks = beside(s, across);
   return p;
@@ -115,13 +131,33 @@ void add_stiffnesses(const BearingStudy &s, const Add &add)
         ", tangent against tilt in the plane of the load, loads and imposed motions held");
 }
 
+// How the ring stands under what else acts on it.
+void add_motions(const BearingStudy &s, const Add &add)
+{
+  const BearingQuestion &q = s.question;
+  if (std::isfinite(q.axial_displacement))
+    add(
+        "axial_load", "N", [](const auto &at) { return at.load[2]; }, true,
+        ", under the imposed axial displacement");
+  else if (q.axial != 0)
+    add(
+        "axial_displacement", "m", [](const auto &at) { return at.motion[2]; }, true,
+        ", of the inner ring from its concentric place");
+  if (std::isfinite(q.moment))
+    add(
+        "tilt", "rad", [](const auto &at) { return at.motion[4]; }, true, ", of the inner ring under the moment");
+  else if (q.tilt != 0)
+    add(
+        "moment", "N m", [](const auto &at) { return at.load[4]; }, true, ", that holds the imposed tilt");
+}
+
 void add_rollers(const BearingStudy &s, const Add &add)
 {
   add("roller_secant", "N/m", of_heaviest(&RowRollers::secant), false, ", heaviest roller between its raceways");
   add("roller_tangent", "N/m", of_heaviest(&RowRollers::tangent), false, ", heaviest roller between its raceways");
   add("roller_max", "N", of_heaviest(&RowRollers::load), false, ", heaviest roller");
-  const bool tilted = s.question.tilt != 0;
-  for (Eigen::Index r = 0; r < s.at.row_share.size(); ++r)
+  const bool tilted = s.question.tilt != 0 || std::isfinite(s.question.moment);
+  for (Eigen::Index r = 0; s.question.radial > 0 && r < s.at.row_share.size(); ++r)
     add(
         fmt::format("row{}_share", r + 1), "1", [r](const auto &at) { return at.row_share[r]; }, tilted, "");
   if (!(s.question.bearing.cup_angle > 0))
@@ -144,19 +180,22 @@ void add_bearing_results(RunContext &run, const std::string &prefix, const Beari
     Parameter p      = plain(s, inputs);
     p.value          = number(s.at);
     p.unit           = unit;
-    p.error_estimate = error_of(s, number);
+    p.error_estimate = error_of(s, number) + estimate_error(s, name);
     p.checks         = beside(s, number, of_arrangement);
     p.method += more;
     run.results.add(prefix + "." + name, p);
   };
   run.results.add(prefix + ".tangent", tangent_of(s, inputs));
-  Parameter secant      = plain(s, inputs);
-  secant.value          = s.secant;
-  secant.error_estimate = error_of(s, bearing::radial_secant);
-  secant.checks         = s.secant_checks;
-  run.results.add(prefix + ".secant", secant);
+  if (s.question.radial > 0) {
+    Parameter secant      = plain(s, inputs);
+    secant.value          = s.secant;
+    secant.error_estimate = with_estimates(s, error_of(s, bearing::radial_secant));
+    secant.checks         = s.secant_checks;
+    run.results.add(prefix + ".secant", secant);
+  }
   run.results.add(prefix + ".tangent_across", across_of(s, inputs));
   add_stiffnesses(s, add);
+  add_motions(s, add);
   add_rollers(s, add);
   const auto state = [&](const std::string &name, const std::string &unit, const double value,
                          const std::string &more, std::vector<Check> checks) {
@@ -245,11 +284,11 @@ void note_bearing(RunContext &run, const std::string &prefix, const BearingStudy
                     b.name, 1e3 * bearing::pitch_diameter(b)));
   const int loaded = s.at.loaded_rollers.maxCoeff();
   if (loaded <= 2)
-    run.warn(
-        fmt::format("bearing {}: of {} rollers of a row {} carr{} {:.4g} kN; with a clearance of {:.4g} mm the "
-                    "stiffness hangs on the place of the cage",
-                    b.name, b.rollers_per_row, loaded, loaded == 1 ? "ies" : "y", s.question.radial / 1e3,
-                    1e3 * b.radial_clearance));
+    run.warn(fmt::format("bearing {}: of {} rollers of a row {} carr{} {}; with a clearance of {:.4g} mm the "
+                         "stiffness hangs on the place of the cage",
+                         b.name, b.rollers_per_row, loaded, loaded == 1 ? "ies" : "y",
+                         s.question.radial > 0 ? fmt::format("{:.4g} kN", s.question.radial / 1e3) : "the load",
+                         1e3 * b.radial_clearance));
   const double heaviest = s.at.roller_load.maxCoeff();
   if (std::isfinite(b.roller_diameter) && std::isfinite(bearing::pitch_diameter(b))) {
     const double pressure = bearing::elastic_roller(b, heaviest, b.roller_diameter / 2).inner_peak_pressure;

@@ -3,6 +3,7 @@
 #include "app/stages/bearing_across.h"
 #include "app/stages/bearing_files.h"
 #include "app/stages/bearing_published.h"
+#include "app/stages/bearing_ratings.h"
 #include "app/stages/bearing_results.h"
 #include <algorithm>
 #include <cmath>
@@ -81,6 +82,7 @@ void report_seat(RunContext &run, const Seat &seat, const SeatLoad &load, const 
   if (std::string(seat.name) != "Kzc1" && std::string(seat.name) != "Kzc2")
     return;  // the lower half has the same bearings
   add_published_results(run, seat.name, study, inputs);
+  add_rating_results(run, study, inputs);
   write_bearing(run, study);
   note_bearing(run, seat.name, study);
   const auto &bending = seat.roll->bending_force;
@@ -103,6 +105,7 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
     BearingQuestion q;
     q.bearing = bearing_of(stand.bearings, seat.roll->bearing);
     q.radial  = load;
+    q.speed   = stand.passes[0].speed / (M_PI * seat.roll->barrel_diameter);  // rolling on each other, no slip
     if (curve)
       q.loads = around(load);
     if (!seat.backup) {

@@ -61,7 +61,8 @@ template <class Archive> void bearing_members(Archive &a, SolvedBearing &s)
 std::string bearing_inputs_text(const BearingQuestion &q, const double largest_load)
 {
   return record_text(equilibrium_version, roller_inputs(q.bearing, largest_load), ring_inputs(q.bearing),
-                     q.bearing, q.radial, q.axial, q.tilt, q.cage_angle, q.loads);
+                     q.bearing, q.radial, q.axial, q.tilt, q.cage_angle, q.loads, q.axial_displacement, q.moment,
+                     q.centrifugal);
 }
 
 void save_bearing(const std::string &path, const std::string &key, const SolvedBearing &solved)

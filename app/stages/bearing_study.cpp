@@ -2,6 +2,9 @@
 #include "app/stages/bearing_files.h"
 #include "app/stages/bearing_store.h"
 #include "app/stages/kept_part.h"
+#include "bearing/geometry.h"
+#include "bearing/rating_life.h"
+#include "core/model/bearing_ratings.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/process/parallel.h"
 #include "core/records/files.h"
@@ -12,16 +15,6 @@
 
 namespace mill {
 namespace {
-bearing::RingDrive drive_of(const BearingQuestion &q, const double radial)
-{
-  auto drive = bearing::radial_drive(radial, q.tilt);
-  if (q.axial != 0) {
-    drive.value[2]     = q.axial;
-    drive.by_motion[2] = false;
-  }
-  return drive;
-}
-
 RollerBearing by_standard(RollerBearing b, const std::string &law)
 {
   b.roller_law = law;
@@ -31,8 +24,9 @@ RollerBearing by_standard(RollerBearing b, const std::string &law)
 
 bearing::BearingModel standard_model(const BearingQuestion &q, const std::string &law)
 {
-  auto model       = bearing::rigid_model(by_standard(with_row_places(q.bearing), law));
-  model.cage_angle = q.cage_angle;
+  auto model              = bearing::rigid_model(by_standard(with_row_places(q.bearing), law));
+  model.cage_angle        = q.cage_angle;
+  model.centrifugal_force = q.centrifugal;
   return model;
 }
 
@@ -48,7 +42,8 @@ double deviation_of_slices(const BearingParts &parts, const double load)
 
 bearing::AssemblyState solved(bearing::BearingModel model, const BearingStudy &s)
 {
-  model.cage_angle = s.question.cage_angle;
+  model.cage_angle        = s.question.cage_angle;
+  model.centrifugal_force = s.question.centrifugal;
   return bearing::BearingAssembly(std::move(model)).solve(s.drive);
 }
 
@@ -111,7 +106,8 @@ void add_checks(BearingStudy &s, const bearing::AssemblyState &palmgren, const s
   const std::string other = elastic ? "rigid rings" : "another law of one roller";
   const auto add = [&](const std::string &name, const bearing::AssemblyState &at, const std::string &note) {
     s.tangent_checks.push_back({name, bearing::radial_tangent(at, s.drive), note});
-    s.secant_checks.push_back({name, bearing::radial_secant(at), note});
+    if (s.question.radial > 0)
+      s.secant_checks.push_back({name, bearing::radial_secant(at), note});
   };
   add("ISO/TS 16281, rigid rings", s.standard, other);
   add("Palmgren, rigid rings", palmgren, other);
@@ -138,6 +134,52 @@ bearing::AssemblyState solve_or_keep(RunContext &run, const BearingStudy &s, bea
 }
 }  // namespace
 
+BearingQuestion question_of(const BearingCase &spec)
+{
+  BearingQuestion q;
+  q.bearing            = bearing_of(spec.bearings, spec.load.bearing);
+  q.radial             = spec.load.radial;
+  q.axial              = spec.load.axial;
+  q.tilt               = spec.load.tilt;
+  q.cage_angle         = spec.load.cage_angle;
+  q.axial_displacement = spec.load.axial_displacement;
+  q.moment             = spec.load.moment;
+  q.speed              = spec.load.speed;
+  q.centrifugal        = std::isfinite(q.speed) ? bearing::centrifugal_force(q.bearing, q.speed) : 0;
+  return q;
+}
+
+bearing::RingDrive drive_of(const BearingQuestion &q, const double radial)
+{
+  auto drive = bearing::radial_drive(radial, q.tilt);
+  if (std::isfinite(q.axial_displacement))
+    drive.value[2] = q.axial_displacement;
+  else if (q.axial != 0) {
+    drive.value[2]     = q.axial;
+    drive.by_motion[2] = false;
+  }
+  if (std::isfinite(q.moment)) {
+    drive.value[4]     = q.moment;
+    drive.by_motion[4] = false;
+  }
+  return drive;
+}
+
+std::string load_text(const BearingStudy &s)
+{
+  const BearingQuestion &q = s.question;
+  std::string text = q.radial > 0 ? fmt::format("{:.6g} kN on one bearing", q.radial / 1e3) : "no radial load";
+  if (std::isfinite(q.axial_displacement))
+    text += fmt::format(", {:.4g} um along the axis", q.axial_displacement * 1e6);
+  else if (q.axial != 0)
+    text += fmt::format(", {:.6g} kN axial", q.axial / 1e3);
+  if (std::isfinite(q.moment))
+    text += fmt::format(", moment {:.4g} kN m", q.moment / 1e3);
+  else if (q.tilt != 0)
+    text += fmt::format(", tilted by {:.4g} mrad", q.tilt * 1e3);
+  return text;
+}
+
 std::string model_name(const RollerBearing &b)
 {
   const std::string law = b.roller_law == "fe"         ? "contact FEM of one roller"
@@ -161,6 +203,17 @@ double largest_roller_load(const BearingQuestion &q)
   if (q.axial != 0)
     bound =
         std::max(bound, roller_load_bound(q.bearing, std::abs(q.axial) / std::tan(q.bearing.cup_angle), q.tilt));
+  if (std::isfinite(q.moment)) {
+    // The rows stand apart by a quarter of the width, and lean: half of the smaller lever is on the safe side.
+    const double R = bearing::pitch_diameter(q.bearing) / 2, lever = std::max(q.bearing.width / 8, R / 4);
+    bound = std::max(bound, roller_load_bound(q.bearing, radial + std::abs(q.moment) / lever, 0));
+  }
+  if (std::isfinite(q.axial_displacement)) {
+    const double approach = std::abs(q.axial_displacement) * std::sin(q.bearing.cup_angle);
+    const double each     = bearing::roller_constant("iso", q.bearing.roller_length) * std::pow(approach, 10. / 9);
+    const double even     = each * q.bearing.rows * q.bearing.rollers_per_row * std::cos(q.bearing.cup_angle) / 5;
+    bound                 = std::max(bound, roller_load_bound(q.bearing, radial + even, q.tilt));
+  }
   return bound;
 }
 
@@ -228,14 +281,15 @@ SolvedBearing solved_or_kept(RunContext &run, BearingStudy &s)
 BearingStudy study_bearing(RunContext &run, const BearingParts &parts, const BearingQuestion &q)
 {
   BearingStudy s;
-  s.question               = q;
-  s.parts                  = parts;
-  s.parts.model.cage_angle = q.cage_angle;
-  s.drive                  = drive_of(q, q.radial);
-  SolvedBearing solved     = solved_or_kept(run, s);
-  s.curve.states           = std::move(solved.curve);
-  s.standard_curve.states  = std::move(solved.standard_curve);
-  s.rigid_curve.states     = std::move(solved.rigid_curve);
+  s.question                      = q;
+  s.parts                         = parts;
+  s.parts.model.cage_angle        = q.cage_angle;
+  s.parts.model.centrifugal_force = q.centrifugal;
+  s.drive                         = drive_of(q, q.radial);
+  SolvedBearing solved            = solved_or_kept(run, s);
+  s.curve.states                  = std::move(solved.curve);
+  s.standard_curve.states         = std::move(solved.standard_curve);
+  s.rigid_curve.states            = std::move(solved.rigid_curve);
   if (s.curve.failure)
     run.warn(fmt::format("bearing {}: {}; the curve ends at {} of {} loads", q.bearing.name, s.curve.failure->what,
                          s.curve.states.size(), q.loads.size()));

@@ -9,13 +9,17 @@ namespace mill {
 /// What is asked of a bearing.
 struct BearingQuestion {
   RollerBearing bearing;
-  double radial     = 0;        ///< N
-  double axial      = 0;        ///< N; 0: the inner ring keeps its axial place
-  double tilt       = 0;        ///< rad
-  double cage_angle = 0;        ///< rad
-  std::vector<double> loads;    ///< N, of the curve, ascending; may be empty
-  GivenValues published;        ///< of [published]: Kzc, row1_roller..row4_roller
-  std::string published_total;  ///< which of them is this bearing's stiffness: "Kzc", "Kzc2"
+  double radial             = 0;          ///< N
+  double axial              = 0;          ///< N; 0: the inner ring keeps its axial place
+  double tilt               = 0;          ///< rad
+  double cage_angle         = 0;          ///< rad
+  double axial_displacement = not_given;  ///< m, imposed in place of an axial load
+  double moment             = not_given;  ///< N m, in the plane of the load, in place of a tilt
+  double speed              = not_given;  ///< 1/s, of the shaft
+  double centrifugal        = 0;          ///< N, of each roller, in the equilibrium
+  std::vector<double> loads;              ///< N, of the curve, ascending; may be empty
+  GivenValues published;                  ///< of [published]: Kzc, row1_roller..row4_roller
+  std::string published_total;            ///< which of them is this bearing's stiffness: "Kzc", "Kzc2"
 };
 
 /// The state with one ingredient of the model exchanged, everything else and the load the same.
@@ -51,6 +55,13 @@ using StateNumber = std::function<double(const bearing::AssemblyState &)>;
 /// Relative error of this number: the sum of what each companion changes in it, and the largest change by a
 /// support of the chock that is left open.  NaN for a number that is zero or has no companion.
 double error_of(const BearingStudy &study, const StateNumber &number);
+
+/// What a case of kind "bearing" asks, and what acts on the inner ring under one radial load of its sweep.
+BearingQuestion question_of(const BearingCase &spec);
+bearing::RingDrive drive_of(const BearingQuestion &question, double radial);
+
+/// "1000 kN on one bearing, 50 kN axial": what a result of the study belongs to.
+std::string load_text(const BearingStudy &study);
 
 /// Largest roller load, N, the question may lead to: for the mesh.
 double largest_roller_load(const BearingQuestion &question);

@@ -57,10 +57,12 @@ KeyList closed_bearing_keys(const RollerBearing &b, const bool loaded_askew)
   return keys;
 }
 
-bearing::AssemblyState solved(const RollerBearing &b, const bearing::RingDrive &drive, const double cage_angle = 0)
+bearing::AssemblyState solved(const RollerBearing &b, const bearing::RingDrive &drive, const double cage_angle = 0,
+                              const double centrifugal = 0)
 {
-  auto model       = bearing::rigid_model(closed_bearing(b));
-  model.cage_angle = cage_angle;
+  auto model              = bearing::rigid_model(closed_bearing(b));
+  model.cage_angle        = cage_angle;
+  model.centrifugal_force = centrifugal;
   return bearing::BearingAssembly(model).solve(drive);
 }
 
@@ -124,13 +126,10 @@ std::vector<QuickResult> quick_bearings(const FourHigh &stand, const double F, c
 
 std::vector<QuickResult> quick_bearing_case(const BearingCase &spec)
 {
-  const RollerBearing &b = bearing_of(spec.bearings, spec.load.bearing);
-  auto drive             = bearing::radial_drive(spec.load.radial, spec.load.tilt);
-  if (spec.load.axial != 0) {
-    drive.value[2]     = spec.load.axial;
-    drive.by_motion[2] = false;
-  }
-  const auto state = solved(b, drive, spec.load.cage_angle);
+  const RollerBearing &b         = bearing_of(spec.bearings, spec.load.bearing);
+  const BearingQuestion question = question_of(spec);
+  const auto drive               = drive_of(question, spec.load.radial);
+  const auto state               = solved(b, drive, spec.load.cage_angle, question.centrifugal);
   std::vector<QuickResult> all;
   const auto add = [&](const char *name, const char *unit, const double value, const char *equation) {
     QuickResult r;
@@ -138,8 +137,8 @@ std::vector<QuickResult> quick_bearing_case(const BearingCase &spec)
     r.parameter.value  = value;
     r.parameter.unit   = unit;
     r.parameter.method = closed_method(b);
-    r.closed           = joined(keys_in("load", "bearing radial axial tilt cage_angle"),
-                                closed_bearing_keys(b, spec.load.tilt != 0 || spec.load.axial != 0));
+    r.closed = joined(keys_in("load", "bearing radial axial tilt cage_angle axial_displacement moment speed"),
+                      closed_bearing_keys(b, loaded_askew(spec.load)));
     r.parameter.inputs = bearing_case_keys(spec);
     for (const std::string &key : r.parameter.inputs)  // [model] says again what the bearing says
       if (key.rfind("model.", 0) == 0 && holds(r.closed, "bearing." + b.name + key.substr(5)))
@@ -151,7 +150,8 @@ std::vector<QuickResult> quick_bearing_case(const BearingCase &spec)
     all.push_back(r);
   };
   add("Kzc.tangent", "N/m", bearing::radial_tangent(state, drive), "(5.23)");
-  add("Kzc.secant", "N/m", bearing::radial_secant(state), "(5.22)");
+  if (spec.load.radial > 0)
+    add("Kzc.secant", "N/m", bearing::radial_secant(state), "(5.22)");
   add("Kzc.tangent_across", "N/m", bearing::stiffness_along(state, drive, 1), "(5.23)");
   add("Kzc.axial", "N/m", state.tangent(2, 2), "(5.23)");
   add("Kzc.roller_max", "N", state.roller_load.maxCoeff(), "(5.22)");

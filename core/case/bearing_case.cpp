@@ -42,18 +42,37 @@ RollerBearing as_given(RollerBearing bearing)
   return bearing;
 }
 
+// Without those whose values are estimates, or follow from them.
+std::vector<Field<RollerBearing>> known_rows(const RollerBearing &bearing, const Reading &reading)
+{
+  const auto &list    = bearing.estimated;
+  const auto is_known = [&](const std::string &key) {
+    const bool follows = !list.empty() && (key == "roller_cone_angle" || key == "cup_angle");
+    return reading.places.count("bearing." + bearing.name + "." + key) ||
+           (!follows && std::find(list.begin(), list.end(), key) == list.end());
+  };
+  std::vector<Field<RollerBearing>> rows;
+  for (const Field<RollerBearing> &row : bearing_rows())
+    if (is_known(row.key))
+      rows.push_back(row);
+  return rows;
+}
+
 RollerBearing read_bearing(const Node::Entry &entry, const Model &model, const std::string &on_backup_roll,
                            Reading &reading)
 {
   RollerBearing bearing;
   bearing.name = entry.key;
   const Section section{&entry.value, "bearing." + entry.key};
-  read(section, bearing_rows(), bearing, reading);
+  read(section, bearing_rows_for(section), bearing, reading);
   if (bearing.name == model.bearing)
     apply(model, bearing, reading);
+  complete_by_designation(bearing, reading);
   complete_bearing(bearing, bearing.name == on_backup_roll, reading);
-  reading.echo += fmt::format("\n[bearing.{}]\n{}", key_text(entry.key),
-                              resolved_lines(section.name, bearing_rows(), as_given(bearing), reading));
+  reading.echo +=
+      fmt::format("\n[bearing.{}]\n{}{}", key_text(entry.key),
+                  resolved_lines(section.name, known_rows(bearing, reading), as_given(bearing), reading),
+                  estimated_lines(bearing));
   check_bearing(bearing, reading);
   return bearing;
 }
@@ -84,7 +103,7 @@ BearingCase read_bearing_case(const Node &root, Reading &reading)
 {
   BearingCase spec;
   read(section_at(root, "load", reading), bearing_load_rows(), spec.load, reading);
-  if (std::isnan(spec.load.loads[0]))
+  if (std::isnan(spec.load.loads[0]) && spec.load.radial > 0)
     spec.load.loads = {0.1 * spec.load.radial, 4 * spec.load.radial};
   Model model{spec.load.bearing, {}};
   if (const Section section = section_at(root, "model", reading); section.node)

@@ -1,5 +1,6 @@
 #include "core/case/stand_reader.h"
 #include "core/case/units.h"
+#include "core/model/bearing_ratings.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -8,11 +9,6 @@ namespace mill {
 namespace {
 // What a drawing or a catalogue fixes of a contact angle; half a degree moves Kzc by 0.6 %.
 constexpr double angle_tolerance = 0.5 * M_PI / 180;
-
-double pitch_diameter(const RollerBearing &b)
-{
-  return std::isnan(b.pitch_diameter) ? (b.bore + b.outside_diameter) / 2 : b.pitch_diameter;
-}
 
 bool is_tapered(const RollerBearing &b)
 {
@@ -235,7 +231,8 @@ void complete_bearing(RollerBearing &b, const bool of_backup_roll, const Reading
 {
   const std::string name = "bearing." + b.name;
   const auto left_out    = [&](const char *k) {
-    return !reading.places.count(name + "." + k) && reading.usable({name + "." + k});
+    return !reading.places.count(name + "." + k) && reading.usable({name + "." + k}) &&
+           std::find(b.estimated.begin(), b.estimated.end(), k) == b.estimated.end();
   };
   const auto fill = [&](double &value, const double filling, const char *k, const std::string &said) {
     if (!left_out(k) || std::isnan(filling))
@@ -255,6 +252,12 @@ void complete_bearing(RollerBearing &b, const bool of_backup_roll, const Reading
     if (missing == 1 && left_out("roller_cone_angle"))
       fill(b.roller_cone_angle, closing_cone_angle(b), "roller_cone_angle",
            fmt::format("{} closes the apex condition", degrees(closing_cone_angle(b))));
+  }
+  if (std::isfinite(b.raceway_flow) && left_out("yield_pressure")) {
+    b.yield_pressure = yield_pressure_of(b.raceway_flow, b.raceway_state == "plane-strain", b.poisson_ratio);
+    b.filled.push_back(fmt::format("{}.yield_pressure follows from raceway_flow_stress: {:.0f} MPa, where a line "
+                                   "contact first yields, (5.42)",
+                                   name, b.yield_pressure / 1e6));
   }
   const bool drawn = std::isfinite(b.bore) && std::isfinite(b.outside_diameter) && std::isfinite(b.width) &&
                      std::isfinite(b.roller_diameter);
@@ -277,6 +280,23 @@ void complete_bearing(RollerBearing &b, const bool of_backup_roll, const Reading
   complete_support(b, of_backup_roll, !left_out("chock_support_width") || !left_out("chock_support_gap"));
 }
 
+namespace {
+void check_yield(const RollerBearing &b, Reading &reading)
+{
+  const auto key = [&](const char *k) { return "bearing." + b.name + "." + k; };
+  if (!std::isfinite(b.raceway_flow) || !reading.places.count(key("yield_pressure")) ||
+      !reading.usable(
+          {key("yield_pressure"), key("raceway_flow_stress"), key("raceway_flow_state"), key("poisson_ratio")}))
+    return;
+  const double follows = yield_pressure_of(b.raceway_flow, b.raceway_state == "plane-strain", b.poisson_ratio);
+  if (std::abs(b.yield_pressure / follows - 1) > 1e-3)
+    contradict(reading, key("yield_pressure"),
+               fmt::format("stands beside raceway_flow_stress, from which {:.0f} MPa follow; give one of the two",
+                           follows / 1e6),
+               {key("raceway_flow_stress")});
+}
+}  // namespace
+
 void check_bearing(const RollerBearing &bearing, Reading &reading)
 {
   check_sizes(bearing, reading);
@@ -285,6 +305,7 @@ void check_bearing(const RollerBearing &bearing, Reading &reading)
   check_profile(bearing, reading);
   check_fit(bearing, reading);
   check_rings(bearing, reading);
+  check_yield(bearing, reading);
 }
 
 void check_bearing_name(const std::string &key, const std::string &bearing,
@@ -303,11 +324,38 @@ void check_bearing_name(const std::string &key, const std::string &bearing,
                                           suggestion(bearing, names)));
 }
 
+namespace {
+// What acts on the bearing beside a radial load, and in place of one.
+void check_other_loads(const BearingCase &spec, Reading &reading)
+{
+  const BearingLoad &l = spec.load;
+  const bool displaced = std::isfinite(l.axial_displacement), turned = std::isfinite(l.moment);
+  if (reading.usable({"load.axial", "load.axial_displacement"}) && l.axial != 0 && displaced)
+    contradict(reading, "load.axial_displacement", "stands beside an axial load; give one of the two",
+               {"load.axial"});
+  if (reading.usable({"load.tilt", "load.moment"}) && l.tilt != 0 && turned)
+    contradict(reading, "load.moment", "stands beside a tilt; give one of the two", {"load.tilt"});
+  if (!reading.usable({"load.radial", "load.axial", "load.axial_displacement", "load.tilt", "load.moment"}) ||
+      l.radial > 0)
+    return;
+  if (l.axial == 0 && l.tilt == 0 && !(displaced && l.axial_displacement != 0) && !(turned && l.moment != 0))
+    contradict(reading, "load.radial",
+               "leaves the bearing without a load; give axial, axial_displacement, moment or tilt", {});
+  if (reading.places.count("load.loads") && reading.usable({"load.loads"}))
+    contradict(reading, "load.loads", "sweeps a radial load, which this case does not have; leave it out",
+               {"load.radial"});
+  if (reading.usable({"dynamics.mass"}) && std::isfinite(spec.motion.mass))
+    contradict(reading, "dynamics.mass", "swings on the curve of a radial load, which this case does not have",
+               {"load.radial"});
+}
+}  // namespace
+
 void check_bearing_load(const BearingCase &spec, Reading &reading)
 {
   check_bearing_name("load.bearing", spec.load.bearing, spec.bearings, reading);
+  check_other_loads(spec, reading);
   const auto &loads = spec.load.loads;
-  if (!reading.usable({"load.loads", "load.radial"}) || std::isnan(loads[0]))
+  if (!reading.usable({"load.loads", "load.radial"}) || std::isnan(loads[0]) || !(spec.load.radial > 0))
     return;
   if (!(loads[1] > loads[0]))
     contradict(reading, "load.loads", "does not increase; the smaller load comes first", {});

@@ -4,12 +4,20 @@
 namespace mill {
 namespace {
 constexpr Range chock_size{20, 6000};
+
+// The rows of a drawing with those of catalogue and rating behind them.
+std::vector<Field<RollerBearing>> with_catalogue_rows(std::vector<Field<RollerBearing>> rows)
+{
+  const auto &more = bearing_catalogue_rows();
+  rows.insert(rows.end(), more.begin(), more.end());
+  return rows;
+}
 }  // namespace
 
 const std::vector<Field<RollerBearing>> &bearing_rows()
 {
   using T = RollerBearing;
-  static const std::vector<Field<T>> rows{
+  static const std::vector<Field<T>> drawn{
       {"type",                &T::type,                "four-row tapered | four-row cylindrical",                       any,          required, "four-row tapered",
        "decides whether the contact angles take part"                                                                                                                                                                                                    },
       {"bore",                &T::bore,                "mm",                                                            {20, 2500},   absent,   "266.7 mm",                                                                    "bore of the inner ring"  },
@@ -129,6 +137,7 @@ const std::vector<Field<RollerBearing>> &bearing_rows()
        "middle part of that face, which carries nothing: a chock on two feet; when absent none, or two thirds of "
        "an assumed support that is not a backup roll's"                                                                                                                                                                                                  },
   };
+  static const std::vector<Field<T>> rows = with_catalogue_rows(drawn);
   return rows;
 }
 
@@ -136,29 +145,45 @@ const std::vector<Field<BearingLoad>> &bearing_load_rows()
 {
   using T = BearingLoad;
   static const std::vector<Field<T>> rows{
-      {"bearing",    &T::bearing, "text",  any,          required, "trb",                       "name of the [bearing.*] that is loaded"    },
+      {"bearing",            &T::bearing, "text",  any,          required, "trb",                       "name of the [bearing.*] that is loaded"    },
       {"radial",
        &T::radial,
-       "kN",                               {0.001, 1e6},
-       required,                                                   "1000 kN",
-       "radial load, towards the support of the chock and on the line of one roller"                                                        },
+       "kN",                                       {0, 1e6},
+       required,                                                           "1000 kN",
+       "radial load, towards the support of the chock and on the line of one roller; zero for a bearing that is "
+       "loaded along its axis or tilted alone"                                                                                                      },
       {"axial",
        &T::axial,
-       "kN",                               {-1e6, 1e6},
-       0,                                                          "0 kN",
-       "axial load on the inner ring; zero: the ring keeps its axial place"                                                                 },
-      {"tilt",       &T::tilt,    "mrad",  {-20, 20},    0,        "0 mrad",                    "of the inner ring in the plane of the load"},
+       "kN",                                       {-1e6, 1e6},
+       0,                                                                  "0 kN",
+       "axial load on the inner ring; zero: the ring keeps its axial place"                                                                         },
+      {"tilt",               &T::tilt,    "mrad",  {-20, 20},    0,        "0 mrad",                    "of the inner ring in the plane of the load"},
       {"loads",
        &T::loads,
-       "kN",                               {0.001, 1e6},
-       absent,                                                     "[\"100 kN\", \"4000 kN\"]",
-       "swept range of the radial load; when absent a tenth to four times radial"                                                           },
-      {"samples",    &T::samples, "count", {2, 200},     20,       "20",                        "loads in the sweep, logarithmically spaced"},
+       "kN",                                       {0.001, 1e6},
+       absent,                                                             "[\"100 kN\", \"4000 kN\"]",
+       "swept range of the radial load; when absent a tenth to four times radial"                                                                   },
+      {"samples",            &T::samples, "count", {2, 200},     20,       "20",                        "loads in the sweep, logarithmically spaced"},
       {"cage_angle",
        &T::cage_angle,
-       "deg",                              {-360, 360},
-       0,                                                          "0 deg",
-       "turns the rollers from the line of the load"                                                                                        },
+       "deg",                                      {-360, 360},
+       0,                                                                  "0 deg",
+       "turns the rollers from the line of the load"                                                                                                },
+      {"axial_displacement",
+       &T::axial_displacement,
+       "um",                                       {-1e4, 1e4},
+       absent,                                                             "20 um",
+       "of the inner ring, imposed in place of an axial load"                                                                                       },
+      {"moment",
+       &T::moment,
+       "kN m",                                     {-1e4, 1e4},
+       absent,                                                             "20 kN m",
+       "on the inner ring in the plane of the load, in place of a tilt"                                                                             },
+      {"speed",
+       &T::speed,
+       "rpm",                                      {0, 1e5},
+       absent,                                                             "300 rpm",
+       "of the shaft: centrifugal forces of the rollers, hours of life; when absent nothing turns"                                                  },
   };
   return rows;
 }

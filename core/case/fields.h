@@ -124,6 +124,10 @@ std::string default_toml(const Row &row);  ///< the row's default as TOML; empty
 /// "; did you mean 'radial_clearance'?", or the list of what is known when nothing is near.
 std::string suggestion(const std::string &word, const std::vector<std::string> &known);
 
+/// Damerau-Levenshtein distance of two words, adjacent exchanges counted as one slip.  Cost: product of the
+/// lengths.
+std::size_t slips_between(const std::string &a, const std::string &b);
+
 /// "a length", "a whole number", "one of none | iso | log"; what a message says is needed.
 std::string needed(const Row &row);
 

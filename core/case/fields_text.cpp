@@ -21,7 +21,12 @@ std::string with_unit(const double number, const std::string &form)
   return form == "1" || form == "count" ? text : text + " " + form;
 }
 
-// Damerau-Levenshtein distance, adjacent exchanges counted as one slip.
+std::string scalar_toml(const double value, const std::string &form)
+{
+  return form == "1" ? number_text(value) : quoted(quantity_text(value, unit(form)));
+}
+}  // namespace
+
 std::size_t slips_between(const std::string &a, const std::string &b)
 {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -37,12 +42,6 @@ std::size_t slips_between(const std::string &a, const std::string &b)
     }
   return d[a.size()][b.size()];
 }
-
-std::string scalar_toml(const double value, const std::string &form)
-{
-  return form == "1" ? number_text(value) : quoted(quantity_text(value, unit(form)));
-}
-}  // namespace
 
 std::string column_form(const Row &row, const int column)
 {

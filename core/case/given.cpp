@@ -133,7 +133,7 @@ bool parse_source(const std::string &text, Parameter &parameter)
   const auto colon       = text.find(": ");
   const std::string name = text.substr(0, colon);
   for (const Source source :
-       {Source::computed, Source::given, Source::published, Source::measured, Source::assumed})
+       {Source::computed, Source::given, Source::published, Source::measured, Source::assumed, Source::estimated})
     if (name == name_of(source)) {
       parameter.source = source;
       parameter.method = colon == std::string::npos ? "" : text.substr(colon + 2);

@@ -50,6 +50,14 @@ std::vector<RollerBearing> read_bearings(const Node &root, const std::string &on
 /// @param of_backup_roll  its chock is not carried on two feet
 void complete_bearing(RollerBearing &bearing, bool of_backup_roll, const Reading &reading);
 
+/// Rows of [bearing.*]; beside a designation none of them is required.
+std::vector<Field<RollerBearing>> bearing_rows_for(const Section &section);
+/// What the designation of a bearing gives, where its keys are left out, and estimates of the rollers.
+/// @throws SystemError  the disk refuses the user's catalogue
+void complete_by_designation(RollerBearing &bearing, Reading &reading);
+/// The estimated keys as comments: they stay open in the echo, so that it runs to the same results.
+std::string estimated_lines(const RollerBearing &bearing);
+
 /// Two keys that cannot both be right: the problem stands at the first, the others are shown with it.
 void contradict(Reading &reading, const std::string &key, const std::string &why,
                 const std::vector<std::string> &others);

@@ -5,6 +5,16 @@
 #include <vector>
 
 namespace mill {
+/// One set of rollers that gives the published ratings of a bearing.  theory.md 5.9
+struct RollerCandidate {
+  int rollers_per_row    = 0;
+  double roller_diameter = 0;  ///< m
+  double roller_length   = 0;  ///< m, effective
+  double cup_angle       = 0;  ///< rad
+  double filling         = 0;  ///< -, of the pitch circle by the rollers' diameters
+  double stiffness       = 0;  ///< -, radial stiffness over that of the first candidate, (5.30)
+};
+
 /// Roller bearing from what a catalogue gives, and the chock it sits in.  Radial bearings have both angles zero.
 struct RollerBearing {
   std::string name;                        ///< the * of [bearing.*]
@@ -46,7 +56,23 @@ struct RollerBearing {
   bool chock_assumed         = false;  ///< nobody said what holds the cup, nor gave a size of it: a block is taken
   bool support_assumed       = false;  ///< nobody said where the block is carried
   std::vector<std::string> filled;     ///< sentences about what was not given and has been filled in
+
+  // What a catalogue says, and what life and limits are rated with: no equilibrium knows of these.
+  std::string designation;                  ///< of the catalogue; empty: the case draws the bearing itself
+  std::string catalogue;                    ///< the user's own file, searched first
+  std::string catalogue_source;             ///< where the catalogue has its figures from
+  double dynamic_rating     = not_given;    ///< N, C as published; absent: from the rollers
+  double static_rating      = not_given;    ///< N, C_0
+  double viscosity_ratio    = not_given;    ///< -, kappa of ISO 281
+  double contamination      = not_given;    ///< -, e_C of ISO 281
+  double raceway_flow       = not_given;    ///< Pa, flow stress of the raceway
+  std::string raceway_state = "uniaxial";   ///< uniaxial | plane-strain: test that raceway_flow comes from
+  std::vector<std::string> estimated;       ///< keys that stand for what the catalogue does not give
+  std::vector<RollerCandidate> candidates;  ///< rollers that give the published ratings; chosen one first
 };
+
+/// m, at mid-roller: the given one, else the mean of bore and outside diameter (NaN without these).
+double pitch_diameter(const RollerBearing &bearing);
 
 /// rad, cup angle at which the apex condition of a tapered bearing closes; NaN for a cylindrical one, without
 /// roller or pitch diameter, and where none closes.

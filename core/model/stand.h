@@ -213,8 +213,17 @@ struct BearingLoad {
   double tilt                 = 0;                       ///< rad, of the inner ring in the plane of the load
   std::array<double, 2> loads = {not_given, not_given};  ///< N, swept range of the radial load
   int samples                 = 20;
-  double cage_angle           = 0;  ///< rad
+  double cage_angle           = 0;          ///< rad
+  double axial_displacement   = not_given;  ///< m, imposed on the inner ring in place of an axial load
+  double moment               = not_given;  ///< N m, in the plane of the load, in place of a tilt
+  double speed                = not_given;  ///< 1/s, of the shaft; absent: nothing turns
 };
+
+/// Whether the load tilts the bearing or pushes it along its axis: then the places of the rows count.
+inline bool loaded_askew(const BearingLoad &load)
+{
+  return load.tilt != 0 || load.axial != 0 || std::isfinite(load.axial_displacement) || std::isfinite(load.moment);
+}
 
 /// [dynamics] of kind = "bearing": a mass on the bearing's curve.
 struct BearingExcitation {

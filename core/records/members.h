@@ -163,7 +163,7 @@ template <class Io> void each_member(Io &&io, const MillHousing &record)
 }
 
 // A bearing with all that its equilibrium follows.  Type is said again by the angles; name and what was filled in
-// are for messages.
+// are for messages; catalogue and ratings are read off the state afterwards.
 template <class Io> void each_member(Io &&io, const RollerBearing &record)
 {
   const auto &[name, type, bore, outside_diameter, width, pitch_diameter, rows, rollers_per_row, roller_length,
@@ -171,7 +171,9 @@ template <class Io> void each_member(Io &&io, const RollerBearing &record)
                row_hands_assumed, radial_clearance, end_play, preload, profile, crown_drop, profile_load,
                profile_share, profile_table, youngs_modulus, poisson_ratio, yield_pressure, roller_law, rings,
                slices, chock, chock_width, chock_height, chock_length, chock_support_width, chock_support_gap,
-               chock_assumed, support_assumed, filled] = record;
+               chock_assumed, support_assumed, filled, designation, catalogue, catalogue_source, dynamic_rating,
+               static_rating, viscosity_ratio, contamination, raceway_flow, raceway_state, estimated, candidates] =
+      record;
   io("bore", bore);
   io("outside_diameter", outside_diameter);
   io("width", width);

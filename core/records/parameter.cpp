@@ -14,6 +14,8 @@ const char *name_of(const Source source)
     return "measured";
   case Source::assumed:
     return "assumed";
+  case Source::estimated:
+    return "estimated";
   }
   return "";
 }

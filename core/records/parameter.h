@@ -10,7 +10,8 @@ enum class Source {
   given,      ///< in [given] of the case file, replaces what would be computed
   published,  ///< as given, and marked by the user as a published value
   measured,   ///< from a measured record
-  assumed     ///< nobody knows; the value is named in the report as an assumption
+  assumed,    ///< nobody knows; the value is named in the report as an assumption
+  estimated   ///< by a formula or rule from what is known, for what a drawing or a catalogue hides
 };
 const char *name_of(Source source);
 

@@ -116,8 +116,9 @@ KeyList bearing_keys(const RollerBearing &b)
   const bool three   = b.profile == "three-parameter";
   const bool rounded = b.profile == "log" || b.profile == "lundberg" || three;
   const bool tapered = b.type == "four-row tapered";
-  // Raceway pressures are compared with it afterwards.
-  std::string idle    = "yield_pressure rib_angle";
+  // Raceway pressures are compared with the yield pressure afterwards; life is rated after all.
+  std::string idle =
+      "yield_pressure rib_angle viscosity_ratio contamination raceway_flow_stress raceway_flow_state";
   const auto not_read = [&](const bool condition, const char *names) {
     idle += condition ? std::string(" ") + names : "";
   };
@@ -132,12 +133,23 @@ KeyList bearing_keys(const RollerBearing &b)
   not_read(!drawn && !rounded && b.profile != "iso" && b.roller_law != "elastic", "roller_diameter");
   not_read(!drawn && !rounded && b.roller_law != "elastic",
            "bore outside_diameter pitch_diameter youngs_modulus poisson_ratio");
+  not_read(b.designation.empty(), "designation");
+  not_read(b.catalogue.empty(), "catalogue");
+  not_read(b.estimated.empty(), "dynamic_rating static_rating");
   not_read(!tapered, "roller_cone_angle cup_angle row_hands end_play preload");
   not_read(!drawn, "width row_hands");
   not_read(!elastic, "chock");
   not_read(!elastic || b.chock == "rigid", "chock_width chock_height chock_length");
   not_read(!elastic || b.chock != "block", "chock_support_width chock_support_gap");
   return keys_but("bearing." + b.name, rows_of(bearing_rows()), idle);
+}
+
+KeyList rating_keys(const RollerBearing &b)
+{
+  KeyList keys = keys_in("bearing." + b.name, "dynamic_rating static_rating viscosity_ratio contamination "
+                                              "roller_diameter pitch_diameter bore outside_diameter row_hands "
+                                              "yield_pressure raceway_flow_stress raceway_flow_state");
+  return b.type == "four-row tapered" ? joined(keys, keys_in("bearing." + b.name, "cup_angle")) : keys;
 }
 
 KeyList seat_load_keys(const FourHigh &stand, const bool backup, const std::string &contact, const std::size_t p)
@@ -181,13 +193,16 @@ KeyList bearing_case_keys(const BearingCase &spec)
 {
   const RollerBearing &b = bearing_of(spec.bearings, spec.load.bearing);
   KeyList keys           = bearing_keys(b);
-  if (spec.load.tilt != 0 || spec.load.axial != 0)
+  if (loaded_askew(spec.load))
     keys = joined(keys, keys_in("bearing." + b.name, "width row_hands pitch_diameter slices"));
   for (const Row &row : rows_of(bearing_model_rows()))  // [model] says again what the bearing says
     if (holds(keys, "bearing." + b.name + "." + row.key))
       keys.push_back("model." + row.key);
   const char *swept = b.roller_law == "fe" ? "loads" : "";  // the mesh is made for the largest of them
-  return joined(keys_in("load", std::string("bearing radial axial tilt cage_angle ") + swept), keys);
+  return joined(
+      keys_in("load",
+              std::string("bearing radial axial tilt cage_angle axial_displacement moment speed ") + swept),
+      keys);
 }
 
 // Bite

@@ -39,8 +39,8 @@ KeyList force_keys(const Pass &pass, std::size_t p);
 KeyList load_keys(const Pass &pass, std::size_t p);
 KeyList load_keys_of_all(const std::vector<Pass> &passes);
 
-/// What gives a roll its shape and mass between its ends: all rows of its section but profiles, bearings, chocks and
-/// loads.
+/// What gives a roll its shape and mass between its ends: all rows of its section but profiles, bearings, chocks
+/// and loads.
 /// @param section  "work_roll" or "backup_roll"
 KeyList roll_body_keys(const std::string &section);
 
@@ -54,6 +54,8 @@ KeyList cylinder_keys(const std::string &result);
 
 /// A bearing by the model of its case: FE law or a formula, elastic or rigid rings.
 KeyList bearing_keys(const RollerBearing &bearing);
+/// Beside those, what only ratings and life of a bearing read.
+KeyList rating_keys(const RollerBearing &bearing);
 /// Radial load of one bearing in a stand, and which bearing it is.
 /// @param contact  "upper" or "lower"
 KeyList seat_load_keys(const FourHigh &stand, bool backup, const std::string &contact, std::size_t p);

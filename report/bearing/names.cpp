@@ -22,8 +22,9 @@ const Place places[] = {
     {"rib_",           "",       2},
     {"",               "",       0},
 };
-const char *const titles[] = {"Stiffness of one bearing", "Rows",  "Rollers", "From one roller to the bearing",
-                              "A mass on the bearing",    "Others"};
+const char *const titles[] = {
+    "Stiffness of one bearing", "Rows",  "Rollers", "From one roller to the bearing", "A mass on the bearing",
+    "Ratings and life",         "Others"};
 
 bool fits(const Place &place, const std::string &name)
 {
@@ -41,7 +42,8 @@ std::vector<Group> bearing_groups(const Run &run)
   const std::string prefix = "Kzc.";
   for (const Result &result : run.results) {
     if (result.name.rfind(prefix, 0) != 0) {
-      groups.back().results.push_back(&result);
+      const bool rated = result.name.rfind("bearing.", 0) == 0;
+      groups[groups.size() - (rated ? 2 : 1)].results.push_back(&result);
       continue;
     }
     const std::string name = result.name.substr(prefix.size());

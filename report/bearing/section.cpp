@@ -6,6 +6,7 @@
 #include "report/page/number.h"
 #include "report/page/sections.h"
 #include "report/plot/svg.h"
+#include <algorithm>
 
 namespace mill::report {
 namespace {
@@ -28,6 +29,15 @@ std::string arrangement_sentence(const BearingInfo &info)
          "stiffness against tilting.";
 }
 
+// A bearing that is loaded along its axis alone has no secant, and no curve over a radial load.
+bool has_radial_load(const Run &run, const std::string &bearing)
+{
+  const auto names = results_of_bearing(run, bearing);
+  return names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string &name) {
+           return run.find(name + ".secant") != nullptr;
+         });
+}
+
 void sketch(Page &page, const Run &run, const std::string &bearing)
 {
   const BearingInfo info = run.bearing(bearing);
@@ -42,26 +52,26 @@ void sketch(Page &page, const Run &run, const std::string &bearing)
 
 void stiffness(Page &page, const Run &run, const std::string &bearing)
 {
-  const Table &curve  = *stored_curve(run, curve::bearing, bearing);
+  const Table *curve  = stored_curve(run, curve::bearing, bearing);  // of a radial load
   const auto marks    = bearing_loads(run, bearing);
   const Table *rows   = stored_curve(run, curve::bearing_rows, bearing);
   const Table *ring   = stored_curve(run, curve::bearing_rollers, bearing);
   const auto polars   = ring ? roller_polars(*ring) : std::vector<std::string>();
   const bool compared = is_compared(run, bearing);
-  if (compared)
+  if (compared && curve)
     page.figure(
-        {force_over_displacement(curve), stiffness_over_load(curve, marks)},
+        {force_over_displacement(*curve), stiffness_over_load(*curve, marks)},
         "One bearing (a roll has two) over its radial load. The <b>tangent</b> (solid) is what a vibrating "
         "mill feels, the <b>secant</b> (dashed) is load over displacement from the concentric position, "
         "clearance included. Between this run and the same with rigid rings lies what rings, neck and chock "
         "give way; between that and the standard lies the law of one roller.");
   std::vector<std::string> drawings;
-  if (!compared)
-    drawings.push_back(stiffness_over_load(curve, marks));
+  if (!compared && curve)
+    drawings.push_back(stiffness_over_load(*curve, marks));
   if (rows)
     drawings.push_back(share_bars(*rows));
-  if (compared)
-    if (const std::string shares = shares_over_load(curve, marks); !shares.empty())
+  if (compared && curve)
+    if (const std::string shares = shares_over_load(*curve, marks); !shares.empty())
       drawings.push_back(shares);
   if (polars.size() == 1)
     drawings.push_back(polars[0]);
@@ -81,6 +91,8 @@ void stiffness(Page &page, const Run &run, const std::string &bearing)
                 "Load of every roller around the ring, all rows on one scale; 0\u00b0 is the direction of the "
                 "load. " +
                     heaviest_roller_sentence(*ring));
+  if (!curve && has_radial_load(run, bearing))
+    page.absent("Load curves are", curve_path(curve::bearing, bearing) + ".csv");
   if (!rows)
     page.absent("Row shares are", curve_path(curve::bearing_rows, bearing) + ".csv");
   if (!ring)
@@ -149,8 +161,11 @@ void one_bearing(Page &page, const Run &run, const std::string &bearing)
 
 void bearing_section(Page &page, const Run &run)
 {
-  const auto bearings = items_of(run, curve::bearing);
-  const bool wanted   = run.manifest.kind == "four-high" || run.manifest.kind == "bearing";
+  auto bearings = items_of(run, curve::bearing);
+  for (const std::string &name : items_of(run, curve::bearing_rows))  // without a radial load there is no curve
+    if (std::find(bearings.begin(), bearings.end(), name) == bearings.end())
+      bearings.push_back(name);
+  const bool wanted = run.manifest.kind == "four-high" || run.manifest.kind == "bearing";
   if (bearings.empty() && !wanted)
     return;
   page.section("bearings", "Bearings");

@@ -146,7 +146,7 @@ std::string accuracy_cell(const Result &result)
       lacks += " and " + std::to_string(result.error_lacks.size() - most) + " more";
     return "\u2013<small>not known of " + escaped(lacks) + "</small>";
   }
-  for (const char *origin : {"given", "published", "measured", "assumed"})
+  for (const char *origin : {"given", "published", "measured", "assumed", "estimated"})
     if (result.source.rfind(origin, 0) == 0)
       return std::string("\u2013<small>") + origin + ", not computed here</small>";
   return "\u2013<small>no independent estimate</small>";

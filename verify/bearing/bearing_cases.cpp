@@ -162,6 +162,8 @@ std::vector<Case> bearing_cases()
        "the formula itself to its four printed digits; 2 % between two roundings of the same empirical "
        "constant",
        friswell});
+  for (Case &c : life_cases())
+    cases.push_back(std::move(c));
   for (Case &c : assembly_cases())
     cases.push_back(std::move(c));
   return cases;

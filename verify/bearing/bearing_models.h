@@ -17,4 +17,7 @@ bearing::RingFlexibility synthetic_rings(int rows, int modes);
 
 /// Cases of the assembled bearing, part of bearing_cases().
 std::vector<Case> assembly_cases();
+
+/// Cases of life, ratings and catalogue, part of bearing_cases().
+std::vector<Case> life_cases();
 }  // namespace mill::verify
