@@ -1,5 +1,6 @@
 #pragma once
 #include "bearing/roller_law.h"
+#include "core/model/roller_bearing.h"
 
 // Formulas that need no equilibrium: sanity of the geometry and of the assembled stiffness.  theory.md 5.7
 namespace mill::bearing {

@@ -1,9 +1,11 @@
+#include "core/model/bearing_case.h"
 #include "app/stages/bearing_files.h"
 #include "app/stages/bearing_published.h"
 #include "app/stages/bearing_results.h"
 #include "app/stages/bearing_stage.h"
 #include "app/stages/curve_files.h"
 #include "bearing/clearance.h"
+#include "core/model/case.h"
 #include "core/records/csv.h"
 #include "dynamics/bearing/dynamics.h"
 #include <algorithm>

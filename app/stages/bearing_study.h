@@ -1,6 +1,6 @@
 #pragma once
 #include "app/stages/bearing_model.h"
-#include "core/model/stand.h"
+#include "core/model/given.h"
 #include <functional>
 #include <optional>
 

@@ -2,6 +2,7 @@
 #include "app/run_context.h"
 #include "bite/bite.h"
 #include "bite/slab/slab_bite.h"
+#include "core/model/bite_setup.h"
 #include "fem/strip/rigid_plastic/strip_flow.h"
 #include <exception>
 #include <optional>

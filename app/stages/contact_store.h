@@ -8,6 +8,8 @@
 #include <vector>
 
 namespace mill {
+struct FourHigh;
+
 /// Everything that was solved of one contact: its curves, the second engine's, and single loads of every pair.
 struct SolvedStudy {
   ContactCurve mirrored, in_stand, coarse, in_stand_coarse;

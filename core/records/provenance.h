@@ -1,5 +1,10 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/bearing_case.h"
+#include "core/model/bite_setup.h"
+#include "core/model/dynamics_settings.h"
+#include "core/model/four_high.h"
+#include "core/model/given.h"
+#include "core/model/pass.h"
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -39,8 +44,8 @@ KeyList force_keys(const Pass &pass, std::size_t p);
 KeyList load_keys(const Pass &pass, std::size_t p);
 KeyList load_keys_of_all(const std::vector<Pass> &passes);
 
-/// What gives a roll its shape and mass between its ends: all rows of its section but profiles, bearings, chocks and
-/// loads.
+/// What gives a roll its shape and mass between its ends: all rows of its section but profiles, bearings, chocks
+/// and loads.
 /// @param section  "work_roll" or "backup_roll"
 KeyList roll_body_keys(const std::string &section);
 

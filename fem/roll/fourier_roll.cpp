@@ -3,6 +3,7 @@
 #include "core/numerics/gauss.h"
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mill::fem {
 namespace {
