@@ -1,5 +1,5 @@
 #include "app/case_kinds.h"
-#include "core/model/stand.h"
+#include "core/model/case.h"
 
 namespace mill {
 const RunKind &run_kind(const Case &the_case)

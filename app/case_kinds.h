@@ -12,6 +12,11 @@
 // What the program does with each kind of case.  One file of app/kinds for each, and one line at the end of this
 // page; what reading and describing a kind needs stands in core/case/kinds.h.
 namespace mill {
+struct BearingCase;
+struct Case;
+struct ChatterCase;
+struct FourHigh;
+
 struct BiteCase;
 struct Lumped;
 struct QuickMemory;

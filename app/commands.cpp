@@ -11,6 +11,7 @@
 #include "app/verify_command.h"
 #include "core/case/input_reference.h"
 #include "core/case/visible_text.h"
+#include "core/model/case.h"
 #include "core/numerics/sparse.h"
 #include "core/records/files.h"
 #include "fem/body/elastic_body.h"

@@ -1,5 +1,4 @@
 #pragma once
-#include "core/model/stand.h"
 #include "core/records/csv.h"
 #include "core/records/files.h"
 #include "core/records/result_folder.h"
@@ -9,6 +8,8 @@
 #include <string>
 
 namespace mill {
+struct Case;
+
 /// Folder of a run.  Nothing of another case is overwritten by surprise, and what a folder shows belongs to one
 /// run: files are written into a staging folder inside it and take the place of the earlier ones together, in
 /// publish() (core/records/result_folder.h).

@@ -9,6 +9,7 @@
 #include "app/stages/frame_stage.h"
 #include "app/stages/model_stage.h"
 #include "app/stages/result_inputs.h"
+#include "core/model/lumped.h"
 #include "core/records/csv.h"
 #include "core/records/lumped_model.h"
 #include "core/records/provenance.h"

@@ -1,6 +1,5 @@
 #pragma once
 #include "app/output_dir.h"
-#include "core/model/stand.h"
 #include "core/process/progress.h"
 #include "core/process/stage_work.h"
 #include "core/records/results.h"
@@ -15,6 +14,8 @@
 #include <vector>
 
 namespace mill {
+struct Case;
+
 /// Time of one stage of a run.
 struct StageTime {
   std::string stage;

@@ -2,14 +2,16 @@
 #include "app/address_space.h"
 #include "app/console.h"
 #include "core/case/errors.h"
-#include "core/records/files.h"
+#include "core/model/case.h"
 #include "core/numerics/sparse.h"
+#include "core/records/files.h"
 #include "fem/body/elastic_body.h"
 #include "verify/manual.h"
 #include "verify/peer/calculix.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <thread>
+#include <utility>
 
 namespace mill {
 namespace {

@@ -1,7 +1,8 @@
 #pragma once
 #include "bearing/ring_flexibility.h"
 #include "bearing/roller_law.h"
-#include "core/model/stand.h"
+#include "core/case/errors.h"
+#include "core/model/roller_bearing.h"
 #include <Eigen/Core>
 #include <array>
 #include <memory>

@@ -1,4 +1,5 @@
 #include "bearing/clearance.h"
+#include "core/case/errors.h"
 #include <cmath>
 
 namespace mill::bearing {

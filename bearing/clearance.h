@@ -1,5 +1,6 @@
 #pragma once
 #include "bearing/roller_law.h"
+#include "core/model/roller_bearing.h"
 
 namespace mill::bearing {
 /// Diametral clearance of a bearing, m: its `end_play` turned into radial play, else its `radial_clearance`.

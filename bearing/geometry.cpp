@@ -1,4 +1,5 @@
 #include "bearing/geometry.h"
+#include "core/case/errors.h"
 #include <cmath>
 #include <sstream>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/roller_bearing.h"
 #include <Eigen/Core>
 #include <vector>
 

@@ -1,6 +1,7 @@
 #include "bearing/roller_law.h"
 #include "bearing/geometry.h"
 #include "bearing/roller_profile.h"
+#include "core/case/errors.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 #include "bearing/roller_places.h"
 #include "bearing/geometry.h"
+#include "core/case/errors.h"
 #include <cmath>
 
 namespace mill::bearing {

@@ -1,5 +1,6 @@
 #include "bearing/roller_profile.h"
 #include "bearing/geometry.h"
+#include "core/case/errors.h"
 #include <algorithm>
 #include <cmath>
 #include <sstream>

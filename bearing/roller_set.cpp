@@ -1,6 +1,7 @@
 #include "bearing/roller_set.h"
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mill::bearing {
 using Eigen::Index;

@@ -1,4 +1,5 @@
 #include "bearing/roller_law.h"
+#include "core/case/errors.h"
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>

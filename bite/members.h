@@ -1,8 +1,7 @@
 #pragma once
 #include "bite/bite.h"
-#include "core/records/members.h"
 
-// Member lists of what a bite is given; see core/records/members.h.
+// Member lists of what a bite is given; see core/records/each_member.h.
 namespace mill::bite {
 // Of the rolls only their flattening is followed.
 template <class Io> void each_member(Io &&io, const RollBite &record)

@@ -47,7 +47,8 @@ function(mill_quick_to_compile target)
 endfunction()
 
 # Headers of others that most files of a kind read, parsed once for all libraries of that kind (kinds: numbers, text,
-# test).  Nothing of our own is in them: a file still includes what it uses.
+# test).  Of our own only the list of what is compiled once is in them
+# (core/numerics/eigen_instances.h): a file still includes what it uses.
 # mill_precompile(kind HEADERS headers... [LINK targets whose definitions the users share])
 function(mill_precompile kind)
   cmake_parse_arguments(P "" "" "HEADERS;LINK" ${ARGN})

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/material.h"
 #include <Eigen/Core>
 
 // Surface displacement of elastic half spaces under uniform tractions.  theory.md 10

@@ -5,7 +5,6 @@
 #include "app/trace/quick_parts.h"
 #include "core/case/kinds.h"
 #include "core/case/stand_rows.h"
-#include "core/model/stand.h"
 #include <nlohmann/json.hpp>
 
 namespace mill {

@@ -3,7 +3,8 @@
 #include "app/stages/bite_stage.h"
 #include "app/trace/quick_parts.h"
 #include "app/trace/trace_key.h"
-#include "core/model/stand.h"
+#include "core/model/bite_case.h"
+#include "core/model/case.h"
 #include <nlohmann/json.hpp>
 
 namespace mill {

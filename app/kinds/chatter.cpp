@@ -2,7 +2,7 @@
 #include "app/kinds/kind_inputs.h"
 #include "app/stages/chatter_stage.h"
 #include "app/trace/quick_parts.h"
-#include "core/model/stand.h"
+#include "core/model/case.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

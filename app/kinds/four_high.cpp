@@ -4,7 +4,7 @@
 #include "app/stages/bite_stage.h"
 #include "app/trace/quick_chain.h"
 #include "app/trace/trace_key.h"
-#include "core/model/stand.h"
+#include "core/model/case.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,6 @@
 #pragma once
+#include "core/model/dynamics_settings.h"
+#include "core/model/pass.h"
 #include "core/records/provenance.h"
 #include "core/records/results.h"
 #include <optional>

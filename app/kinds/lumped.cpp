@@ -1,8 +1,9 @@
+#include "core/model/lumped.h"
 #include "app/case_kinds.h"
 #include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
 #include "app/trace/quick_chain.h"
-#include "core/model/stand.h"
+#include "core/model/case.h"
 #include <filesystem>
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
+#include "core/model/pass.h"
 #include "core/model/roller_bearing.h"
-#include "core/model/stand.h"
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>

@@ -1,7 +1,8 @@
+#include "core/model/two_cylinders.h"
 #include "app/case_kinds.h"
 #include "app/stages/contact_stage.h"
 #include "app/trace/quick_parts.h"
-#include "core/model/stand.h"
+#include "core/model/case.h"
 #include <nlohmann/json.hpp>
 
 namespace mill {

@@ -1,3 +1,4 @@
+#include "core/model/bearing_case.h"
 #include "app/stages/bearing_files.h"
 #include "app/stages/bearing_published.h"
 #include "app/stages/bearing_ratings.h"
@@ -5,6 +6,7 @@
 #include "app/stages/bearing_stage.h"
 #include "app/stages/curve_files.h"
 #include "bearing/clearance.h"
+#include "core/model/case.h"
 #include "core/records/csv.h"
 #include "dynamics/bearing/dynamics.h"
 #include <algorithm>

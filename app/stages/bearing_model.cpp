@@ -6,7 +6,6 @@
 #include "bearing/roller_profile.h"
 #include "core/case/kinds.h"
 #include "core/records/files.h"
-#include "core/records/members.h"
 #include "core/records/record_text.h"
 #include "fem/bearing/chock_flexibility.h"
 #include "fem/bearing/roller_slices.h"

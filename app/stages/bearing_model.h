@@ -11,6 +11,8 @@
 #include <vector>
 
 namespace mill {
+struct Case;
+
 /// A bearing with one ingredient of its model exchanged.
 struct BearingVariant {
   std::string about;  ///< "roller on a mesh twice as coarse", "chock on two feet"

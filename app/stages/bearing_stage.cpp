@@ -5,6 +5,10 @@
 #include "app/stages/bearing_published.h"
 #include "app/stages/bearing_ratings.h"
 #include "app/stages/bearing_results.h"
+#include "core/model/case.h"
+#include "core/model/contact_settings.h"
+#include "core/model/four_high.h"
+#include "core/model/roll.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,10 +1,12 @@
 #pragma once
 #include "app/run_context.h"
-#include "core/model/stand.h"
 #include <array>
 #include <vector>
 
 namespace mill {
+struct BearingCase;
+struct FourHigh;
+
 /// Radial stiffness of the roll-neck bearings at one working load.
 struct StandBearings {
   std::array<Parameter, 4>

@@ -1,6 +1,5 @@
 #include "app/stages/bearing_store.h"
 #include "core/records/cache_entry.h"
-#include "core/records/members.h"
 #include "core/records/record_text.h"
 #include "fem/body/archive.h"
 

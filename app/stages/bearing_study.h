@@ -1,7 +1,7 @@
 #pragma once
 #include "app/stages/bearing_model.h"
 #include "app/stages/bearing_readings.h"
-#include "core/model/stand.h"
+#include "core/model/given.h"
 #include <functional>
 #include <optional>
 

@@ -2,6 +2,7 @@
 #include "app/stages/curve_files.h"
 #include "app/stages/strip_flow_stage.h"
 #include "bite/linear/stiffness_map.h"
+#include "core/case/errors.h"
 #include "core/records/csv.h"
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,6 @@
 #include "app/stages/kept_part.h"
 #include "core/records/cache_entry.h"
 #include "core/records/files.h"
-#include "core/records/members.h"
 #include "core/records/record_text.h"
 #include "fem/body/archive.h"
 #include "fem/body/elastic_body.h"

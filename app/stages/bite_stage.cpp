@@ -2,6 +2,9 @@
 #include "app/stages/bite_curves.h"
 #include "app/stages/bite_files.h"
 #include "app/stages/bite_results.h"
+#include "core/model/bite_case.h"
+#include "core/model/case.h"
+#include "core/model/four_high.h"
 #include "reduce/chain/line_contact.h"
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,12 @@
 #pragma once
 #include "app/stages/bite_study.h"
+#include "core/model/pass.h"
 
 namespace mill {
+struct BiteCase;
+struct Case;
+struct FourHigh;
+
 /// Roll bite of one pass: what of the pass differs from the strip.
 bite::RollBite bite_of(const Strip &strip, const Pass &pass, double roll_diameter, const Material &roll);
 

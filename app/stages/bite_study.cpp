@@ -2,6 +2,7 @@
 #include "app/stages/bite_roll_stage.h"
 #include "app/stages/strip_flow_stage.h"
 #include "bite/slab/flattening.h"
+#include "core/case/errors.h"
 #include "core/numerics/mesh_pair.h"
 #include <algorithm>
 #include <cmath>

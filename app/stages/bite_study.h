@@ -3,6 +3,7 @@
 #include "bite/bite.h"
 #include "bite/slab/regime.h"
 #include "bite/slab/slab_bite.h"
+#include "core/model/bite_setup.h"
 #include "fem/strip/rigid_plastic/strip_flow.h"
 #include <exception>
 #include <optional>

@@ -1,10 +1,14 @@
 #pragma once
 #include "app/stages/chatter_study.h"
 #include "app/stages/model_stage.h"
+#include "core/model/pass.h"
 #include "reduce/stand/lumped_stand.h"
 
 // From a case to what is asked about chatter.
 namespace mill {
+struct ChatterCase;
+struct FourHigh;
+
 ChatterQuestion chatter_question(const ChatterCase &spec, std::size_t condition);
 
 /// A pass of a four-high stand as a working condition.

@@ -3,6 +3,7 @@
 #include "app/stages/chatter_question.h"
 #include "app/stages/chatter_results.h"
 #include "core/laws/flow_stress_law.h"
+#include "core/model/case.h"
 #include <cmath>
 #include <exception>
 #include <fmt/format.h>

@@ -1,9 +1,14 @@
 #pragma once
-#include "app/stages/model_stage.h"
 #include "app/run_context.h"
+#include "app/stages/model_stage.h"
+#include "core/model/pass.h"
 #include "reduce/stand/lumped_stand.h"
 
 namespace mill {
+struct Case;
+struct ChatterCase;
+struct FourHigh;
+
 /// Conditions that no strip can stand: a tension at or above its flow stress there.
 /// @throws InputError  with the place of every such key
 void check_conditions(const Case &the_case);

@@ -1,5 +1,6 @@
 #pragma once
 #include "app/run_context.h"
+#include "core/model/chatter.h"
 #include "dynamics/chatter/history.h"
 #include "dynamics/chatter/map.h"
 #include "dynamics/chatter/modes.h"

@@ -2,6 +2,7 @@
 #include "app/stages/contact_slope.h"
 #include "app/stages/contact_stage.h"
 #include "app/stages/curve_files.h"
+#include "core/model/four_high.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/csv.h"
 #include "fem/roll/contact_readings.h"

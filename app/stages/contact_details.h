@@ -1,7 +1,10 @@
 #pragma once
 #include "app/stages/contact_model.h"
+#include "core/model/contact_settings.h"
 
 namespace mill {
+struct FourHigh;
+
 /// What one working load of a contact gives beyond its stiffness: the length in contact, the published way of
 /// evaluating (K.path_plateau), the joint stiffness between the axes, the pressure map
 /// (curves/contact-<name>-pressure.csv), and warnings about what the model does not hold for.

@@ -1,5 +1,6 @@
 #include "app/stages/contact_model.h"
 #include "app/stages/contact_stage.h"
+#include "core/model/four_high.h"
 #include "meshes/roll/contact_mesh_size.h"
 #include "reduce/chain/roll_profile.h"
 #include <algorithm>
@@ -8,18 +9,6 @@
 
 namespace mill {
 namespace {
-RollGeometry geometry_of(const Roll &roll, const double reach)
-{
-  RollGeometry g;
-  g.radius              = 0.5 * roll.barrel_diameter;
-  g.half_length         = 0.5 * roll.barrel_length;
-  g.neck_radius         = 0.5 * roll.neck_diameter;
-  g.neck_length         = roll.neck_length;
-  g.seat_centre         = 0.5 * roll.bearing_span;
-  g.contact_half_length = reach;
-  return g;
-}
-
 // What both rolls lack in radius at z of the stand, and what crossed axes add.  The lower work roll is the upper
 // one turned end for end and shifted the other way.
 double drop_at(const FourHigh &stand, const ContactSettings &settings, const double side, const double z)
@@ -142,7 +131,7 @@ PlannedPair planned_rolls(const FourHigh &stand, const ContactSettings &settings
   const double shift     = stand.work_roll.axial_shift;
   const auto size        = meshes::roll_contact_size(b, settings.elements_per_half_width, reach);
   const auto planned     = [&](const Roll &roll, const double from, const double to) {
-    PlannedRoll plan{geometry_of(roll, std::max(std::abs(from), std::abs(to))), size};
+    PlannedRoll plan{roll_geometry(roll, std::max(std::abs(from), std::abs(to))), size};
     plan.size.break_at = std::abs(from + to) > 1e-9 ? std::min(std::abs(from), std::abs(to)) : 0;
     return plan;
   };

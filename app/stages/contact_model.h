@@ -1,11 +1,15 @@
 #pragma once
 #include "app/stages/condensed_rolls.h"
+#include "core/model/contact_settings.h"
 #include "fem/roll/contact_study.h"
 #include "reduce/chain/line_contact.h"
 #include <functional>
 #include <vector>
 
 namespace mill {
+struct FourHigh;
+struct TwoCylinders;
+
 /// One roll contact of a stand, ready to be solved at any load.
 struct ContactModel {
   CondensedPair backup, work;

@@ -6,6 +6,7 @@
 #include "app/stages/contact_store.h"
 #include "app/stages/curve_files.h"
 #include "app/stages/second_engine.h"
+#include "core/model/four_high.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/process/parallel.h"
 #include "core/records/files.h"

@@ -1,12 +1,15 @@
 #pragma once
 #include "app/run_context.h"
-#include "core/model/stand.h"
+#include "core/model/contact_settings.h"
 #include "core/records/records.h"
 #include <map>
 #include <string>
 #include <vector>
 
 namespace mill {
+struct FourHigh;
+struct TwoCylinders;
+
 /// One contact of the stand, solved: its curve and the stiffness at every working load.
 struct SolvedContact {
   ContactCurve curve;              ///< each roll squeezed between mirrored contacts: datum of the closed forms

@@ -1,7 +1,7 @@
 #include "app/stages/contact_store.h"
 #include "app/stages/contact_stage.h"
+#include "core/model/four_high.h"
 #include "core/records/cache_entry.h"
-#include "core/records/members.h"
 #include "core/records/record_text.h"
 #include "fem/body/archive.h"
 #include <utility>

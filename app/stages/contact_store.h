@@ -8,6 +8,8 @@
 #include <vector>
 
 namespace mill {
+struct FourHigh;
+
 /// Everything that was solved of one contact: its curves, the second engine's, single loads of every pair, and
 /// what is read off a pair; not the rolls and the compliances made of them, which only another load needs.
 struct SolvedStudy {

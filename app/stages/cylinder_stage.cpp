@@ -3,6 +3,7 @@
 #include "app/stages/contact_slope.h"
 #include "app/stages/contact_stage.h"
 #include "app/stages/curve_files.h"
+#include "core/model/two_cylinders.h"
 #include "core/numerics/mesh_pair.h"
 #include "fem/roll/contact_study.h"
 #include "meshes/roll/contact_mesh_size.h"

@@ -1,6 +1,7 @@
 #pragma once
 #include "app/run_context.h"
-#include "core/model/stand.h"
+#include "core/model/dynamics_settings.h"
+#include "core/model/pass.h"
 #include "core/records/lumped_model.h"
 #include "core/records/provenance.h"
 #include "core/records/records.h"

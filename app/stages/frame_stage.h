@@ -1,6 +1,6 @@
 #pragma once
 #include "app/run_context.h"
-#include "core/model/stand.h"
+#include "core/model/four_high.h"
 
 namespace mill {
 /// Puts what [housing] and [screwdown] give into stand.frame: frame.* results with closed forms and the given

@@ -1,12 +1,14 @@
 #pragma once
 #include "app/run_context.h"
 #include "app/stages/stand_components.h"
-#include "core/model/stand.h"
+#include "core/model/dynamics_settings.h"
 #include "reduce/chain/fe_masses.h"
 #include "reduce/stand/lumped_stand.h"
 #include "reduce/stand/stand_comparison.h"
 
 namespace mill {
+struct FourHigh;
+
 /// The stand at one working load in three depths.
 struct StandModels {
   reduce::StandWithModes chain;          ///< six masses

@@ -4,6 +4,8 @@
 #include <string>
 
 namespace mill {
+struct FourHigh;
+
 /// One model with its modes below the limit and one beyond it.
 /// @param in_chain  (modes) share of each that six masses can follow; empty: not known
 ComparedModel compared_model(const reduce::StandWithModes &stand, const std::string &title,

@@ -1,5 +1,6 @@
 #include "app/stages/result_inputs.h"
 #include "app/case_kinds.h"
+#include "core/model/case.h"
 #include "core/records/provenance.h"
 #include <optional>
 

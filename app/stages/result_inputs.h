@@ -1,9 +1,11 @@
 #pragma once
-#include "core/model/stand.h"
 #include "core/records/results.h"
 #include "reduce/stand/lumped_stand.h"
 
 namespace mill {
+struct Case;
+struct FourHigh;
+
 /// Writes into contacts, bearings, bites and responses of a run the keys that stand behind them, by the lists of
 /// core/records/provenance.h that a trace follows too.  Masses, springs and modes carry theirs along from the
 /// chain.

@@ -1,6 +1,7 @@
 #include "app/stages/second_engine.h"
 #include "app/stages/contact_stage.h"
 #include "app/stages/kept_part.h"
+#include "core/model/four_high.h"
 #include "core/records/files.h"
 #include "core/records/record_text.h"
 #include "fem/body/members.h"

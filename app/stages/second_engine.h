@@ -5,6 +5,8 @@
 #include <optional>
 
 namespace mill {
+struct FourHigh;
+
 /// The same contact by the Fourier engine, which shares neither mesh nor solver with the first.  theory.md 11
 struct SecondEngine {
   ContactCurve mirrored, in_stand;         ///< as the curves of the first engine, at the same loads

@@ -1,5 +1,6 @@
 #include "app/stages/stand_components.h"
 #include "app/stages/kept_part.h"
+#include "core/model/case.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/files.h"
 #include "core/records/record_text.h"
@@ -88,7 +89,7 @@ struct ReducedRoll {
 
 ReducedRoll roll(RunContext &run, const std::string &name, const Roll &drawn, const FourHigh &stand)
 {
-  const RollGeometry g = fem::vibrating_roll(drawn);
+  const RollGeometry g = roll_geometry(drawn);
   const double limit   = stand.dynamics.frequency_limit;
   fem::RollComponentOptions options;
   options.frequency_limit = limit;
@@ -156,7 +157,7 @@ std::string roll_component_inputs(const Roll &drawn, const FourHigh &stand, cons
 {
   fem::RollComponentOptions options;
   options.frequency_limit = stand.dynamics.frequency_limit;
-  return record_text(fem::vibrating_roll(drawn), stand.steel, stand.dynamics.elements_per_radius, coarse, options);
+  return record_text(roll_geometry(drawn), stand.steel, stand.dynamics.elements_per_radius, coarse, options);
 }
 
 std::string housing_component_inputs(const FourHigh &stand, const bool coarse)

@@ -1,9 +1,11 @@
 #pragma once
 #include "app/run_context.h"
-#include "core/model/stand.h"
+#include "core/model/roll.h"
 #include "reduce/stand/component_stand.h"
 
 namespace mill {
+struct FourHigh;
+
 /// The rolls (and a drawn housing) reduced by finite elements, on the mesh of the case and on a coarser one for
 /// the error estimate.
 struct ComponentSets {

@@ -1,6 +1,7 @@
 #include "app/stages/strip_flow_stage.h"
 #include "app/stages/strip_flow_store.h"
 #include "bite/members.h"
+#include "core/case/errors.h"
 #include "core/process/parallel.h"
 #include "core/records/cache_entry.h"
 #include "core/records/record_text.h"

@@ -3,6 +3,7 @@
 #include "app/stages/contact_stage.h"
 #include "app/trace/quick_parts.h"
 #include "bearing/assembly.h"
+#include "core/model/case.h"
 #include <cmath>
 #include <fmt/format.h>
 

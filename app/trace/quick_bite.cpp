@@ -1,6 +1,7 @@
 #include "app/stages/bite_stage.h"
 #include "app/stages/bite_study.h"
 #include "app/trace/quick_parts.h"
+#include "core/model/bite_case.h"
 #include <algorithm>
 #include <fmt/format.h>
 

@@ -2,6 +2,8 @@
 #include "app/case_kinds.h"
 #include "app/stages/dynamics_stage.h"
 #include "app/trace/quick_response.h"
+#include "core/model/case.h"
+#include "core/model/lumped.h"
 #include "core/numerics/require.h"
 #include "core/records/lumped_model.h"
 #include "dynamics/response/mill_model.h"

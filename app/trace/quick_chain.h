@@ -8,6 +8,8 @@
 #include <vector>
 
 namespace mill {
+struct FourHigh;
+
 struct Case;
 
 /// What evaluations of neighbouring cases share: forces that are read once, responses of a chain already driven.

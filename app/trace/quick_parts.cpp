@@ -1,5 +1,6 @@
 #include "app/trace/quick_parts.h"
 #include "app/stages/contact_stage.h"
+#include "core/model/two_cylinders.h"
 #include "reduce/chain/housing_frame.h"
 #include "reduce/chain/line_contact.h"
 #include "reduce/chain/screwdown.h"

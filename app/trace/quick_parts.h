@@ -1,7 +1,6 @@
 #pragma once
 #include "app/trace/quick_keys.h"
 #include "core/model/material.h"
-#include "core/model/stand.h"
 #include "core/records/parameter.h"
 #include <array>
 #include <string>
@@ -9,6 +8,8 @@
 
 // What stands in for finite elements where an answer is wanted at once: closed forms.  theory.md 24
 namespace mill {
+struct FourHigh;
+
 struct BearingCase;
 struct BiteCase;
 struct ChatterCase;

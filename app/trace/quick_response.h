@@ -1,7 +1,8 @@
 #pragma once
 #include "app/trace/quick_chain.h"
+#include "core/model/dynamics_settings.h"
+#include "core/model/pass.h"
 #include "core/records/lumped_model.h"
-#include "core/model/stand.h"
 #include <array>
 
 namespace mill {

@@ -4,7 +4,6 @@
 #include "core/case/kinds.h"
 #include "core/case/units.h"
 #include "core/model/material.h"
-#include "core/model/stand.h"
 #include "core/records/files.h"
 #include "core/records/result_folder.h"
 #include "core/records/run_identity.h"

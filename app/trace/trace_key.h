@@ -2,6 +2,7 @@
 #include "app/trace/quick_parts.h"
 #include "core/case/case_file.h"
 #include "core/case/fields.h"
+#include "core/model/strip.h"
 #include <functional>
 #include <map>
 #include <optional>

@@ -1,5 +1,7 @@
 #include "core/case/given.h"
 #include "core/case/stand_reader.h"
+#include "core/model/case.h"
+#include "core/model/lumped.h"
 #include "core/records/files.h"
 #include <algorithm>
 #include <cmath>

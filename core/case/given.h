@@ -1,5 +1,6 @@
 #pragma once
 #include "core/case/stand_rows.h"
+#include "core/records/parameter.h"
 
 namespace mill {
 /// "published", "computed: contact FEM", "assumed: F/20" -> source and method.  False for anything else.

@@ -1,6 +1,12 @@
 #pragma once
 #include "core/case/stand_rows.h"
-#include "core/model/stand.h"
+#include "core/model/bearing_case.h"
+#include "core/model/bite_case.h"
+#include "core/model/case.h"
+#include "core/model/four_high.h"
+#include "core/model/lumped.h"
+#include "core/model/pass.h"
+#include "core/model/two_cylinders.h"
 #include <map>
 #include <string>
 #include <vector>

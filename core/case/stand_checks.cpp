@@ -1,9 +1,11 @@
 #include "core/case/stand_reader.h"
 #include "core/case/units.h"
+#include "core/model/four_high.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <utility>
 
 namespace mill {
 void contradict(Reading &reading, const std::string &key, const std::string &why,

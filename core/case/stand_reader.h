@@ -1,8 +1,26 @@
 #pragma once
 #include "core/case/stand_rows.h"
+#include "core/model/bite_setup.h"
+#include "core/model/chatter.h"
+#include "core/model/contact_settings.h"
+#include "core/model/dynamics_settings.h"
+#include "core/model/frame.h"
+#include "core/model/given.h"
+#include "core/model/housing.h"
+#include "core/model/pass.h"
+#include "core/model/roll.h"
+#include "core/model/roller_bearing.h"
+#include "core/model/strip.h"
 
 // Reading of the kinds of case, section by section.
 namespace mill {
+struct BearingCase;
+struct BiteCase;
+struct ChatterCase;
+struct FourHigh;
+struct Lumped;
+struct TwoCylinders;
+
 /// Section "contact.upper" below the root; its node is null when it is left out.  A value where a section is
 /// wanted becomes a problem.
 Section section_at(const Node &root, const std::string &name, Reading &reading);

@@ -1,6 +1,16 @@
 #pragma once
 #include "core/case/fields.h"
-#include "core/model/stand.h"
+#include "core/model/bearing_case.h"
+#include "core/model/bite_setup.h"
+#include "core/model/chatter.h"
+#include "core/model/contact_settings.h"
+#include "core/model/dynamics_settings.h"
+#include "core/model/frame.h"
+#include "core/model/housing.h"
+#include "core/model/pass.h"
+#include "core/model/roll.h"
+#include "core/model/strip.h"
+#include "core/model/two_cylinders.h"
 #include <string>
 #include <vector>
 

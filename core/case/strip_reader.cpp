@@ -1,4 +1,5 @@
 #include "core/case/stand_reader.h"
+#include "core/model/bite_case.h"
 
 namespace mill {
 namespace {

@@ -201,5 +201,14 @@ template <class T> std::vector<double> strains_of_kinks(const FlowStressOf<T> &l
   return strains;
 }
 }  // namespace bite
+
+// The constants of the laws are listed with them (core/laws).
+template <class Io> void each_member(Io &&io, const FlowStress &record)
+{
+  io("law", name_of(record.law));
+  for (const FlowStressConstant &constant : flow_stress_constants())
+    io(constant.key, record.*constant.member);
+  io("table", record.table);
+}
 }  // namespace mill
 #pragma GCC diagnostic pop

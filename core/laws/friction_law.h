@@ -255,5 +255,12 @@ template <class T, class Side> T traction_limit(const Traction<T> &law, const T 
   return at_limit(law, p, k, side) ? largest_traction(law, k, side) : sliding_traction(law, p);
 }
 }  // namespace bite
+
+template <class Io> void each_member(Io &&io, const Friction &record)
+{
+  io("law", name_of(record.law));
+  for (const FrictionConstant &constant : friction_constants())
+    io(constant.key, record.*constant.member);
+}
 }  // namespace mill
 #pragma GCC diagnostic pop

@@ -55,4 +55,46 @@ struct RingMeshes {
   MeshFile chock_section;     ///< the cup in its round housing with the lines of the block's mesh
   bool chock_halved = false;  ///< only z >= 0 is meshed, the other half is its mirror image
 };
+
+template <class Io> void each_member(Io &&io, const RacewayLine &record)
+{
+  const auto &[middle, normal, along, hand] = record;
+  io("middle", middle);
+  io("normal", normal);
+  io("along", along);
+  io("hand", hand);
+}
+
+template <class Io> void each_member(Io &&io, const RingSection &record)
+{
+  const auto &[inner, raceways, length, land, seat_radius, half_width, depth] = record;
+  io("inner", inner);
+  io("raceways", raceways);
+  io("length", length);
+  io("land", land);
+  io("seat_radius", seat_radius);
+  io("half_width", half_width);
+  io("depth", depth);
+}
+
+template <class Io> void each_member(Io &&io, const Housing &record)
+{
+  const auto &[kind, radius, half_length, width, height, support_width, support_gap] = record;
+  io("kind", kind);
+  io("radius", radius);
+  io("half_length", half_length);
+  io("width", width);
+  io("height", height);
+  io("support_width", support_width);
+  io("support_gap", support_gap);
+}
+
+template <class Io> void each_member(Io &&io, const RingSections &record)
+{
+  const auto &[cone, cup, housing, material] = record;
+  io("cone", cone);
+  io("cup", cup);
+  io("housing", housing);
+  io("material", at_rest(material));
+}
 }  // namespace mill

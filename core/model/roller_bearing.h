@@ -87,4 +87,54 @@ std::vector<std::string> usual_arrangements(int rows);
 
 /// "+-+-, pairs of rows back to back (TQI)": hands cut or repeated to the rows, with the name of the arrangement.
 std::string arrangement_name(const std::string &row_hands, int rows);
+
+// A bearing with all that its equilibrium follows.  Type is said again by the angles; name and what was filled in
+// are for messages; catalogue and ratings are read off the state afterwards.
+template <class Io> void each_member(Io &&io, const RollerBearing &record)
+{
+  const auto &[name, type, bore, outside_diameter, width, pitch_diameter, rows, rollers_per_row, roller_length,
+               roller_total_length, roller_diameter, roller_cone_angle, cup_angle, rib_angle, row_hands,
+               row_hands_assumed, radial_clearance, end_play, preload, profile, crown_drop, profile_load,
+               profile_share, profile_table, youngs_modulus, poisson_ratio, yield_pressure, roller_law, rings,
+               slices, chock, chock_width, chock_height, chock_length, chock_support_width, chock_support_gap,
+               chock_assumed, support_assumed, filled, designation, catalogue, catalogue_source, dynamic_rating,
+               static_rating, viscosity_ratio, contamination, raceway_flow, raceway_state, estimated, candidates] =
+      record;
+  io("bore", bore);
+  io("outside_diameter", outside_diameter);
+  io("width", width);
+  io("pitch_diameter", pitch_diameter);
+  io("rows", rows);
+  io("rollers_per_row", rollers_per_row);
+  io("roller_length", roller_length);
+  io("roller_total_length", roller_total_length);
+  io("roller_diameter", roller_diameter);
+  io("roller_cone_angle", roller_cone_angle);
+  io("cup_angle", cup_angle);
+  io("rib_angle", rib_angle);
+  io("row_hands", row_hands);
+  io("row_hands_assumed", row_hands_assumed);
+  io("radial_clearance", radial_clearance);
+  io("end_play", end_play);
+  io("preload", preload);
+  io("profile", profile);
+  io("crown_drop", crown_drop);
+  io("profile_load", profile_load);
+  io("profile_share", profile_share);
+  io("profile_table", profile_table);
+  io("youngs_modulus", youngs_modulus);
+  io("poisson_ratio", poisson_ratio);
+  io("yield_pressure", yield_pressure);
+  io("roller_law", roller_law);
+  io("rings", rings);
+  io("slices", slices);
+  io("chock", chock);
+  io("chock_width", chock_width);
+  io("chock_height", chock_height);
+  io("chock_length", chock_length);
+  io("chock_support_width", chock_support_width);
+  io("chock_support_gap", chock_support_gap);
+  io("chock_assumed", chock_assumed);
+  io("support_assumed", support_assumed);
+}
 }  // namespace mill

@@ -40,4 +40,25 @@ double line_half_width(const RollerSetup &setup, double raceway_radius, double l
 struct RollerMeshes {
   MeshFile roller, inner, outer;
 };
+
+template <class Io> void each_member(Io &&io, const RollerSetup &record)
+{
+  const auto &[diameter, length, contact_length, inner_radius, outer_radius, inner_depth, outer_depth, land,
+               material, largest_load, finest_load, elements_per_half_width, end_element, largest_element] =
+      record;
+  io("diameter", diameter);
+  io("length", length);
+  io("contact_length", contact_length);
+  io("inner_radius", inner_radius);
+  io("outer_radius", outer_radius);
+  io("inner_depth", inner_depth);
+  io("outer_depth", outer_depth);
+  io("land", land);
+  io("material", at_rest(material));
+  io("largest_load", largest_load);
+  io("finest_load", finest_load);
+  io("elements_per_half_width", elements_per_half_width);
+  io("end_element", end_element);
+  io("largest_element", largest_element);
+}
 }  // namespace mill

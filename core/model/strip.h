@@ -18,4 +18,20 @@ struct Strip {
   FlowStress flow_stress;
   Friction friction;
 };
+
+template <class Io> void each_member(Io &&io, const Strip &record)
+{
+  const auto &[width, entry_thickness, exit_thickness, entry_tension, exit_tension, initial_thickness,
+               youngs_modulus, poisson_ratio, flow_stress, friction] = record;
+  io("width", width);
+  io("entry_thickness", entry_thickness);
+  io("exit_thickness", exit_thickness);
+  io("entry_tension", entry_tension);
+  io("exit_tension", exit_tension);
+  io("initial_thickness", initial_thickness);
+  io("youngs_modulus", youngs_modulus);
+  io("poisson_ratio", poisson_ratio);
+  io("flow_stress", flow_stress);
+  io("friction", friction);
+}
 }  // namespace mill

@@ -1,6 +1,8 @@
 #include "core/records/lumped_model.h"
 #include "core/case/given.h"
-#include "core/model/stand.h"
+#include "core/model/case.h"
+#include "core/model/four_high.h"
+#include "core/model/lumped.h"
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 #include "core/records/provenance.h"
 #include "core/case/stand_rows.h"
+#include "core/model/case.h"
 #include "core/numerics/require.h"
 #include "core/records/lumped_model.h"
 #include <cmath>

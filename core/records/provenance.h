@@ -1,5 +1,10 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/bearing_case.h"
+#include "core/model/bite_setup.h"
+#include "core/model/dynamics_settings.h"
+#include "core/model/four_high.h"
+#include "core/model/given.h"
+#include "core/model/pass.h"
 #include <algorithm>
 #include <string>
 #include <vector>

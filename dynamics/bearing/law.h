@@ -1,5 +1,5 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/material.h"
 #include <Eigen/Core>
 
 namespace mill::dynamics {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <fmt/format.h>
+#include <utility>
 
 namespace mill::dynamics {
 namespace {

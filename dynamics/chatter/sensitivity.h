@@ -1,5 +1,6 @@
 #pragma once
 #include "bite/linear/linear_sensitivity.h"
+#include "core/model/dynamics_settings.h"
 #include "core/records/chatter_record.h"
 #include "dynamics/chatter/speed.h"
 #include "dynamics/response/mill_model.h"

@@ -3,6 +3,7 @@
 #include "core/numerics/short_number.h"
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mill::dynamics {
 DrivenModel driven_model(const MillModel &model)

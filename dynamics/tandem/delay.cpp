@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 // The characteristic function of a delay system and how often it turns along a line.
 namespace mill::dynamics {

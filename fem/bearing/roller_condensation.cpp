@@ -1,9 +1,10 @@
 #include "core/case/errors.h"
+#include "fem/bearing/roller_contact.h"
 #include "fem/body/elastic_body.h"
 #include "fem/body/free_unknowns.h"
-#include "fem/bearing/roller_contact.h"
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mill::fem {
 namespace {

@@ -101,4 +101,10 @@ struct Reader {
     raw(array.data(), sizeof(double) * std::size_t(array.size()));
   }
 };
+
+/// The numbers of a record by its each_member, the same list that a key is made of.
+template <class Archive, class Record> void numbers(Archive &archive, Record &record)
+{
+  each_member([&](const char *, double &value) { archive.number(value); }, record);
+}
 }  // namespace mill::fem

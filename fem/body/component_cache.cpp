@@ -6,19 +6,21 @@ namespace mill::fem {
 namespace {
 constexpr char kind[] = "millstand component 2";
 
-// The same list of members is run through in both directions.
+// The same list of members is run through in both directions; one that is missing does not compile.
 template <class Archive> void members(Archive &a, Component &c)
 {
-  a.text(c.name);
-  a.text(c.source);
-  a.texts(c.interface);
-  a.count(c.n_barrel);
-  a.count(c.elements_per_radius);
-  for (double *value : {&c.half_barrel, &c.mass, &c.reach})
+  auto &[name, source, interface, n_barrel, half_barrel, M, K, fixed_frequency, residual, axis_z, axis, mass,
+         reach, elements_per_radius] = c;
+  a.text(name);
+  a.text(source);
+  a.texts(interface);
+  a.count(n_barrel);
+  a.count(elements_per_radius);
+  for (double *value : {&half_barrel, &mass, &reach})
     a.number(*value);
-  for (Eigen::MatrixXd *m : {&c.M, &c.K, &c.residual, &c.axis})
+  for (Eigen::MatrixXd *m : {&M, &K, &residual, &axis})
     a.array(*m);
-  for (Eigen::VectorXd *v : {&c.fixed_frequency, &c.axis_z})
+  for (Eigen::VectorXd *v : {&fixed_frequency, &axis_z})
     a.array(*v);
 }
 }  // namespace

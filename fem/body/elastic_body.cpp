@@ -16,6 +16,7 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/numerics/data_out.h>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -81,9 +82,12 @@ void ElasticBody::Implementation::collect_nodes()
     const IndexSet set = DoFTools::extract_boundary_dofs(dofs, ComponentMask(), {types::boundary_id(id)});
     groups[name].assign(set.begin(), set.end());
   }
-  std::set<int> on_x(groups["symmetry.x"].begin(), groups["symmetry.x"].end());
+  // What moves with the axis: the axis itself, in a hollow body the line of the bore in the neutral plane.
+  double innermost = std::numeric_limits<double>::infinity();
   for (const int node : groups["symmetry.y"])
-    if (on_x.count(node))
+    innermost = std::min(innermost, nodes(node, 0));
+  for (const int node : groups["symmetry.y"])
+    if (nodes(node, 0) <= innermost + 1e-9 * mesh.geometry.radius)
       axis.push_back(node);
   std::sort(axis.begin(), axis.end(), [&](const int a, const int b) { return nodes(a, 2) < nodes(b, 2); });
 }

@@ -1,10 +1,9 @@
 #pragma once
-#include "core/records/members.h"
 #include "fem/roll/condensed_roll.h"
 #include "fem/roll/fourier_roll.h"
 #include "fem/roll/roll_component.h"
 
-// Member lists of the options of condensation and reduction; see core/records/members.h.
+// Member lists of the options of condensation and reduction; see core/records/each_member.h.
 namespace mill::fem {
 // The memory that a factor may take decides whether there is an answer, not which.
 template <class Io> void each_member(Io &&io, const CondenseOptions &record)

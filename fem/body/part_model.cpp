@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <cmath>
+#include <utility>
 
 namespace mill::fem {
 struct PartModel::Implementation {

@@ -1,5 +1,6 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/frame.h"
+#include "core/model/housing.h"
 #include "fem/body/elastic_body.h"
 #include <Eigen/Core>
 #include <array>

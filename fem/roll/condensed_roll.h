@@ -1,5 +1,4 @@
 #pragma once
-#include "core/model/stand.h"
 #include "core/process/progress.h"
 #include "core/records/mesh_file.h"
 #include "fem/body/elastic_body.h"

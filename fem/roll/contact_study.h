@@ -1,5 +1,6 @@
 #pragma once
 #include "contact/problem.h"
+#include "core/case/errors.h"
 #include "core/process/progress.h"
 #include "core/records/records.h"
 #include "fem/roll/held_roll.h"

@@ -3,6 +3,7 @@
 #include "core/numerics/gauss.h"
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mill::fem {
 namespace {
@@ -97,9 +98,10 @@ std::vector<int> axis_nodes(const SectionBody &body)
 }
 
 // What is zero: by the plane of mid-length, on the axis (for order 1: u_r + u_theta, which stands in the place of
-// u_theta there), and one unknown per rigid motion that remains.
-std::vector<char> held_unknowns(const SectionBody &body, const std::vector<int> &axis, const int m, const bool odd,
-                                const bool slab)
+// u_theta there; the innermost line of a body that does not reach the axis is free), and one unknown per rigid
+// motion that remains.
+std::vector<char> held_unknowns(const SectionBody &body, const std::vector<int> &axis, const bool hollow,
+                                const int m, const bool odd, const bool slab)
 {
   std::vector<char> held(3 * body.nodes().rows(), 0);
   const auto hold = [&](const std::vector<int> &nodes, const std::vector<Direction> &components) {
@@ -111,15 +113,17 @@ std::vector<char> held_unknowns(const SectionBody &body, const std::vector<int> 
   if (slab)
     hold(body.group("end"), {u_z});
   if (m == 0) {
-    hold(axis, {u_r});
+    if (!hollow)
+      hold(axis, {u_r});
     for (std::size_t i = u_theta; i < held.size(); i += 3)
       held[i] = 1;  // twist: nothing drives it
     if (odd && !slab)
       hold({axis.front()}, {u_z});
   } else if (m == 1) {
-    hold(axis, {u_theta, u_z});
+    if (!hollow)
+      hold(axis, {u_theta, u_z});
     hold({odd ? axis.back() : axis.front()}, {u_r});
-  } else
+  } else if (!hollow)
     hold(axis, {u_r, u_theta, u_z});
   return held;
 }
@@ -179,7 +183,8 @@ class Condenser {
 public:
   Condenser(const SectionBody &section_body, const RollGeometry &geometry, const Eigen::VectorXd &edge,
             const bool is_slab)
-      : body(section_body), slab(is_slab), axis(axis_nodes(section_body))
+      : body(section_body), slab(is_slab), axis(axis_nodes(section_body)),
+        hollow(body.nodes()(axis.front(), 0) > 0)
   {
     const Surface contact = body.surface("contact");
     surface               = contact.node;
@@ -199,9 +204,9 @@ public:
   int add(HarmonicResponse &response, const int m, const bool odd) const
   {
     SymmetricSparse K = body.harmonic_stiffness(m);
-    if (m == 1)
+    if (m == 1 && !hollow)
       K = with_sum_on_axis(K, axis);
-    const Free f = free_unknowns(K, held_unknowns(body, axis, m, odd, slab));
+    const Free f = free_unknowns(K, held_unknowns(body, axis, hollow, m, odd, slab));
     std::vector<int> retained;
     const Eigen::Index n = station_load.cols();
     // Rows of the loads: surface nodes, then (order 1) axis nodes.
@@ -259,7 +264,8 @@ private:
 
   const SectionBody &body;
   bool slab;
-  std::vector<int> axis, surface, on_axis;
+  std::vector<int> axis, surface, on_axis;  // axis: the innermost line
+  bool hollow;
   Eigen::MatrixXd station_load, axis_mean;
   Seat seat;
 };

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace mill::fem {
 FrictionPoint load_with_friction(const ContactPair &pair, const CondensedRoll &first, const CondensedRoll &second,

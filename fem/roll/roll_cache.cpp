@@ -6,86 +6,15 @@ namespace mill::fem {
 namespace {
 constexpr char kind[] = "millstand condensed roll 2";
 
-// The same list of members is run through in both directions.
+// The same list of members is run through in both directions.  A structured binding takes apart the whole struct:
+// a member that is added to it does not compile until it is named here.
 template <class Archive> void members(Archive &a, ParityFlexibility &p)
 {
-  for (Eigen::MatrixXd *m : {&p.patch, &p.traction, &p.axis, &p.field})
+  auto &[patch, traction, axis, seat_patch, seat_axis, field] = p;
+  for (Eigen::MatrixXd *m : {&patch, &traction, &axis, &field})
     a.array(*m);
-  for (Eigen::VectorXd *v : {&p.seat_patch, &p.seat_axis})
+  for (Eigen::VectorXd *v : {&seat_patch, &seat_axis})
     a.array(*v);
-}
-
-template <class Archive> void members(Archive &a, CondensedRoll &r)
-{
-  RollGeometry &g = r.geometry;
-  for (double *value : {&g.radius, &g.half_length, &g.neck_radius, &g.neck_length, &g.seat_centre,
-                        &g.contact_half_length, &r.seat_lever, &r.factor_bytes, &r.factor_flops})
-    a.number(*value);
-  for (int *value : {&r.grid.n_x, &r.grid.n_z, &r.grid.degree, &r.n_unknowns})
-    a.count(*value);
-  for (Eigen::VectorXd *v : {&r.grid.x, &r.grid.z, &r.grid.area, &r.axis_z})
-    a.array(*v);
-  for (ParityFlexibility *p : {&r.squeeze, &r.translate, &r.squeeze_odd, &r.translate_odd})
-    members(a, *p);
-  a.text(r.field_mesh);
-}
-
-template <class Archive> void members(Archive &a, HarmonicResponse &h)
-{
-  int orders = int(h.surface.size());
-  a.count(orders);
-  if (orders < 0 || orders > 100000)
-    return a.fail();
-  h.surface.resize(std::size_t(orders));
-  for (Eigen::MatrixXd &m : h.surface)
-    a.array(m);
-  a.array(h.axis);
-  for (Eigen::VectorXd *v : {&h.seat_surface, &h.seat_axis})
-    a.array(*v);
-}
-
-template <class Archive> void members(Archive &a, FourierRoll &r)
-{
-  RollGeometry &g = r.geometry;
-  for (double *value :
-       {&g.radius, &g.half_length, &g.neck_radius, &g.neck_length, &g.seat_centre, &g.contact_half_length,
-        &r.material.youngs_modulus, &r.material.poisson_ratio, &r.material.density, &r.half_width, &r.seat_lever})
-    a.number(*value);
-  a.count(r.n_unknowns);
-  a.array(r.edge);
-  Eigen::VectorXd orders(Eigen::Index(r.order.size()));
-  for (Eigen::Index i = 0; i < orders.size(); ++i)
-    orders[i] = r.order[std::size_t(i)];
-  a.array(orders);
-  r.order.resize(std::size_t(orders.size()));
-  for (Eigen::Index i = 0; i < orders.size(); ++i)
-    r.order[std::size_t(i)] = int(orders[i]);
-  members(a, r.even);
-  members(a, r.odd);
-}
-
-template <class Archive> void members(Archive &a, PatchGrid &grid)
-{
-  for (int *value : {&grid.n_x, &grid.n_z, &grid.degree})
-    a.count(*value);
-  for (Eigen::VectorXd *v : {&grid.x, &grid.z, &grid.area})
-    a.array(*v);
-}
-
-template <class Archive> void members(Archive &a, CondensedRoller &r)
-{
-  RollerSetup &s = r.setup;
-  for (double *value : {&s.diameter, &s.length, &s.contact_length, &s.inner_radius, &s.outer_radius,
-                        &s.inner_depth, &s.outer_depth, &s.land, &s.material.youngs_modulus,
-                        &s.material.poisson_ratio, &s.material.density, &s.largest_load, &s.finest_load,
-                        &s.elements_per_half_width, &s.end_element, &s.largest_element, &r.factor_bytes})
-    a.number(*value);
-  members(a, r.grid);
-  r.grid.whole = true;
-  for (CondensedRoller::Parities *p : {&r.squeeze, &r.translate, &r.inner, &r.outer})
-    for (Eigen::MatrixXd *m : {&p->even, &p->odd})
-      a.array(*m);
-  a.count(r.n_unknowns);
 }
 
 template <class Archive> void members(Archive &a, std::vector<Eigen::MatrixXd> &list)
@@ -99,25 +28,108 @@ template <class Archive> void members(Archive &a, std::vector<Eigen::MatrixXd> &
     a.array(m);
 }
 
+template <class Archive> void members(Archive &a, CondensedRoll &r)
+{
+  auto &[geometry, grid, axis_z, squeeze, translate, squeeze_odd, translate_odd, seat_lever, n_unknowns,
+         field_mesh, factor_bytes, factor_flops] = r;
+  numbers(a, geometry);
+  for (double *value : {&seat_lever, &factor_bytes, &factor_flops})
+    a.number(*value);
+  auto &[n_x, n_z, x, z, area, degree, whole] = grid;
+  for (int *value : {&n_x, &n_z, &degree, &n_unknowns})
+    a.count(*value);
+  for (Eigen::VectorXd *v : {&x, &z, &area, &axis_z})
+    a.array(*v);
+  for (ParityFlexibility *p : {&squeeze, &translate, &squeeze_odd, &translate_odd})
+    members(a, *p);
+  a.text(field_mesh);
+}
+
+template <class Archive> void members(Archive &a, HarmonicResponse &h)
+{
+  auto &[surface, axis, seat_surface, seat_axis] = h;
+  members(a, surface);
+  a.array(axis);
+  for (Eigen::VectorXd *v : {&seat_surface, &seat_axis})
+    a.array(*v);
+}
+
+template <class Archive> void members(Archive &a, FourierRoll &r)
+{
+  auto &[geometry, material, edge, order, even, odd, half_width, seat_lever, n_unknowns] = r;
+  numbers(a, geometry);
+  numbers(a, material);
+  for (double *value : {&half_width, &seat_lever})
+    a.number(*value);
+  a.count(n_unknowns);
+  a.array(edge);
+  Eigen::VectorXd orders(Eigen::Index(order.size()));
+  for (Eigen::Index i = 0; i < orders.size(); ++i)
+    orders[i] = order[std::size_t(i)];
+  a.array(orders);
+  order.resize(std::size_t(orders.size()));
+  for (Eigen::Index i = 0; i < orders.size(); ++i)
+    order[std::size_t(i)] = int(orders[i]);
+  members(a, even);
+  members(a, odd);
+}
+
+template <class Archive> void members(Archive &a, PatchGrid &grid)
+{
+  auto &[n_x, n_z, x, z, area, degree, whole] = grid;
+  for (int *value : {&n_x, &n_z, &degree})
+    a.count(*value);
+  for (Eigen::VectorXd *v : {&x, &z, &area})
+    a.array(*v);
+}
+
+template <class Archive> void members(Archive &a, RollerSetup &s)
+{
+  auto &[diameter, length, contact_length, inner_radius, outer_radius, inner_depth, outer_depth, land, material,
+         largest_load, finest_load, elements_per_half_width, end_element, largest_element] = s;
+  for (double *value :
+       {&diameter, &length, &contact_length, &inner_radius, &outer_radius, &inner_depth, &outer_depth, &land})
+    a.number(*value);
+  numbers(a, material);
+  for (double *value : {&largest_load, &finest_load, &elements_per_half_width, &end_element, &largest_element})
+    a.number(*value);
+}
+
+template <class Archive> void members(Archive &a, CondensedRoller &r)
+{
+  auto &[setup, grid, squeeze, translate, inner, outer, n_unknowns, factor_bytes] = r;
+  members(a, setup);
+  a.number(factor_bytes);
+  members(a, grid);
+  grid.whole = true;
+  for (CondensedRoller::Parities *p : {&squeeze, &translate, &inner, &outer})
+    for (Eigen::MatrixXd *m : {&p->even, &p->odd})
+      a.array(*m);
+  a.count(n_unknowns);
+}
+
 template <class Archive> void members(Archive &a, bearing::RingFlexibility &f)
 {
-  for (int *value : {&f.rows, &f.modes, &f.chock_harmonics})
+  auto &[rows, modes, inner, outer, chock_harmonics, chock_cosine, chock_sine] = f;
+  for (int *value : {&rows, &modes, &chock_harmonics})
     a.count(*value);
-  members(a, f.inner);
-  members(a, f.outer);
-  a.array(f.chock_cosine);
-  a.array(f.chock_sine);
+  members(a, inner);
+  members(a, outer);
+  a.array(chock_cosine);
+  a.array(chock_sine);
 }
 
 template <class Archive> void members(Archive &a, RingResult &r)
 {
-  members(a, r.flexibility);
-  members(a, r.companion);
-  for (int *value : {&r.n_section_unknowns, &r.n_chock_unknowns})
+  auto &[flexibility, companion, error_estimate, chock_difference, truncated, indefinite, n_section_unknowns,
+         n_chock_unknowns, notes] = r;
+  members(a, flexibility);
+  members(a, companion);
+  for (int *value : {&n_section_unknowns, &n_chock_unknowns})
     a.count(*value);
-  for (double *value : {&r.error_estimate, &r.chock_difference, &r.truncated, &r.indefinite})
+  for (double *value : {&error_estimate, &chock_difference, &truncated, &indefinite})
     a.number(*value);
-  a.texts(r.notes);
+  a.texts(notes);
 }
 
 template <class Roll> void save(const std::string &path, const std::string &key, const Roll &roll)

@@ -53,17 +53,6 @@ std::vector<double> stations(const ElasticBody &body, const RollGeometry &g)
 }
 }  // namespace
 
-RollGeometry vibrating_roll(const Roll &roll)
-{
-  RollGeometry g;
-  g.radius      = 0.5 * roll.barrel_diameter;
-  g.half_length = 0.5 * roll.barrel_length;
-  g.neck_radius = 0.5 * roll.neck_diameter;
-  g.neck_length = roll.neck_length;
-  g.seat_centre = 0.5 * roll.bearing_span;
-  return g;
-}
-
 PartSupport roll_support(const ElasticBody &body)
 {
   PartSupport s;

@@ -1,6 +1,6 @@
 #pragma once
+#include "core/model/roll.h"
 #include "core/process/progress.h"
-#include "core/model/stand.h"
 #include "fem/body/component_modes.h"
 #include <memory>
 #include <string>
@@ -20,9 +20,6 @@ struct RollComponent {
   double mesh_mass    = 0;  ///< kg, of the whole roll as meshed; component.mass is that of the drawing
   double factor_bytes = 0;  ///< bytes
 };
-
-/// Geometry that a roll is meshed with for its vibration, from the drawing.
-RollGeometry vibrating_roll(const Roll &roll);
 
 /// Order with the element size of energies of a roll with a sharp shoulder: twice the exponent of the displacement
 /// at a re-entrant corner of 270 degrees, 0.5445 (M. L. Williams, J. Appl. Mech. 19 (1952) 526).

@@ -1,15 +1,13 @@
 #pragma once
-#include "core/records/members.h"
 #include "meshes/housing/housing.h"
 #include "meshes/roll/roll.h"
 
-// Member lists of mesh sizes; see core/records/members.h.
+// Member lists of mesh sizes; see core/records/each_member.h.
 namespace mill::meshes {
-// Radius and core radius are filled in from the geometry.
 template <class Io> void each_member(Io &&io, const SectionSize &record)
 {
-  const auto &[radius, core_radius, first_element, growth, patch_elements, depth_elements, depth_growth,
-               far_growth, sector_elements] = record;
+  const auto &[first_element, growth, patch_elements, depth_elements, depth_growth, far_growth, sector_elements] =
+      record;
   io("first_element", first_element);
   io("growth", growth);
   io("patch_elements", patch_elements);

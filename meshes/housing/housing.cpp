@@ -5,6 +5,7 @@
 #include <cmath>
 #include <locale>
 #include <sstream>
+#include <utility>
 
 namespace mill::meshes {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
+#include "core/model/housing.h"
 #include "core/records/mesh_file.h"
-#include "core/model/stand.h"
 #include <string>
 
 namespace mill::meshes {

@@ -35,9 +35,9 @@ Graded graded_from_edge(const double length, const double largest)
 }
 }  // namespace
 
-SectionSurfaces add_plain_section(const PlainSectionSize &s)
+SectionSurfaces add_plain_section(const RollGeometry &roll, const int elements_per_radius)
 {
-  const double R = s.radius, r = s.core_radius, e = s.elements_per_radius;
+  const double R = roll.radius, r = core_radius_of(roll), e = elements_per_radius;
   const Graded core = graded_from_edge(0.5 * r, R / e), rim = graded_from_edge(R - r, R / e);
   // Elements of each eighth of the circle.  The edge of the neck is an arc, its line inside the barrel a polygon:
   // the height of the arc over the chord must stay well below the first element beside it.

@@ -4,14 +4,9 @@
 namespace mill::meshes {
 /// Quarter section of a roll without a contact: five blocks of about equal elements, for bodies that bend and
 /// vibrate as a whole.  The circle of the neck is kept as a mesh line.
-struct PlainSectionSize {
-  double radius           = 0;  ///< m
-  double core_radius      = 0;  ///< m, circle that is kept as a mesh line (the neck)
-  int elements_per_radius = 3;
-};
-
+///
 /// Surfaces of the section in the current Gmsh model (built-in kernel), all quadrilateral, conforming.
-SectionSurfaces add_plain_section(const PlainSectionSize &size);
+SectionSurfaces add_plain_section(const RollGeometry &roll, int elements_per_radius);
 
 /// x of the place where the outer circle is divided, m: the part above it counts as contact, that below as barrel.
 double plain_contact_half_width(double radius);

@@ -122,9 +122,8 @@ double rounded(const double ratio)
 // Lengths in units of the radius.  Rounding then is the same whatever unit or size the roll is given in.
 RollGeometry by_radius(RollGeometry g)
 {
-  for (double *length : {&g.half_length, &g.neck_radius, &g.neck_length, &g.seat_centre, &g.contact_half_length})
-    *length = rounded(*length / g.radius);
-  g.radius = 1;
+  const double unit = g.radius;
+  each_member([&](const char *, double &length) { length = rounded(length / unit); }, g);
   return g;
 }
 
@@ -152,13 +151,10 @@ MeshFile mesh_roll(const std::string &name, const RollGeometry &in_metres, const
   const RollGeometry geometry = by_radius(in_metres);
   const RollMeshSize size     = by_radius(size_in_metres, in_metres.radius);
   const GmshScope gmsh_is_open;
-  SectionSize section = size.section;
-  section.radius      = geometry.radius;
-  section.core_radius = geometry.neck_radius > 0 ? geometry.neck_radius : 0.6 * geometry.radius;
-  const bool plain    = size.plain_elements > 0;
-  const double patch  = plain ? plain_contact_half_width(section.radius) : patch_half_width(section);
+  const bool plain   = size.plain_elements > 0;
+  const double patch = plain ? plain_contact_half_width(geometry.radius) : patch_half_width(size.section);
   const SectionSurfaces surfaces =
-      plain ? add_plain_section({section.radius, section.core_radius, size.plain_elements}) : add_section(section);
+      plain ? add_plain_section(geometry, size.plain_elements) : add_section(geometry, size.section);
 
   // Layers are thin where the contact ends: at the barrel end, or where the shorter barrel ends.
   const double facing = geometry.contact_half_length > 0 ? geometry.contact_half_length : geometry.half_length;

@@ -7,7 +7,7 @@
 namespace mill::meshes {
 /// How fine a roll is meshed.
 struct RollMeshSize {
-  SectionSize section;         ///< radius and core_radius are taken from the geometry
+  SectionSize section;
   double end_layer     = 0;    ///< m, thickness of the last layer at the barrel end
   double layer_growth  = 2;    ///< -, ratio of neighbouring layers towards mid-length
   double largest_layer = 0.1;  ///< m

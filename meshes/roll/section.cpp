@@ -116,11 +116,16 @@ int patch_elements_for(const double first_element, const double growth, const do
   return n;
 }
 
-SectionSurfaces add_section(const SectionSize &s)
+double core_radius_of(const RollGeometry &roll)
+{
+  return roll.neck_radius > 0 ? roll.neck_radius : 0.6 * roll.radius;
+}
+
+SectionSurfaces add_section(const RollGeometry &roll, const SectionSize &s)
 {
   Sketch sketch;
   SectionSurfaces out;
-  const double R = s.radius, r = s.core_radius;
+  const double R = roll.radius, r = core_radius_of(roll);
   const int nx = s.patch_elements, ny = s.depth_elements;
   const TaggedPoint centre = sketch.point(0, 0);
   const auto on_arc        = [&](const double radius, const double x) {

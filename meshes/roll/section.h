@@ -1,4 +1,5 @@
 #pragma once
+#include "core/model/roll_geometry.h"
 #include <array>
 #include <utility>
 #include <vector>
@@ -9,8 +10,6 @@ namespace mill::meshes {
 /// geometrically towards the core, so that the number of elements depends on the logarithm of radius / element
 /// only.
 struct SectionSize {
-  double radius        = 0;     ///< m
-  double core_radius   = 0;     ///< m, circle that is kept as a mesh line (the neck)
   double first_element = 0;     ///< m, element width at the contact line
   double growth        = 1;     ///< -, ratio of neighbouring elements along the patch, 1: equal
   int patch_elements   = 12;    ///< along the patch, multiple of 3
@@ -27,9 +26,12 @@ double patch_half_width(const SectionSize &size);
 int patch_elements_for(double first_element, double growth, double half_width);
 
 /// Surfaces of the section in the current Gmsh model (built-in kernel, synchronised by the caller): all
-/// quadrilateral, transfinite, conforming.  core: inside core_radius; rim: between core_radius and radius.
+/// quadrilateral, transfinite, conforming.  core: inside the core circle; rim: between it and the barrel.
 struct SectionSurfaces {
   std::vector<int> core, rim;
 };
-SectionSurfaces add_section(const SectionSize &size);
+SectionSurfaces add_section(const RollGeometry &roll, const SectionSize &size);
+
+/// m, circle that is kept as a mesh line: the neck, or one inside a roll without necks.
+double core_radius_of(const RollGeometry &roll);
 }  // namespace mill::meshes

@@ -1,4 +1,6 @@
 #include "reduce/chain/beam_shapes.h"
+#include "core/model/four_high.h"
+#include "core/model/roll.h"
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -26,7 +28,7 @@ Eigen::RowVector4d bed_functions(const double u, const int derivative)
 BeamSection beam_section(const RoundSection &section, const Material &m)
 {
   const double G = m.youngs_modulus / (2 * (1 + m.poisson_ratio));
-  return {m.youngs_modulus * second_moment_of(section), 0.886 * G * area_of(section)};
+  return {m.youngs_modulus * second_moment_of(section), shear_factor_of(section) * G * area_of(section)};
 }
 
 BeamSection round_section(const double diameter, const Material &m)

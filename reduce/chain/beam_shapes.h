@@ -1,9 +1,11 @@
 #pragma once
-#include "core/model/roll_section.h"
-#include "core/model/stand.h"
+#include "core/model/roll_geometry.h"
 #include <Eigen/Core>
 #include <limits>
 
+namespace mill {
+struct FourHigh;
+}
 namespace mill::reduce {
 /// Stiffness of a beam section.
 struct BeamSection {
@@ -11,7 +13,7 @@ struct BeamSection {
   double shear   = std::numeric_limits<double>::infinity();  ///< N, kappa G A; infinite: Euler beam
 };
 
-/// Round section with shear factor 0.886 (Cowper 1966, 6 (1 + nu) / (7 + 6 nu) at nu = 0.3).
+/// Of a round section.
 BeamSection beam_section(const RoundSection &section, const Material &material);
 BeamSection round_section(double diameter, const Material &material);  ///< the same of a solid one
 

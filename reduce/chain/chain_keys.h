@@ -1,10 +1,13 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/housing.h"
 #include <array>
 #include <map>
 #include <string>
 #include <vector>
 
+namespace mill {
+struct FourHigh;
+}
 namespace mill::reduce {
 /// Keys of the case file, as a Parameter lists them.
 using Keys = std::vector<std::string>;

@@ -1,5 +1,6 @@
 #include "reduce/chain/equivalent_mass.h"
-#include "core/model/roll_section.h"
+#include "core/model/four_high.h"
+#include "core/model/roll.h"
 #include "core/numerics/gauss.h"
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,13 @@
 #pragma once
+#include "core/model/frame.h"
 #include "reduce/chain/roll_shapes.h"
 #include "reduce/chain/spring_chain.h"
 #include <functional>
 #include <vector>
 
+namespace mill {
+struct FourHigh;
+}
 namespace mill::reduce {
 /// A part of a roll with mass spread evenly along it.
 struct MassSpan {

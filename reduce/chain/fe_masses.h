@@ -1,9 +1,11 @@
 #pragma once
-#include "core/model/stand.h"
 #include "core/records/stand_model.h"
 #include "reduce/stand/lumped_stand.h"
 #include <array>
 
+namespace mill {
+struct FourHigh;
+}
 namespace mill::reduce {
 /// f1 and f2 of a stand model under a bite force of 1 N, at the stations of its lines.
 struct StandShapes {

@@ -4,6 +4,7 @@
 #include "reduce/chain/quoted_mm.h"
 #include <Eigen/Dense>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace mill::reduce {

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/housing.h"
 #include <array>
 
 namespace mill::reduce {

@@ -1,4 +1,5 @@
 #include "reduce/chain/line_contact.h"
+#include "core/case/errors.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/material.h"
 
 namespace mill::reduce {
 /// Two solid cylinders of one material with parallel axes, each loaded diametrally.

@@ -1,5 +1,4 @@
 #include "reduce/chain/mass_breakdown.h"
-#include "core/model/roll_section.h"
 #include "reduce/chain/equivalent_mass.h"
 #include "reduce/chain/fe_masses.h"
 #include "reduce/stand/six_masses.h"

@@ -1,11 +1,13 @@
 #pragma once
-#include "core/model/stand.h"
 #include "core/records/models_record.h"
 #include "core/records/stand_model.h"
 #include "reduce/stand/lumped_stand.h"
 #include <string>
 #include <vector>
 
+namespace mill {
+struct FourHigh;
+}
 namespace mill::reduce {
 /// M1..M6 by the shapes of the chain, before given values replace any.  theory.md 22.5
 std::vector<MassBreakdown> chain_breakdown(const FourHigh &stand, const LumpedStand &chain);

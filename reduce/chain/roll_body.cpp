@@ -1,5 +1,5 @@
 #include "reduce/chain/roll_body.h"
-#include "core/model/roll_section.h"
+#include "core/case/errors.h"
 #include "core/numerics/gauss.h"
 #include "core/numerics/short_number.h"
 #include <Eigen/Dense>

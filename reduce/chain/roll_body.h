@@ -1,6 +1,6 @@
 #pragma once
+#include "core/model/roll.h"
 #include "core/records/component.h"
-#include "core/model/stand.h"
 #include "reduce/chain/timoshenko_beam.h"
 #include <Eigen/Core>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/roll.h"
 
 namespace mill::reduce {
 /// How much smaller the radius of a roll is at z than at mid-length of an unshifted roll without crown: ground

@@ -3,6 +3,7 @@
 #include "reduce/chain/quoted_mm.h"
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mill::reduce {
 namespace {

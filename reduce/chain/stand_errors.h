@@ -5,6 +5,9 @@
 #include <functional>
 #include <vector>
 
+namespace mill {
+struct FourHigh;
+}
 namespace mill::reduce {
 /// How far the frequencies of a stand may be off for its springs and masses.
 struct FrequencyErrors {

@@ -1,4 +1,5 @@
 #include "reduce/chain/timoshenko_beam.h"
+#include "core/case/errors.h"
 #include "core/numerics/short_number.h"
 #include <Eigen/Dense>
 #include <cmath>

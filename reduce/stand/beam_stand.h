@@ -1,6 +1,9 @@
 #pragma once
 #include "reduce/stand/stand_assembly.h"
 
+namespace mill {
+struct FourHigh;
+}
 namespace mill::reduce {
 /// The stand with rolls as stepped Timoshenko beams on distributed contact springs, with chocks and cylinder
 /// apart: model "beam".  About 300 unknowns with the default mesh.  theory.md 22.1, 22.2

@@ -2,6 +2,9 @@
 #include "reduce/stand/stand_assembly.h"
 #include <optional>
 
+namespace mill {
+struct FourHigh;
+}
 namespace mill::reduce {
 /// Reduced bodies of a stand.  Upper and lower rolls are the same.
 struct StandComponents {

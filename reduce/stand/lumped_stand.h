@@ -1,5 +1,5 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/four_high.h"
 #include "core/records/component.h"
 #include "core/records/lumped_model.h"
 #include "reduce/chain/roll_shapes.h"

@@ -1,11 +1,14 @@
 #pragma once
+#include "core/model/material.h"
 #include "core/records/lumped_model.h"
-#include "core/model/stand.h"
 #include "core/records/stand_model.h"
 #include <array>
 #include <string>
 #include <vector>
 
+namespace mill {
+struct FourHigh;
+}
 namespace mill::reduce {
 /// The chain as a stand model of six unknowns, "six-mass".
 /// @param frame  "open" or "closed"

@@ -1,11 +1,13 @@
 #pragma once
 #include "core/records/component.h"
-#include "core/model/stand.h"
 #include "core/records/stand_model.h"
-#include "reduce/stand/lumped_stand.h"
 #include "reduce/chain/roll_body.h"
+#include "reduce/stand/lumped_stand.h"
 #include <array>
 
+namespace mill {
+struct FourHigh;
+}
 namespace mill::reduce {
 /// What a stand needs beside its drawing: springs at the working load and the reduced frame.  Whole stand unless
 /// it says otherwise.

@@ -1,6 +1,7 @@
 #pragma once
 #include "app/trace/trace_key.h"
 #include "core/case/stand_rows.h"
+#include "core/model/case.h"
 #include <fmt/format.h>
 #include <string>
 #include <vector>

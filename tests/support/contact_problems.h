@@ -1,6 +1,7 @@
 #pragma once
 #include "contact/half_space.h"
 #include "contact/problem.h"
+#include "core/case/errors.h"
 #include <cmath>
 #include <random>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/roller_bearing.h"
 #include <cmath>
 
 /// Work-roll bearing of the demo stand, 266.7 x 355.6 mm, no clearance, no crown.

@@ -1,7 +1,7 @@
 #pragma once
+#include "core/model/dynamics_settings.h"
 #include "core/records/lumped_model.h"
 #include "core/records/records.h"
-#include "core/model/stand.h"
 #include <string>
 
 /// The published masses and stiffnesses; C and Kzc are not set.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 // Assembled bearings: rows x rollers x slices in equilibrium.
 namespace mill::verify {

@@ -4,6 +4,7 @@
 #include "verify/units.h"
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 // Roller bearings from the law of one roller: laws and formulas here, assembled bearings in assembly_cases.cpp.
 namespace mill::verify {

@@ -1,5 +1,6 @@
 #pragma once
 #include "bearing/assembly.h"
+#include "core/model/case.h"
 #include "verify/verification.h"
 
 // Bearings of the manual's cases.

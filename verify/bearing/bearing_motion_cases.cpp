@@ -1,3 +1,4 @@
+#include "core/model/case.h"
 #include "dynamics/bearing/dynamics.h"
 #include "verify/verification.h"
 #include <algorithm>

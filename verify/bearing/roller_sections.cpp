@@ -1,5 +1,6 @@
 #include "verify/bearing/roller_sections.h"
 #include "contact/active_set.h"
+#include "core/case/errors.h"
 #include "fem/body/body_pair.h"
 #include "meshes/bearing/raceway.h"
 #include "meshes/common/block.h"

@@ -2,6 +2,7 @@
 #include "bearing/ring_flexibility.h"
 #include "bearing/ring_sections.h"
 #include "bearing/roller_law.h"
+#include "core/records/parameter.h"
 #include "fem/bearing/ring_flexibility.h"
 #include "fem/bearing/roller_contact.h"
 #include "fem/bearing/roller_slices.h"

@@ -1,4 +1,5 @@
 #include "bite/slab/path_stiffness.h"
+#include "core/model/case.h"
 #include "fem/strip/bite_roll.h"
 #include "meshes/roll/bite_roll.h"
 #include "verify/contact/meshed.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 // What the surface of a work roll gives way in the bite: the section by finite elements against the half plane.
 namespace mill::verify {

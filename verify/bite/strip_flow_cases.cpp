@@ -1,5 +1,6 @@
 #include "bite/arc/half_plane.h"
 #include "bite/slab/karman.h"
+#include "core/model/case.h"
 #include "meshes/strip/strip_flow.h"
 #include "verify/bite/strip_flow_passes.h"
 #include "verify/contact/meshed.h"

@@ -1,4 +1,5 @@
 #include "core/case/errors.h"
+#include "core/model/case.h"
 #include "dynamics/chatter/modes.h"
 #include "dynamics/chatter/speed.h"
 #include "verify/bite/slab_models.h"

@@ -1,3 +1,4 @@
+#include "core/model/case.h"
 #include "dynamics/chatter/run.h"
 #include "dynamics/response/matrix_exponential.h"
 #include "verify/bite/slab_models.h"

@@ -1,3 +1,4 @@
+#include "core/model/case.h"
 #include "dynamics/chatter/loop.h"
 #include "dynamics/chatter/map.h"
 #include "verify/bite/slab_models.h"

@@ -1,11 +1,13 @@
+#include "core/model/case.h"
 #include "dynamics/chatter/run.h"
-#include "verify/chatter/models.h"
 #include "verify/bite/slab_models.h"
+#include "verify/chatter/models.h"
 #include "verify/verification.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 // The stand in time: exact linear motion, the whole bite by CVODE, limit cycles.
 namespace mill::verify {

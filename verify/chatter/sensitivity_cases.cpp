@@ -1,3 +1,4 @@
+#include "core/model/case.h"
 #include "dynamics/chatter/sensitivity.h"
 #include "verify/bite/slab_models.h"
 #include "verify/chatter/models.h"
@@ -5,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 // What moves friction and critical speed of condition 2 on stand D.
 namespace mill::verify {
@@ -152,9 +154,9 @@ std::vector<Check> speed_slopes()
   const SensitivityTable table = table_of(bite::Linearisation::sequential, 0.1);
   std::vector<Check> checks;
   for (const Entry &e : entries) {
-    const std::string name = e.name;
+    const std::string name      = e.name;
     const ChatterSensitivity &s = row(table, e.key);
-    const auto v           = [&](const double factor) { return critical(e.scaled(factor)); };
+    const auto v                = [&](const double factor) { return critical(e.scaled(factor)); };
     checks.push_back(absolute(name + ", over +-1 %", "-", log_slope(v, 0.01), e.slope, 1e-7));
     checks.push_back(absolute(name + ", exact", "-", s.critical_speed, e.slope, 1e-3));
     checks.push_back(absolute(name + ", change at -10 %", "-", s.lowered.critical_speed, e.lowered, 1e-7));

@@ -1,3 +1,4 @@
+#include "core/model/case.h"
 #include "dynamics/chatter/loop.h"
 #include "dynamics/chatter/modes.h"
 #include "dynamics/chatter/routh.h"

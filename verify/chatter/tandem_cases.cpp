@@ -1,7 +1,8 @@
+#include "core/model/case.h"
 #include "dynamics/tandem/delay.h"
 #include "dynamics/tandem/tandem.h"
-#include "verify/chatter/models.h"
 #include "verify/bite/slab_models.h"
+#include "verify/chatter/models.h"
 #include "verify/verification.h"
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>

@@ -1,4 +1,5 @@
 #include "contact/hertz.h"
+#include "core/model/case.h"
 #include "reduce/chain/line_contact.h"
 #include "verify/units.h"
 #include "verify/verification.h"

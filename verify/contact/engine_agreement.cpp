@@ -1,4 +1,5 @@
 #include "verify/contact/engine_agreement.h"
+#include "core/records/parameter.h"
 #include "fem/roll/contact_study.h"
 #include "fem/roll/fourier_contact.h"
 #include "meshes/bearing/meridian.h"

@@ -2,6 +2,7 @@
 #include "contact/half_space.h"
 #include "contact/hertz.h"
 #include "core/case/errors.h"
+#include "core/model/case.h"
 #include "verify/units.h"
 #include "verify/verification.h"
 #include <Eigen/LU>

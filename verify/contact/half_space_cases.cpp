@@ -1,5 +1,6 @@
 #include "contact/half_space_contact.h"
 #include "contact/hertz.h"
+#include "core/model/case.h"
 #include "verify/units.h"
 #include "verify/verification.h"
 #include <Eigen/LU>

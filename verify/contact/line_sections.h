@@ -1,5 +1,6 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/material.h"
+#include "core/records/parameter.h"
 #include "verify/verification.h"
 #include <vector>
 

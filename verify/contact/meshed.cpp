@@ -48,11 +48,9 @@ fem::SectionBody disc_section(const double radius, const double smallest, const 
 {
   const ScratchFile file("disc");
   meshes::SectionSize size = meshes::slab_contact_size(smallest, largest, per_half_width).section;
-  size.radius              = radius;
-  size.core_radius         = 0.6 * radius;
   size.far_growth          = 1.3;
   size.sector_elements     = 6;
-  return fem::SectionBody(meshes::mesh_disc(size, file.path), material, 2, fem::Section::plane_strain,
+  return fem::SectionBody(meshes::mesh_disc(radius, size, file.path), material, 2, fem::Section::plane_strain,
                           {
                               {"patch", {0, 0}, radius},
                               {"rim",   {0, 0}, radius}

@@ -1,5 +1,6 @@
 #pragma once
 #include "contact/active_set.h"
+#include "core/records/parameter.h"
 #include "fem/body/body_pair.h"
 #include "fem/body/section_body.h"
 #include "verify/verification.h"

@@ -1,3 +1,4 @@
+#include "core/model/case.h"
 #include "meshes/common/block.h"
 #include "verify/contact/meshed.h"
 #include "verify/solvers/large_contact.h"

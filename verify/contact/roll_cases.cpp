@@ -1,3 +1,4 @@
+#include "core/model/case.h"
 #include "fem/roll/contact_readings.h"
 #include "fem/roll/contact_study.h"
 #include "meshes/roll/contact_mesh_size.h"

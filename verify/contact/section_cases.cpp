@@ -1,3 +1,4 @@
+#include "core/model/case.h"
 #include "meshes/common/block.h"
 #include "verify/contact/convergence.h"
 #include "verify/contact/line_sections.h"

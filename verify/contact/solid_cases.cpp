@@ -1,3 +1,4 @@
+#include "core/model/case.h"
 #include "fem/body/elastic_body.h"
 #include "meshes/common/block.h"
 #include "verify/contact/meshed.h"

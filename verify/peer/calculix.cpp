@@ -11,6 +11,7 @@
 #include <regex>
 #include <sstream>
 #include <unistd.h>
+#include <utility>
 
 namespace mill::verify::peer {
 namespace {

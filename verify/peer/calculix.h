@@ -1,5 +1,5 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/material.h"
 #include "verify/peer/mesh.h"
 #include <cstdio>
 #include <string>

@@ -1,3 +1,4 @@
+#include "core/model/case.h"
 #include "verify/peer/calculix.h"
 #include "verify/peer/checks.h"
 #include "verify/peer/contacts.h"

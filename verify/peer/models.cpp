@@ -1,4 +1,5 @@
 #include "verify/peer/models.h"
+#include "core/model/roll.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/housing.h"
 #include "meshes/roll/roll.h"
 #include "verify/peer/mesh.h"
 #include <functional>

@@ -1,3 +1,4 @@
+#include "core/records/parameter.h"
 #include "verify/bearing/roller_models.h"
 #include "verify/peer/calculix.h"
 #include "verify/peer/checks.h"

@@ -1,5 +1,4 @@
 #pragma once
-#include "core/model/stand.h"
 #include "fem/body/section_body.h"
 #include <Eigen/Core>
 

@@ -28,10 +28,12 @@ MeshFile mesh_ring(const std::vector<double> &radii, const int n_angle, const st
   return write_grid(grid, path);
 }
 
-MeshFile mesh_disc(const SectionSize &size, const std::string &path)
+MeshFile mesh_disc(const double radius, const SectionSize &size, const std::string &path)
 {
   const GmshScope gmsh_is_open;
-  const SectionSurfaces surfaces = add_section(size);
+  RollGeometry disc;
+  disc.radius                    = radius;
+  const SectionSurfaces surfaces = add_section(disc, size);
   gmsh::model::geo::synchronize();
   std::vector<int> tags = surfaces.core;
   tags.insert(tags.end(), surfaces.rim.begin(), surfaces.rim.end());

@@ -14,5 +14,5 @@ MeshFile mesh_ring(const std::vector<double> &radii, int n_angle, const std::str
 /// Quarter of a solid disc, contact point at (0, radius): section.h in the plane.
 /// Groups patch, rim (the circle beyond it), symmetry.x (x = 0), symmetry.y (y = 0).
 /// @throws SolverError  the patch does not fit the circle
-MeshFile mesh_disc(const SectionSize &size, const std::string &path);
+MeshFile mesh_disc(double radius, const SectionSize &size, const std::string &path);
 }  // namespace mill::meshes

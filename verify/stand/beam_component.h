@@ -1,6 +1,6 @@
 #pragma once
+#include "core/model/roll.h"
 #include "core/records/component.h"
-#include "core/model/stand.h"
 #include <string>
 
 namespace mill::verify {

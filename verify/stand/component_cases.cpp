@@ -1,3 +1,4 @@
+#include "core/model/case.h"
 #include "core/numerics/mesh_pair.h"
 #include "fem/roll/roll_component.h"
 #include "verify/solvers/whole_stand.h"

@@ -1,4 +1,5 @@
 #include "verify/stand/component_statics.h"
+#include "core/records/parameter.h"
 #include "fem/roll/roll_component.h"
 #include "verify/stand/component_beams.h"
 #include "verify/stand/component_models.h"

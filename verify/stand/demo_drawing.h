@@ -1,5 +1,7 @@
 #pragma once
-#include "core/model/stand.h"
+#include "core/model/four_high.h"
+#include "core/model/frame.h"
+#include "core/model/roll.h"
 
 // In a header, so that tests have it in a build without finite elements too.
 namespace mill::verify {

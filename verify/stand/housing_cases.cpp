@@ -1,9 +1,11 @@
+#include "core/model/case.h"
 #include "fem/housing/housing_component.h"
 #include "reduce/chain/housing_frame.h"
 #include "verify/stand/housing_models.h"
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mill::verify {
 namespace {

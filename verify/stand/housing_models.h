@@ -1,4 +1,5 @@
 #pragma once
+#include "core/records/parameter.h"
 #include "fem/housing/housing.h"
 #include "meshes/housing/housing.h"
 #include "verify/verification.h"

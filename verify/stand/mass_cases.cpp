@@ -3,15 +3,16 @@
 #include "reduce/chain/equivalent_mass.h"
 #include "reduce/chain/line_contact.h"
 #include "reduce/chain/mass_breakdown.h"
+#include "reduce/chain/timoshenko_beam.h"
 #include "reduce/stand/six_masses.h"
 #include "reduce/stand/stand_modes.h"
-#include "reduce/chain/timoshenko_beam.h"
 #include "verify/stand/mass_models.h"
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 
 namespace mill::verify {
 namespace {

@@ -1,9 +1,13 @@
 #pragma once
+#include "core/model/case.h"
 #include "reduce/stand/lumped_stand.h"
 #include "verify/stand/demo_drawing.h"
 #include "verify/verification.h"
 #include <vector>
 
+namespace mill {
+struct FourHigh;
+}
 namespace mill::verify {
 /// Its chain at 976.2175 kN with the contact springs and bearing stiffness of the reference, without the bite.
 reduce::LumpedStand demo_chain(const FourHigh &stand, const reduce::SolidRolls &rolls = {});

@@ -1,6 +1,7 @@
 #include "core/case/kinds.h"
 #include "core/case/stand_reader.h"
 #include "core/case/stand_sections.h"
+#include <utility>
 
 namespace mill {
 namespace {

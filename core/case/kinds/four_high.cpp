@@ -1,7 +1,6 @@
 #include "core/case/kinds.h"
 #include "core/case/stand_reader.h"
 #include "core/case/stand_sections.h"
-#include "core/model/stand.h"
 #include <algorithm>
 #include <fmt/format.h>
 

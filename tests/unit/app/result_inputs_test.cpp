@@ -1,6 +1,7 @@
-#include "app/trace/quick_chain.h"
 #include "app/stages/result_inputs.h"
+#include "app/trace/quick_chain.h"
 #include "app/trace/trace.h"
+#include "core/model/case.h"
 #include "core/records/provenance.h"
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 #include "app/run_context.h"
 #include "app/stages/kept_part.h"
+#include "core/model/case.h"
 #include <atomic>
 #include <filesystem>
 #include <gtest/gtest.h>

@@ -7,6 +7,7 @@
 #include "tests/support/smooth_rings.h"
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 using namespace mill;
 using namespace mill::bearing;

@@ -1,5 +1,6 @@
 #include "bearing/roller_law.h"
 #include "bearing/roller_profile.h"
+#include "core/case/errors.h"
 #include "tests/support/demo_bearing.h"
 #include "tests/support/near.h"
 #include <cmath>

@@ -5,6 +5,7 @@
 #include "tests/support/near.h"
 #include <Eigen/Cholesky>
 #include <limits>
+#include <utility>
 
 using namespace mill::contact;
 using namespace contact_problems;

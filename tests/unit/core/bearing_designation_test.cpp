@@ -1,7 +1,7 @@
 // Bearings that a case names by their designation: what the catalogue fills in, what is estimated, what is
 // refused.
 #include "core/model/bearing_ratings.h"
-#include "core/model/stand.h"
+#include "core/model/case.h"
 #include "tests/support/near.h"
 #include "tests/support/refusal.h"
 #include <cmath>

@@ -2,7 +2,10 @@
 // rows, and a mutilated case is read or refused and nothing else.
 #include "core/case/input_reference.h"
 #include "core/case/stand_rows.h"
-#include "core/model/stand.h"
+#include "core/model/bite_case.h"
+#include "core/model/case.h"
+#include "core/model/four_high.h"
+#include "core/model/lumped.h"
 #include "core/records/files.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"

@@ -6,6 +6,7 @@
 #include "tests/support/near.h"
 #include <algorithm>
 #include <random>
+#include <utility>
 
 using namespace mill;
 using namespace mill::dynamics;

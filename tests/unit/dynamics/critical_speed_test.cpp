@@ -7,6 +7,7 @@
 #include "tests/support/near.h"
 #include "tests/support/refusal.h"
 #include <cmath>
+#include <utility>
 
 using namespace mill;
 using namespace mill::dynamics;

@@ -4,6 +4,7 @@
 #include "tests/support/near.h"
 #include "tests/support/published_stand.h"
 #include "tests/support/reference.h"
+#include <cmath>
 
 using namespace mill;
 using namespace mill::dynamics;

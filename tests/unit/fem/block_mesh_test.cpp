@@ -3,8 +3,8 @@
 #include "fem/body/elastic_body.h"
 #include "fem/body/section_body.h"
 #include "meshes/common/block.h"
-#include "verify/solvers/ring_mesh.h"
 #include "tests/support/near.h"
+#include "verify/solvers/ring_mesh.h"
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -133,13 +133,11 @@ TEST(DiscMesh, QuarterDiscHasItsAreaAndItsPatch)
 {
   const Scratch file;
   meshes::SectionSize size;
-  size.radius          = 10;
-  size.core_radius     = 6;
   size.first_element   = 0.02;
   size.patch_elements  = 12;
   size.depth_elements  = 9;
   size.sector_elements = 6;
-  const auto mesh      = meshes::mesh_disc(size, file.path);
+  const auto mesh      = meshes::mesh_disc(10, size, file.path);
   EXPECT_GT(mesh.smallest_jacobian, 0.1);
   const fem::SectionBody body(mesh, steel, 2, fem::Section::plane_strain,
                               {

@@ -1,3 +1,4 @@
+#include "core/case/errors.h"
 #include "fem/body/section_body.h"
 #include "tests/support/near.h"
 #include <Eigen/SparseCholesky>
@@ -6,6 +7,7 @@
 #include <fstream>
 #include <functional>
 #include <unistd.h>
+#include <utility>
 
 using namespace mill;
 using fem::Section;

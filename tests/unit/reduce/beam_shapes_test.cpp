@@ -1,8 +1,10 @@
+#include "core/case/errors.h"
 #include "reduce/chain/beam_shapes.h"
 #include "reduce/chain/equivalent_mass.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include <cmath>
+#include <utility>
 
 using namespace mill;
 using namespace mill::reduce;

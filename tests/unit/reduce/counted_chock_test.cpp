@@ -1,5 +1,5 @@
 // A chock is counted once in the chain: inside the bearing that was computed with it, or as the spring of [frame].
-#include "core/model/stand.h"
+#include "core/model/case.h"
 #include "reduce/stand/lumped_stand.h"
 #include "tests/support/near.h"
 #include <algorithm>

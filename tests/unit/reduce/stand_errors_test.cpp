@@ -4,6 +4,7 @@
 #include "tests/support/near.h"
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace mill;
 using namespace mill::reduce;

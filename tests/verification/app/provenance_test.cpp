@@ -3,12 +3,11 @@
 #include "app/stages/contact_model.h"
 #include "app/stages/contact_stage.h"
 #include "app/stages/dynamics_stage.h"
-#include "app/trace/quick_chain.h"
 #include "app/stages/strip_flow_stage.h"
-#include "core/records/files.h"
-#include "core/records/members.h"
-#include "core/records/record_text.h"
+#include "app/trace/quick_chain.h"
 #include "core/case/units.h"
+#include "core/records/files.h"
+#include "core/records/record_text.h"
 #include "tests/support/changed_rows.h"
 #include <cmath>
 #include <filesystem>

@@ -1,4 +1,5 @@
 #include "app/trace/trace_text.h"
+#include "core/model/case.h"
 #include "tests/support/near.h"
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "bearing/rigid_rings.h"
+#include "core/case/errors.h"
 #include "tests/support/demo_bearing.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"

@@ -1,7 +1,7 @@
 #include "bearing/ring_sections.h"
 #include "fem/bearing/chock_flexibility.h"
-#include "fem/body/harmonic_body.h"
 #include "fem/bearing/ring_flexibility.h"
+#include "fem/body/harmonic_body.h"
 #include "meshes/bearing/bearing_rings.h"
 #include "meshes/bearing/chock.h"
 #include "tests/support/demo_bearing.h"
@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <utility>
 
 using namespace mill;
 

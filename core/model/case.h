@@ -1,0 +1,33 @@
+#pragma once
+#include "core/case/errors.h"
+#include "core/model/bearing_case.h"
+#include "core/model/bite_case.h"
+#include "core/model/chatter.h"
+#include "core/model/four_high.h"
+#include "core/model/lumped.h"
+#include "core/model/two_cylinders.h"
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace mill {
+/// A case file, read and checked.  SI inside.
+struct Case {
+  std::string path;  ///< of the file as given by the user
+  std::string name;  ///< stem of the file name
+  std::string kind;  ///< four-high | lumped | two-cylinders | bearing | bite | chatter
+  std::string title;
+  std::variant<FourHigh, Lumped, TwoCylinders, BearingCase, BiteCase, ChatterCase> spec;
+  std::string resolved;  ///< text of resolved.toml
+  std::map<std::string, Place>
+      places;  ///< "work_roll.barrel_diameter" -> where its value stands; defaults are absent
+};
+
+/// Bearing by name; the reader has checked that it exists.
+const RollerBearing &bearing_of(const std::vector<RollerBearing> &bearings, const std::string &name);
+
+/// Reads, checks and converts a case.  `sets` are overrides "section.key=value" that go through the same rows.
+/// @throws InputError with every problem of the case in one go, sorted by place
+Case read_case(const std::string &path, const std::vector<std::string> &sets = {});
+}  // namespace mill

@@ -1,0 +1,19 @@
+#pragma once
+#include "core/case/errors.h"
+#include <string>
+
+namespace mill {
+/// Settings of the lumped model's runs.
+struct DynamicsSettings {
+  double modal_damping       = 0.01;           ///< -, ratio of critical, every mode
+  std::string force_meaning  = "measured";     ///< measured | disturbance | published
+  double output_rate         = 20e3;           ///< Hz
+  std::string frame          = "open";         ///< open | closed
+  std::string mass_reference = "mid";          ///< mid | mean: reference displacement of M2..M5
+  std::string mass_source    = "closed-form";  ///< closed-form | fe: shapes behind M2..M5
+  std::string model          = "six-mass";     ///< six-mass | beam | craig-bampton: what is driven
+  double frequency_limit     = 1000;           ///< Hz, up to which the modes are to be right
+  int elements_per_radius    = 3;              ///< of the rolls' meshes behind their modes
+  Place force_meaning_place;
+};
+}  // namespace mill

@@ -1,0 +1,14 @@
+#pragma once
+#include "core/model/dynamics_settings.h"
+#include "core/model/given.h"
+#include "core/model/pass.h"
+#include <vector>
+
+namespace mill {
+/// kind = "lumped": starts at the lumped model.
+struct Lumped {
+  GivenValues given;
+  std::vector<Pass> passes;
+  DynamicsSettings dynamics;
+};
+}  // namespace mill
