@@ -13,6 +13,8 @@ namespace {
 std::optional<KeyList> inputs_of(const BearingCase &spec, const Results &, const std::string &name)
 {
   const KeyList keys = bearing_case_keys(spec);
+  if (ends(name, ".film.least_speed"))
+    return joined(keys, keys_in("bearing." + spec.load.bearing, "roughness"));
   if (!begins(name, "Kzc.motion."))
     return keys;
   KeyList motion = keys_in("load", "loads samples");  // the mass swings on the curve

@@ -3,6 +3,7 @@
 #include "app/stages/bearing_results.h"
 #include "app/stages/bearing_stage.h"
 #include "app/stages/curve_files.h"
+#include "app/stages/oil_film_results.h"
 #include "bearing/clearance.h"
 #include "core/records/csv.h"
 #include "dynamics/bearing/dynamics.h"
@@ -84,6 +85,8 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
 
 void solve_bearing_case(RunContext &run, const BearingCase &spec)
 {
+  if (const OilFilmBearing *film = oil_film_of(spec.oil_films, spec.load.bearing))
+    return solve_oil_film_case(run, spec, *film);
   BearingQuestion q;
   q.bearing         = bearing_of(spec.bearings, spec.load.bearing);
   q.radial          = spec.load.radial;

@@ -33,7 +33,7 @@ Film::Film(const FilmProblem &problem, FilmGrid grid, const Film *start) : of(pr
         active(j, i) = false;
         q(j, i)      = a > 0 ? -std::expm1(-a * held) / a : held;
       }
-  if (of.compliance == 0 && least_rigid_film(of) < least_film)
+  if (least_rigid_film(of) < least_film)  // at the ends there is no pressure and no deflection
     failed = FilmFailure::touching;
   else
     solve();

@@ -46,13 +46,10 @@ public:
   Search(FilmProblem problem, const FilmMesh &grid, const double load)
       : of(std::move(problem)), mesh(grid), W(load)
   {
-    deflection = 0;
-    if (of.compliance > 0)  // four times the mean pressure
-      deflection = of.compliance * W;
   }
   double room(const double direction) const
   {
-    return largest_eccentricity(of, direction) + deflection;
+    return largest_eccentricity(of, direction);
   }
   Trial trial(const Place &at, const Film *start)
   {
@@ -91,14 +88,14 @@ private:
     return film_reactions(film).force;
   }
   FilmMesh mesh;
-  double W, deflection;
+  double W;
 };
 
 Place first_place(const FilmProblem &p, const double W)
 {
   if (const double e = p.displacement.norm(); e > 0) {
     const double direction = std::atan2(p.displacement[1], p.displacement[0]);
-    const double room      = std::max(largest_eccentricity(p, direction) + p.compliance * W, e * 1.0001);
+    const double room      = std::max(largest_eccentricity(p, direction), e * 1.0001);
     return {std::log(e / (room - e)), direction};
   }
   const double e = ocvirk_eccentricity(p.length_ratio, W);

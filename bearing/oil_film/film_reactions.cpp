@@ -88,8 +88,7 @@ FilmReactions film_reactions(const Film &film)
   r.force      = s.force;
   r.moment     = s.moment;
   add_peak(film, r);
-  // Between rigid surfaces the least film has a closed form; with deflection that of the nodes.
-  r.least_film = film.problem().compliance > 0 ? film.thickness().minCoeff() : least_rigid_film(film.problem());
+  r.least_film = least_rigid_film(film.problem());  // at an end, where no pressure opens it
   add_friction(film, r);
   r.side_flow = film.side_flow();
   return r;

@@ -1,3 +1,4 @@
+#include "core/case/kinds.h"
 #include "core/case/stand_reader.h"
 #include "core/case/units.h"
 #include <algorithm>
@@ -287,14 +288,11 @@ void check_bearing(const RollerBearing &bearing, Reading &reading)
   check_rings(bearing, reading);
 }
 
-void check_bearing_name(const std::string &key, const std::string &bearing,
-                        const std::vector<RollerBearing> &bearings, Reading &reading)
+void check_bearing_name(const std::string &key, const std::string &bearing, const std::vector<std::string> &names,
+                        Reading &reading)
 {
   if (!reading.usable({key}))
     return;
-  std::vector<std::string> names;
-  for (const RollerBearing &known : bearings)
-    names.push_back(known.name);
   if (std::find(names.begin(), names.end(), bearing) != names.end())
     return;
   reading.add(reading.place(key),
@@ -305,7 +303,7 @@ void check_bearing_name(const std::string &key, const std::string &bearing,
 
 void check_bearing_load(const BearingCase &spec, Reading &reading)
 {
-  check_bearing_name("load.bearing", spec.load.bearing, spec.bearings, reading);
+  check_bearing_name("load.bearing", spec.load.bearing, bearing_names(spec), reading);
   const auto &loads = spec.load.loads;
   if (!reading.usable({"load.loads", "load.radial"}) || std::isnan(loads[0]))
     return;

@@ -47,6 +47,7 @@ const CaseKind &kind_of(const Case &the_case);
 /// Passes and bearings of a case; of a kind without them, none.
 const std::vector<Pass> &all_passes(const Case &the_case);
 const std::vector<RollerBearing> &all_bearings(const Case &the_case);
+const std::vector<OilFilmBearing> &all_oil_films(const Case &the_case);
 
 /// "bearing" -> its names, "pass" -> "0", "1"; empty where the kind has none.
 std::vector<std::string> repeated_sections(const Case &the_case, const std::string &section);
@@ -57,6 +58,14 @@ template <class List> std::vector<std::string> names_in(const List &list)
   std::vector<std::string> names;
   for (const auto &one : list)
     names.push_back(one.name);
+  return names;
+}
+/// Roller bearings first.
+template <class Spec> std::vector<std::string> bearing_names(const Spec &spec)
+{
+  std::vector<std::string> names = names_in(spec.bearings);
+  for (const OilFilmBearing &film : spec.oil_films)
+    names.push_back(film.name);
   return names;
 }
 std::vector<std::string> numbers_to(std::size_t n);

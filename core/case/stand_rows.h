@@ -59,6 +59,7 @@ const std::vector<Field<Material>> &steel_rows();
 const std::vector<Field<WorkRollInput>> &work_roll_rows();
 const std::vector<Field<Roll>> &backup_roll_rows();
 const std::vector<Field<RollerBearing>> &bearing_rows();
+const std::vector<Field<OilFilmBearing>> &oil_film_rows();  ///< of a [bearing.*] of type oil-film
 const std::vector<Field<BearingLoad>> &bearing_load_rows();
 const std::vector<Field<BearingModelInput>> &bearing_model_rows();
 const std::vector<Field<BearingExcitation>> &bearing_motion_rows();
@@ -111,6 +112,7 @@ struct SectionRows {
   bool needed;  ///< false: the section may be left out
   std::string meaning;
   std::vector<Row> rows;
+  bool in_template = true;  ///< false: of another type than the template's
 };
 const std::vector<std::string> &case_kinds();  ///< those this version reads
 const std::vector<SectionRows> &sections_of(const std::string &kind);

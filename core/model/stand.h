@@ -1,10 +1,11 @@
 #pragma once
-#include "core/model/chatter.h"
 #include "core/case/errors.h"
+#include "core/model/chatter.h"
 #include "core/model/material.h"
-#include "core/records/parameter.h"
+#include "core/model/oil_film_bearing.h"
 #include "core/model/roller_bearing.h"
 #include "core/model/strip.h"
+#include "core/records/parameter.h"
 #include <array>
 #include <cmath>
 #include <limits>
@@ -176,6 +177,7 @@ struct FourHigh {
   Material steel;
   Roll work_roll, backup_roll;
   std::vector<RollerBearing> bearings;
+  std::vector<OilFilmBearing> oil_films;
   Frame frame;
   MillHousing housing;
   Screwdown screwdown;
@@ -207,13 +209,16 @@ struct TwoCylinders {
 
 /// [load] of kind = "bearing".
 struct BearingLoad {
-  std::string bearing;                                   ///< name of a [bearing.*]
-  double radial               = 0;                       ///< N, towards the support of the chock
-  double axial                = 0;                       ///< N, on the inner ring; 0: it keeps its axial place
-  double tilt                 = 0;                       ///< rad, of the inner ring in the plane of the load
-  std::array<double, 2> loads = {not_given, not_given};  ///< N, swept range of the radial load
-  int samples                 = 20;
-  double cage_angle           = 0;  ///< rad
+  std::string bearing;                                    ///< name of a [bearing.*]
+  double radial                = 0;                       ///< N, towards the support of the chock
+  double axial                 = 0;                       ///< N, on the inner ring; 0: it keeps its axial place
+  double tilt                  = 0;                       ///< rad, of the inner ring in the plane of the load
+  std::array<double, 2> loads  = {not_given, not_given};  ///< N, swept range of the radial load
+  int samples                  = 20;
+  double cage_angle            = 0;          ///< rad
+  double tilt_across           = 0;          ///< rad, oil film: of the sleeve across the plane of the load
+  double speed                 = not_given;  ///< Hz, oil film: of the sleeve
+  std::array<double, 2> speeds = {not_given, not_given};  ///< Hz, oil film: swept range
 };
 
 /// [dynamics] of kind = "bearing": a mass on the bearing's curve.
@@ -227,9 +232,10 @@ struct BearingExcitation {
   double output_rate = 20e3;       ///< Hz
 };
 
-/// kind = "bearing": one roller bearing in its chock.
+/// kind = "bearing": one roller bearing in its chock, or one oil-film bearing.
 struct BearingCase {
   std::vector<RollerBearing> bearings;
+  std::vector<OilFilmBearing> oil_films;
   BearingLoad load;
   BearingExcitation motion;
   GivenValues published;  ///< only shown beside the computed values
@@ -259,6 +265,9 @@ struct Case {
 
 /// Bearing by name; the reader has checked that it exists.
 const RollerBearing &bearing_of(const std::vector<RollerBearing> &bearings, const std::string &name);
+
+/// The oil-film bearing of this name; nullptr when there is none.
+const OilFilmBearing *oil_film_of(const std::vector<OilFilmBearing> &bearings, const std::string &name);
 
 /// Reads, checks and converts a case.  `sets` are overrides "section.key=value" that go through the same rows.
 /// @throws InputError with every problem of the case in one go, sorted by place

@@ -39,8 +39,8 @@ KeyList force_keys(const Pass &pass, std::size_t p);
 KeyList load_keys(const Pass &pass, std::size_t p);
 KeyList load_keys_of_all(const std::vector<Pass> &passes);
 
-/// What gives a roll its shape and mass between its ends: all rows of its section but profiles, bearings, chocks and
-/// loads.
+/// What gives a roll its shape and mass between its ends: all rows of its section but profiles, bearings, chocks
+/// and loads.
 /// @param section  "work_roll" or "backup_roll"
 KeyList roll_body_keys(const std::string &section);
 
@@ -52,6 +52,8 @@ KeyList contact_keys(const FourHigh &stand, const std::string &name, std::size_t
 /// @param result  "contact.line.tangent": the slope of a curve knows how it was sampled
 KeyList cylinder_keys(const std::string &result);
 
+/// State of an oil film: all of it but what is not there.
+KeyList oil_film_keys(const OilFilmBearing &bearing);
 /// A bearing by the model of its case: FE law or a formula, elastic or rigid rings.
 KeyList bearing_keys(const RollerBearing &bearing);
 /// Radial load of one bearing in a stand, and which bearing it is.

@@ -14,6 +14,7 @@ const CaseKind &case_kind(const BearingCase *)
     k.sections   = {
           head_section(),
           {"bearing",  Repeat::named, true,  "a roller bearing and its chock",            rows_of(bearing_rows())      },
+          oil_film_section(),
           {"load",     Repeat::once,  true,  "what acts on one of them",                  rows_of(bearing_load_rows()) },
           {"model",    Repeat::once,  false, "how that one is computed",                  rows_of(bearing_model_rows())},
           {"dynamics", Repeat::once,  false, "a mass that swings on the bearing's curve",
@@ -30,7 +31,7 @@ const CaseKind &case_kind(const BearingCase *)
     k.given = k.published = bearing_published_rows();
     k.repeated            = [](const CaseSpec &spec, const std::string &section) {
       const auto &own = std::get<BearingCase>(spec);
-      return section == "bearing" ? names_in(own.bearings) : std::vector<std::string>();
+      return section == "bearing" ? bearing_names(own) : std::vector<std::string>();
     };
     return k;
   }();

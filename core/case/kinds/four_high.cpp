@@ -46,6 +46,7 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   stand.work_roll   = read_work_roll(root, reading);
   stand.backup_roll = read_backup_roll(root, reading);
   stand.bearings    = read_bearings(root, stand.backup_roll.bearing, reading);
+  stand.oil_films   = read_oil_films(root, reading);
   stand.housing     = read_housing(root, stand.steel, reading);
   stand.screwdown   = read_screwdown(root, reading);
   const bool drawn  = section_at(root, "housing", reading).node != nullptr;
@@ -83,6 +84,7 @@ std::vector<SectionRows> four_high_sections()
       {"work_roll",   Repeat::once,  true,  "both work rolls",                          rows_of(work_roll_rows())             },
       {"backup_roll", Repeat::once,  true,  "both backup rolls",                        rows_of(backup_roll_rows())           },
       {"bearing",     Repeat::named, true,  "a roller bearing, named by the rolls",     rows_of(bearing_rows())               },
+      oil_film_section(),
       {"frame",       Repeat::once,  true,
           "masses already reduced to the moving point; stiffnesses of the whole stand, both sides together; what a "
        "drawing in [housing] or [screwdown] replaces may be left out, and KEY_tolerance beside a value says how "
@@ -153,7 +155,7 @@ const CaseKind &case_kind(const FourHigh *)
     k.repeated  = [](const CaseSpec &spec, const std::string &section) {
       const auto &own = std::get<FourHigh>(spec);
       if (section == "bearing")
-        return names_in(own.bearings);
+        return bearing_names(own);
       return section == "pass" ? numbers_to(own.passes.size()) : std::vector<std::string>();
     };
     return k;
