@@ -122,7 +122,7 @@ public:
     said = true;
     add_oil_film_results(run, study, inputs);
     write_oil_film(run, study);
-    note_oil_film(run, study);
+    note_oil_film(run, study, true);
   }
 
 private:

@@ -140,6 +140,6 @@ void solve_oil_film_case(RunContext &run, const BearingCase &spec, const OilFilm
   run.results.add("Kzc.tangent_across", film_stiffness(study, inputs, true));
   add_oil_film_results(run, study, inputs);
   write_oil_film(run, study);
-  note_oil_film(run, study);
+  note_oil_film(run, study, false);
 }
 }  // namespace mill

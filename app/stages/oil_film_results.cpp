@@ -283,21 +283,26 @@ void add_oil_film_results(RunContext &run, const OilFilmStudy &s, const std::vec
   add_layers(run, prefix, s, inputs);
 }
 
-void note_oil_film(RunContext &run, const OilFilmStudy &s)
+void note_oil_film(RunContext &run, const OilFilmStudy &s, const bool in_chain)
 {
   const OilFilmState &at  = s.solution.at;
   const std::string &name = s.question.bearing.name;
   const double locks      = at.stiffness(0, 0) / (2 * M_PI * at.damping(0, 0));
+  const std::string film =
+      fmt::format("bearing.{}: the film resists motion along the load by {:.4g} kN/mm and {:.4g} kN s/mm; above "
+                  "{:.3g} Hz its damping is more than its stiffness",
+                  name, at.stiffness(0, 0) / 1e6, at.damping(0, 0) / 1e6, locks);
+  if (in_chain)
+    run.warn(film +
+             fmt::format(". The springs of the chain take the stiffness alone (its only dashpot stands beside "
+                         "K4): faster vibrations meet a film that is all but locked, and their frequencies are "
+                         "higher. given.Kzc1 and given.Kzc4 take a stiffness for them, at f about 2 pi f b"));
+  else
+    run.assume(film);
   run.assume(fmt::format(
-      "bearing.{}: the film resists motion along the load by {:.4g} kN/mm and {:.4g} kN s/mm; above {:.3g} Hz its "
-      "damping is more than its stiffness, and a vibration meets it stiffer than the springs of the chain say, "
-      "which "
-      "take k_xx alone (the only dashpot of the chain stands beside K4)",
-      name, at.stiffness(0, 0) / 1e6, at.damping(0, 0) / 1e6, locks));
-  run.assume(
-      fmt::format("bearing.{}: motion across the load moves the force along it by k_xy = {:.4g} kN/mm, the other "
-                  "way round by k_yx = {:.4g} kN/mm; the chain takes neither",
-                  name, at.stiffness(0, 1) / 1e6, at.stiffness(1, 0) / 1e6));
+      "bearing.{}: motion across the load moves the force along it by k_xy = {:.4g} kN/mm, the other "
+      "way round by k_yx = {:.4g} kN/mm{}",
+      name, at.stiffness(0, 1) / 1e6, at.stiffness(1, 0) / 1e6, in_chain ? "; the chain takes neither" : ""));
   run.assume(
       fmt::format("bearing.{}: behind the rupture the gap counts as full of oil for the friction; in streamers "
                   "the loss were {:.3g} kW in place of {:.3g} kW",

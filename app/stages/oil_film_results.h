@@ -12,7 +12,8 @@ void add_oil_film_results(RunContext &run, const OilFilmStudy &study, const std:
 void write_oil_film(RunContext &run, const OilFilmStudy &study);
 
 /// What the reader of the report has to know: damping and the chain, cross terms, temperature.
-void note_oil_film(RunContext &run, const OilFilmStudy &study);
+/// @param in_chain  whether a chain of masses takes its stiffness
+void note_oil_film(RunContext &run, const OilFilmStudy &study, bool in_chain);
 
 /// kind = "bearing" with an oil film: all of it.
 void solve_oil_film_case(RunContext &run, const BearingCase &spec, const OilFilmBearing &bearing);

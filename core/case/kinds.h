@@ -12,7 +12,7 @@ using CaseSpec = decltype(Case::spec);
 /// What the template of a kind says of one section beyond the examples of its rows, so that it runs without any
 /// other file.  A section that is named twice stands twice in the template.
 struct TemplateNote {
-  std::string section;                        ///< its name
+  std::string section;                        ///< its id
   std::string header;                         ///< "[bearing.trb]"; empty: that of the section
   std::map<std::string, std::string> values;  ///< TOML, instead of the example
   std::vector<std::string> shown;             ///< optional keys that are set all the same
@@ -28,7 +28,7 @@ struct CaseKind {
   std::vector<TemplateNote> notes;  ///< of the sections that need one
   std::vector<Row> given;           ///< of [given], without tolerances
   std::vector<Row> published;       ///< of [published]
-  /// Names of the sections of a case that repeat: bearings, or "0", "1" for those in double brackets.
+  /// Names of the sections of a case that repeat, by their id: bearings, or "0", "1" for those in double brackets.
   std::vector<std::string> (*repeated)(const CaseSpec &spec, const std::string &section) = nullptr;
 };
 

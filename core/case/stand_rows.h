@@ -112,7 +112,12 @@ struct SectionRows {
   bool needed;  ///< false: the section may be left out
   std::string meaning;
   std::vector<Row> rows;
-  bool in_template = true;  ///< false: of another type than the template's
+  std::string type = "";  ///< of the named ones, where sections of this name have several: "oil-film"; else empty
+  /// Under which notes of the template and names of a case are found.
+  const std::string &id() const
+  {
+    return type.empty() ? name : type;
+  }
 };
 const std::vector<std::string> &case_kinds();  ///< those this version reads
 const std::vector<SectionRows> &sections_of(const std::string &kind);

@@ -169,8 +169,12 @@ std::vector<SectionRows> strip_sections()
 
 SectionRows oil_film_section()
 {
-  return {"bearing", Repeat::named, false, "an oil-film bearing, of backup rolls: a sleeve that turns in a bush",
-          rows_of(oil_film_rows()), false};
+  return {"bearing",
+          Repeat::named,
+          false,
+          "an oil-film bearing, of backup rolls: a sleeve that turns in a bush",
+          rows_of(oil_film_rows()),
+          "oil-film"};
 }
 
 SectionRows bite_section()

@@ -23,15 +23,18 @@ const CaseKind &case_kind(const BearingCase *)
     };
     k.notes = {
         {"bearing",
-         "[bearing.trb]", {},
+         "[bearing.trb]",             {},
          {"bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile",
           "chock_width", "chock_height", "chock_length", "chock_support_width", "chock_support_gap"}},
-        {"load",    "",   {}, {"loads"}                                                             }
+        {"oil-film", "[bearing.oil]", {}, {},                                                         true},
+        {"load",          "",                    {},           {"loads"}                                               }
     };
     k.given = k.published = bearing_published_rows();
     k.repeated            = [](const CaseSpec &spec, const std::string &section) {
       const auto &own = std::get<BearingCase>(spec);
-      return section == "bearing" ? bearing_names(own) : std::vector<std::string>();
+      if (section == "oil-film")
+        return names_in(own.oil_films);
+      return section == "bearing" ? names_in(own.bearings) : std::vector<std::string>();
     };
     return k;
   }();

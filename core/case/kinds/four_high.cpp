@@ -118,19 +118,20 @@ std::vector<TemplateNote> four_high_notes()
 {
   return {
       {"bearing",
-       "[bearing.trb]",                               {},
-       {"bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile"}                                                           },
+       "[bearing.trb]",                     {},
+       {"bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile"}                    },
       {"bearing",
-       "[bearing.crb]",                               {{"type", "\"four-row cylindrical\""},
+       "[bearing.crb]",                     {{"type", "\"four-row cylindrical\""},
         {"rollers_per_row", "32"},
         {"roller_length", "\"110 mm\""},
         {"roller_diameter", "\"75 mm\""}},
-       {}                                                                                                                                                              },
-      {"housing",                "",                  {},                                   {},                                                                          true}, // [frame] says it in numbers
-      {"screwdown",                        "",                                 {},                                            {},                                                                                     true},
-      {"strip.flow_stress",                    "",                                       {},                                                         {"k"}                          },
-      {"strip.friction",                   "",                                      {},   {},                                true}, // [strip] says it in a number
-      {"pass",                      "",                                     {{"synthetic", "true"}},                                                                       {"synthetic_range"}                                                                                                             },
+       {}                                                                                                                       },
+      {"oil-film", "[bearing.oil]",         {},                                               {},                                 true}, // the backup rolls run on rollers
+      {"housing",          "",                         {},                                                              {},                                                                      true}, // [frame] says it in numbers
+      {"screwdown",      "",                             {},                                                                   {},                         true},
+      {"strip.flow_stress",        "",                           {},         {"k"}},
+      {"strip.friction",        "",{},                                        {},                                                           true}, // [strip] says it in a number
+      {"pass",        "",                              {{"synthetic", "true"}},                                   {"synthetic_range"}          },
       {"pass",
        "",{{"name", "\"pass 2\""},
         {"synthetic", "true"},
@@ -155,7 +156,9 @@ const CaseKind &case_kind(const FourHigh *)
     k.repeated  = [](const CaseSpec &spec, const std::string &section) {
       const auto &own = std::get<FourHigh>(spec);
       if (section == "bearing")
-        return bearing_names(own);
+        return names_in(own.bearings);
+      if (section == "oil-film")
+        return names_in(own.oil_films);
       return section == "pass" ? numbers_to(own.passes.size()) : std::vector<std::string>();
     };
     return k;
