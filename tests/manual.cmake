@@ -1,6 +1,6 @@
 # The manual, one entry per group of cases (verify::groups()); a failure prints the table of the case.
 set(manual_groups ClosedForms HalfSpace Section Solid Friction Nonlinear Roll
-                  Bearing Roller Ring BearingMotion
+                  Bearing Roller Ring OilFilm BearingMotion
                   Slab Inhomogeneous ElasticArc StripFlow StripElastic RollArc
                   Mass Component Housing
                   ChatterStand ChatterMotion ChatterSensitivity ChatterTandem)

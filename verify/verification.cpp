@@ -137,6 +137,7 @@ const std::vector<Group> &groups()
       {"Bearing",            "bearing", bearing_cases            },
       {"Roller",             "bearing", roller_cases             },
       {"Ring",               "bearing", ring_cases               },
+      {"OilFilm",            "bearing", oil_film_cases           },
       {"BearingMotion",      "bearing", bearing_motion_cases     },
       {"Slab",               "bite",    slab_cases               },
       {"Inhomogeneous",      "bite",    inhomogeneous_cases      },

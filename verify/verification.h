@@ -124,6 +124,7 @@ std::vector<Case> roll_cases();                 ///< rolls, identities, engines,
 std::vector<Case> bearing_cases();              ///< roller bearings from the law of one roller
 std::vector<Case> roller_cases();               ///< one roller between its raceways by finite elements
 std::vector<Case> ring_cases();                 ///< rings, neck and chock
+std::vector<Case> oil_film_cases();             ///< oil-film bearings
 std::vector<Case> bearing_motion_cases();       ///< a mass on a bearing
 std::vector<Case> slab_cases();                 ///< roll bite: closed slab theories, film friction, flattening
 std::vector<Case> inhomogeneous_cases();        ///< roll bite: Karman, Orowan and Sims integrated

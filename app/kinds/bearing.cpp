@@ -12,7 +12,9 @@ namespace {
 std::optional<KeyList> inputs_of(const BearingCase &spec, const Results &, const std::string &name)
 {
   KeyList keys = bearing_case_keys(spec);
-  if (begins(name, "bearing."))
+  if (ends(name, ".film.least_speed"))
+    return joined(keys, keys_in("bearing." + spec.load.bearing, "roughness"));
+  if (begins(name, "bearing.") && !oil_film_of(spec.oil_films, spec.load.bearing))
     keys = joined(keys, rating_keys(bearing_of(spec.bearings, spec.load.bearing)));
   if (!begins(name, "Kzc.motion."))
     return keys;

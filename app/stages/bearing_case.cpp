@@ -5,6 +5,7 @@
 #include "app/stages/bearing_results.h"
 #include "app/stages/bearing_stage.h"
 #include "app/stages/curve_files.h"
+#include "app/stages/oil_film_results.h"
 #include "bearing/clearance.h"
 #include "core/model/case.h"
 #include "core/records/csv.h"
@@ -86,6 +87,8 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
 
 void solve_bearing_case(RunContext &run, const BearingCase &spec)
 {
+  if (const OilFilmBearing *film = oil_film_of(spec.oil_films, spec.load.bearing))
+    return solve_oil_film_case(run, spec, *film);
   BearingQuestion q = question_of(spec);
   if (spec.load.radial > 0)
     q.loads = log_spaced(spec.load.loads, spec.load.samples);

@@ -5,14 +5,17 @@
 #include "app/stages/bearing_published.h"
 #include "app/stages/bearing_ratings.h"
 #include "app/stages/bearing_results.h"
+#include "app/stages/oil_film_results.h"
 #include "core/model/case.h"
 #include "core/model/contact_settings.h"
 #include "core/model/four_high.h"
 #include "core/model/roll.h"
+#include "core/records/provenance.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -70,6 +73,70 @@ std::vector<double> around(const double load)
   return loads;
 }
 
+std::vector<double> around_speed(const double speed)
+{
+  constexpr int n = 20;
+  std::vector<double> speeds;
+  for (int i = 0; i < n; ++i)
+    speeds.push_back(speed * std::pow(16., double(i) / (n - 1) - 0.5));
+  return speeds;
+}
+
+/// The oil film of a seat under one pass; nullptr: the seat has a roller bearing.
+const OilFilmBearing *film_of(const FourHigh &stand, const Seat &seat)
+{
+  return oil_film_of(stand.oil_films, seat.roll->bearing);
+}
+
+OilFilmQuestion film_question(const FourHigh &stand, const Seat &seat, const double load, const std::size_t pass)
+{
+  OilFilmQuestion q;
+  q.bearing        = *film_of(stand, seat);
+  q.surface_radius = seat.roll->barrel_diameter / 2;  // which rolls on the work roll without slip
+  q.load           = {
+                load, stand.passes[pass].speed / q.surface_radius, {0, 0}
+  };
+  q.speed_key = fmt::format("pass.{}.speed", pass);
+  if (pass == 0) {
+    q.loads  = around(load);
+    q.speeds = around_speed(q.load.speed);
+  }
+  return q;
+}
+
+/// Oil films of the backup rolls: stiffness along and across into `out`, the rest said once for the first pass.
+class FilmSeats {
+public:
+  FilmSeats(RunContext &context, const FourHigh &of) : run(context), stand(of) {}
+  void solve(const Seat &seat, const std::size_t i, const std::size_t pass, const SeatLoad &load,
+             StandBearings &out)
+  {
+    const auto key = std::pair(pass, load.value);  // the lower half has the same bearings
+    if (!done.count(key))
+      done[key] = study_oil_film(run, film_question(stand, seat, load.value, pass));
+    const OilFilmStudy &study = done.at(key);
+    const KeyList inputs      = seat_keys(stand, i, pass);
+    out.Kzc[i]                = film_stiffness(study, inputs);
+    out.Kzc_across[i]         = film_stiffness(study, inputs, true);
+    if (pass > 0)
+      return;
+    run.results.add(std::string(seat.name) + ".tangent", out.Kzc[i]);
+    run.results.add(std::string(seat.name) + ".tangent_across", out.Kzc_across[i]);
+    if (said)
+      return;
+    said = true;
+    add_oil_film_results(run, study, inputs);
+    write_oil_film(run, study);
+    note_oil_film(run, study, true);
+  }
+
+private:
+  RunContext &run;
+  const FourHigh &stand;
+  std::map<std::pair<std::size_t, double>, OilFilmStudy> done;
+  bool said = false;
+};
+
 Parameter both(Parameter bearing)
 {
   bearing.value *= 2;
@@ -121,7 +188,7 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
   const auto is_given = [&](const Seat &seat) { return stand.given.count(seat.name) > 0; };
   for (const Seat &seat : seats)
     for (const double F : forces) {
-      if (is_given(seat))
+      if (is_given(seat) || film_of(stand, seat))
         continue;
       double &bound = largest[seat.roll->bearing];
       bound         = std::max(bound, largest_roller_load(question(seat, load_of(stand, seat, F).value, true)));
@@ -134,6 +201,7 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
     });
   run_side_by_side(run, std::move(made));
   std::vector<StandBearings> out(forces.size());
+  FilmSeats films(run, stand);
   for (std::size_t p = 0; p < forces.size(); ++p) {
     std::map<std::string, BearingStudy> done;  // same bearing, same load
     std::map<std::string, Parameter> across;
@@ -144,7 +212,11 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
         continue;
       }
       const SeatLoad load = load_of(stand, seat, forces[p]);
-      const auto key      = seat.roll->bearing + fmt::format(" {} {}", load.value, seat.backup);
+      if (film_of(stand, seat)) {
+        films.solve(seat, i, p, load, out[p]);
+        continue;
+      }
+      const auto key = seat.roll->bearing + fmt::format(" {} {}", load.value, seat.backup);
       if (!done.count(key))
         done[key] = study_bearing(run, parts.at(seat.roll->bearing), question(seat, load.value, p == 0));
       const BearingStudy &study = done.at(key);

@@ -3,6 +3,7 @@
 #include "app/stages/contact_stage.h"
 #include "app/trace/quick_parts.h"
 #include "bearing/assembly.h"
+#include "bearing/oil_film/oil_film_state.h"
 #include "core/model/case.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -80,6 +81,30 @@ double bearing_load(const FourHigh &stand, const bool backup, const ContactSetti
     return std::hypot((F + 2 * bending) / 2, across);
   return std::hypot(bending > 0 ? bending : F / 20, across);
 }
+// An oil film on the coarser of its two grids.
+QuickResult quick_film(const char *name, const OilFilmBearing &film, const bearing::OilFilmLoad &load,
+                       const KeyList &keys, const bool across)
+{
+  QuickResult r;
+  r.name             = name;
+  r.parameter.value  = bearing::quick_oil_film(film, load).at.stiffness(across, across);
+  r.parameter.unit   = "N/m";
+  r.parameter.method = across ? "oil film on one grid, across the load" : "oil film on one grid";
+  r.parameter.at     = in_kN(load.load) + " on one bearing";
+  r.closed           = keys;
+  r.road             = "oil film";
+  r.file             = "bearing/oil_film/film_reactions";
+  r.equation         = "(29.7)";
+  r.stands_for       = "the same on two grids";
+  return r;
+}
+
+bearing::OilFilmLoad film_load(const BearingCase &spec)
+{
+  return {
+      spec.load.radial, 2 * M_PI * spec.load.speed, {spec.load.tilt, spec.load.tilt_across}
+  };
+}
 }  // namespace
 
 std::vector<QuickResult> quick_bearings(const FourHigh &stand, const double F, const std::size_t pass)
@@ -94,10 +119,24 @@ std::vector<QuickResult> quick_bearings(const FourHigh &stand, const double F, c
   for (int i = 0; i < 4; ++i) {
     const bool backup   = i == 0 || i == 3;
     const auto &contact = i < 2 ? stand.upper_contact : stand.lower_contact;
-    const auto &b       = bearing_of(stand.bearings, (backup ? stand.backup_roll : stand.work_roll).bearing);
+    const Roll &roll    = backup ? stand.backup_roll : stand.work_roll;
     const double load   = bearing_load(stand, backup, contact, F);
-    const auto drive    = bearing::radial_drive(load);
-    const auto state    = solved(b, drive);
+    if (const OilFilmBearing *film = oil_film_of(stand.oil_films, roll.bearing)) {
+      const bearing::OilFilmLoad on{
+          load, stand.passes[pass].speed / (roll.barrel_diameter / 2), {0, 0}
+      };
+      const std::string name = fmt::format("Kzc{}", i + 1);
+      const KeyList keys     = seat_keys(stand, std::size_t(i), pass);
+      QuickResult r          = quick_film(name.c_str(), *film, on, keys, false);
+      r.load                 = load;
+      all.push_back(r);
+      add_both(r, i == 0 ? "K_Zy" : "K_Zy_lower");
+      all.push_back(quick_film((name + "_across").c_str(), *film, on, keys, true));
+      continue;
+    }
+    const auto &b    = bearing_of(stand.bearings, roll.bearing);
+    const auto drive = bearing::radial_drive(load);
+    const auto state = solved(b, drive);
     QuickResult r;
     r.name             = fmt::format("Kzc{}", i + 1);
     r.parameter.value  = bearing::radial_tangent(state, drive);
@@ -127,6 +166,15 @@ std::vector<QuickResult> quick_bearings(const FourHigh &stand, const double F, c
 
 std::vector<QuickResult> quick_bearing_case(const BearingCase &spec)
 {
+  if (const OilFilmBearing *film = oil_film_of(spec.oil_films, spec.load.bearing)) {
+    std::vector<QuickResult> both;
+    for (const bool across : {false, true}) {
+      both.push_back(quick_film(across ? "Kzc.tangent_across" : "Kzc.tangent", *film, film_load(spec),
+                                bearing_case_keys(spec), across));
+      both.back().parameter.inputs = bearing_case_keys(spec);
+    }
+    return both;
+  }
   const RollerBearing &b         = bearing_of(spec.bearings, spec.load.bearing);
   const BearingQuestion question = question_of(spec);
   const auto drive               = drive_of(question, spec.load.radial);

@@ -115,7 +115,7 @@ std::vector<TraceKey> keys_of(const Case &the_case)
   };
   for (const SectionRows &section : sections_of(the_case.kind)) {
     if (section.repeat == SectionRows::Repeat::named) {
-      for (const std::string &name : repeated_sections(the_case, section.name))
+      for (const std::string &name : repeated_sections(the_case, section.id()))
         add(section.name + "." + name, section.name + "." + key_text(name), section.rows);
     } else if (section.repeat == SectionRows::Repeat::list) {
       for (const std::string &number : repeated_sections(the_case, section.name))

@@ -85,7 +85,9 @@ std::vector<RollerBearing> read_all(const Node &root, const Model &model, const 
   if (!all.node)
     return bearings;  // whoever names one then says that it does not exist
   for (const Node::Entry &entry : all.node->entries)
-    if (entry.value.kind == Node::Kind::table)
+    if (is_oil_film(entry))
+      continue;
+    else if (entry.value.kind == Node::Kind::table)
       bearings.push_back(read_bearing(entry, model, on_backup_roll, reading));
     else
       reading.add(entry.value.place, fmt::format("bearing.{} = {} is a value; a section [bearing.{}] is needed",
@@ -108,12 +110,14 @@ BearingCase read_bearing_case(const Node &root, Reading &reading)
   Model model{spec.load.bearing, {}};
   if (const Section section = section_at(root, "model", reading); section.node)
     read(section, bearing_model_rows(), model.said, reading);
-  spec.bearings = read_all(root, model, "", reading);
+  spec.bearings  = read_all(root, model, "", reading);
+  spec.oil_films = read_oil_films(root, reading);
   reading.echo += "\n[load]\n" + resolved_lines("load", bearing_load_rows(), spec.load, reading);
   const Section motion = section_at(root, "dynamics", reading);
   read_and_echo(motion, motion.header(), bearing_motion_rows(), spec.motion, reading);
   spec.published = read_given(root, "published", "bearing", reading);
   check_bearing_load(spec, reading);
+  check_oil_film_load(root, spec, reading);
   return spec;
 }
 }  // namespace mill

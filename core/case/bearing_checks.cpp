@@ -1,3 +1,4 @@
+#include "core/case/kinds.h"
 #include "core/case/stand_reader.h"
 #include "core/case/units.h"
 #include "core/model/bearing_ratings.h"
@@ -309,14 +310,11 @@ void check_bearing(const RollerBearing &bearing, Reading &reading)
   check_yield(bearing, reading);
 }
 
-void check_bearing_name(const std::string &key, const std::string &bearing,
-                        const std::vector<RollerBearing> &bearings, Reading &reading)
+void check_bearing_name(const std::string &key, const std::string &bearing, const std::vector<std::string> &names,
+                        Reading &reading)
 {
   if (!reading.usable({key}))
     return;
-  std::vector<std::string> names;
-  for (const RollerBearing &known : bearings)
-    names.push_back(known.name);
   if (std::find(names.begin(), names.end(), bearing) != names.end())
     return;
   reading.add(reading.place(key),
@@ -353,7 +351,7 @@ void check_other_loads(const BearingCase &spec, Reading &reading)
 
 void check_bearing_load(const BearingCase &spec, Reading &reading)
 {
-  check_bearing_name("load.bearing", spec.load.bearing, spec.bearings, reading);
+  check_bearing_name("load.bearing", spec.load.bearing, bearing_names(spec), reading);
   check_other_loads(spec, reading);
   const auto &loads = spec.load.loads;
   if (!reading.usable({"load.loads", "load.radial"}) || std::isnan(loads[0]) || !(spec.load.radial > 0))

@@ -196,7 +196,13 @@ ordered_json schema_of(const std::string &kind)
     } else {
       ordered_json item = closed_object();
       add_rows(item, section);
-      root["properties"][section.name] =
+      ordered_json &properties = root["properties"];
+      if (properties.contains(section.name)) {  // another type of the same section
+        ordered_json &items = properties[section.name]["additionalProperties"];
+        items               = ordered_json{{"anyOf", ordered_json::array({items, item})}};
+        continue;
+      }
+      properties[section.name] =
           section.repeat == Repeat::list
               ? ordered_json{{"type", "array"}, {"items", item}, {"description", section.meaning}}
               : ordered_json{{"type", "object"}, {"additionalProperties", item}, {"description", section.meaning}};

@@ -135,7 +135,7 @@ std::string kind_references()
   for (const CaseKind *kind : all_kinds()) {
     std::string list;
     for (const SectionRows &section : kind->sections)
-      if (!section.name.empty())
+      if (!section.name.empty() && section.type.empty())
         list += (list.empty() ? "" : ", ") + fmt::format(section.needed ? "`{}`" : "(`{}`)", header_of(section));
     text += fmt::format("| `{}` | {} |\n", kind->name, list);
   }
@@ -186,7 +186,7 @@ std::vector<Filled> filled_sections(const CaseKind &kind)
   for (const SectionRows &section : kind.sections) {
     const std::size_t before = all.size();
     for (const TemplateNote &note : kind.notes)
-      if (note.section == section.name)
+      if (note.section == section.id())
         all.push_back({&section, note});
     if (all.size() == before)
       all.push_back({&section, {}});

@@ -18,7 +18,7 @@ using CaseSpec = decltype(Case::spec);
 /// What the template of a kind says of one section beyond the examples of its rows, so that it runs without any
 /// other file.  A section that is named twice stands twice in the template.
 struct TemplateNote {
-  std::string section;                        ///< its name
+  std::string section;                        ///< its id
   std::string header;                         ///< "[bearing.trb]"; empty: that of the section
   std::map<std::string, std::string> values;  ///< TOML, instead of the example
   std::vector<std::string> shown;             ///< optional keys that are set all the same
@@ -34,7 +34,7 @@ struct CaseKind {
   std::vector<TemplateNote> notes;  ///< of the sections that need one
   std::vector<Row> given;           ///< of [given], without tolerances
   std::vector<Row> published;       ///< of [published]
-  /// Names of the sections of a case that repeat: bearings, or "0", "1" for those in double brackets.
+  /// Names of the sections of a case that repeat, by their id: bearings, or "0", "1" for those in double brackets.
   std::vector<std::string> (*repeated)(const CaseSpec &spec, const std::string &section) = nullptr;
 };
 
@@ -53,6 +53,7 @@ const CaseKind &kind_of(const Case &the_case);
 /// Passes and bearings of a case; of a kind without them, none.
 const std::vector<Pass> &all_passes(const Case &the_case);
 const std::vector<RollerBearing> &all_bearings(const Case &the_case);
+const std::vector<OilFilmBearing> &all_oil_films(const Case &the_case);
 
 /// "bearing" -> its names, "pass" -> "0", "1"; empty where the kind has none.
 std::vector<std::string> repeated_sections(const Case &the_case, const std::string &section);
@@ -63,6 +64,14 @@ template <class List> std::vector<std::string> names_in(const List &list)
   std::vector<std::string> names;
   for (const auto &one : list)
     names.push_back(one.name);
+  return names;
+}
+/// Roller bearings first.
+template <class Spec> std::vector<std::string> bearing_names(const Spec &spec)
+{
+  std::vector<std::string> names = names_in(spec.bearings);
+  for (const OilFilmBearing &film : spec.oil_films)
+    names.push_back(film.name);
   return names;
 }
 std::vector<std::string> numbers_to(std::size_t n);

@@ -84,6 +84,13 @@ const RollerBearing &bearing_of(const std::vector<RollerBearing> &bearings, cons
   return *found;
 }
 
+const OilFilmBearing *oil_film_of(const std::vector<OilFilmBearing> &bearings, const std::string &name)
+{
+  const auto found = std::find_if(bearings.begin(), bearings.end(),
+                                  [&](const OilFilmBearing &bearing) { return bearing.name == name; });
+  return found == bearings.end() ? nullptr : &*found;
+}
+
 Case read_case(const std::string &path, const std::vector<std::string> &sets)
 {
   const Node root                    = read_case_file(path, sets);

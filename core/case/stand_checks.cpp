@@ -1,3 +1,4 @@
+#include "core/case/kinds.h"
 #include "core/case/stand_reader.h"
 #include "core/case/units.h"
 #include "core/model/four_high.h"
@@ -185,8 +186,9 @@ void check_four_high(const FourHigh &stand, Reading &reading)
       stand.backup_roll.barrel_diameter < stand.work_roll.barrel_diameter)
     contradict(reading, "backup_roll.barrel_diameter", "is smaller than the work roll",
                {"work_roll.barrel_diameter"});
-  check_bearing_name("work_roll.bearing", stand.work_roll.bearing, stand.bearings, reading);
-  check_bearing_name("backup_roll.bearing", stand.backup_roll.bearing, stand.bearings, reading);
+  check_bearing_name("work_roll.bearing", stand.work_roll.bearing, bearing_names(stand), reading);
+  check_bearing_name("backup_roll.bearing", stand.backup_roll.bearing, bearing_names(stand), reading);
+  check_oil_films_of_stand(stand, reading);
   check_strip(stand.strip, reading);
   if (reading.usable({"strip.width", "work_roll.barrel_length"}) &&
       stand.strip.width > stand.work_roll.barrel_length)

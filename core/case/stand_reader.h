@@ -63,6 +63,15 @@ ChatterAnalysis read_chatter_analysis(const Node &root, Reading &reading);
 /// All [bearing.*], completed and checked.
 /// @param on_backup_roll  name of the one that carries the backup rolls
 std::vector<RollerBearing> read_bearings(const Node &root, const std::string &on_backup_roll, Reading &reading);
+/// Those [bearing.*] whose type is oil-film.
+std::vector<OilFilmBearing> read_oil_films(const Node &root, Reading &reading);
+/// Does the entry of [bearing] say so?
+bool is_oil_film(const Node::Entry &entry);
+void check_oil_film(const OilFilmBearing &bearing, Reading &reading);
+/// [load] of an oil-film bearing, and sections that belong to rollers.
+void check_oil_film_load(const Node &root, const BearingCase &spec, Reading &reading);
+/// Backup rolls alone are carried by oil films, at the speed of every pass.
+void check_oil_films_of_stand(const FourHigh &stand, Reading &reading);
 /// Fills in what follows from the rest of a bearing: a member left out of the apex condition, the law and rings
 /// that its drawing allows, sizes of the chock.  Each is noted in `filled`.
 /// @param of_backup_roll  its chock is not carried on two feet
@@ -86,9 +95,10 @@ std::string degrees(double angle);       ///< "19.66 deg"
 void check_work_roll(const WorkRollInput &roll, Reading &reading);
 void check_backup_roll(const Roll &roll, Reading &reading);
 void check_bearing(const RollerBearing &bearing, Reading &reading);
-/// @param key  that names the bearing, "work_roll.bearing"
-void check_bearing_name(const std::string &key, const std::string &bearing,
-                        const std::vector<RollerBearing> &bearings, Reading &reading);
+/// @param key    that names the bearing, "work_roll.bearing"
+/// @param names  of all bearings
+void check_bearing_name(const std::string &key, const std::string &bearing, const std::vector<std::string> &names,
+                        Reading &reading);
 void check_bearing_load(const BearingCase &spec, Reading &reading);
 void check_strip(const Strip &strip, Reading &reading);
 /// Keys that the laws of flow stress and friction cannot do without.

@@ -70,6 +70,7 @@ const std::vector<Field<WorkRollInput>> &work_roll_rows();
 const std::vector<Field<Roll>> &backup_roll_rows();
 const std::vector<Field<RollerBearing>> &bearing_rows();
 const std::vector<Field<RollerBearing>> &bearing_catalogue_rows();  ///< the last of bearing_rows
+const std::vector<Field<OilFilmBearing>> &oil_film_rows();  ///< of a [bearing.*] of type oil-film
 const std::vector<Field<BearingLoad>> &bearing_load_rows();
 const std::vector<Field<BearingModelInput>> &bearing_model_rows();
 const std::vector<Field<BearingExcitation>> &bearing_motion_rows();
@@ -122,6 +123,12 @@ struct SectionRows {
   bool needed;  ///< false: the section may be left out
   std::string meaning;
   std::vector<Row> rows;
+  std::string type = "";  ///< of the named ones, where sections of this name have several: "oil-film"; else empty
+  /// Under which notes of the template and names of a case are found.
+  const std::string &id() const
+  {
+    return type.empty() ? name : type;
+  }
 };
 const std::vector<std::string> &case_kinds();  ///< those this version reads
 const std::vector<SectionRows> &sections_of(const std::string &kind);

@@ -167,6 +167,16 @@ std::vector<SectionRows> strip_sections()
   };
 }
 
+SectionRows oil_film_section()
+{
+  return {"bearing",
+          Repeat::named,
+          false,
+          "an oil-film bearing, of backup rolls: a sleeve that turns in a bush",
+          rows_of(oil_film_rows()),
+          "oil-film"};
+}
+
 SectionRows bite_section()
 {
   return {"bite", Repeat::once, false, "how the roll bite is computed", rows_of(bite_rows())};

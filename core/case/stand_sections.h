@@ -8,6 +8,7 @@ namespace mill {
 SectionRows head_section();
 SectionRows steel_section();
 std::vector<SectionRows> strip_sections();  ///< [strip] with flow stress and friction
+SectionRows oil_film_section();             ///< [bearing.NAME] of type oil-film
 SectionRows bite_section();
 SectionRows pass_section(bool needed);
 SectionRows dynamics_section(const std::vector<Field<DynamicsSettings>> &rows);

@@ -30,9 +30,11 @@ constexpr Dimension curvature{-1};
 constexpr Dimension density{-3, 1};
 constexpr Dimension viscosity{-1, 1, -1};
 constexpr Dimension energy{2, 1, -2};
+constexpr Dimension specific_heat{2, 0, -2, -1};
 constexpr Dimension power{2, 1, -3};
 
-// "N s/m", "N.s/m", "N*s/m" and "N·s/m" become "N s/m"; the two micro signs become u; "m/s^2" becomes "m/s2".
+// "N s/m", "N.s/m", "N*s/m" and "N·s/m" become "N s/m"; the two micro signs become u; "m/s^2" becomes "m/s2",
+// "J/(kg K)" "J/kg K".
 std::string normalised(const std::string_view spelling)
 {
   std::string text;
@@ -46,7 +48,7 @@ std::string normalised(const std::string_view spelling)
       ++i;
     } else if (spelling[i] == '.' || spelling[i] == '*' || spelling[i] == '\t') {
       text += ' ';
-    } else if (spelling[i] != '^') {
+    } else if (spelling[i] != '^' && spelling[i] != '(' && spelling[i] != ')') {
       text += spelling[i];
     }
   }
@@ -173,6 +175,7 @@ const std::vector<Unit> &all_units()
       {"kJ",      energy,        1e3,  1,   0,      "an energy"             },
       {"N m",     energy,        1,    1,   0,      "a torque"              },
       {"kN m",    energy,        1e3,  1,   0,      "a torque"              },
+      {"J/kg K",  specific_heat, 1,    1,   0,      "a specific heat"       },
       {"W",       power,         1,    1,   0,      "a power"               },
       {"kW",      power,         1e3,  1,   0,      "a power"               },
       {"MW",      power,         1e6,  1,   0,      "a power"               },

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/model/given.h"
 #include "core/model/material.h"
+#include "core/model/oil_film_bearing.h"
 #include "core/model/roller_bearing.h"
 #include <array>
 #include <cmath>
@@ -19,7 +20,9 @@ struct BearingLoad {
   double cage_angle           = 0;          ///< rad
   double axial_displacement   = not_given;  ///< m, imposed on the inner ring in place of an axial load
   double moment               = not_given;  ///< N m, in the plane of the load, in place of a tilt
-  double speed                = not_given;  ///< 1/s, of the shaft; absent: nothing turns
+  double speed                = not_given;  ///< 1/s, of the shaft or sleeve; absent: nothing turns
+  double tilt_across          = 0;          ///< rad, oil film: of the sleeve across the plane of the load
+  std::array<double, 2> speeds = {not_given, not_given};  ///< 1/s, oil film: swept range
 };
 
 /// Whether the load tilts the bearing or pushes it along its axis: then the places of the rows count.
@@ -39,9 +42,10 @@ struct BearingExcitation {
   double output_rate = 20e3;       ///< Hz
 };
 
-/// kind = "bearing": one roller bearing in its chock.
+/// kind = "bearing": one roller bearing in its chock, or one oil-film bearing.
 struct BearingCase {
   std::vector<RollerBearing> bearings;
+  std::vector<OilFilmBearing> oil_films;
   BearingLoad load;
   BearingExcitation motion;
   GivenValues published;  ///< only shown beside the computed values

@@ -27,6 +27,9 @@ struct Case {
 /// Bearing by name; the reader has checked that it exists.
 const RollerBearing &bearing_of(const std::vector<RollerBearing> &bearings, const std::string &name);
 
+/// The oil-film bearing of this name; nullptr when there is none.
+const OilFilmBearing *oil_film_of(const std::vector<OilFilmBearing> &bearings, const std::string &name);
+
 /// Reads, checks and converts a case.  `sets` are overrides "section.key=value" that go through the same rows.
 /// @throws InputError with every problem of the case in one go, sorted by place
 Case read_case(const std::string &path, const std::vector<std::string> &sets = {});

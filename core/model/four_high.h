@@ -7,6 +7,7 @@
 #include "core/model/given.h"
 #include "core/model/housing.h"
 #include "core/model/material.h"
+#include "core/model/oil_film_bearing.h"
 #include "core/model/pass.h"
 #include "core/model/roll.h"
 #include "core/model/roller_bearing.h"
@@ -19,6 +20,7 @@ struct FourHigh {
   Material steel;
   Roll work_roll, backup_roll;
   std::vector<RollerBearing> bearings;
+  std::vector<OilFilmBearing> oil_films;
   Frame frame;
   MillHousing housing;
   Screwdown screwdown;

@@ -153,6 +153,18 @@ KeyList rating_keys(const RollerBearing &b)
   return b.type == "four-row tapered" ? joined(keys, keys_in("bearing." + b.name, "cup_angle")) : keys;
 }
 
+KeyList oil_film_keys(const OilFilmBearing &b)
+{
+  std::string idle    = "type roughness";
+  const auto not_read = [&](const bool condition, const char *names) {
+    idle += condition ? std::string(" ") + names : "";
+  };
+  not_read(std::isnan(b.bush_thickness), "bush_modulus bush_poisson_ratio");
+  not_read(std::isnan(b.sleeve_thickness), "sleeve_modulus sleeve_poisson_ratio");
+  not_read(b.grooves == 0, "groove_angle groove_width groove_length feed_pressure");
+  return keys_but("bearing." + b.name, rows_of(oil_film_rows()), idle);
+}
+
 KeyList seat_load_keys(const FourHigh &stand, const bool backup, const std::string &contact, const std::size_t p)
 {
   const ContactSettings &settings = contact == "upper" ? stand.upper_contact : stand.lower_contact;
@@ -171,8 +183,12 @@ KeyList seat_load_keys(const FourHigh &stand, const bool backup, const std::stri
 KeyList seat_keys(const FourHigh &stand, const std::size_t i, const std::size_t p)
 {
   const bool backup = i == 0 || i == 3;
-  const auto &b     = bearing_of(stand.bearings, (backup ? stand.backup_roll : stand.work_roll).bearing);
+  const Roll &roll  = backup ? stand.backup_roll : stand.work_roll;
   KeyList keys      = seat_load_keys(stand, backup, i < 2 ? "upper" : "lower", p);
+  if (const OilFilmBearing *film = oil_film_of(stand.oil_films, roll.bearing))
+    return joined(keys, keys_in(pass_section(p), "speed"), keys_in("backup_roll", "barrel_diameter"),
+                  oil_film_keys(*film));
+  const auto &b = bearing_of(stand.bearings, roll.bearing);
   if (b.roller_law == "fe") {  // one mesh for the heaviest load that any pass puts on this bearing
     keys = joined(keys, KeyList{"work_roll.bearing", "backup_roll.bearing"});
     for (std::size_t other = 0; other < stand.passes.size(); ++other)
@@ -187,11 +203,15 @@ KeyList seat_keys(const FourHigh &stand, const std::size_t i, const std::size_t 
 KeyList seat_across_keys(const FourHigh &stand, const std::size_t i, const std::size_t p)
 {
   const Roll &roll = i == 0 || i == 3 ? stand.backup_roll : stand.work_roll;
+  if (oil_film_of(stand.oil_films, roll.bearing))
+    return seat_keys(stand, i, p);
   return joined(seat_keys(stand, i, p), keys_in("bearing." + roll.bearing, "slices"));
 }
 
 KeyList bearing_case_keys(const BearingCase &spec)
 {
+  if (const OilFilmBearing *film = oil_film_of(spec.oil_films, spec.load.bearing))
+    return joined(keys_in("load", "bearing radial tilt tilt_across speed"), oil_film_keys(*film));
   const RollerBearing &b = bearing_of(spec.bearings, spec.load.bearing);
   KeyList keys           = bearing_keys(b);
   if (loaded_askew(spec.load))

@@ -57,6 +57,8 @@ KeyList contact_keys(const FourHigh &stand, const std::string &name, std::size_t
 /// @param result  "contact.line.tangent": the slope of a curve knows how it was sampled
 KeyList cylinder_keys(const std::string &result);
 
+/// State of an oil film: all of it but what is not there.
+KeyList oil_film_keys(const OilFilmBearing &bearing);
 /// A bearing by the model of its case: FE law or a formula, elastic or rigid rings.
 KeyList bearing_keys(const RollerBearing &bearing);
 /// Beside those, what only ratings and life of a bearing read.

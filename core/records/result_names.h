@@ -154,6 +154,11 @@ inline constexpr CurveKind bearing_pressure_inner{
 inline constexpr CurveKind bearing_pressure_outer{
     "bearing", true, "pressure-outer", "pressure on the outer raceway", Figure::section, of_patch};
 
+inline constexpr CurveKind bearing_film_speed{
+    "bearing", true, "film-speed", "oil film over the speed", Figure::section, {{{"speed", "Hz"}}}, true};
+inline constexpr CurveKind bearing_film_pressure{
+    "bearing", true, "film-pressure", "pressure in the oil film", Figure::section, of_patch};
+
 inline constexpr CurveKind chatter_speed{"chatter",       true,     "speed", "over the roll speed",
                                          Figure::section, of_speed, true};
 inline constexpr CurveKind chatter_locus{
@@ -169,7 +174,8 @@ inline constexpr CurveKind chatter_lobes{"chatter",       true,     "lobes", "lo
 /// Of a pass: what the models make of the arc ("fe", "karman"), the loaded roll, the strip.
 inline constexpr CurveKind bite_arc{"bite", true, "", "along the arc", Figure::section, {{{"x", "m"}}}, true, '.'};
 inline constexpr CurveKind bite_outlet{
-    "bite", true, "outlet", "what stays in the strip", Figure::section, {{{"y", "m"}, {"stress", "Pa"}}}, false, '.'};
+    "bite", true, "outlet", "what stays in the strip", Figure::section, {{{"y", "m"}, {"stress", "Pa"}}},
+    false,  '.'};
 inline constexpr CurveKind bite_k4{"bite", false, "k4-", "K4 over one input", Figure::section, {}, true};
 inline constexpr CurveKind bite_map{"bite",
                                     false,
@@ -225,6 +231,8 @@ inline constexpr const CurveKind *all[] = {&contact,
                                            &bearing_spectrum,
                                            &bearing_pressure_inner,
                                            &bearing_pressure_outer,
+                                           &bearing_film_speed,
+                                           &bearing_film_pressure,
                                            &chatter_speed,
                                            &chatter_locus,
                                            &chatter_map,

@@ -39,6 +39,9 @@ std::vector<std::string> roller_tilt_drawings(const Table &tilt);
 /// bearing.  Nothing without curves/bearing-NAME-published.csv.
 void published_comparison(Page &page, const Run &run, const std::string &bearing);
 
+/// An oil film over load and speed, and its pressure; false and nothing when the bearing is none.
+bool oil_film_figures(Page &page, const Run &run, const std::string &bearing);
+
 /// Motion of a mass on the bearing: response/bearing-NAME.csv and its spectrum.  Nothing without.
 void bearing_motion(Page &page, const Run &run, const std::string &bearing);
 

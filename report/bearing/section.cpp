@@ -149,6 +149,8 @@ void cage(Page &page, const Run &run, const std::string &bearing)
 void one_bearing(Page &page, const Run &run, const std::string &bearing)
 {
   page.heading("Bearing " + bearing);
+  if (oil_film_figures(page, run, bearing))
+    return;
   sketch(page, run, bearing);
   stiffness(page, run, bearing);
   rollers(page, run, bearing);

@@ -14,6 +14,7 @@ const CaseKind &case_kind(const BearingCase *)
     k.sections   = {
           head_section(),
           {"bearing",  Repeat::named, true,  "a roller bearing and its chock",            rows_of(bearing_rows())      },
+          oil_film_section(),
           {"load",     Repeat::once,  true,  "what acts on one of them",                  rows_of(bearing_load_rows()) },
           {"model",    Repeat::once,  false, "how that one is computed",                  rows_of(bearing_model_rows())},
           {"dynamics", Repeat::once,  false, "a mass that swings on the bearing's curve",
@@ -22,14 +23,17 @@ const CaseKind &case_kind(const BearingCase *)
     };
     k.notes = {
         {"bearing",
-         "[bearing.trb]", {},
+         "[bearing.trb]",             {},
          {"bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile",
           "chock_width", "chock_height", "chock_length", "chock_support_width", "chock_support_gap"}},
-        {"load",    "",   {}, {"loads"}                                                             }
+        {"oil-film", "[bearing.oil]", {}, {},                                                         true},
+        {"load",          "",                    {},           {"loads"}                                               }
     };
     k.given = k.published = bearing_published_rows();
     k.repeated            = [](const CaseSpec &spec, const std::string &section) {
       const auto &own = std::get<BearingCase>(spec);
+      if (section == "oil-film")
+        return names_in(own.oil_films);
       return section == "bearing" ? names_in(own.bearings) : std::vector<std::string>();
     };
     return k;

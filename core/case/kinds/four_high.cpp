@@ -45,6 +45,7 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   stand.work_roll   = read_work_roll(root, reading);
   stand.backup_roll = read_backup_roll(root, reading);
   stand.bearings    = read_bearings(root, stand.backup_roll.bearing, reading);
+  stand.oil_films   = read_oil_films(root, reading);
   stand.housing     = read_housing(root, stand.steel, reading);
   stand.screwdown   = read_screwdown(root, reading);
   const bool drawn  = section_at(root, "housing", reading).node != nullptr;
@@ -82,6 +83,7 @@ std::vector<SectionRows> four_high_sections()
       {"work_roll",   Repeat::once,  true,  "both work rolls",                          rows_of(work_roll_rows())             },
       {"backup_roll", Repeat::once,  true,  "both backup rolls",                        rows_of(backup_roll_rows())           },
       {"bearing",     Repeat::named, true,  "a roller bearing, named by the rolls",     rows_of(bearing_rows())               },
+      oil_film_section(),
       {"frame",       Repeat::once,  true,
           "masses already reduced to the moving point; stiffnesses of the whole stand, both sides together; what a "
        "drawing in [housing] or [screwdown] replaces may be left out, and KEY_tolerance beside a value says how "
@@ -115,19 +117,20 @@ std::vector<TemplateNote> four_high_notes()
 {
   return {
       {"bearing",
-       "[bearing.trb]",                               {},
-       {"bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile"}                                                           },
+       "[bearing.trb]",                     {},
+       {"bore", "outside_diameter", "width", "roller_diameter", "roller_cone_angle", "cup_angle", "profile"}                    },
       {"bearing",
-       "[bearing.crb]",                               {{"type", "\"four-row cylindrical\""},
+       "[bearing.crb]",                     {{"type", "\"four-row cylindrical\""},
         {"rollers_per_row", "32"},
         {"roller_length", "\"110 mm\""},
         {"roller_diameter", "\"75 mm\""}},
-       {}                                                                                                                                                              },
-      {"housing",                "",                  {},                                   {},                                                                          true}, // [frame] says it in numbers
-      {"screwdown",                        "",                                 {},                                            {},                                                                                     true},
-      {"strip.flow_stress",                    "",                                       {},                                                         {"k"}                          },
-      {"strip.friction",                   "",                                      {},   {},                                true}, // [strip] says it in a number
-      {"pass",                      "",                                     {{"synthetic", "true"}},                                                                       {"synthetic_range"}                                                                                                             },
+       {}                                                                                                                       },
+      {"oil-film", "[bearing.oil]",         {},                                               {},                                 true}, // the backup rolls run on rollers
+      {"housing",          "",                         {},                                                              {},                                                                      true}, // [frame] says it in numbers
+      {"screwdown",      "",                             {},                                                                   {},                         true},
+      {"strip.flow_stress",        "",                           {},         {"k"}},
+      {"strip.friction",        "",{},                                        {},                                                           true}, // [strip] says it in a number
+      {"pass",        "",                              {{"synthetic", "true"}},                                   {"synthetic_range"}          },
       {"pass",
        "",{{"name", "\"pass 2\""},
         {"synthetic", "true"},
@@ -153,6 +156,8 @@ const CaseKind &case_kind(const FourHigh *)
       const auto &own = std::get<FourHigh>(spec);
       if (section == "bearing")
         return names_in(own.bearings);
+      if (section == "oil-film")
+        return names_in(own.oil_films);
       return section == "pass" ? numbers_to(own.passes.size()) : std::vector<std::string>();
     };
     return k;

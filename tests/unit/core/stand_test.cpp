@@ -403,6 +403,8 @@ TEST_F(Cases, TheSchemaHasEveryKeyAndNoOther)
         object = object.at("items");
       if (section.repeat == SectionRows::Repeat::named)
         object = object.at("additionalProperties");
+      if (object.contains("anyOf"))  // rollers or an oil film
+        object = nlohmann::json(object.at("anyOf").at(section.type.empty() ? 0 : 1));
       EXPECT_EQ(object.at("additionalProperties"), false) << section.name;
       for (const Row &row : section.rows) {
         ASSERT_TRUE(object.at("properties").contains(row.key)) << section.name << "." << row.key;

@@ -75,6 +75,7 @@ const std::map<std::string, double> one_in_si{
     {"kJ",      1000.0              },
     {"N m",     1.0                 },
     {"kN m",    1000.0              },
+    {"J/kg K",  1.0                 },
     {"W",       1.0                 },
     {"kW",      1000.0              },
     {"MW",      1000000.0           }

@@ -1,0 +1,35 @@
+#pragma once
+#include "core/model/material.h"
+#include <array>
+#include <string>
+#include <vector>
+
+namespace mill {
+/// Oil-film bearing: a turning sleeve in a bush of full circumference, one film.
+struct OilFilmBearing {
+  std::string name;                              ///< the * of [bearing.*]
+  std::string type = "oil-film";                 ///< its only one
+  double diameter  = 0;                          ///< m, of the sleeve
+  double length    = 0;                          ///< m, of the film
+  double clearance = 0;                          ///< m, radial: radius of the bush less that of the sleeve
+  std::vector<std::array<double, 2>> viscosity;  ///< (K, Pa s), one point: the same at every temperature; or two
+  double inlet_temperature  = 313.15;            ///< K
+  double oil_density        = 880;               ///< kg/m3
+  double oil_heat           = 2000;              ///< J/(kg K), specific heat
+  double heat_share         = 1;                 ///< -, of the friction heat that leaves with the oil
+  double warming_share      = 0.5;               ///< -, of the oil's whole warming that the film's temperature has
+  double pressure_viscosity = 0;                 ///< 1/Pa, Barus' exponent
+  double roughness          = 1e-6;              ///< m, rms of both surfaces together
+  double bush_thickness     = not_given;         ///< m, of the layer that is pressed; absent: rigid
+  double bush_modulus       = 52e9;              ///< Pa, babbitt
+  double bush_poisson       = 0.35;              ///< -
+  double sleeve_thickness   = not_given;         ///< m; absent: rigid
+  double sleeve_modulus     = 210e9;             ///< Pa
+  double sleeve_poisson     = 0.3;               ///< -
+  int grooves               = 0;                 ///< none, one, or two opposite each other
+  double groove_angle       = -1.5707963267948966;  ///< rad, of the first from the load, with the rotation
+  double groove_width       = 0.5235987755982988;   ///< rad
+  double groove_length      = 0.8;                  ///< -, of the film's length
+  double feed_pressure      = 1e5;                  ///< Pa, in the grooves
+};
+}  // namespace mill
