@@ -51,7 +51,8 @@ std::optional<KeyList> rating_inputs_of(const FourHigh &stand, const std::string
   for (const std::size_t i : {std::size_t(0), std::size_t(1)}) {
     const Roll &roll    = i == 0 ? stand.backup_roll : stand.work_roll;
     const char *section = i == 0 ? "backup_roll" : "work_roll";
-    if (!begins(name, "bearing." + roll.bearing + ".") || stand.given.count(i == 0 ? "Kzc1" : "Kzc2"))
+    if (!begins(name, "bearing." + roll.bearing + ".") || oil_film_of(stand.oil_films, roll.bearing) ||
+        stand.given.count(i == 0 ? "Kzc1" : "Kzc2"))
       continue;
     const KeyList more = joined(seat_keys(stand, i, 0), rating_keys(bearing_of(stand.bearings, roll.bearing)),
                                 keys_in(section, "barrel_diameter"), KeyList{"pass.0.speed"});

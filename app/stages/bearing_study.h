@@ -1,6 +1,7 @@
 #pragma once
 #include "app/stages/bearing_model.h"
 #include "app/stages/bearing_readings.h"
+#include "core/model/bearing_case.h"
 #include "core/model/given.h"
 #include <functional>
 #include <optional>

@@ -1,4 +1,5 @@
 #include "app/stages/oil_film_study.h"
+#include "core/model/case.h"
 #include "core/process/parallel.h"
 #include <cmath>
 #include <fmt/format.h>

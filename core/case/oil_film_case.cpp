@@ -132,14 +132,15 @@ void check_oil_film_load(const Node &root, const BearingCase &spec, Reading &rea
   const auto said    = [&](const char *key) { return reading.places.count(std::string("load.") + key) > 0; };
   const auto &speeds = spec.load.speeds;
   if (!film) {
-    for (const char *key : {"tilt_across", "speed", "speeds"})
+    for (const char *key : {"tilt_across", "speeds"})
       if (said(key) && reading.usable({"load.bearing"}) && (spec.load.tilt_across != 0 || key[0] == 's'))
         contradict(reading, std::string("load.") + key, "belongs to an oil-film bearing; leave it out",
                    {"load.bearing"});
     return;
   }
   for (const auto &[key, value] :
-       {std::pair("axial", spec.load.axial), std::pair("cage_angle", spec.load.cage_angle)})
+       {std::pair("axial", spec.load.axial), std::pair("cage_angle", spec.load.cage_angle),
+        std::pair("axial_displacement", spec.load.axial_displacement), std::pair("moment", spec.load.moment)})
     if (said(key) && value != 0)
       contradict(reading, std::string("load.") + key, "belongs to a roller bearing; leave it out",
                  {"load.bearing"});

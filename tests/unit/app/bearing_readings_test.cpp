@@ -1,4 +1,5 @@
 #include "app/stages/bearing_readings.h"
+#include "core/model/case.h"
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -262,8 +262,8 @@ TEST(CacheKeys, EveryRowOfAFourHighEntersOrIsKnownNotTo)
 {
   const BaseCase base  = drawn_stand();
   const auto roll_mesh = not_seen_by_a_roll_mesh();
-  // Solved contacts are kept with the whole rolls, solved bearings with the whole bearing, under their loads; so are the
-  // fields of a contact and the readings of a bearing, under the same texts.
+  // Solved contacts are kept with the whole rolls, solved bearings with the whole bearing, under their loads; so
+  // are the fields of a contact and the readings of a bearing, under the same texts.
   const auto contacts = head + records + pass_of_strip + after_the_springs + frame + of("steel", no_inertia) +
                         of("work_roll", seat) + of("backup_roll", seat) +
                         of("strip", "youngs_modulus poisson_ratio") +
@@ -333,9 +333,11 @@ TEST(CacheKeys, EveryRowOfTheOtherKindsEntersOrIsKnownNotTo)
   },
       {{"rolls", head + of("steel", no_inertia) + of("contact.line", "length at samples")}});
   // [model] says law and rings of the bearing again.
-  const auto bearing = head + std::vector<std::string>{"dynamics.*", "published.*"} +
-                       of("bearing.trb", "type roller_law rings") +
-                       of("load", "bearing axial cage_angle samples radial loads axial_displacement moment speed") + of("model", "slices");
+  const auto bearing =
+      head + std::vector<std::string>{"dynamics.*", "published.*"} + of("bearing.trb", "type roller_law rings") +
+      of("load",
+         "bearing axial cage_angle samples radial loads axial_displacement moment speed tilt_across speeds") +
+      of("model", "slices");
   expect_followed(
       {
           "cases/bearing-266.toml", {"bearing.trb.roller_total_length=34 mm"}
@@ -343,7 +345,7 @@ TEST(CacheKeys, EveryRowOfTheOtherKindsEntersOrIsKnownNotTo)
       {{"rollers", bearing + of("bearing.trb", beside_a_roller) + of("model", "rings")},
        {"rings", bearing + of("bearing.trb", beside_the_rings) + of("model", "roller_law") + of("load", "tilt")},
        {"bearings", head + std::vector<std::string>{"dynamics.*", "published.*"} +
-                        of("load", "bearing cage_angle samples") +
+                        of("load", "bearing cage_angle samples tilt_across speeds") +
                         of("bearing.trb", "type roller_law rings slices " + no_other_profile + rated)}});
   const auto bite = head + records + of("pass.#", "load") + of("steel", no_inertia) +
                     std::vector<std::string>{"published.*"} + of("bite", "method theory samples path_trim");

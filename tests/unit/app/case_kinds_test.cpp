@@ -51,7 +51,7 @@ TEST(CaseKinds, NotesOfATemplateBelongToItsSections)
   for (const CaseKind *kind : all_kinds())
     for (const TemplateNote &note : kind->notes)
       EXPECT_TRUE(std::any_of(kind->sections.begin(), kind->sections.end(),
-                              [&](const SectionRows &section) { return section.name == note.section; }))
+                              [&](const SectionRows &section) { return section.id() == note.section; }))
           << kind->name << " " << note.section;
 }
 

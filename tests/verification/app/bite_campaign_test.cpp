@@ -1,5 +1,6 @@
 #include "app/stages/bite_study.h"
 #include "core/case/errors.h"
+#include "core/model/case.h"
 #include "tests/support/drawn_pass.h"
 #include <atomic>
 #include <cstdlib>
