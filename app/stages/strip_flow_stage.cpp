@@ -15,19 +15,16 @@
 namespace mill {
 namespace {
 // Raised by hand when the finite-element bite changes what it computes.
-constexpr const char *flow_version = "strip flow 5";
+constexpr const char *flow_version = "strip flow 6";
 constexpr const char *flow_kind = "millstand bite 1", *point_kind = "millstand bite point 1";
 
-// Unknowns times factorisations of both meshes of a pass: twice what the default mesh takes, some 8 and 14 s on
-// one core.
-constexpr double rigid_work = 6e5, elastic_work = 1.3e6;
-
-// A finer mesh than the default one may take more.
-double allowed(const double work, const BiteSetup &setup)
+// Unknowns times factorisations of both meshes of a pass: twice what the usual mesh takes, some 8 and 14 s on one
+// core.  A finer mesh may take more.
+double allowed_work(const BiteSetup &setup)
 {
-  const BiteSetup usual;
-  return work * std::max(1., double(setup.elements_along) * setup.elements_through /
-                                 (usual.elements_along * usual.elements_through));
+  const double elements = double(setup.elements_along) * setup.elements_through;
+  return setup.strip == "elastic-plastic" ? 1.3e6 * std::max(1., elements / (36 * 8))
+                                          : 6e5 * std::max(1., elements / (48 * 12));
 }
 
 std::string key_of(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
@@ -119,7 +116,7 @@ FlowAnswer rigid_answer(RunContext &run, const FlowQuestion &q)
 {
   FlowAnswer answer;
   const int along   = multiple_of_four(q.setup.elements_along);
-  const double work = allowed(rigid_work, q.setup);
+  const double work = allowed_work(q.setup);
   const auto coarse = rigid_flow(q, multiple_of_four(along / 2), half(q.setup.elements_through), nullptr, work);
   run.progress.at(timer_name(q), 0.3);
   answer.fine          = rigid_flow(q, along, q.setup.elements_through, &coarse, work - coarse.work);
@@ -133,11 +130,10 @@ FlowAnswer rigid_answer(RunContext &run, const FlowQuestion &q)
 FlowAnswer elastic_answer(RunContext &run, const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
 {
   FlowAnswer answer;
-  // Ten times dearer than the rigid-plastic strip, and made for thin strip: half the elements, a third of the
-  // rows.
-  const int along   = std::max(16, half(q.setup.elements_along)),
-            through = std::max(3, q.setup.elements_through / 3);
-  const double work = allowed(elastic_work, q.setup);
+  // Ten times dearer than the rigid-plastic strip, and made for thin strip: fewer elements, half the rows.
+  const int along   = std::max(16, 2 * q.setup.elements_along / 3),
+            through = std::max(3, half(q.setup.elements_through));
+  const double work = allowed_work(q.setup);
   const auto coarse = elastic_flow(q, std::max(10, half(along)), half(through), flexibility, work);
   run.progress.at(timer_name(q), 0.3);
   const auto fine           = elastic_flow(q, along, through, flexibility, work - coarse.flow.work);
@@ -227,7 +223,7 @@ void solve_point(PointTask &task)
   try {
     const FlowQuestion &q = *task.question;
     const auto flow = rigid_flow(q, multiple_of_four(q.setup.elements_along), q.setup.elements_through, nullptr,
-                                 allowed(rigid_work, q.setup));
+                                 allowed_work(q.setup));
     task.point      = FlowPoint{flow.state.force, slope_of(flow)};
   } catch (const InputError &e) {
     task.refused = e.problems.front().message;
