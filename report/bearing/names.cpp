@@ -23,8 +23,8 @@ const Place places[] = {
     {"",               "",       0},
 };
 const char *const titles[] = {
-    "Stiffness of one bearing", "Rows",  "Rollers", "From one roller to the bearing", "A mass on the bearing",
-    "Ratings and life",         "Others"};
+    "Stiffness of one bearing", "Rows",     "Rollers",          "From one roller to the bearing",
+    "A mass on the bearing",    "Oil film", "Ratings and life", "Others"};
 
 bool fits(const Place &place, const std::string &name)
 {
@@ -42,8 +42,9 @@ std::vector<Group> bearing_groups(const Run &run)
   const std::string prefix = "Kzc.";
   for (const Result &result : run.results) {
     if (result.name.rfind(prefix, 0) != 0) {
+      const bool film  = result.name.find(".film.") != std::string::npos;
       const bool rated = result.name.rfind("bearing.", 0) == 0;
-      groups[groups.size() - (rated ? 2 : 1)].results.push_back(&result);
+      groups[groups.size() - (film ? 3 : rated ? 2 : 1)].results.push_back(&result);
       continue;
     }
     const std::string name = result.name.substr(prefix.size());

@@ -59,6 +59,43 @@ const Words aspects[] = {
     {"peak_force",               "largest force of the bearing"                            },
     {"without_contact",          "share of the time without contact"                       },
     {"spectrum_peak",            "highest line of the spectrum"                            },
+    {"bearing",                  "bearing"                                                 },
+    {"film",                     "oil film"                                                },
+    {"eccentricity",             "eccentricity over the clearance"                         },
+    {"attitude",                 "angle between load and narrowest gap"                    },
+    {"minimum_film",             "thinnest film"                                           },
+    {"power_loss",               "power lost to friction"                                  },
+    {"friction_torque",          "torque of the friction"                                  },
+    {"side_flow",                "oil that leaves at both ends"                            },
+    {"temperature",              "temperature of the film"                                 },
+    {"outlet_temperature",       "temperature of the oil that leaves"                      },
+    {"viscosity",                "viscosity at the film's temperature"                     },
+    {"sommerfeld",               "Sommerfeld number"                                       },
+    {"k_xx",                     "stiffness along the load"                                },
+    {"k_xy",                     "stiffness, force along by motion across"                 },
+    {"k_yx",                     "stiffness, force across by motion along"                 },
+    {"k_yy",                     "stiffness across the load"                               },
+    {"b_xx",                     "damping along the load"                                  },
+    {"b_xy",                     "damping, force along by motion across"                   },
+    {"b_yx",                     "damping, force across by motion along"                   },
+    {"b_yy",                     "damping across the load"                                 },
+    {"k_static",                 "slope of the load over the displacement at rest"         },
+    {"least_speed",              "speed from which a film carries"                         },
+    {"layer_stiffness",          "stiffness of bush and sleeve"                            },
+    {"series_stiffness",         "film and layers in series"                               },
+    {"tilting_stiffness",        "moment per tilt"                                         },
+    {"C0",                       "basic static rating"                                     },
+    {"P",                        "equivalent dynamic load"                                 },
+    {"S0",                       "static safety"                                           },
+    {"L10",                      "basic rating life"                                       },
+    {"L10r",                     "reference rating life by slices"                         },
+    {"L10mr",                    "modified reference rating life"                          },
+    {"L10_time",                 "basic rating life at the speed"                          },
+    {"L10r_time",                "reference rating life at the speed"                      },
+    {"L10mr_time",               "modified reference rating life at the speed"             },
+    {"cage_speed",               "speed of the cage"                                       },
+    {"centrifugal_force",        "centrifugal force of a roller"                           },
+    {"stiffness_spread",         "spread of the stiffness over the estimated rollers"      },
     {"in_stand_tangent",         "tangent with the rolls held as in the stand"             },
     {"in_stand_secant",          "secant with the rolls held as in the stand"              },
     {"path_plateau",             "nodal value on the contact path"                         },
@@ -161,6 +198,10 @@ std::string meaning_of(const std::string &name)
   const auto parts = parts_of(name);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::string words = words_of(parts[i]);
+    if (i > 0 && parts[0] == "bearing" && parts[i] == "C")
+      words = "basic dynamic rating";  // C alone is the damper of the chain
+    if (i == 1 && parts[0] == "bearing")
+      words = parts[1];
     if (i == 0 && words.empty() && parts.size() > 1 && parts[0] != "contact")
       words = parts[0];  // the name of a pass
     if (i == 1 && parts[0] == "bite")
