@@ -7,7 +7,9 @@
 #include "app/stages/curve_files.h"
 #include "app/stages/dynamics_stage.h"
 #include "app/stages/frame_stage.h"
+#include "app/stages/mode_results.h"
 #include "app/stages/model_stage.h"
+#include "app/stages/modulus_stage.h"
 #include "app/stages/result_inputs.h"
 #include "core/model/lumped.h"
 #include "core/records/csv.h"
@@ -170,9 +172,28 @@ reduce::ChainInputs chain_inputs(const FourHigh &stand, const StandParts &parts,
   return in;
 }
 
+// The mill modulus of the first pass, from the results of all stages.
+void add_modulus(RunContext &run, const FourHigh &stand, const StandParts &parts, const double load,
+                 const std::vector<Check> &gaps)
+{
+  const auto curve = [&](const char *contact) {
+    const auto found = parts.contacts.find(contact);
+    return found == parts.contacts.end() ? nullptr : &found->second.curve;
+  };
+  ModulusParts of;
+  of.load  = load;
+  of.upper = curve("upper");
+  of.lower = curve("lower");
+  of.seats = &parts.bearings.front();
+  of.solid = solid_rolls(parts.components);
+  of.gap   = gaps;
+  add_stand_modulus(run, stand, of);
+}
+
 // The chain of one pass, what stands beside it, and what is done with it.
+// @param gaps  of the first pass: for the mill modulus, which comes when the bite is there
 void run_pass(RunContext &run, const FourHigh &stand, const StandParts &parts, const PassForces &forces,
-              const std::size_t p, const Goal goal)
+              const std::size_t p, const Goal goal, std::vector<Check> &gaps)
 {
   const Pass &pass = stand.passes[p];
   const bool first = p == 0;
@@ -198,6 +219,8 @@ void run_pass(RunContext &run, const FourHigh &stand, const StandParts &parts, c
     compare_models(run, stand, chain, models, parts.components, fe_masses);
     add_housing_frequencies(run, stand, parts.components);
     add_model_checks(run, models);
+    add_named_modes(run, {&models.craig_bampton, &models.beam, &models.chain}, stand.dynamics.frequency_limit);
+    gaps = gaps_of(models, stand.dynamics.mass_reference);
   }
   if (goal == Goal::chatter)
     solve_stand_chatter(run, stand, pass, chain, models);
@@ -220,16 +243,18 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
   resolve_frame(run, stand);
   PartsOfStand made(run, stand, forces.loads, goal);
   SideBySide passes(run);
+  std::vector<Check> gaps;
   for (std::size_t p = 0; p < stand.passes.size(); ++p)
     passes.add([&, p](RunContext &own) {
       if (made.has_bite(p))
-        run_pass(own, stand, made.parts, forces, p, goal);
+        run_pass(own, stand, made.parts, forces, p, goal, gaps);
     });
   passes.work();
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
     made.take_bite(p);
     passes.take(p);
   }
+  add_modulus(run, stand, made.parts, forces.loads.front(), gaps);
   set_beside(run, stand.published);
   if (stand.passes.size() > 1)
     run.assume("lumped_model.toml holds the model at the load of " + stand.passes[0].name +
@@ -248,6 +273,10 @@ void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::stri
   run.out.write("lumped_model.toml", lumped_model_toml(model, run.the_case, run.out.path()));
   if (goal >= Goal::modes)
     add_modes(run, model, lumped.dynamics, not_given, {0, 0});
+  if (goal >= Goal::modes) {
+    const auto chain = chain_with_modes(model, lumped.dynamics);
+    add_named_modes(run, {&chain});
+  }
   if (goal < Goal::simulate)
     return;
   for (std::size_t p = 0; p < lumped.passes.size(); ++p) {

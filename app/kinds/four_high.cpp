@@ -5,6 +5,7 @@
 #include "app/trace/quick_chain.h"
 #include "app/trace/trace_key.h"
 #include "core/model/case.h"
+#include "core/records/result_names.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -61,8 +62,42 @@ std::optional<KeyList> rating_inputs_of(const FourHigh &stand, const std::string
   return keys;
 }
 
+// stand.* of the first pass: the springs on the path of the force, the touching or bending work rolls, the bite.
+std::optional<KeyList> modulus_inputs(const FourHigh &stand, const Results &results, const std::string &name)
+{
+  if (!is_of(name, family::stand))
+    return {};
+  const Pass &pass    = stand.passes.front();
+  const KeyList rolls = joined(keys_in("steel", "youngs_modulus poisson_ratio"),
+                               keys_in("work_roll", "barrel_diameter barrel_length"), load_keys(pass, 0));
+  if (is_of(name, "stand.K_ww"))
+    return rolls;
+  const auto of_springs = [&](const std::vector<std::string> &springs) {
+    KeyList keys;
+    for (const std::string &spring : springs)
+      if (const Parameter *p = results.find(spring))
+        keys = joined(keys, p->inputs);
+    return keys;
+  };
+  KeyList bending = joined(keys_in("steel", "youngs_modulus poisson_ratio"), roll_body_keys("work_roll"),
+                           keys_in("strip", "width"), keys_in("dynamics", "mass_reference"),
+                           keys_in("backup_roll", "bending_model"), of_springs({"K3", "K5"}));
+  if (stand.backup_roll.bending_model == "solid")
+    bending = joined(bending, keys_in("dynamics", "frequency_limit elements_per_radius"));
+  if (is_of(name, "stand.K_bend"))
+    return bending;
+  const KeyList path = of_springs({"K1", "K2", "K3", "K5", "K6", "K7"});
+  if (is_of(name, "stand.modulus.kiss") || is_of(name, "stand.modulus.kiss_secant"))
+    return joined(path, rolls);
+  const KeyList with_strip =
+      joined(path, bending, bite_keys({stand.strip, stand.bite, 0, "work_roll.barrel_diameter"}));
+  return ends(name, ".roll_speed") ? joined(with_strip, keys_in("pass.0", "speed")) : with_strip;
+}
+
 std::optional<KeyList> inputs_of(const FourHigh &stand, const Results &results, const std::string &full)
 {
+  if (const auto keys = modulus_inputs(stand, results, full))
+    return keys;
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
     const Pass &pass = stand.passes[p];
     if (const auto keys = response_inputs(results, stand.dynamics, pass, p, full))

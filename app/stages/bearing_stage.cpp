@@ -163,6 +163,27 @@ void report_seat(RunContext &run, const Seat &seat, const SeatLoad &load, const 
   if (load.assumed)
     run.assume(std::string(seat.section) + ".bearing_load is not given: " + load.said);
 }
+
+// Where a bearing carries half the rolling force and nothing else.
+bool follows_half_the_force(const FourHigh &stand, const Seat &seat)
+{
+  return std::isnan(seat.roll->bearing_load) && seat.contact->axis_offset == 0 &&
+         stand.work_roll.bending_force[0] + stand.work_roll.bending_force[1] == 0;
+}
+
+// Both bearings of a roll over the rolling force.
+reduce::LoadDeflection over_the_force(const BearingStudy &study)
+{
+  const auto n = Eigen::Index(study.curve.states.size());
+  reduce::LoadDeflection both{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto &state  = study.curve.states[std::size_t(i)];
+    both.load[i]       = 2 * study.question.loads[std::size_t(i)];
+    both.deflection[i] = state.motion[0];
+    both.tangent[i]    = 2 * bearing::radial_tangent(state, study.drive);
+  }
+  return both;
+}
 }  // namespace
 
 std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand,
@@ -229,6 +250,8 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
       out[p].Kzc_across[i] = across.at(key);
       if (p == 0)
         report_seat(run, seat, load, study, inputs);
+      if (p == 0 && seat.backup && follows_half_the_force(stand, seat))
+        out[p].backup_deflection[i == 0 ? 0 : 1] = over_the_force(study);
     }
     for (const auto &[key, study] : done)
       study.readings->keep(run);

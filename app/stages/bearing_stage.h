@@ -1,5 +1,6 @@
 #pragma once
 #include "app/run_context.h"
+#include "reduce/chain/mill_modulus.h"
 #include <array>
 #include <vector>
 
@@ -13,6 +14,9 @@ struct StandBearings {
       Kzc;  ///< N/m, tangent of one bearing: upper backup, upper work, lower work, lower backup
   std::array<Parameter, 4> Kzc_across;  ///< N/m, across the load, the chock on its liners
   Parameter K_Zy_upper, K_Zy_lower;     ///< N/m, both bearings of the upper, of the lower backup roll, tangent
+  /// Both bearings of the upper and of the lower backup roll over the rolling force, of the first pass; empty
+  /// where a bearing is given or its load is not half the rolling force.
+  std::array<reduce::LoadDeflection, 2> backup_deflection;
 };
 
 /// Solves the bearings of the stand at the loads that each rolling force puts on them; for the first one Kzc1..4.*

@@ -1,5 +1,6 @@
 #include "app/stages/model_stage.h"
 #include "app/stages/curve_files.h"
+#include "app/stages/mode_results.h"
 #include "app/stages/models_file.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/csv.h"
@@ -28,15 +29,6 @@ reduce::StandWithModes with_modes_of(StandModel model, const double limit)
 {
   reduce::StandWithModes s{std::move(model), {}};
   s.modes = reduce::stand_modes(s.model, 2 * limit);
-  return s;
-}
-
-reduce::StandWithModes chain_of(const FourHigh &stand, LumpedModel model)
-{
-  if (stand.dynamics.force_meaning == "measured")
-    model.K[3].value = 0;
-  reduce::StandWithModes s{reduce::chain_stand(model, stand.dynamics.frame), {}};
-  s.modes = reduce::stand_modes(s.model);
   return s;
 }
 
@@ -267,7 +259,7 @@ StandModels stand_models(const FourHigh &stand, const reduce::LumpedStand &chain
   const double limit = stand.dynamics.frequency_limit;
   const auto springs = reduce::stand_springs(stand, chain), on_bearing = reduce::stand_springs(stand, chain, true);
   StandModels m;
-  m.chain           = chain_of(stand, chain.model);
+  m.chain           = chain_with_modes(chain.model, stand.dynamics);
   m.beam            = with_modes_of(reduce::beam_stand(stand, springs, beam_elements), limit);
   const auto beam_2 = with_modes_of(reduce::beam_stand(stand, springs, beam_elements / 2), limit);
   reduce::estimate_errors(m.beam.modes, beam_2.modes);

@@ -1,14 +1,18 @@
 #include "app/stages/models_file.h"
 #include "reduce/chain/mass_breakdown.h"
+#include "reduce/stand/mode_names.h"
 #include <algorithm>
 
 namespace mill {
 namespace {
-ModelMode mode_of(const reduce::StandWithModes &s, const Eigen::Index i, const Eigen::VectorXd &in_chain)
+ModelMode mode_of(const reduce::StandWithModes &s, const Eigen::Index i, const Eigen::VectorXd &in_chain,
+                  const reduce::ModeName &name)
 {
   const Eigen::VectorXd shape = s.modes.shape.col(i);
   ModelMode mode;
   mode.frequency      = s.modes.frequency[i];
+  mode.name           = name.name;
+  mode.decided        = name.decided;
   mode.error_estimate = s.modes.error_estimate.size() > i ? s.modes.error_estimate[i] : not_given;
   mode.in_chain       = in_chain.size() > i ? in_chain[i] : not_given;
   mode.kinetic        = s.modes.kinetic.col(i);
@@ -50,8 +54,9 @@ ComparedModel compared_model(const reduce::StandWithModes &s, const std::string 
     model.springs.push_back(spring.name);
   for (const StandLine &line : s.model.lines)
     model.lines.push_back({line.name, line.z});
+  const auto names = reduce::mode_names(s);
   for (Eigen::Index i = 0; i < shown_modes(s, limit); ++i)
-    model.modes.push_back(mode_of(s, i, in_chain));
+    model.modes.push_back(mode_of(s, i, in_chain, names[std::size_t(i)]));
   return model;
 }
 

@@ -11,6 +11,8 @@
 namespace mill {
 struct ModelMode {
   double frequency      = not_given;   ///< Hz
+  std::string name;                    ///< "third octave, upper stack"; empty: not known
+  std::string decided;                 ///< the numbers that gave it that name
   double error_estimate = not_given;   ///< relative, of the frequency
   double in_chain       = not_given;   ///< 0 .. 1, share of its motion that six masses can follow
   Eigen::VectorXd points;              ///< (points) relative displacement, up, largest of the mode = 1
@@ -111,8 +113,10 @@ struct ModelsRecord {
 
 template <class Io, class R, if_record<R, ModelMode> = 0> void each_member(Io &&io, R &record)
 {
-  auto &[frequency, error_estimate, in_chain, points, kinetic, strain, lines] = record;
+  auto &[frequency, name, decided, error_estimate, in_chain, points, kinetic, strain, lines] = record;
   io("frequency", frequency);
+  io("name", name);
+  io("decided", decided);
   io("error_estimate", error_estimate);
   io("in_chain", in_chain);
   io("points", points);

@@ -15,7 +15,7 @@ namespace mill {
 /// First part of the names of results of one subject: "contact.upper.half_width", "bite.pass 1.force".
 namespace family {
 constexpr const char *contact = "contact", *bite = "bite", *chatter = "chatter", *bearing = "Kzc",
-                     *bite_spring = "K4";
+                     *bite_spring = "K4", *stand = "stand", *mode = "mode";
 }
 
 /// Parts joined by dots: result_name({family::bite, "pass 1", "force"}) = "bite.pass 1.force"; empty ones are left
@@ -204,6 +204,16 @@ inline constexpr CurveKind modes_horizontal{
     "modes", false, "horizontal", "horizontal modes of the chain", Figure::section, {{{"mode", ""}}}, true};
 inline constexpr CurveKind modes_of_model{"modes",          true, "", "modes of another model", Figure::section,
                                           {{{"mode", ""}}}, true};
+inline constexpr CurveKind stand_modulus{"stand",
+                                         false,
+                                         "modulus",
+                                         "mill modulus over the rolling force",
+                                         Figure::section,
+                                         {{{"load", "N"},
+                                           {"kiss_stretch", "m"},
+                                           {"kiss_tangent", "N/m"},
+                                           {"kiss_secant", "N/m"}}},
+                                         true};
 inline constexpr CurveKind poles{"poles",
                                  false,
                                  "",

@@ -106,6 +106,8 @@ std::string verdict_table(const ModelData &data)
   const ComparedModel *detailed = data.detailed();
   if (!detailed || !data.find("six-mass"))
     return "";
+  const bool named  = std::any_of(detailed->modes.begin(), detailed->modes.end(),
+                                  [](const ModelMode &mode) { return !mode.name.empty(); });
   const bool second = data.mac.rows == detailed->name && data.find(data.mac.columns);
   std::string body;
   for (int mode = 1; mode <= int(detailed->modes.size()); ++mode) {
@@ -114,6 +116,7 @@ std::string verdict_table(const ModelData &data)
       continue;
     const ModePartners *pair = chain_mode(data, detailed->name, mode);
     body += "<tr><th scope=\"row\">" + std::to_string(mode) + "</th>" +
+            (named ? "<td title=\"" + escaped(shown.decided) + "\">" + escaped(shown.name) + "</td>" : "") +
             cell("<b>" + fixed(shown.frequency, 1) + "</b>");
     if (second) {
       const double other = other_frequency(data, *detailed, mode);
@@ -129,9 +132,9 @@ std::string verdict_table(const ModelData &data)
   }
   if (body.empty())
     return "";
-  return table("<th>mode</th><th>" + escaped(detailed->title) + " [Hz]</th>" +
-                   (second ? "<th>" + escaped(data.title(data.mac.columns)) + " [Hz]</th>" : "") + "<th>" +
-                   escaped(data.title("six-mass")) +
+  return table(std::string("<th>mode</th>") + (named ? "<th>name</th>" : "") + "<th>" + escaped(detailed->title) +
+                   " [Hz]</th>" + (second ? "<th>" + escaped(data.title(data.mac.columns)) + " [Hz]</th>" : "") +
+                   "<th>" + escaped(data.title("six-mass")) +
                    " [Hz]</th><th>likeness [-]</th><th>within reach</th><th>the six masses</th>",
                body);
 }

@@ -1,3 +1,4 @@
+#include "report/modes/names.h"
 #include "report/page/curves.h"
 #include "report/page/number.h"
 #include "report/page/sections.h"
@@ -39,7 +40,8 @@ std::string shapes(const Table &modes)
           "shapes of the modes, displacement relative to the largest");
   for (int mass = 0; mass < 6; ++mass) {
     const double y = figure_head + (mass + 0.5) * row;
-    svg.line(0, figure_head + mass * row, label_width + double(frequency.size()) * column, figure_head + mass * row, "grid");
+    svg.line(0, figure_head + mass * row, label_width + double(frequency.size()) * column,
+             figure_head + mass * row, "grid");
     svg.text(0, y + 4, mass_names[mass], "t");
   }
   for (Eigen::Index mode = 0; mode < frequency.size(); ++mode) {
@@ -144,6 +146,10 @@ void mode_section(Page &page, const Run &run)
         "spring with a share of 50&nbsp;% moves it by a quarter of its own relative change.");
   } else
     page.absent("Mode shapes and energy shares are", curve_path(curve::modes) + ".csv");
+  if (const std::string table = named_mode_table(run); !table.empty())
+    page.table(table,
+               "The modes by the names they have in a rolling mill, of the most detailed model of this run, with "
+               "the numbers that decided; modes without a name are mixed.");
   if (const Table *poles = stored_curve(run, curve::poles))
     page.table(pole_table(*poles),
                "Poles of the chain with its dampers, of which real ones stand by themselves; with a "

@@ -36,9 +36,27 @@ const Words quantities[] = {
     {"Kzc3_across", "one bearing of the lower work roll, across its load"  },
     {"Kzc4_across", "one bearing of the lower backup roll, across its load"},
     {"housing",     "the bare housing on its feet"                         },
+    {"stand",       "the stand"                                            },
+    {"mode",        "natural frequency by name"                            },
 };
 const Words aspects[] = {
     {"tangent",                  "tangent dF/d\u03b4"                                      },
+    {"modulus",                  "mill modulus"                                            },
+    {"kiss",                     "work rolls touching, tangent"                            },
+    {"kiss_secant",              "work rolls touching, secant"                             },
+    {"by_width",                 "change with the width of the strip"                      },
+    {"K_ww",                     "contact of the two work rolls"                           },
+    {"K_bend",                   "bending of both work rolls under the strip"              },
+    {"screw_sensitivity",        "exit thickness per motion of the screw"                  },
+    {"thickness_by",             "exit thickness per"                                      },
+    {"force_by",                 "rolling force per"                                       },
+    {"screw",                    "motion of the screw"                                     },
+    {"eccentricity",             "growth of a roll's radius"                               },
+    {"entry_thickness",          "entry thickness"                                         },
+    {"entry_tension",            "back tension"                                            },
+    {"exit_tension",             "front tension"                                           },
+    {"flow_stress",              "factor on the flow stress"                               },
+    {"roll_speed",               "speed of the rolls"                                      },
     {"secant",                   "secant F/\u03b4"                                         },
     {"tangent_across",           "tangent across the load"                                 },
     {"axial",                    "axial tangent, other motions held"                       },
@@ -242,6 +260,8 @@ std::vector<Group> short_groups(const Run &run)
     add(stiffness, chain_value(run, "K" + std::to_string(i)));
   for (int i = 1; i <= 4; ++i)
     add(stiffness, chain_value(run, "Kzc" + std::to_string(i)));
+  for (const char *modulus : {"tangent", "kiss"})
+    add(stiffness, run.find(result_name({family::stand, "modulus", modulus})));
   for (int i = 1; i <= 6; ++i)
     add(mass, run.find("M" + std::to_string(i)));
   for (int i = 1; i <= 6; ++i)

@@ -268,5 +268,6 @@ void stand_section(Page &page, const Run &run)
           "source. Kzc is one bearing of each roll in kN/mm and acts horizontally." +
           how_the_bite_acts(run) +
           (has_geometry(run) ? "" : " The rolls are not drawn: this run stored no geometry."));
+  modulus_part(page, run);
 }
 }  // namespace mill::report

@@ -1,5 +1,5 @@
-#include "core/records/files.h"
 #include "core/case/stand_rows.h"
+#include "core/records/files.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
 #include <algorithm>
@@ -271,4 +271,85 @@ TEST(Models, LumpedCaseHasNoOtherModel)
   const auto refused = millstand("check cases/published-1400.toml --set dynamics.model=beam");
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_NE(refused.err.find("unknown key 'model' in [dynamics]"), std::string::npos) << refused.err;
+}
+
+// PL-1: all springs from results.json.
+TEST(Modulus, IsTheSeriesOfTheSpringsOfTheResults)
+{
+  const auto values = json_of(demo_masses() + "/results.json").at("values");
+  const auto at     = [&](const std::string &name) { return values.at(name).at("value").get<double>(); };
+  double path       = 0;
+  for (const char *spring : {"K1", "K2", "K3", "K5", "K6", "K7"})
+    path += 1 / at(spring);
+  const auto series = within(1e-12, "sum of reciprocals in another order");
+  EXPECT_TRUE(near(at("stand.modulus.kiss"), 1 / (path + 1 / at("stand.K_ww.tangent")), series));
+  EXPECT_TRUE(
+      near(at("stand.modulus.tangent"), 1 / (path + 2 / at("K4.flattening") + 1 / at("stand.K_bend")), series));
+  const double M = at("stand.modulus.tangent"), Q = at("K4.plastic_slope");
+  EXPECT_TRUE(near(at("stand.screw_sensitivity"), M / (M + Q), series));
+  EXPECT_TRUE(near(at("stand.thickness_by.entry_thickness"), at("bite.pass 1.force_by_entry_thickness") / (M + Q),
+                   series));
+}
+
+TEST(Modulus, StandsBesideOtherModelsAndDifferences)
+{
+  const auto values       = json_of(demo_masses() + "/results.json").at("values");
+  const auto expect_check = [&](const std::string &name, const std::string &check, const Tolerance &tolerance) {
+    int found = 0;
+    for (const auto &c : values.at(name).at("checks"))
+      if (c.at("name").get<std::string>().rfind(check, 0) == 0) {
+        ++found;
+        EXPECT_TRUE(near(c.at("value").get<double>(), values.at(name).at("value").get<double>(), tolerance))
+            << name;
+      }
+    EXPECT_EQ(found, 1) << name << ": " << check;
+  };
+  const auto distributed = within(0.05, "the contact of the other models is distributed along bending rolls");
+  expect_check("stand.modulus.tangent", "rolls as reduced finite elements", distributed);
+  expect_check("stand.modulus.tangent", "rolls as beams", distributed);
+  const auto differences = within(1e-3, "differences of a curve over 1 % of the force, fitted tangents");
+  expect_check("stand.modulus.tangent", "differences of the stretch", differences);
+  expect_check("stand.modulus.kiss", "differences of the stretch", differences);
+  expect_check("stand.modulus.secant", "tangents summed over the force", differences);
+  // One rigid arc and one theory in the bite and beside it: what is left is the slope of the stretch.
+  for (const char *name :
+       {"stand.screw_sensitivity", "stand.thickness_by.entry_thickness", "stand.thickness_by.exit_tension"})
+    expect_check(name, "differences of the coupled solution",
+                 within(0.01, "the slab's force is not the load of the pass, at which the modulus is read"));
+  for (const auto &[name, result] : values.items())
+    if (name.rfind("stand.", 0) == 0 || name.rfind("mode.", 0) == 0)
+      EXPECT_FALSE(result.at("inputs").empty()) << name;
+}
+
+// PL-3 for component modes.
+TEST(ModeNames, AreEqualInAllModelsWhereShapesAreAlike)
+{
+  const auto record   = json_of(demo_masses() + "/curves/models.json");
+  const auto names_of = [&](const std::string &model) {
+    std::vector<std::string> names;
+    for (const auto &m : record.at("models"))
+      if (m.at("name") == model)
+        for (const auto &mode : m.at("modes"))
+          names.push_back(mode.at("name"));
+    return names;
+  };
+  const auto components = names_of("craig-bampton"), beams = names_of("beam"), six = names_of("six-mass");
+  const auto &mac = record.at("mac").at("values");
+  int alike       = 0;
+  for (std::size_t i = 0; i < mac.size(); ++i)
+    for (std::size_t k = 0; k < mac[i].size(); ++k)
+      if (mac[i][k].get<double>() > 0.7) {
+        EXPECT_EQ(components.at(i), beams.at(k)) << "modes " << i + 1 << " and " << k + 1;
+        ++alike;
+      }
+  EXPECT_GE(alike, 8);
+  for (const auto &pair : record.at("pairs"))
+    for (const auto &[model, partner] : pair.at("partners").items())
+      if (partner.at("mac").get<double>() > 0.7)
+        EXPECT_EQ(names_of(model).at(partner.at("mode").get<std::size_t>() - 1),
+                  six.at(pair.at("mode").get<std::size_t>() - 1));
+  for (const char *name : {"third octave, upper stack", "third octave, lower stack", "fifth octave, upper stack",
+                           "fifth octave, lower stack"})
+    for (const auto &names : {components, beams, six})
+      EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
 }

@@ -1,0 +1,17 @@
+#pragma once
+#include "app/run_context.h"
+#include "core/model/dynamics_settings.h"
+#include "core/records/lumped_model.h"
+#include "reduce/stand/stand_comparison.h"
+#include <limits>
+#include <vector>
+
+namespace mill {
+/// The chain of six masses as it vibrates: without K4 where the measured force holds the reaction of the bite.
+reduce::StandWithModes chain_with_modes(LumpedModel model, const DynamicsSettings &dynamics);
+
+/// mode.<name>.frequency of every mode below the limit (Hz) that has a name: of the first model, whose frequencies
+/// are in the results already, with those of the others that bear the same name beside it.
+void add_named_modes(RunContext &run, const std::vector<const reduce::StandWithModes *> &models,
+                     double limit = std::numeric_limits<double>::infinity());
+}  // namespace mill

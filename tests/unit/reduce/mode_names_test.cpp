@@ -1,0 +1,192 @@
+// Names of modes: the same rules for six masses and for beams.
+#include "reduce/chain/line_contact.h"
+#include "reduce/stand/mode_names.h"
+#include "reduce/stand/six_masses.h"
+#include "tests/support/beam_demo.h"
+#include <algorithm>
+#include <set>
+
+using namespace mill;
+using namespace mill::reduce;
+
+namespace {
+/// A stand of a cold tandem mill: slender work rolls, heavy backup rolls, stiff frame.
+FourHigh cold_tandem()
+{
+  FourHigh s                   = demo_drawing();
+  s.work_roll.barrel_diameter  = 0.585;
+  s.work_roll.barrel_length    = 1.7;
+  s.work_roll.neck_diameter    = 0.38;
+  s.work_roll.bearing_span     = 2.5;
+  s.work_roll.chock_mass_upper = s.work_roll.chock_mass_lower = 1500;
+  s.backup_roll.barrel_diameter                               = 1.5;
+  s.backup_roll.barrel_length                                 = 1.7;
+  s.backup_roll.bearing_span                                  = 2.75;
+  s.frame.upper_beam_stiffness                                = 9e9;
+  s.frame.lower_beam_stiffness                                = 1.2e10;
+  s.strip.width                                               = 1.2;
+  return s;
+}
+
+/// A plate stand: everything larger and stiffer.
+FourHigh plate()
+{
+  FourHigh s                   = demo_drawing();
+  s.work_roll.barrel_diameter  = 1.05;
+  s.work_roll.barrel_length    = 3.8;
+  s.work_roll.neck_diameter    = 0.7;
+  s.work_roll.neck_length      = 1;
+  s.work_roll.bearing_span     = 5;
+  s.work_roll.bearing_mass     = 900;
+  s.work_roll.chock_mass_upper = s.work_roll.chock_mass_lower = 9000;
+  s.backup_roll.barrel_diameter                               = 2;
+  s.backup_roll.barrel_length                                 = 3.8;
+  s.backup_roll.neck_diameter                                 = 1.4;
+  s.backup_roll.neck_length                                   = 1.4;
+  s.backup_roll.bearing_span                                  = 5.2;
+  s.backup_roll.chock_mass_upper = s.backup_roll.chock_mass_lower = 30000;
+  Frame &f                                                        = s.frame;
+  for (double *K : {&f.upper_post_stiffness, &f.upper_beam_stiffness, &f.piston_stiffness, &f.oil_column_stiffness,
+                    &f.cylinder_body_stiffness, &f.upper_chock_stiffness, &f.lower_chock_stiffness,
+                    &f.lower_post_stiffness, &f.lower_beam_stiffness})
+    *K *= 2.5;
+  for (double *m : {&f.upper_post_mass, &f.upper_beam_mass, &f.lower_post_mass, &f.lower_beam_mass})
+    *m *= 4;
+  s.strip.width = 2.5;
+  return s;
+}
+
+struct Models {
+  StandWithModes six, beams;
+};
+
+Models models_of(const FourHigh &drawing, const double load, const double K4)
+{
+  LumpedStand chain = demo_chain(drawing, K4);
+  ChainInputs in;
+  const auto spring = [](const double value) {
+    Parameter p;
+    p.value = value;
+    return p;
+  };
+  const double K3 = line_contact({drawing.work_roll.barrel_diameter, drawing.backup_roll.barrel_diameter,
+                                  drawing.work_roll.barrel_length, drawing.steel},
+                                 load)
+                        .tangent;
+  in.K3 = in.K5 = spring(K3);
+  in.K4         = spring(K4);
+  in.K_Zy_upper = in.K_Zy_lower = spring(1.023e11);
+  in.Kzc                        = {spring(5.1e10), spring(1.9e10), spring(1.9e10), spring(5.1e10)};
+  chain                         = lumped_stand(drawing, in);
+  StandSprings springs          = stand_springs(drawing, chain, true);
+  springs.K4                    = K4;
+  Models m{
+      {chain_stand(chain.model), {}},
+      { beam_stand(drawing, springs,                     12), {}}
+  };
+  m.six.modes   = stand_modes(m.six.model);
+  m.beams.modes = stand_modes(m.beams.model, 1500);
+  return m;
+}
+
+int count(const std::vector<ModeName> &names, const std::string &key)
+{
+  return int(std::count_if(names.begin(), names.end(), [&](const ModeName &n) { return n.key == key; }));
+}
+
+struct Case {
+  const char *name;
+  FourHigh drawing;
+  double load, K4;
+};
+const std::vector<Case> &cases()
+{
+  static const std::vector<Case> all{
+      {"demo",                   demo_drawing(), 976.2e3, 0  },
+      {"demo, strip kept",       demo_drawing(), 976.2e3, 1e9},
+      {"cold tandem",            cold_tandem(),  9e6,     0  },
+      {"cold tandem with strip", cold_tandem(),  9e6,     4e9},
+      {"plate",                  plate(),        3e7,     0  },
+      {"plate with strip",       plate(),        3e7,     2e9}
+  };
+  return all;
+}
+}  // namespace
+
+// PL-3 for six masses and beams; component modes: tests/verification/app/masses_command_test.cpp.
+TEST(ModeNames, AreEqualWhereShapesAreAlike)
+{
+  int compared = 0;
+  for (const Case &c : cases()) {
+    const Models m = models_of(c.drawing, c.load, c.K4);
+    const auto six = mode_names(m.six), beams = mode_names(m.beams);
+    const Eigen::MatrixXd mac = mac_with_chain(m.beams, m.six);
+    for (Eigen::Index i = 0; i < mac.rows(); ++i)
+      for (Eigen::Index j = 0; j < mac.cols(); ++j)
+        if (mac(i, j) > 0.7) {
+          ++compared;
+          EXPECT_EQ(beams[std::size_t(i)].name, six[std::size_t(j)].name)
+              << c.name << ": " << m.beams.modes.frequency[i] << " Hz (" << beams[std::size_t(i)].decided
+              << ") and " << m.six.modes.frequency[j] << " Hz (" << six[std::size_t(j)].decided << "), assurance "
+              << mac(i, j);
+        }
+  }
+  EXPECT_GE(compared, 12) << "two modes of each stand at least";
+}
+
+TEST(ModeNames, ThirdAndFifthOctaveOncePerStack)
+{
+  for (const Case &c : cases()) {
+    const Models m = models_of(c.drawing, c.load, c.K4);
+    for (const StandWithModes *s : {&m.six, &m.beams}) {
+      const auto names = mode_names(*s);
+      std::string all;
+      for (std::size_t k = 0; k < names.size(); ++k)
+        all += "\n  " + std::to_string(s->modes.frequency[Eigen::Index(k)]) + " " + names[k].name + ": " +
+               names[k].decided;
+      SCOPED_TRACE(c.name + (", " + s->model.name) + all);
+      // Without the strip nothing joins the stacks; with it they swing against each other.
+      if (c.K4 == 0) {
+        EXPECT_EQ(count(names, "third_octave_upper"), 1);
+        EXPECT_EQ(count(names, "third_octave_lower"), 1);
+      } else {
+        EXPECT_EQ(count(names, "third_octave"), 1);
+        EXPECT_EQ(count(names, "whole_stack"), 1);
+      }
+      int fifth = 0;
+      for (const char *key : {"fifth_octave", "fifth_octave_together", "fifth_octave_upper", "fifth_octave_lower"})
+        fifth += count(names, key);
+      EXPECT_EQ(fifth, 2) << "one for each stack, together and against each other where the strip joins them";
+    }
+  }
+}
+
+TEST(ModeNames, AreKeysOfResultsAndSayWhy)
+{
+  for (const Case &c : cases()) {
+    const Models m = models_of(c.drawing, c.load, c.K4);
+    std::set<std::string> keys;
+    for (const ModeName &mode : mode_names(m.beams)) {
+      if (mode.key == "mixed")
+        continue;
+      EXPECT_TRUE(keys.insert(mode.key).second) << mode.key << " twice in " << c.name;
+      EXPECT_EQ(mode.key.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789"), std::string::npos);
+      EXPECT_NE(mode.decided.find(" %"), std::string::npos) << mode.name;
+    }
+  }
+}
+
+// Two masses on equal footing: no rule is clear.
+TEST(ModeNames, TwoRulesNearEachOtherAreMixed)
+{
+  Models m    = models_of(demo_drawing(), 976.2e3, 0);
+  auto &modes = m.six.modes;
+  modes.kinetic.col(0) << 0.52, 0.08, 0, 0, 0, 0.40;  // both frames, the upper one a little more
+  modes.strain.col(0).setZero();
+  EXPECT_EQ(mode_names(m.six)[0].key, "frame_upper");
+  modes.kinetic.col(0) << 0.52, 0, 0, 0, 0, 0.48;
+  const ModeName mixed = mode_names(m.six)[0];
+  EXPECT_EQ(mixed.key, "mixed");
+  EXPECT_EQ(mixed.decided, "between frame, upper (upper frame 52 % of the kinetic energy) and frame, lower (lower "
+                           "frame 48 % of the kinetic energy)");
+}
