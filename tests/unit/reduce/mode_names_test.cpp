@@ -3,6 +3,7 @@
 #include "reduce/stand/mode_names.h"
 #include "reduce/stand/six_masses.h"
 #include "tests/support/beam_demo.h"
+#include "tests/support/near.h"
 #include <algorithm>
 #include <set>
 
@@ -94,14 +95,14 @@ int count(const std::vector<ModeName> &names, const std::string &key)
   return int(std::count_if(names.begin(), names.end(), [&](const ModeName &n) { return n.key == key; }));
 }
 
-struct Case {
+struct StandCase {
   const char *name;
   FourHigh drawing;
   double load, K4;
 };
-const std::vector<Case> &cases()
+const std::vector<StandCase> &cases()
 {
-  static const std::vector<Case> all{
+  static const std::vector<StandCase> all{
       {"demo",                   demo_drawing(), 976.2e3, 0  },
       {"demo, strip kept",       demo_drawing(), 976.2e3, 1e9},
       {"cold tandem",            cold_tandem(),  9e6,     0  },
@@ -117,7 +118,7 @@ const std::vector<Case> &cases()
 TEST(ModeNames, AreEqualWhereShapesAreAlike)
 {
   int compared = 0;
-  for (const Case &c : cases()) {
+  for (const StandCase &c : cases()) {
     const Models m = models_of(c.drawing, c.load, c.K4);
     const auto six = mode_names(m.six), beams = mode_names(m.beams);
     const Eigen::MatrixXd mac = mac_with_chain(m.beams, m.six);
@@ -136,7 +137,7 @@ TEST(ModeNames, AreEqualWhereShapesAreAlike)
 
 TEST(ModeNames, ThirdAndFifthOctaveOncePerStack)
 {
-  for (const Case &c : cases()) {
+  for (const StandCase &c : cases()) {
     const Models m = models_of(c.drawing, c.load, c.K4);
     for (const StandWithModes *s : {&m.six, &m.beams}) {
       const auto names = mode_names(*s);
@@ -163,7 +164,7 @@ TEST(ModeNames, ThirdAndFifthOctaveOncePerStack)
 
 TEST(ModeNames, AreKeysOfResultsAndSayWhy)
 {
-  for (const Case &c : cases()) {
+  for (const StandCase &c : cases()) {
     const Models m = models_of(c.drawing, c.load, c.K4);
     std::set<std::string> keys;
     for (const ModeName &mode : mode_names(m.beams)) {

@@ -307,7 +307,11 @@ TEST(Modulus, StandsBesideOtherModelsAndDifferences)
   const auto distributed = within(0.05, "the contact of the other models is distributed along bending rolls");
   expect_check("stand.modulus.tangent", "rolls as reduced finite elements", distributed);
   expect_check("stand.modulus.tangent", "rolls as beams", distributed);
-  const auto differences = within(1e-3, "differences of a curve over 1 % of the force, fitted tangents");
+  // On this coarse contact the fitted tangents of K3 and K5 are known to no more than their stated error.
+  const auto number  = [&](const char *name, const char *what) { return values.at(name).at(what).get<double>(); };
+  const double share = 2 * number("stand.modulus.tangent", "value") / number("K3", "value");
+  const auto differences =
+      within(share * number("K3", "error_estimate"), "share of K3 and K5 in the stretch times their error");
   expect_check("stand.modulus.tangent", "differences of the stretch", differences);
   expect_check("stand.modulus.kiss", "differences of the stretch", differences);
   expect_check("stand.modulus.secant", "tangents summed over the force", differences);
