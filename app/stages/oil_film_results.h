@@ -1,5 +1,6 @@
 #pragma once
 #include "app/stages/oil_film_study.h"
+#include "core/model/bearing_case.h"
 
 namespace mill {
 /// Stiffness of one bearing along its load, k_xx, or across it, k_yy, with error and checks.

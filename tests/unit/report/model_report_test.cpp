@@ -252,7 +252,9 @@ TEST(StandDrawing, RollsFollowTheirAxes)
   model.lines  = {
        {"upper backup roll", VectorXd::LinSpaced(12, 0, 1.65)}
   };
-  ModelMode mode{10, NAN, NAN, VectorXd(4), {}, {}, {}};
+  ModelMode mode;
+  mode.frequency = 10;
+  mode.points.resize(4);
   mode.points << 0.5, -0.25, NAN, 0.75;
   mode.lines                 = {model.lines[0].z / 1.65};  // displacement grows along the axis
   const StandDrawing drawing = stand_drawing(model, {});
