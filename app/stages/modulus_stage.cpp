@@ -235,9 +235,12 @@ void Modulus::add_bending()
         mesh_pair_error(fine, 1 / bending(stand, parts.solid.coarse_work_roll, b, K3, K5), parts.solid.gain) +
         (solid ? 0 : difference(fine, beam));
     const double eK = 0.5 * (spring("K3").error_estimate + spring("K5").error_estimate);
-    if (std::isnan(eK))
-      p.error_lacks = {"K3", "K5"};
-    p.error_estimate += difference(1 / bending(stand, solid, b, (1 + eK) * K3, (1 + eK) * K5), 1 / bend);
+    if (std::isnan(eK)) {  // given without a tolerance
+      p.error_lacks    = {"K3", "K5"};
+      p.error_estimate = not_given;
+    } else {
+      p.error_estimate += difference(1 / bending(stand, solid, b, (1 + eK) * K3, (1 + eK) * K5), 1 / bend);
+    }
     p.checks.push_back(solid ? Check{"Euler beam on its contact line (4.9)", beam, "no shear"}
                              : Check{"rolls by finite elements (22.13a)", fine, ""});
   } else

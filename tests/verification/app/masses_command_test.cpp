@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
 
 // Equivalent masses and the models of the stand as a user meets them.
 namespace fs = std::filesystem;
@@ -339,14 +341,25 @@ TEST(ModeNames, AreEqualInAllModelsWhereShapesAreAlike)
   };
   const auto components = names_of("craig-bampton"), beams = names_of("beam"), six = names_of("six-mass");
   const auto &mac = record.at("mac").at("values");
-  int alike       = 0;
+  // Known deviations from equal names: the beams carry a work-roll chock rigidly on its neck, so that its mass
+  // counts as the roll's (mode 3), and the best two rules of the component modes lie within 20 % of each other
+  // where those of the beams do not (modes 6 and 13).  The remedy is a stand model that names the masses on seats.
+  const std::set<std::tuple<std::size_t, std::string, std::string>> known{
+      {3,  "chock, lower work roll", "bending, lower work roll"},
+      {6,  "mixed",                  "frame, lower"            },
+      {13, "mixed",                  "bending, lower work roll"}
+  };
+  std::set<std::tuple<std::size_t, std::string, std::string>> differ;
+  int alike = 0;
   for (std::size_t i = 0; i < mac.size(); ++i)
     for (std::size_t k = 0; k < mac[i].size(); ++k)
       if (mac[i][k].get<double>() > 0.7) {
-        EXPECT_EQ(components.at(i), beams.at(k)) << "modes " << i + 1 << " and " << k + 1;
         ++alike;
+        if (components.at(i) != beams.at(k))
+          differ.emplace(i + 1, components.at(i), beams.at(k));
       }
-  EXPECT_GE(alike, 8);
+  EXPECT_EQ(differ, known) << "a known deviation that is gone, or a new one";
+  EXPECT_GE(alike, 11);
   for (const auto &pair : record.at("pairs"))
     for (const auto &[model, partner] : pair.at("partners").items())
       if (partner.at("mac").get<double>() > 0.7)

@@ -1,0 +1,74 @@
+// Mill modulus and names of modes as the page shows them.
+#include "report/modes/names.h"
+#include "report/page/sections.h"
+#include <cmath>
+#include <gtest/gtest.h>
+
+using namespace mill;
+using namespace mill::report;
+
+namespace {
+bool shows(const std::string &html, const std::string &text)
+{
+  return html.find(text) != std::string::npos;
+}
+
+Result result(const std::string &name, const double value, const std::string &source)
+{
+  Result r{};
+  r.name           = name;
+  r.value          = value;
+  r.source         = source;
+  r.error_estimate = 0.02;
+  return r;
+}
+}  // namespace
+
+TEST(ModulusReport, FigureAndTableOfTheGauge)
+{
+  report::Run run;
+  EXPECT_EQ(
+      [&] {
+        Page empty(run);
+        modulus_part(empty, run);
+        return empty.body();
+      }(),
+      "")
+      << "nothing without its curve";
+  Table curve;
+  curve.add("load", "N", Eigen::Vector2d(1e5, 2e6));
+  for (const char *prefix : {"kiss_", ""}) {
+    curve.add(std::string(prefix) + "stretch", "m", Eigen::Vector2d(2e-5, 4e-4));
+    curve.add(std::string(prefix) + "tangent", "N/m", Eigen::Vector2d(4.9e9, 5.1e9));
+    curve.add(std::string(prefix) + "secant", "N/m", Eigen::Vector2d(4.8e9, 5e9));
+  }
+  run.tables["curves/stand-modulus"] = curve;
+  run.results.push_back(
+      result("stand.screw_sensitivity", 0.886, "computed: mill modulus and plastic slope (29.7)"));
+  run.results.back().checks = {
+      {"differences of the coupled solution h2 = S + F/M", 0.8849, ""}
+  };
+  Page page(run);
+  modulus_part(page, run);
+  EXPECT_TRUE(shows(page.body(), "Mill modulus"));
+  EXPECT_TRUE(shows(page.body(), "work rolls touching, tangent"));
+  EXPECT_TRUE(shows(page.body(), "<b>8.86</b>")) << "10 um of the screw";
+  EXPECT_TRUE(shows(page.body(), "8.85 <span class=\"deviation\">"));
+}
+
+TEST(ModulusReport, NamesOfModesWithWhatDecided)
+{
+  report::Run run;
+  EXPECT_EQ(named_mode_table(run), "");
+  run.results.push_back(
+      result("mode.fifth_octave_upper.frequency", 868.6,
+             "computed: fifth octave, upper stack: K3 and K5 91 % of the strain energy; rolls as "
+             "reduced finite elements"));
+  run.results.back().checks = {
+      {"six masses", 761.3, ""}
+  };
+  const std::string table = named_mode_table(run);
+  EXPECT_TRUE(shows(table, "<th scope=\"row\">fifth octave, upper stack</th>"));
+  EXPECT_TRUE(shows(table, "<td>K3 and K5 91 % of the strain energy</td>"));
+  EXPECT_TRUE(shows(table, "six masses 761.3"));
+}
