@@ -334,8 +334,8 @@ void note_force(RunContext &run, const BiteStudy &s, const std::string &where)
   if (apart(force, s.question.force) <= same_force)
     run.assume(sentence);
   else
-    run.warn(fmt::format("{}, {:+.0f} %: K4 is that of the former", sentence,
-                         100 * (force / s.question.force - 1)));
+    run.warn(
+        fmt::format("{}, {:+.0f} %: K4 is that of the former", sentence, 100 * (force / s.question.force - 1)));
 }
 }  // namespace
 

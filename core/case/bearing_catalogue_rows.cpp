@@ -37,7 +37,8 @@ const std::vector<Field<RollerBearing>> &bearing_catalogue_rows()
        &T::contamination,
        "1",                                                                 {0.001, 1},
        absent,                                                                                        "0.3",
-       "contamination factor e_C of ISO 281: 1 clean, 0.4 .. 0.2 typical, less where heavily soiled; when absent 0.3 is "
+       "contamination factor e_C of ISO 281: 1 clean, 0.4 .. 0.2 typical, less where heavily soiled; when absent "
+       "0.3 is "
        "assumed, known to 0.2 .. 0.4"                                                                        },
       {"raceway_flow_stress",
        &T::raceway_flow,

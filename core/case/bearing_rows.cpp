@@ -19,7 +19,7 @@ const std::vector<Field<RollerBearing>> &bearing_rows()
   using T = RollerBearing;
   static const std::vector<Field<T>> drawn{
       {"type",                &T::type,                "four-row tapered | four-row cylindrical | oil-film",            any,          required, "four-row tapered",
-       "decides whether the contact angles take part; an oil film has keys of its own"                                                                                                                                                                                                    },
+       "decides whether the contact angles take part; an oil film has keys of its own"                                                                                                                                                                   },
       {"bore",                &T::bore,                "mm",                                                            {20, 2500},   absent,   "266.7 mm",                                                                    "bore of the inner ring"  },
       {"outside_diameter",    &T::outside_diameter,    "mm",                                                            {30, 3500},   absent,   "355.6 mm",                                                                    "of the outer ring"       },
       {"width",               &T::width,               "mm",                                                            {5, 3000},    absent,   "230.188 mm",                                                                  "over all rows"           },
@@ -183,17 +183,18 @@ const std::vector<Field<BearingLoad>> &bearing_load_rows()
        &T::speed,
        "rpm",                                      {0, 1e5},
        absent,                                                             "300 rpm",
-       "of the shaft: an oil film carries nothing at rest; of rollers the centrifugal forces and the hours of life"                                                  },
+       "of the shaft: an oil film carries nothing at rest; of rollers the centrifugal forces and the hours of "
+       "life"                                                                                                                                       },
       {"tilt_across",
        &T::tilt_across,
-       "mrad",                              {-20, 20},
-       0,                                                           "0 mrad",
-       "oil film: of the sleeve across the plane of the load"                                                                                },
+       "mrad",                                     {-20, 20},
+       0,                                                                  "0 mrad",
+       "oil film: of the sleeve across the plane of the load"                                                                                       },
       {"speeds",
        &T::speeds,
-       "rpm",                               {1e-3, 1e5},
-       absent,                                                      "[\"10 rpm\", \"200 rpm\"]",
-       "oil film: swept range of the speed; when absent a quarter to four times speed"                                                       },
+       "rpm",                                      {1e-3, 1e5},
+       absent,                                                             "[\"10 rpm\", \"200 rpm\"]",
+       "oil film: swept range of the speed; when absent a quarter to four times speed"                                                              },
   };
   return rows;
 }

@@ -199,7 +199,9 @@ ordered_json schema_of(const std::string &kind)
       ordered_json &properties = root["properties"];
       if (properties.contains(section.name)) {  // another type of the same section
         ordered_json &items = properties[section.name]["additionalProperties"];
-        items               = ordered_json{{"anyOf", ordered_json::array({items, item})}};
+        items               = ordered_json{
+            {"anyOf", ordered_json::array({items, item})}
+        };
         continue;
       }
       properties[section.name] =

@@ -70,7 +70,7 @@ const std::vector<Field<WorkRollInput>> &work_roll_rows();
 const std::vector<Field<Roll>> &backup_roll_rows();
 const std::vector<Field<RollerBearing>> &bearing_rows();
 const std::vector<Field<RollerBearing>> &bearing_catalogue_rows();  ///< the last of bearing_rows
-const std::vector<Field<OilFilmBearing>> &oil_film_rows();  ///< of a [bearing.*] of type oil-film
+const std::vector<Field<OilFilmBearing>> &oil_film_rows();          ///< of a [bearing.*] of type oil-film
 const std::vector<Field<BearingLoad>> &bearing_load_rows();
 const std::vector<Field<BearingModelInput>> &bearing_model_rows();
 const std::vector<Field<BearingExcitation>> &bearing_motion_rows();

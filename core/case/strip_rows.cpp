@@ -113,7 +113,7 @@ const std::vector<Field<BiteSetup>> &bite_rows()
        &T::elements_along,
        "count",                                                                            {8, 200},
        48,                                                                                                     "48",
-       "finite elements along the arc of contact; the elastic-plastic strip takes two thirds of them"                                                      },
+       "finite elements along the arc of contact; the elastic-plastic strip takes two thirds of them"                                                },
       {"elements_through",
        &T::elements_through,
        "count",                                                                            {2, 60},

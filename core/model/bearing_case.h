@@ -11,17 +11,17 @@
 namespace mill {
 /// [load] of kind = "bearing".
 struct BearingLoad {
-  std::string bearing;                                   ///< name of a [bearing.*]
-  double radial               = 0;                       ///< N, towards the support of the chock
-  double axial                = 0;                       ///< N, on the inner ring; 0: it keeps its axial place
-  double tilt                 = 0;                       ///< rad, of the inner ring in the plane of the load
-  std::array<double, 2> loads = {not_given, not_given};  ///< N, swept range of the radial load
-  int samples                 = 20;
-  double cage_angle           = 0;          ///< rad
-  double axial_displacement   = not_given;  ///< m, imposed on the inner ring in place of an axial load
-  double moment               = not_given;  ///< N m, in the plane of the load, in place of a tilt
-  double speed                = not_given;  ///< 1/s, of the shaft or sleeve; absent: nothing turns
-  double tilt_across          = 0;          ///< rad, oil film: of the sleeve across the plane of the load
+  std::string bearing;                                    ///< name of a [bearing.*]
+  double radial                = 0;                       ///< N, towards the support of the chock
+  double axial                 = 0;                       ///< N, on the inner ring; 0: it keeps its axial place
+  double tilt                  = 0;                       ///< rad, of the inner ring in the plane of the load
+  std::array<double, 2> loads  = {not_given, not_given};  ///< N, swept range of the radial load
+  int samples                  = 20;
+  double cage_angle            = 0;          ///< rad
+  double axial_displacement    = not_given;  ///< m, imposed on the inner ring in place of an axial load
+  double moment                = not_given;  ///< N m, in the plane of the load, in place of a tilt
+  double speed                 = not_given;  ///< 1/s, of the shaft or sleeve; absent: nothing turns
+  double tilt_across           = 0;          ///< rad, oil film: of the sleeve across the plane of the load
   std::array<double, 2> speeds = {not_given, not_given};  ///< 1/s, oil film: swept range
 };
 

@@ -10,7 +10,7 @@
 // report/ draws it.  A number that is not known is NaN.
 namespace mill {
 struct ModelMode {
-  double frequency      = not_given;   ///< Hz
+  double frequency = not_given;        ///< Hz
   std::string name;                    ///< "third octave, upper stack"; empty: not known
   std::string decided;                 ///< the numbers that gave it that name
   double error_estimate = not_given;   ///< relative, of the frequency

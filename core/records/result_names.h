@@ -204,16 +204,14 @@ inline constexpr CurveKind modes_horizontal{
     "modes", false, "horizontal", "horizontal modes of the chain", Figure::section, {{{"mode", ""}}}, true};
 inline constexpr CurveKind modes_of_model{"modes",          true, "", "modes of another model", Figure::section,
                                           {{{"mode", ""}}}, true};
-inline constexpr CurveKind stand_modulus{"stand",
-                                         false,
-                                         "modulus",
-                                         "mill modulus over the rolling force",
-                                         Figure::section,
-                                         {{{"load", "N"},
-                                           {"kiss_stretch", "m"},
-                                           {"kiss_tangent", "N/m"},
-                                           {"kiss_secant", "N/m"}}},
-                                         true};
+inline constexpr CurveKind stand_modulus{
+    "stand",
+    false,
+    "modulus",
+    "mill modulus over the rolling force",
+    Figure::section,
+    {{{"load", "N"}, {"kiss_stretch", "m"}, {"kiss_tangent", "N/m"}, {"kiss_secant", "N/m"}}},
+    true};
 inline constexpr CurveKind poles{"poles",
                                  false,
                                  "",

@@ -11,7 +11,8 @@ namespace mill::report {
 std::string page_head(const Run &run);             ///< title, run, status banner
 void summary_section(Page &page, const Run &run);  ///< key numbers, short table
 void stand_section(Page &page, const Run &run);    ///< sketch with the numbers on it
-/// Mill modulus over the force and what moves the thickness, inside the stand's section; nothing without its curve.
+/// Mill modulus over the force and what moves the thickness, inside the stand's section; nothing without its
+/// curve.
 void modulus_part(Page &page, const Run &run);
 void contact_section(Page &page, const Run &run);  ///< load-approach, K(F), along the barrel
 void bite_section(Page &page, const Run &run);     ///< pressure, friction and strain in the bite, K4
