@@ -9,10 +9,10 @@
 // The upper roll is the mesh of the smaller one, mirrored.  Units of the deck: mm, N, MPa.
 #include "core/case/errors.h"
 #include "core/numerics/sparse.h"
-#include "fem/roll/contact_study.h"
 #include "fem/body/elastic_body.h"
-#include "meshes/roll/contact_mesh_size.h"
+#include "fem/roll/contact_study.h"
 #include "meshes/common/gmsh_scope.h"
+#include "meshes/roll/contact_mesh_size.h"
 #include "reduce/chain/line_contact.h"
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // Condensed contact against the full model on the same mesh, in one run: what condensation is worth.
 // Prints one JSON object.  Slabs of rolls 400/1300 mm, 24 loads.
-#include "verify/solvers/full_contact.h"
 #include "tests/support/closed_form.h"
 #include "tests/support/roll_pair.h"
+#include "verify/solvers/full_contact.h"
 #include <chrono>
 #include <cstdio>
 

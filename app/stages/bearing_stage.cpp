@@ -64,22 +64,25 @@ SeatLoad load_of(const FourHigh &stand, const Seat &seat, const double F)
   return {std::hypot(F / 20, across), "a twentieth of the rolling force for balance and bending" + sideways, true};
 }
 
-std::vector<double> around(const double load)
+// So many values over a range of so much around one, evenly spaced in the logarithm.
+// @param below  share of the logarithm of the range below it
+std::vector<double> spread_around(const double value, const double range, const double below)
 {
   constexpr int n = 20;
-  std::vector<double> loads;
+  std::vector<double> values;
   for (int i = 0; i < n; ++i)
-    loads.push_back(load * std::pow(100., double(i) / (n - 1) - 0.6));
-  return loads;
+    values.push_back(value * std::pow(range, double(i) / (n - 1) - below));
+  return values;
+}
+
+std::vector<double> around(const double load)
+{
+  return spread_around(load, 100, 0.6);
 }
 
 std::vector<double> around_speed(const double speed)
 {
-  constexpr int n = 20;
-  std::vector<double> speeds;
-  for (int i = 0; i < n; ++i)
-    speeds.push_back(speed * std::pow(16., double(i) / (n - 1) - 0.5));
-  return speeds;
+  return spread_around(speed, 16, 0.5);
 }
 
 /// The oil film of a seat under one pass; nullptr: the seat has a roller bearing.

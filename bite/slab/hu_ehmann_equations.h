@@ -1,6 +1,6 @@
 #pragma once
-#include "bite/slab/pass_inputs.h"
 #include "bite/quadrature.h"
+#include "bite/slab/pass_inputs.h"
 #include "bite/slab/settle.h"
 
 // Slab theory with friction factors after Hu and Ehmann, exact, written once for any number type.  theory.md 8.8

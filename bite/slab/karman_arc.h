@@ -1,6 +1,6 @@
 #pragma once
-#include "core/numerics/derivative.h"
 #include "bite/slab/karman.h"
+#include "core/numerics/derivative.h"
 
 // The integrated theories on a given circle with given friction: what the iterations of karman.h are made of.
 namespace mill::bite {

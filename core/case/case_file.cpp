@@ -1,10 +1,10 @@
 // The only file that includes toml++.
 #include "core/case/case_file.h"
 #include "core/case/error_list.h"
-#include "core/records/files.h"
 #include "core/case/nesting.h"
-#include "core/records/run_identity.h"
 #include "core/case/units.h"
+#include "core/records/files.h"
+#include "core/records/run_identity.h"
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
