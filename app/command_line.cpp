@@ -90,8 +90,11 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   verify->add_flag("-q,--quiet", c.quiet, "no progress, no table of a case that passes");
   verify->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
 
-  auto *report = app.add_subcommand("report", "write DIR/report.html again from the stored results");
+  auto *report =
+      app.add_subcommand("report", "write DIR/report.html again from the stored results, or compare runs");
   report->add_option("DIR", c.target, "folder of a run")->required();
+  report->add_option("MORE", c.names, "further runs: what differs is written to DIR/comparison.html");
+  report->add_option("-o", c.output, "file of the comparison");
 
   app.add_subcommand("schema", "print the JSON Schema of the case file");
   try {

@@ -14,7 +14,7 @@ struct CommandLine {
   std::string log;                 ///< --log
   std::string cache;               ///< --cache; empty: the user's cache folder
   std::vector<std::string> sets;   ///< --set section.key=value
-  std::vector<std::string> names;  ///< verify: cases of the manual; empty: all
+  std::vector<std::string> names;  ///< verify: cases of the manual, empty: all; report: further folders
   std::string markdown;            ///< verify --markdown
   bool list            = false;    ///< verify --list
   bool full            = false;    ///< trace --full

@@ -15,6 +15,7 @@
 #include "core/numerics/sparse.h"
 #include "core/records/files.h"
 #include "fem/body/elastic_body.h"
+#include "report/compare/comparison.h"
 #include "report/page/html.h"
 #include "report/page/names.h"
 #include <algorithm>
@@ -216,6 +217,21 @@ int write_report(const std::string &directory)
   console::print("report: " + directory + "/report.html\n");
   return 0;
 }
+
+// Runs beside each other; the page stands in the first folder unless -o says where.
+int write_comparison(const CommandLine &command)
+{
+  std::vector<std::string> directories{command.target};
+  directories.insert(directories.end(), command.names.begin(), command.names.end());
+  for (const std::string &directory : directories) {
+    const FolderLock alone(directory);
+    finish_publishing(directory);
+  }
+  const std::string file = command.output.empty() ? command.target + "/comparison.html" : command.output;
+  write_atomically(file, report::comparison_of(directories));
+  console::print("comparison: " + file + "\n");
+  return 0;
+}
 }  // namespace
 
 std::string current_manifest()
@@ -248,7 +264,7 @@ int carry_out(const CommandLine &command)
     return 0;
   }
   if (command.verb == "report")
-    return write_report(command.target);
+    return command.names.empty() ? write_report(command.target) : write_comparison(command);
   return run_chain(command);
 }
 }  // namespace mill

@@ -15,7 +15,7 @@ using json = nlohmann::ordered_json;
 
 json geometry_of(const FourHigh &stand)
 {
-  return {
+  json geometry = {
       {"work_roll_diameter",   stand.work_roll.barrel_diameter                                },
       {"work_roll_length",     stand.work_roll.barrel_length                                  },
       {"work_neck_diameter",   stand.work_roll.neck_diameter                                  },
@@ -30,6 +30,29 @@ json geometry_of(const FourHigh &stand)
       {"entry_thickness",      stand.strip.entry_thickness                                    },
       {"exit_thickness",       stand.strip.exit_thickness                                     }
   };
+  const auto add = [&](const char *name, const double length) {
+    if (length > 0)  // false for what is not given
+      geometry[name] = length;
+  };
+  if (const MillHousing &h = stand.housing; h.present()) {
+    add("housing_thickness", h.thickness);
+    add("housing_post_width", h.post_width);
+    add("housing_window_width", h.window_width);
+    add("housing_window_height", h.window_height);
+    add("housing_upper_beam_height", h.upper_beam_height);
+    add("housing_lower_beam_height", h.lower_beam_height);
+  }
+  const Screwdown &s = stand.screwdown;
+  add("screw_diameter", s.screw_diameter);
+  add("screw_length", s.screw_length);
+  add("nut_outside_diameter", s.nut_outside_diameter);
+  add("nut_height", s.nut_height);
+  add("piston_diameter", s.piston_diameter);
+  add("piston_length", s.piston_length);
+  add("stroke", s.stroke);
+  add("load_cell_diameter", s.load_cell_diameter);
+  add("load_cell_height", s.load_cell_height);
+  return geometry;
 }
 
 // K3.* and contact.upper.*, or the same of the lower rolls.

@@ -5,6 +5,7 @@
 #include "report/page/number.h"
 #include "report/page/sections.h"
 #include "report/plot/svg_plot.h"
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -128,10 +129,23 @@ std::string why_in_band(const Run &run, const std::string &name)
               : "");
 }
 
-void one_contact(Page &page, const Run &run, const std::string &name)
+// The same pair under the same loads has the same curves to the last bit.
+bool same_contact(const Run &run, const std::string &a, const std::string &b)
+{
+  for (const CurveKind *kind :
+       {&curve::contact, &curve::contact_closed, &curve::contact_barrel, &curve::contact_pressure}) {
+    const Table *one = stored_curve(run, *kind, a), *other = stored_curve(run, *kind, b);
+    if (!one != !other || (one && (one->names != other->names || one->columns != other->columns)))
+      return false;
+  }
+  return true;
+}
+
+/// @param also  another contact with the same curves; empty: none
+void one_contact(Page &page, const Run &run, const std::string &name, const std::string &also)
 {
   const ContactCurves contact = contact_curves(run, name);
-  std::string title           = contact_title(name);
+  std::string title           = contact_title(name) + (also.empty() ? "" : ", the same as " + contact_title(also));
   title[0]                    = char(std::toupper(static_cast<unsigned char>(title[0])));
   page.heading(title);
   page.figure(
@@ -192,7 +206,17 @@ void contact_section(Page &page, const Run &run)
   page.section("contact", "Roll contact");
   if (contacts.empty())
     page.absent("Contact figures are", curve_path(curve::contact, "*") + ".csv");
-  for (const std::string &name : contacts)
-    one_contact(page, run, name);
+  std::vector<std::string> shown;
+  for (const std::string &name : contacts) {
+    if (std::any_of(shown.begin(), shown.end(),
+                    [&](const std::string &before) { return same_contact(run, before, name); }))
+      continue;
+    shown.push_back(name);
+    std::string also;
+    for (const std::string &other : contacts)
+      if (std::find(shown.begin(), shown.end(), other) == shown.end() && same_contact(run, name, other))
+        also = other;
+    one_contact(page, run, name, also);
+  }
 }
 }  // namespace mill::report

@@ -142,7 +142,7 @@ void model_section(Page &page, const Run &run, const ModelData &data)
 {
   if (!data.stored && data.problem.empty())
     return;
-  page.section("models", "How few masses are enough?");
+  page.section("models", "How few masses are enough?", Depth::expert);
   if (!data.problem.empty()) {
     page.html("<p class=\"absent\">" + escaped(data.problem) + "</p>");
     return;

@@ -12,11 +12,30 @@ namespace {
 std::string scripts()
 {
   using namespace embedded;
-  const std::string own = std::string("<script>\n") + page_js + "</script>\n";
+  const std::string own =
+      std::string("<script>\n") + page_js + "</script>\n<script>\n" + reading_js + "</script>\n";
   if (!*dygraphs_js)
     return own;
   return std::string("<style>") + dygraphs_css + "</style>\n<script>\n/*\n" + dygraphs_licence + "*/\n" +
          dygraphs_js + "\n</script>\n" + own;
+}
+
+// Stays in sight: contents, how much is unfolded, light or dark.  The settings need the script and stay hidden
+// without it.
+std::string beside(const Run &run, const Page &page)
+{
+  const auto button = [](const std::string &setting, const std::string &value) {
+    return "<button type=\"button\" data-" + setting + "=\"" + value + "\">" + value + "</button>";
+  };
+  std::string depths, themes;
+  for (const Depth depth : {Depth::manager, Depth::engineer, Depth::expert})
+    depths += button("depth", name_of(depth));
+  for (const char *theme : {"light", "dark", "auto"})
+    themes += button("theme", theme);
+  return "<nav class=\"beside\">\n<p class=\"program\">millstand " + escaped(run.manifest.version) +
+         "</p>\n<div class=\"settings\" hidden><fieldset><legend>depth</legend>" + depths +
+         "</fieldset><fieldset><legend>page</legend>" + themes + "</fieldset></div>\n" + page.contents() +
+         "</nav>\n";
 }
 }  // namespace
 
@@ -24,6 +43,15 @@ bool has_chain(const Run &run)
 {
   return run.manifest.kind != "two-cylinders" && run.manifest.kind != "bearing" &&
          run.manifest.kind != "chatter" && (run.find("M1") || stored_curve(run, curve::modes));
+}
+
+std::string html_document(const std::string &title, const Run &run, const Page &page, const std::string &head)
+{
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
+         escaped(title) + " - millstand report</title>\n<style>\n" + embedded::page_css +
+         "</style>\n</head>\n<body>\n<div class=\"layout\">\n" + beside(run, page) + "<main>\n" + head +
+         page.body() + "</main>\n</div>\n" + scripts() + "</body>\n</html>\n";
 }
 
 std::string html_page(const Run &run)
@@ -44,11 +72,7 @@ std::string html_page(const Run &run)
   limits_section(page, run);
   full_results_section(page, run);
   record_section(page, run);
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-         escaped(run.case_name) + " - millstand report</title>\n<style>\n" + embedded::page_css +
-         "</style>\n</head>\n<body>\n<main>\n" + page_head(run) + page.contents() + page.body() + "</main>\n" +
-         scripts() + "</body>\n</html>\n";
+  return html_document(run.case_name, run, page, first_screen(run));
 }
 
 std::string html_report(const std::string &run_directory)

@@ -12,6 +12,12 @@ namespace mill::report {
 /// Cost: reading the tables; the page itself takes some 50 ms.
 std::string html_report(const std::string &run_directory);
 
-/// The same from a run that has been read already.
+class Page;
+/// A page around sections that are complete: style, contents, scripts.
+/// @param title  of the browser's window
+/// @param head   HTML above the sections
+std::string html_document(const std::string &title, const Run &run, const Page &page, const std::string &head);
+
+/// html_report() of a run that has been read already.
 std::string html_page(const Run &run);
 }  // namespace mill::report

@@ -17,95 +17,11 @@ std::string list_of(const std::vector<std::string> &sentences)
   return list + "</ul>\n";
 }
 
-// Colour is not the only carrier: the first word says the same.
-std::string banner(const Run &run)
-{
-  const bool failed = run.status != "ok" && run.status != "warnings";
-  if (failed)
-    return "<div class=\"banner failed\"><b>Failed.</b> The run ended with status \u201c" + escaped(run.status) +
-           "\u201d; what is shown below was finished before." +
-           (run.warnings.empty() ? "" : list_of(run.warnings)) + "</div>\n";
-  if (run.status == "warnings" || !run.warnings.empty())
-    return "<div class=\"banner warnings\"><b>Done, with " + std::to_string(run.warnings.size()) +
-           (run.warnings.size() == 1 ? " warning." : " warnings.") + "</b>" +
-           (run.warnings.empty() ? "" : list_of(run.warnings)) + "</div>\n";
-  return "<div class=\"banner ok\"><b>Done.</b> Every stage finished, no warnings.</div>\n";
-}
-
 std::string fact(const std::string &name, const std::string &value)
 {
   return value.empty() ? "" : "<div><dt>" + name + "</dt><dd>" + escaped(value) + "</dd></div>";
 }
 
-std::string tile(const Result *result, const std::string &label)
-{
-  if (!result || !std::isfinite(result->value))
-    return "";
-  const bool acceleration = result->name.find("_g.") != std::string::npos;
-  const Shown shown =
-      acceleration ? Shown{in_g(result->value, result->unit), "g"} : engineering(result->value, result->unit);
-  const std::string number = acceleration ? g_text(shown.value) : significant(shown.value, 4);
-  return "<div class=\"tile\"><span>" + escaped(label) + "</span><b>" + number + "</b> " + escaped(shown.unit) +
-         "<small>" + escaped(short_source(result->source)) +
-         (result->at.empty() ? "" : ", at " + escaped(short_source(result->at))) + "</small></div>\n";
-}
-
-// Speed and frequency of every condition, and how fast its working point grows or dies.
-std::string chatter_tiles(const Run &run)
-{
-  std::string all;
-  for (const Group &group : chatter_groups(run))
-    for (const Result *result : group.results)
-      for (const auto &[ending, label] : {
-               std::pair(".critical_speed", ", critical speed"),
-               {".frequency",   ", chatter frequency"  },
-               {".growth_rate", ", growth rate at work"}
-      }) {
-        const std::size_t start = std::string("chatter.").size(), end = result->name.find('.', start);
-        if (is_of(result->name, family::chatter) && result->name.substr(end) == ending)
-          all += tile(result, (group.title == "Chatter, tandem" ? "" : "condition ") +
-                                  result->name.substr(start, end - start) + label);
-      }
-  return all;
-}
-
-std::string tiles(const Run &run)
-{
-  std::string all;
-  if (has_chain(run)) {
-    all += tile(chain_value(run, "K3"), "K3, upper contact") + tile(chain_value(run, "K5"), "K5, lower contact") +
-           tile(run.find("f1"), "f1, first mode") + tile(run.find("f6"), "f6, highest mode");
-    for (const PassInfo &pass : run.manifest.passes)
-      all += tile(pass_value(run, pass, "peak_g.upper_work_roll"), pass.name + ", peak, upper work roll") +
-             tile(pass_value(run, pass, "peak_g.lower_work_roll"), pass.name + ", peak, lower work roll");
-    all += chatter_tiles(run);
-  } else if (run.manifest.kind == "bearing")
-    all += tile(run.find("Kzc.tangent"), "Kzc, tangent") + tile(run.find("Kzc.secant"), "Kzc, secant") +
-           tile(run.find("Kzc.tangent_across"), "Kzc, tangent across the load") +
-           tile(run.find("Kzc.roller_max"), "heaviest roller") +
-           tile(run.find("Kzc.heaviest_angle"), "its angle from the load line") +
-           tile(run.find("Kzc.motion.peak_force"), "peak force, driven mass");
-  else if (run.manifest.kind == "chatter")
-    all += chatter_tiles(run);
-  else if (run.manifest.kind == "bite") {
-    all += tile(run.find("K4.combined"), "K4, strip and both arcs") +
-           tile(run.find("K4.plastic_slope"), "K4, plastic slope");
-    for (const Result &result : run.results)
-      if (is_of(result.name, family::bite) && !is_of_one_model(result.name))
-        for (const char *quantity : {"force", "torque", "forward_slip"})
-          if (const auto dot = result.name.find('.', 5); result.name.substr(dot + 1) == quantity)
-            all += tile(&result, result.name.substr(5, dot - 5) +
-                                     (quantity == std::string("force")    ? ", roll force"
-                                      : quantity == std::string("torque") ? ", torque of one roll"
-                                                                          : ", forward slip"));
-  } else
-    for (const char *aspect : {"tangent", "secant", "approach", "half_width", "peak_pressure"})
-      all += tile(run.find(std::string("contact.line.") + aspect),
-                  aspect == std::string("half_width")      ? "half width"
-                  : aspect == std::string("peak_pressure") ? "peak pressure"
-                                                           : aspect);
-  return all.empty() ? "" : "<div class=\"tiles\">\n" + all + "</div>\n";
-}
 std::string what_is_in_short(const Run &run)
 {
   if (has_chain(run))
@@ -167,19 +83,9 @@ std::string what_is_left_out(const Run &run)
 }
 }  // namespace
 
-std::string page_head(const Run &run)
-{
-  const Manifest &m = run.manifest;
-  return "<header><p class=\"program\">millstand " + escaped(m.version) + "</p><h1>" +
-         escaped(m.title.empty() ? run.case_name : m.title) + "</h1><dl class=\"facts\">" +
-         fact("case", run.case_name) + fact("kind", m.kind) + fact("run", m.run_id) + fact("date", m.date) +
-         "</dl></header>\n" + banner(run);
-}
-
 void summary_section(Page &page, const Run &run)
 {
-  page.section("summary", "The numbers in short");
-  page.html(tiles(run));
+  page.section("summary", "The numbers in short", Depth::manager);
   if (const auto groups = short_groups(run); !groups.empty())
     page.table(short_table(groups),
                what_is_in_short(run) +
@@ -201,9 +107,12 @@ void limits_section(Page &page, const Run &run)
 
 void full_results_section(Page &page, const Run &run)
 {
-  page.section("results", "All results");
+  page.section("results", "All results", Depth::expert);
   page.table(
-      full_table(run),
+      "<div class=\"tools\" hidden><input type=\"search\" placeholder=\"search names, words, sources\" "
+      "aria-label=\"search in the table\"/><button type=\"button\" class=\"copy\">Copy</button><button "
+      "type=\"button\" class=\"csv\">CSV</button><output></output></div>\n" +
+          full_table(run),
       "Everything in <code>results.json</code>. A deviation is this run relative to the check "
       "beside it; accuracy is the run's own estimate." +
           std::string(std::any_of(run.results.begin(), run.results.end(),
@@ -215,7 +124,7 @@ void full_results_section(Page &page, const Run &run)
 void record_section(Page &page, const Run &run)
 {
   const Manifest &m = run.manifest;
-  page.section("record", "Record of the run");
+  page.section("record", "Record of the run", Depth::expert);
   std::string versions;
   for (const auto &[name, version] : m.versions)
     versions += (versions.empty() ? "" : ", ") + name + " " + version;

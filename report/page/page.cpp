@@ -2,17 +2,32 @@
 #include "report/plot/svg.h"
 
 namespace mill::report {
+const char *name_of(const Depth depth)
+{
+  switch (depth) {
+  case Depth::manager:
+    return "manager";
+  case Depth::engineer:
+    return "engineer";
+  case Depth::expert:
+    return "expert";
+  }
+  return "";
+}
+
 Page::Page(const Run &run)
     : stamp_("<span class=\"stamp\">" + escaped(run.case_name) +
              (run.manifest.run_id.empty() ? "" : ", run " + escaped(run.manifest.run_id)) + "</span>")
 {
 }
 
-void Page::section(const std::string &id, const std::string &title)
+void Page::section(const std::string &id, const std::string &title, const Depth depth)
 {
-  sections_.emplace_back(id, title);
-  body_ += "<h2 id=\"" + escaped(id) + "\"><span class=\"number\">" + std::to_string(sections_.size()) +
-           "</span> " + escaped(title) + "</h2>\n";
+  body_ += sections_.empty() ? "" : "</details>\n";
+  sections_.push_back({id, title, depth});
+  body_ += "<details class=\"part\" id=\"" + escaped(id) + "\" data-depth=\"" + name_of(depth) + "\"" +
+           (depth == Depth::expert ? "" : " open") + ">\n<summary><h2><span class=\"number\">" +
+           std::to_string(sections_.size()) + "</span> " + escaped(title) + "</h2></summary>\n";
 }
 
 void Page::heading(const std::string &title)
@@ -53,14 +68,14 @@ void Page::absent(const std::string &what, const std::string &file)
 
 std::string Page::contents() const
 {
-  std::string list = "<nav><ol>\n";
-  for (const auto &[id, title] : sections_)
-    list += "<li><a href=\"#" + escaped(id) + "\">" + escaped(title) + "</a></li>\n";
-  return list + "</ol></nav>\n";
+  std::string list = "<ol>\n";
+  for (const Heading &section : sections_)
+    list += "<li><a href=\"#" + escaped(section.id) + "\">" + escaped(section.title) + "</a></li>\n";
+  return list + "</ol>\n";
 }
 
-const std::string &Page::body() const
+std::string Page::body() const
 {
-  return body_;
+  return body_ + (sections_.empty() ? "" : "</details>\n");
 }
 }  // namespace mill::report

@@ -5,12 +5,18 @@
 #include <vector>
 
 namespace mill::report {
+/// For whom a section is open when the page is set to a depth; every deeper depth opens it as well.
+enum class Depth { manager, engineer, expert };
+const char *name_of(Depth depth);  ///< "engineer", in the page and in page.js
+
 /// The page while it is written: numbers its figures and tables, collects its sections for the contents.
 class Page {
 public:
   explicit Page(const Run &run);
 
-  void section(const std::string &id, const std::string &title);
+  /// Begins a section, which ends where the next one begins.  It folds: open in the page as it is stored when
+  /// its depth is that of the engineer or above.
+  void section(const std::string &id, const std::string &title, Depth depth = Depth::engineer);
   void heading(const std::string &title);  ///< inside a section
 
   /// Anything that is HTML already.
@@ -28,12 +34,16 @@ public:
   void absent(const std::string &what, const std::string &file);
 
   std::string contents() const;  ///< list of links to the sections
-  const std::string &body() const;
+  std::string body() const;
 
 private:
   std::string stamp_;
   std::string body_;
-  std::vector<std::pair<std::string, std::string>> sections_;
+  struct Heading {
+    std::string id, title;
+    Depth depth;
+  };
+  std::vector<Heading> sections_;
   int figures_ = 0;
   int tables_  = 0;
 };

@@ -18,6 +18,25 @@
     });
   }
 
+  function colour(name) {
+    var probe = document.createElement("i");
+    probe.style.color = "var(--" + name + ")";
+    document.body.appendChild(probe);
+    var found = window.getComputedStyle(probe).color;
+    probe.remove();
+    return found;
+  }
+
+  function palette() {
+    return { colors: [colour("dark"), colour("warm")], gridLineColor: colour("grid"), axisLineColor: colour("frame") };
+  }
+
+  window.addEventListener("themechange", function () {
+    Object.keys(groups).forEach(function (name) {
+      groups[name].forEach(function (chart) { chart.updateOptions(palette()); });
+    });
+  });
+
   document.querySelectorAll(".zoom").forEach(function (box) {
     var data = JSON.parse(box.querySelector("script").textContent);
     var charts = groups[box.dataset.group] = groups[box.dataset.group] || [];
@@ -28,18 +47,15 @@
     box.appendChild(title);
     box.appendChild(plot);
     box.closest("figure").classList.add("zooms");
-    charts.push(new Dygraph(plot, rows(data), {
+    charts.push(new Dygraph(plot, rows(data), Object.assign({
       labels: ["time [s]"].concat(data.labels),
       xlabel: "time [s]",
       ylabel: box.dataset.axis,
-      colors: ["#16395f", "#d0712a"],
       axes: { x: { axisLabelFontSize: 12 }, y: { axisLabelFontSize: 12, axisLabelWidth: 56 } },
-      gridLineColor: "#e3e7eb",
-      axisLineColor: "#8b96a2",
       digitsAfterDecimal: 4,
       valueRange: data.range || null,
       drawCallback: function (chart, first) { if (!first) follow(charts, chart); }
-    }));
+    }, palette())));
   });
 }());
 

@@ -8,8 +8,9 @@
 // The sections of the page, each in a file of its name.  A section whose data the kind of run cannot have is left
 // out; one that could be there but is not stored says so.
 namespace mill::report {
-std::string page_head(const Run &run);             ///< title, run, status banner
-void summary_section(Page &page, const Run &run);  ///< key numbers, short table
+/// What is seen before scrolling: verdict, numbers, stand to scale, at most five facts to know.
+std::string first_screen(const Run &run);
+void summary_section(Page &page, const Run &run);  ///< short table
 void stand_section(Page &page, const Run &run);    ///< sketch with the numbers on it
 /// Mill modulus over the force and what moves the thickness, inside the stand's section; nothing without its
 /// curve.
@@ -29,6 +30,9 @@ void response_section(Page &page, const Run &run);  ///< peaks, histories, spect
 void limits_section(Page &page, const Run &run);    ///< what is assumed, what was not stored
 void full_results_section(Page &page, const Run &run);
 void record_section(Page &page, const Run &run);  ///< program, versions, timings
+
+/// Rolls, chocks, housing and screw-down to scale, as far as the case draws them; empty without the rolls' sizes.
+std::string stand_to_scale(const Run &run);
 
 /// The stand to scale with the spring-mass chain and its numbers beside it; without geometry the chain alone.
 std::string stand_sketch(const Run &run);

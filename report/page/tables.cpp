@@ -4,6 +4,7 @@
 #include "report/plot/svg.h"
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace mill::report {
 namespace {
@@ -53,6 +54,15 @@ std::string check_text(const Result &result, const Check &check)
 std::string unbroken(const std::string &text)
 {
   return text.size() > 16 ? text : "<span class=\"together\">" + text + "</span>";
+}
+
+// What copying and the CSV of the page take: the numbers as stored, SI.
+std::string data_of(const Result &result)
+{
+  const auto number = [](const double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; };
+  return " data-name=\"" + escaped(result.name) + "\" data-value=\"" + number(result.value) + "\" data-unit=\"" +
+         escaped(result.unit) + "\" data-at=\"" + escaped(result.at) + "\" data-error=\"" +
+         number(result.error_estimate) + "\"";
 }
 
 std::string row_head(const Result &result)
@@ -177,8 +187,8 @@ std::string full_table(const Run &run)
       "<table class=\"results full\"><thead><tr><th>name</th><th>value</th><th>source</th><th>at</th>"
       "<th>accuracy</th><th>checks (this run deviates by)</th></tr></thead>\n<tbody>\n";
   const auto row = [](const Result &result) {
-    return "<tr>" + row_head(result) + common_cells(result, result.source) + "<td>" + all_checks(result) +
-           folded_inputs(result) + "</td></tr>\n";
+    return "<tr" + data_of(result) + ">" + row_head(result) + common_cells(result, result.source) + "<td>" +
+           all_checks(result) + folded_inputs(result) + "</td></tr>\n";
   };
   if (run.manifest.kind == "bearing" || run.manifest.kind == "bite")
     for (const Group &group : short_groups(run)) {

@@ -79,9 +79,14 @@ std::string shortened(std::string utf8, const double width, const double font_si
 }
 
 Svg::Svg(const double width, const double height, const std::string &description)
-    : body_("<svg role=\"img\" aria-label=\"" + escaped(description) + "\" width=\"" + pixel(width) +
-            "\" height=\"" + pixel(height) + "\" viewBox=\"0 0 " + pixel(width) + ' ' + pixel(height) + "\">\n")
+    : head_("<svg role=\"img\" aria-label=\"" + escaped(description) + "\" width=\"" + pixel(width) +
+            "\" height=\"" + pixel(height) + "\" viewBox=\"0 0 " + pixel(width) + ' ' + pixel(height) + "\"")
 {
+}
+
+void Svg::note(const std::string &name, const std::string &value)
+{
+  notes_ += " data-" + name + "=\"" + escaped(value) + '"';
 }
 
 void Svg::line(const double x1, const double y1, const double x2, const double y2, const std::string &classes)
@@ -143,6 +148,6 @@ void Svg::end_clip()
 
 std::string Svg::str() const
 {
-  return body_ + "</svg>\n";
+  return head_ + notes_ + ">\n" + body_ + "</svg>\n";
 }
 }  // namespace mill::report

@@ -22,6 +22,8 @@ class Svg {
 public:
   /// @param description what a reader who cannot see the figure is told (aria-label)
   Svg(double width, double height, const std::string &description);
+  /// An attribute of the whole drawing, data-NAME, for page.js.
+  void note(const std::string &name, const std::string &value);
   void line(double x1, double y1, double x2, double y2, const std::string &classes);
   void rect(double x, double y, double width, double height, const std::string &classes, double corner = 0);
   void circle(double x, double y, double radius, const std::string &classes);
@@ -36,6 +38,6 @@ public:
   std::string str() const;
 
 private:
-  std::string body_;
+  std::string head_, notes_, body_;
 };
 }  // namespace mill::report

@@ -1,9 +1,11 @@
 #include "report/plot/svg_plot.h"
+#include "report/page/number.h"
 #include "report/plot/envelope.h"
 #include "report/plot/plot_layout.h"
 #include "report/plot/svg.h"
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace mill::report {
 namespace {
@@ -128,6 +130,27 @@ void draw_points(Svg &svg, const Plot &plot, const Layout &at)
   }
 }
 
+// What page.js needs to read a value off a drawn line under the pointer: the plot area in px with the values at
+// its ends, and the names of the lines by their pens.
+std::string axis_note(const Axis &axis, const Mapping &to)
+{
+  return pixel(to.first) + " " + pixel(to.last) + " " + fmt::format("{:.9g} {:.9g}", to.range.low, to.range.high) +
+         (axis.scale == Scale::logarithmic ? " log " : " linear ") + axis.unit;
+}
+
+void note_values(Svg &svg, const Plot &plot, const Layout &at)
+{
+  if (plot.lines.empty() || !plot.x.categories.empty() || data_range(plot, false).empty())
+    return;
+  svg.note("x", axis_note(plot.x, at.to_x));
+  svg.note("y", axis_note(plot.y, at.to_y));
+  std::string names;
+  for (const Line &line : plot.lines)
+    if (line.joined)
+      names += (names.empty() ? "" : "|") + std::string(class_of(line.pen)) + "=" + line.label;
+  svg.note("lines", names);
+}
+
 std::string description_of(const Plot &plot)
 {
   return (plot.title.empty() ? "" : plot.title + ": ") + plot.y.quantity + " in " + plot.y.unit + " over " +
@@ -147,6 +170,7 @@ std::string svg_plot(const Plot &plot)
 {
   const Layout at = layout_of(plot);
   Svg svg(plot.width, plot.height, description_of(plot));
+  note_values(svg, plot, at);
   draw_axes(svg, plot, at);
   svg.begin_clip(at.left, at.top, at.right - at.left, at.bottom - at.top);
   draw_bars(svg, plot, at);

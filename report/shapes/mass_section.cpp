@@ -184,7 +184,7 @@ void mass_section(Page &page, const ModelData &data)
   const std::string table = routes_table(data);
   if (drawings.empty() && table.empty())
     return;
-  page.section("masses", "Equivalent masses");
+  page.section("masses", "Equivalent masses", Depth::expert);
   if (!table.empty())
     page.table(table, "Every equivalent mass by every route; in brackets how far it is from the chain's. The "
                       "first two take the published integrals along the roll axis, with the shape of a beam and "

@@ -185,7 +185,7 @@ void shape_section(Page &page, const Run &run)
               *backup = stored_curve(run, curve::shape_backup_roll);
   if (!work && !backup && run.manifest.kind != "four-high")
     return;
-  page.section("shapes", "Roll shapes and equivalent masses");
+  page.section("shapes", "Roll shapes and equivalent masses", Depth::expert);
   std::vector<Roll> rolls;
   if (backup)
     rolls.push_back({*backup, "Backup roll", "f2", "backup_length", "backup_bearing_span", false});

@@ -224,7 +224,7 @@ TEST(BiteReport, NeutralPointIsWhereTheSlipChangesSign)
 TEST(BiteReport, SectionShowsWhatIsStored)
 {
   const std::string page = html_page(read_run(run_with_bites()));
-  EXPECT_TRUE(says(page, "<h2 id=\"bite\">"));
+  EXPECT_TRUE(says(page, "<details class=\"part\" id=\"bite\""));
   EXPECT_TRUE(says(page, "Bite of pass 1"));
   for (const char *title :
        {"Pressure on the roll", "Friction stress on the strip", "Slip of the strip on the roll",

@@ -179,17 +179,17 @@ TEST(HtmlReport, CylindersArePerLength)
   EXPECT_EQ(html.find("no finite value"), std::string::npos);
 }
 
-TEST(HtmlReport, BannerTellsTheStatus)
+TEST(HtmlReport, TheVerdictTellsTheStatus)
 {
   SampleRun sample;
-  EXPECT_NE(html_report(write_sample_run(sample)).find("banner warnings\"><b>Done, with 1 warning."),
+  EXPECT_NE(html_report(write_sample_run(sample)).find("verdict warnings\"><p><b>Done, read what is to know.</b>"),
             std::string::npos);
   sample.warnings             = false;
   const std::string directory = write_sample_run(sample);
-  EXPECT_NE(html_report(directory).find("banner ok\"><b>Done."), std::string::npos);
+  EXPECT_NE(html_report(directory).find("verdict ok\"><p><b>Done.</b>"), std::string::npos);
   auto run   = read_run(directory);
   run.status = "failed";
-  EXPECT_NE(html_page(run).find("banner failed\"><b>Failed."), std::string::npos);
+  EXPECT_NE(html_page(run).find("verdict failed\"><p><b>Failed.</b>"), std::string::npos);
 }
 
 TEST(HtmlReport, EscapesTitleAndNames)

@@ -97,12 +97,13 @@ TEST(ModelReport, EverythingThatIsStoredIsShown)
   const std::string html = html_report(run);
   expect_sound(html, "everything");
   for (const char *text :
-       {"<h2 id=\"masses\">", "<h2 id=\"models\">", "How few masses are enough?", "Frequencies side by side",
-        "Modal assurance", "Mode shapes of the stand", "How many modes of each part are enough",
-        "Six masses are enough below 60 Hz", "the force reaches 990 Hz", "limit 1000 Hz", "976.2 kN"})
+       {"<details class=\"part\" id=\"masses\"", "<details class=\"part\" id=\"models\"",
+        "How few masses are enough?", "Frequencies side by side", "Modal assurance", "Mode shapes of the stand",
+        "How many modes of each part are enough", "Six masses are enough below 60 Hz", "the force reaches 990 Hz",
+        "limit 1000 Hz", "976.2 kN"})
     EXPECT_TRUE(says(html, text)) << text;
   // The answer comes first in its section.
-  const std::size_t section = html.find("<h2 id=\"models\">");
+  const std::size_t section = html.find("<details class=\"part\" id=\"models\"");
   EXPECT_LT(html.find("class=\"answer\"", section), html.find("<figure>", section));
   for (const std::string &figure : elements(html, "figure"))
     for (const std::string &drawing : elements(figure, "svg role"))

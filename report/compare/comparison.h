@@ -1,0 +1,36 @@
+#pragma once
+#include "report/page/run.h"
+#include <string>
+#include <utility>
+#include <vector>
+
+// Runs beside each other: what was changed in the case, what came of it, the same curves on the same axes.
+namespace mill::report {
+/// One input that the runs do not share.
+struct ChangedInput {
+  std::string key;                  ///< "work_roll.barrel_diameter"
+  std::vector<std::string> values;  ///< (runs) as resolved.toml has them; empty: not there
+};
+
+/// The inputs in which the resolved cases differ, in the order of the first.
+/// @param resolved  (runs) texts of resolved.toml
+std::vector<ChangedInput> changed_inputs(const std::vector<std::string> &resolved);
+
+/// One result that more than one run has and that is not the same in all.
+struct ChangedResult {
+  std::vector<const Result *> results;  ///< (runs) nullptr: that run has none
+  double change = 0;                    ///< -, largest deviation from the first run, with its sign
+  bool beyond   = false;                ///< larger than the error estimates of both together
+};
+
+/// Largest change first.  Deviations below 1e-9 are rounding and count as none.
+std::vector<ChangedResult> changed_results(const std::vector<Run> &runs);
+
+/// The page that compares them, complete.
+/// @param resolved  (runs) texts of resolved.toml, for what was changed
+std::string comparison_page(const std::vector<Run> &runs, const std::vector<std::string> &resolved);
+
+/// Reads the folders and makes the page.
+/// @throws InputError  a folder that is no run
+std::string comparison_of(const std::vector<std::string> &directories);
+}  // namespace mill::report

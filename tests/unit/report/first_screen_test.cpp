@@ -1,0 +1,133 @@
+#include "report/page/sections.h"
+#include <gtest/gtest.h>
+
+using namespace mill::report;
+
+namespace {
+Result result(const char *name, const double value, const char *unit, const char *at = "",
+              const double error = 0.01)
+{
+  Result r{};
+  r.name           = name;
+  r.value          = value;
+  r.unit           = unit;
+  r.source         = "computed: test";
+  r.at             = at;
+  r.error_estimate = error;
+  return r;
+}
+
+Run four_high()
+{
+  Run run;
+  run.case_name     = "stand";
+  run.status        = "ok";
+  run.manifest.kind = "four-high";
+  run.results       = {result("M1", 9000, "kg"),
+                       result("stand.modulus.tangent", 4.5e9, "N/m", "10 MN"),
+                       result("stand.modulus.kiss", 5.0e9, "N/m", "10 MN"),
+                       result("mode.frame_upper.frequency", 60, "Hz"),
+                       result("mode.fifth_octave_upper.frequency", 620, "Hz"),
+                       result("mode.third_octave.frequency", 128, "Hz")};
+  return run;
+}
+
+bool says(const std::string &html, const std::string &text)
+{
+  return html.find(text) != std::string::npos;
+}
+}  // namespace
+
+TEST(FirstScreen, NamesModulusAndModes)
+{
+  const std::string html = first_screen(four_high());
+  EXPECT_TRUE(says(html, "<b>Done.</b> Mill modulus 4500\u00a0kN/mm; third octave at 128\u00a0Hz, fifth octave "
+                         "upper at 620\u00a0Hz."))
+      << html;
+  EXPECT_LT(html.find("<span>third octave</span>"), html.find("<span>fifth octave upper</span>"));
+  EXPECT_LT(html.find("<span>fifth octave upper</span>"), html.find("<span>frame upper</span>"));
+}
+
+TEST(FirstScreen, TheWorstConditionGivesTheVerdict)
+{
+  mill::report::Run run = four_high();
+  run.results.push_back(result("chatter.1.growth_rate", -3, "1/s", "20 m/s"));
+  run.results.push_back(result("chatter.1.critical_speed", 25, "m/s", "25 m/s"));
+  run.results.push_back(result("chatter.2.growth_rate", -1, "1/s", "20 m/s"));
+  run.results.push_back(result("chatter.2.critical_speed", 21, "m/s", "21 m/s"));
+  std::string html = first_screen(run);
+  EXPECT_TRUE(says(html,
+                   "Quiet at the working speed of 20.0\u00a0m/s; chatter begins at 21.00\u00a0m/s, 5.0\u00a0% "
+                   "above it (condition 2)"))
+      << html;
+  EXPECT_TRUE(says(html, "card fair")) << "a margin below a tenth";
+  run.results.push_back(result("chatter.3.growth_rate", 2, "1/s", "20 m/s"));
+  run.results.push_back(result("chatter.3.critical_speed", 18, "m/s", "18 m/s"));
+  html = first_screen(run);
+  EXPECT_TRUE(says(html, "verdict failed\"><p><b>Chatter.</b> The stand chatters at its working speed of "
+                         "20.0\u00a0m/s (condition 3); the limit is 18.00\u00a0m/s"))
+      << html;
+}
+
+// A level that comes from a made record says nothing about the mill.
+TEST(FirstScreen, LevelsOfMadeForcesAreNotShown)
+{
+  mill::report::Run run = four_high();
+  run.manifest.passes   = {
+        {"pass 1", "pass-1", 1e7, true,  "measured"},
+        {"pass 2", "pass-2", 1e7, false, "measured"}
+  };
+  run.results.push_back(result("pass 1.peak_g.upper_work_roll", 90, "m/s2"));
+  run.results.push_back(result("pass 2.peak_g.upper_work_roll", 5, "m/s2"));
+  run.results.push_back(result("pass 2.peak_g.lower_work_roll", 8, "m/s2"));
+  const std::string html = first_screen(run);
+  EXPECT_TRUE(says(html, "<span>largest level, lower work roll, pass 2</span><b>0.82</b> g")) << html;
+  EXPECT_FALSE(says(html, "pass 1"));
+}
+
+TEST(FirstScreen, FiveFactsAndTheRestFolded)
+{
+  mill::report::Run run = four_high();
+  for (int i = 1; i <= 7; ++i)
+    run.warnings.push_back("fact number " + std::to_string(i) + " says what it is about; and what to do about it");
+  const std::string html = first_screen(run);
+  EXPECT_TRUE(says(html, "<summary>Fact number 5 says what it is about</summary>And what to do about it")) << html;
+  EXPECT_TRUE(says(html, "<summary>2 more</summary>"));
+  EXPECT_LT(html.find("<summary>2 more</summary>"), html.find("Fact number 6"));
+}
+
+TEST(StandToScale, DrawsHousingAndScrewdownWhereTheyAreGiven)
+{
+  mill::report::Run run = four_high();
+  EXPECT_EQ(stand_to_scale(run), "");
+  run.manifest.geometry = {
+      {"work_roll_diameter",   0.42 },
+      {"work_roll_length",     1.4  },
+      {"work_neck_diameter",   0.267},
+      {"work_total_length",    2.32 },
+      {"work_bearing_span",    2.0  },
+      {"backup_diameter",      1.45 },
+      {"backup_length",        1.4  },
+      {"backup_neck_diameter", 0.95 },
+      {"backup_neck_length",   0.95 },
+      {"backup_bearing_span",  2.45 },
+      {"strip_width",          1.0  }
+  };
+  const std::string rolls = stand_to_scale(run);
+  EXPECT_TRUE(says(rolls, "class=\"strip\""));
+  EXPECT_FALSE(says(rolls, "class=\"window\""));
+  for (const auto &[name, length] : {
+           std::pair("housing_thickness", 0.75),
+           {"housing_post_width",        0.65},
+           {"housing_window_width",      1.65},
+           {"housing_window_height",     5.8 },
+           {"housing_upper_beam_height", 1.3 },
+           {"housing_lower_beam_height", 1.3 },
+           {"screw_diameter",            0.44},
+           {"screw_length",              0.3 }
+  })
+    run.manifest.geometry[name] = length;
+  const std::string stand = stand_to_scale(run);
+  EXPECT_TRUE(says(stand, "class=\"window\""));
+  EXPECT_TRUE(says(stand, "[mm]"));
+}
