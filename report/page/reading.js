@@ -53,7 +53,7 @@
     });
   });
   set_depth(ranks[kept("depth")] === undefined ? "engineer" : kept("depth"));
-  set_theme(kept("theme") || "auto");
+  set_theme(kept("theme") || root.dataset.theme || "auto");
   document.addEventListener("click", function (event) {
     var link = event.target.closest("a[href^='#']");
     if (link) unfold(decodeURIComponent(link.getAttribute("href").slice(1)));

@@ -148,7 +148,7 @@ std::string accuracy_cell(const Result &result)
     return "\u00b1" + (size[0] == '+' ? size.substr(1) : size);
   }
   if (!result.error_lacks.empty()) {
-    constexpr std::size_t most = 2;
+    constexpr std::size_t most = 1;
     std::string lacks;
     for (std::size_t i = 0; i < std::min(most, result.error_lacks.size()); ++i)
       lacks += (i == 0 ? "" : ", ") + result.error_lacks[i];
