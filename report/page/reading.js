@@ -20,7 +20,7 @@
   }
 
   function set_depth(depth) {
-    document.querySelectorAll(".part").forEach(function (part) {
+    document.querySelectorAll("details.part").forEach(function (part) {
       part.open = ranks[part.dataset.depth] <= ranks[depth];
     });
     root.dataset.reading = depth;
@@ -35,7 +35,7 @@
   }
 
   function unfold(id) {
-    var target = id && document.getElementById(id), part = target && target.closest(".part");
+    var target = id && document.getElementById(id), part = target && target.closest("details.part");
     if (part) part.open = true;
     if (target) target.scrollIntoView();
   }
