@@ -15,6 +15,32 @@ const char *name_of(const Depth depth)
   return "";
 }
 
+namespace {
+// Where the first sentence of a caption ends: behind a full stop before a capital letter, outside of tags.
+std::size_t end_of_sentence(const std::string &html)
+{
+  bool tag = false;
+  for (std::size_t i = 0; i + 2 < html.size(); ++i) {
+    tag                    = html[i] == '<' || (tag && html[i] != '>');
+    const std::size_t next = html.compare(i + 2, 3, "<b>") == 0 ? i + 5 : i + 2;
+    if (!tag && html[i] == '.' && html[i + 1] == ' ' && next < html.size() && html[next] >= 'A' &&
+        html[next] <= 'Z')
+      return i + 1;
+  }
+  return html.size();
+}
+
+// One sentence, the others folded behind it.
+std::string folded(const std::string &caption)
+{
+  const std::size_t end = end_of_sentence(caption);
+  if (end + 1 >= caption.size())
+    return caption;
+  return caption.substr(0, end) + " <details class=\"more\"><summary>more</summary>" + caption.substr(end + 1) +
+         "</details>";
+}
+}  // namespace
+
 Page::Page(const Run &run)
     : stamp_("<span class=\"stamp\">" + escaped(run.case_name) +
              (run.manifest.run_id.empty() ? "" : ", run " + escaped(run.manifest.run_id)) + "</span>")
@@ -50,14 +76,14 @@ void Page::figure(const std::vector<std::string> &drawings, const std::string &c
   body_ += "<figure>\n<div class=\"drawings\">\n";
   for (const std::string &drawing : drawings)
     body_ += drawing;
-  body_ += "</div>\n<figcaption><b>Figure " + std::to_string(++figures_) + ".</b> " + caption + " " + stamp_ +
-           "</figcaption>\n</figure>\n";
+  body_ += "</div>\n<figcaption><b>Figure " + std::to_string(++figures_) + ".</b> " + folded(caption) + " " +
+           stamp_ + "</figcaption>\n</figure>\n";
 }
 
 void Page::table(const std::string &table, const std::string &caption)
 {
-  body_ += "<div class=\"tabled\">\n<p class=\"caption\"><b>Table " + std::to_string(++tables_) + ".</b> " +
-           caption + "</p>\n" + table + "</div>\n";
+  body_ += "<div class=\"tabled\">\n<div class=\"caption\"><b>Table " + std::to_string(++tables_) + ".</b> " +
+           folded(caption) + "</div>\n" + table + "</div>\n";
 }
 
 void Page::absent(const std::string &what, const std::string &file)

@@ -23,8 +23,9 @@ public:
   void html(const std::string &text);
   void paragraph(const std::string &html);
 
-  /// One figure of one or more drawings side by side.  The caption (HTML) says what to see; case name and run id
-  /// are added, so that a copied figure still tells where it came from.
+  /// One figure of one or more drawings side by side.  The caption (HTML) says what to see in its first sentence,
+  /// others fold behind it; case name and run id are added, so that a copied figure still tells where it came
+  /// from.
   void figure(const std::vector<std::string> &drawings, const std::string &caption);
 
   /// A table with its caption (HTML) above.

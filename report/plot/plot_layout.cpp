@@ -118,7 +118,8 @@ int arrange(std::vector<Entry> &entries, const double width)
   double x = 0;
   int row  = 0;
   for (Entry &entry : entries) {
-    const double needed = 32 + text_width(entry.label, plot_font) + 16;
+    // Browsers without Helvetica or Arial set wider letters.
+    const double needed = 32 + 1.15 * text_width(entry.label, plot_font) + 16;
     if (x > 0 && x + needed > width) {
       x = 0;
       ++row;
