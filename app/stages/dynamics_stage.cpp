@@ -236,9 +236,12 @@ void warn_of_missing_modes(RunContext &run, const PassModel &model, const Pass &
       modes += fmt::format("{}{:.0f}", modes.empty() ? "" : ", ", f);
   if (excited > most_listed)
     modes += fmt::format(" and {} more", excited - most_listed);
+  // The frequencies of a made force are the user's choice, not the mill's.
+  const auto say = [&](const std::string &sentence) {
+    pass.synthetic ? run.assume(sentence) : run.warn(sentence);
+  };
   if (!modes.empty())
-    run.warn(
-        fmt::format("{}: the force reaches {:.0f} Hz, but the chain of six masses has no counterpart of the "
+    say(fmt::format("{}: the force reaches {:.0f} Hz, but the chain of six masses has no counterpart of the "
                     "stand's modes at {} Hz; drive dynamics.model = \"craig-bampton\" or \"beam\" to see them",
                     pass.name, content, modes));
   if (content > model.limit)
@@ -258,7 +261,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
   const auto statistics  = dynamics::force_statistics(force);
   warn_of_missing_modes(run, model, pass, statistics.content);
   for (const std::string &note : force.notes)
-    run.warn(pass.name + ": " + note);
+    pass.synthetic ? run.assume(pass.name + ": " + note) : run.warn(pass.name + ": " + note);
   run.warn(dynamics::bandwidth_warning(statistics, highest).empty()
                ? ""
                : pass.name + ": " + dynamics::bandwidth_warning(statistics, highest));
