@@ -121,7 +121,9 @@ std::vector<QuickResult> quick_space(const TwoCylinders &pair)
   if (shape.is_point(load, pair.space.tilt)) {
     const auto e = contact::hertz_point(load, shape.radius, 1 / shape.curvature, shape.modulus);
     c.method     = "Hertz, contact/hertz (10.5)";
-    c.closed     = joined(c.closed, keys_in("upper", "crown_radius"), keys_in("lower", "crown_radius"));
+    for (const auto *body : {&pair.upper, &pair.lower})
+      if (!body->plane())
+        c.closed = joined(c.closed, keys_in(body == &pair.upper ? "upper" : "lower", "crown_radius"));
     c.add("half_width", "m", e.semi_x, "(10.5)");
     c.add("peak_pressure", "Pa", e.peak_pressure, "(10.5)");
     c.add("approach", "m", e.approach, "(10.5)");
