@@ -1,6 +1,7 @@
 #include "bearing/roller_profile.h"
 #include "bearing/geometry.h"
 #include "core/case/errors.h"
+#include "core/model/ground_profile.h"
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -47,9 +48,9 @@ double iso_drop(const RollerBearing &b, const double x)
 /// Johns and Gohar, (5.7); with rounding 0 it is Lundberg's profile, which has no end.
 double log_drop(const RollerBearing &b, const double x, const double rounding)
 {
-  const double q = ground_line_load(b), L = b.roller_length, u = 2 * x / L;
-  const double half_width = std::sqrt(4 * q * effective_radius(b, true) / (M_PI * plane_modulus(b)));
-  return q / (M_PI * plane_modulus(b)) * -std::log(1 - (1 - rounding * 2 * half_width / L) * u * u);
+  const double q          = ground_line_load(b),
+               half_width = std::sqrt(4 * q * effective_radius(b, true) / (M_PI * plane_modulus(b)));
+  return logarithmic_drop(q, half_width, plane_modulus(b), b.roller_length, rounding, x);
 }
 
 /// Fujiwara and Kawase: straight in the middle, then a logarithm that ends at the chosen drop.  theory.md 5.6
@@ -59,22 +60,6 @@ double three_parameter_drop(const RollerBearing &b, const double x)
   const double crowned = b.profile_share * b.roller_length / 2;  // at each end
   const double u       = std::max(0.0, std::abs(x) - b.roller_length / 2 + crowned) / crowned;
   return -A * std::log1p(std::expm1(-b.crown_drop / A) * u * u);
-}
-
-double table_drop(const RollerBearing &b, const double x)
-{
-  const auto &table = b.profile_table;
-  const double at   = table.front()[0] >= 0 ? std::abs(x) : x;
-  const auto next =
-      std::upper_bound(table.begin(), table.end(), at,
-                       [](double value, const std::array<double, 2> &row) { return value < row[0]; });
-  if (next == table.begin())
-    return table.front()[1];  // a table from x > 0: level up to its first point
-  if (next == table.end())
-    return table.back()[1];
-  const auto &low = *(next - 1);
-  const double s  = (at - low[0]) / ((*next)[0] - low[0]);
-  return (1 - s) * low[1] + s * (*next)[1];
 }
 
 std::string fmt_mm(const double length)
@@ -139,7 +124,7 @@ VectorXd profile_drop(const RollerBearing &b, const VectorXd &x)
     if (b.profile == "iso")
       drop[k] = iso_drop(b, x[k]);
     else if (b.profile == "log")
-      drop[k] = log_drop(b, x[k], 0.3033);
+      drop[k] = log_drop(b, x[k], johns_gohar);
     else if (b.profile == "lundberg")
       drop[k] = log_drop(b, x[k], 0);
     else if (b.profile == "three-parameter")
@@ -147,7 +132,7 @@ VectorXd profile_drop(const RollerBearing &b, const VectorXd &x)
     else if (b.profile == "crown")
       drop[k] = b.crown_drop * std::pow(2 * x[k] / b.roller_length, 2);  // (5.8): circle of large radius
     else if (b.profile == "table")
-      drop[k] = table_drop(b, x[k]);
+      drop[k] = table_drop(b.profile_table, x[k]);
   }
   return drop;
 }

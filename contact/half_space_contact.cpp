@@ -15,7 +15,8 @@ QuarterGrid checked(const QuarterGrid &grid)
 {
   require_input(grid.width > 0 && grid.n_x > 0 && grid.z.size() > 1,
                 "half space: the grid needs a width, columns and rows of rectangles");
-  require_input(grid.z[0] == 0 && (grid.z.tail(grid.z.size() - 1) - grid.z.head(grid.z.size() - 1)).minCoeff() > 0,
+  require_input((grid.half ? grid.z[0] < 0 : grid.z[0] == 0) &&
+                    (grid.z.tail(grid.z.size() - 1) - grid.z.head(grid.z.size() - 1)).minCoeff() > 0,
                 "half space: the edges of the rows must ascend from 0");
   return grid;
 }
@@ -64,8 +65,8 @@ std::vector<int> rectangles_on_the_body(const QuarterGrid &grid, const GapShape 
   return on;
 }
 
-// Mean displacement of each rectangle by a unit force on another and on its image at -z.  The columns are equally
-// wide, so only the distance of two columns counts: entry k, (row, row).
+// Mean displacement of each rectangle by a unit force on another and, of a quarter, on its image at -z.  The
+// columns are equally wide, so only the distance of two columns counts: entry k, (row, row).
 std::vector<Eigen::MatrixXd> flexibility_by_distance(const HalfSpaces &bodies, const QuarterGrid &grid)
 {
   std::vector<Eigen::MatrixXd> table(2 * grid.n_x, Eigen::MatrixXd(n_z(grid), n_z(grid)));
@@ -75,13 +76,13 @@ std::vector<Eigen::MatrixXd> flexibility_by_distance(const HalfSpaces &bodies, c
         const Rectangle a{grid.width / 2, length(grid, i) / 2}, b{grid.width / 2, length(grid, j) / 2};
         const double x = k * grid.width, zi = middle(grid, i), zj = middle(grid, j);
         table[k](i, j) = bodies.normal / (4 * a.half_x * a.half_y) *
-                         (mean_potential(a, b, x, zi - zj) + mean_potential(a, b, x, zi + zj));
+                         (mean_potential(a, b, x, zi - zj) + (grid.half ? 0 : mean_potential(a, b, x, zi + zj)));
         table[k](j, i) = table[k](i, j);
       }
   return table;
 }
 
-// One driven motion, the approach; its resultant is the load of the quarter.
+// One driven motion, the approach; its resultant is the load of the grid.
 Problem problem(const HalfSpaces &bodies, const QuarterGrid &grid, const GapShape &gap,
                 const std::vector<int> &rectangle)
 {
@@ -145,13 +146,13 @@ HalfSpaceState HalfSpaceContact::at_load(const double load)
 {
   require_input(load > 0, "half space: the load must be positive");
   Drive drive;
-  drive.value         = Eigen::VectorXd::Constant(1, load / 4);
+  drive.value         = Eigen::VectorXd::Constant(1, load / grid.mirrors());
   const State quarter = solver.solve(drive);
 
   HalfSpaceState s;
   s.load        = load;
   s.approach    = quarter.motion[0];
-  s.set_tangent = 4 / quarter.compliance(0, 0);
+  s.set_tangent = grid.mirrors() / quarter.compliance(0, 0);
   s.n_unknowns  = int(rectangle.size());
   s.iterations  = quarter.iterations;
   s.residual    = quarter.residual;
@@ -179,22 +180,29 @@ HalfSpaceState HalfSpaceContact::at_load(const double load)
     throw SolverError({"half space: the contact is wider than the grid",
                        "the outermost column of rectangles carries load",
                        "a grid narrower than the contact at this load", "make the grid wider", ""});
-  s.reaches_end = s.line_load[n_z(grid) - 1] > 0;
+  s.reaches_end = s.line_load[n_z(grid) - 1] > 0 || (grid.half && s.line_load[0] > 0);
+  for (int j = 0; grid.half && j < n_z(grid); ++j)
+    s.moment += s.line_load[j] * length(grid, j) * s.z[j];
   return s;
+}
+
+double smooth_tangent(const double load, const std::function<double(double)> &approach)
+{
+  // ln(approach) over ln(load) is a straight line for a point contact and nearly so for a line contact.
+  Eigen::MatrixXd powers(9, 3);
+  Eigen::VectorXd values(9);
+  for (int i = 0; i < 9; ++i) {
+    const double t = (i - 4) / 20.;  // ln(load) / load within 20 %
+    values[i]      = std::log(approach(load * std::exp(t)));
+    powers.row(i) << 1, t, t * t;
+  }
+  const Eigen::Vector3d fit = (powers.transpose() * powers).ldlt().solve(powers.transpose() * values);
+  return load / std::exp(fit[0]) / fit[1];
 }
 
 double HalfSpaceContact::tangent(const double load)
 {
-  // ln(approach) over ln(load) is a straight line for a point contact and nearly so for a line contact.
-  Eigen::MatrixXd powers(9, 3);
-  Eigen::VectorXd approach(9);
-  for (int i = 0; i < 9; ++i) {
-    const double t = (i - 4) / 20.;  // ln(load) / load within 20 %
-    approach[i]    = std::log(at_load(load * std::exp(t)).approach);
-    powers.row(i) << 1, t, t * t;
-  }
-  const Eigen::Vector3d fit = (powers.transpose() * powers).ldlt().solve(powers.transpose() * approach);
-  return load / std::exp(fit[0]) / fit[1];
+  return smooth_tangent(load, [&](const double at) { return at_load(at).approach; });
 }
 
 bool has_singular_end(const HalfSpaces &bodies, const QuarterGrid &grid, const GapShape &gap, const double load)
@@ -207,6 +215,12 @@ bool has_singular_end(const HalfSpaces &bodies, const QuarterGrid &grid, const G
   QuarterGrid finer = grid;
   finer.z.resize(n + 2);
   finer.z << grid.z.head(n - 1), end - row / 2, end - row / 4, end;
+  if (grid.half) {  // the other end as well
+    const double begin = grid.z[0], first = grid.z[1] - begin;
+    const Eigen::VectorXd others = finer.z.tail(n + 1);
+    finer.z.resize(n + 4);
+    finer.z << begin, begin + first / 4, begin + first / 2, others;
+  }
   const HalfSpaceState fine = HalfSpaceContact(bodies, finer, gap).at_load(load);
   const double power        = std::log(fine.pressure.maxCoeff() / coarse.pressure.maxCoeff()) / std::log(4.);
   return power >= 0.2;

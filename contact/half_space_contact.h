@@ -9,12 +9,17 @@ namespace mill::contact {
 /// Gap of the undeformed bodies, m, at (x, z), m; infinite where there is no body.
 using GapShape = std::function<double(double x, double z)>;
 
-/// Rectangles on one quarter, x and z >= 0, of a contact symmetric about x = 0 and z = 0.  Along x all are equally
-/// wide.
+/// Rectangles on one quarter, x and z >= 0, of a contact symmetric about x = 0 and z = 0; or on the half x >= 0 of
+/// one that is symmetric about x = 0 alone.  Along x all are equally wide.
 struct QuarterGrid {
-  double width = 0;   ///< m, of a rectangle
-  int n_x      = 0;   ///< columns; n_x width must be wider than the contact, or be where the body ends
-  Eigen::VectorXd z;  ///< (n_z + 1) m, edges of the rows, ascending from 0; a body that ends, ends at the last
+  double width = 0;    ///< m, of a rectangle
+  int n_x      = 0;    ///< columns; n_x width must be wider than the contact, or be where the body ends
+  Eigen::VectorXd z;   ///< (n_z + 1) m, edges of the rows, ascending from 0; a body that ends, ends at the last
+  bool half = false;   ///< z over both sides, its first edge below 0
+  int mirrors() const  ///< how often the grid stands in the contact
+  {
+    return half ? 2 : 4;
+  }
 };
 
 /// Edges from 0 to `length` (m): steps `at_end` (m) at the end, growing by the factor `growth` towards the middle
@@ -32,9 +37,10 @@ struct PressureFit {
 /// partly. NaN with fewer than four values, or if they do not fall.
 PressureFit fit_pressure(const std::vector<double> &x, const std::vector<double> &p);
 
-/// A loaded contact.  Loads are those of the whole contact, all four quarters.
+/// A loaded contact.  Loads are those of the whole contact.
 struct HalfSpaceState {
   double load        = 0;  ///< N
+  double moment      = 0;  ///< N m, of the pressures about z = 0
   double approach    = 0;  ///< m, of points far away, where a half space does not move
   double set_tangent = 0;  ///< N/m, d(load) / d(approach), touching set held; steps with each rectangle that joins
   Eigen::MatrixXd pressure;       ///< (n_x, n_z) Pa, mean over each rectangle
@@ -42,8 +48,8 @@ struct HalfSpaceState {
   Eigen::VectorXd line_load;      ///< (n_z) N/m, over the whole width
   Eigen::VectorXd half_width;     ///< (n_z) m, by fit_pressure; NaN where too few rectangles touch
   Eigen::VectorXd peak_pressure;  ///< (n_z) Pa, by fit_pressure; of the first rectangle where there is no fit
-  bool reaches_end = false;       ///< the row at the end of z is loaded
-  int n_unknowns   = 0;           ///< rectangles of the quarter
+  bool reaches_end = false;       ///< the row at an end of z is loaded
+  int n_unknowns   = 0;           ///< rectangles of the grid
   int iterations   = 0;           ///< of the active set
   double residual  = 0;           ///< -, largest violation of the contact conditions, relative
 };
@@ -72,8 +78,12 @@ private:
   ActiveSet solver;            // begins with what touched at the last load
 };
 
+/// Slope of a smooth curve of the approach (m) over the load (N, or N/m per length) at one load, that of the
+/// parabola through ln(approach) over ln(load) at nine loads within 20 %.
+double smooth_tangent(double load, const std::function<double(double)> &approach);
+
 /// Whether the pressure at the end of the body grows without limit as the grid is refined, so that its largest
-/// value is the grid's and not the body's.  True when the outermost row is loaded and the largest pressure grows
+/// value is the grid's and not the body's.  True when an outermost row is loaded and the largest pressure grows
 /// at least like the power -1/5 of the length of that row, found by cutting the row to a quarter; a flat end on a
 /// half space has the power -1/2, a profile that ends the contact softly 0.  Cost: a second operator and solution.
 bool has_singular_end(const HalfSpaces &bodies, const QuarterGrid &grid, const GapShape &gap, double load);

@@ -126,6 +126,30 @@ PartialSlip mindlin_sphere(const PointContact &contact, const HalfSpaces &bodies
           8 * a / shear_sum};
 }
 
+EllipticSlip mindlin_ellipse(const PointContact &contact, const HalfSpaces &bodies, const double mu,
+                             const double load_ratio, const bool along_y)
+{
+  require_input(load_ratio >= 0 && load_ratio <= 1, "partial slip: Q / (mu P) must be in 0 .. 1");
+  const double a = std::max(contact.semi_x, contact.semi_y), b = std::min(contact.semi_x, contact.semi_y);
+  const EllipticIntegrals e = elliptic_integrals(b / a);
+  const bool along_major    = along_y == (contact.semi_y >= contact.semi_x);
+  // (33.8): whole ellipse stuck
+  const double compliance = (bodies.shear * e.K + bodies.along * (along_major ? e.D : e.B)) / a;
+  const double remaining = 1 - load_ratio, shrink = std::cbrt(remaining);
+  return {contact.semi_x * shrink, contact.semi_y * shrink,
+          1.5 * mu * contact.load * compliance * (1 - shrink * shrink), 1 / compliance};
+}
+
+FiniteLine lundberg_line(const HertzLine &contact, const double line_load, const double length,
+                         const double modulus)
+{
+  require_input(line_load > 0 && modulus > 0 && length > 2 * contact.half_width,
+                "finite line: load and modulus must be positive, and the line longer than the contact is wide");
+  const double log      = std::log(2 * length / contact.half_width);
+  const double approach = 2 * line_load / (M_PI * modulus) * (log + 0.5);
+  return {approach, line_load * length / approach, length * M_PI * modulus / (2 * log)};
+}
+
 CircularPunch circular_punch(const double load, const double radius, const double modulus)
 {
   require_input(load > 0 && radius > 0 && modulus > 0, "punch: load, radius and modulus must be positive");

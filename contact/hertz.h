@@ -62,6 +62,31 @@ double cattaneo_traction(const HertzLine &contact, const PartialSlip &slip, doub
 /// Source: R. D. Mindlin, J. Appl. Mech. 16 (1949) 259; Johnson (1985), 7.2.
 PartialSlip mindlin_sphere(const PointContact &contact, const HalfSpaces &bodies, double mu, double load_ratio);
 
+/// Cattaneo and Mindlin on an ellipse whose axes the load follows: what sticks is an ellipse of the same shape,
+/// theory.md (33.8), (33.9).  Exact without coupling and where slip stays along the load (nu = 0), else an
+/// approximation within a few percent.
+struct EllipticSlip {
+  double stick_x, stick_y;  ///< m, semi-axes of what sticks
+  double tangential;        ///< m, tangential approach
+  double stiffness;         ///< N/m, of the first increment
+};
+
+/// @param along_y  the load is along y, else along x
+/// @throws InputError  load_ratio outside 0 .. 1
+/// Source: P. J. Vermeulen, K. L. Johnson, J. Appl. Mech. 31 (1964) 338; R. D. Mindlin (1949).
+EllipticSlip mindlin_ellipse(const PointContact &contact, const HalfSpaces &bodies, double mu, double load_ratio,
+                             bool along_y);
+
+/// Approach of a half space at the middle of a line of length `length` (m) under a uniform line load (N/m) with
+/// Hertz pressure of half width `half_width` (m) across; Lundberg's.  theory.md (33.6)
+struct FiniteLine {
+  double approach;  ///< m
+  double secant;    ///< N/m, load / approach
+  double tangent;   ///< N/m
+};
+/// @throws InputError  a value not positive, or a line not longer than wide
+FiniteLine lundberg_line(const HertzLine &contact, double line_load, double length, double modulus);
+
 /// Rigid, flat, frictionless punch with a circular face, not tilted.
 struct CircularPunch {
   double approach;       ///< m

@@ -1,5 +1,6 @@
 #include "core/model/two_cylinders.h"
 #include "app/case_kinds.h"
+#include "app/stages/body_pair.h"
 #include "app/stages/contact_stage.h"
 #include "app/trace/quick_parts.h"
 #include "core/model/case.h"
@@ -11,27 +12,38 @@ const RunKind &run_kind(const TwoCylinders &)
   static const RunKind kind = [] {
     RunKind k;
     k.verbs  = {"run", "stiffness"};
-    k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> {
-      return {
-          {"condensation", 1},
-          {"condensation", 3},
-          {"condensation", 1},
-          {"condensation", 3},
-          {"contact line", 1}
-      };
+    k.check  = check_tilt;
+    k.stages = [](const Case &the_case) -> std::vector<std::pair<std::string, double>> {
+      const auto &pair = std::get<TwoCylinders>(the_case.spec);
+      if (pair.in_space)
+        return {
+            {"contact space", 1}
+        };
+      std::vector<std::pair<std::string, double>> stages;
+      const PlaneEngine engine = plane_engine(pair);
+      for (int cylinder = 0; cylinder < (engine == PlaneEngine::two_cylinders ? 2
+                                         : engine == PlaneEngine::half_planes ? 0
+                                                                              : 1);
+           ++cylinder) {
+        stages.emplace_back("condensation", 1);
+        stages.emplace_back("condensation", 3);
+      }
+      stages.emplace_back("contact line", 1);
+      return stages;
     };
     k.run = [](RunContext &run, Goal, const std::string &) {
       solve_cylinders(run, std::get<TwoCylinders>(run.the_case.spec));
     };
     k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
       const auto &pair     = std::get<TwoCylinders>(the_case.spec);
-      manifest["geometry"] = {
-          {"upper_diameter", pair.upper_diameter},
-          {"lower_diameter", pair.lower_diameter}
-      };
+      manifest["geometry"] = nlohmann::ordered_json::object();
+      if (!pair.upper.plane())
+        manifest["geometry"]["upper_diameter"] = pair.upper.diameter;
+      if (!pair.lower.plane())
+        manifest["geometry"]["lower_diameter"] = pair.lower.diameter;
     };
-    k.inputs = [](const Case &, const Results &, const std::string &name) -> std::optional<KeyList> {
-      return cylinder_keys(name);
+    k.inputs = [](const Case &the_case, const Results &, const std::string &name) -> std::optional<KeyList> {
+      return cylinder_keys(std::get<TwoCylinders>(the_case.spec), name);
     };
     k.trace = [](const Case &the_case, QuickMemory &, const std::map<std::string, double> &) {
       return quick_cylinders(std::get<TwoCylinders>(the_case.spec));

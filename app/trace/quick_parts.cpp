@@ -1,5 +1,7 @@
 #include "app/trace/quick_parts.h"
+#include "app/stages/body_pair.h"
 #include "app/stages/contact_stage.h"
+#include "contact/hertz.h"
 #include "core/model/two_cylinders.h"
 #include "reduce/chain/housing_frame.h"
 #include "reduce/chain/line_contact.h"
@@ -70,32 +72,101 @@ FourHigh with_drawn_frame(FourHigh stand)
   return stand;
 }
 
-std::vector<QuickResult> quick_cylinders(const TwoCylinders &pair)
+namespace {
+// Keys of both bodies that a closed form reads.
+KeyList closed_keys(const TwoCylinders &pair)
 {
-  const double q     = pair.contact.at;
-  const auto contact = reduce::line_contact({pair.upper_diameter, pair.lower_diameter, 1, pair.steel}, q);
-  std::vector<QuickResult> all;
-  const auto add = [&](const char *name, const char *unit, const double value, const char *equation) {
+  KeyList keys;
+  for (const auto &[name, body] : {
+           std::pair<const char *, const RoundBody &>{"upper", pair.upper},
+           std::pair<const char *, const RoundBody &>{"lower", pair.lower}
+  })
+    keys = joined(keys, keys_in(name, std::string(body.plane() ? "" : "diameter ") + "rigid" +
+                                          (body.rigid ? "" : " youngs_modulus poisson_ratio")));
+  return joined(keys, keys_in("steel", "youngs_modulus poisson_ratio"));
+}
+
+struct QuickContact {
+  const TwoCylinders &pair;
+  KeyList closed;
+  std::string prefix, at, method, file;
+  std::vector<QuickResult> all = {};
+  void add(const char *name, const char *unit, const double value, const char *equation)
+  {
     QuickResult r;
-    r.name             = std::string("contact.line.") + name;
+    r.name             = prefix + name;
     r.parameter.value  = value;
     r.parameter.unit   = unit;
-    r.parameter.method = "Hertz and Johnson, reduce/chain/line_contact (3.2) to (3.5b)";
-    r.parameter.at     = fmt::format("{:.6g} N/mm", q / 1e3);
-    r.closed           = joined(keys_in("upper", "diameter"), keys_in("lower", "diameter"),
-                                keys_in("steel", "youngs_modulus poisson_ratio"), keys_in("contact.line", "at"));
-    r.parameter.inputs = cylinder_keys(r.name);
+    r.parameter.method = method;
+    r.parameter.at     = at;
+    r.closed           = closed;
+    r.parameter.inputs = cylinder_keys(pair, r.name);
     r.road             = "contact of the two cylinders";
-    r.file             = "fem/roll/contact_study";
+    r.file             = file;
     r.equation         = equation;
-    r.stands_for       = "contact finite elements, fem/roll/contact_study";
+    r.stands_for       = pair.in_space ? "half spaces, contact/half_space_contact"
+                                       : "contact finite elements, fem/roll/contact_study";
     all.push_back(r);
-  };
-  add("half_width", "m", contact.half_width, "(3.2)");
-  add("peak_pressure", "Pa", contact.peak_pressure, "(3.3)");
-  add("approach", "m", contact.approach, "(3.4)");
-  add("secant", "N/m2", contact.secant, "(3.5a)");
-  add("tangent", "N/m2", contact.tangent, "(3.5b)");
-  return all;
+  }
+};
+
+// Hertz' ellipse, or the line of Hertz and Lundberg where the contact is as long as the faces.
+std::vector<QuickResult> quick_space(const TwoCylinders &pair)
+{
+  const SpaceShape shape = space_shape(pair);
+  const double load      = pair.space.at;
+  QuickContact c{pair, closed_keys(pair),         "contact.space.", fmt::format("{:.6g} N", load),
+                 "",   "app/stages/space_contact"};
+  c.closed = joined(c.closed, keys_in("contact.space", "at"));
+  if (shape.is_point(load, pair.space.tilt)) {
+    const auto e = contact::hertz_point(load, shape.radius, 1 / shape.curvature, shape.modulus);
+    c.method     = "Hertz, contact/hertz (10.5)";
+    for (const auto *body : {&pair.upper, &pair.lower})
+      if (!body->plane())
+        c.closed = joined(c.closed, keys_in(body == &pair.upper ? "upper" : "lower", "crown_radius"));
+    c.add("half_width", "m", e.semi_x, "(10.5)");
+    c.add("peak_pressure", "Pa", e.peak_pressure, "(10.5)");
+    c.add("approach", "m", e.approach, "(10.5)");
+    c.add("secant", "N/m", e.secant, "(10.5)");
+    c.add("tangent", "N/m", e.tangent, "(10.5)");
+    return c.all;
+  }
+  const double q   = load / shape.length;
+  const auto hertz = contact::hertz_line(q, shape.radius, shape.modulus);
+  if (!(shape.length > 2 * hertz.half_width))
+    return {};
+  const auto line = contact::lundberg_line(hertz, q, shape.length, shape.modulus);
+  c.method        = "Hertz and Lundberg, contact/hertz (33.6)";
+  c.closed        = joined(c.closed, keys_in("upper", "length"), keys_in("lower", "length"));
+  c.add("half_width", "m", hertz.half_width, "(3.2)");
+  c.add("peak_pressure", "Pa", hertz.peak_pressure, "(3.3)");
+  const double approach = line.approach + shape.first_touch(pair.space.tilt);
+  c.add("approach", "m", approach, "(33.6)");
+  c.add("secant", "N/m", load / approach, "(33.6)");
+  c.add("tangent", "N/m", line.tangent, "(33.6)");
+  return c.all;
+}
+}  // namespace
+
+std::vector<QuickResult> quick_cylinders(const TwoCylinders &pair)
+{
+  if (pair.in_space)
+    return quick_space(pair);
+  const double q  = pair.contact.at;
+  const auto line = contact::line_bodies(line_bodies_of(pair), q);
+  QuickContact c{pair,
+                 joined(closed_keys(pair), keys_in("contact.line", "at")),
+                 "contact.line.",
+                 fmt::format("{:.6g} N/mm", q / 1e3),
+                 "Hertz and Johnson, contact/line_bodies (3.2) to (3.5b)",
+                 "fem/roll/contact_study"};
+  c.add("half_width", "m", line.half_width, "(3.2)");
+  c.add("peak_pressure", "Pa", line.peak_pressure, "(3.3)");
+  if (holds(cylinder_keys(pair, "contact.line.approach"), "contact.line.plane_depth"))
+    c.closed = joined(c.closed, keys_in("contact.line", "plane_depth"));
+  c.add("approach", "m", line.approach, "(3.4)");
+  c.add("secant", "N/m2", line.secant, "(3.5a)");
+  c.add("tangent", "N/m2", line.tangent, "(3.5b)");
+  return c.all;
 }
 }  // namespace mill

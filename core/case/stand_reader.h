@@ -112,6 +112,8 @@ void check_bite_setup(const BiteSetup &setup, const Friction &friction, Reading 
 /// Forces of the passes and their files.
 void check_passes(const std::vector<Pass> &passes, Reading &reading);
 void check_contact(const std::string &section, const ContactSettings &contact, Reading &reading);
+/// Two bodies of revolution: shapes, profiles, friction, what the plane and the space contact each need.
+void check_bodies(const TwoCylinders &pair, Reading &reading);
 /// Rolls against each other, bearings that are named, the strip, passes against strip and contacts.
 void check_four_high(const FourHigh &stand, Reading &reading);
 /// force_meaning = "published" needs K4 and C.

@@ -300,23 +300,6 @@ const std::vector<Field<ContactSettings>> &roll_contact_rows()
   return rows;
 }
 
-const std::vector<Field<ContactSettings>> &line_contact_rows()
-{
-  using T = ContactSettings;
-  static const std::vector<Field<T>> rows{
-      {"length",                  &T::length,  "mm",    {0.1, 100000},  required, "100 mm",                       "plane strain over this length"             },
-      {"loads",                   &T::loads,   "N/mm",  {0.01, 100000}, required, R"(["200 N/mm", "5000 N/mm"])", "swept range"                               },
-      {"at",                      &T::at,      "N/mm",  {0.01, 100000}, required, "1000 N/mm",                    "load of the scalar results"                },
-      {"samples",                 &T::samples, "count", {5, 1000},      24,       "24",                           "loads in the sweep, logarithmically spaced"},
-      {"elements_per_half_width",
-       &T::elements_per_half_width,
-       "count",                                         {2, 64},
-       8,                                                                         "8",
-       "quadratic elements per Hertz half width at the largest load"                                                                                          },
-  };
-  return rows;
-}
-
 const std::vector<Field<DynamicsSettings>> &dynamics_rows()
 {
   using T = DynamicsSettings;
@@ -356,24 +339,6 @@ const std::vector<Field<DynamicsSettings>> &chain_dynamics_rows()
 {
   // A chain of given masses has no shapes and no rolls: what concerns them comes last in the rows above.
   static const std::vector<Field<DynamicsSettings>> rows(dynamics_rows().begin(), dynamics_rows().begin() + 5);
-  return rows;
-}
-
-const std::vector<Field<TwoCylinders>> &upper_cylinder_rows()
-{
-  using T = TwoCylinders;
-  static const std::vector<Field<T>> rows{
-      {"diameter", &T::upper_diameter, "mm", {1, 5000}, required, "400 mm", "diameter of the upper cylinder"},
-  };
-  return rows;
-}
-
-const std::vector<Field<TwoCylinders>> &lower_cylinder_rows()
-{
-  using T = TwoCylinders;
-  static const std::vector<Field<T>> rows{
-      {"diameter", &T::lower_diameter, "mm", {1, 5000}, required, "1300 mm", "diameter of the lower cylinder"},
-  };
   return rows;
 }
 }  // namespace mill

@@ -92,12 +92,15 @@ const std::vector<Field<StandSpan>> &stand_span_rows();        ///< [stand] of a
 const std::vector<Field<RollingCondition>> &condition_rows();
 const std::vector<Field<ChatterAnalysis>> &chatter_analysis_rows();
 const std::vector<Field<PassInput>> &pass_rows();
-const std::vector<Field<ContactSettings>> &roll_contact_rows();  ///< four-high: loads are forces
-const std::vector<Field<ContactSettings>> &line_contact_rows();  ///< two-cylinders: loads per length
+const std::vector<Field<ContactSettings>> &roll_contact_rows();        ///< four-high: loads are forces
+const std::vector<Field<LineContactSettings>> &line_contact_rows();    ///< two-cylinders: loads per length
+const std::vector<Field<SpaceContactSettings>> &space_contact_rows();  ///< two-cylinders in space: forces
 const std::vector<Field<DynamicsSettings>> &dynamics_rows();
 const std::vector<Field<DynamicsSettings>> &chain_dynamics_rows();  ///< of kind "lumped"
-const std::vector<Field<TwoCylinders>> &upper_cylinder_rows();
-const std::vector<Field<TwoCylinders>> &lower_cylinder_rows();
+/// [upper] and [lower] of kind two-cylinders; a plane (of `section`) needs no diameter.
+const std::vector<Field<RoundBody>> &upper_body_rows();
+const std::vector<Field<RoundBody>> &lower_body_rows();
+std::vector<Field<RoundBody>> body_rows_for(const Section &section);
 
 /// Keys of [frame] that [housing] or [screwdown] may replace.
 const std::vector<std::string> &drawable_frame_keys();

@@ -101,12 +101,41 @@ KeyList contact_keys(const FourHigh &stand, const std::string &name, const std::
                 keys_but("contact." + name, rows_of(roll_contact_rows()), "friction path_trim"), loads);
 }
 
-KeyList cylinder_keys(const std::string &result)
+namespace {
+// A body by its rows, less those that its shape, its rigidity or its profile leave unread.
+KeyList body_keys(const std::string &name, const RoundBody &body, const bool in_space)
 {
-  const bool of_curve = result == "contact.line.tangent";
-  return joined(
-      keys_in("upper", "diameter"), keys_in("lower", "diameter"), elastic_steel(),
-      keys_in("contact.line", std::string("at loads elements_per_half_width") + (of_curve ? " samples" : "")));
+  std::string idle    = body.plane() ? "diameter crown_radius" : "shape";
+  const auto not_read = [&](const bool condition, const char *names) {
+    idle += condition ? std::string(" ") + names : "";
+  };
+  not_read(body.rigid, "youngs_modulus poisson_ratio");
+  not_read(!in_space, "length crown_radius profile");
+  not_read(!in_space || body.profile != "arc", "profile_length profile_drop");
+  not_read(!in_space || body.profile != "log", "profile_load");
+  not_read(!in_space || body.profile != "table", "profile_table");
+  return keys_but(name, rows_of(name == "upper" ? upper_body_rows() : lower_body_rows()), idle);
+}
+}  // namespace
+
+KeyList cylinder_keys(const TwoCylinders &pair, const std::string &result)
+{
+  const std::string quantity = result.substr(result.rfind('.') + 1);
+  const bool slips           = quantity.rfind("tangential", 0) == 0 || quantity.rfind("stick", 0) == 0;
+  const KeyList bodies       = joined(body_keys("upper", pair.upper, pair.in_space),
+                                      body_keys("lower", pair.lower, pair.in_space), elastic_steel());
+  // Every load has a grid of its own in space and on half planes; a mesh is made for the whole range.
+  if (pair.in_space)
+    return joined(bodies,
+                  keys_in("contact.space", std::string("at rectangles tilt") +
+                                               (slips ? " friction tangential_load tangential_direction" : "")));
+  const bool planes     = (pair.upper.plane() && !pair.upper.rigid) || (pair.lower.plane() && !pair.lower.rigid);
+  const bool meshed     = plane_engine(pair) != PlaneEngine::half_planes && !slips;
+  const bool of_curve   = quantity == "tangent";
+  const std::string own = std::string("at") + (slips ? " friction tangential_load" : "") +
+                          (meshed ? " loads elements_per_half_width" : "") +
+                          (meshed && of_curve ? " samples" : "");
+  return joined(bodies, keys_in("contact.line", own + (planes ? " plane_depth" : "")));
 }
 
 // Bearings

@@ -5,6 +5,7 @@
 #include "core/model/four_high.h"
 #include "core/model/given.h"
 #include "core/model/pass.h"
+#include "core/model/two_cylinders.h"
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -55,7 +56,7 @@ KeyList roll_body_keys(const std::string &section);
 KeyList contact_keys(const FourHigh &stand, const std::string &name, std::size_t p);
 /// The same of kind "two-cylinders".
 /// @param result  "contact.line.tangent": the slope of a curve knows how it was sampled
-KeyList cylinder_keys(const std::string &result);
+KeyList cylinder_keys(const TwoCylinders &pair, const std::string &result);
 
 /// State of an oil film: all of it but what is not there.
 KeyList oil_film_keys(const OilFilmBearing &bearing);

@@ -130,6 +130,30 @@ inline constexpr CurveKind contact_barrel_second{
 inline constexpr CurveKind contact_pressure{"contact",       true,    "pressure", "contact pressure",
                                             Figure::section, of_patch};
 
+/// Two bodies of revolution: over the width, along the axes, closed forms of contacts in space, stick and slip.
+inline constexpr CurveKind contact_width{
+    "contact", true, "width", "over the width", Figure::own, {{{"x", "m"}, {"pressure", "Pa"}}}, true};
+inline constexpr CurveKind contact_length{
+    "contact",   true,
+    "length",    "along the axes",
+    Figure::own, {{{"z", "m"}, {"line_load", "N/m"}, {"half_width", "m"}, {"peak_pressure", "Pa"}}}};
+inline constexpr CurveKind contact_hertz{"contact",
+                                         true,
+                                         "hertz",
+                                         "Hertz, ellipse",
+                                         Figure::load_approach,
+                                         {{{"load", "N"}, {"approach", "m"}, {"tangent", "N/m"}}}};
+inline constexpr CurveKind contact_lundberg{"contact",
+                                            true,
+                                            "lundberg",
+                                            "Lundberg, even line load",
+                                            Figure::load_approach,
+                                            {{{"load", "N"}, {"approach", "m"}, {"tangent", "N/m"}}}};
+inline constexpr CurveKind contact_slip{
+    "contact",       true,
+    "slip",          "stick and slip",
+    Figure::section, {{{"z", "m"}, {"x", "m"}, {"pressure", "Pa"}, {"shear", "Pa"}, {"used", ""}}}};
+
 inline constexpr CurveKind bearing{
     "bearing", true, "", "load and stiffness", Figure::section, {{{"load", "N"}, {"displacement", "m"}}}, true};
 inline constexpr CurveKind bearing_rows{
@@ -228,6 +252,11 @@ inline constexpr const CurveKind *all[] = {&contact,
                                            &contact_pressure,
                                            &contact_barrel_mirrored,
                                            &contact_barrel_second,
+                                           &contact_width,
+                                           &contact_length,
+                                           &contact_hertz,
+                                           &contact_lundberg,
+                                           &contact_slip,
                                            &bearing,
                                            &bearing_rows,
                                            &bearing_rollers,

@@ -7,8 +7,14 @@ namespace mill::report {
 std::string pressure_map(const Table &table, const std::string &title, const std::string &along,
                          const double width, const double height)
 {
+  return patch_map(table, {"pressure", "pressure", "MPa"}, title, along, width, height);
+}
+
+std::string patch_map(const Table &table, const PatchQuantity &what, const std::string &title,
+                      const std::string &along, const double width, const double height)
+{
   const Eigen::VectorXd z = values_of(table, {"z", "mm"}), x = values_of(table, {"x", "mm"}),
-                        p = values_of(table, {"pressure", "MPa"});
+                        p = values_of(table, {what.column, what.unit});
   Eigen::Index across     = 0;
   while (across < z.size() && z[across] == z[0])
     ++across;
@@ -18,8 +24,8 @@ std::string pressure_map(const Table &table, const std::string &title, const std
   map.title               = title;
   map.x                   = {along, "mm"};
   map.y                   = {"distance from the contact line", "mm"};
-  map.quantity            = "pressure";
-  map.unit                = "MPa";
+  map.quantity            = what.quantity;
+  map.unit                = what.unit;
   map.width               = width;
   map.height              = height;
   const Eigen::Index rows = z.size() / across;

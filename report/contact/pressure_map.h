@@ -10,4 +10,12 @@ namespace mill::report {
 /// @param height  px
 std::string pressure_map(const Table &table, const std::string &title, const std::string &along,
                          double width = 1000, double height = 300);
+
+/// The same of another column of the patch.
+/// @param quantity  as the legend calls it
+struct PatchQuantity {
+  const char *column, *quantity, *unit;
+};
+std::string patch_map(const Table &table, const PatchQuantity &what, const std::string &title,
+                      const std::string &along, double width = 1000, double height = 300);
 }  // namespace mill::report

@@ -158,7 +158,7 @@ void one_contact(Page &page, const Run &run, const std::string &name, const std:
                           ? " This run squeezes each roll evenly between two contacts, as the closed forms "
                             "do; dashed, the rolls are held as in the stand and bend as well."
                           : ""));
-  if (!contact.closed)
+  if (!contact.closed && name != "space")
     page.absent("Closed forms beside the contact curve are", curve_path(curve::contact_closed, name) + ".csv");
   else if (const std::string table = band_table(contact); !table.empty()) {
     page.table(table, band_caption(name == "line"));
@@ -186,13 +186,24 @@ void one_contact(Page &page, const Run &run, const std::string &name, const std:
                 second ? " The second engine, a Fourier series around the roll, shares neither mesh nor solver "
                          "with the first: where the lines lie on one another, both are right."
                        : ""));
-  else if (name != "line")
+  else if (name != "line" && name != "space")
     page.absent("The distribution along the barrel is", curve_path(curve::contact_barrel, name) + ".csv");
   if (const Table *map = stored_curve(run, curve::contact_pressure, name))
     page.figure(
         {pressure_map(*map, "Contact pressure", "distance from mid-length")},
-        "Pressure over the contact patch, rolls held as in the stand; across, the picture is stretched several "
-        "hundred times. The width shows how far the crown is closed and where an edge carries.");
+        name == "space"
+            ? "Pressure over the contact patch by boundary elements on half spaces, mean of each rectangle; from "
+              "mid-length when both sides carry the same. The two directions have scales of their own. Where a "
+              "sharp end carries, the last row is as high as the grid is fine."
+            : "Pressure over the contact patch, rolls held as in the stand; across, the picture is stretched "
+              "several "
+              "hundred times. The width shows how far the crown is closed and where an edge carries.");
+  if (const Table *map = stored_curve(run, curve::contact_slip, name))
+    page.figure({patch_map(*map, {"used", "friction used", "-"}, "Stick and slip", "distance from mid-length"),
+                 patch_map(*map, {"shear", "shear", "MPa"}, "Shear along the tangential load",
+                           "distance from mid-length")},
+                "Above: shear over friction times pressure; where it is 1 the surfaces slip, below that they "
+                "stick. Below: the shear itself. The part that symmetry leaves is shown.");
   own_figures(page, run, curve::contact.family, name);
 }
 }  // namespace

@@ -238,17 +238,21 @@ std::string chatter_cards(const Run &run)
   return all;
 }
 
+// The two contacts that a pair of bodies is asked for.
+const char *const pair_contacts[] = {"line", "space"};
+
 std::string contact_cards(const Run &run)
 {
   std::string all;
-  for (const auto &[aspect, label] : {
-           std::pair("tangent", "stiffness, tangent"),
-           {"secant",        "stiffness, secant"},
-           {"approach",      "approach"         },
-           {"half_width",    "half width"       },
-           {"peak_pressure", "peak pressure"    }
-  })
-    all += card(run.find(result_name({family::contact, "line", aspect})), label);
+  for (const char *contact : pair_contacts)
+    for (const auto &[aspect, label] : {
+             std::pair("tangent", "stiffness, tangent"),
+             {"secant",        "stiffness, secant"},
+             {"approach",      "approach"         },
+             {"half_width",    "half width"       },
+             {"peak_pressure", "peak pressure"    }
+    })
+      all += card(run.find(result_name({family::contact, contact, aspect})), label);
   return all;
 }
 
@@ -294,8 +298,9 @@ std::string sentence(const Run &run)
            (run.find("Kzc.tangent")->at.empty() ? "" : " at " + escaped(run.find("Kzc.tangent")->at));
   if (const Result *k4 = run.find("K4.combined"); run.manifest.kind == "bite" && has_value(k4))
     return "The bite is a spring of " + shown(*k4) + (k4->at.empty() ? "" : " at " + escaped(k4->at));
-  if (const Result *k = run.find(result_name({family::contact, "line", "tangent"})); has_value(k))
-    return "The contact is a spring of " + shown(*k) + (k->at.empty() ? "" : " at " + escaped(k->at));
+  for (const char *contact : pair_contacts)
+    if (const Result *k = run.find(result_name({family::contact, contact, "tangent"})); has_value(k))
+      return "The contact is a spring of " + shown(*k) + (k->at.empty() ? "" : " at " + escaped(k->at));
   return "";
 }
 

@@ -34,7 +34,8 @@ std::string what_is_in_short(const Run &run)
     return "The strip between the work rolls, by the model that gives K4; derivatives are exact and hold the arc.";
   if (run.manifest.kind == "chatter")
     return "Every condition at its working speed; a positive growth rate is a stand that chatters.";
-  return "The contact at its working load, stiffnesses per metre of length.";
+  return run.find("contact.space.approach") ? "The contact at its working load."
+                                            : "The contact at its working load, stiffnesses per metre of length.";
 }
 
 bool has_chatter(const Run &run)
@@ -79,7 +80,13 @@ std::string what_is_left_out(const Run &run)
            "any "
            "rate and temperature, friction one law along the whole arc; lubricant and heat are not followed. No "
            "published experiment stands beside these numbers.";
-  return "The contact is elastic, smooth and free of friction; the cylinders are long, in plane strain.";
+  if (run.find("contact.space.approach"))
+    return "The contact is elastic and smooth, and small against both bodies, each of which is a half space: its "
+           "far side, its supports and, beyond the end of a face, its missing half are not seen. Friction acts "
+           "only "
+           "under the tangential load; no oil film, no roughness.";
+  return "The contact is elastic and smooth; the bodies are long, in plane strain. Friction acts only under a "
+         "tangential load.";
 }
 }  // namespace
 

@@ -127,6 +127,14 @@ const Words aspects[] = {
     {"half_width",               "half width of the contact at mid-length"                 },
     {"peak_pressure",            "largest contact pressure at mid-length"                  },
     {"approach",                 "approach of the two roll axes"                           },
+    {"loaded_length",            "length that carries"                                     },
+    {"line_load_ratio",          "largest load per length over the mean"                   },
+    {"edge_factor",              "largest pressure over that at mid-length"                },
+    {"moment",                   "moment about mid-length"                                 },
+    {"stick_half_width",         "half width of what sticks"                               },
+    {"tangential_displacement",  "tangential displacement"                                 },
+    {"tangential_stiffness",     "tangential stiffness before any slip"                    },
+    {"tangential_tangent",       "tangential stiffness at the tangential load"             },
     {"line_load",                "load per length"                                         },
     {"bite",                     "bite"                                                    },
     {"force",                    "roll force"                                              },
@@ -282,6 +290,6 @@ std::string contact_title(const std::string &contact)
     return "upper contact (K3)";
   if (contact == "lower")
     return "lower contact (K5)";
-  return contact == "line" ? "line contact" : "contact " + contact;
+  return contact == "line" ? "line contact" : contact == "space" ? "contact in space" : "contact " + contact;
 }
 }  // namespace mill::report

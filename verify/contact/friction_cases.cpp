@@ -1,6 +1,6 @@
-#include "contact/friction.h"
 #include "contact/half_space.h"
 #include "contact/hertz.h"
+#include "contact/partial_slip.h"
 #include "core/case/errors.h"
 #include "core/model/case.h"
 #include "verify/units.h"
@@ -18,65 +18,6 @@ using namespace contact;
 Check at_least(const std::string &quantity, const std::string &unit, const double result, const double limit)
 {
   return {quantity, unit, result, limit, 0, Judged::at_least};
-}
-
-// Least-squares line  square = top - slope x^2  through squares of tractions.
-struct ContactEllipse {
-  double top, slope;
-  double edge() const  // where it is zero
-  {
-    return std::sqrt(top / slope);
-  }
-  double at(const double x) const
-  {
-    return std::sqrt(std::max(0., top - slope * x * x));
-  }
-};
-
-ContactEllipse ellipse_through(const std::vector<double> &x, const std::vector<double> &values)
-{
-  Eigen::MatrixXd A(x.size(), 2);
-  Eigen::VectorXd b(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    A.row(Eigen::Index(i)) << 1, -x[i] * x[i];
-    b[Eigen::Index(i)] = values[i] * values[i];
-  }
-  const Eigen::Vector2d line = (A.transpose() * A).inverse() * (A.transpose() * b);
-  return {line[0], line[1]};
-}
-
-// A partial slip contact read off the nodes: c is where  mu p - t  vanishes, and its square is linear in x^2
-// inside (that is the Cattaneo-Mindlin traction); so c is finer than the grid.
-struct Slip {
-  double stick;          // m, half width or radius of what sticks
-  double at_stick_edge;  // Pa, traction there, by the tractions of the nodes that slip
-};
-
-Slip read_slip(const FrictionState &s, const Eigen::VectorXd &distance, const Eigen::VectorXd &along,
-               const double mu, const double area)
-{
-  const int n = int(s.status.size());
-  std::vector<double> stuck, difference, sliding, traction;
-  double last_stuck = 0, last_sliding = 0;
-  for (int i = 0; i < n; ++i) {
-    if (s.status[i] == Status::stick)
-      last_stuck = std::max(last_stuck, distance[i]);
-    if (s.status[i] == Status::slip)
-      last_sliding = std::max(last_sliding, distance[i]);
-  }
-  // The outermost element of either kind covers the edge only partly: not used.
-  for (int i = 0; i < n; ++i) {
-    if (s.status[i] == Status::stick && distance[i] < 0.97 * last_stuck) {
-      stuck.push_back(distance[i]);
-      difference.push_back((mu * s.nodal[i] - along[i]) / area);
-    }
-    if (s.status[i] == Status::slip && distance[i] < 0.98 * last_sliding) {
-      sliding.push_back(distance[i]);
-      traction.push_back(along[i] / area);
-    }
-  }
-  const double c = ellipse_through(stuck, difference).edge();
-  return {c, ellipse_through(sliding, traction).at(c)};
 }
 
 // Tangential compliance of the state against the central difference of the curve itself, both steps from the same
@@ -103,40 +44,11 @@ double tangent_over_difference(const FrictionProblem &p, const Drive &normal, co
 // --- Cattaneo: cylinder on a flat, plane strain
 // -------------------------------------------------------------------
 
-struct StripContact {
-  FrictionProblem problem;
-  Eigen::VectorXd x;  // m
-  double width;       // m, of a strip
-};
-
 StripContact cylinder_on_flat(const int n, const double reach, const double radius, const double mu)
 {
-  const auto bodies = half_spaces(steel, steel);
-  const double half = reach / n;
-  StripContact out{
-      {Eigen::MatrixXd::Zero(2 * n, 2 * n),
-       Eigen::MatrixXd::Zero(2 * n, 2),
-       {},
-       Eigen::VectorXd(n),
-       Eigen::VectorXd::Constant(n, mu)},
-      Eigen::VectorXd(n),
-      2 * half
-  };
-  FrictionProblem &p = out.problem;
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      const Eigen::Matrix2d k = strip_influence(bodies, half, 2 * half * (i - j), 100 * mm);
-      p.C(i, j)               = k(1, 1) / out.width;
-      p.C(n + i, n + j)       = k(0, 0) / out.width;
-      p.C(i, n + j)           = k(1, 0) / out.width;
-      p.C(n + i, j)           = k(0, 1) / out.width;
-    }
-    out.x[i]         = (2 * i - n + 1) * half;
-    p.initial_gap[i] = out.x[i] * out.x[i] / (2 * radius);
-  }
-  p.G.col(0).head(n).setOnes();
-  p.G.col(1).tail(n).setOnes();
-  return out;
+  return strip_contact(
+      half_spaces(steel, steel), [radius](const double x) { return x * x / (2 * radius); }, reach, n, 100 * mm,
+      mu);
 }
 
 std::vector<Check> cattaneo()
@@ -160,13 +72,12 @@ std::vector<Check> cattaneo()
     const Drive drive{Eigen::Vector2d(P, r.ratio * mu * P), {}};
     const FrictionState &s      = solver.advance(drive);
     const Eigen::VectorXd along = s.nodal.tail(n);
-    const Slip slip             = read_slip(s, contact.x.cwiseAbs(), along, mu, contact.width);
+    const StickEdge slip        = stick_edge(s, contact.x.cwiseAbs(), along, mu, contact.width);
     const std::string name      = r.name;
     checks.push_back(relative(name + "c/b", "-", slip.stick / (0.742790 * mm), r.stick, 0.02));
     checks.push_back(
         relative(name + "traction in the middle", "MPa", along[n / 2] / contact.width / MPa, r.middle, 0.02));
-    checks.push_back(
-        relative(name + "traction at the edge of stick", "MPa", slip.at_stick_edge / MPa, r.edge, 0.02));
+    checks.push_back(relative(name + "traction at the edge of stick", "MPa", slip.traction / MPa, r.edge, 0.02));
     residual = std::max(residual, s.residual);
     work     = std::min(work, s.dissipated);
   }
@@ -192,70 +103,21 @@ std::vector<Check> cattaneo()
 // --- Mindlin: sphere on a flat
 // --------------------------------------------------------------------------------------
 
-struct SquareContact {
-  FrictionProblem problem;
-  Eigen::VectorXd r;  // (n) m, distance from the middle
-  double area;        // m^2, of a square
-};
-
-// A quarter x, y > 0 of squares inside `reach`; pressures and t_x are even about both axes, t_y is odd.
-SquareContact sphere_on_flat(const int per_side, const double reach, const double radius, const double mu)
+// A quarter x, z > 0 of squares inside `reach`.
+RectangleContact sphere_on_flat(const int per_side, const double reach, const double radius, const double mu)
 {
-  const auto bodies = half_spaces(steel, steel);
-  const double h    = reach / per_side;
-  std::vector<Eigen::Vector2d> place;
-  for (int j = 0; j < per_side; ++j)
-    for (int i = 0; i < per_side; ++i)
-      if (Eigen::Vector2d(i + 0.5, j + 0.5).norm() * h <= reach)
-        place.emplace_back((i + 0.5) * h, (j + 0.5) * h);
-  const int n = int(place.size()), wide = 2 * per_side;
-  std::vector<Eigen::Matrix3d> influence(wide * wide);  // of whole steps in x and y, both signs by symmetry below
-  for (int j = 0; j < wide; ++j)
-    for (int i = 0; i < wide; ++i)
-      influence[j * wide + i] = rectangle_influence(bodies, {h / 2, h / 2}, i * h, j * h);
-  const auto kernel = [&](const Eigen::Vector2d &d) {
-    const int i = int(std::lround(std::abs(d[0]) / h)), j = int(std::lround(std::abs(d[1]) / h));
-    Eigen::Matrix3d k = influence[j * wide + i];
-    const double turn = (d[0] < 0 ? -1 : 1) * (d[1] < 0 ? -1 : 1);  // x y / r^3 is odd in both
-    k(0, 1) *= turn;
-    k(1, 0) *= turn;
-    return k;
+  const auto gap = [=](const double x, const double z) {
+    const double r = std::hypot(x, z);
+    return r <= reach ? r * r / (2 * radius) : std::numeric_limits<double>::infinity();
   };
-  SquareContact out{
-      {Eigen::MatrixXd::Zero(3 * n, 3 * n),
-       Eigen::MatrixXd::Zero(3 * n, 2),
-       {},
-       Eigen::VectorXd(n),
-       Eigen::VectorXd::Constant(n, mu)},
-      Eigen::VectorXd(n),
-      h * h
-  };
-  FrictionProblem &p = out.problem;
-  for (int a = 0; a < n; ++a) {
-    for (int b = 0; b < n; ++b)
-      for (const double sx : {1., -1.})
-        for (const double sy : {1., -1.}) {
-          const Eigen::Matrix3d k =
-              kernel(place[a] - Eigen::Vector2d(sx * place[b][0], sy * place[b][1])) / out.area;
-          p.C(a, b) += k(2, 2);
-          p.C(n + a, n + b) += k(0, 0);
-          p.C(n + a, 2 * n + b) += k(0, 1) * sx * sy;
-          p.C(2 * n + a, n + b) += k(1, 0);
-          p.C(2 * n + a, 2 * n + b) += k(1, 1) * sx * sy;
-        }
-    out.r[a]         = place[a].norm();
-    p.initial_gap[a] = out.r[a] * out.r[a] / (2 * radius);
-  }
-  p.G.col(0).head(n).setOnes();
-  p.G.col(1).segment(n, n).setOnes();
-  return out;
+  return rectangle_contact(half_spaces(steel, steel), gap, {reach, reach, per_side, per_side, true, true, false},
+                           mu);
 }
 
 std::vector<Check> mindlin()
 {
   constexpr double mu = 0.3, P = 1000;
   const auto contact = sphere_on_flat(26, 0.430 * mm, 10 * mm, mu);
-  const int n        = int(contact.r.size());
   FrictionSolver solver(contact.problem);
   std::vector<Check> checks;
   const Drive normal{Eigen::Vector2d(P / 4, 0), {}};  // a quarter carries a quarter
@@ -274,7 +136,8 @@ std::vector<Check> mindlin()
            Row{0.5,  "Q/(mu P) 0.5: ",  0.793701, 2.17921}
   }) {
     const FrictionState &s = solver.advance({Eigen::Vector2d(P / 4, r.ratio * mu * P / 4), {}});
-    const Slip slip        = read_slip(s, contact.r, s.nodal.segment(n, n), mu, contact.area);
+    const StickEdge slip =
+        stick_edge(s, contact.place.rowwise().norm(), along_motion(contact, s), mu, contact.area);
     const std::string name = r.name;
     checks.push_back(relative(name + "c/a", "-", slip.stick / (0.402073 * mm), r.stick, 0.02));
     checks.push_back(relative(name + "tangential approach", "um", s.motion[1] / um, r.approach, 0.01));

@@ -83,10 +83,13 @@ Texts texts_of(const FourHigh &stand)
 Texts texts_of(const TwoCylinders &pair)
 {
   Texts texts;
-  for (const double diameter : {pair.upper_diameter, pair.lower_diameter}) {
-    const PlannedRoll plan = planned_cylinder(pair, diameter);
+  for (const RoundBody *body : {&pair.upper, &pair.lower}) {
+    if (body->plane() || body->rigid || pair.in_space)
+      continue;
+    const PlannedRoll plan = planned_cylinder(pair, body->diameter);
     for (const bool companion : {false, true})
-      texts["rolls"] += roll_inputs(plan.geometry, plan.size, pair.steel, {true, false, false}, companion);
+      texts["rolls"] +=
+          roll_inputs(plan.geometry, plan.size, material_of(*body, pair.steel), {true, false, false}, companion);
   }
   return texts;
 }
@@ -327,11 +330,26 @@ TEST(CacheKeys, EveryRowOfAFourHighEntersOrIsKnownNotTo)
 
 TEST(CacheKeys, EveryRowOfTheOtherKindsEntersOrIsKnownNotTo)
 {
+  // Rows of a contact in space are refused in plane strain; friction and the depth of a plane belong to half
+  // planes, which are not kept; a cylinder with a diameter is no plane.
+  const std::string beside_the_mesh = " friction tangential_load plane_depth";
+  const std::string of_a_face =
+      "shape length crown_radius profile profile_length profile_drop profile_load profile_table";
+  const auto in_space =
+      std::vector<std::string>{"contact.space.*"} + of("upper", of_a_face) + of("lower", of_a_face);
   expect_followed(
       {
           "cases/two-cylinders.toml", {}
   },
-      {{"rolls", head + of("steel", no_inertia) + of("contact.line", "length at samples")}});
+      {{"rolls",
+        head + of("steel", no_inertia) + of("contact.line", "length at samples" + beside_the_mesh) + in_space}});
+  // Without a tangential load friction has no effect, and says so.
+  expect_followed(
+      {
+          "cases/two-cylinders.toml", {"contact.line.friction=0.2", "contact.line.tangential_load=100 N/mm"}
+  },
+      {{"rolls",
+        head + of("steel", no_inertia) + of("contact.line", "length at samples" + beside_the_mesh) + in_space}});
   // [model] says law and rings of the bearing again.
   const auto bearing =
       head + std::vector<std::string>{"dynamics.*", "published.*"} + of("bearing.trb", "type roller_law rings") +

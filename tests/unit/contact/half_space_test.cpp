@@ -348,6 +348,27 @@ TEST(HalfSpaceContact, SmoothTangentLiesAmongTheSteps)
   EXPECT_NEAR(contact.at_load(1000).set_tangent / hertz.tangent, 1, 2e-2);
 }
 
+TEST(HalfSpaceContact, BothSidesAreTheQuarterTwice)
+{
+  const double a = hertz_point(1000, 0.01, 0.01, contact_modulus(pair)).semi_x;
+  const int n    = 10;
+  const auto on  = [&](const GapShape &gap) {
+    QuarterGrid both{1.2 * a / n, n, Eigen::VectorXd::LinSpaced(2 * n + 1, -1.2 * a, 1.2 * a)};
+    both.half = true;
+    return HalfSpaceContact(pair, both, gap).at_load(1000);
+  };
+  const HalfSpaceState half = on(sphere), quarter = small_sphere(n).at_load(1000);
+  EXPECT_NEAR(half.approach / quarter.approach, 1, 1e-11);
+  EXPECT_NEAR(half.set_tangent / quarter.set_tangent, 1, 1e-11);
+  EXPECT_NEAR(half.moment / (1000 * a), 0, 1e-12);
+  // A tilted sphere rolls: the contact is one row further along, the same to the last digits, and its moment that
+  // of the load there.
+  const double step           = 0.12 * a;
+  const HalfSpaceState rolled = on([&](const double x, const double z) { return sphere(x, z) - step / 0.01 * z; });
+  EXPECT_NEAR(rolled.moment / (1000 * step), 1, 1e-9);
+  EXPECT_NEAR((rolled.approach + step * step / 0.02) / quarter.approach, 1, 1e-9);
+}
+
 TEST(HalfSpaceContact, SaysWhatIsWrong)
 {
   const QuarterGrid narrow{1e-5, 10, Eigen::VectorXd::LinSpaced(11, 0, 1e-3)};  // 0.1 mm for a contact of 0.4 mm

@@ -124,8 +124,8 @@ TEST_F(Cases, ThePublishedModelHasThePublishedNumbers)
 TEST_F(Cases, TwoCylinders)
 {
   const auto pair = std::get<TwoCylinders>(read_case("cases/two-cylinders.toml").spec);
-  EXPECT_EQ(pair.upper_diameter, 0.4);
-  EXPECT_EQ(pair.lower_diameter, 1.3);
+  EXPECT_EQ(pair.upper.diameter, 0.4);
+  EXPECT_EQ(pair.lower.diameter, 1.3);
   EXPECT_EQ(pair.steel.poisson_ratio, 0.3);
   EXPECT_EQ(pair.contact.length, 0.1);
   EXPECT_EQ(pair.contact.loads[0], 200e3);
@@ -261,7 +261,7 @@ TEST_F(Cases, TheEchoKeepsEveryDigit)
     const Case first = read_case(file("a.toml", text), {set});
     const Case again = read_case(file("b.toml", first.resolved));
     EXPECT_TRUE(
-        same(std::get<TwoCylinders>(first.spec).upper_diameter, std::get<TwoCylinders>(again.spec).upper_diameter))
+        same(std::get<TwoCylinders>(first.spec).upper.diameter, std::get<TwoCylinders>(again.spec).upper.diameter))
         << set << ", seed " << seed;
   }
 }
@@ -269,7 +269,7 @@ TEST_F(Cases, TheEchoKeepsEveryDigit)
 TEST_F(Cases, OverridesGoThroughTheSameRows)
 {
   const Case c = read_case("cases/two-cylinders.toml", {"upper.diameter=0.5 m", "contact.line.samples=30"});
-  EXPECT_EQ(std::get<TwoCylinders>(c.spec).upper_diameter, 0.5);
+  EXPECT_EQ(std::get<TwoCylinders>(c.spec).upper.diameter, 0.5);
   EXPECT_EQ(std::get<TwoCylinders>(c.spec).contact.samples, 30);
   EXPECT_EQ(c.places.at("upper.diameter").file, "--set upper.diameter=0.5 m");
   try {

@@ -85,8 +85,15 @@ std::string text_of(const Case &the_case, const std::string &name)
     return roller_inputs(bearing, 1e5) + ring_inputs(bearing) + record_text(spec->load.loads);
   }
   if (const auto *pair = std::get_if<TwoCylinders>(&the_case.spec)) {
-    const auto plan         = planned_cylinder(*pair, pair->upper_diameter);
-    const std::string rolls = roll_inputs(plan.geometry, plan.size, pair->steel, {true, false, false}, false);
+    if (pair->in_space)  // kept nowhere: every row that the grids are made from
+      return record_text(pair->space.rectangles, pair->space.tilt);
+    std::string rolls;
+    for (const RoundBody *body : {&pair->upper, &pair->lower})
+      if (!body->plane() && !body->rigid) {
+        const auto plan = planned_cylinder(*pair, body->diameter);
+        rolls +=
+            roll_inputs(plan.geometry, plan.size, material_of(*body, pair->steel), {true, false, false}, false);
+      }
     return name == "contact.line.tangent" ? rolls + record_text(pair->contact.samples) : rolls;
   }
   return "";
@@ -246,6 +253,13 @@ TEST(Provenance, OfAStandWithADrawnFrameAndGivenSprings)
 TEST(Provenance, OfTheOtherKinds)
 {
   expect_complete({"cases/two-cylinders.toml", {}}, {});
+  // A face as long as the examples does not cut the ellipse; a profile needs a length beside it, a cylinder a
+  // diameter.
+  expect_complete(
+      {
+          "cases/elliptic-contact.toml", {}
+  },
+      {{"upper.length", "lower.length", "upper.profile", "lower.profile", "lower.shape"}, {}});
   // The springs to the ground move the highest modes by less than their rounding.
   expect_complete(
       {

@@ -1,0 +1,141 @@
+#include "core/records/csv.h"
+#include "tests/support/near.h"
+#include "tests/support/program.h"
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+// Two bodies of revolution as a user meets them: cases against references that stand in their comments, and the
+// engine against the closed form beside it.
+namespace {
+nlohmann::json run(const std::string &what, const std::string &name, const std::string &more = "")
+{
+  const std::string out = scratch(name);
+  const auto outcome    = millstand("run " + what + " -q -o " + out + " --cache " + scratch("cache") + " " + more);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return nlohmann::json::parse(std::ifstream(out + "/results.json")).at("values");
+}
+
+double of(const nlohmann::json &values, const std::string &name, const char *member = "value")
+{
+  return values.at(name).at(member).get<double>();
+}
+
+double check_of(const nlohmann::json &values, const std::string &name, const std::string &check)
+{
+  for (const auto &c : values.at(name).at("checks"))
+    if (c.at("name") == check)
+      return c.at("value");
+  ADD_FAILURE() << name << " has no check " << check;
+  return 0;
+}
+
+const std::string few = "--set contact.space.samples=5 ";
+}  // namespace
+
+TEST(Bodies, AnEllipticContactIsHertz)
+{
+  const auto values = run("cases/elliptic-contact.toml", "ellipse", few);
+  // contact.md 8.3, H3; the fit of a half width on 12 rectangles and the mean pressure of one decide.
+  EXPECT_TRUE(near(of(values, "contact.space.half_width"), 0.356034e-3, within(0.005, "12 rectangles, by a fit")));
+  EXPECT_TRUE(
+      near(of(values, "contact.space.loaded_length"), 2 * 0.5646e-3, within(0.005, "12 rectangles, by a fit")));
+  EXPECT_TRUE(near(of(values, "contact.space.peak_pressure"), 2375.252e6, within(0.002, "by a fit")));
+  EXPECT_TRUE(near(of(values, "contact.space.approach"), 14.3073e-6, within(2e-4, "second order")));
+  EXPECT_TRUE(near(of(values, "contact.space.tangent"), 104.841e6, within(0.001, "parabola through nine loads")));
+  EXPECT_TRUE(near(check_of(values, "contact.space.approach", "Hertz, ellipse (10.5)"), 14.3073e-6,
+                   within(1e-5, "printed with six digits")));
+  for (const char *name : {"half_width", "peak_pressure", "approach", "tangent"}) {
+    const std::string full = std::string("contact.space.") + name;
+    EXPECT_GE(of(values, full, "error_estimate"),
+              std::abs(of(values, full) / check_of(values, full, "Hertz, ellipse (10.5)") - 1) * 0.99)
+        << full;
+  }
+}
+
+TEST(Bodies, ASphereInPartialSlipIsMindlin)
+{
+  const auto values = run("cases/partial-slip.toml", "slip", few);
+  // contact.md 8.5, Q/(mu P) = 0.5.
+  EXPECT_TRUE(near(of(values, "contact.space.stick_half_width"), 0.793701 * 0.402073e-3,
+                   within(0.01, "16 rectangles on the radius, by a fit")));
+  EXPECT_TRUE(
+      near(of(values, "contact.space.tangential_displacement"), 2.17921e-6, within(0.005, "16 on a radius")));
+  EXPECT_TRUE(near(of(values, "contact.space.tangential_stiffness"), 76.412e6, within(0.01, "singular rim")));
+}
+
+TEST(Bodies, ARollerMeetsLundbergAndSaysWhatASharpEndIs)
+{
+  // contact.md 8.7.
+  const auto log = run("cases/tilted-roller.toml", "log",
+                       few + "--set contact.space.tilt='0 mrad' --set upper.profile_load='20000 N'");
+  EXPECT_TRUE(near(of(log, "contact.space.approach"), 17.1535e-6, within(0.003, "asked of case roller-log")));
+  EXPECT_TRUE(near(of(log, "contact.space.line_load_ratio"), 1.023, within(0.015, "grids differ by a percent")));
+  const auto sharp =
+      run("cases/tilted-roller.toml", "sharp", few + "--set contact.space.tilt='0 mrad' --set upper.profile=none");
+  EXPECT_TRUE(near(of(sharp, "contact.space.approach"), 16.12e-6, within(0.003, "asked of case roller-sharp")));
+  EXPECT_FALSE(sharp.contains("contact.space.edge_factor")) << "the largest pressure there is the grid's";
+  EXPECT_FALSE(sharp.contains("contact.space.line_load_ratio"));
+}
+
+TEST(Bodies, ATiltedCrownRolls)
+{
+  const auto values = run("cases/elliptic-contact.toml", "rolled", few + "--set contact.space.tilt='10 mrad'");
+  EXPECT_TRUE(
+      near(of(values, "contact.space.moment"), 1000 * 0.010 * 0.020, within(1e-4, "P theta R, grid moved along")));
+  EXPECT_TRUE(near(of(values, "contact.space.approach"), 14.3073e-6, within(2e-4, "the same contact elsewhere")));
+}
+
+TEST(Bodies, ARollOnARigidPlateIsHalfOfTwo)
+{
+  // contact.md 8.4, disc R 50 between rigid plates, q 1000 N/mm: both plates 30.0268 um.
+  const auto values = run("cases/two-cylinders.toml", "plate",
+                          "--set upper.diameter='100 mm' --set lower='{shape = \"plane\", rigid = true}' --set "
+                          "contact.line.samples=8");
+  EXPECT_TRUE(
+      near(of(values, "contact.line.approach"), 0.5 * 30.0268e-6, within(0.003, "asked of case disc-r50")));
+  EXPECT_TRUE(near(of(values, "contact.line.half_width"), 0.525232e-3, within(0.005, "asked of case disc-r50")));
+  EXPECT_TRUE(near(of(values, "contact.line.peak_pressure"), 1212.074e6, within(0.005, "asked of case disc-r50")));
+  EXPECT_TRUE(near(check_of(values, "contact.line.approach", "half planes, boundary elements (sec. 33.2)"),
+                   0.5 * 30.0268e-6, within(5e-4, "second order")));
+}
+
+TEST(Bodies, UnlikeCylindersSlipBesideCattaneo)
+{
+  const std::string material =
+      "--set upper='{diameter = \"400 mm\", youngs_modulus = \"310 GPa\", poisson_ratio = 0.24}' ";
+  const auto values =
+      run("cases/two-cylinders.toml", "unlike",
+          material + "--set contact.line.friction=0.3 --set contact.line.tangential_load='150 N/mm' "
+                     "--set contact.line.samples=8");
+  for (const char *name : {"half_width", "peak_pressure"})
+    EXPECT_TRUE(
+        near(of(values, std::string("contact.line.") + name),
+             check_of(values, std::string("contact.line.") + name, name[0] == 'h' ? "Hertz (3.2)" : "Hertz (3.3)"),
+             within(0.005, "as of equal cylinders")));
+  EXPECT_TRUE(near(of(values, "contact.line.approach"),
+                   check_of(values, "contact.line.approach", "Johnson, axis to axis (3.4)"),
+                   within(0.003, "as of equal cylinders")));
+  EXPECT_TRUE(near(of(values, "contact.line.stick_half_width"),
+                   check_of(values, "contact.line.stick_half_width", "Cattaneo (33.5)"),
+                   within(0.06, "unlike materials couple pressure and shear: beta about 0.03; strips of b/64")));
+  const mill::Table width = mill::read_table(scratch("unlike") + "/curves/contact-line-width.csv");
+  ASSERT_TRUE(width.column("shear") && width.column("friction_limit"));
+  EXPECT_LE((*width.column("shear") - *width.column("friction_limit")).maxCoeff(), 1.0)
+      << "Pa: never above the limit";
+  const double step = (*width.column("x"))[1] - (*width.column("x"))[0];
+  EXPECT_TRUE(near(width.column("shear")->sum() * step, 150e3, within(1e-9, "shear carries the tangential load")));
+}
+
+TEST(Bodies, ATiltThatLiftsHalfTheFaceOffIsRefused)
+{
+  const auto outcome = millstand("check cases/tilted-roller.toml --set contact.space.tilt='20 mrad'");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(
+      outcome.err.find("contact.space.tilt = 20 mrad lifts the faces off over more than half of the contact at "
+                       "5000 N, the least of loads ("),
+      std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("mm carry); lower it, or raise loads"), std::string::npos) << outcome.err;
+}
