@@ -9,16 +9,16 @@ namespace {
 using FrictionConstants = Friction;
 
 // clang-format off: lists of lists of different lengths crash clang-format 14 with AlignArrayOfStructures
-//                        name       needs                                   may   number
+//                        name       needs                                   may   number, scales
 //                        slides, needs_speed, follows_bite, film
-const FrictionRow coulomb{"coulomb", {&FrictionConstants::coefficient}, {}, {&FrictionConstants::coefficient},
+const FrictionRow coulomb{"coulomb", {&FrictionConstants::coefficient}, {}, {&FrictionConstants::coefficient}, {&FrictionConstants::coefficient},
                           true,   false,       false,        false};
-const FrictionRow factor{ "factor",  {&FrictionConstants::entry_factor, &FrictionConstants::exit_factor}, {}, {&FrictionConstants::entry_factor, &FrictionConstants::exit_factor},
+const FrictionRow factor{ "factor",  {&FrictionConstants::entry_factor, &FrictionConstants::exit_factor}, {}, {&FrictionConstants::entry_factor, &FrictionConstants::exit_factor}, {&FrictionConstants::entry_factor, &FrictionConstants::exit_factor},
                           false,  false,       false,        false};
-const FrictionRow speed{  "speed",   {&FrictionConstants::at_unit_speed}, {&FrictionConstants::scale, &FrictionConstants::per_log_speed}, {},
+const FrictionRow speed{  "speed",   {&FrictionConstants::at_unit_speed}, {&FrictionConstants::scale, &FrictionConstants::per_log_speed}, {}, {&FrictionConstants::scale},
                           true,   true,        false,        false};
 const FrictionRow film{   "film",    {&FrictionConstants::mu0, &FrictionConstants::mu1, &FrictionConstants::decay, &FrictionConstants::viscosity, &FrictionConstants::pressure_viscosity},
-                          {&FrictionConstants::film_factor}, {},
+                          {&FrictionConstants::film_factor}, {}, {&FrictionConstants::mu0, &FrictionConstants::mu1},
                           true,   true,        true,         true};
 // clang-format on
 
@@ -163,6 +163,13 @@ Friction as_number(const Friction &friction, const double mu)
   plain.law         = FrictionLaw::coulomb;
   plain.coefficient = mu;
   return plain;
+}
+
+Friction scaled(Friction friction, const double factor)
+{
+  for (const auto constant : row_of(friction.law).scales)
+    friction.*constant *= factor;
+  return friction;
 }
 
 double plain_coefficient(const Friction &friction)

@@ -90,6 +90,8 @@ std::string tiles(const Run &run)
   else if (run.manifest.kind == "bite") {
     all += tile(run.find("K4.combined"), "K4, strip and both arcs") +
            tile(run.find("K4.plastic_slope"), "K4, plastic slope");
+    all += tile(run.find("bite.fit.friction"), "friction, fitted") +
+           tile(run.find("bite.fit.flow_stress_factor"), "flow stress, factor fitted");
     for (const Result &result : run.results)
       if (is_of(result.name, family::bite) && !is_of_one_model(result.name))
         for (const char *quantity : {"force", "torque", "forward_slip"})
