@@ -3,6 +3,7 @@
 #include "bite/slab/karman.h"
 #include "bite/slab/karman_arc.h"
 #include "core/case/errors.h"
+#include "core/laws/scaled_friction.h"
 #include <Eigen/LU>
 #include <cmath>
 

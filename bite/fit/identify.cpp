@@ -1,4 +1,5 @@
 #include "bite/fit/identify.h"
+#include <optional>
 
 namespace mill::bite {
 namespace {
@@ -24,29 +25,40 @@ void keep_worst_known(FitAnswer &answer)
   answer.best = *fit_point(answer.problem, x);
 }
 
-bool told(const FitAnswer &answer, const bool one_number)
+// How far the worst known direction reaches at this point.
+double worst_deviation(const FitAnswer &answer)
 {
-  if (answer.problem.unknowns.size() == 1)
-    return true;
-  return !one_number && directions_of(answer.best).front().deviation <= told_apart;
+  return answer.problem.unknowns.size() == 1 ? 0 : directions_of(answer.best).front().deviation;
+}
+
+// The fit with the number kept that is not told; nothing where the data refuse the case's value for it: slopes
+// that vanish at the fitted point, next to skidding, do not yet leave it open.
+std::optional<FitAnswer> without_worst_known(const FitAnswer &answer)
+{
+  constexpr double refused = 3.84;  // chi-square of one number at 95 %
+  FitAnswer other          = answer;
+  other.best               = feasible_start(answer.problem);
+  other.best.slope         = answer.best.slope;  // says which number it is
+  keep_worst_known(other);
+  other.best = least_misfit(other.problem, other.best);
+  return other.best.misfit - answer.best.misfit > refused ? std::nullopt : std::optional(std::move(other));
 }
 }  // namespace
 
 FitAnswer identify(FitProblem problem, const bool one_number)
 {
+  constexpr double endless = 10;  // a step along such a direction leads anywhere
   FitAnswer answer;
   answer.problem = std::move(problem);
   answer.best    = feasible_start(answer.problem);
-  while (!told(answer, one_number))  // before the first step: a direction without end leads anywhere
+  while (answer.problem.unknowns.size() > 1 && (one_number || worst_deviation(answer) > endless))
     keep_worst_known(answer);
   answer.best = least_misfit(answer.problem, answer.best);
-  while (!told(answer, one_number)) {
-    FitAnswer again  = answer;
-    again.best       = feasible_start(again.problem);  // the number to keep is that of the case
-    again.best.slope = answer.best.slope;
-    keep_worst_known(again);
-    again.best = least_misfit(again.problem, again.best);
-    answer     = std::move(again);
+  while (worst_deviation(answer) > told_apart) {
+    auto other = without_worst_known(answer);
+    if (!other)
+      break;
+    answer = std::move(*other);
   }
   return answer;
 }

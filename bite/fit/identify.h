@@ -21,7 +21,7 @@ struct FitAnswer {
 constexpr double told_apart = 0.25;
 
 /// Least misfit over the unknowns that the data tell apart; the number with the largest share in a direction that
-/// they do not know keeps its value.
+/// they do not know keeps its value, unless they refuse that value.
 /// @param one_number  measured values of one kind: one unknown is left, whatever the passes seem to tell
 /// @throws InputError   a pass that no friction and no flow stress makes possible
 /// @throws SolverError  as least_misfit

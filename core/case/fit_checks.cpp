@@ -1,4 +1,5 @@
 #include "core/case/stand_reader.h"
+#include "core/laws/scaled_friction.h"
 #include "core/records/result_names.h"
 #include <algorithm>
 #include <cmath>
@@ -83,8 +84,7 @@ void check_start(const BiteSetup &setup, const Friction &friction, Reading &read
 {
   const bool wanted =
       setup.fit_for.empty() ? has(setup.fit, "slip") || setup.fit.size() > 1 : has(setup.fit_for, "friction");
-  const auto &scales = row_of(friction.law).scales;
-  if (!wanted || std::any_of(scales.begin(), scales.end(), [&](const auto c) { return friction.*c != 0; }))
+  if (!wanted || !is_zero(friction))
     return;
   const std::string key = reading.places.count("strip.friction") ? "strip.friction" : "strip.friction.law";
   contradict(reading, key, "is no friction to start the fit from; give a guess, for example 0.1", {"bite.fit"});
@@ -107,7 +107,7 @@ void check_fit(const BiteSetup &setup, const Strip &strip, const std::vector<Pas
     if (passes[i].name == bite_fit)
       contradict(reading, key("name"), "is the name under which bite.fit writes its results; take another",
                  {"bite.fit"});
-    if (passes[i].torque == 0)
+    if (passes[i].torque == 0 && has(setup.fit, "torque"))
       contradict(reading, key("torque"), "has no standard deviation as a share of it; leave it out", {"bite.fit"});
   }
   const std::size_t values = count_measured(setup, passes, reading);

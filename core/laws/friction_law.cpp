@@ -1,5 +1,6 @@
 #include "core/laws/friction_law.h"
 #include "core/case/errors.h"
+#include "core/laws/scaled_friction.h"
 #include <algorithm>
 
 #pragma GCC diagnostic error "-Wswitch"
@@ -9,16 +10,16 @@ namespace {
 using FrictionConstants = Friction;
 
 // clang-format off: lists of lists of different lengths crash clang-format 14 with AlignArrayOfStructures
-//                        name       needs                                   may   number, scales
+//                        name       needs                                   may   number
 //                        slides, needs_speed, follows_bite, film
-const FrictionRow coulomb{"coulomb", {&FrictionConstants::coefficient}, {}, {&FrictionConstants::coefficient}, {&FrictionConstants::coefficient},
+const FrictionRow coulomb{"coulomb", {&FrictionConstants::coefficient}, {}, {&FrictionConstants::coefficient},
                           true,   false,       false,        false};
-const FrictionRow factor{ "factor",  {&FrictionConstants::entry_factor, &FrictionConstants::exit_factor}, {}, {&FrictionConstants::entry_factor, &FrictionConstants::exit_factor}, {&FrictionConstants::entry_factor, &FrictionConstants::exit_factor},
+const FrictionRow factor{ "factor",  {&FrictionConstants::entry_factor, &FrictionConstants::exit_factor}, {}, {&FrictionConstants::entry_factor, &FrictionConstants::exit_factor},
                           false,  false,       false,        false};
-const FrictionRow speed{  "speed",   {&FrictionConstants::at_unit_speed}, {&FrictionConstants::scale, &FrictionConstants::per_log_speed}, {}, {&FrictionConstants::scale},
+const FrictionRow speed{  "speed",   {&FrictionConstants::at_unit_speed}, {&FrictionConstants::scale, &FrictionConstants::per_log_speed}, {},
                           true,   true,        false,        false};
 const FrictionRow film{   "film",    {&FrictionConstants::mu0, &FrictionConstants::mu1, &FrictionConstants::decay, &FrictionConstants::viscosity, &FrictionConstants::pressure_viscosity},
-                          {&FrictionConstants::film_factor}, {}, {&FrictionConstants::mu0, &FrictionConstants::mu1},
+                          {&FrictionConstants::film_factor}, {},
                           true,   true,        true,         true};
 // clang-format on
 
@@ -167,9 +168,32 @@ Friction as_number(const Friction &friction, const double mu)
 
 Friction scaled(Friction friction, const double factor)
 {
-  for (const auto constant : row_of(friction.law).scales)
-    friction.*constant *= factor;
+  switch (friction.law) {
+  case FrictionLaw::coulomb:
+    friction.coefficient *= factor;
+    break;
+  case FrictionLaw::factor:
+    friction.entry_factor *= factor;
+    friction.exit_factor *= factor;
+    break;
+  case FrictionLaw::speed:
+    friction.scale *= factor;
+    break;
+  case FrictionLaw::film:
+    friction.mu0 *= factor;
+    friction.mu1 *= factor;
+    break;
+  }
   return friction;
+}
+
+bool is_zero(const Friction &friction)
+{
+  const Friction other = scaled(friction, 2);
+  for (const FrictionConstant &constant : friction_constants())
+    if (other.*constant.member != friction.*constant.member)
+      return false;
+  return true;
 }
 
 double plain_coefficient(const Friction &friction)

@@ -81,7 +81,6 @@ struct FrictionRow {
   Constants needs;    ///< a case has to give them
   Constants may;      ///< read as well, with their defaults
   Constants number;   ///< those that are "the friction" where a single number is asked for; none: there is no such
-  Constants scales;   ///< a common factor on these is one on the friction stress
   bool slides;        ///< has a Coulomb coefficient; else friction stress over shear yield stress is given
   bool needs_speed;   ///< of the roll
   bool follows_bite;  ///< the coefficient depends on what the bite makes of it, and both are found together
@@ -123,9 +122,6 @@ Friction with_number(Friction friction, double number);
 
 /// The friction as a plain number: Coulomb's mu, or the factors as they are.
 Friction as_number(const Friction &friction, double mu);
-
-/// With the friction stress times a factor, whatever the law.
-Friction scaled(Friction friction, double factor);
 
 /// Coulomb's mu where the law is no more than that; nan: a pass has to say it, or there is none.
 double plain_coefficient(const Friction &friction);

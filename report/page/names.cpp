@@ -270,7 +270,7 @@ std::vector<Group> short_groups(const Run &run)
   if (run.manifest.kind == "chatter")
     return chatter_groups(run);
   Group contact{"Contact", {}}, stiffness{"Stiffness", {}}, mass{"Equivalent mass", {}},
-      frequency{"Natural frequency", {}};
+      frequency{"Natural frequency", {}}, fit{"Fit to measured values", {}};
   if (run.manifest.kind == "two-cylinders" || !chain_value(run, "K1"))
     for (const Result &result : run.results)
       if (is_of(result.name, family::contact))
@@ -285,8 +285,10 @@ std::vector<Group> short_groups(const Run &run)
     add(mass, run.find("M" + std::to_string(i)));
   for (int i = 1; i <= 6; ++i)
     add(frequency, run.find("f" + std::to_string(i)));
+  for (const char *number : {"friction", "friction_factor", "flow_stress_factor"})
+    add(fit, run.find(result_name({family::bite, bite_fit, number})));
   std::vector<Group> groups;
-  for (Group &group : {std::ref(contact), std::ref(stiffness), std::ref(mass), std::ref(frequency)})
+  for (Group &group : {std::ref(contact), std::ref(stiffness), std::ref(mass), std::ref(frequency), std::ref(fit)})
     if (!group.results.empty())
       groups.push_back(group);
   for (const Group &group : chatter_groups(run))
