@@ -14,7 +14,7 @@ using bite::FitAnswer;
 using bite::FitDatum;
 using bite::FitUnknown;
 using Eigen::Index;
-using Role = FitUnknown::Role;
+using UnknownRole = FitUnknown::Role;
 
 /// A fitted number as results call it.
 struct FittedNumber {
@@ -29,9 +29,9 @@ struct FittedNumber {
 FittedNumber number_of(const FitUnknown &unknown, const Strip &start)
 {
   const Friction &law = start.friction;
-  if (unknown.role == Role::flow_stress)
+  if (unknown.role == UnknownRole::flow_stress)
     return {"flow_stress_factor", "1", 1};
-  if (unknown.role == Role::friction)
+  if (unknown.role == UnknownRole::friction)
     return is_a_number(law) ? FittedNumber{"friction", "1", friction_value(law, law.coefficient)}
                             : FittedNumber{"friction_factor", "1", 1};
   for (const FrictionConstant &constant : friction_constants())
@@ -50,7 +50,7 @@ const Strip &start_of(const FitAnswer &answer)
   return answer.problem.passes.front().bite.strip;
 }
 
-std::optional<std::size_t> place_of(const FitAnswer &answer, const Role role)
+std::optional<std::size_t> place_of(const FitAnswer &answer, const UnknownRole role)
 {
   const auto &unknowns = answer.problem.unknowns;
   for (std::size_t i = 0; i < unknowns.size(); ++i)
@@ -138,7 +138,8 @@ void add_quality(RunContext &run, const StripFit &fit)
   const FitAnswer &answer = fit.answer;
   const auto data         = data_of(answer.problem);
   const Index n           = Index(answer.problem.unknowns.size());
-  const auto friction = place_of(answer, Role::friction), stress = place_of(answer, Role::flow_stress);
+  const auto friction     = place_of(answer, UnknownRole::friction),
+             stress       = place_of(answer, UnknownRole::flow_stress);
   if (friction && stress) {
     const Eigen::MatrixXd c = covariance_of(answer.best);
     const auto i = Index(*friction), j = Index(*stress);
@@ -268,7 +269,7 @@ void add_line(Table &table, const StripFit &fit, const std::size_t datum, const 
 {
   constexpr int points    = 21;
   const FitAnswer &answer = fit.answer;
-  const FitDatum &of      = data_of(answer.problem)[datum];
+  const FitDatum of       = data_of(answer.problem)[datum];
   const Eigen::Vector2d by(answer.best.slope(Index(datum), i), answer.best.slope(Index(datum), j));
   const Eigen::Vector2d foot = -answer.best.residual[Index(datum)] * by / by.squaredNorm();
   const Eigen::Vector2d along(-by[1] / by.norm(), by[0] / by.norm());
@@ -287,7 +288,8 @@ void add_line(Table &table, const StripFit &fit, const std::size_t datum, const 
 void write_fit(RunContext &run, const StripFit &fit)
 {
   const FitAnswer &answer = fit.answer;
-  const auto friction = place_of(answer, Role::friction), stress = place_of(answer, Role::flow_stress);
+  const auto friction     = place_of(answer, UnknownRole::friction),
+             stress       = place_of(answer, UnknownRole::flow_stress);
   if (!friction || !stress)
     return;
   constexpr int around       = 49;

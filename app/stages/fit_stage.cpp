@@ -154,7 +154,7 @@ void correct_by_run(RunContext &run, StripFit &fit)
     fit.last_change = correct(fit.answer.problem, fit.answer.best.x, values);
     if (const auto start = fit_point(fit.answer.problem, fit.answer.best.x))
       fit.answer.best = least_misfit(fit.answer.problem, *start);
-    if (round > 0 && fit.last_change < is_enough)
+    if (fit.last_change < is_enough)
       return;
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <optional>
 #include <random>
 
 // Friction and flow stress from measured force, forward slip and torque.
@@ -225,50 +226,72 @@ TEST(Fit, ChanceExceedsTheLikelyMisfitInOneOfAHundred)
   EXPECT_TRUE(near(bite::largest_likely_misfit(20), 37.566, within(0.005, "Wilson and Hilferty")));
 }
 
-// PL-7.  Three passes of one strip in each set, noise of 2 % on the force and 0.3 points on the slip.
-// MILLSTAND_FITS=100 runs the long form.
-TEST(Fit, TheTruthIsInsideTheIntervals)
+namespace {
+/// Three passes of one strip that exists, with noise; the case is off by up to a third in both numbers.
+struct NoisySet {
+  bite::FitProblem problem;
+  Eigen::Vector2d truth;
+};
+
+std::optional<NoisySet> drawn_set(std::mt19937 &random)
 {
-  const char *given = std::getenv("MILLSTAND_FITS");
-  const int sets    = given ? std::atoi(given) : 20;
-  std::mt19937 random(20261122);
   std::normal_distribution<double> noise;
   const auto uniform = [&](const double a, const double b) {
     return a + (b - a) * double(random()) / double(std::mt19937::max());
   };
-  int friction = 0, stress = 0, together = 0;
-  for (int s = 0; s < sets; ++s) {
-    const double entry = std::exp(uniform(std::log(0.8e-3), std::log(4e-3))), k = uniform(300e6, 900e6);
-    const double mu = uniform(0.05, 0.12);
-    // The case is off by up to a third in both numbers.
-    const Eigen::Vector2d truth(uniform(-0.3, 0.3), uniform(-0.3, 0.3));
-    bite::FitProblem problem;
-    problem.unknowns = unknowns(both);
+  const double entry = std::exp(uniform(std::log(0.8e-3), std::log(4e-3))), k = uniform(300e6, 900e6);
+  const double mu = uniform(0.05, 0.12);
+  NoisySet set;
+  set.truth[0]         = uniform(-0.3, 0.3);
+  set.truth[1]         = uniform(-0.3, 0.3);
+  set.problem.unknowns = unknowns(both);
+  try {
     for (const double reduction : {0.12, 0.2, 0.28}) {
-      auto one =
-          measured(pass(entry, entry * (1 - reduction), k, mu), both, truth, {Measured::force, Measured::slip});
+      auto one = measured(pass(entry, entry * (1 - reduction), k, mu), both, set.truth,
+                          {Measured::force, Measured::slip});
       one.value[0] *= 1 + 0.02 * noise(random);
       one.value[1] += 0.003 * noise(random);
       one.deviation[0] = 0.02 * one.value[0];
-      problem.passes.push_back(one);
+      set.problem.passes.push_back(one);
     }
-    auto answer = bite::identify(problem, false);
+  } catch (const std::runtime_error &) {  // no such pass
+    return std::nullopt;
+  }
+  return set;
+}
+
+int sets_wanted()
+{
+  const char *given = std::getenv("MILLSTAND_FITS");
+  return given ? std::atoi(given) : 20;
+}
+}  // namespace
+
+// PL-7: noise of 2 % on the force and 0.3 points on the slip.  MILLSTAND_FITS=100 runs the long form.
+TEST(Fit, TheTruthIsInsideTheIntervals)
+{
+  const int sets = sets_wanted();
+  std::mt19937 random(20261122);
+  int friction = 0, stress = 0, together = 0;
+  for (int s = 0; s < sets;) {
+    const auto set = drawn_set(random);
+    if (!set)
+      continue;
+    ++s;
+    auto answer = bite::identify(set->problem, false);
     ASSERT_EQ(answer.problem.unknowns.size(), 2u) << "set " << s;
     bite::find_intervals(answer);
     const auto holds = [&](const std::size_t i) {
-      return answer.intervals[i].low <= truth[Eigen::Index(i)] &&
-             truth[Eigen::Index(i)] <= answer.intervals[i].high;
+      const double truth = set->truth[Eigen::Index(i)];
+      return answer.intervals[i].low <= truth && truth <= answer.intervals[i].high;
     };
     friction += holds(0);
     stress += holds(1);
     together += holds(0) && holds(1);
   }
-  RecordProperty("friction_inside", friction);
-  RecordProperty("flow_stress_inside", stress);
-  RecordProperty("both_inside", together);
-  if (given)
+  if (std::getenv("MILLSTAND_FITS"))
     std::printf("%d sets: friction inside %d, flow stress %d, both %d\n", sets, friction, stress, together);
   EXPECT_GE(friction, 0.9 * sets);
   EXPECT_GE(stress, 0.9 * sets);
-  EXPECT_GE(together, 0.85 * sets) << "two intervals of 95 % hold together in some 91 of 100";
+  EXPECT_GE(together, 0.9 * sets);
 }
