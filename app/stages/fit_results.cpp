@@ -127,8 +127,8 @@ void add_numbers(RunContext &run, const StripFit &fit)
   }
   for (const bite::KeptUnknown &kept : answer.kept) {
     const FittedNumber number = number_of(kept.unknown, start_of(answer));
-    Parameter p               = plain(fit, number.unit, number.base, "not told by the measured values: kept");
-    p.source                  = Source::given;
+    Parameter p = plain(fit, number.unit, number.base, "kept, for the measured values do not tell it");
+    p.source    = Source::given;
     run.results.add(name_in_fit(number.name), p);
   }
 }
@@ -196,7 +196,7 @@ void note_kept(RunContext &run, const StripFit &fit)
               : data_text(fit.answer) + " give, as far as told apart,",
         number.name, short_number(number.base), direction_text(kept.direction, kept.among),
         std::isfinite(kept.direction.deviation)
-            ? fmt::format(" (known to {:.2g} standard deviations of a logarithm)", kept.direction.deviation)
+            ? fmt::format(" (a standard deviation of {:.2g} % along it)", 100 * kept.direction.deviation)
             : "",
         remedy));
   }

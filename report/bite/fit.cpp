@@ -75,7 +75,7 @@ std::string fit_table(const Run &run)
             "</small></th>" + cell(significant(shown.value) + (sign.empty() ? "" : "\u00a0" + sign)) +
             (std::isfinite(low) ? cell(significant(unit * low) + " \u2026 " + significant(unit * high))
                                 : "<td>kept: the measured values do not tell it</td>") +
-            cell(number->checks.empty() ? "" : significant(unit * number->checks.front().value)) + "</tr>\n";
+            cell(number->checks.empty() ? "\u2013" : significant(unit * number->checks.front().value)) + "</tr>\n";
   }
   return body.empty() ? ""
                       : "<table><thead><tr><th>number</th><th>value</th><th>95 % interval</th><th>by the slab "
