@@ -6,6 +6,7 @@
 #include "app/stages/contact_stage.h"
 #include "app/stages/curve_files.h"
 #include "app/stages/dynamics_stage.h"
+#include "app/stages/fit_stage.h"
 #include "app/stages/frame_stage.h"
 #include "app/stages/mode_results.h"
 #include "app/stages/model_stage.h"
@@ -241,6 +242,7 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
   const PassForces forces = forces_of(run, stand, force_file);
   set_given_inputs(stand.given);
   resolve_frame(run, stand);
+  stand.strip = fitted_strip(run, fit_question(stand, forces.loads));
   PartsOfStand made(run, stand, forces.loads, goal);
   SideBySide passes(run);
   std::vector<Check> gaps;

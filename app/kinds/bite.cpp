@@ -12,7 +12,8 @@ namespace {
 std::optional<KeyList> inputs_of(const BiteCase &spec, const Results &, const std::string &name)
 {
   for (std::size_t p = 0; p < spec.passes.size(); ++p)
-    if (const auto keys = bite_inputs({spec.strip, spec.bite, p, "work_roll.diameter"}, name, spec.passes[p].name))
+    if (const auto keys = bite_inputs({spec.strip, spec.bite, p, "work_roll.diameter", true, &spec.passes}, name,
+                                      spec.passes[p].name))
       return keys;
   return {};
 }

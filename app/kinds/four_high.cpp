@@ -112,8 +112,8 @@ std::optional<KeyList> modulus_inputs(const FourHigh &stand, const Results &resu
   const KeyList path = of_springs({"K1", "K2", "K3", "K5", "K6", "K7"});
   if (is_of(name, "stand.modulus.kiss") || is_of(name, "stand.modulus.kiss_secant"))
     return joined(path, rolls);
-  const KeyList with_strip =
-      joined(path, bending, bite_keys({stand.strip, stand.bite, 0, "work_roll.barrel_diameter"}));
+  const KeyList with_strip = joined(
+      path, bending, bite_keys({stand.strip, stand.bite, 0, "work_roll.barrel_diameter", true, &stand.passes}));
   return ends(name, ".roll_speed") ? joined(with_strip, keys_in("pass.0", "speed")) : with_strip;
 }
 
@@ -125,7 +125,7 @@ std::optional<KeyList> inputs_of(const FourHigh &stand, const Results &results, 
     const Pass &pass = stand.passes[p];
     if (const auto keys = response_inputs(results, stand.dynamics, pass, p, full))
       return keys;
-    const BiteRun bite{stand.strip, stand.bite, p, "work_roll.barrel_diameter"};
+    const BiteRun bite{stand.strip, stand.bite, p, "work_roll.barrel_diameter", true, &stand.passes};
     if (begins(full, "bite."))
       if (const auto keys = bite_inputs(bite, full, pass.name))
         return keys;

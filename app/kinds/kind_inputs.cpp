@@ -19,6 +19,8 @@ std::optional<KeyList> bite_inputs(const BiteRun &bite, const std::string &name,
     return joined(bite_keys(bite), keys_in("bite", "path_trim"));
   if (begins(name, "K4."))
     return bite_keys(bite);
+  if (begins(name, "bite.fit.") && !bite.setup.fit.empty())
+    return fit_keys(bite);
   if (!begins(name, own))
     return {};
   const std::string quantity = name.substr(own.size());

@@ -3,6 +3,7 @@
 #include "app/stages/contact_stage.h"
 #include "bite/slab/neutral_point.h"
 #include "bite/slab/path_stiffness.h"
+#include "core/records/result_names.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -163,10 +164,15 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
   auto checks                = beside(s, force_in);
   if (!std::isnan(s.question.force))
     checks.push_back({s.question.force_name, s.question.force, ""});
+  const auto with_measured = [](std::vector<Check> checks, const double value) {
+    if (!std::isnan(value))
+      checks.push_back(check(CheckId::measured, value));
+    return checks;
+  };
   const double error = bite_error(s, state.force, coarse_force, force_in);
   add("force", "N", state.force, error, std::move(checks));
-  add("torque", "N m", state.torque, bite_error(s, state.torque, coarse_torque, torque_in), beside(s, torque_in),
-      ", of one roll");
+  add("torque", "N m", state.torque, bite_error(s, state.torque, coarse_torque, torque_in),
+      with_measured(beside(s, torque_in), s.question.measured_torque), ", of one roll");
   add("friction", "1", state.friction, not_given);
   add("film_thickness", "m", state.film_thickness, not_given);
   add("flattened_radius", "m", state.flattened_radius, not_given,
@@ -174,7 +180,8 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
   add("arc_length", "m", state.arc_length, not_given);
   add("sticking_length", "m", state.sticking_length, not_given);
   add("forward_slip", "1", state.forward_slip,
-      bite_error(s, state.forward_slip, s.flow ? s.flow->coarse_slip : not_given, slip_in), beside(s, slip_in));
+      bite_error(s, state.forward_slip, s.flow ? s.flow->coarse_slip : not_given, slip_in),
+      with_measured(beside(s, slip_in), s.question.measured_slip));
   const auto neutral = [&](const BiteAnswer &a) { return bite::neutral_angle(s.question.bite, a.state); };
   add("neutral_angle", "rad", neutral(s.chosen()), not_given, beside(s, neutral),
       ", at the axis of the roll: asin of its distance from the line of centres over the roll's own radius");
@@ -321,6 +328,7 @@ void add_bite_spring(RunContext &run, const BiteSpring &spring)
 
 namespace {
 // Flow stress and friction that belong to another force give another K4: beyond this it is said on the first page.
+// A strip that was fitted to the force is within three standard deviations of it.
 constexpr double same_force = 0.1;
 
 void note_force(RunContext &run, const BiteStudy &s, const std::string &where)
@@ -328,10 +336,12 @@ void note_force(RunContext &run, const BiteStudy &s, const std::string &where)
   if (std::isnan(s.question.force))
     return;
   const double force = s.chosen().state.force;
+  const bool fitted  = !std::isnan(s.question.force_deviation);
   const std::string sentence =
-      fmt::format("{}strip.flow_stress and strip.friction give {} by {}; {} is {}", where, in_kN(force),
-                  model_text(s.chosen()), s.question.force_name, in_kN(s.question.force));
-  if (apart(force, s.question.force) <= same_force)
+      fmt::format("{}{} give {} by {}; {} is {}", where,
+                  fitted ? "the fitted flow stress and friction" : "strip.flow_stress and strip.friction",
+                  in_kN(force), model_text(s.chosen()), s.question.force_name, in_kN(s.question.force));
+  if (apart(force, s.question.force) <= (fitted ? 3 * s.question.force_deviation : same_force))
     run.assume(sentence);
   else
     run.warn(

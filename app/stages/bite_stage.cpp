@@ -2,6 +2,7 @@
 #include "app/stages/bite_curves.h"
 #include "app/stages/bite_files.h"
 #include "app/stages/bite_results.h"
+#include "app/stages/fit_stage.h"
 #include "core/model/bite_case.h"
 #include "core/model/case.h"
 #include "core/model/four_high.h"
@@ -39,7 +40,7 @@ bool some_arc_takes(const bite::RollBite &bite)
 void check_pass(const bite::RollBite &bite, const BiteSetup &setup, const Pass &pass,
                 std::vector<Problem> &problems)
 {
-  if (follows_bite(bite.strip.friction))
+  if (follows_bite(bite.strip.friction) || !setup.fit.empty())  // of a fit the case's friction is a start only
     return;
   try {
     bite::solve_slab(bite, {slab_model(setup).theory, bite::Arc::rigid});
@@ -49,6 +50,15 @@ void check_pass(const bite::RollBite &bite, const BiteSetup &setup, const Pass &
   } catch (const SolverError &e) {
     problems.push_back({pass.place, "pass \"" + pass.name + "\": " + e.what(), {}});
   }
+}
+
+// What was measured stands beside the computed values; after a fit the force is no coincidence.
+void add_measured(BiteQuestion &q, const Pass &pass)
+{
+  q.measured_slip   = pass.forward_slip;
+  q.measured_torque = pass.torque;
+  if (std::count(q.setup.fit.begin(), q.setup.fit.end(), "force") > 0)
+    q.force_deviation = pass.force_deviation;
 }
 
 // What the slab theories say is kept also where the finite elements fail.
@@ -96,13 +106,14 @@ Parameter solve_bite_stiffness(RunContext &run, const FourHigh &stand, const Pas
                                const bool first, const bool curves)
 {
   BiteQuestion q;
-  q.bite                = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
-  q.setup               = stand.bite;
-  q.pass                = pass.name;
-  q.force               = force;
-  q.force_name          = std::isnan(pass.load) ? "the mean of the recorded force" : "the load of the pass";
-  q.roll_key            = "work_roll.barrel_diameter";
-  q.backup_half_width   = backup_half_width(stand, force);
+  q.bite              = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
+  q.setup             = stand.bite;
+  q.pass              = pass.name;
+  q.force             = force;
+  q.force_name        = std::isnan(pass.load) ? "the mean of the recorded force" : "the load of the pass";
+  q.roll_key          = "work_roll.barrel_diameter";
+  q.backup_half_width = backup_half_width(stand, force);
+  add_measured(q, pass);
   const BiteStudy study = study_bite(run, q);
   add_study(run, study);
   const BiteSpring spring = bite_spring(study);
@@ -116,15 +127,17 @@ Parameter solve_bite_stiffness(RunContext &run, const FourHigh &stand, const Pas
 
 void solve_bite_case(RunContext &run, const BiteCase &spec)
 {
+  const Strip strip = fitted_strip(run, fit_question(spec));
   for (std::size_t p = 0; p < spec.passes.size(); ++p) {
     BiteQuestion q;
-    q.bite                = bite_of(spec.strip, spec.passes[p], spec.roll_diameter, spec.steel);
-    q.setup               = spec.bite;
-    q.pass                = spec.passes[p].name;
-    q.force               = spec.passes[p].load;
-    q.force_name          = "the load of the pass";
-    q.roll_key            = "work_roll.diameter";
-    q.curves              = p == 0;
+    q.bite       = bite_of(strip, spec.passes[p], spec.roll_diameter, spec.steel);
+    q.setup      = spec.bite;
+    q.pass       = spec.passes[p].name;
+    q.force      = spec.passes[p].load;
+    q.force_name = "the load of the pass";
+    q.roll_key   = "work_roll.diameter";
+    q.curves     = p == 0;
+    add_measured(q, spec.passes[p]);
     const BiteStudy study = study_bite(run, q);
     add_study(run, study);
     const BiteSpring spring = bite_spring(study);

@@ -10,7 +10,7 @@ struct FourHigh;
 /// Roll bite of one pass: what of the pass differs from the strip.
 bite::RollBite bite_of(const Strip &strip, const Pass &pass, double roll_diameter, const Material &roll);
 
-/// Passes that no roll can take, said before anything long is computed.
+/// Passes that no roll can take (but not of a strip that is fitted), said before anything long is computed.
 /// @throws InputError  with the place of every such pass
 void check_bites(const Case &the_case);
 

@@ -1,5 +1,6 @@
 #include "app/stages/bite_stage.h"
 #include "app/stages/bite_study.h"
+#include "app/stages/fit_stage.h"
 #include "app/trace/quick_parts.h"
 #include "core/model/bite_case.h"
 #include <algorithm>
@@ -9,19 +10,19 @@
 namespace mill {
 namespace {
 // One number of the bite with what is known before it is solved.
-QuickResult bite_result(const std::string &name, const Strip &strip, const BiteSetup &setup, const int pass,
-                        const std::string &roll_key)
+QuickResult bite_result(const std::string &name, const Strip &strip, const BiteSetup &setup,
+                        const std::vector<Pass> &passes, const int pass, const std::string &roll_key)
 {
   const bool elements = setup.method == "fe";
   const bool wide     = name.rfind("K4", 0) == 0 || follows_width(name.substr(name.rfind('.') + 1));
-  const BiteRun run{strip, setup, std::size_t(pass), roll_key, wide};
+  const BiteRun run{strip, setup, std::size_t(pass), roll_key, wide, &passes};
   QuickResult r;
   r.name             = name;
   r.parameter.inputs = bite_keys(run);
   // An arc of any shape is Hitchcock's here, without the elastic zones that make it one.
   BiteSetup closed = setup;
   closed.arc       = setup.arc == "rigid" ? "rigid" : "hitchcock";
-  r.closed         = joined(slab_keys({strip, closed, run.pass, roll_key, wide}),
+  r.closed         = joined(slab_keys({strip, closed, run.pass, roll_key, wide, &passes}),
                     elements ? KeyList{} : keys_in("bite", "theory"));
   r.road           = "roll bite";
   r.file           = elements ? "fem/strip/rigid_plastic/strip_flow" : "bite/slab/slab_bite";
@@ -58,7 +59,7 @@ QuickResult quick_bite(const FourHigh &stand, const int pass)
 {
   const auto bite =
       bite_of(stand.strip, stand.passes[std::size_t(pass)], stand.work_roll.barrel_diameter, stand.steel);
-  QuickResult r    = bite_result("K4", bite.strip, stand.bite, pass, "work_roll.barrel_diameter");
+  QuickResult r    = bite_result("K4", bite.strip, stand.bite, stand.passes, pass, "work_roll.barrel_diameter");
   r.parameter.unit = "N/m";
   try {
     const SlabAnswer answer = solve_bite(bite, stand.bite);
@@ -75,11 +76,12 @@ QuickResult quick_bite(const FourHigh &stand, const int pass)
 std::vector<QuickResult> quick_bite_case(const BiteCase &spec)
 {
   std::vector<QuickResult> all;
+  const Strip strip = quickly_fitted_strip(fit_question(spec));
   for (std::size_t p = 0; p < spec.passes.size(); ++p) {
-    const auto bite         = bite_of(spec.strip, spec.passes[p], spec.roll_diameter, spec.steel);
+    const auto bite         = bite_of(strip, spec.passes[p], spec.roll_diameter, spec.steel);
     const SlabAnswer answer = solve_bite(bite, spec.bite);
     const auto add = [&](const std::string &name, const char *unit, const double value, const char *equation) {
-      QuickResult r      = bite_result(name, bite.strip, spec.bite, int(p), "work_roll.diameter");
+      QuickResult r      = bite_result(name, bite.strip, spec.bite, spec.passes, int(p), "work_roll.diameter");
       r.parameter.unit   = unit;
       r.parameter.value  = value;
       r.parameter.method = answer.method;

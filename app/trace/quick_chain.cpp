@@ -1,6 +1,7 @@
 #include "app/trace/quick_chain.h"
 #include "app/case_kinds.h"
 #include "app/stages/dynamics_stage.h"
+#include "app/stages/fit_stage.h"
 #include "app/trace/quick_response.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
@@ -300,12 +301,16 @@ LumpedModel add_chain(QuickResults &all, const FourHigh &stand, const std::strin
 
 QuickResults quick_four_high(const FourHigh &drawn, QuickMemory &memory, const SpringFactors &factors)
 {
-  const FourHigh stand = with_drawn_frame(drawn);
+  FourHigh stand = with_drawn_frame(drawn);
+  std::vector<double> loads;
+  for (const Pass &pass : stand.passes)
+    loads.push_back(std::isnan(pass.load) ? remembered_force(pass, memory).force.mean() : pass.load);
+  stand.strip = quickly_fitted_strip(fit_question(stand, loads));
   QuickResults all;
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
     const Pass &pass         = stand.passes[p];
     const std::string prefix = p == 0 ? "" : pass.name + ".";
-    const double load        = std::isnan(pass.load) ? remembered_force(pass, memory).force.mean() : pass.load;
+    const double load        = loads[p];
     add_springs(all, stand, p, prefix, load, factors);
     const LumpedModel model = add_chain(all, stand, prefix, fmt::format("{:.1f} kN", load / 1e3), factors);
     if (p == 0) {

@@ -188,6 +188,8 @@ std::string without_elasticity(const TraceKey &key)
     return "a file has no size";
   case Kind::text:
     return "a name has no size";
+  case Kind::words:
+    return "a list of words has no size";
   case Kind::choice:
   case Kind::flag:
     return "a word has no size; every other one is tried";

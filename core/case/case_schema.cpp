@@ -74,6 +74,13 @@ ordered_json type_of(const Row &row)
     return list_of(row.form, 2);
   case Kind::six:
     return list_of(row.form, 6);
+  case Kind::words:
+    return {
+        {"type",        "array"                           },
+        {"items",       {{"enum", split(row.form, " | ")}}},
+        {"minItems",    1                                 },
+        {"uniqueItems", true                              }
+    };
   case Kind::table: {
     const auto forms = split(row.form, ", ");
     const ordered_json pair{

@@ -145,6 +145,27 @@ std::optional<Value> table(const Item &item)
   return pairs;
 }
 
+// Words out of those of the row, each once.
+std::optional<Value> word_list(const Item &item)
+{
+  if (item.node.kind != Node::Kind::array || item.node.items.empty())
+    return item.refuse(fmt::format("is no list of words; {}", needed(item.row)));
+  const auto known = split(item.row.form, " | ");
+  std::vector<std::string> list;
+  for (std::size_t i = 0; i < item.node.items.size(); ++i) {
+    const Node &node = item.node.items[i];
+    const Item one{item.row, node, fmt::format("{}[{}]", item.key, i), item.reading};
+    if (node.kind != Node::Kind::text)
+      return one.refuse(fmt::format("is not a text; {}", needed(item.row)));
+    if (std::find(known.begin(), known.end(), node.text) == known.end())
+      return one.refuse("is unknown" + suggestion(node.text, known));
+    if (std::find(list.begin(), list.end(), node.text) != list.end())
+      return one.refuse("stands there twice");
+    list.push_back(node.text);
+  }
+  return list;
+}
+
 std::optional<Value> value_of(const Item &item)
 {
   switch (item.row.kind) {
@@ -169,6 +190,8 @@ std::optional<Value> value_of(const Item &item)
     return table(item);
   case Kind::six:
     return alike<6>(item, "a list of six");
+  case Kind::words:
+    return word_list(item);
   }
   return std::nullopt;
 }
@@ -222,8 +245,10 @@ Kind kind_of(const std::size_t member_index, const std::string &form)
     return Kind::pair;
   case 5:
     return Kind::table;
-  default:
+  case 6:
     return Kind::six;
+  default:
+    return Kind::words;
   }
 }
 

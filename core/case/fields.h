@@ -43,11 +43,12 @@ enum class Kind {
   pair,   ///< two quantities, ["100 kN", "2000 kN"]
   table,  ///< list of pairs, [["-700 mm", "0 um"], ...]
   six,    ///< list of six quantities, one for each body or spring of a stand
+  words,  ///< list of words out of some, ["force", "slip"]
 };
 
 /// A value on its way between file and struct, SI.
 using Value = std::variant<double, int, bool, std::string, std::array<double, 2>,
-                           std::vector<std::array<double, 2>>, std::array<double, 6>>;
+                           std::vector<std::array<double, 2>>, std::array<double, 6>, std::vector<std::string>>;
 
 /// A row without its destination: what documentation, schema and echo need.
 struct Row {
@@ -62,7 +63,8 @@ struct Row {
 
 template <class T>
 using Member = std::variant<double T::*, int T::*, bool T::*, std::string T::*, std::array<double, 2> T::*,
-                            std::vector<std::array<double, 2>> T::*, std::array<double, 6> T::*>;
+                            std::vector<std::array<double, 2>> T::*, std::array<double, 6> T::*,
+                            std::vector<std::string> T::*>;
 
 /// One input parameter.  Whatever the program ever says about it is said here, once.
 template <class T> struct Field {

@@ -126,6 +126,12 @@ std::string toml_of(const Row &row, const Value &value)
       text += (text.empty() ? "[" : ", ") + scalar_toml(number, row.form);
     return text + "]";
   }
+  case Kind::words: {
+    std::string text;
+    for (const std::string &word : std::get<std::vector<std::string>>(value))
+      text += (text.empty() ? "" : ", ") + quoted(word);
+    return text.empty() ? "" : "[" + text + "]";
+  }
   case Kind::table: {
     std::string text;
     for (const auto &pair : std::get<std::vector<std::array<double, 2>>>(value))
@@ -189,6 +195,8 @@ std::string needed(const Row &row)
     return fmt::format("a list of pairs such as {} is needed", example);
   case Kind::six:
     return fmt::format("a list of six such as {} is needed", example);
+  case Kind::words:
+    return fmt::format("a list such as {} of {} is needed", example, row.form);
   }
   return "";
 }

@@ -35,6 +35,8 @@ std::string form_text(const Row &row)
     return "pairs, " + row.form;
   case Kind::six:
     return "six, " + row.form;
+  case Kind::words:
+    return "list, " + row.form;
   }
   return "";
 }

@@ -211,6 +211,7 @@ void check_four_high(const FourHigh &stand, Reading &reading)
     reading.add(Place{reading.file}, "there is no [[pass]]; the working load of every stiffness comes from one");
   check_passes_in_bite(stand.passes, stand.strip, reading);
   check_bite_setup(stand.bite, stand.strip.friction, reading);
+  check_fit(stand.bite, stand.strip, stand.passes, reading);
   for (std::size_t i = 0; i < stand.passes.size(); ++i)
     for (const auto &[name, contact] :
          {std::pair("contact.upper", &stand.upper_contact), std::pair("contact.lower", &stand.lower_contact)})

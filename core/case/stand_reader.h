@@ -109,6 +109,8 @@ void check_pass_names(const std::vector<Pass> &passes, Reading &reading);
 /// Thicknesses, tensions and speed of every pass against the strip.
 void check_passes_in_bite(const std::vector<Pass> &passes, const Strip &strip, Reading &reading);
 void check_bite_setup(const BiteSetup &setup, const Friction &friction, Reading &reading);
+/// bite.fit: what it asks is measured, and enough of it.
+void check_fit(const BiteSetup &setup, const Strip &strip, const std::vector<Pass> &passes, Reading &reading);
 /// Forces of the passes and their files.
 void check_passes(const std::vector<Pass> &passes, Reading &reading);
 void check_contact(const std::string &section, const ContactSettings &contact, Reading &reading);

@@ -89,6 +89,7 @@ BiteCase read_bite_case(const Node &root, Reading &reading)
   check_strip(spec.strip, reading);
   check_passes_in_bite(spec.passes, spec.strip, reading);
   check_bite_setup(spec.bite, spec.strip.friction, reading);
+  check_fit(spec.bite, spec.strip, spec.passes, reading);
   return spec;
 }
 }  // namespace mill

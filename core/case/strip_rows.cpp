@@ -100,31 +100,38 @@ const std::vector<Field<BiteSetup>> &bite_rows()
 {
   using T = BiteSetup;
   static const std::vector<Field<T>> rows{
-      {"method",           &T::method,  "fe | slab",                                       any,      "fe",     "fe",
-       "what gives K4: finite elements with slab theories beside them, or a slab theory alone"                                                       },
-      {"theory",           &T::theory,  "bland-ford | hu-ehmann | karman | orowan | sims", any,      "karman", "karman",
-       "slab theory that stands beside the finite elements, or gives K4"                                                                             },
-      {"arc",              &T::arc,     "auto | rigid | hitchcock | elastic",              any,      "auto",   "auto",
+      {"method",           &T::method,  "fe | slab",                                             any,      "fe",     "fe",
+       "what gives K4: finite elements with slab theories beside them, or a slab theory alone"                                                                           },
+      {"theory",           &T::theory,  "bland-ford | hu-ehmann | karman | orowan | sims",       any,      "karman", "karman",
+       "slab theory that stands beside the finite elements, or gives K4"                                                                                                 },
+      {"arc",              &T::arc,     "auto | rigid | hitchcock | elastic",                    any,      "auto",   "auto",
        "shape of the loaded roll: its own circle, a larger circle, or any; auto: any for an elastic-plastic "
-       "strip"                                                                                                                                       },
-      {"strip",            &T::strip,   "auto | rigid-plastic | elastic-plastic",          any,      "auto",   "auto",
-       "strip of the finite-element bite; auto: elastic-plastic for thin hard strip and light passes"                                                },
+       "strip"                                                                                                                                                           },
+      {"strip",            &T::strip,   "auto | rigid-plastic | elastic-plastic",                any,      "auto",   "auto",
+       "strip of the finite-element bite; auto: elastic-plastic for thin hard strip and light passes"                                                                    },
       {"elements_along",
        &T::elements_along,
-       "count",                                                                            {8, 200},
-       48,                                                                                                     "48",
-       "finite elements along the arc of contact; the elastic-plastic strip takes two thirds of them"                                                },
+       "count",                                                                                  {8, 200},
+       48,                                                                                                           "48",
+       "finite elements along the arc of contact; the elastic-plastic strip takes two thirds of them"                                                                    },
       {"elements_through",
        &T::elements_through,
-       "count",                                                                            {2, 60},
-       12,                                                                                                     "12",
-       "finite elements through half the thickness; the elastic-plastic strip takes half of them"                                                    },
-      {"samples",          &T::samples, "count",                                           {3, 101}, 9,        "9",      "points of each curve of K4"},
+       "count",                                                                                  {2, 60},
+       12,                                                                                                           "12",
+       "finite elements through half the thickness; the elastic-plastic strip takes half of them"                                                                        },
+      {"samples",          &T::samples, "count",                                                 {3, 101}, 9,        "9",                    "points of each curve of K4"},
       {"path_trim",
        &T::path_trim,
-       "%",                                                                                {0, 45},
-       20,                                                                                                     "20 %",
-       "share of the contact path left out at each end for K4.path_plateau"                                                                          },
+       "%",                                                                                      {0, 45},
+       20,                                                                                                           "20 %",
+       "share of the contact path left out at each end for K4.path_plateau"                                                                                              },
+      {"fit",              &T::fit,     "force | slip | torque",                                 any,      absent,   R"(["force", "slip"])",
+       "measured values of the passes (load, forward_slip, torque) from which friction and flow stress are found; "
+       "when absent they are those of [strip]"                                                                                                                           },
+      {"fit_for",          &T::fit_for,
+       "friction | flow_stress | mu0 | mu1 | decay | viscosity | at_unit_speed | per_log_speed", any,      absent,
+       R"(["friction", "flow_stress"])",                                                                                                     "what is found: a factor on the friction, on the flow stress, on constants of strip.friction; when absent "
+       "the first two, of one kind of measured value the one that it tells best"                                                 },
   };
   return rows;
 }
@@ -144,7 +151,8 @@ const std::vector<Field<PassInput>> &bite_pass_rows()
     std::vector<Field<PassInput>> some;
     for (const Field<PassInput> &row : pass_rows())
       for (const char *key :
-           {"name", "load", "entry_thickness", "exit_thickness", "entry_tension", "exit_tension", "speed"})
+           {"name", "load", "entry_thickness", "exit_thickness", "entry_tension", "exit_tension", "speed",
+            "forward_slip", "torque", "force_deviation", "slip_deviation", "torque_deviation"})
         if (std::string(row.key) == key)
           some.push_back(row);
     for (Field<PassInput> &row : some)

@@ -1,5 +1,6 @@
 #include "core/laws/friction_law.h"
 #include "core/case/errors.h"
+#include "core/laws/scaled_friction.h"
 #include <algorithm>
 
 #pragma GCC diagnostic error "-Wswitch"
@@ -163,6 +164,36 @@ Friction as_number(const Friction &friction, const double mu)
   plain.law         = FrictionLaw::coulomb;
   plain.coefficient = mu;
   return plain;
+}
+
+Friction scaled(Friction friction, const double factor)
+{
+  switch (friction.law) {
+  case FrictionLaw::coulomb:
+    friction.coefficient *= factor;
+    break;
+  case FrictionLaw::factor:
+    friction.entry_factor *= factor;
+    friction.exit_factor *= factor;
+    break;
+  case FrictionLaw::speed:
+    friction.scale *= factor;
+    break;
+  case FrictionLaw::film:
+    friction.mu0 *= factor;
+    friction.mu1 *= factor;
+    break;
+  }
+  return friction;
+}
+
+bool is_zero(const Friction &friction)
+{
+  const Friction other = scaled(friction, 2);
+  for (const FrictionConstant &constant : friction_constants())
+    if (other.*constant.member != friction.*constant.member)
+      return false;
+  return true;
 }
 
 double plain_coefficient(const Friction &friction)

@@ -25,6 +25,11 @@ struct Pass {
   double load    = not_given;  ///< N, working load; absent: mean of the force record
   std::array<double, 2> synthetic_range = {not_given,
                                            not_given};  ///< N, without a file: white noise in this range
+  double forward_slip                   = not_given;    ///< -, measured
+  double torque                         = not_given;    ///< N m, measured, of one roll, over the strip width
+  double force_deviation                = 0.02;         ///< -, standard deviation of the load over it
+  double slip_deviation                 = 0.003;        ///< -, of the slip: 0.3 points
+  double torque_deviation               = 0.05;         ///< -, of the torque over it
   double synthetic_duration             = 10;           ///< s
   double synthetic_bandwidth            = 1000;         ///< Hz
   int synthetic_seed                    = 1;

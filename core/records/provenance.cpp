@@ -281,8 +281,33 @@ bool follows_width(const std::string &quantity)
   return quantity.rfind("force", 0) == 0 || quantity == "torque" || quantity == "plastic_slope";
 }
 
-KeyList slab_keys(const BiteRun &bite)
+namespace {
+KeyList measured_keys(const BiteRun &bite)
 {
+  KeyList keys            = keys_in("bite", "fit fit_for");
+  const auto &passes      = *bite.measured;
+  const auto asked        = [&](const char *kind) { return holds(bite.setup.fit, kind); };
+  const std::string strip = "entry_thickness exit_thickness entry_tension exit_tension" +
+                            std::string(needs_speed(bite.strip.friction) ? " speed" : "");
+  for (std::size_t p = 0; p < passes.size(); ++p) {
+    keys = joined(keys, keys_in(pass_section(p), strip));
+    if (asked("force"))
+      keys = joined(keys, load_keys(passes[p], p), keys_in(pass_section(p), "force_deviation"));
+    if (asked("slip"))
+      keys = joined(keys, keys_in(pass_section(p), "forward_slip slip_deviation"));
+    if (asked("torque"))
+      keys = joined(keys, keys_in(pass_section(p), "torque torque_deviation"));
+  }
+  return joined(keys, keys_in("strip", "width"));
+}
+}  // namespace
+
+KeyList slab_keys(const BiteRun &given)
+{
+  BiteRun bite  = given;
+  bite.measured = nullptr;
+  if (given.measured && !given.setup.fit.empty())  // the strip is what the model of the run makes of the values
+    return joined(bite_keys(bite), measured_keys(given));
   const std::string both = "entry_thickness exit_thickness entry_tension exit_tension";
   const bool fast        = needs_speed(bite.strip.friction);
   return joined(bite.whole_width ? keys_in("strip", "width") : KeyList{}, keys_in("strip", both),
@@ -303,6 +328,11 @@ KeyList bite_keys(const BiteRun &bite)
                 elastic ? keys_in("strip", "youngs_modulus poisson_ratio") : KeyList{});
 }
 
+KeyList fit_keys(const BiteRun &bite)
+{
+  return bite.measured && !bite.setup.fit.empty() ? joined(bite_keys(bite), measured_keys(bite)) : KeyList{};
+}
+
 // Chain
 
 KeyList spring_keys(const FourHigh &stand, const std::string &name, const std::size_t p)
@@ -310,7 +340,7 @@ KeyList spring_keys(const FourHigh &stand, const std::string &name, const std::s
   if (name == "K3" || name == "K5")
     return contact_keys(stand, name == "K3" ? "upper" : "lower", p);
   if (name == "K4")
-    return bite_keys({stand.strip, stand.bite, p, "work_roll.barrel_diameter"});
+    return bite_keys({stand.strip, stand.bite, p, "work_roll.barrel_diameter", true, &stand.passes});
   if (name == "K_Zy" || name == "K_Zy_lower")
     return seat_keys(stand, name == "K_Zy" ? 0 : 3, p);
   require(name.rfind("Kzc", 0) == 0, "no keys are known for the spring " + name);

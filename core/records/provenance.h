@@ -88,11 +88,14 @@ struct BiteRun {
   std::string roll_key;  ///< "work_roll.barrel_diameter"
   bool whole_width =
       true;  ///< a force, a torque or a stiffness; false: pressure, slip and others that know no width
+  const std::vector<Pass> *measured = nullptr;  ///< all passes of the case, whose measured values a fit reads
 };
 /// Whether a quantity of the bite is one of the whole width.
 bool follows_width(const std::string &quantity);
 /// Results of the model that gives K4.
 KeyList bite_keys(const BiteRun &bite);
+/// bite.fit.*: the measured values, and all that the bites of the passes they belong to are made from.
+KeyList fit_keys(const BiteRun &bite);
 /// Results of a slab theory beside it.
 KeyList slab_keys(const BiteRun &bite);
 

@@ -18,6 +18,9 @@ constexpr const char *contact = "contact", *bite = "bite", *chatter = "chatter",
                      *bite_spring = "K4", *stand = "stand", *mode = "mode";
 }
 
+/// Second part of the names of what a fit of the bite finds, "bite.fit.friction"; no pass has this name beside it.
+constexpr const char *bite_fit = "fit";
+
 /// Parts joined by dots: result_name({family::bite, "pass 1", "force"}) = "bite.pass 1.force"; empty ones are left
 /// out.
 std::string result_name(const std::vector<std::string> &parts);
@@ -211,6 +214,12 @@ inline constexpr CurveKind bite_map{"bite",
 inline constexpr CurveKind bite_aspect{
     "bite", false, "aspect", "finite elements over slab theory", Figure::section, {{{"arc_over_thickness", ""}}},
     true};
+
+inline constexpr CurveKind bite_fit{"bite",          false,
+                                    "fit",           "95 % region of the fit",
+                                    Figure::section, {{{"friction", ""}, {"flow_stress_factor", ""}}}};
+inline constexpr CurveKind bite_fit_lines{"bite",          false, "fit-lines", "where one measured value is met",
+                                          Figure::section, {},    true};
 
 inline constexpr CurveKind shape_work_roll{
     "shape", false, "work-roll", "deflection of a work roll", Figure::section, {{{"x", "m"}, {"f1_upper", "m/N"}}},

@@ -59,6 +59,12 @@ std::vector<std::string> bite_force_curves(const Run &run);
 /// K4 of the slab theory over reduction and friction, from curves/bite-k4-map.csv.
 std::string k4_map(const Run &run);
 
+// Friction and flow stress from measured values, bite.fit.*; empty when the run has no such fit.
+bool has_fit(const Run &run);
+std::string fit_table(const Run &run);      ///< values, intervals, what the slab alone gives
+std::string fit_residuals(const Run &run);  ///< how far the model is from every measured value
+std::string fit_region(const Run &run);     ///< friction against flow stress, with the lines of single values
+
 /// Finite elements over slab theories against arc length over mean thickness; the passes are marked.
 std::string bite_aspect(const Run &run, const std::vector<BitePass> &passes);
 }  // namespace mill::report

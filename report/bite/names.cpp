@@ -6,7 +6,7 @@
 namespace mill::report {
 bool is_of_one_model(const std::string &name)
 {
-  return is_of(name, family::bite) && parts_of(name).size() == 4;
+  return is_of(name, family::bite) && parts_of(name).size() == 4 && parts_of(name)[1] != bite_fit;
 }
 
 std::vector<Group> bite_groups(const Run &run)
@@ -19,7 +19,8 @@ std::vector<Group> bite_groups(const Run &run)
       groups.front().results.push_back(&result);
     if (!is_of(result.name, family::bite) || is_of_one_model(result.name))
       continue;
-    const std::string title = "Bite of " + parts_of(result.name)[1];
+    const bool fit          = parts_of(result.name)[1] == bite_fit;
+    const std::string title = fit ? "Fit to measured values" : "Bite of " + parts_of(result.name)[1];
     if (groups.back().title != title)
       groups.push_back({title, {}});
     groups.back().results.push_back(&result);

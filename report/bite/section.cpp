@@ -84,6 +84,26 @@ void one_pass(Page &page, const Run &run, const BitePass &pass)
   models(page, run, pass);
 }
 
+void fit(Page &page, const Run &run)
+{
+  if (!has_fit(run))
+    return;
+  page.heading("Friction and flow stress from measured values");
+  page.table(
+      fit_table(run),
+      "What the measured values of all passes say together. The intervals hold the standard deviations of the "
+      "measurement, the other numbers following; an error of the model, or of a thickness, is not in them. "
+      "Bite and K4 of this run are those of the fitted strip.");
+  figure(
+      page, {fit_region(run)},
+      "Inside the closed line lie 95 % of the pairs of friction and flow stress that the measured values allow "
+      "together. On each other line one measured value alone is met (its tangent at the fit, six values at most): "
+      "where all lines run nearly parallel the values tell <b>one number</b> only, and the region is long.");
+  if (const std::string table = fit_residuals(run); !table.empty())
+    page.table(table, "How far the fitted model is from every measured value; two in three lie within one, one in "
+                      "twenty beyond two.");
+}
+
 void stiffness(Page &page, const Run &run)
 {
   const std::string relation = k4_relation(run);
@@ -113,6 +133,7 @@ void bite_section(Page &page, const Run &run)
   one_pass(page, run, passes.front());
   if (const std::string table = bite_pass_table(run, passes); !table.empty())
     page.table(table, "All passes, by the model that gives K4.");
+  fit(page, run);
   stiffness(page, run);
   figure(
       page, {bite_aspect(run, passes)},

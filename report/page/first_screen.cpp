@@ -225,6 +225,8 @@ std::string bite_cards(const Run &run)
       })
         if (const auto dot = result.name.find('.', 5); result.name.substr(dot + 1) == quantity)
           all += card(&result, result.name.substr(5, dot - 5) + label);
+  all += card(run.find("bite.fit.friction"), "friction, fitted") +
+         card(run.find("bite.fit.flow_stress_factor"), "flow stress, factor fitted");
   return all + card(run.find("K4.combined"), "K4, strip and both arcs") +
          card(run.find("K4.plastic_slope"), "K4, plastic slope");
 }

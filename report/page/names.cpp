@@ -174,6 +174,22 @@ const Words aspects[] = {
     {"sims",                     "Sims"                                                    },
     {"friction",                 "friction in the bite"                                    },
     {"flattened_radius",         "radius of the flattened roll"                            },
+    {"friction_low",             "friction in the bite, low end"                           },
+    {"friction_high",            "friction in the bite, high end"                          },
+    {"friction_factor",          "factor on the friction"                                  },
+    {"friction_factor_low",      "factor on the friction, low end"                         },
+    {"friction_factor_high",     "factor on the friction, high end"                        },
+    {"flow_stress_factor",       "factor on the flow stress"                               },
+    {"flow_stress_factor_low",   "factor on the flow stress, low end"                      },
+    {"flow_stress_factor_high",  "factor on the flow stress, high end"                     },
+    {"correlation",              "correlation of friction and flow stress"                 },
+    {"misfit",                   "sum of squares over the deviations"                      },
+    {"freedom",                  "measured values less unknowns"                           },
+    {"worst_deviation",          "deviation along the direction known worst"               },
+    {"worst_friction",           "friction in the direction known worst"                   },
+    {"worst_flow_stress",        "flow stress in the direction known worst"                },
+    {"residual",                 "distance to a measured value, standard deviations"       },
+    {"slip",                     "forward slip"                                            },
     {"peak_g",                   "largest acceleration"                                    },
     {"rms_g",                    "rms acceleration"                                        },
     {"upper_work_roll",          "upper work roll"                                         },
@@ -230,8 +246,11 @@ std::string meaning_of(const std::string &name)
       words = parts[1];
     if (i == 0 && words.empty() && parts.size() > 1 && parts[0] != "contact")
       words = parts[0];  // the name of a pass
+    const bool of_fit = i > 0 && parts[0] == "bite" && parts[1] == bite_fit;
     if (i == 1 && parts[0] == "bite")
-      words = parts[1];
+      words = of_fit ? "fit to measured values" : parts[1];
+    if (i > 2 && of_fit && words.empty())
+      words = parts[i];  // the name of a pass
     if (i > 1 && parts[0] == "bite" && parts[i] == "peak_pressure")
       words = "largest pressure apart from the edge of the contact";
     if (i == 1 && parts[0] == "contact")
@@ -259,7 +278,7 @@ std::vector<Group> short_groups(const Run &run)
   if (run.manifest.kind == "chatter")
     return chatter_groups(run);
   Group contact{"Contact", {}}, stiffness{"Stiffness", {}}, mass{"Equivalent mass", {}},
-      frequency{"Natural frequency", {}};
+      frequency{"Natural frequency", {}}, fit{"Fit to measured values", {}};
   if (run.manifest.kind == "two-cylinders" || !chain_value(run, "K1"))
     for (const Result &result : run.results)
       if (is_of(result.name, family::contact))
@@ -274,8 +293,10 @@ std::vector<Group> short_groups(const Run &run)
     add(mass, run.find("M" + std::to_string(i)));
   for (int i = 1; i <= 6; ++i)
     add(frequency, run.find("f" + std::to_string(i)));
+  for (const char *number : {"friction", "friction_factor", "flow_stress_factor"})
+    add(fit, run.find(result_name({family::bite, bite_fit, number})));
   std::vector<Group> groups;
-  for (Group &group : {std::ref(contact), std::ref(stiffness), std::ref(mass), std::ref(frequency)})
+  for (Group &group : {std::ref(contact), std::ref(stiffness), std::ref(mass), std::ref(frequency), std::ref(fit)})
     if (!group.results.empty())
       groups.push_back(group);
   for (const Group &group : chatter_groups(run))

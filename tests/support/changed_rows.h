@@ -32,6 +32,8 @@ inline std::vector<std::string> other_values(const mill::TraceKey &key)
           words.push_back(mill::quoted(word));
       return words;
     }();
+  if (row.kind == Kind::words)
+    return {mill::example_toml(row)};
   if (row.kind == Kind::text)
     return {"\"trb\"", "\"crb\"", "\"another\""};
   if (row.kind == Kind::path)

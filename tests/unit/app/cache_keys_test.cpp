@@ -168,10 +168,12 @@ std::vector<std::string> of(const std::string &section, const std::string &rows)
 }
 
 const std::vector<std::string> head{"schema", "kind", "title"};
-// Of a pass what is neither its load nor a number of the bite.
+// Of a pass what is neither its load nor a number of the bite.  What was measured moves the strip, where a fit is
+// asked, and the strip is seen.
 const std::vector<std::string> records =
     of("pass.#", "name force measured synthetic published_peak measured_peak synthetic_range synthetic_duration "
-                 "synthetic_seed synthetic_bandwidth");
+                 "synthetic_seed synthetic_bandwidth forward_slip torque force_deviation slip_deviation "
+                 "torque_deviation");
 const std::vector<std::string> pass_of_strip =
     of("pass.#", "entry_thickness exit_thickness entry_tension exit_tension speed");
 const std::vector<std::string> after_the_springs{"dynamics.*", "stand.*", "analysis.*", "given.*", "published.*"};
@@ -290,7 +292,7 @@ TEST(CacheKeys, EveryRowOfAFourHighEntersOrIsKnownNotTo)
       of("steel", no_inertia) + std::vector<std::string>{"bearing.*", "backup_roll.*", "contact.*"} +
       of("strip", "width initial_thickness entry_tension exit_tension youngs_modulus poisson_ratio") +
       std::vector<std::string>{"strip.f*"} +
-      of("bite", "method theory samples path_trim arc mesh elements_along elements_through") +
+      of("bite", "method theory samples path_trim arc mesh elements_along elements_through fit fit_for") +
       of("work_roll",
          "barrel_length neck_diameter total_length bearing_span axial_shift bending_force" + profile + seat);
   const auto loads   = of("pass.#", "load") + of("work_roll", "bearing_load") + of("backup_roll", "bearing_load");
@@ -305,7 +307,7 @@ TEST(CacheKeys, EveryRowOfAFourHighEntersOrIsKnownNotTo)
   const auto bite =
       head + records + after_the_springs + frame + of("pass.#", "load") + of("steel", no_inertia) +
       std::vector<std::string>{"bearing.*", "backup_roll.*", "contact.*"} +
-      of("bite", "method theory samples path_trim") +
+      of("bite", "method theory samples path_trim fit fit_for") +
       of("work_roll",
          "barrel_length neck_diameter total_length bearing_span axial_shift bending_force" + profile + seat);
   const auto rolls = vibration + std::vector<std::string>{"housing.*"} +
@@ -366,7 +368,8 @@ TEST(CacheKeys, EveryRowOfTheOtherKindsEntersOrIsKnownNotTo)
                         of("load", "bearing cage_angle samples tilt_across speeds") +
                         of("bearing.trb", "type roller_law rings slices " + no_other_profile + rated)}});
   const auto bite = head + records + of("pass.#", "load") + of("steel", no_inertia) +
-                    std::vector<std::string>{"published.*"} + of("bite", "method theory samples path_trim");
+                    std::vector<std::string>{"published.*"} +
+                    of("bite", "method theory samples path_trim fit fit_for");
   expect_followed(
       {
           "cases/cold-strip.toml", {every_friction, every_flow_stress("1180 MPa")}

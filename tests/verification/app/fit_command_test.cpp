@@ -1,0 +1,140 @@
+#include "core/records/files.h"
+#include "tests/support/near.h"
+#include "tests/support/program.h"
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+// bite.fit as a user meets it: measured values in, friction and flow stress out, and a bite that follows them.
+namespace {
+Outcome fit(const std::string &path, const std::string &name, const std::string &more = "")
+{
+  return millstand("stiffness " + path + " -q -o " + scratch(name) + " --cache " + scratch("cache") +
+                   " --force-overwrite --set bite.samples=3 " + more);
+}
+
+nlohmann::json results_of(const std::string &name)
+{
+  return nlohmann::json::parse(std::ifstream(scratch(name) + "/results.json"));
+}
+
+double value(const nlohmann::json &results, const std::string &name)
+{
+  return results.at("values").at(name).at("value").get<double>();
+}
+
+// The sentence among those of a list that holds some words; empty without one.
+std::string sentence_with(const nlohmann::json &results, const char *list, const std::string &words)
+{
+  for (const auto &sentence : results.at(list))
+    if (sentence.get<std::string>().find(words) != std::string::npos)
+      return sentence.get<std::string>();
+  return "";
+}
+
+// A hot pass that finite elements roll in a second.
+const std::string hot_pass = R"(schema = 1
+kind   = "bite"
+
+[work_roll]
+diameter = "420 mm"
+
+[strip]
+width           = "1000 mm"
+entry_thickness = "8 mm"
+exit_thickness  = "5 mm"
+flow_stress     = { law = "constant", k = "28 MPa" }
+friction        = 0.3
+
+[[pass]]
+name         = "a"
+load         = "1100 kN"
+forward_slip = "6.5 %"
+
+[bite]
+fit              = ["force", "slip"]
+arc              = "rigid"
+strip            = "rigid-plastic"
+elements_along   = 12
+elements_through = 3
+)";
+}  // namespace
+
+TEST(FitCommand, ThreePassesGiveTheirFrictionAndFlowStressBack)
+{
+  const auto outcome = fit("cases/cold-fit.toml", "three");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto results = results_of("three");
+  // What the case says of how its values were made.
+  EXPECT_LT(value(results, "bite.fit.friction_low"), 0.062);
+  EXPECT_GT(value(results, "bite.fit.friction_high"), 0.062);
+  EXPECT_LT(value(results, "bite.fit.flow_stress_factor_low"), 1.08);
+  EXPECT_GT(value(results, "bite.fit.flow_stress_factor_high"), 1.08);
+  EXPECT_EQ(value(results, "bite.fit.freedom"), 4);
+  // The bite is that of the fitted strip: its force less the measured one, over 2 % of that, is the residual.
+  for (const auto &[pass, load] : {std::pair("stand 1", 7904e3), std::pair("stand 3", 10494e3)}) {
+    const std::string name = pass;
+    EXPECT_TRUE(near((value(results, "bite." + name + ".force") / load - 1) / 0.02,
+                     value(results, "bite.fit.residual." + name + ".force"),
+                     within(1e-6, "one slab solved twice, forces converged to 1e-9", 1)));
+    EXPECT_TRUE(near(value(results, "bite." + name + ".friction"), value(results, "bite.fit.friction"),
+                     within(1e-12, "the same number")));
+  }
+  const auto inputs = results.at("values").at("K4.combined").at("inputs").get<std::vector<std::string>>();
+  for (const char *key :
+       {"bite.fit", "pass.2.forward_slip", "pass.1.load", "pass.0.slip_deviation", "strip.friction"})
+    EXPECT_TRUE(std::count(inputs.begin(), inputs.end(), key)) << key;
+  const std::string page = mill::read_text(scratch("three") + "/report.html");
+  EXPECT_NE(page.find("Friction and flow stress that the measured values allow"), std::string::npos);
+  EXPECT_NE(page.find("95 % interval"), std::string::npos);
+}
+
+TEST(FitCommand, ForceAloneIsOneNumberAndSaysSo)
+{
+  const auto outcome = fit("cases/cold-fit.toml", "force", "--set 'bite.fit=[\"force\"]'");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto results = results_of("force");
+  EXPECT_EQ(results.at("values").at("bite.fit.friction").at("source"),
+            "given: kept, for the measured values do not tell it");
+  EXPECT_FALSE(results.at("values").contains("bite.fit.friction_low"));
+  EXPECT_TRUE(results.at("values").contains("bite.fit.flow_stress_factor_low"));
+  EXPECT_EQ(value(results, "bite.fit.freedom"), 2);
+  const std::string said = sentence_with(results, "warnings", "one number");
+  EXPECT_EQ(
+      said.rfind("fit of the bite: the force alone gives one number: friction stays 0.08, for friction +10 % "
+                 "with flow_stress -",
+                 0),
+      0u)
+      << said;
+  EXPECT_NE(said.find("add \"slip\" to bite.fit and forward_slip to the passes"), std::string::npos) << said;
+}
+
+// One force and one slip, two numbers: the model of the run itself ends on both.
+TEST(FitCommand, FiniteElementsOfTheFittedStripMeetTheMeasuredValues)
+{
+  const std::string path = scratch("hot") + ".toml";
+  std::ofstream(path) << hot_pass;
+  const auto outcome = fit(path, "hot");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto results = results_of("hot");
+  EXPECT_TRUE(near(value(results, "bite.a.force"), 1100e3,
+                   within(0.002, "rounds end when no value moves by a twentieth of its 2 %")));
+  EXPECT_TRUE(near(value(results, "bite.a.forward_slip"), 0.065,
+                   within(0.0003 / 0.065, "and of its 0.3 points, half of them")));
+  EXPECT_EQ(sentence_with(results, "warnings", "the load of the pass"), "");
+  const auto &checks = results.at("values").at("bite.fit.friction").at("checks");
+  ASSERT_EQ(checks.size(), 1u);
+  EXPECT_EQ(checks[0].at("name"), "by Karman's slab alone");
+  EXPECT_NE(checks[0].at("value").get<double>(), value(results, "bite.fit.friction"));
+}
+
+TEST(FitCommand, ValuesThatContradictEachOtherAreNamed)
+{
+  const auto outcome = fit("cases/cold-fit.toml", "contrary", "--set 'pass.1.load=\"14000 kN\"'");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto results = results_of("contrary");
+  EXPECT_NE(sentence_with(results, "warnings", "the measured values do not fit together"), "");
+  EXPECT_NE(sentence_with(results, "warnings", "the load of the pass"), "") << "force and load differ on page one";
+}
