@@ -3,13 +3,7 @@
 #include <exception>
 #include <string>
 
-// What both C interfaces need: visible functions, and no exception beyond them.
-#ifdef _WIN32
-#define MILL_FMU_EXPORT extern "C" __declspec(dllexport)
-#else
-#define MILL_FMU_EXPORT extern "C" __attribute__((visibility("default")))
-#endif
-
+// What both C interfaces need: no exception passes beyond them.
 namespace mill::fmu {
 /// Carries out a call on an instance, which may be null.  What is thrown is told, and the instance is failed.
 template <class Call> Status guarded(void *component, const char *function, const Call &call) noexcept

@@ -52,19 +52,18 @@ fmi2Status discarded(fmi2Component c, const char *function, const char *why)
 }
 }  // namespace
 
-MILL_FMU_EXPORT fmi2String fmi2GetTypesPlatform()
+fmi2String fmi2GetTypesPlatform()
 {
   return "default";
 }
 
-MILL_FMU_EXPORT fmi2String fmi2GetVersion()
+fmi2String fmi2GetVersion()
 {
   return "2.0";
 }
 
-MILL_FMU_EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String location,
-                                              const fmi2CallbackFunctions *functions, fmi2Boolean,
-                                              fmi2Boolean logging)
+fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String location,
+                              const fmi2CallbackFunctions *functions, fmi2Boolean, fmi2Boolean logging)
 {
   try {
     if (!functions)
@@ -93,13 +92,12 @@ MILL_FMU_EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fm
   return nullptr;
 }
 
-MILL_FMU_EXPORT void fmi2FreeInstance(fmi2Component c)
+void fmi2FreeInstance(fmi2Component c)
 {
   delete static_cast<Instance *>(c);
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, std::size_t n,
-                                               const fmi2String categories[])
+fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, std::size_t n, const fmi2String categories[])
 {
   return call(c, "fmi2SetDebugLogging", [&](Instance &i) {
     std::vector<std::string> names;
@@ -111,49 +109,46 @@ MILL_FMU_EXPORT fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, 
   });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean, fmi2Real, fmi2Real start,
-                                               fmi2Boolean has_stop, fmi2Real stop)
+fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean, fmi2Real, fmi2Real start, fmi2Boolean has_stop,
+                               fmi2Real stop)
 {
   return call(c, "fmi2SetupExperiment",
               [&](Instance &i) { return i.set_up("fmi2SetupExperiment", start, has_stop != 0, stop); });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2EnterInitializationMode(fmi2Component c)
+fmi2Status fmi2EnterInitializationMode(fmi2Component c)
 {
   return call(c, "fmi2EnterInitializationMode",
               [](Instance &i) { return i.enter_initialization("fmi2EnterInitializationMode"); });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c)
+fmi2Status fmi2ExitInitializationMode(fmi2Component c)
 {
   return call(c, "fmi2ExitInitializationMode",
               [](Instance &i) { return i.exit_initialization("fmi2ExitInitializationMode"); });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2Terminate(fmi2Component c)
+fmi2Status fmi2Terminate(fmi2Component c)
 {
   return call(c, "fmi2Terminate", [](Instance &i) { return i.terminate("fmi2Terminate"); });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2Reset(fmi2Component c)
+fmi2Status fmi2Reset(fmi2Component c)
 {
   return call(c, "fmi2Reset", [](Instance &i) { return i.reset("fmi2Reset"); });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], std::size_t n,
-                                       fmi2Real value[])
+fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], std::size_t n, fmi2Real value[])
 {
   return call(c, "fmi2GetReal", [&](Instance &i) { return i.get("fmi2GetReal", vr, n, value); });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2GetInteger(fmi2Component c, const fmi2ValueReference vr[], std::size_t n,
-                                          fmi2Integer[])
+fmi2Status fmi2GetInteger(fmi2Component c, const fmi2ValueReference vr[], std::size_t n, fmi2Integer[])
 {
   return no_variables(c, "fmi2GetInteger", vr, n, "Integer");
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2GetBoolean(fmi2Component c, const fmi2ValueReference vr[], std::size_t n,
-                                          fmi2Boolean value[])
+fmi2Status fmi2GetBoolean(fmi2Component c, const fmi2ValueReference vr[], std::size_t n, fmi2Boolean value[])
 {
   return call(c, "fmi2GetBoolean", [&](Instance &i) {
     for (std::size_t k = 0; k < n || k == 0; ++k) {
@@ -169,26 +164,22 @@ MILL_FMU_EXPORT fmi2Status fmi2GetBoolean(fmi2Component c, const fmi2ValueRefere
   });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2GetString(fmi2Component c, const fmi2ValueReference vr[], std::size_t n,
-                                         fmi2String[])
+fmi2Status fmi2GetString(fmi2Component c, const fmi2ValueReference vr[], std::size_t n, fmi2String[])
 {
   return no_variables(c, "fmi2GetString", vr, n, "String");
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], std::size_t n,
-                                       const fmi2Real value[])
+fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], std::size_t n, const fmi2Real value[])
 {
   return call(c, "fmi2SetReal", [&](Instance &i) { return i.set("fmi2SetReal", vr, n, value); });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2SetInteger(fmi2Component c, const fmi2ValueReference vr[], std::size_t n,
-                                          const fmi2Integer[])
+fmi2Status fmi2SetInteger(fmi2Component c, const fmi2ValueReference vr[], std::size_t n, const fmi2Integer[])
 {
   return no_variables(c, "fmi2SetInteger", vr, n, "Integer");
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2SetBoolean(fmi2Component c, const fmi2ValueReference vr[], std::size_t n,
-                                          const fmi2Boolean value[])
+fmi2Status fmi2SetBoolean(fmi2Component c, const fmi2ValueReference vr[], std::size_t n, const fmi2Boolean value[])
 {
   return call(c, "fmi2SetBoolean", [&](Instance &i) {
     // bool arrays, since those of FMI 2 are of int
@@ -199,75 +190,70 @@ MILL_FMU_EXPORT fmi2Status fmi2SetBoolean(fmi2Component c, const fmi2ValueRefere
   });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference vr[], std::size_t n,
-                                         const fmi2String[])
+fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference vr[], std::size_t n, const fmi2String[])
 {
   return no_variables(c, "fmi2SetString", vr, n, "String");
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate *state)
+fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate *state)
 {
   return call(c, "fmi2GetFMUstate", [&](Instance &i) { return i.copy("fmi2GetFMUstate", state); });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate state)
+fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate state)
 {
   return call(c, "fmi2SetFMUstate", [&](Instance &i) { return i.restore("fmi2SetFMUstate", state); });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate *state)
+fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate *state)
 {
   return call(c, "fmi2FreeFMUstate", [&](Instance &i) { return i.free_copy("fmi2FreeFMUstate", state); });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2SerializedFMUstateSize(fmi2Component c, fmi2FMUstate state, std::size_t *size)
+fmi2Status fmi2SerializedFMUstateSize(fmi2Component c, fmi2FMUstate state, std::size_t *size)
 {
   return call(c, "fmi2SerializedFMUstateSize",
               [&](Instance &i) { return i.serialized_size("fmi2SerializedFMUstateSize", state, size); });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2SerializeFMUstate(fmi2Component c, fmi2FMUstate state, fmi2Byte bytes[],
-                                                 std::size_t size)
+fmi2Status fmi2SerializeFMUstate(fmi2Component c, fmi2FMUstate state, fmi2Byte bytes[], std::size_t size)
 {
   return call(c, "fmi2SerializeFMUstate",
               [&](Instance &i) { return i.serialize("fmi2SerializeFMUstate", state, bytes, size); });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte bytes[], std::size_t size,
-                                                   fmi2FMUstate *state)
+fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte bytes[], std::size_t size, fmi2FMUstate *state)
 {
   return call(c, "fmi2DeSerializeFMUstate",
               [&](Instance &i) { return i.deserialize("fmi2DeSerializeFMUstate", bytes, size, state); });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReference unknown[],
-                                                        std::size_t n_unknown, const fmi2ValueReference known[],
-                                                        std::size_t n_known, const fmi2Real seed[],
-                                                        fmi2Real result[])
+fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReference unknown[], std::size_t n_unknown,
+                                        const fmi2ValueReference known[], std::size_t n_known,
+                                        const fmi2Real seed[], fmi2Real result[])
 {
   return call(c, "fmi2GetDirectionalDerivative", [&](Instance &i) {
     return i.derivative("fmi2GetDirectionalDerivative", {unknown, n_unknown, known, n_known, seed, result, false});
   });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueReference vr[],
-                                                       std::size_t n, const fmi2Integer order[],
-                                                       const fmi2Real value[])
+fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueReference vr[], std::size_t n,
+                                       const fmi2Integer order[], const fmi2Real value[])
 {
   return call(c, "fmi2SetRealInputDerivatives", [&](Instance &i) {
     return i.set_input_derivatives("fmi2SetRealInputDerivatives", vr, n, order, value);
   });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReference vr[],
-                                                        std::size_t n, const fmi2Integer order[], fmi2Real value[])
+fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReference vr[], std::size_t n,
+                                        const fmi2Integer order[], fmi2Real value[])
 {
   return call(c, "fmi2GetRealOutputDerivatives", [&](Instance &i) {
     return i.get_output_derivatives("fmi2GetRealOutputDerivatives", vr, n, order, value);
   });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real from, fmi2Real length, fmi2Boolean)
+fmi2Status fmi2DoStep(fmi2Component c, fmi2Real from, fmi2Real length, fmi2Boolean)
 {
   return call(c, "fmi2DoStep", [&](Instance &i) {
     if (!i.may_step("fmi2DoStep", from, length))
@@ -277,7 +263,7 @@ MILL_FMU_EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real from, fmi2Real l
   });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2CancelStep(fmi2Component c)
+fmi2Status fmi2CancelStep(fmi2Component c)
 {
   return call(c, "fmi2CancelStep", [](Instance &i) {
     return i.log().refuse(Status::error,
@@ -285,12 +271,12 @@ MILL_FMU_EXPORT fmi2Status fmi2CancelStep(fmi2Component c)
   });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2GetStatus(fmi2Component c, fmi2StatusKind, fmi2Status *)
+fmi2Status fmi2GetStatus(fmi2Component c, fmi2StatusKind, fmi2Status *)
 {
   return discarded(c, "fmi2GetStatus", "no step is ever pending");
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2GetRealStatus(fmi2Component c, fmi2StatusKind kind, fmi2Real *value)
+fmi2Status fmi2GetRealStatus(fmi2Component c, fmi2StatusKind kind, fmi2Real *value)
 {
   if (kind != fmi2LastSuccessfulTime || !value)
     return discarded(c, "fmi2GetRealStatus", "only fmi2LastSuccessfulTime is known");
@@ -300,12 +286,12 @@ MILL_FMU_EXPORT fmi2Status fmi2GetRealStatus(fmi2Component c, fmi2StatusKind kin
   });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2GetIntegerStatus(fmi2Component c, fmi2StatusKind, fmi2Integer *)
+fmi2Status fmi2GetIntegerStatus(fmi2Component c, fmi2StatusKind, fmi2Integer *)
 {
   return discarded(c, "fmi2GetIntegerStatus", "no status is a whole number");
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2GetBooleanStatus(fmi2Component c, fmi2StatusKind kind, fmi2Boolean *value)
+fmi2Status fmi2GetBooleanStatus(fmi2Component c, fmi2StatusKind kind, fmi2Boolean *value)
 {
   if (kind != fmi2Terminated || !value)
     return discarded(c, "fmi2GetBooleanStatus", "only fmi2Terminated is known");
@@ -315,7 +301,7 @@ MILL_FMU_EXPORT fmi2Status fmi2GetBooleanStatus(fmi2Component c, fmi2StatusKind 
   });
 }
 
-MILL_FMU_EXPORT fmi2Status fmi2GetStringStatus(fmi2Component c, fmi2StatusKind, fmi2String *)
+fmi2Status fmi2GetStringStatus(fmi2Component c, fmi2StatusKind, fmi2String *)
 {
   return discarded(c, "fmi2GetStringStatus", "no step is ever pending");
 }

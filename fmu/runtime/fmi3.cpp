@@ -51,15 +51,16 @@ bool counts_agree(Instance &i, const char *function, const std::size_t reference
 }
 }  // namespace
 
-MILL_FMU_EXPORT fmi3String fmi3GetVersion()
+fmi3String fmi3GetVersion()
 {
   return "3.0";
 }
 
-MILL_FMU_EXPORT fmi3Instance fmi3InstantiateCoSimulation(
-    fmi3String name, fmi3String token, fmi3String resource_path, fmi3Boolean, fmi3Boolean logging,
-    fmi3Boolean event_mode, fmi3Boolean, const fmi3ValueReference intermediate[], std::size_t n_intermediate,
-    fmi3InstanceEnvironment environment, fmi3LogMessageCallback message, fmi3IntermediateUpdateCallback update)
+fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3String resource_path, fmi3Boolean,
+                                         fmi3Boolean logging, fmi3Boolean event_mode, fmi3Boolean,
+                                         const fmi3ValueReference intermediate[], std::size_t n_intermediate,
+                                         fmi3InstanceEnvironment environment, fmi3LogMessageCallback message,
+                                         fmi3IntermediateUpdateCallback update)
 {
   try {
     const Fmi3Log told(environment, message, logging);
@@ -87,13 +88,12 @@ MILL_FMU_EXPORT fmi3Instance fmi3InstantiateCoSimulation(
   return nullptr;
 }
 
-MILL_FMU_EXPORT void fmi3FreeInstance(fmi3Instance i)
+void fmi3FreeInstance(fmi3Instance i)
 {
   delete static_cast<Fmi3Instance *>(static_cast<Instance *>(i));
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3SetDebugLogging(fmi3Instance instance, fmi3Boolean on, std::size_t n,
-                                               const fmi3String categories[])
+fmi3Status fmi3SetDebugLogging(fmi3Instance instance, fmi3Boolean on, std::size_t n, const fmi3String categories[])
 {
   return call3(instance, "fmi3SetDebugLogging", [&](Instance &i) {
     std::vector<std::string> names;
@@ -105,8 +105,8 @@ MILL_FMU_EXPORT fmi3Status fmi3SetDebugLogging(fmi3Instance instance, fmi3Boolea
   });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3EnterInitializationMode(fmi3Instance instance, fmi3Boolean, fmi3Float64,
-                                                       fmi3Float64 start, fmi3Boolean has_stop, fmi3Float64 stop)
+fmi3Status fmi3EnterInitializationMode(fmi3Instance instance, fmi3Boolean, fmi3Float64, fmi3Float64 start,
+                                       fmi3Boolean has_stop, fmi3Float64 stop)
 {
   const char *function = "fmi3EnterInitializationMode";
   return call3(instance, function, [&](Instance &i) {
@@ -115,40 +115,40 @@ MILL_FMU_EXPORT fmi3Status fmi3EnterInitializationMode(fmi3Instance instance, fm
   });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3ExitInitializationMode(fmi3Instance instance)
+fmi3Status fmi3ExitInitializationMode(fmi3Instance instance)
 {
   return call3(instance, "fmi3ExitInitializationMode",
                [](Instance &i) { return i.exit_initialization("fmi3ExitInitializationMode"); });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3Terminate(fmi3Instance instance)
+fmi3Status fmi3Terminate(fmi3Instance instance)
 {
   return call3(instance, "fmi3Terminate", [](Instance &i) { return i.terminate("fmi3Terminate"); });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3Reset(fmi3Instance instance)
+fmi3Status fmi3Reset(fmi3Instance instance)
 {
   return call3(instance, "fmi3Reset", [](Instance &i) { return i.reset("fmi3Reset"); });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3GetFloat64(fmi3Instance instance, const fmi3ValueReference vr[], std::size_t n,
-                                          fmi3Float64 values[], std::size_t n_values)
+fmi3Status fmi3GetFloat64(fmi3Instance instance, const fmi3ValueReference vr[], std::size_t n,
+                          fmi3Float64 values[], std::size_t n_values)
 {
   return call3(instance, "fmi3GetFloat64", [&](Instance &i) {
     return counts_agree(i, "fmi3GetFloat64", n, n_values) ? i.get("fmi3GetFloat64", vr, n, values) : Status::error;
   });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3SetFloat64(fmi3Instance instance, const fmi3ValueReference vr[], std::size_t n,
-                                          const fmi3Float64 values[], std::size_t n_values)
+fmi3Status fmi3SetFloat64(fmi3Instance instance, const fmi3ValueReference vr[], std::size_t n,
+                          const fmi3Float64 values[], std::size_t n_values)
 {
   return call3(instance, "fmi3SetFloat64", [&](Instance &i) {
     return counts_agree(i, "fmi3SetFloat64", n, n_values) ? i.set("fmi3SetFloat64", vr, n, values) : Status::error;
   });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3GetBoolean(fmi3Instance instance, const fmi3ValueReference vr[], std::size_t n,
-                                          fmi3Boolean values[], std::size_t n_values)
+fmi3Status fmi3GetBoolean(fmi3Instance instance, const fmi3ValueReference vr[], std::size_t n,
+                          fmi3Boolean values[], std::size_t n_values)
 {
   return call3(instance, "fmi3GetBoolean", [&](Instance &i) {
     return counts_agree(i, "fmi3GetBoolean", n, n_values) ? i.get_truth("fmi3GetBoolean", vr, n, values)
@@ -156,8 +156,8 @@ MILL_FMU_EXPORT fmi3Status fmi3GetBoolean(fmi3Instance instance, const fmi3Value
   });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3SetBoolean(fmi3Instance instance, const fmi3ValueReference vr[], std::size_t n,
-                                          const fmi3Boolean values[], std::size_t n_values)
+fmi3Status fmi3SetBoolean(fmi3Instance instance, const fmi3ValueReference vr[], std::size_t n,
+                          const fmi3Boolean values[], std::size_t n_values)
 {
   return call3(instance, "fmi3SetBoolean", [&](Instance &i) {
     return counts_agree(i, "fmi3SetBoolean", n, n_values) ? i.set_truth("fmi3SetBoolean", vr, n, values)
@@ -165,48 +165,46 @@ MILL_FMU_EXPORT fmi3Status fmi3SetBoolean(fmi3Instance instance, const fmi3Value
   });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3GetFMUState(fmi3Instance instance, fmi3FMUState *state)
+fmi3Status fmi3GetFMUState(fmi3Instance instance, fmi3FMUState *state)
 {
   return call3(instance, "fmi3GetFMUState", [&](Instance &i) { return i.copy("fmi3GetFMUState", state); });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3SetFMUState(fmi3Instance instance, fmi3FMUState state)
+fmi3Status fmi3SetFMUState(fmi3Instance instance, fmi3FMUState state)
 {
   return call3(instance, "fmi3SetFMUState", [&](Instance &i) { return i.restore("fmi3SetFMUState", state); });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3FreeFMUState(fmi3Instance instance, fmi3FMUState *state)
+fmi3Status fmi3FreeFMUState(fmi3Instance instance, fmi3FMUState *state)
 {
   return call3(instance, "fmi3FreeFMUState", [&](Instance &i) { return i.free_copy("fmi3FreeFMUState", state); });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3SerializedFMUStateSize(fmi3Instance instance, fmi3FMUState state, std::size_t *size)
+fmi3Status fmi3SerializedFMUStateSize(fmi3Instance instance, fmi3FMUState state, std::size_t *size)
 {
   return call3(instance, "fmi3SerializedFMUStateSize",
                [&](Instance &i) { return i.serialized_size("fmi3SerializedFMUStateSize", state, size); });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3SerializeFMUState(fmi3Instance instance, fmi3FMUState state, fmi3Byte bytes[],
-                                                 std::size_t size)
+fmi3Status fmi3SerializeFMUState(fmi3Instance instance, fmi3FMUState state, fmi3Byte bytes[], std::size_t size)
 {
   return call3(instance, "fmi3SerializeFMUState", [&](Instance &i) {
     return i.serialize("fmi3SerializeFMUState", state, reinterpret_cast<char *>(bytes), size);
   });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3DeserializeFMUState(fmi3Instance instance, const fmi3Byte bytes[], std::size_t size,
-                                                   fmi3FMUState *state)
+fmi3Status fmi3DeserializeFMUState(fmi3Instance instance, const fmi3Byte bytes[], std::size_t size,
+                                   fmi3FMUState *state)
 {
   return call3(instance, "fmi3DeserializeFMUState", [&](Instance &i) {
     return i.deserialize("fmi3DeserializeFMUState", reinterpret_cast<const char *>(bytes), size, state);
   });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[],
-                                                        std::size_t n_unknowns, const fmi3ValueReference knowns[],
-                                                        std::size_t n_knowns, const fmi3Float64 seed[],
-                                                        std::size_t n_seed, fmi3Float64 sensitivity[],
-                                                        std::size_t n_sensitivity)
+fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[],
+                                        std::size_t n_unknowns, const fmi3ValueReference knowns[],
+                                        std::size_t n_knowns, const fmi3Float64 seed[], std::size_t n_seed,
+                                        fmi3Float64 sensitivity[], std::size_t n_sensitivity)
 {
   const char *function = "fmi3GetDirectionalDerivative";
   return call3(instance, function, [&](Instance &i) {
@@ -216,11 +214,10 @@ MILL_FMU_EXPORT fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, c
   });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[],
-                                                    std::size_t n_unknowns, const fmi3ValueReference knowns[],
-                                                    std::size_t n_knowns, const fmi3Float64 seed[],
-                                                    std::size_t n_seed, fmi3Float64 sensitivity[],
-                                                    std::size_t n_sensitivity)
+fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[],
+                                    std::size_t n_unknowns, const fmi3ValueReference knowns[],
+                                    std::size_t n_knowns, const fmi3Float64 seed[], std::size_t n_seed,
+                                    fmi3Float64 sensitivity[], std::size_t n_sensitivity)
 {
   const char *function = "fmi3GetAdjointDerivative";
   return call3(instance, function, [&](Instance &i) {
@@ -230,9 +227,8 @@ MILL_FMU_EXPORT fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const
   });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3GetOutputDerivatives(fmi3Instance instance, const fmi3ValueReference vr[],
-                                                    std::size_t n, const fmi3Int32 orders[], fmi3Float64 values[],
-                                                    std::size_t n_values)
+fmi3Status fmi3GetOutputDerivatives(fmi3Instance instance, const fmi3ValueReference vr[], std::size_t n,
+                                    const fmi3Int32 orders[], fmi3Float64 values[], std::size_t n_values)
 {
   const char *function = "fmi3GetOutputDerivatives";
   return call3(instance, function, [&](Instance &i) {
@@ -241,9 +237,9 @@ MILL_FMU_EXPORT fmi3Status fmi3GetOutputDerivatives(fmi3Instance instance, const
   });
 }
 
-MILL_FMU_EXPORT fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 from, fmi3Float64 length, fmi3Boolean,
-                                      fmi3Boolean *event_needed, fmi3Boolean *terminate, fmi3Boolean *early,
-                                      fmi3Float64 *last_time)
+fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 from, fmi3Float64 length, fmi3Boolean,
+                      fmi3Boolean *event_needed, fmi3Boolean *terminate, fmi3Boolean *early,
+                      fmi3Float64 *last_time)
 {
   return call3(instance, "fmi3DoStep", [&](Instance &i) {
     for (fmi3Boolean *flag : {event_needed, terminate, early})
