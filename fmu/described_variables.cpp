@@ -180,7 +180,8 @@ std::vector<std::string> broken_rules(const std::vector<DescribedVariable> &vari
     if (v.has_start() && !std::isfinite(v.start))
       complain("the start value is no finite number");
     if (v.has_start() && v.bounded() && (v.start < v.low || v.start > v.high))
-      complain(fmt::format("the start value {} {} is out of the range {} .. {}", v.start, v.unit, v.low, v.high));
+      complain(
+          fmt::format("the start value {:g} {} is out of the range {:g} .. {:g}", v.start, v.unit, v.low, v.high));
     if (v.type != Type::real)
       continue;
     const UnitRow *unit = nullptr;

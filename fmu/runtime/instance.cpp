@@ -141,18 +141,25 @@ double Instance::mean() const
   return now_.values[2];
 }
 
+// Once it is wanted: most clients bring a force of their own.
+void Instance::load_series()
+{
+  if (!series_.time.empty())
+    return;
+  const std::string path = folder_ + "force.csv";
+  const std::string text = read_file(path);
+  try {
+    series_ = read_series(text);
+  } catch (const std::exception &e) {
+    throw std::runtime_error(path + ": " + e.what());
+  }
+}
+
 // Rest in the equilibrium under the force that acts now.
 void Instance::settle()
 {
   if (now_.stored) {
-    if (series_.time.empty()) {
-      const std::string path = folder_ + "force.csv";
-      try {
-        series_ = read_series(read_file(path));
-      } catch (const std::exception &e) {
-        throw std::runtime_error(path + ": " + e.what());
-      }
-    }
+    load_series();
     now_.place = series_.before(now_.time, 0);
     now_.force = series_.at(now_.time, now_.place);
   } else

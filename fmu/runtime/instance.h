@@ -122,6 +122,7 @@ private:
   void use_parameters();
   void bring_up_to_date();
   void settle();
+  void load_series();
   void play_series(double end);
   double mean() const;
   void evaluate(const ModalSystem &system, const Motion &motion, const ModalState &modes, double force,

@@ -145,6 +145,8 @@ Status Instance::restore(const char *function, const void *state)
     return Status::error;
   // The modes of a copy belong to its own parameters: nothing is to be carried over from the present ones.
   Snapshot wanted = static_cast<const Copy *>(state)->state;
+  if (wanted.stored)
+    load_series();
   ModalState modes;
   std::swap(modes, wanted.modes);
   now_ = std::move(wanted);
@@ -207,7 +209,9 @@ Status Instance::deserialize(const char *function, const char *bytes, const std:
   auto made = std::make_unique<Copy>(Copy{mark_, {}});
   StateReader reader(bytes + header_size, std::size_t(head[1]));
   each_number(reader, made->state);
-  if (!reader.at_end() || made->state.values.size() != variables_.size())
+  const std::size_t modes = made->state.modes.q.size();
+  if (!reader.at_end() || made->state.values.size() != variables_.size() || made->state.modes.p.size() != modes ||
+      (modes != 0 && modes != model_.n_modes()))
     return log_->refuse(Status::error, who + "the bytes are no serialised state, or they are damaged");
   if (*state) {
     if (!is_copy(function, *state))

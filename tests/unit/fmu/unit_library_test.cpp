@@ -93,13 +93,13 @@ TEST(UnitLibrary, NeedsLibcAndLibmAndNoPath)
 
 TEST(UnitLibrary, SaysWhichGlibcItNeeds)
 {
-  std::string newest;
-  for (const std::string &version :
-       words_of(output_of("objdump -T '" + library() + "' | grep -o 'GLIBC_[0-9.]*' | sort -u -V")))
-    newest = newest.size() == version.size()  ? std::max(newest, version)
-             : newest.size() < version.size() ? version
-                                              : newest;
-  EXPECT_EQ(fmu::named_file("glibc"), newest);
+  std::pair<int, int> newest{0, 0};
+  const std::string symbols = output_of("objdump -T '" + library() + "'");
+  const std::regex version(R"(GLIBC_(\d+)\.(\d+))");
+  for (std::sregex_iterator it(symbols.begin(), symbols.end(), version), end; it != end; ++it)
+    newest = std::max(newest, {std::stoi((*it)[1]), std::stoi((*it)[2])});
+  EXPECT_EQ(fmu::named_file("glibc"),
+            "GLIBC_" + std::to_string(newest.first) + "." + std::to_string(newest.second));
 }
 
 TEST(UnitLibrary, SourcesIncludeThemselvesAndTheStandardLibrary)

@@ -82,20 +82,27 @@ TEST(UnitMotion, HeldInputAgreesWithAnExactStaircase)
     Client2 fine(coarse.unit, stand.model, stand.model.data.guid, "");
     ASSERT_EQ(coarse.start(970e3), fmi2OK) << coarse.told();
     ASSERT_EQ(fine.start(970e3), fmi2OK);
-    // The product's integrator takes straight lines: a constant force after the start is one.
-    ForceRecord held{Eigen::Vector3d(0, 1e-12, 1), Eigen::Vector3d(970e3, 980e3, 980e3), {}};
+    const ForceRecord held{Eigen::Vector3d(0, 1e-3, 1.001), Eigen::Vector3d(970e3, 980e3, 980e3), {}};
     const auto response = dynamics::mill_response(stand.chain, held, 1e3);
-    coarse.set("F_roll", 980e3);
-    fine.set("F_roll", 980e3);
-    double worst = 0;
+    for (Client2 *client : {&coarse, &fine}) {
+      client->slope(1e7);
+      ASSERT_EQ(client->step(0, 1e-3), fmi2OK) << client->told();
+      client->set("F_roll", 980e3);
+    }
+    double worst = 0, at = 1e-3, fine_at = 1e-3;
     for (int k = 0; k < 5; ++k) {
-      ASSERT_EQ(coarse.step(0.2 * k, 0.2), fmi2OK) << coarse.told();
-      for (int i = 0; i < 200; ++i)
-        ASSERT_EQ(fine.step(0.2 * k + 1e-3 * i, 1e-3), fmi2OK) << fine.told();
+      const double end = 1e-3 + 0.2 * (k + 1);
+      ASSERT_EQ(coarse.step(at, end - at), fmi2OK) << coarse.told();
+      at = at + (end - at);
+      for (int i = 1; i <= 200; ++i) {
+        const double to = 1e-3 + 0.2 * k + 1e-3 * i;
+        ASSERT_EQ(fine.step(fine_at, to - fine_at), fmi2OK) << fine.told();
+        fine_at = fine_at + (to - fine_at);
+      }
       // the mean of the record is not F_mean, which the load cell alone notices where springs share the force
       for (Eigen::Index j = 0; j < 6; ++j) {
         const double scale = response.acceleration.col(j).cwiseAbs().maxCoeff();
-        const double exact = response.acceleration(200 * (k + 1), j);
+        const double exact = response.acceleration(200 * (k + 1) + 1, j);
         worst              = std::max({worst, std::abs(coarse.get(accelerations[j]) - exact) / scale,
                                        std::abs(fine.get(accelerations[j]) - exact) / scale});
       }
@@ -156,17 +163,19 @@ TEST(UnitMotion, OneMassAnswersAStepInClosedForm)
     fmu::Motion motion(system);
     auto state     = motion.equilibrium(0);
     const double w = 2 * M_PI * 40, wd = w * std::sqrt(1 - zeta * zeta), force = 1e4;
-    double time = 0, worst = 0;
+    long double clock = 0;  // the sum of the lengths, not rounded
+    double worst      = 0;
     for (int i = 0; i < 3000; ++i) {
       const double h = i % 7 == 0 ? 3.1e-3 : i % 3 == 0 ? 1e-5 : 1.7e-4;
       motion.advance(state, h, {force, 0});
-      time += h;
-      const double e = std::exp(-zeta * w * time);
+      clock += h;
+      const double time = double(clock);
+      const double e    = std::exp(-zeta * w * time);
       const double q =
           0.01 * force / (w * w) * (1 - e * (std::cos(wd * time) + zeta * w / wd * std::sin(wd * time)));
       worst = std::max(worst, std::abs(state.q[0] - q) * w * w / (0.01 * force));
     }
-    EXPECT_LT(worst, 2e-12) << "damping " << zeta << ", " << time << " s";
+    EXPECT_LT(worst, 2e-12) << "damping " << zeta;
   }
 }
 
@@ -186,7 +195,8 @@ TEST(UnitMotion, ShortStepsLoseNoDigits)
     fmu::Motion motion(fmu::modal_system(data, fmu::start_of(data)));
     auto state = motion.equilibrium(0);
     motion.advance(state, h, {0, 1});
-    const double x = w * h, series = x * x * x / 6 * (1 - x * x / 20 * (1 - x * x / 42 * (1 - x * x / 72)));
+    const double x = w * h, terms = 1 - x * x / 72 * (1 - x * x / 110 * (1 - x * x / 156 * (1 - x * x / 210)));
+    const double series = x * x * x / 6 * (1 - x * x / 20 * (1 - x * x / 42 * terms));
     EXPECT_TRUE(near(state.q[0], series / (w * w * w), within(1e-14, "rounding"))) << h;
   }
 }
@@ -249,10 +259,10 @@ TEST(UnitMotion, AChangedSpringKeepsPlacesAndMovesFrequencies)
   std::vector<double> y;
   for (const char *name : {"y1", "y2", "y3", "y4", "y5", "y6"})
     y.push_back(client.get(name));
-  const double a_before = client.get("a_upper_work_roll"), f3 = client.get("f3");
+  const double a_before = client.get("a_upper_work_roll"), f6 = client.get("f6");
   ASSERT_EQ(client.set("K3", 2e10), fmi2OK) << client.told();
   EXPECT_EQ(client.get("a_upper_work_roll"), a_before) << "what is read belongs to the last step";
-  EXPECT_LT(client.get("f3"), 0.99 * f3);
+  EXPECT_LT(client.get("f6"), 0.99 * f6);
   ASSERT_EQ(client.step(0.0123, 1e-9), fmi2OK);
   for (std::size_t i = 0; i < 6; ++i)
     EXPECT_NEAR(client.get("y" + std::to_string(i + 1)), y[i], 1e-9) << i;
