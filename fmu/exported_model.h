@@ -27,7 +27,6 @@ struct ExportedModel {
   std::map<std::string, std::string> source;  ///< by variable, where its start value comes from
   ForceRecord series;                         ///< that travels along; empty: none
   double step = 0;                            ///< s, proposed communication step
-  std::string lumped_model;                   ///< TOML that the unit was made from
   CheckRun check;
 };
 }  // namespace mill::fmu

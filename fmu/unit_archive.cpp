@@ -66,8 +66,6 @@ std::string unit_archive(const ExportedModel &model, const int fmi_version)
   for (const EmbeddedFile &file : source_files())
     entries.push_back({std::string("sources/") + file.name, file.bytes()});
   entries.push_back({"sources/buildDescription.xml", build_description(model)});
-  if (!model.lumped_model.empty())
-    entries.push_back({"extra/org.millstand/lumped_model.toml", model.lumped_model});
   return archive_of(entries);
 }
 

@@ -74,13 +74,14 @@ void Motion::prepare_modes(Prepared &step, const double h) const
   for (std::size_t i = 0; i < n_; ++i) {
     const double w = rad_[i], g = bite_[i], zeta = damping_;
     if (w * h < 0.5) {
+      const int terms = w * h < 0.05 ? 12 : 22;  // the first left out is below 0.05^14/14! and 0.5^24/24!
       // d_k = coefficient of (t/h)^k times h^k of q, for a unit of q, p, force and slope in turn
       const auto series = [&](const double q0, const double p0, const double f0, const double f1, double &q,
                               double &p) {
         double before = q0, now = p0 * h;
         q = before + now;
         p = now;
-        for (int k = 0; k < 22; ++k) {
+        for (int k = 0; k < terms; ++k) {
           const double force = k == 0 ? f0 : k == 1 ? f1 * h : 0;
           const double next  = (g * h * h * force - 2 * zeta * w * h * (k + 1) * now - w * h * w * h * before) /
                               ((k + 1.0) * (k + 2.0));
@@ -169,16 +170,20 @@ void Motion::prepare(Prepared &step, const double length) const
     prepare_exponential(step, length);
 }
 
+// The length that is prepared depends on the length asked for alone, not on those before: a multiple of a small
+// time, so that a copy of the state goes on with the same digits in another instance.
 const Motion::Prepared &Motion::prepared_for(const double length)
 {
+  const double multiple = fastest_ > 0 ? std::round(length / same_length * fastest_) : 0;
+  const double wanted   = multiple > 0 ? multiple * (same_length / fastest_) : length;
   for (const Prepared &step : prepared_)
-    if (std::abs(step.length - length) * fastest_ <= same_length)
+    if (step.length == wanted)
       return step;
   if (prepared_.size() < most_prepared)
     prepared_.emplace_back();
   Prepared &step = prepared_[next_place_];
   next_place_    = (next_place_ + 1) % most_prepared;
-  prepare(step, length);
+  prepare(step, wanted);
   return step;
 }
 

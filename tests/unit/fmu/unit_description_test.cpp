@@ -215,7 +215,7 @@ TEST(UnitDescription, BrokenTablesAreNamed)
     FAIL() << "a spring of zero stiffness";
   } catch (const InputError &e) {
     EXPECT_STREQ(e.what(),
-                 "the model cannot be exported as a functional mock-up unit: K3: the start value 0 N/m is "
+                 "error: the model cannot be exported as a functional mock-up unit: K3: the start value 0 N/m is "
                  "out of the range 1000 .. 1e+15");
   }
   auto variables                    = fmu::described_variables(sample_stand().model, 3);

@@ -151,13 +151,12 @@ TEST(ExportCommand, KeepsFilesThatAreNotItsOwn)
 // program.
 TEST(ExportCommand, OtherFramesAndForcesPassTheCheckOfTheProgram)
 {
-  for (const std::string meaning : {"measured", "disturbance", "published"})
-    for (const std::string frame : {"open", "closed"}) {
-      const auto outcome = exported("-q -o other.fmu --force-overwrite --set given.C='1.9e5 N s/m' --set "
-                                    "dynamics.force_meaning=" +
-                                    meaning + " --set dynamics.frame=" + frame + " --pass 'pass 2'");
-      EXPECT_EQ(outcome.exit_code, 0) << meaning << " " << frame << outcome.err;
-    }
+  for (const char *choice : {"dynamics.force_meaning=disturbance --set dynamics.frame=closed",
+                             "dynamics.force_meaning=published --pass 'pass 2'"}) {
+    const auto outcome =
+        exported("-q -o other.fmu --force-overwrite --set given.C='1.9e5 N s/m' --set " + std::string(choice));
+    EXPECT_EQ(outcome.exit_code, 0) << choice << outcome.err;
+  }
   const auto sick = exported("-o sick.fmu --set given.K3='0.001 kN/mm' --set given.M3='0.001 kg' -q");
   EXPECT_EQ(sick.exit_code, 0) << sick.err;
 }
