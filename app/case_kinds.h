@@ -35,6 +35,8 @@ struct RunKind {
   /// Stages of a cold run with their share of the time, for the time left.
   std::vector<std::pair<std::string, double>> (*stages)(const Case &the_case) = nullptr;
   void (*run)(RunContext &run, Goal goal, const std::string &force_file)      = nullptr;
+  /// What a pass drives, for export; nullptr: nothing of this kind vibrates by itself.
+  DrivenStand (*driven)(RunContext &run, const std::string &pass) = nullptr;
   /// Geometry, bearings and passes in run.json.
   void (*describe)(const Case &the_case, nlohmann::ordered_json &manifest) = nullptr;
   /// Files beside the case that a run reads, but for the records of its passes.

@@ -71,6 +71,16 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
       command->add_option("--force", c.force, "force record that replaces those of the passes (CSV)");
   }
 
+  auto *unit = app.add_subcommand("export", "the driven model as a unit that other programs step (FMI 2 or 3)");
+  unit->add_option("FORMAT", c.format, "fmu")->required()->check(CLI::IsMember({"fmu"}));
+  unit->add_option("CASE", c.target, "case file of kind four-high or lumped")->required();
+  unit->add_option("--fmi", c.fmi, "version of the FMI standard, 2 or 3")
+      ->check(CLI::IsMember({2, 3}))
+      ->capture_default_str();
+  unit->add_option("--pass", c.pass, "pass whose load and force it belongs to (default: the first)");
+  add_common(unit, c);
+  unit->get_option("--output")->description("archive to write (default out/<case name>.fmu)");
+
   auto *trace = app.add_subcommand("trace", "which results one input reaches, by which road, with elasticities");
   trace->add_option("CASE", c.target, "case file")->required();
   trace->add_option("KEY", c.key, "input as --set names it, backup_roll.barrel_diameter")->required();

@@ -11,6 +11,9 @@ struct CommandLine {
   std::string output;              ///< -o; empty: default
   std::string force;               ///< simulate --force
   std::string key;                 ///< trace: input that is followed
+  std::string format;              ///< export: "fmu"
+  std::string pass;                ///< export --pass; empty: the first
+  int fmi = 2;                     ///< export --fmi: version of the standard
   std::string log;                 ///< --log
   std::string cache;               ///< --cache; empty: the user's cache folder
   std::vector<std::string> sets;   ///< --set section.key=value

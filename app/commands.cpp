@@ -1,10 +1,11 @@
 #include "app/commands.h"
-#include "app/address_space.h"
 #include "app/case_kinds.h"
 #include "app/console.h"
+#include "app/export_command.h"
 #include "app/out_of_memory.h"
 #include "app/pipeline.h"
 #include "app/run_log.h"
+#include "app/run_setup.h"
 #include "app/stages/bearing_model.h"
 #include "app/stages/mass_table.h"
 #include "app/trace/trace_text.h"
@@ -14,44 +15,20 @@
 #include "core/model/case.h"
 #include "core/numerics/sparse.h"
 #include "core/records/files.h"
-#include "fem/body/elastic_body.h"
 #include "report/compare/comparison.h"
 #include "report/page/html.h"
 #include "report/page/names.h"
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <fmt/format.h>
 #include <new>
-#include <thread>
 
 namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
 std::string manifest_path;
-
-// Condensed rolls outlive a result folder, so that another load or crown of the same rolls finds them.
-std::string cache_folder(const CommandLine &command, const OutputDir &out)
-{
-  if (!command.cache.empty())
-    return command.cache;
-  if (const char *base = std::getenv("XDG_CACHE_HOME"); base && *base)
-    return std::string(base) + "/millstand";
-  if (const char *home = std::getenv("HOME"); home && *home)
-    return std::string(home) + "/.cache/millstand";
-  return out.path() + "/cache";
-}
-
-std::string now()
-{
-  const std::time_t t = std::time(nullptr);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", std::localtime(&t));
-  return text;
-}
 
 std::string engineering(const Parameter &p)
 {
@@ -131,23 +108,12 @@ int run_chain(const CommandLine &command)
                       command.force_overwrite, run_id_of(the_case, command.verb, command.force));
   const RunLog log(out, command.log, command.verbose);
   console::ProgressBar bar(run_kind(the_case).stages(the_case), command.quiet);
-  RunContext run{the_case, out, cache_folder(command, out), command.fresh};
-  std::error_code cache_error;
-  if (fs::create_directories(run.cache, cache_error); cache_error) {
-    run.warn("the cache folder " + run.cache + " cannot be made (" + cache_error.message() +
-             "); nothing is kept for the next run");
-    run.cache = out.staging();
-  }
-  remove_stale_parts(run.cache);
-  const int wanted =
-      command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
-  run.threads       = threads_that_start(threads_that_fit(wanted));
-  run.started       = now();
+  RunContext run{the_case, out, cache_folder(command, out.path() + "/cache"), command.fresh};
+  open_cache(run, out.staging());
+  const int wanted  = set_up_threads(run, command);
+  run.started       = local_time();
   run.progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
   run.progress.log  = [&](const std::string &line) { log.line(line); };
-  set_blas_threads(1);  // stages and their parts share the threads; results are then the same with any number
-  reserve_address_space(run.threads);
-  fem::set_assembly_threads(run.threads);
   if (run.threads < wanted)
     log.line(fmt::format("{} threads in place of {}: more do not fit (ulimit -v) or do not start (ulimit -u)",
                          run.threads, wanted));
@@ -263,6 +229,8 @@ int carry_out(const CommandLine &command)
     console::print(case_schema());
     return 0;
   }
+  if (command.verb == "export")
+    return export_command(command, checked_case(command));
   if (command.verb == "report")
     return command.names.empty() ? write_report(command.target) : write_comparison(command);
   return run_chain(command);

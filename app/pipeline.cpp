@@ -112,7 +112,8 @@ struct StandParts {
 // All parts side by side, those that take longest first; results come in the order in which they are taken.
 class PartsOfStand {
 public:
-  PartsOfStand(RunContext &run, const FourHigh &stand, const std::vector<double> &loads, const Goal goal)
+  PartsOfStand(RunContext &run, const FourHigh &stand, const std::vector<double> &loads, const Goal goal,
+               const bool with_bites = true)
       : all(run), n_passes(stand.passes.size())
   {
     parts.K4.resize(n_passes);
@@ -123,8 +124,8 @@ public:
         parts.components = stand_components(own, stand, goal >= Goal::masses);
     });
     for (std::size_t p = 0; p < n_passes; ++p)
-      add(first_bite + p, [&, goal, p](RunContext &own) {
-        if (!stand.given.count("K4"))
+      add(first_bite + p, [&, goal, p, with_bites](RunContext &own) {
+        if (with_bites && !stand.given.count("K4"))
           parts.K4[p] =
               solve_bite_stiffness(own, stand, stand.passes[p], loads[p], p == 0, draws_bite_curves(goal));
       });
@@ -289,6 +290,61 @@ void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::stri
       simulate_pass(run, pass_model(model, lumped.dynamics), lumped.dynamics, pass, force_of(pass));
     run.progress.at("passes", double(p + 1) / double(lumped.passes.size()));
   }
+}
+
+namespace {
+std::size_t place_of(const std::vector<Pass> &passes, const std::string &wanted)
+{
+  std::string names;
+  for (std::size_t p = 0; p < passes.size(); ++p) {
+    if (wanted.empty() || passes[p].name == wanted)
+      return p;
+    names += (p == 0 ? "\"" : ", \"") + passes[p].name + "\"";
+  }
+  throw InputError("--pass \"" + wanted + "\": the case has no pass of this name; it has " +
+                   (names.empty() ? "none" : names));
+}
+}  // namespace
+
+DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string &pass)
+{
+  const std::size_t p     = place_of(stand.passes, pass);
+  const PassForces forces = forces_of(run, stand, "");
+  set_given_inputs(stand.given);
+  resolve_frame(run, stand);
+  // A measured force leaves K4 out, so that no bite has to be solved for it.
+  const bool gap_springs = stand.dynamics.force_meaning != "measured";
+  PartsOfStand made(run, stand, forces.loads, Goal::simulate, gap_springs);
+  made.take_bite(p);
+  DrivenStand driven_stand;
+  auto chain = reduce::lumped_stand(stand, chain_inputs(stand, made.parts, p, forces.loads[p]));
+  if (stand.dynamics.model != "six-mass" || stand.dynamics.mass_source != "closed-form") {
+    const StandModels models = stand_models(stand, chain, made.parts.components);
+    add_fe_masses(chain.model, stand, models);
+    if (const auto *detailed = driven(models, stand.dynamics))
+      driven_stand.modes = driven_modes(*detailed, chain.model, stand.dynamics);
+  }
+  driven_stand.chain    = chain.model;
+  driven_stand.dynamics = stand.dynamics;
+  driven_stand.pass     = stand.passes[p];
+  driven_stand.force    = forces.records[p];
+  driven_stand.load     = forces.loads[p];
+  return driven_stand;
+}
+
+DrivenStand driven_lumped(RunContext &run, const Lumped &lumped, const std::string &pass)
+{
+  DrivenStand driven_stand;
+  driven_stand.chain    = lumped_model_of(run.the_case);
+  driven_stand.dynamics = lumped.dynamics;
+  if (!lumped.passes.empty() || !pass.empty()) {
+    driven_stand.pass = lumped.passes[place_of(lumped.passes, pass)];
+    if (has_force(driven_stand.pass))
+      driven_stand.force = force_of(driven_stand.pass);
+    if (driven_stand.force.force.size() > 0 || !std::isnan(driven_stand.pass.load))
+      driven_stand.load = working_load(driven_stand.pass, driven_stand.force);
+  }
+  return driven_stand;
 }
 
 void run_stages(RunContext &run, const Goal goal, const std::string &force_file)

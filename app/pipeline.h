@@ -1,5 +1,12 @@
 #pragma once
 #include "app/run_context.h"
+#include "core/model/dynamics_settings.h"
+#include "core/model/pass.h"
+#include "core/records/lumped_model.h"
+#include "core/records/records.h"
+#include "dynamics/response/modal_model.h"
+#include <optional>
+#include <string>
 
 namespace mill {
 struct FourHigh;
@@ -7,6 +14,22 @@ struct Lumped;
 
 /// How far a run goes; each goal needs the ones above it, but chatter and simulate, which stand beside each other.
 enum class Goal { stiffness, masses, modes, chatter, simulate };
+
+/// What a pass of a case drives, without driving it: for export.
+struct DrivenStand {
+  LumpedModel chain;
+  DynamicsSettings dynamics;
+  std::optional<dynamics::ModalModel> modes;  ///< of a detailed stand; nothing: the chain of six masses is driven
+  Pass pass;
+  ForceRecord force;  ///< empty: the pass has none
+  double load = 0;    ///< N, working load of the pass
+};
+
+/// Those of kind "four-high" and of kind "lumped", from the stages that are needed for it.
+/// @param pass  its name; empty: the first
+/// @throws InputError  no pass of this name
+DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string &pass);
+DrivenStand driven_lumped(RunContext &run, const Lumped &lumped, const std::string &pass);
 
 /// The stages of a case in order, up to the goal.  Results, curves and the lumped model are in the run's
 /// folder afterwards.

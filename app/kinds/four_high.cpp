@@ -197,6 +197,9 @@ const RunKind &run_kind(const FourHigh &)
     k.run = [](RunContext &run, const Goal goal, const std::string &force_file) {
       run_four_high(run, std::get<FourHigh>(run.the_case.spec), goal, force_file);
     };
+    k.driven = [](RunContext &run, const std::string &pass) {
+      return driven_four_high(run, std::get<FourHigh>(run.the_case.spec), pass);
+    };
     k.describe = [](const Case &the_case, json &manifest) {
       const auto &stand    = std::get<FourHigh>(the_case.spec);
       manifest["geometry"] = geometry_of(stand);

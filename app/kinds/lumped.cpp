@@ -42,6 +42,9 @@ const RunKind &run_kind(const Lumped &)
     k.run = [](RunContext &run, const Goal goal, const std::string &force_file) {
       run_lumped(run, std::get<Lumped>(run.the_case.spec), goal, force_file);
     };
+    k.driven = [](RunContext &run, const std::string &pass) {
+      return driven_lumped(run, std::get<Lumped>(run.the_case.spec), pass);
+    };
     k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
       const auto &lumped = std::get<Lumped>(the_case.spec);
       add_passes(manifest, lumped.passes, lumped.dynamics.force_meaning);

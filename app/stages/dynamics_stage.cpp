@@ -205,14 +205,19 @@ PassModel pass_model(const LumpedModel &model, const DynamicsSettings &settings)
       dynamics::driven_model(chain), "six-mass chain", modes.frequency.maxCoeff(), inputs_of(model, settings), {}};
 }
 
+dynamics::ModalModel driven_modes(const reduce::StandWithModes &stand, const LumpedModel &chain,
+                                  const DynamicsSettings &settings)
+{
+  return dynamics::modal_model(
+      stand.model, stand.modes.frequency, stand.modes.shape, settings.modal_damping, 2 * settings.frequency_limit,
+      settings.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value);
+}
+
 PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &chain,
                      const DynamicsSettings &settings)
 {
   const double limit = settings.frequency_limit;
-  const auto modal   = dynamics::modal_model(
-        stand.model, stand.modes.frequency, stand.modes.shape, settings.modal_damping, 2 * limit,
-      settings.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value);
-  PassModel p{dynamics::driven_model(modal),
+  PassModel p{dynamics::driven_model(driven_modes(stand, chain, settings)),
               stand.model.name == "beam" ? "rolls as beams" : "rolls as reduced finite elements",
               limit,
               inputs_of(chain, settings),

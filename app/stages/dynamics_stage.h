@@ -54,6 +54,10 @@ PassModel pass_model(const LumpedModel &model, const DynamicsSettings &settings)
 PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &chain,
                      const DynamicsSettings &settings);
 
+/// The modes in which a detailed stand is driven: up to twice the frequency limit.
+dynamics::ModalModel driven_modes(const reduce::StandWithModes &stand, const LumpedModel &chain,
+                                  const DynamicsSettings &settings);
+
 /// Drives the model with the force of a pass: response/<pass>*.csv, peaks and rms beside published and measured
 /// ones.
 void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettings &settings, const Pass &pass,

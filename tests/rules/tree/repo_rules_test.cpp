@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 const fs::path root = MILLSTAND_SOURCE_DIR;
-const std::vector<std::string> stages{"core",   "contact",  "bearing", "bite", "meshes", "fem",
-                                      "reduce", "dynamics", "report",  "app",  "verify"};
+const std::vector<std::string> stages{"core",   "contact",  "bearing", "bite",   "meshes", "fem",
+                                      "reduce", "dynamics", "fmu",     "report", "app",    "verify"};
 
 struct Source {
   std::string name;  // from the root: "fem/contact_solver.h"
@@ -89,7 +89,9 @@ TEST(Layers, ThirdPartyStaysBehindItsFolder)
       {"cvode/",              {"dynamics"}             },
       {"nvector/",            {"dynamics"}             },
       {"sunlinsol",           {"dynamics"}             },
-      {"sunmatrix",           {"dynamics"}             }
+      {"sunmatrix",           {"dynamics"}             },
+      {"zip.h",               {"fmu"}                  },
+      {"unzip.h",             {"fmu"}                  }
   };
   for (const Source &source : sources(stages))
     for (const std::string &include : includes(source))
@@ -165,8 +167,8 @@ TEST(Library, ChecksWhatItReliesOnInEveryBuild)
     }
 }
 
-// A curve is written and read by its kind (core/records/result_names.h): a name that is spelled out may differ from
-// that of the other side.
+// A curve is written and read by its kind (core/records/result_names.h): a name that is spelled out may differ
+// from that of the other side.
 TEST(Stages, NameCurvesByTheirKind)
 {
   const std::regex spelled(R"re(\b(write|table)\((std::string\()?"curves/(?!models\.json|.*\.json)[^)]*\))re");

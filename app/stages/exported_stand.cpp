@@ -1,0 +1,131 @@
+#include "app/stages/exported_stand.h"
+#include "app/run_context.h"
+#include "core/model/case.h"
+#include "core/records/files.h"
+#include "dynamics/response/response.h"
+#include "fmu/model_text.h"
+#include "fmu/unit_archive.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+std::vector<double> entries(const Eigen::VectorXd &v)
+{
+  return {v.begin(), v.end()};
+}
+
+std::vector<std::string> variable_names(std::vector<std::string> labels)
+{
+  for (std::string &label : labels) {
+    label = slug(label);
+    std::replace(label.begin(), label.end(), '-', '_');
+  }
+  return labels;
+}
+
+fmu::ModelData chain_data(const dynamics::MillModel &chain, const DrivenStand &stand)
+{
+  fmu::ModelData data;
+  data.kind               = "chain";
+  data.points             = variable_names(chain.labels);
+  data.mass               = entries(chain.M);
+  data.bite_row           = entries(chain.b);
+  data.share_from_statics = stand.dynamics.force_meaning == "published";
+  data.load_cell_share    = chain.load_cell_share;
+  data.modal_damping      = stand.dynamics.modal_damping;
+  const bool measured     = stand.dynamics.force_meaning == "measured";
+  data.gap_damper         = measured || std::isnan(stand.chain.C.value) ? 0 : stand.chain.C.value;
+  for (std::size_t i = 0; i < chain.springs.size(); ++i) {
+    const dynamics::Spring &spring = chain.springs[i];
+    data.springs.push_back({spring.name, spring.from, spring.to, spring.stiffness, spring.name == "K4"});
+  }
+  // The spring that carries the rolling force to the ground, or through the posts of a closed frame (6.8).
+  data.load_cell_spring = stand.dynamics.frame == "closed" ? 0 : int(chain.springs.size()) - 1;
+  return data;
+}
+
+fmu::ModelData modal_data(const dynamics::ModalModel &modes)
+{
+  fmu::ModelData data;
+  data.kind            = "modal";
+  data.points          = variable_names(modes.labels);
+  data.frequency       = entries(modes.frequency);
+  data.bite_mode       = entries(modes.force);
+  data.load_cell_mode  = entries(modes.load_cell);
+  data.load_cell_share = modes.load_cell_share;
+  data.modal_damping   = modes.damping;
+  data.gap_damper      = modes.gap_damper;
+  for (Eigen::Index p = 0; p < modes.point.rows(); ++p)
+    for (Eigen::Index k = 0; k < modes.point.cols(); ++k)
+      data.shape.push_back(modes.point(p, k));
+  return data;
+}
+
+std::map<std::string, std::string> sources(const DrivenStand &stand)
+{
+  std::map<std::string, std::string> all;
+  const auto add = [&](const std::string &name, const Parameter &p) {
+    all[name] = name + " of the case, " + source_text(p) + (p.at.empty() ? "" : ", at " + p.at);
+  };
+  for (std::size_t i = 0; i < 6; ++i)
+    add("M" + std::to_string(i + 1), stand.chain.M[i]);
+  for (std::size_t i = 0; i < 7; ++i)
+    add("K" + std::to_string(i + 1), stand.chain.K[i]);
+  add("C", stand.chain.C);
+  if (stand.dynamics.force_meaning == "measured")
+    all["K4"] = all["C"] = "zero: dynamics.force_meaning is measured";
+  else if (std::isnan(stand.chain.C.value))
+    all["C"] = "zero: the case gives none";
+  all["modal_damping"] = "dynamics.modal_damping";
+  all["F_mean"] = stand.force.force.size() > 0 ? "mean of the force of " + stand.pass.name : "load of the pass";
+  return all;
+}
+
+// Ten steps about the mean force, up and down by as much, so that their mean is the mean.
+fmu::CheckRun check_run(const dynamics::DrivenModel &driven, const double mean, const double rate)
+{
+  constexpr Eigen::Index n = 11;
+  fmu::CheckRun check;
+  check.step  = 1 / rate;
+  check.force = Eigen::VectorXd::Constant(n, mean);
+  for (Eigen::Index i = 0; i < n / 2; ++i) {
+    const double swing = 1e4 + 1e5 * std::sin(0.9 * double(i));
+    check.force[i] += swing;
+    check.force[n - 1 - i] -= swing;
+  }
+  const ForceRecord record{Eigen::VectorXd::LinSpaced(n, 0, double(n - 1) * check.step), check.force, {}};
+  const auto response = dynamics::mill_response(driven, record, rate);
+  check.acceleration  = response.acceleration;
+  check.load_cell     = response.load_cell;
+  return check;
+}
+}  // namespace
+
+fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of)
+{
+  fmu::ExportedModel model;
+  model.identifier    = fmu::identifier_of(of.name);
+  model.title         = of.title.empty() ? of.name : of.title;
+  model.force_meaning = stand.dynamics.force_meaning;
+  model.program       = "millstand " + version();
+  model.step          = 1 / stand.dynamics.output_rate;
+  model.source        = sources(stand);
+  model.origin        = "case " + of.name + (stand.pass.name.empty() ? "" : ", " + stand.pass.name) +
+                 (stand.chain.at.empty() ? "" : " at " + stand.chain.at);
+  const auto chain  = dynamics::mill_model(stand.chain, stand.dynamics);
+  const auto driven = stand.modes ? dynamics::driven_model(*stand.modes) : dynamics::driven_model(chain);
+  model.data        = stand.modes ? modal_data(*stand.modes) : chain_data(chain, stand);
+  model.method      = stand.modes ? fmt::format("stand in {} modes up to {:.0f} Hz", stand.modes->frequency.size(),
+                                                stand.modes->frequency.tail(1)[0])
+                                  : std::string("chain of six masses");
+  model.series      = stand.force;
+  model.data.runtime    = fmu::runtime_version;
+  model.data.has_series = stand.force.force.size() > 0;
+  model.data.mean_force = model.data.has_series ? stand.force.force.mean() : stand.load;
+  model.check           = check_run(driven, model.data.mean_force, stand.dynamics.output_rate);
+  model.data.guid       = fmu::identity_of(model);
+  return model;
+}
+}  // namespace mill

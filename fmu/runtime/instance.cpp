@@ -1,0 +1,343 @@
+#include "instance.h"
+#include "resources.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace mill::fmu {
+namespace {
+const char *name_of(const Phase phase)
+{
+  switch (phase) {
+  case Phase::instantiated:
+    return "after instantiation";
+  case Phase::set_up:
+    return "after the experiment was set up";
+  case Phase::initialization:
+    return "in initialization mode";
+  case Phase::step:
+    return "between steps";
+  case Phase::intermediate:
+    return "inside a step";
+  case Phase::terminated:
+    return "after termination";
+  case Phase::failed:
+    break;
+  }
+  return "after a failure";
+}
+
+std::uint64_t hash_of(const std::string &text)
+{
+  std::uint64_t hash = 14695981039346656037u;  // FNV-1a
+  for (const char c : text)
+    hash = (hash ^ std::uint64_t(static_cast<unsigned char>(c))) * 1099511628211u;
+  return hash;
+}
+}  // namespace
+
+std::string number_text(const double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  for (char *c = text; *c; ++c)
+    if (*c == ',')
+      *c = '.';
+  return text;
+}
+
+Instance::Instance(std::string folder, const std::string &token, std::unique_ptr<Log> log)
+    : folder_(std::move(folder)), log_(std::move(log))
+{
+  const std::string path = folder_ + "model.json";
+  const std::string text = read_file(path);
+  try {
+    model_ = read_model(text);
+  } catch (const std::exception &e) {
+    throw std::runtime_error(path + " is no model of this runtime: " + e.what());
+  }
+  if (token != model_.guid)
+    throw std::runtime_error("the model has the identity " + model_.guid + ", the description says " + token +
+                             "; they belong to different exports");
+  variables_ = variables_of(model_);
+  mark_      = hash_of(model_.guid);
+  set_start_values();
+}
+
+void Instance::set_start_values()
+{
+  now_ = Snapshot();
+  now_.values.reserve(variables_.size());
+  for (const Variable &variable : variables_)
+    now_.values.push_back(variable.start);
+  use_parameters();
+}
+
+bool Instance::allows(const char *function, const std::initializer_list<Phase> phases) const
+{
+  if (std::find(phases.begin(), phases.end(), now_.phase) != phases.end())
+    return true;
+  log_->refuse(Status::error, std::string(function) + " is not allowed " + name_of(now_.phase));
+  return false;
+}
+
+Status Instance::set_up(const char *function, const double start, const bool has_stop, const double stop)
+{
+  if (!allows(function, {Phase::instantiated, Phase::set_up}))
+    return Status::error;
+  if (!std::isfinite(start) || (has_stop && !(stop >= start)))
+    return log_->refuse(Status::error, std::string(function) + ": start time " + number_text(start) +
+                                           (has_stop ? " s and stop time " + number_text(stop) : "") +
+                                           " s are no span of time");
+  now_.start     = start;
+  now_.time      = start;
+  now_.has_stop  = has_stop;
+  now_.stop      = stop;
+  now_.phase     = Phase::set_up;
+  now_.values[0] = start;
+  return Status::ok;
+}
+
+Status Instance::enter_initialization(const char *function)
+{
+  if (!allows(function, {Phase::set_up}))
+    return Status::error;
+  now_.phase         = Phase::initialization;
+  now_.outputs_stale = true;
+  return Status::ok;
+}
+
+Status Instance::exit_initialization(const char *function)
+{
+  if (!allows(function, {Phase::initialization}))
+    return Status::error;
+  bring_up_to_date();
+  now_.phase = Phase::step;
+  log_->event("at rest under " + number_text(now_.force) + " N at " + number_text(now_.time) + " s");
+  return Status::ok;
+}
+
+Status Instance::terminate(const char *function)
+{
+  if (!allows(function, {Phase::step}))
+    return Status::error;
+  bring_up_to_date();
+  now_.phase = Phase::terminated;
+  return Status::ok;
+}
+
+Status Instance::reset(const char *function)
+{
+  if (now_.phase == Phase::intermediate)
+    return log_->refuse(Status::error, std::string(function) + " is not allowed inside a step");
+  set_start_values();
+  log_->event("all values are those after instantiation");
+  return Status::ok;
+}
+
+double Instance::mean() const
+{
+  return now_.values[2];
+}
+
+// Once it is wanted: most clients bring a force of their own.
+void Instance::load_series()
+{
+  if (!series_.time.empty())
+    return;
+  const std::string path = folder_ + "force.csv";
+  const std::string text = read_file(path);
+  try {
+    series_ = read_series(text);
+  } catch (const std::exception &e) {
+    throw std::runtime_error(path + ": " + e.what());
+  }
+}
+
+// Rest in the equilibrium under the force that acts now.
+void Instance::settle()
+{
+  if (now_.stored) {
+    load_series();
+    now_.place = series_.before(now_.time, 0);
+    now_.force = series_.at(now_.time, now_.place);
+  } else
+    now_.force = now_.values[bite_force];
+  now_.modes      = motion_->equilibrium(now_.force - mean());
+  now_.last_slope = 0;
+}
+
+void Instance::bring_up_to_date()
+{
+  if (!now_.outputs_stale)
+    return;
+  if (now_.phase == Phase::initialization)
+    settle();
+  evaluate(system_, *motion_, now_.modes, now_.force, now_.values);
+  now_.outputs_stale = false;
+}
+
+Tuning Instance::tuning_of(const std::vector<double> &values) const
+{
+  Tuning tuning;
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    const Role role = variables_[i].role;
+    if (role == Role::mass)
+      tuning.mass.push_back(values[i]);
+    else if (role == Role::spring)
+      tuning.stiffness.push_back(values[i]);
+    else if (role == Role::gap_damper)
+      tuning.gap_damper = values[i];
+    else if (role == Role::modal_damping)
+      tuning.modal_damping = values[i];
+  }
+  return tuning;
+}
+
+// The modes of the present parameters; displacements and velocities of the points stay what they are.  (36.7)
+void Instance::use_parameters()
+{
+  const Tuning tuning = tuning_of(now_.values);
+  if (motion_ && same_tuning(tuning, built_))
+    return;
+  ModalSystem system = modal_system(model_, tuning);
+  if (!now_.modes.q.empty() && system.from_points.rows > 0) {
+    const std::size_t n = system.rad.size(), m = model_.points.size();
+    ModalState moved{std::vector<double>(n), std::vector<double>(n), {}};
+    for (std::size_t j = 0; j < m; ++j) {
+      double y = 0, v = 0;
+      for (std::size_t k = 0; k < n; ++k) {
+        y += system_.point(j, k) * now_.modes.q[k];
+        v += system_.point(j, k) * now_.modes.p[k];
+      }
+      for (std::size_t k = 0; k < n; ++k) {
+        moved.q[k] += system.from_points(k, j) * y;
+        moved.p[k] += system.from_points(k, j) * v;
+      }
+    }
+    now_.modes = moved;
+  }
+  now_.modes.z.clear();
+  system_ = std::move(system);
+  motion_ = std::make_unique<Motion>(system_);
+  built_  = tuning;
+  for (std::size_t i = 0; i < variables_.size(); ++i)
+    if (variables_[i].role == Role::frequency)
+      now_.values[i] = system_.rad[std::size_t(variables_[i].index)] / (2 * 3.14159265358979323846);
+}
+
+// Outputs of modes under a force.  (36.1)
+void Instance::evaluate(const ModalSystem &system, const Motion &motion, const ModalState &modes,
+                        const double force, std::vector<double> &values)
+{
+  motion.acceleration(modes, force - values[2], scratch_);
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    const Variable &variable = variables_[i];
+    const auto at_point      = [&](const std::vector<double> &of_modes) {
+      const double *row = &system.point.entry[std::size_t(variable.index) * system.rad.size()];
+      double sum        = 0;
+      for (std::size_t k = 0; k < of_modes.size(); ++k)
+        sum += row[k] * of_modes[k];
+      return sum;
+    };
+    if (variable.role == Role::acceleration)
+      values[i] = at_point(scratch_);
+    else if (variable.role == Role::displacement)
+      values[i] = at_point(modes.q);
+    else if (variable.role == Role::cell_force) {
+      values[i] = system.load_cell_share * values[2];
+      for (std::size_t k = 0; k < modes.q.size(); ++k)
+        values[i] += system.load_cell[k] * modes.q[k];
+    }
+  }
+}
+
+bool Instance::may_step(const char *function, const double from, const double length) const
+{
+  const std::string who = std::string(function) + ": ";
+  if (!allows(function, {Phase::step}))
+    return false;
+  if (!(length > 0) || !std::isfinite(length) || !std::isfinite(from)) {
+    log_->refuse(Status::error, who + "the step from " + number_text(from) + " s over " + number_text(length) +
+                                    " s has no length above zero");
+    return false;
+  }
+  const double end = from + length;
+  // A client adds or multiplies its step sizes: some rounding of the time, or a small part of the step.
+  const double close = 1e-9 * length + 64 * 2.2e-16 * std::max(std::abs(from), std::abs(now_.time));
+  if (std::abs(from - now_.time) > close || !(end > now_.time)) {
+    log_->refuse(Status::error, who + "the step begins at " + number_text(from) + " s, the instance is at " +
+                                    number_text(now_.time) + " s");
+    return false;
+  }
+  if (now_.has_stop && end > now_.stop + 1e-9 * length + 64 * 2.2e-16 * std::abs(now_.stop)) {
+    log_->refuse(Status::error, who + "the step to " + number_text(end) + " s passes the stop time " +
+                                    number_text(now_.stop) + " s");
+    return false;
+  }
+  return true;
+}
+
+void Instance::do_step(const double from, const double length)
+{
+  const double end = from + length;
+  if (now_.stored)
+    play_series(end);
+  else {
+    const double begin = now_.values[bite_force];
+    motion_->begin(now_.modes);
+    motion_->advance(now_.modes, end - now_.time, {begin - mean(), now_.slope});
+    motion_->end(now_.modes);
+    now_.force      = end_is_said_ ? force_at_end_ : begin + now_.slope * (end - now_.time);
+    now_.last_slope = now_.slope;
+    if (end_is_said_)
+      now_.values[bite_force] = force_at_end_;
+  }
+  end_is_said_       = false;
+  now_.slope         = 0;
+  now_.time          = end;
+  now_.values[0]     = end;
+  now_.outputs_stale = true;
+}
+
+// Every sample inside the step ends a stretch, so that each sees one straight line.
+void Instance::play_series(const double end)
+{
+  const auto &time = series_.time;
+  double at = now_.time, force = now_.force, slope = 0;
+  motion_->begin(now_.modes);
+  for (std::size_t place = std::size_t(now_.place);;) {
+    const bool inside = place > 0 && place < time.size();
+    const double stop = place < time.size() ? std::min(end, time[place]) : end;
+    slope = inside ? (series_.force[place] - series_.force[place - 1]) / (time[place] - time[place - 1]) : 0;
+    motion_->advance(now_.modes, stop - at, {force - mean(), slope});
+    at = stop;
+    if (place < time.size() && time[place] <= end) {
+      force = series_.force[place];
+      ++place;
+    } else {
+      now_.place = place;
+      break;
+    }
+  }
+  motion_->end(now_.modes);
+  now_.force      = series_.at(end, std::size_t(now_.place));
+  now_.last_slope = slope;
+}
+
+void Instance::enter_intermediate()
+{
+  force_before_ = now_.values[bite_force];
+  now_.phase    = Phase::intermediate;
+}
+
+void Instance::leave_intermediate(const double length)
+{
+  now_.phase              = Phase::step;
+  force_at_end_           = now_.values[bite_force];
+  now_.values[bite_force] = force_before_;
+  now_.slope              = (force_at_end_ - force_before_) / length;
+  end_is_said_            = true;
+}
+}  // namespace mill::fmu

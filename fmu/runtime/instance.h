@@ -1,0 +1,153 @@
+#pragma once
+#include "force_series.h"
+#include "log.h"
+#include "motion.h"
+#include "variables.h"
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mill::fmu {
+/// Where an instance is in its life.  FMI 3 has no call between the first and the third.
+enum class Phase : int { instantiated, set_up, initialization, step, intermediate, terminated, failed };
+
+using Reference = std::uint32_t;  ///< value reference: place in the table of variables
+
+/// All that changes in an instance while it runs: what a copy of its state holds.
+struct Snapshot {
+  std::vector<double> values;  ///< of every real variable, by reference, SI
+  ModalState modes;
+  double force      = 0;                 ///< N, at the present time
+  double slope      = 0;                 ///< N/s, of the input over the coming step
+  double last_slope = 0;                 ///< N/s, of the force at the end of the last step
+  double time = 0, start = 0, stop = 0;  ///< s
+  bool has_stop       = false;
+  bool stored         = false;  ///< the series is played
+  bool outputs_stale  = false;  ///< values of the outputs are those before the last step
+  std::uint64_t place = 0;      ///< samples of the series at or before the present time
+  Phase phase         = Phase::instantiated;
+};
+
+/// One exported model in the hands of a client: what both versions of the interface share.  A call that is refused
+/// says why in the log and changes nothing.  theory.md 36
+class Instance {
+public:
+  /// Reads the model.  @throws std::runtime_error  no model there, or of another token
+  /// @param folder  of the resources, ends with a slash
+  Instance(std::string folder, const std::string &token, std::unique_ptr<Log> log);
+
+  Log &log() const
+  {
+    return *log_;
+  }
+  Phase phase() const
+  {
+    return now_.phase;
+  }
+  double time() const
+  {
+    return now_.time;
+  }
+  void fail()  ///< after an error of our own: only freeing and Reset are left
+  {
+    now_.phase = Phase::failed;
+  }
+  /// Is the call allowed in this phase?  Otherwise it is told, with the name of the function.
+  bool allows(const char *function, std::initializer_list<Phase> phases) const;
+
+  // The order of a run; times in s.
+  Status set_up(const char *function, double start, bool has_stop, double stop);
+  Status enter_initialization(const char *function);
+  Status exit_initialization(const char *function);
+  Status terminate(const char *function);
+  Status reset(const char *function);
+
+  // Values, in SI; all of a call or none.
+  Status get(const char *function, const Reference *references, std::size_t n, double *values);
+  Status set(const char *function, const Reference *references, std::size_t n, const double *values);
+  Status get_truth(const char *function, const Reference *references, std::size_t n, bool *values);
+  Status set_truth(const char *function, const Reference *references, std::size_t n, const bool *values);
+  /// Of a type that no variable has: right for none, refused for any.
+  Status refuse_type(const char *function, const Reference *references, std::size_t n, const char *type) const;
+  /// Derivatives of inputs by time, of order 1, for the coming step alone; of outputs at the present time.
+  Status set_input_derivatives(const char *function, const Reference *references, std::size_t n, const int *orders,
+                               const double *values);
+  Status get_output_derivatives(const char *function, const Reference *references, std::size_t n,
+                                const int *orders, double *values);
+
+  /// What is asked of the partial derivatives: along a direction of the knowns, or adjoint, along one of the
+  /// unknowns.
+  struct Direction {
+    const Reference *unknowns;
+    std::size_t n_unknowns;
+    const Reference *knowns;
+    std::size_t n_knowns;
+    const double *seed;
+    double *result;
+    bool adjoint;
+  };
+  /// By the force exactly but for rounding; by a parameter from differences of fourth order, to about 1e-9 of the
+  /// derivative.  Cost: four evaluations of the model for each known.  theory.md (36.8)
+  Status derivative(const char *function, const Direction &asked);
+
+  /// Is a step from `from` over `length` (s) in order?  Otherwise it is told.
+  bool may_step(const char *function, double from, double length) const;
+  /// Carries out a step that may_step().  Exact for the force received.
+  void do_step(double from, double length);
+  /// In the middle of a step: the client sets the force that acts at its end.
+  void enter_intermediate();
+  void leave_intermediate(double length);
+
+  // Copies of the state; the pointers are those of the interface.
+  Status copy(const char *function, void **state) const;
+  Status restore(const char *function, const void *state);
+  Status free_copy(const char *function, void **state) const;
+  Status serialized_size(const char *function, const void *state, std::size_t *size) const;
+  Status serialize(const char *function, const void *state, char *bytes, std::size_t size) const;
+  Status deserialize(const char *function, const char *bytes, std::size_t size, void **state) const;
+
+  static constexpr Reference bite_force = 1;  ///< the input
+
+private:
+  const Variable *known(const char *function, Reference reference, Type type) const;
+  bool may_set(const char *function, const Variable &variable) const;
+  bool in_range(const char *function, const Variable &variable, double value) const;
+  bool of_order_one(const char *function, const Variable &variable, int order) const;
+  bool may_derive(const char *function, const Direction &asked) const;
+  void set_start_values();
+  Tuning tuning_of(const std::vector<double> &values) const;
+  void use_parameters();
+  void bring_up_to_date();
+  void settle();
+  void load_series();
+  void play_series(double end);
+  double mean() const;
+  void evaluate(const ModalSystem &system, const Motion &motion, const ModalState &modes, double force,
+                std::vector<double> &values);
+  std::vector<double> unknowns_at(std::vector<double> values, const Direction &asked);
+  std::vector<double> by_known(const Direction &asked, Reference known);
+  bool is_copy(const char *function, const void *state) const;
+
+  std::string folder_;
+  std::unique_ptr<Log> log_;
+  ModelData model_;
+  std::vector<Variable> variables_;
+  std::uint64_t mark_ = 0;  // of this model, in its copies
+  ForceSeries series_;
+  Snapshot now_;
+  double force_at_end_ = 0;  // N, said by the client in the middle of a step
+  bool end_is_said_    = false;
+  double force_before_ = 0;
+
+  Tuning built_;  // what system_ and motion_ were made for
+  ModalSystem system_;
+  std::unique_ptr<Motion> motion_;
+  std::vector<double> scratch_, row_;
+};
+
+/// Short decimal text for messages, with a point whatever the locale.
+std::string number_text(double value);
+}  // namespace mill::fmu

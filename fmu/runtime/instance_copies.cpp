@@ -1,0 +1,224 @@
+#include "instance.h"
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <string>
+
+// Copies of the state in memory, and their serialised form: "MSTDFMU1", the mark of the model, the number of bytes
+// that follow, their FNV-1a hash, then the members in a fixed order, numbers as the machine has them.
+namespace mill::fmu {
+namespace {
+constexpr char magic[8]           = {'M', 'S', 'T', 'D', 'F', 'M', 'U', '1'};
+constexpr std::size_t header_size = sizeof magic + 3 * sizeof(std::uint64_t);
+
+/// What a client holds behind its pointer.
+struct Copy {
+  std::uint64_t mark;
+  Snapshot state;
+};
+
+template <class IO> void each_number(IO &io, Snapshot &s)
+{
+  io.list(s.values);
+  io.list(s.modes.q);
+  io.list(s.modes.p);
+  std::vector<double> z(2 * s.modes.z.size());
+  for (std::size_t k = 0; k < s.modes.z.size(); ++k) {
+    z[2 * k]     = s.modes.z[k].real();
+    z[2 * k + 1] = s.modes.z[k].imag();
+  }
+  io.list(z);
+  s.modes.z.resize(z.size() / 2);
+  for (std::size_t k = 0; k < s.modes.z.size(); ++k)
+    s.modes.z[k] = {z[2 * k], z[2 * k + 1]};
+  for (double *number : {&s.force, &s.slope, &s.last_slope, &s.time, &s.start, &s.stop})
+    io.one(*number);
+  for (bool *truth : {&s.has_stop, &s.stored, &s.outputs_stale}) {
+    std::uint64_t number = *truth ? 1 : 0;
+    io.one(number);
+    *truth = number != 0;
+  }
+  io.one(s.place);
+  std::uint64_t phase = std::uint64_t(s.phase);
+  io.one(phase);
+  s.phase = phase <= std::uint64_t(Phase::failed) ? Phase(phase) : Phase::failed;
+}
+
+class StateWriter {
+public:
+  template <class T> void one(const T &number)
+  {
+    const char *from = reinterpret_cast<const char *>(&number);
+    bytes.insert(bytes.end(), from, from + sizeof number);
+  }
+  void list(const std::vector<double> &numbers)
+  {
+    one(std::uint64_t(numbers.size()));
+    for (const double number : numbers)
+      one(number);
+  }
+  std::vector<char> bytes;
+};
+
+class StateReader {
+public:
+  StateReader(const char *from, const std::size_t size) : at_(from), left_(size) {}
+  template <class T> void one(T &number)
+  {
+    if (left_ < sizeof number) {
+      complete = false;
+      return;
+    }
+    std::memcpy(&number, at_, sizeof number);
+    at_ += sizeof number;
+    left_ -= sizeof number;
+  }
+  void list(std::vector<double> &numbers)
+  {
+    std::uint64_t n = 0;
+    one(n);
+    if (n > left_ / sizeof(double)) {
+      complete = false;
+      return;
+    }
+    numbers.resize(std::size_t(n));
+    for (double &number : numbers)
+      one(number);
+  }
+  bool at_end() const
+  {
+    return complete && left_ == 0;
+  }
+
+private:
+  const char *at_;
+  std::size_t left_;
+  bool complete = true;
+};
+
+std::uint64_t check_of(const char *bytes, const std::size_t size)
+{
+  std::uint64_t hash = 14695981039346656037u;
+  for (std::size_t i = 0; i < size; ++i)
+    hash = (hash ^ std::uint64_t(static_cast<unsigned char>(bytes[i]))) * 1099511628211u;
+  return hash;
+}
+
+std::vector<char> bytes_of(const Copy &copy)
+{
+  StateWriter writer;
+  Snapshot state = copy.state;
+  each_number(writer, state);
+  return writer.bytes;
+}
+}  // namespace
+
+Status Instance::copy(const char *function, void **state) const
+{
+  if (!state)
+    return log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
+  if (now_.phase == Phase::intermediate)
+    return log_->refuse(Status::error, std::string(function) + " is not allowed inside a step");
+  if (!*state)
+    *state = new Copy{mark_, now_};
+  else if (is_copy(function, *state))
+    static_cast<Copy *>(*state)->state = now_;
+  else
+    return Status::error;
+  return Status::ok;
+}
+
+bool Instance::is_copy(const char *function, const void *state) const
+{
+  if (state && static_cast<const Copy *>(state)->mark == mark_)
+    return true;
+  log_->refuse(Status::error,
+               std::string(function) + (state ? ": the state is none of this model" : ": a state is missing"));
+  return false;
+}
+
+Status Instance::restore(const char *function, const void *state)
+{
+  if (now_.phase == Phase::intermediate)
+    return log_->refuse(Status::error, std::string(function) + " is not allowed inside a step");
+  if (!is_copy(function, state))
+    return Status::error;
+  // The modes of a copy belong to its own parameters: nothing is to be carried over from the present ones.
+  Snapshot wanted = static_cast<const Copy *>(state)->state;
+  if (wanted.stored)
+    load_series();
+  ModalState modes;
+  std::swap(modes, wanted.modes);
+  now_ = std::move(wanted);
+  use_parameters();
+  std::swap(modes, now_.modes);
+  return Status::ok;
+}
+
+Status Instance::free_copy(const char *function, void **state) const
+{
+  if (!state || !*state)
+    return Status::ok;
+  if (!is_copy(function, *state))
+    return Status::error;
+  static_cast<Copy *>(*state)->mark = 0;
+  delete static_cast<Copy *>(*state);
+  *state = nullptr;
+  return Status::ok;
+}
+
+Status Instance::serialized_size(const char *function, const void *state, std::size_t *size) const
+{
+  if (!is_copy(function, state))
+    return Status::error;
+  if (!size)
+    return log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
+  *size = header_size + bytes_of(*static_cast<const Copy *>(state)).size();
+  return Status::ok;
+}
+
+Status Instance::serialize(const char *function, const void *state, char *bytes, const std::size_t size) const
+{
+  if (!is_copy(function, state))
+    return Status::error;
+  const std::vector<char> body = bytes_of(*static_cast<const Copy *>(state));
+  if (!bytes || size < header_size + body.size())
+    return log_->refuse(Status::error, std::string(function) + ": " + std::to_string(header_size + body.size()) +
+                                           " bytes are needed, " + std::to_string(bytes ? size : 0) +
+                                           " are there");
+  const std::uint64_t head[] = {mark_, body.size(), check_of(body.data(), body.size())};
+  std::memcpy(bytes, magic, sizeof magic);
+  std::memcpy(bytes + sizeof magic, head, sizeof head);
+  std::memcpy(bytes + header_size, body.data(), body.size());
+  return Status::ok;
+}
+
+Status Instance::deserialize(const char *function, const char *bytes, const std::size_t size, void **state) const
+{
+  const std::string who = std::string(function) + ": ";
+  if (!bytes || !state)
+    return log_->refuse(Status::error, who + "a pointer is missing");
+  std::uint64_t head[3] = {};
+  if (size >= header_size)
+    std::memcpy(head, bytes + sizeof magic, sizeof head);
+  if (size < header_size || std::memcmp(bytes, magic, sizeof magic) != 0 || head[1] > size - header_size ||
+      head[2] != check_of(bytes + header_size, std::size_t(head[1])))
+    return log_->refuse(Status::error, who + "the bytes are no serialised state, or they are damaged");
+  if (head[0] != mark_)
+    return log_->refuse(Status::error, who + "the state is that of another model");
+  auto made = std::make_unique<Copy>(Copy{mark_, {}});
+  StateReader reader(bytes + header_size, std::size_t(head[1]));
+  each_number(reader, made->state);
+  const std::size_t modes = made->state.modes.q.size();
+  if (!reader.at_end() || made->state.values.size() != variables_.size() || made->state.modes.p.size() != modes ||
+      (modes != 0 && modes != model_.n_modes()))
+    return log_->refuse(Status::error, who + "the bytes are no serialised state, or they are damaged");
+  if (*state) {
+    if (!is_copy(function, *state))
+      return Status::error;
+    static_cast<Copy *>(*state)->state = made->state;
+  } else
+    *state = made.release();
+  return Status::ok;
+}
+}  // namespace mill::fmu

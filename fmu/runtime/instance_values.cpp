@@ -1,0 +1,325 @@
+#include "instance.h"
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace mill::fmu {
+namespace {
+std::string with_unit(const double value, const Variable &variable)
+{
+  return number_text(value) + (std::string(variable.unit) == "1" ? "" : std::string(" ") + variable.unit);
+}
+}  // namespace
+
+const Variable *Instance::known(const char *function, const Reference reference, const Type type) const
+{
+  const std::string who = std::string(function) + ": ";
+  if (reference >= variables_.size()) {
+    log_->refuse(Status::error, who + "there is no variable with the value reference " +
+                                    std::to_string(reference) + ", the last one is " +
+                                    std::to_string(variables_.size() - 1));
+    return nullptr;
+  }
+  const Variable &variable = variables_[reference];
+  if (variable.type != type) {
+    log_->refuse(Status::error, who + variable.name + " is of type " +
+                                    (variable.type == Type::real ? "Real (Float64)" : "Boolean"));
+    return nullptr;
+  }
+  return &variable;
+}
+
+Status Instance::refuse_type(const char *function, const Reference *references, const std::size_t n,
+                             const char *type) const
+{
+  if (n == 0)
+    return Status::ok;
+  if (!references)
+    return log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
+  if (references[0] < variables_.size())
+    known(function, references[0], variables_[references[0]].type == Type::real ? Type::boolean : Type::real);
+  return log_->refuse(Status::error, std::string(function) + ": the model has no variable of type " + type);
+}
+
+Status Instance::get(const char *function, const Reference *references, const std::size_t n, double *values)
+{
+  if (!allows(function, {Phase::initialization, Phase::step, Phase::intermediate, Phase::terminated}))
+    return Status::error;
+  if (n > 0 && (!references || !values))
+    return log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
+  for (std::size_t i = 0; i < n; ++i)
+    if (references[i] >= variables_.size() || variables_[references[i]].type != Type::real)
+      if (!known(function, references[i], Type::real))
+        return Status::error;
+  bring_up_to_date();
+  for (std::size_t i = 0; i < n; ++i)
+    values[i] = now_.values[references[i]];
+  return Status::ok;
+}
+
+Status Instance::get_truth(const char *function, const Reference *references, const std::size_t n, bool *values)
+{
+  if (!allows(function, {Phase::initialization, Phase::step, Phase::intermediate, Phase::terminated}))
+    return Status::error;
+  if (n > 0 && (!references || !values))
+    return log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!known(function, references[i], Type::boolean))
+      return Status::error;
+    values[i] = now_.stored;
+  }
+  return Status::ok;
+}
+
+bool Instance::may_set(const char *function, const Variable &variable) const
+{
+  const bool early =
+      now_.phase == Phase::instantiated || now_.phase == Phase::set_up || now_.phase == Phase::initialization;
+  const bool between = variable.causality == Causality::input || variable.variability == Variability::tunable;
+  if (now_.phase == Phase::intermediate ? variable.causality == Causality::input
+                                        : variable.has_start() && (early || between))
+    return true;
+  const char *why = " is computed and cannot be set";
+  if (variable.causality == Causality::independent)
+    why = " is given by the steps and cannot be set";
+  else if (variable.has_start())
+    why = now_.phase == Phase::intermediate ? " cannot be set inside a step"
+                                            : " is fixed: it can only be set before the first step";
+  log_->refuse(Status::error, std::string(function) + ": " + variable.name + why);
+  return false;
+}
+
+bool Instance::in_range(const char *function, const Variable &variable, const double value) const
+{
+  if (std::isfinite(value) && (!variable.bounded() || (value >= variable.low && value <= variable.high)))
+    return true;
+  const Reference reference = Reference(&variable - variables_.data());
+  log_->refuse(Status::discard, std::string(function) + ": " + variable.name + " = " + with_unit(value, variable) +
+                                    (variable.bounded() ? " is out of range (" + number_text(variable.low) +
+                                                              " .. " + with_unit(variable.high, variable) + ")"
+                                                        : std::string(" is no finite number")) +
+                                    "; it stays " + with_unit(now_.values[reference], variable));
+  return false;
+}
+
+Status Instance::set(const char *function, const Reference *references, const std::size_t n, const double *values)
+{
+  if (!allows(function,
+              {Phase::instantiated, Phase::set_up, Phase::initialization, Phase::step, Phase::intermediate}))
+    return Status::error;
+  if (n > 0 && (!references || !values))
+    return log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
+  bool only_force = true;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Variable *variable = known(function, references[i], Type::real);
+    if (!variable || !may_set(function, *variable))
+      return Status::error;
+    if (!in_range(function, *variable, values[i]))
+      return Status::discard;
+    only_force = only_force && references[i] == bite_force;
+  }
+  if (!only_force) {
+    std::vector<double> wanted = now_.values;
+    for (std::size_t i = 0; i < n; ++i)
+      wanted[references[i]] = values[i];
+    const Tuning tuning = tuning_of(wanted);
+    if (model_.kind == "chain" && !is_held(modal_system(model_, tuning)))
+      return log_->refuse(Status::discard,
+                          std::string(function) +
+                              ": with these masses and springs a part of the chain is not held to "
+                              "the ground; all values stay as they were");
+    if (now_.phase == Phase::step)
+      bring_up_to_date();  // what is read before the next step belongs to the last one
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    now_.values[references[i]] = values[i];
+  if (!only_force)
+    use_parameters();
+  if (now_.phase == Phase::initialization)
+    now_.outputs_stale = true;
+  return Status::ok;
+}
+
+Status Instance::set_truth(const char *function, const Reference *references, const std::size_t n,
+                           const bool *values)
+{
+  if (!allows(function,
+              {Phase::instantiated, Phase::set_up, Phase::initialization, Phase::step, Phase::intermediate}))
+    return Status::error;
+  if (n > 0 && (!references || !values))
+    return log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
+  for (std::size_t i = 0; i < n; ++i) {
+    const Variable *variable = known(function, references[i], Type::boolean);
+    if (!variable || !may_set(function, *variable))
+      return Status::error;
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    now_.stored = values[i];
+  if (now_.phase == Phase::initialization)
+    now_.outputs_stale = true;
+  return Status::ok;
+}
+
+bool Instance::of_order_one(const char *function, const Variable &variable, const int order) const
+{
+  if (order == 1)
+    return true;
+  log_->refuse(Status::error, std::string(function) + ": derivative of order " + std::to_string(order) + " of " +
+                                  variable.name + "; only order 1 is known");
+  return false;
+}
+
+Status Instance::set_input_derivatives(const char *function, const Reference *references, const std::size_t n,
+                                       const int *orders, const double *values)
+{
+  if (!allows(function, {Phase::instantiated, Phase::set_up, Phase::initialization, Phase::step}))
+    return Status::error;
+  if (n > 0 && (!references || !orders || !values))
+    return log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
+  for (std::size_t i = 0; i < n; ++i) {
+    const Variable *variable = known(function, references[i], Type::real);
+    if (!variable || !of_order_one(function, *variable, orders[i]))
+      return Status::error;
+    if (variable->causality != Causality::input)
+      return log_->refuse(Status::error, std::string(function) + ": " + variable->name + " is no input");
+    if (!std::isfinite(values[i]))
+      return log_->refuse(Status::discard, std::string(function) +
+                                               ": the derivative of F_roll is no finite number; it stays " +
+                                               number_text(now_.slope) + " N/s");
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    now_.slope = values[i];
+  return Status::ok;
+}
+
+// Of order 1: velocities in the place of displacements, and q''' from the equation of motion in that of q''.
+Status Instance::get_output_derivatives(const char *function, const Reference *references, const std::size_t n,
+                                        const int *orders, double *values)
+{
+  if (!allows(function, {Phase::step, Phase::terminated}))
+    return Status::error;
+  if (n > 0 && (!references || !orders || !values))
+    return log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
+  for (std::size_t i = 0; i < n; ++i) {
+    const Variable *variable = known(function, references[i], Type::real);
+    if (!variable || !of_order_one(function, *variable, orders[i]))
+      return Status::error;
+    if (variable->causality != Causality::output)
+      return log_->refuse(Status::error, std::string(function) + ": " + variable->name + " is no output");
+  }
+  ModalState rates{now_.modes.p, {}, {}};
+  motion_->acceleration(now_.modes, now_.force - mean(), rates.p);
+  std::vector<double> derived = now_.values;
+  derived[2]                  = 0;  // the mean force has no derivative
+  evaluate(system_, *motion_, rates, now_.last_slope, derived);
+  for (std::size_t i = 0; i < n; ++i)
+    values[i] = derived[references[i]];
+  return Status::ok;
+}
+
+bool Instance::may_derive(const char *function, const Direction &asked) const
+{
+  if (!allows(function, {Phase::initialization, Phase::step}))
+    return false;
+  const std::size_t seeds = asked.adjoint ? asked.n_unknowns : asked.n_knowns;
+  const std::size_t found = asked.adjoint ? asked.n_knowns : asked.n_unknowns;
+  if ((asked.n_unknowns > 0 && !asked.unknowns) || (asked.n_knowns > 0 && !asked.knowns) ||
+      (seeds > 0 && !asked.seed) || (found > 0 && !asked.result)) {
+    log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
+    return false;
+  }
+  for (std::size_t i = 0; i < asked.n_unknowns; ++i) {
+    const Variable *variable = known(function, asked.unknowns[i], Type::real);
+    if (!variable)
+      return false;
+    if (variable->causality != Causality::output && variable->causality != Causality::calculated_parameter) {
+      log_->refuse(Status::error, std::string(function) + ": " + variable->name + " is no unknown");
+      return false;
+    }
+  }
+  for (std::size_t i = 0; i < asked.n_knowns; ++i) {
+    const Variable *variable = known(function, asked.knowns[i], Type::real);
+    if (!variable)
+      return false;
+    if (!variable->has_start()) {
+      log_->refuse(Status::error, std::string(function) + ": " + variable->name + " is no known");
+      return false;
+    }
+  }
+  return true;
+}
+
+// The unknowns for other values of inputs and parameters: in initialization mode in equilibrium, else with the
+// displacements and velocities of the points as they are.
+std::vector<double> Instance::unknowns_at(std::vector<double> values, const Direction &asked)
+{
+  Snapshot kept            = now_;
+  const Tuning kept_tuning = built_;
+  now_.values              = std::move(values);
+  use_parameters();
+  if (now_.phase == Phase::initialization)
+    settle();
+  else if (!now_.stored)
+    now_.force = now_.values[bite_force];
+  evaluate(system_, *motion_, now_.modes, now_.force, now_.values);
+  std::vector<double> result;
+  for (std::size_t i = 0; i < asked.n_unknowns; ++i)
+    result.push_back(now_.values[asked.unknowns[i]]);
+  now_ = std::move(kept);
+  if (!same_tuning(kept_tuning, built_)) {
+    ModalState modes;
+    std::swap(modes, now_.modes);  // they belong to the system that comes back
+    use_parameters();
+    std::swap(modes, now_.modes);
+  }
+  return result;
+}
+
+// Central differences at two widths, extrapolated: exact for what is linear, else of fourth order.  (36.8)
+std::vector<double> Instance::by_known(const Direction &asked, const Reference reference)
+{
+  const Variable &variable = variables_[reference];
+  const double value       = now_.values[reference];
+  double width             = 1e-3 * std::abs(value);
+  if (variable.role == Role::bite_force || variable.role == Role::mean_force)
+    width = std::max(1e6, std::abs(value));
+  else if (variable.role == Role::gap_damper)
+    width = std::max(1e3, std::abs(value));
+  else if (variable.role == Role::modal_damping)
+    width = 0.01;
+  else if (value == 0)
+    width = 1e-3 * *std::max_element(built_.stiffness.begin(), built_.stiffness.end());
+  const auto difference = [&](const double d) {
+    std::vector<double> values = now_.values;
+    values[reference]          = value + d;
+    std::vector<double> above  = unknowns_at(values, asked);
+    values[reference]          = value - d;
+    const auto below           = unknowns_at(values, asked);
+    for (std::size_t i = 0; i < above.size(); ++i)
+      above[i] = (above[i] - below[i]) / (2 * d);
+    return above;
+  };
+  std::vector<double> fine = difference(width / 2);
+  const auto coarse        = difference(width);
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    fine[i] = (4 * fine[i] - coarse[i]) / 3;
+  return fine;
+}
+
+Status Instance::derivative(const char *function, const Direction &asked)
+{
+  if (!may_derive(function, asked))
+    return Status::error;
+  bring_up_to_date();
+  std::fill(asked.result, asked.result + (asked.adjoint ? asked.n_knowns : asked.n_unknowns), 0.0);
+  for (std::size_t k = 0; k < asked.n_knowns; ++k) {
+    const auto column = by_known(asked, asked.knowns[k]);
+    for (std::size_t u = 0; u < asked.n_unknowns; ++u)
+      if (asked.adjoint)
+        asked.result[k] += asked.seed[u] * column[u];
+      else
+        asked.result[u] += asked.seed[k] * column[u];
+  }
+  return Status::ok;
+}
+}  // namespace mill::fmu

@@ -1,0 +1,119 @@
+#include "model_data.h"
+#include "json_reader.h"
+#include <cmath>
+#include <stdexcept>
+
+namespace mill::fmu {
+namespace {
+class MemberReader {
+public:
+  explicit MemberReader(const Json &from) : from_(from) {}
+
+  void operator()(const char *name, std::string &value)
+  {
+    value = member(name, Json::Kind::text).text;
+  }
+  void operator()(const char *name, double &value)
+  {
+    value = member(name, Json::Kind::number).number;
+  }
+  void operator()(const char *name, int &value)
+  {
+    const double number = member(name, Json::Kind::number).number;
+    if (!(std::abs(number) < 1e6))
+      throw std::runtime_error(std::string(name) + " is out of range");
+    value = int(number);
+  }
+  void operator()(const char *name, bool &value)
+  {
+    value = member(name, Json::Kind::boolean).truth;
+  }
+  void operator()(const char *name, std::vector<double> &values)
+  {
+    for (const Json &item : member(name, Json::Kind::list).items)
+      values.push_back(checked(name, item, Json::Kind::number).number);
+  }
+  void operator()(const char *name, std::vector<std::string> &values)
+  {
+    for (const Json &item : member(name, Json::Kind::list).items)
+      values.push_back(checked(name, item, Json::Kind::text).text);
+  }
+  void operator()(const char *name, std::vector<SpringData> &values)
+  {
+    for (const Json &item : member(name, Json::Kind::list).items) {
+      SpringData spring;
+      MemberReader inside(item);
+      each_member(inside, spring, &spring);
+      values.push_back(spring);
+    }
+  }
+
+private:
+  static const Json &checked(const char *name, const Json &value, const Json::Kind kind)
+  {
+    if (value.kind != kind)
+      throw std::runtime_error(std::string(name) + " is of the wrong type");
+    return value;
+  }
+  const Json &member(const char *name, const Json::Kind kind) const
+  {
+    const Json *value = from_.find(name);
+    if (!value)
+      throw std::runtime_error(std::string(name) + " is missing");
+    return checked(name, *value, kind);
+  }
+  const Json &from_;
+};
+
+void require_size(const char *name, const std::size_t size, const std::size_t wanted)
+{
+  if (size != wanted)
+    throw std::runtime_error(std::string(name) + " has " + std::to_string(size) + " entries in place of " +
+                             std::to_string(wanted));
+}
+
+void require_chain(const ModelData &model)
+{
+  const std::size_t m = model.points.size();
+  require_size("mass", model.mass.size(), m);
+  require_size("bite_row", model.bite_row.size(), m);
+  for (const SpringData &spring : model.springs)
+    for (const int end : {spring.from, spring.to})
+      if (end < fixed_end || end >= int(m))
+        throw std::runtime_error("spring " + spring.name + " ends at a mass that is not there");
+  if (model.load_cell_spring < 0 || model.load_cell_spring >= int(model.springs.size()))
+    throw std::runtime_error("load_cell_spring is out of range");
+}
+
+void require_modal(const ModelData &model)
+{
+  const std::size_t n = model.frequency.size();
+  require_size("shape", model.shape.size(), n * model.points.size());
+  require_size("bite_mode", model.bite_mode.size(), n);
+  require_size("load_cell_mode", model.load_cell_mode.size(), n);
+  for (const double f : model.frequency)
+    if (!(f > 0))
+      throw std::runtime_error("a frequency is not above zero");
+}
+}  // namespace
+
+ModelData read_model(const std::string &json)
+{
+  const Json text = read_json(json);
+  ModelData model;
+  MemberReader reader(text);
+  each_member(reader, model, &model);
+  if (model.runtime != runtime_version)
+    throw std::runtime_error("it was written for runtime " + model.runtime + ", this is runtime " +
+                             runtime_version);
+  if (model.points.empty() || model.n_modes() == 0)
+    throw std::runtime_error("the model has no masses");
+  if (model.kind == "chain")
+    require_chain(model);
+  else if (model.kind == "modal")
+    require_modal(model);
+  else
+    throw std::runtime_error("kind " + model.kind + " is unknown");
+  return model;
+}
+}  // namespace mill::fmu

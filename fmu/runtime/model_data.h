@@ -1,0 +1,88 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+// What resources/model.json holds.
+namespace mill::fmu {
+/// Version of the runtime and of the layout of its files; part of every identity (theory.md 36.6).
+constexpr const char *runtime_version = "1";
+
+constexpr int fixed_end = -1;  ///< the end of a spring that stands on the ground
+
+/// One spring of a chain, between two masses or between a mass and the ground.
+struct SpringData {
+  std::string name;       ///< "K3"
+  int from      = -1;     ///< mass, or fixed_end
+  int to        = -1;     ///< mass, or fixed_end
+  double start  = 0;      ///< N/m
+  bool may_rest = false;  ///< may be zero: K4, which a measured force leaves out
+};
+
+/// A linear stand driven by its bite force, as a chain of masses whose springs may be tuned or in modes that are
+/// kept as they are.
+struct ModelData {
+  std::string runtime;              ///< runtime_version of the program that wrote it
+  std::string guid;                 ///< identity of model, variables and runtime
+  std::string kind;                 ///< "chain" or "modal"
+  std::vector<std::string> points;  ///< (m) what moves, "upper_work_roll"
+  double modal_damping    = 0;      ///< -, ratio of critical of every mode
+  double gap_damper       = 0;      ///< N s/m, between the work rolls
+  double mean_force       = 0;      ///< N, displacements count from the state under it
+  bool has_series         = false;  ///< resources/force.csv travels along
+  bool share_from_statics = false;  ///< the load cell shows what the springs leave it, else the whole mean force
+  double load_cell_share  = 1;      ///< -, part of the mean force that the load cell shows, where it is given
+
+  // kind "chain": m masses
+  std::vector<double> mass;         ///< (m) kg
+  std::vector<SpringData> springs;  ///< in the order K1..
+  std::vector<double> bite_row;     ///< (m) -, force on each mass per unit of bite force
+  int load_cell_spring = 0;         ///< place among the springs of the one that the load cell stands on
+
+  // kind "modal": n modes
+  std::vector<double> frequency;       ///< (n) Hz, ascending, above zero
+  std::vector<double> shape;           ///< (m * n, by rows) kg^-1/2, displacement of each point in each mode
+  std::vector<double> bite_mode;       ///< (n) kg^-1/2, bite force on each mode
+  std::vector<double> load_cell_mode;  ///< (n) N/m kg^-1/2
+
+  std::size_t n_modes() const
+  {
+    return kind == "chain" ? mass.size() : frequency.size();
+  }
+};
+
+/// The members in the order of the file: the reader below, the writer and the identity of the exporter come from
+/// these lists.
+template <class IO, class S> void each_member(IO &io, S &spring, const SpringData *)
+{
+  io("name", spring.name);
+  io("from", spring.from);
+  io("to", spring.to);
+  io("start", spring.start);
+  io("may_rest", spring.may_rest);
+}
+template <class IO, class M> void each_member(IO &io, M &model, const ModelData *)
+{
+  io("runtime", model.runtime);
+  io("guid", model.guid);
+  io("kind", model.kind);
+  io("points", model.points);
+  io("modal_damping", model.modal_damping);
+  io("gap_damper", model.gap_damper);
+  io("mean_force", model.mean_force);
+  io("has_series", model.has_series);
+  io("share_from_statics", model.share_from_statics);
+  io("load_cell_share", model.load_cell_share);
+  io("mass", model.mass);
+  io("springs", model.springs);
+  io("bite_row", model.bite_row);
+  io("load_cell_spring", model.load_cell_spring);
+  io("frequency", model.frequency);
+  io("shape", model.shape);
+  io("bite_mode", model.bite_mode);
+  io("load_cell_mode", model.load_cell_mode);
+}
+
+/// @throws std::runtime_error  no model of this runtime: what is missing or of the wrong size
+ModelData read_model(const std::string &json);
+}  // namespace mill::fmu

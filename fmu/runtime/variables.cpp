@@ -1,0 +1,84 @@
+#include "variables.h"
+
+namespace mill::fmu {
+namespace {
+// Ranges of what a client may set: those of [given] and [dynamics] of a case file.
+constexpr double least_mass = 1e-3, largest_mass = 1e9;            // kg
+constexpr double least_stiffness = 1e3, largest_stiffness = 1e15;  // N/m
+constexpr double largest_damper        = 1e15;                     // N s/m
+constexpr double largest_damping_ratio = 0.5;                      // -
+constexpr double largest_force         = 1e12;                     // N
+
+Variable parameter(std::string name, const Role role, const int index, const Variability variability,
+                   const char *unit, const double low, const double high, const double start)
+{
+  return {std::move(name), role, index, Type::real, Causality::parameter, variability, unit, "", low, high,
+          start,           0};
+}
+
+Variable output(std::string name, const Role role, const int index, const char *unit, const char *display,
+                const double nominal)
+{
+  return {std::move(name),
+          role,
+          index,
+          Type::real,
+          Causality::output,
+          Variability::continuous,
+          unit,
+          display,
+          0,
+          -1,
+          0,
+          nominal};
+}
+
+void add_parameters(const ModelData &model, std::vector<Variable> &all)
+{
+  Variable mean = parameter("F_mean", Role::mean_force, 0, Variability::fixed, "N", -largest_force, largest_force,
+                            model.mean_force);
+  mean.display_unit = "kN";
+  all.push_back(mean);
+  if (model.has_series)
+    all.push_back({"use_stored_force", Role::stored_force, 0, Type::boolean, Causality::parameter,
+                   Variability::fixed, "", "", 0, -1, 0, 0});
+  for (std::size_t i = 0; i < model.mass.size(); ++i)
+    all.push_back(parameter("M" + std::to_string(i + 1), Role::mass, int(i), Variability::fixed, "kg", least_mass,
+                            largest_mass, model.mass[i]));
+  for (std::size_t i = 0; i < model.springs.size(); ++i) {
+    const SpringData &spring = model.springs[i];
+    Variable K               = parameter(spring.name, Role::spring, int(i), Variability::tunable, "N/m",
+                           spring.may_rest ? 0 : least_stiffness, largest_stiffness, spring.start);
+    K.display_unit           = "kN/mm";
+    all.push_back(K);
+  }
+  all.push_back(
+      parameter("C", Role::gap_damper, 0, Variability::tunable, "N.s/m", 0, largest_damper, model.gap_damper));
+  Variable damping     = parameter("modal_damping", Role::modal_damping, 0, Variability::tunable, "1", 0,
+                                   largest_damping_ratio, model.modal_damping);
+  damping.display_unit = "%";
+  all.push_back(damping);
+}
+}  // namespace
+
+std::vector<Variable> variables_of(const ModelData &model)
+{
+  std::vector<Variable> all;
+  all.push_back(
+      {"time", Role::time, 0, Type::real, Causality::independent, Variability::continuous, "s", "", 0, -1, 0, 0});
+  all.push_back({"F_roll", Role::bite_force, 0, Type::real, Causality::input, Variability::continuous, "N", "kN",
+                 0, -1, model.mean_force, 1e6});
+  add_parameters(model, all);
+  for (std::size_t j = 0; j < model.points.size(); ++j)
+    all.push_back(output("a_" + model.points[j], Role::acceleration, int(j), "m/s2", "g", 1));
+  for (std::size_t j = 0; j < model.points.size(); ++j)
+    all.push_back(output("y" + std::to_string(j + 1), Role::displacement, int(j), "m", "um", 1e-6));
+  all.push_back(output("F_cell", Role::cell_force, 0, "N", "kN", 1e6));
+  // Springs that may be tuned move the frequencies; modes that are kept as they are do not move.
+  for (std::size_t k = 0; k < model.n_modes(); ++k)
+    all.push_back({"f" + std::to_string(k + 1), Role::frequency, int(k), Type::real,
+                   Causality::calculated_parameter,
+                   model.kind == "chain" ? Variability::tunable : Variability::fixed, "Hz", "", 0, -1, 0, 0});
+  return all;
+}
+}  // namespace mill::fmu
