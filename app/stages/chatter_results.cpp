@@ -43,7 +43,9 @@ struct ChatterAdder {
   void operator()(const std::string &name, const std::string &unit, const double value,
                   const double error = not_given, std::vector<Check> checks = {}) const
   {
-    if (std::isnan(value))
+    const std::string full = family + "." + study.question.condition.name + "." + name;
+    // Of a computed stand the bite has results of its own, by the model of [bite].
+    if (std::isnan(value) || run.find(full))
       return;
     Parameter p;
     p.value          = value;
@@ -53,7 +55,7 @@ struct ChatterAdder {
     p.error_estimate = error;
     p.checks         = std::move(checks);
     p.inputs         = study.question.inputs;
-    run.results.add(family + "." + study.question.condition.name + "." + name, p);
+    run.results.add(full, p);
   }
 };
 
@@ -167,8 +169,13 @@ void add_stability(RunContext &run, const ChatterStudy &s)
     if (other.name != s.question.analysis.linearisation)
       beside(checks, (other.name + " linearisation").c_str(), other.found.speed,
              "what follows a disturbance decides about the speed");
+  for (std::size_t i = 1; i < s.structures.size(); ++i)
+    beside(checks, ("on " + s.structures[i].name).c_str(), s.structures[i].found.speed,
+           "another model of the stand; the result is the worst of them");
   beside(checks, name_of(CheckId::published), c.published_critical_speed, c.note.c_str());
   beside(checks, name_of(CheckId::measured), c.measured_critical_speed);
+  if (s.structures.size() > 1)
+    critical("critical_speed_highest", "m/s", band_of(s.structures).high);
   critical("critical_speed", "m/s", s.found.speed, spread(s, &dynamics::StandSpeed::speed), checks);
   std::vector<Check> frequency;
   if (!std::isnan(s.found.frequency)) {
@@ -243,8 +250,18 @@ std::string span(double low, double high, const std::string &unit)
 
 std::string verdict_sentence(const ChatterStudy &s)
 {
-  return s.question.label + ": " +
-         dynamics::sentence(s.found, {s.question.analysis.speeds[0], s.question.analysis.speeds[1]});
+  std::string text = s.question.label + ": " +
+                     dynamics::sentence(s.found, {s.question.analysis.speeds[0], s.question.analysis.speeds[1]});
+  if (s.structures.size() < 2)
+    return text;
+  const ModelBand band = band_of(s.structures);
+  text += fmt::format("; this is {}, the worst of {} models of the stand", s.structures.front().name,
+                      s.structures.size());
+  if (!std::isnan(band.low))
+    text += ", critical speeds " + span(band.low, band.high, "m/s");
+  for (const std::string &model : band.without)
+    text += "; " + model;
+  return text;
 }
 
 void add_chatter_results(RunContext &run, const ChatterStudy &s)

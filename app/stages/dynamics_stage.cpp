@@ -1,5 +1,6 @@
 #include "app/stages/dynamics_stage.h"
 #include "app/stages/curve_files.h"
+#include "app/stages/mode_results.h"
 #include "core/records/csv.h"
 #include "core/records/provenance.h"
 #include "core/records/result_names.h"
@@ -212,12 +213,8 @@ PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &cha
   const auto modal   = dynamics::modal_model(
         stand.model, stand.modes.frequency, stand.modes.shape, settings.modal_damping, 2 * limit,
       settings.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value);
-  PassModel p{dynamics::driven_model(modal),
-              stand.model.name == "beam" ? "rolls as beams" : "rolls as reduced finite elements",
-              limit,
-              inputs_of(chain, settings),
-              {},
-              limit};
+  PassModel p{
+      dynamics::driven_model(modal), title_of(stand.model.name), limit, inputs_of(chain, settings), {}, limit};
   // Modes up to the limit are trusted; those above are driven too, since they give way under slower forces.
   for (Eigen::Index i = 0; i < stand.modes.frequency.size() && stand.modes.frequency[i] <= limit; ++i)
     p.highest_mode = stand.modes.frequency[i];

@@ -7,6 +7,7 @@
 #include "core/model/dynamics_settings.h"
 #include "core/model/frame.h"
 #include "core/model/housing.h"
+#include "core/model/lumped.h"
 #include "core/model/pass.h"
 #include "core/model/roll.h"
 #include "core/model/strip.h"
@@ -96,6 +97,7 @@ const std::vector<Field<ContactSettings>> &roll_contact_rows();  ///< four-high:
 const std::vector<Field<ContactSettings>> &line_contact_rows();  ///< two-cylinders: loads per length
 const std::vector<Field<DynamicsSettings>> &dynamics_rows();
 const std::vector<Field<DynamicsSettings>> &chain_dynamics_rows();  ///< of kind "lumped"
+const std::vector<Field<ModelFiles>> &model_file_rows();            ///< [model] of kind "lumped"
 const std::vector<Field<TwoCylinders>> &upper_cylinder_rows();
 const std::vector<Field<TwoCylinders>> &lower_cylinder_rows();
 

@@ -1,3 +1,4 @@
+#include "report/modes/names.h"
 #include "report/page/curves.h"
 #include "report/page/names.h"
 #include "report/page/number.h"
@@ -37,7 +38,7 @@ std::string fact(const std::string &name, const std::string &value)
   return value.empty() ? "" : "<div><dt>" + name + "</dt><dd>" + escaped(value) + "</dd></div>";
 }
 
-std::string tile(const Result *result, const std::string &label)
+std::string tile(const Result *result, const std::string &label, const std::string &source = "")
 {
   if (!result || !std::isfinite(result->value))
     return "";
@@ -46,7 +47,7 @@ std::string tile(const Result *result, const std::string &label)
       acceleration ? Shown{in_g(result->value, result->unit), "g"} : engineering(result->value, result->unit);
   const std::string number = acceleration ? g_text(shown.value) : significant(shown.value, 4);
   return "<div class=\"tile\"><span>" + escaped(label) + "</span><b>" + number + "</b> " + escaped(shown.unit) +
-         "<small>" + escaped(short_source(result->source)) +
+         "<small>" + escaped(source.empty() ? short_source(result->source) : source) +
          (result->at.empty() ? "" : ", at " + escaped(short_source(result->at))) + "</small></div>\n";
 }
 
@@ -69,12 +70,26 @@ std::string chatter_tiles(const Run &run)
   return all;
 }
 
+// The octave modes of the best model, without any the first and the last of the chain.
+std::string mode_tiles(const Run &run)
+{
+  std::string all;
+  for (const Result &result : run.results)
+    for (const char *octave : {"third_octave", "fifth_octave"})
+      if (is_of(result.name, family::mode) && result.name.find(octave) != std::string::npos &&
+          result.name.find("_2.") == std::string::npos)
+        all += tile(&result, named_mode(result).name, named_mode(result).model);
+  return all.empty() ? tile(run.find("f1"), "f1, first mode") + tile(run.find("f6"), "f6, highest mode") : all;
+}
+
 std::string tiles(const Run &run)
 {
   std::string all;
   if (has_chain(run)) {
-    all += tile(chain_value(run, "K3"), "K3, upper contact") + tile(chain_value(run, "K5"), "K5, lower contact") +
-           tile(run.find("f1"), "f1, first mode") + tile(run.find("f6"), "f6, highest mode");
+    const Result *modulus = run.find(result_name({family::stand, "modulus", "tangent"}));
+    all += tile(modulus ? modulus : run.find(result_name({family::stand, "modulus", "kiss"})), "mill modulus") +
+           mode_tiles(run) + tile(chain_value(run, "K3"), "K3, upper contact") +
+           tile(chain_value(run, "K5"), "K5, lower contact");
     for (const PassInfo &pass : run.manifest.passes)
       all += tile(pass_value(run, pass, "peak_g.upper_work_roll"), pass.name + ", peak, upper work roll") +
              tile(pass_value(run, pass, "peak_g.lower_work_roll"), pass.name + ", peak, lower work roll");
@@ -176,10 +191,17 @@ std::string page_head(const Run &run)
          "</dl></header>\n" + banner(run);
 }
 
-void summary_section(Page &page, const Run &run)
+void summary_section(Page &page, const Run &run, const ModelData &models)
 {
   page.section("summary", "The numbers in short");
   page.html(tiles(run));
+  if (const ComparedModel *best = models.detailed()) {
+    std::string text =
+        "The frequencies are those of the <b>" + escaped(best->title) + "</b>; the six masses stand beside them.";
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, models.answer.size()); ++i)
+      text += " " + escaped(models.answer[i]);
+    page.paragraph(text);
+  }
   if (const auto groups = short_groups(run); !groups.empty())
     page.table(short_table(groups),
                what_is_in_short(run) +

@@ -8,9 +8,10 @@
 // The sections of the page, each in a file of its name.  A section whose data the kind of run cannot have is left
 // out; one that could be there but is not stored says so.
 namespace mill::report {
-std::string page_head(const Run &run);             ///< title, run, status banner
-void summary_section(Page &page, const Run &run);  ///< key numbers, short table
-void stand_section(Page &page, const Run &run);    ///< sketch with the numbers on it
+std::string page_head(const Run &run);  ///< title, run, status banner
+/// Key numbers, which model the frequencies come from, short table.
+void summary_section(Page &page, const Run &run, const ModelData &models);
+void stand_section(Page &page, const Run &run);  ///< sketch with the numbers on it
 /// Mill modulus over the force and what moves the thickness, inside the stand's section; nothing without its
 /// curve.
 void modulus_part(Page &page, const Run &run);
