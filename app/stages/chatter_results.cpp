@@ -1,10 +1,12 @@
 #include "app/stages/chatter_results.h"
+#include "core/model/case.h"
 #include "core/records/result_names.h"
 #include "dynamics/chatter/loop.h"
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <fmt/format.h>
+#include <variant>
 
 namespace mill {
 namespace {
@@ -43,9 +45,7 @@ struct ChatterAdder {
   void operator()(const std::string &name, const std::string &unit, const double value,
                   const double error = not_given, std::vector<Check> checks = {}) const
   {
-    const std::string full = family + "." + study.question.condition.name + "." + name;
-    // Of a computed stand the bite has results of its own, by the model of [bite].
-    if (std::isnan(value) || run.find(full))
+    if (std::isnan(value))
       return;
     Parameter p;
     p.value          = value;
@@ -55,7 +55,7 @@ struct ChatterAdder {
     p.error_estimate = error;
     p.checks         = std::move(checks);
     p.inputs         = study.question.inputs;
-    run.results.add(full, p);
+    run.results.add(family + "." + study.question.condition.name + "." + name, p);
   }
 };
 
@@ -63,6 +63,13 @@ void beside(std::vector<Check> &checks, const char *name, const double value, co
 {
   if (!std::isnan(value))
     checks.push_back({name, value, note});
+}
+
+// The bite of a computed stand has results of the same names by the model of [bite].
+bool has_own_bite(const Case &the_case)
+{
+  const auto *stand = std::get_if<FourHigh>(&the_case.spec);
+  return stand && !stand->given.count("K4");
 }
 
 void add_bite(RunContext &run, const ChatterStudy &s)
@@ -74,6 +81,8 @@ void add_bite(RunContext &run, const ChatterStudy &s)
   const ChatterAdder add{run, s, "bite", state.model, speed_text(c.speed)};
   const auto by_karman = [&](const char *name, const char *unit, const double value, const double karman,
                              const double published, const double measured) {
+    if (has_own_bite(run.the_case))
+      return;
     std::vector<Check> checks;
     beside(checks, "slab equation without the simplification of Bland and Ford", karman);
     beside(checks, name_of(CheckId::published), published, c.note.c_str());
