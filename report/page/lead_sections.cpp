@@ -87,7 +87,8 @@ std::string tiles(const Run &run)
   std::string all;
   if (has_chain(run)) {
     const Result *modulus = run.find(result_name({family::stand, "modulus", "tangent"}));
-    all += tile(modulus ? modulus : run.find(result_name({family::stand, "modulus", "kiss"})), "mill modulus") +
+    all += tile(modulus ? modulus : run.find(result_name({family::stand, "modulus", "kiss"})), "mill modulus",
+                "springs in series") +
            mode_tiles(run) + tile(chain_value(run, "K3"), "K3, upper contact") +
            tile(chain_value(run, "K5"), "K5, lower contact");
     for (const PassInfo &pass : run.manifest.passes)
