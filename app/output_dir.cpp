@@ -65,7 +65,7 @@ OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite, std
   if (alone.held())
     remove_leftovers(directory);
   staged = std::make_unique<Staging>(directory);
-  for (const char *part : {"curves", "response", "fields"}) {
+  for (const char *part : {"curves", "response", "fields", "models"}) {
     fs::create_directory(file(part), error);
     require(error);
   }

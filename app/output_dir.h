@@ -15,8 +15,8 @@ struct Case;
 /// publish() (core/records/result_folder.h).
 class OutputDir {
 public:
-  /// Creates the folder and its staging folder with curves/, response/ and fields/; what was staged and not
-  /// published goes with this object.
+  /// Creates the folder and its staging folder with curves/, response/, fields/ and models/; what was staged and
+  /// not published goes with this object.
   /// @throws InputError  the folder holds files of another case or of no run (unless `overwrite`), or its name is
   /// wrong
   /// @throws SystemError  disk or permission refuse it
@@ -32,8 +32,8 @@ public:
   void write_table(const std::string &name, Table table) const;
   /// Those written so far, by name without ".csv"; they are given away.
   std::map<std::string, Table> take_tables() const;
-  /// Checksums of the staged files in curves/, response/ and fields/, as checksums_below(); what write() wrote is
-  /// not read again.
+  /// Checksums of the staged files in curves/, response/, fields/ and models/, as checksums_below(); what write()
+  /// wrote is not read again.
   std::map<std::string, std::string> checksums() const;
 
   /// Puts the staged files in the place of those of the earlier run; what that run wrote and this one did not is

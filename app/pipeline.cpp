@@ -5,9 +5,11 @@
 #include "app/stages/chatter_stage.h"
 #include "app/stages/contact_stage.h"
 #include "app/stages/curve_files.h"
+#include "app/stages/detailed_model_stage.h"
 #include "app/stages/dynamics_stage.h"
 #include "app/stages/fit_stage.h"
 #include "app/stages/frame_stage.h"
+#include "app/stages/headline.h"
 #include "app/stages/mode_results.h"
 #include "app/stages/model_stage.h"
 #include "app/stages/modulus_stage.h"
@@ -106,7 +108,7 @@ struct StandParts {
   ComponentSets components;
   std::map<std::string, SolvedContact> contacts;
   std::vector<StandBearings> bearings;  // by pass
-  std::vector<Parameter> K4;            // by pass
+  std::vector<BiteSpring> K4;           // by pass
 };
 
 // All parts side by side, those that take longest first; results come in the order in which they are taken.
@@ -126,8 +128,7 @@ public:
     for (std::size_t p = 0; p < n_passes; ++p)
       add(first_bite + p, [&, goal, p, with_bites](RunContext &own) {
         if (with_bites && !stand.given.count("K4"))
-          parts.K4[p] =
-              solve_bite_stiffness(own, stand, stand.passes[p], loads[p], p == 0, draws_bite_curves(goal));
+          parts.K4[p] = solve_bite_spring(own, stand, stand.passes[p], loads[p], p == 0, draws_bite_curves(goal));
       });
     all.work();
     for (const std::size_t part : {components, contacts, bearings})
@@ -163,7 +164,7 @@ reduce::ChainInputs chain_inputs(const FourHigh &stand, const StandParts &parts,
     in.K3 = parts.contacts.at("upper").tangent[p];
   if (parts.contacts.count("lower"))
     in.K5 = parts.contacts.at("lower").tangent[p];
-  in.K4         = parts.K4[p];
+  in.K4         = parts.K4[p].combined;
   in.K_Zy_upper = parts.bearings[p].K_Zy_upper;
   in.K_Zy_lower = parts.bearings[p].K_Zy_lower;
   in.Kzc        = parts.bearings[p].Kzc;
@@ -174,26 +175,32 @@ reduce::ChainInputs chain_inputs(const FourHigh &stand, const StandParts &parts,
   return in;
 }
 
-// The mill modulus of the first pass, from the results of all stages.
+// The mill modulus of a pass, from the results of all stages.
 void add_modulus(RunContext &run, const FourHigh &stand, const StandParts &parts, const double load,
-                 const std::vector<Check> &gaps)
+                 const std::size_t p, const std::vector<Check> &gaps)
 {
   const auto curve = [&](const char *contact) {
     const auto found = parts.contacts.find(contact);
     return found == parts.contacts.end() ? nullptr : &found->second.curve;
   };
   ModulusParts of;
+  of.pass  = p;
   of.load  = load;
   of.upper = curve("upper");
   of.lower = curve("lower");
-  of.seats = &parts.bearings.front();
+  of.K4    = parts.K4[p];
+  of.K_Zy  = {parts.bearings[p].K_Zy_upper, parts.bearings[p].K_Zy_lower};
+  // A roller bearing has one curve whatever the pass; an oil film has one for each speed.
+  const Pass &pass = stand.passes[p];
+  if (!oil_film_of(stand.oil_films, stand.backup_roll.bearing) || pass.speed == stand.passes.front().speed)
+    of.backup_deflection = &parts.bearings.front().backup_deflection;
   of.solid = solid_rolls(parts.components);
   of.gap   = gaps;
   add_stand_modulus(run, stand, of);
 }
 
 // The chain of one pass, what stands beside it, and what is done with it.
-// @param gaps  of the first pass: for the mill modulus, which comes when the bite is there
+// @param gaps  for the mill modulus of the pass, which comes when the bite is there
 void run_pass(RunContext &run, const FourHigh &stand, const StandParts &parts, const PassForces &forces,
               const std::size_t p, const Goal goal, std::vector<Check> &gaps)
 {
@@ -222,8 +229,10 @@ void run_pass(RunContext &run, const FourHigh &stand, const StandParts &parts, c
     add_housing_frequencies(run, stand, parts.components);
     add_model_checks(run, models);
     add_named_modes(run, {&models.craig_bampton, &models.beam, &models.chain}, stand.dynamics.frequency_limit);
-    gaps = gaps_of(models, stand.dynamics.mass_reference);
+    run.summary += headline(models, stand.dynamics.frequency_limit);
   }
+  if (goal >= Goal::masses)
+    gaps = gaps_of(models, stand.dynamics.mass_reference);
   if (goal == Goal::chatter)
     solve_stand_chatter(run, stand, pass, chain, models);
   if (goal >= Goal::simulate) {
@@ -246,18 +255,19 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
   stand.strip = fitted_strip(run, fit_question(stand, forces.loads));
   PartsOfStand made(run, stand, forces.loads, goal);
   SideBySide passes(run);
-  std::vector<Check> gaps;
+  std::vector<std::vector<Check>> gaps(stand.passes.size());
   for (std::size_t p = 0; p < stand.passes.size(); ++p)
     passes.add([&, p](RunContext &own) {
       if (made.has_bite(p))
-        run_pass(own, stand, made.parts, forces, p, goal, gaps);
+        run_pass(own, stand, made.parts, forces, p, goal, gaps[p]);
     });
   passes.work();
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
     made.take_bite(p);
     passes.take(p);
   }
-  add_modulus(run, stand, made.parts, forces.loads.front(), gaps);
+  for (std::size_t p = 0; p < stand.passes.size(); ++p)
+    add_modulus(run, stand, made.parts, forces.loads[p], p, gaps[p]);
   set_beside(run, stand.published);
   if (stand.passes.size() > 1)
     run.assume("lumped_model.toml holds the model at the load of " + stand.passes[0].name +
@@ -270,6 +280,8 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
 
 void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::string &force_file)
 {
+  if (lumped.detailed)
+    return run_detailed_model(run, lumped, goal, force_file);
   LumpedModel model = lumped_model_of(run.the_case);
   set_given_inputs(model);
   add_model(run, model, "");

@@ -42,7 +42,11 @@ const RunKind &run_kind(const ChatterCase &)
       manifest["geometry"]["work_roll_diameter"] = std::get<ChatterCase>(the_case.spec).roll_diameter;
     };
     k.files = [](const Case &the_case) {
-      return std::vector<std::string>{std::get<ChatterCase>(the_case.spec).stand.from};
+      const auto &spec = std::get<ChatterCase>(the_case.spec);
+      std::vector<std::string> files{spec.stand.from};
+      if (const auto &m = spec.files)
+        files.insert(files.end(), {m->mass, m->stiffness, m->force, m->readings, m->names});
+      return files;
     };
     k.inputs = [](const Case &the_case, const Results &results, const std::string &name) {
       return inputs_of(std::get<ChatterCase>(the_case.spec), results, name);

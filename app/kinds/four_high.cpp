@@ -85,21 +85,19 @@ std::optional<KeyList> rating_inputs_of(const FourHigh &stand, const std::string
   return keys;
 }
 
-// stand.* of the first pass: the springs on the path of the force, the touching or bending work rolls, the bite.
-std::optional<KeyList> modulus_inputs(const FourHigh &stand, const Results &results, const std::string &name)
+// stand.* of one pass: the springs on the path of the force, the touching or bending work rolls, the bite.
+KeyList modulus_keys(const FourHigh &stand, const Results &results, const std::string &name, const std::size_t p)
 {
-  if (!is_of(name, family::stand))
-    return {};
-  const Pass &pass    = stand.passes.front();
-  const KeyList rolls = joined(keys_in("steel", "youngs_modulus poisson_ratio"),
-                               keys_in("work_roll", "barrel_diameter barrel_length"), load_keys(pass, 0));
+  const KeyList rolls =
+      joined(keys_in("steel", "youngs_modulus poisson_ratio"),
+             keys_in("work_roll", "barrel_diameter barrel_length"), load_keys(stand.passes[p], p));
   if (is_of(name, "stand.K_ww"))
     return rolls;
   const auto of_springs = [&](const std::vector<std::string> &springs) {
     KeyList keys;
     for (const std::string &spring : springs)
-      if (const Parameter *p = results.find(spring))
-        keys = joined(keys, p->inputs);
+      if (const Parameter *made = results.find(p == 0 ? spring : result_name({stand.passes[p].name, spring})))
+        keys = joined(keys, made->inputs);
     return keys;
   };
   KeyList bending = joined(keys_in("steel", "youngs_modulus poisson_ratio"), roll_body_keys("work_roll"),
@@ -113,8 +111,18 @@ std::optional<KeyList> modulus_inputs(const FourHigh &stand, const Results &resu
   if (is_of(name, "stand.modulus.kiss") || is_of(name, "stand.modulus.kiss_secant"))
     return joined(path, rolls);
   const KeyList with_strip = joined(
-      path, bending, bite_keys({stand.strip, stand.bite, 0, "work_roll.barrel_diameter", true, &stand.passes}));
-  return ends(name, ".roll_speed") ? joined(with_strip, keys_in("pass.0", "speed")) : with_strip;
+      path, bending, bite_keys({stand.strip, stand.bite, p, "work_roll.barrel_diameter", true, &stand.passes}));
+  return ends(name, ".roll_speed") ? joined(with_strip, keys_in(fmt::format("pass.{}", p), "speed")) : with_strip;
+}
+
+std::optional<KeyList> modulus_inputs(const FourHigh &stand, const Results &results, const std::string &name)
+{
+  if (!is_of(name, family::stand))
+    return {};
+  for (std::size_t p = 1; p < stand.passes.size(); ++p)
+    if (const std::string own = result_name({family::stand, stand.passes[p].name}); is_of(name, own))
+      return modulus_keys(stand, results, family::stand + name.substr(own.size()), p);
+  return modulus_keys(stand, results, name, 0);
 }
 
 std::optional<KeyList> inputs_of(const FourHigh &stand, const Results &results, const std::string &full)

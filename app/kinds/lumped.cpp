@@ -9,11 +9,17 @@
 
 namespace mill {
 namespace {
+// Of a response of a model in files.
+KeyList model_file_keys()
+{
+  return keys_in("model", "mass stiffness force readings gap_damper frequency_limit");
+}
+
 std::optional<KeyList> inputs_of(const Lumped &lumped, const Results &results, const std::string &name)
 {
   for (std::size_t p = 0; p < lumped.passes.size(); ++p)
     if (const auto keys = response_inputs(results, lumped.dynamics, lumped.passes[p], p, name))
-      return of_kind(*keys, "lumped");
+      return of_kind(lumped.detailed ? joined(*keys, model_file_keys()) : *keys, "lumped");
   const Parameter *made = results.find(name);
   return made ? std::optional<KeyList>(of_kind(made->inputs, "lumped")) : std::nullopt;
 }
@@ -38,6 +44,10 @@ const RunKind &run_kind(const Lumped &)
       return {
           {"passes", 1}
       };
+    };
+    k.files = [](const Case &the_case) {
+      const ModelFiles &m = std::get<Lumped>(the_case.spec).model;
+      return std::vector<std::string>{m.mass, m.stiffness, m.force, m.readings, m.names};
     };
     k.run = [](RunContext &run, const Goal goal, const std::string &force_file) {
       run_lumped(run, std::get<Lumped>(run.the_case.spec), goal, force_file);

@@ -102,8 +102,8 @@ void check_bites(const Case &the_case)
     throw InputError(std::move(problems));
 }
 
-Parameter solve_bite_stiffness(RunContext &run, const FourHigh &stand, const Pass &pass, const double force,
-                               const bool first, const bool curves)
+BiteSpring solve_bite_spring(RunContext &run, const FourHigh &stand, const Pass &pass, const double force,
+                             const bool first, const bool curves)
 {
   BiteQuestion q;
   q.bite              = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
@@ -122,7 +122,7 @@ Parameter solve_bite_stiffness(RunContext &run, const FourHigh &stand, const Pas
     if (curves)
       write_bite_curves(run, study);
   }
-  return spring.combined;
+  return spring;
 }
 
 void solve_bite_case(RunContext &run, const BiteCase &spec)

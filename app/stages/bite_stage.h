@@ -1,4 +1,5 @@
 #pragma once
+#include "app/stages/bite_results.h"
 #include "app/stages/bite_study.h"
 #include "core/model/pass.h"
 
@@ -14,13 +15,13 @@ bite::RollBite bite_of(const Strip &strip, const Pass &pass, double roll_diamete
 /// @throws InputError  with the place of every such pass
 void check_bites(const Case &the_case);
 
-/// K4 of one pass of a stand, by the model of [bite]; returns the combined stiffness (plastic slope in series with
-/// both arcs).
+/// K4 of one pass of a stand, by the model of [bite]; its combined stiffness (plastic slope in series with both
+/// arcs) is that of the chain.
 /// @param first   true: add K4.* to the results
 /// @param curves  and write its curves, where that
 /// @param force  N, recorded, stands beside the computed one
-Parameter solve_bite_stiffness(RunContext &run, const FourHigh &stand, const Pass &pass, double force, bool first,
-                               bool curves = true);
+BiteSpring solve_bite_spring(RunContext &run, const FourHigh &stand, const Pass &pass, double force, bool first,
+                             bool curves = true);
 
 /// kind = "bite": every pass, K4 of the first.
 void solve_bite_case(RunContext &run, const BiteCase &spec);

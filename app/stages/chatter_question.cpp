@@ -1,5 +1,6 @@
 #include "app/stages/chatter_question.h"
 #include "app/stages/bite_stage.h"
+#include "app/stages/detailed_model_stage.h"
 #include "core/records/provenance.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modal_model.h"
@@ -64,11 +65,20 @@ std::array<double, 6> springs_of(const LumpedModel &model)
   return {K[0].value, K[1].value, K[2].value, K[4].value, K[5].value, K[6].value};
 }
 
+dynamics::ModalModel modes_of(const ChatterCase &spec)
+{
+  const auto s = model_from_files(*spec.files);
+  return dynamics::modal_model(s.model, s.modes.frequency, s.modes.shape, spec.modal_damping,
+                               2 * spec.files->frequency_limit);
+}
+
 ChatterStandModel stand_of(const ChatterCase &spec, const ChatterStand &stand)
 {
   ChatterStandModel model;
   const bool own_dampers = !std::isnan(stand.dampings[0]);
-  if (spec.model && !own_dampers)
+  if (spec.files)
+    model.structure = dynamics::structure_of(modes_of(spec));
+  else if (spec.model && !own_dampers)
     model.structure = chain_structure(*spec.model, chain_settings(spec.modal_damping, "open"));
   else if (spec.model)
     model.structure =
@@ -83,6 +93,8 @@ ChatterStandModel stand_of(const ChatterCase &spec, const ChatterStand &stand)
 
 std::vector<dynamics::StructureNumber> numbers_of(const ChatterCase &spec)
 {
+  if (spec.files)
+    return dynamics::modal_numbers(modes_of(spec));
   if (!spec.model)
     return dynamics::six_mass_numbers(spec.stand.masses, spec.stand.stiffnesses, spec.stand.dampings);
   if (!std::isnan(spec.stand.dampings[0]))
@@ -106,14 +118,16 @@ ChatterQuestion chatter_question(const ChatterCase &spec, const std::size_t cond
   q.label      = "condition " + q.condition.name;
   q.bite       = bite_of(spec, q.condition);
   q.stand      = stand;
-  q.structure  = spec.model ? "six masses of " + spec.stand.from : "six masses as given";
+  q.structure  = spec.files   ? "model " + spec.files->name + " of " + spec.stand.from
+                 : spec.model ? "six masses of " + spec.stand.from
+                              : "six masses as given";
   q.scheme     = scheme_of(spec.analysis);
   q.analysis   = spec.analysis;
   q.film_range = spec.film_range;
   for (const ChatterVariant &variant : spec.variants)
     q.variants.push_back({variant.name, stand_of(spec, variant.stand)});
   q.structures = {
-      {"six masses", stand}
+      {spec.files ? spec.files->name : "six masses", stand}
   };
   q.numbers = numbers_of(spec);
   q.inputs  = keys_of(spec, condition);
@@ -167,19 +181,11 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
   };
   const auto beam = modal(models.beam), craig_bampton = modal(models.craig_bampton);
   q.structures = {
-      {"six-mass", around(chain_structure(chain.model, settings))},
-      {"beam",          around(dynamics::structure_of(beam))                                      },
-      {"craig-bampton",          around(dynamics::structure_of(craig_bampton))}
+      {"six-mass",                     around(chain_structure(chain.model, settings)),                         dynamics::chain_numbers(chain.model, settings)},
+      {"beam",                     around(dynamics::structure_of(beam)),                                                       dynamics::modal_numbers(beam)                                                                                   },
+      {"craig-bampton", around(dynamics::structure_of(craig_bampton)),dynamics::modal_numbers(craig_bampton)}
   };
-  const auto chosen = std::find_if(q.structures.begin(), q.structures.end(),
-                                   [&](const NamedStand &s) { return s.name == stand.dynamics.model; });
-  std::rotate(q.structures.begin(), chosen, chosen + 1);
-  q.stand     = q.structures.front().stand;
-  q.numbers   = stand.dynamics.model == "six-mass"
-                    ? dynamics::chain_numbers(chain.model, settings)
-                    : dynamics::modal_numbers(stand.dynamics.model == "beam" ? beam : craig_bampton);
-  q.structure = q.structures.front().name + " model of this run, modal damping " +
-                fmt::format("{:g} %", 100 * stand.dynamics.modal_damping);
+  q.structure  = fmt::format("modal damping {:g} %", 100 * stand.dynamics.modal_damping);
   const auto p = std::size_t(std::find_if(stand.passes.begin(), stand.passes.end(),
                                           [&](const Pass &one) { return one.name == pass.name; }) -
                              stand.passes.begin());

@@ -17,7 +17,7 @@ struct StandQuestion {
   std::vector<std::string> assumed;  ///< what the case does not say, one sentence each
 };
 
-/// On the model that dynamics.model names, the others beside it.
+/// On six masses, beams and component modes; study_chatter() takes the worst of them.
 StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const reduce::LumpedStand &chain,
                                const StandModels &models);
 }  // namespace mill

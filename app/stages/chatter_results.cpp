@@ -1,10 +1,12 @@
 #include "app/stages/chatter_results.h"
+#include "core/model/case.h"
 #include "core/records/result_names.h"
 #include "dynamics/chatter/loop.h"
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <fmt/format.h>
+#include <variant>
 
 namespace mill {
 namespace {
@@ -63,6 +65,13 @@ void beside(std::vector<Check> &checks, const char *name, const double value, co
     checks.push_back({name, value, note});
 }
 
+// The bite of a computed stand has results of the same names by the model of [bite].
+bool has_own_bite(const Case &the_case)
+{
+  const auto *stand = std::get_if<FourHigh>(&the_case.spec);
+  return stand && !stand->given.count("K4");
+}
+
 void add_bite(RunContext &run, const ChatterStudy &s)
 {
   if (!s.working)
@@ -72,6 +81,8 @@ void add_bite(RunContext &run, const ChatterStudy &s)
   const ChatterAdder add{run, s, "bite", state.model, speed_text(c.speed)};
   const auto by_karman = [&](const char *name, const char *unit, const double value, const double karman,
                              const double published, const double measured) {
+    if (has_own_bite(run.the_case))
+      return;
     std::vector<Check> checks;
     beside(checks, "slab equation without the simplification of Bland and Ford", karman);
     beside(checks, name_of(CheckId::published), published, c.note.c_str());
@@ -167,8 +178,13 @@ void add_stability(RunContext &run, const ChatterStudy &s)
     if (other.name != s.question.analysis.linearisation)
       beside(checks, (other.name + " linearisation").c_str(), other.found.speed,
              "what follows a disturbance decides about the speed");
+  for (std::size_t i = 1; i < s.structures.size(); ++i)
+    beside(checks, ("on " + s.structures[i].name).c_str(), s.structures[i].found.speed,
+           "another model of the stand; the result is the worst of them");
   beside(checks, name_of(CheckId::published), c.published_critical_speed, c.note.c_str());
   beside(checks, name_of(CheckId::measured), c.measured_critical_speed);
+  if (s.structures.size() > 1)
+    critical("critical_speed_highest", "m/s", band_of(s.structures).high);
   critical("critical_speed", "m/s", s.found.speed, spread(s, &dynamics::StandSpeed::speed), checks);
   std::vector<Check> frequency;
   if (!std::isnan(s.found.frequency)) {
@@ -243,8 +259,18 @@ std::string span(double low, double high, const std::string &unit)
 
 std::string verdict_sentence(const ChatterStudy &s)
 {
-  return s.question.label + ": " +
-         dynamics::sentence(s.found, {s.question.analysis.speeds[0], s.question.analysis.speeds[1]});
+  std::string text = s.question.label + ": " +
+                     dynamics::sentence(s.found, {s.question.analysis.speeds[0], s.question.analysis.speeds[1]});
+  if (s.structures.size() < 2)
+    return text;
+  const ModelBand band = band_of(s.structures);
+  text += fmt::format("; this is {}, the worst of {} models of the stand", s.structures.front().name,
+                      s.structures.size());
+  if (!std::isnan(band.low))
+    text += ", critical speeds " + span(band.low, band.high, "m/s");
+  for (const std::string &model : band.without)
+    text += "; " + model;
+  return text;
 }
 
 void add_chatter_results(RunContext &run, const ChatterStudy &s)

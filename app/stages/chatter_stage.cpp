@@ -77,7 +77,7 @@ void solve_chatter_case(RunContext &run, const ChatterCase &spec)
     run.assume(
         "film factor 3 is that of the source of the published friction law; the inlet film of Wilson and Walowit "
         "has 3/2, and a friction law goes with the factor it was fitted with");
-  if (spec.model && std::isnan(spec.stand.dampings[0]))
+  if ((spec.model || spec.files) && std::isnan(spec.stand.dampings[0]))
     run.assume(fmt::format("modal damping of {:g} % in every mode of the stand, as {} says",
                            100 * spec.modal_damping, spec.stand.from));
   if (const std::string table = published_table(studies); !table.empty())

@@ -20,8 +20,8 @@ void solve_chatter_case(RunContext &run, const ChatterCase &spec);
 /// between the stands.
 void solve_tandem(RunContext &run, const ChatterCase &spec);
 
-/// One pass of a four-high stand as a working condition, on the computed six masses and, beside them, the detailed
-/// models; the one that dynamics.model names gives the results.
+/// One pass of a four-high stand as a working condition, on six masses and on the detailed models; the worst of
+/// them gives the results.
 void solve_stand_chatter(RunContext &run, const FourHigh &stand, const Pass &pass,
                          const reduce::LumpedStand &chain, const StandModels &models);
 }  // namespace mill

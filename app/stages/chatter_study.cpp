@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -75,8 +77,45 @@ void search_beside(ChatterStudy &s, const dynamics::SpeedRange &range)
                         [&](const OtherSearch &o) { return o.name == q.analysis.linearisation; });
   for (const NamedStand &variant : q.variants)
     s.variants.push_back(search(variant.name, variant.stand, q, q.scheme, range));
+}
+
+// Speed up to which a model is stable, and what tells two models without a critical speed apart: smaller is worse.
+std::pair<double, double> severity(const CriticalSpeed &found)
+{
+  constexpr double ever = std::numeric_limits<double>::infinity();
+  switch (found.verdict) {
+  case Verdict::unstable:
+    return {-2, -found.margin};
+  case Verdict::unstable_below:
+    return {-1, 0};
+  case Verdict::crossing:
+    return {found.speed, 0};
+  case Verdict::stable:
+    return {ever, -found.margin};
+  case Verdict::no_bite:
+    break;
+  }
+  return {ever, ever};
+}
+
+// The models of the stand, the worst first; it becomes the stand of the question.
+void search_models(ChatterStudy &s, const dynamics::SpeedRange &range)
+{
+  ChatterQuestion &q = s.question;
   for (const NamedStand &structure : q.structures)
     s.structures.push_back(search(structure.name, structure.stand, q, q.scheme, range));
+  if (s.structures.size() < 2)
+    return;
+  const auto worst = std::min_element(s.structures.begin(), s.structures.end(), [](const auto &a, const auto &b) {
+    return severity(a.found) < severity(b.found);
+  });
+  const auto first = q.structures.begin() + (worst - s.structures.begin());
+  std::rotate(q.structures.begin(), first, first + 1);
+  std::rotate(s.structures.begin(), worst, worst + 1);
+  q.stand     = q.structures.front().stand;
+  q.numbers   = q.structures.front().numbers;
+  q.structure = q.structures.front().name + " model of this run, the worst of " +
+                std::to_string(q.structures.size()) + (q.structure.empty() ? "" : ", " + q.structure);
 }
 
 // Two counts that know no eigenvalues, and the critical speed by one of them.
@@ -279,6 +318,21 @@ ChatterSearch search_chatter(const ChatterQuestion &q)
   return s;
 }
 
+ModelBand band_of(const std::vector<OtherSearch> &structures)
+{
+  ModelBand band;
+  for (const OtherSearch &model : structures)
+    if (model.found.verdict == Verdict::crossing) {
+      band.low  = std::fmin(band.low, model.found.speed);
+      band.high = std::fmax(band.high, model.found.speed);
+    } else
+      band.without.push_back(model.name + " " +
+                             (model.found.verdict == Verdict::stable     ? "stable"
+                              : model.found.verdict == Verdict::unstable ? "unstable at every speed"
+                                                                         : "unstable below"));
+  return band;
+}
+
 ChatterStudy study_chatter(RunContext &run, const ChatterQuestion &question)
 {
   ChatterStudy s;
@@ -286,14 +340,15 @@ ChatterStudy study_chatter(RunContext &run, const ChatterQuestion &question)
   const auto range = chatter_range(question);
   {
     StageTimer timer(run, "chatter " + question.condition.name + ", critical speed");
-    static_cast<ChatterSearch &>(s) = search_chatter(question);
+    search_models(s, range);
+    static_cast<ChatterSearch &>(s) = search_chatter(s.question);
     if (s.working) {
       s.karman       = by_karman(*s.working);
-      s.working_mode = least_stable_mode(question.stand, s.working->by);
-      s.in_time      = mode_in_time(question, *s.working, *s.working_mode);
+      s.working_mode = least_stable_mode(s.question.stand, s.working->by);
+      s.in_time      = mode_in_time(s.question, *s.working, *s.working_mode);
     }
     if (s.found.at)
-      s.mode = least_stable_mode(question.stand, s.found.at->by);
+      s.mode = least_stable_mode(s.question.stand, s.found.at->by);
     else
       s.mode = s.working_mode;
     count_roots(s);

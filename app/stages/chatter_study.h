@@ -16,6 +16,7 @@ namespace mill {
 struct NamedStand {
   std::string name;
   dynamics::ChatterStandModel stand;
+  std::vector<dynamics::StructureNumber> numbers = {};  ///< of its structure, for what moves the limit
 };
 
 /// What is asked of one working condition.
@@ -31,8 +32,9 @@ struct ChatterQuestion {
   std::array<double, 2> film_range = {not_given, not_given};  ///< m
   std::vector<dynamics::StructureNumber> numbers;             ///< of the stand's structure
   std::vector<NamedStand> variants;                           ///< other readings of the same stand
-  std::vector<NamedStand> structures;                         ///< other models of the same stand
-  std::vector<std::string> inputs;                            ///< keys behind the results
+  /// Models of the same stand.  With more than one the worst of them becomes `stand` in study_chatter().
+  std::vector<NamedStand> structures;
+  std::vector<std::string> inputs;  ///< keys behind the results
 };
 
 /// The search by another scheme or on another stand.
@@ -74,7 +76,8 @@ struct ChatterStudy : ChatterSearch {
   std::optional<dynamics::ChatterMode> mode;          ///< at the critical speed, else at the working speed
   int routh_unstable = -1, nyquist_unstable = -1;     ///< roots that grow at the working speed; -1: not counted
   double speed_by_routh = not_given;                  ///< m/s
-  std::vector<OtherSearch> schemes, variants, structures;  ///< the question's own scheme or stand first
+  /// The question's own scheme or stand first; of the structures the worst.
+  std::vector<OtherSearch> schemes, variants, structures;
   dynamics::RootLocus locus;
   std::vector<dynamics::StabilityMap> maps;
   std::optional<dynamics::SensitivityTable> sensitivities;
@@ -88,7 +91,15 @@ struct ChatterStudy : ChatterSearch {
   std::vector<std::string> remarks;   ///< what could not be had and why, one sentence each
 };
 
-/// Everything about one condition.
+/// Critical speeds of the models of one stand.
+struct ModelBand {
+  double low = not_given, high = not_given;  ///< m/s, of those that have one
+  std::vector<std::string> without;          ///< models without one, with their verdict: "beam stable"
+};
+ModelBand band_of(const std::vector<OtherSearch> &structures);
+
+/// Everything about one condition, on the worst of the models of its stand: the one with the lowest critical
+/// speed; without one, that whose vibration grows most or decays least.  theory.md 25.7
 /// @throws InputError, SolverError  no bite at any speed of the range
 ChatterStudy study_chatter(RunContext &run, const ChatterQuestion &question);
 }  // namespace mill

@@ -1,5 +1,6 @@
 #include "app/stages/dynamics_stage.h"
 #include "app/stages/curve_files.h"
+#include "app/stages/mode_results.h"
 #include "core/records/csv.h"
 #include "core/records/provenance.h"
 #include "core/records/result_names.h"
@@ -218,7 +219,7 @@ PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &cha
 {
   const double limit = settings.frequency_limit;
   PassModel p{dynamics::driven_model(driven_modes(stand, chain, settings)),
-              stand.model.name == "beam" ? "rolls as beams" : "rolls as reduced finite elements",
+              title_of(stand.model.name),
               limit,
               inputs_of(chain, settings),
               {},

@@ -62,9 +62,9 @@ private:
 // What the coupled solution says, where a slab theory takes this pass on that circle; else NaN.
 class CoupledCheck {
 public:
-  CoupledCheck(const FourHigh &stand, const double radius, const reduce::LoadDeflection &stretch)
+  CoupledCheck(const FourHigh &stand, const Pass &pass, const double radius, const reduce::LoadDeflection &stretch)
   {
-    SlabForce slab{bite_of(stand.strip, stand.passes.front(), stand.work_roll.barrel_diameter, stand.steel),
+    SlabForce slab{bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel),
                    slab_model(stand.bite)};
     slab.model.arc          = bite::Arc::rigid;
     slab.model.curve_points = 0;
@@ -138,33 +138,35 @@ void add_gauge_number(RunContext &run, const GaugeNumber &g, const Parameter &M,
 }
 }  // namespace
 
-std::string stand_result(const std::string &quantity, const std::string &aspect)
+std::string stand_result(const FourHigh &stand, const std::size_t pass, const std::string &quantity,
+                         const std::string &aspect)
 {
-  return result_name({family::stand, quantity, aspect});
+  return result_name({family::stand, pass == 0 ? "" : stand.passes[pass].name, quantity, aspect});
 }
 
-void add_gauge(RunContext &run, const FourHigh &stand, const reduce::LoadDeflection &stretch)
+void add_gauge(RunContext &run, const FourHigh &stand, const std::size_t pass, const Parameter &slope,
+               const reduce::LoadDeflection &stretch)
 {
   const auto bite_result = [&](const std::string &name) {
-    return result_name({family::bite, stand.passes.front().name, name});
+    return result_name({family::bite, stand.passes[pass].name, name});
   };
-  const Parameter *modulus = run.results.find(stand_result("modulus", "tangent"));
-  const Parameter *plastic = run.results.find("K4.plastic_slope"),
-                  *circle  = run.results.find(bite_result("flattened_radius"));
-  if (!modulus || !plastic || !(plastic->value > 0) || !circle)
+  const auto own = [&](const std::string &quantity, const std::string &aspect = "") {
+    return stand_result(stand, pass, quantity, aspect);
+  };
+  const Parameter *modulus = run.results.find(own("modulus", "tangent"));
+  const Parameter *circle  = run.results.find(bite_result("flattened_radius"));
+  if (!modulus || !(slope.value > 0) || !circle)
     return;
-  const Parameter slope = *plastic,
-                  M     = *modulus;  // results move with every new one
+  const Parameter M = *modulus;  // results move with every new one
   const reduce::GaugeCoupling gauge{M.value, slope.value};
-  const CoupledCheck coupled(stand, circle->value, stretch);
+  const CoupledCheck coupled(stand, stand.passes[pass], circle->value, stretch);
   const double share = gauge.Q / (gauge.M + gauge.Q), eM = M.error_estimate, eQ = slope.error_estimate;
   const double by_screw = coupled.read([](const CoupledGauge &c) { return c.by_screw(); });
   const auto add        = [&](const GaugeNumber &g) { add_gauge_number(run, g, M, slope); };
-  add({stand_result("screw_sensitivity"), "1", "(30.7)", gauge.screw(), share * (eM + eQ), by_screw, ""});
-  add({stand_result("thickness_by", "eccentricity"), "1", "(30.7)", -gauge.screw(), share * (eM + eQ), -by_screw,
+  add({own("screw_sensitivity"), "1", "(30.7)", gauge.screw(), share * (eM + eQ), by_screw, ""});
+  add({own("thickness_by", "eccentricity"), "1", "(30.7)", -gauge.screw(), share * (eM + eQ), -by_screw, ""});
+  add({own("force_by", "screw"), "N/m", "(30.9)", gauge.force_by_screw(), share * eM + (1 - share) * eQ, not_given,
        ""});
-  add({stand_result("force_by", "screw"), "N/m", "(30.9)", gauge.force_by_screw(), share * eM + (1 - share) * eQ,
-       not_given, ""});
   for (const GaugeInput &input : gauge_inputs) {
     const std::string of_bite = bite_result(std::string("force_by_") + input.name);
     const Parameter *there    = run.results.find(of_bite);
@@ -176,10 +178,10 @@ void add_gauge(RunContext &run, const FourHigh &stand, const reduce::LoadDeflect
     const double beside    = input.member
                                  ? coupled.read([&](const CoupledGauge &c) { return c.by(input.member, input.step); })
                                  : not_given;
-    add({stand_result("thickness_by", input.name), input.unit, "(30.8)", gauge.thickness_by(F_x),
+    add({own("thickness_by", input.name), input.unit, "(30.8)", gauge.thickness_by(F_x),
          eF + (1 - share) * eM + share * eQ, beside, also});
     if (input.member == &Strip::entry_thickness)
-      add({stand_result("force_by", input.name), "N/m", "(30.9)", gauge.force_by(F_x), eF + share * (eM + eQ),
+      add({own("force_by", input.name), "N/m", "(30.9)", gauge.force_by(F_x), eF + share * (eM + eQ),
            gauge.M * beside, also});
   }
 }

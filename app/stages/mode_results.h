@@ -7,8 +7,14 @@
 #include <vector>
 
 namespace mill {
+/// "craig-bampton" -> "rolls as reduced finite elements".
+const char *title_of(const std::string &model);
+
 /// The chain of six masses as it vibrates: without K4 where the measured force holds the reaction of the bite.
 reduce::StandWithModes chain_with_modes(LumpedModel model, const DynamicsSettings &dynamics);
+
+/// curves/modes-<model>.csv: frequency of every mode and the displacement of every point, largest as 1.
+void write_mode_table(RunContext &run, const reduce::StandWithModes &stand);
 
 /// mode.<name>.frequency of every mode below the limit (Hz) that has a name: of the first model, whose frequencies
 /// are in the results already, with those of the others that bear the same name beside it.

@@ -1,6 +1,7 @@
 #include "app/stages/model_stage.h"
 #include "app/stages/curve_files.h"
 #include "app/stages/mode_results.h"
+#include "app/stages/model_files.h"
 #include "app/stages/models_file.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/csv.h"
@@ -14,6 +15,7 @@
 #include "reduce/stand/component_stand.h"
 #include "reduce/stand/kept_modes.h"
 #include "reduce/stand/masses_needed.h"
+#include "reduce/stand/mode_names.h"
 #include "reduce/stand/six_masses.h"
 #include <algorithm>
 #include <cmath>
@@ -45,29 +47,6 @@ std::vector<std::string> keys_of(const LumpedModel &model)
   return keys;
 }
 
-void write_modes(RunContext &run, const reduce::StandWithModes &s)
-{
-  const auto n = s.modes.frequency.size();
-  Table table;
-  table.add("mode", "", Eigen::VectorXd::LinSpaced(n, 1, double(n))).add("frequency", "Hz", s.modes.frequency);
-  for (const StandPoint &point : s.model.points) {
-    Eigen::VectorXd y = s.modes.shape.transpose() * point.row;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      double largest = 0;
-      for (const StandPoint &any : s.model.points)
-        largest = std::max(largest, std::abs(any.row.dot(s.modes.shape.col(i))));
-      y[i] /= largest;
-    }
-    table.add(slug(point.name), "", y);
-  }
-  write_curve(run, curve::modes_of_model, s.model.name, table);
-}
-
-const char *title_of(const std::string &model)
-{
-  return model == "beam" ? "rolls as beams" : "rolls as reduced finite elements";
-}
-
 void add_frequencies(RunContext &run, const reduce::StandWithModes &s, const reduce::StandWithModes &other,
                      const Eigen::MatrixXd &mac, const reduce::FrequencyErrors &errors,
                      const reduce::LumpedStand &chain, const double limit)
@@ -82,6 +61,8 @@ void add_frequencies(RunContext &run, const reduce::StandWithModes &s, const red
     f.error_estimate = s.modes.error_estimate[i] + errors.error[i];
     f.error_lacks    = errors.lacks[std::size_t(i)];
     f.inputs         = joined(keys_of(chain.model), detailed_model_keys());
+    if (s.model.name == "craig-bampton")  // its work-roll chocks stand on their bearings
+      f.inputs = joined(f.inputs, chain.model.Kzc[1].inputs, chain.model.Kzc[2].inputs);
     for (const reduce::ModePair &pair : pairs)
       if (pair.mode == i && pair.other >= 0) {
         f.checks.push_back({title_of(other.model.name), other.modes.frequency[pair.other],
@@ -270,7 +251,17 @@ StandModels stand_models(const FourHigh &stand, const reduce::LumpedStand &chain
   for (Eigen::Index i = 0; i < std::min(error.size(), coarse.modes.frequency.size()); ++i)
     error[i] +=
         mesh_pair_error(m.craig_bampton.modes.frequency[i], coarse.modes.frequency[i], roll_mesh_gain(components));
-  m.verdict = reduce::chain_verdict(m.craig_bampton, m.chain, limit, "the finite-element model");
+  const auto names = reduce::common_names(
+      {
+          &m.craig_bampton, &m.beam, &m.chain
+  },
+      {{0, 1, reduce::mac_between(m.craig_bampton, m.beam)},
+       {0, 2, reduce::mac_with_chain(m.craig_bampton, m.chain)},
+       {1, 2, reduce::mac_with_chain(m.beam, m.chain)}});
+  m.craig_bampton.names = names[0];
+  m.beam.names          = names[1];
+  m.chain.names         = names[2];
+  m.verdict             = reduce::chain_verdict(m.craig_bampton, m.chain, limit, "the finite-element model");
   return m;
 }
 
@@ -304,8 +295,10 @@ void compare_models(RunContext &run, const FourHigh &stand, const reduce::Lumped
   const double limit = stand.dynamics.frequency_limit;
   say_what_differs(run, stand);
   write_shapes(run, stand, chain, models.craig_bampton.model);
-  write_modes(run, models.beam);
-  write_modes(run, models.craig_bampton);
+  write_mode_table(run, models.beam);
+  write_mode_table(run, models.craig_bampton);
+  for (const auto *model : {&models.chain, &models.beam, &models.craig_bampton})
+    write_model_files(run, stand, *model, chain.model);
   const Eigen::MatrixXd mac = reduce::mac_between(models.craig_bampton, models.beam);
   const auto springs = reduce::stand_springs(stand, chain), on_bearing = reduce::stand_springs(stand, chain, true);
   const auto beams = [](const FourHigh &s, const reduce::StandSprings &k) {
@@ -324,7 +317,7 @@ void compare_models(RunContext &run, const FourHigh &stand, const reduce::Lumped
                                         upper_share_of_housing(stand, chain));
     const auto own =
         reduce::with_six_masses(chain.model, six, std::string("static shape of ") + title_of(model->model.name));
-    run.out.write("lumped_model-" + model->model.name + ".toml",
+    run.out.write("lumped_model-six-of-" + model->model.name + ".toml",
                   lumped_model_toml(own, run.the_case, run.out.path()));
   }
   run.out.write("curves/models.json", json_of_record(comparison(stand, chain, models, components, masses)));

@@ -25,8 +25,8 @@ StandModels stand_models(const FourHigh &stand, const reduce::LumpedStand &chain
 /// @return  as they are by both roads
 reduce::FeMasses add_fe_masses(LumpedModel &chain, const FourHigh &stand, const StandModels &models);
 
-/// Writes curves/models.json, curves/modes-beam.csv, curves/modes-craig-bampton.csv, the lumped models made from
-/// the other two, and adds their frequencies to the results.
+/// Writes curves/models.json, curves/modes-beam.csv, curves/modes-craig-bampton.csv, the files of every model
+/// (app/stages/model_files.h), six masses made from the other two, and adds their frequencies to the results.
 void compare_models(RunContext &run, const FourHigh &stand, const reduce::LumpedStand &chain,
                     const StandModels &models, const ComponentSets &components, const reduce::FeMasses &masses);
 

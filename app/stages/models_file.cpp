@@ -1,6 +1,5 @@
 #include "app/stages/models_file.h"
 #include "reduce/chain/mass_breakdown.h"
-#include "reduce/stand/mode_names.h"
 #include <algorithm>
 
 namespace mill {
@@ -12,6 +11,7 @@ ModelMode mode_of(const reduce::StandWithModes &s, const Eigen::Index i, const E
   ModelMode mode;
   mode.frequency      = s.modes.frequency[i];
   mode.name           = name.name;
+  mode.own_name       = name.own;
   mode.decided        = name.decided;
   mode.error_estimate = s.modes.error_estimate.size() > i ? s.modes.error_estimate[i] : not_given;
   mode.in_chain       = in_chain.size() > i ? in_chain[i] : not_given;
@@ -54,9 +54,8 @@ ComparedModel compared_model(const reduce::StandWithModes &s, const std::string 
     model.springs.push_back(spring.name);
   for (const StandLine &line : s.model.lines)
     model.lines.push_back({line.name, line.z});
-  const auto names = reduce::mode_names(s);
   for (Eigen::Index i = 0; i < shown_modes(s, limit); ++i)
-    model.modes.push_back(mode_of(s, i, in_chain, names[std::size_t(i)]));
+    model.modes.push_back(mode_of(s, i, in_chain, s.names.at(std::size_t(i))));
   return model;
 }
 

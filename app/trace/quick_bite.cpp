@@ -73,6 +73,19 @@ QuickResult quick_bite(const FourHigh &stand, const int pass)
   return r;
 }
 
+std::optional<bite::BiteStiffness> quick_bite_stiffness(const FourHigh &stand, const int pass)
+{
+  try {
+    return solve_bite(
+               bite_of(stand.strip, stand.passes[std::size_t(pass)], stand.work_roll.barrel_diameter, stand.steel),
+               stand.bite)
+        .stiffness;
+  } catch (const InputError &) {
+  } catch (const SolverError &) {
+  }
+  return {};
+}
+
 std::vector<QuickResult> quick_bite_case(const BiteCase &spec)
 {
   std::vector<QuickResult> all;

@@ -1,8 +1,10 @@
 #include "app/trace/quick_chain.h"
 #include "app/case_kinds.h"
+#include "app/stages/detailed_model_stage.h"
 #include "app/stages/dynamics_stage.h"
 #include "app/stages/fit_stage.h"
 #include "app/trace/quick_response.h"
+#include "app/trace/quick_stand.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
 #include "core/numerics/require.h"
@@ -48,20 +50,6 @@ std::vector<std::string> with_prefix(std::vector<std::string> parts, const std::
 bool of_the_chain(const std::string &name)
 {
   return name.size() == 2 && (name[0] == 'M' || name[0] == 'K');
-}
-
-// Lists of a result that is made of others, and of keys of its own.
-void inherit(QuickResult &r, const QuickResults &all, const KeyList &own)
-{
-  KeyList closed = own, inputs = own;
-  for (const std::string &part : r.from)
-    if (const QuickResult *made = find(all, part)) {
-      closed = joined(closed, made->closed);
-      inputs = joined(inputs, made->parameter.inputs);
-    }
-  r.own              = own;
-  r.closed           = closed;
-  r.parameter.inputs = joined(inputs, closed);
 }
 
 void add_vertical_modes(QuickResults &all, const LumpedModel &model, const DynamicsSettings &settings)
@@ -149,12 +137,6 @@ void add_response(QuickResults &all, const LumpedModel &model, const DynamicsSet
   add("white_rms_g.lower_work_roll", white[1], Half::lower, true);
 }
 
-double factor(const SpringFactors &factors, const std::string &name)
-{
-  const auto known = factors.find(name);
-  return known == factors.end() ? 1 : known->second;
-}
-
 // A bearing that is given is known along its load only.
 bool is_across_given_bearing(const std::string &name, const GivenValues &given)
 {
@@ -218,8 +200,8 @@ Parameter bent_beam(const FourHigh &stand, const SpringFactors &factors)
 }
 
 // The chain twice: with the keys that closed forms follow, whose numbers count, and with all keys of a run.
-LumpedModel add_chain(QuickResults &all, const FourHigh &stand, const std::string &prefix, const std::string &at,
-                      const SpringFactors &factors)
+reduce::LumpedStand add_chain(QuickResults &all, const FourHigh &stand, const std::string &prefix,
+                              const std::string &at, const SpringFactors &factors)
 {
   const auto made = [&](const std::string &name) {
     const QuickResult *spring = find(all, prefix + name);
@@ -294,7 +276,7 @@ LumpedModel add_chain(QuickResults &all, const FourHigh &stand, const std::strin
         },
         chain.model);
   }
-  return chain.model;
+  return chain;
 }
 
 }  // namespace
@@ -312,9 +294,12 @@ QuickResults quick_four_high(const FourHigh &drawn, QuickMemory &memory, const S
     const std::string prefix = p == 0 ? "" : pass.name + ".";
     const double load        = loads[p];
     add_springs(all, stand, p, prefix, load, factors);
-    const LumpedModel model = add_chain(all, stand, prefix, fmt::format("{:.1f} kN", load / 1e3), factors);
+    const auto chain         = add_chain(all, stand, prefix, fmt::format("{:.1f} kN", load / 1e3), factors);
+    const LumpedModel &model = chain.model;
     if (p == 0) {
+      add_quick_modulus(all, stand, load, factors);
       add_vertical_modes(all, model, stand.dynamics);
+      add_named_modes_of_chain(all, model, stand.dynamics, "rolls as reduced finite elements");
       add_horizontal_modes(all, model, stand.frame.chock_to_housing_stiffness,
                            {2 * stand.work_roll.chock_mass_upper, 2 * stand.work_roll.chock_mass_lower});
     }
@@ -324,10 +309,34 @@ QuickResults quick_four_high(const FourHigh &drawn, QuickMemory &memory, const S
   return all;
 }
 
+namespace {
+// Modes of given matrices: nothing but the files stands behind them.
+QuickResults quick_model_in_files(const ModelFiles &files)
+{
+  const reduce::StandWithModes s = model_from_files(files);
+  QuickResults all;
+  for (Eigen::Index i = 0; i < s.modes.frequency.size() && s.modes.frequency[i] <= files.frequency_limit; ++i) {
+    QuickResult r;
+    r.name             = fmt::format("f{}", i + 1);
+    r.parameter.value  = s.modes.frequency[i];
+    r.parameter.unit   = "Hz";
+    r.parameter.method = "matrices of model " + files.name;
+    r.parameter.inputs = r.closed = r.own = keys_in("model", "mass stiffness");
+    r.road                                = "modes of the matrices";
+    r.file                                = "reduce/stand/stand_modes";
+    r.equation                            = "(6.11)";
+    all.push_back(r);
+  }
+  return all;
+}
+}  // namespace
+
 QuickResults quick_lumped(const Case &the_case, QuickMemory &memory)
 {
   const auto &spec = std::get<Lumped>(the_case.spec);
   QuickResults all;
+  if (spec.detailed)
+    return quick_model_in_files(spec.model);
   const LumpedModel model = lumped_model_of(the_case);
   reduce::each_number(
       [&](const std::string &name, const Parameter &number) {
@@ -336,6 +345,7 @@ QuickResults quick_lumped(const Case &the_case, QuickMemory &memory)
       },
       model);
   add_vertical_modes(all, model, spec.dynamics);
+  add_named_modes_of_chain(all, model, spec.dynamics, "");
   add_horizontal_modes(all, model, not_given, {0, 0});
   for (std::size_t p = 0; p < spec.passes.size(); ++p)
     if (has_force(spec.passes[p]))
@@ -344,6 +354,25 @@ QuickResults quick_lumped(const Case &the_case, QuickMemory &memory)
     for (KeyList *list : {&r.parameter.inputs, &r.closed, &r.own})
       *list = of_kind(*list, the_case.kind);
   return all;
+}
+
+double factor(const SpringFactors &factors, const std::string &name)
+{
+  const auto known = factors.find(name);
+  return known == factors.end() ? 1 : known->second;
+}
+
+void inherit(QuickResult &r, const std::vector<QuickResult> &all, const KeyList &own)
+{
+  KeyList closed = own, inputs = own;
+  for (const std::string &part : r.from)
+    if (const QuickResult *made = find(all, part)) {
+      closed = joined(closed, made->closed);
+      inputs = joined(inputs, made->parameter.inputs);
+    }
+  r.own              = own;
+  r.closed           = closed;
+  r.parameter.inputs = joined(inputs, closed);
 }
 
 const QuickResult *find(const std::vector<QuickResult> &results, const std::string &name)

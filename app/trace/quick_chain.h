@@ -39,6 +39,12 @@ double beam_stiffness(const FourHigh &stand);
 std::vector<QuickResult> quick_four_high(const FourHigh &drawn, QuickMemory &memory, const SpringFactors &factors);
 std::vector<QuickResult> quick_lumped(const Case &the_case, QuickMemory &memory);
 
+/// 1 for a spring that has none.
+double factor(const SpringFactors &factors, const std::string &name);
+
+/// Lists of a result that is made of others (QuickResult::from), and of keys of its own.
+void inherit(QuickResult &result, const std::vector<QuickResult> &all, const KeyList &own);
+
 /// nullptr when absent.
 const QuickResult *find(const std::vector<QuickResult> &results, const std::string &name);
 }  // namespace mill

@@ -1,8 +1,10 @@
 #pragma once
 #include "app/trace/quick_keys.h"
+#include "bite/bite.h"
 #include "core/model/material.h"
 #include "core/records/parameter.h"
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +42,9 @@ std::vector<QuickResult> quick_bearings(const FourHigh &stand, double rolling_fo
 /// K4 of one pass by the slab theory of [bite] on Hitchcock's or a rigid arc.  (8.13)
 /// The value is NaN where the theory has no answer; the method then says why.
 QuickResult quick_bite(const FourHigh &stand, int pass);
+
+/// K4.plastic_slope, K4.flattening and their series by the same theory; nothing where it has no answer.
+std::optional<bite::BiteStiffness> quick_bite_stiffness(const FourHigh &stand, int pass);
 
 /// The stand with what [housing] and [screwdown] give in its frame: the housing as a frame of beams, the springs
 /// of the screw-down by formula as in a run.  theory.md 23.4, 23.6

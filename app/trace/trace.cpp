@@ -16,7 +16,7 @@
 
 namespace mill {
 namespace {
-using Results = std::vector<QuickResult>;
+using QuickResults = std::vector<QuickResult>;
 
 // A result that moves by less than this has not moved: eigenvalues of an unchanged block round differently.
 constexpr double rounding = 1e-11;
@@ -25,14 +25,14 @@ struct Evaluation {
   const TraceOptions &options;
   QuickMemory &memory;
   const SpringFactors &factors;
-  Results at(const std::string &path, const std::string &toml) const
+  QuickResults at(const std::string &path, const std::string &toml) const
   {
     auto sets = options.sets;
     sets.push_back(path + "=" + toml);
     return quick_chain(read_case(options.case_file, sets), memory, factors);
   }
   // Nothing where the case refuses the value; `why` then says so.
-  std::optional<Results> tried(const std::string &path, const std::string &toml, std::string &why) const
+  std::optional<QuickResults> tried(const std::string &path, const std::string &toml, std::string &why) const
   {
     try {
       return at(path, toml);
@@ -48,8 +48,8 @@ struct Evaluation {
 // Values of the key below and above, with the results there.
 struct Sides {
   double x = 0, x_down = 0, x_up = 0;  // numbers as written
-  std::optional<Results> down, up;
-  std::optional<Results> middle;  // where giving the value of the key is another case than leaving it out
+  std::optional<QuickResults> down, up;
+  std::optional<QuickResults> middle;  // where giving the value of the key is another case than leaving it out
 };
 
 bool is_size(const Row &row)
@@ -83,7 +83,7 @@ Sides evaluate_sides(const TraceKey &key, const Evaluation &evaluation, std::str
   return first;
 }
 
-double value_of(const Results &results, const std::string &name)
+double value_of(const QuickResults &results, const std::string &name)
 {
   const QuickResult *r = find(results, name);
   return r ? r->parameter.value : not_given;
@@ -121,7 +121,7 @@ void add_slopes(TraceLine &line, const Sides &s, const bool from_zero)
 }
 
 // Springs and masses of later passes belong to a trace of a key of that pass only: "pass 2.K3" beside "K3".
-bool is_of_later_pass(const Case &the_case, const Results &all, const std::string &result)
+bool is_of_later_pass(const Case &the_case, const QuickResults &all, const std::string &result)
 {
   const auto &passes = all_passes(the_case);
   for (std::size_t p = 1; p < passes.size(); ++p)
@@ -242,7 +242,7 @@ std::optional<StoredRun> stored_run(const TraceOptions &options, const Case &the
 }
 
 // What the run found for the springs over what closed forms give.
-SpringFactors run_factors(const StoredRun &run, const Results &base)
+SpringFactors run_factors(const StoredRun &run, const QuickResults &base)
 {
   SpringFactors factors;
   for (const QuickResult &r : base) {

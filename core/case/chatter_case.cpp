@@ -33,8 +33,18 @@ void read_model(ChatterCase &spec, const std::string &section, Reading &reading)
                                 "lumped_model.toml of a run of a four-high stand",
                                 reading.said(key), kind->value.text));
     const Case model   = read_case(spec.stand.from);
-    spec.model         = lumped_model_of(model);
-    spec.modal_damping = std::get<Lumped>(model.spec).dynamics.modal_damping;
+    const auto &lumped = std::get<Lumped>(model.spec);
+    spec.modal_damping = lumped.dynamics.modal_damping;
+    if (!lumped.detailed)
+      spec.model = lumped_model_of(model);
+    else if (lumped.dynamics.force_meaning != "measured")
+      refuse(fmt::format("{} cannot be used: its matrices hold the spring of the bite (dynamics.force_meaning = "
+                         "\"{}\"), which the bite adds here; run the stand with force_meaning = \"measured\"",
+                         reading.said(key), lumped.dynamics.force_meaning));
+    else if (given(reading, section, "dampings"))
+      contradict(reading, section + ".dampings", "are those of six bodies, and the model has others", {key});
+    else
+      spec.files = lumped.model;
   } catch (const InputError &e) {
     const Problem &first = e.problems.front();
     refuse(fmt::format("{} cannot be used: {}", reading.said(key), first.message));

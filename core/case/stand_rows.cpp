@@ -356,6 +356,10 @@ const std::vector<Field<DynamicsSettings>> &dynamics_rows()
        "quadratic elements over the radius of a roll in the meshes behind craig-bampton, at least; more are taken "
        "where "
        "the frequency limit needs them"                                                                                                                                        },
+      {"model_files",         &T::model_files,    "small | all",                        any,          "small",       "small",
+       "small: damping matrix and MATLAB file of a model of more than 100 unknowns are left out of models/; all: "
+       "they "
+       "are written"                                                                                                                                                           },
   };
   return rows;
 }

@@ -7,6 +7,7 @@
 #include "core/model/dynamics_settings.h"
 #include "core/model/frame.h"
 #include "core/model/housing.h"
+#include "core/model/lumped.h"
 #include "core/model/pass.h"
 #include "core/model/roll.h"
 #include "core/model/strip.h"
@@ -97,6 +98,7 @@ const std::vector<Field<LineContactSettings>> &line_contact_rows();    ///< two-
 const std::vector<Field<SpaceContactSettings>> &space_contact_rows();  ///< two-cylinders in space: forces
 const std::vector<Field<DynamicsSettings>> &dynamics_rows();
 const std::vector<Field<DynamicsSettings>> &chain_dynamics_rows();  ///< of kind "lumped"
+const std::vector<Field<ModelFiles>> &model_file_rows();            ///< [model] of kind "lumped"
 /// [upper] and [lower] of kind two-cylinders; a plane (of `section`) needs no diameter.
 const std::vector<Field<RoundBody>> &upper_body_rows();
 const std::vector<Field<RoundBody>> &lower_body_rows();

@@ -1,8 +1,9 @@
 #pragma once
 #include "core/case/errors.h"
-#include "core/records/lumped_model.h"
+#include "core/model/lumped.h"
 #include "core/model/material.h"
 #include "core/model/strip.h"
+#include "core/records/lumped_model.h"
 #include <array>
 #include <optional>
 #include <string>
@@ -67,7 +68,8 @@ struct ChatterCase {
   Strip strip;                                                ///< thicknesses, tensions and width: by condition
   std::array<double, 2> film_range = {not_given, not_given};  ///< m, oil film over which the friction was measured
   ChatterStand stand;
-  std::optional<LumpedModel> model;  ///< of stand.from
+  std::optional<LumpedModel> model;  ///< of stand.from, six masses
+  std::optional<ModelFiles> files;   ///< of stand.from, a model of any number of unknowns
   double modal_damping = 0.01;       ///< -, of that model
   std::vector<ChatterVariant> variants;
   std::vector<RollingCondition> conditions;

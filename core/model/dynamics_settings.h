@@ -14,6 +14,7 @@ struct DynamicsSettings {
   std::string model          = "six-mass";     ///< six-mass | beam | craig-bampton: what is driven
   double frequency_limit     = 1000;           ///< Hz, up to which the modes are to be right
   int elements_per_radius    = 3;              ///< of the rolls' meshes behind their modes
+  std::string model_files    = "small";        ///< small | all: files of models with many unknowns
   Place force_meaning_place;
 };
 }  // namespace mill

@@ -1,13 +1,31 @@
 #pragma once
 #include "core/model/dynamics_settings.h"
 #include "core/model/given.h"
+#include "core/model/material.h"
 #include "core/model/pass.h"
+#include <array>
+#include <string>
 #include <vector>
 
 namespace mill {
+/// A stand of any number of unknowns in files, as a run writes it into models/.
+struct ModelFiles {
+  std::string name = "detailed";       ///< "craig-bampton"
+  std::string mass, stiffness;         ///< paths of Matrix Market files, (n, n) kg and N/m
+  std::string force;                   ///< (n, 1) force on each unknown per unit of bite force
+  std::string readings;                ///< (p + 1, n) displacement of p places, then change of the load-cell force
+  std::string names;                   ///< CSV, what unknowns and readings are
+  double gap_damper      = not_given;  ///< N s/m, between the work rolls; NaN: none
+  double frequency_limit = 1000;       ///< Hz, up to which its modes are right
+  std::vector<std::array<double, 2>> modes;  ///< -, Hz: number and frequency of modes; to check the matrices by
+  Place place;                               ///< of the section
+};
+
 /// kind = "lumped": starts at the lumped model.
 struct Lumped {
-  GivenValues given;
+  GivenValues given;      ///< masses and springs of the chain; empty where there is a model in files
+  bool detailed = false;  ///< `model` is there, not the chain
+  ModelFiles model;
   std::vector<Pass> passes;
   DynamicsSettings dynamics;
 };

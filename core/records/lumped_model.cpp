@@ -3,6 +3,7 @@
 #include "core/model/case.h"
 #include "core/model/four_high.h"
 #include "core/model/lumped.h"
+#include "core/records/detailed_model.h"
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -57,6 +58,14 @@ const DynamicsSettings &dynamics_of(const Case &c)
   return stand ? stand->dynamics : std::get<Lumped>(c.spec).dynamics;
 }
 
+std::string passes_and_dynamics(const Case &origin, const std::string &directory)
+{
+  std::string text;
+  for (const Pass &pass : passes_of(origin))
+    text += "\n[[pass]]\n" + lines(pass_rows(), input_of(pass, directory));
+  return text + "\n[dynamics]\n" + lines(chain_dynamics_rows(), dynamics_of(origin));
+}
+
 // Parameter by the name it has in [given].
 const Parameter &entry(const LumpedModel &model, const std::string &name)
 {
@@ -105,8 +114,12 @@ std::string lumped_model_toml(const LumpedModel &model, const Case &origin, cons
     if (!std::isnan(parameter.value))
       text += row.key + " = " + given_toml(row, parameter) + "\n";
   }
-  for (const Pass &pass : passes_of(origin))
-    text += "\n[[pass]]\n" + lines(pass_rows(), input_of(pass, directory));
-  return text + "\n[dynamics]\n" + lines(chain_dynamics_rows(), dynamics_of(origin));
+  return text + passes_and_dynamics(origin, directory);
+}
+
+std::string detailed_model_toml(const ModelFiles &files, const Case &origin, const std::string &directory)
+{
+  return lines(head_rows(), CaseHead{1, "lumped", origin.title + ", " + files.name}) + "\n[model]\n" +
+         lines(model_file_rows(), files) + passes_and_dynamics(origin, directory);
 }
 }  // namespace mill

@@ -137,10 +137,13 @@ const std::vector<std::string> &result_names()
                                               "lumped_model.toml",
                                               "lumped_model-beam.toml",
                                               "lumped_model-craig-bampton.toml",
+                                              "lumped_model-six-of-beam.toml",
+                                              "lumped_model-six-of-craig-bampton.toml",
                                               "millstand.log",
                                               "curves",
                                               "response",
-                                              "fields"};
+                                              "fields",
+                                              "models"};
   return names;
 }
 

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace mill {
 namespace {
 const std::string id_head            = "# run_id ";
-constexpr const char *summed_parts[] = {"curves", "response", "fields"};
+constexpr const char *summed_parts[] = {"curves", "response", "fields", "models"};
 }  // namespace
 
 std::string run_id_line(const std::string &run_id)

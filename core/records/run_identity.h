@@ -27,7 +27,7 @@ void require_unmixed(const std::string &path, const std::string &text);
 /// Is a file of this name, as "curves/modes.csv", one of those that checksums_below() lists?
 bool is_summed(const std::string &name);
 
-/// Checksums of the files in curves/, response/ and fields/ below a folder: "curves/modes.csv" -> hash.
+/// Checksums of the files in curves/, response/, fields/ and models/ below a folder: "curves/modes.csv" -> hash.
 /// @param known  of files whose text was at hand when they were written; they are not read
 std::map<std::string, std::string> checksums_below(const std::string &directory,
                                                    const std::map<std::string, std::string> &known = {});

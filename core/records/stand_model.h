@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,27 @@ struct StandLine {
   Eigen::MatrixXd rows;  ///< (k, n)
 };
 
+/// A mass that moves rigidly with a place of another part and is counted in it: a chock carried by the neck of its
+/// roll.
+struct CarriedMass {
+  std::string name;     ///< "upper work-roll chock"
+  std::string carrier;  ///< part whose mass holds it, "upper work roll"
+  Eigen::VectorXd row;  ///< (n) its displacement is row . y
+  double mass = 0;      ///< kg, whole stand
+};
+
+/// What one unknown of a stand is.
+struct StandUnknown {
+  std::string what = "displacement";  ///< "node", "barrel P2", "seat", "fixed-interface mode 1"
+  double position  = std::numeric_limits<double>::quiet_NaN();  ///< m, along the roll from mid-length; NaN: none
+  std::string unit = "m";                                       ///< "kg^0.5 m" of a mass-normalised mode
+  bool operator==(const StandUnknown &other) const
+  {
+    return what == other.what && unit == other.unit &&
+           (position == other.position || (position != position && other.position != other.position));
+  }
+};
+
 /// A stand of any number of unknowns, whole stand (both sides), vertical motion, the same on both sides of
 /// mid-length:  M y'' + K y = b F,  y up, F pushes the work rolls apart.  theory.md 22
 struct StandModel {
@@ -34,11 +56,13 @@ struct StandModel {
   std::vector<Connection> connections;  ///< everything that joins parts or holds them to the ground
   Eigen::VectorXd b;                    ///< (n) -, force on each unknown per unit of bite force
   std::vector<std::string> parts;       ///< (p) "upper frame", "upper backup roll", ...
+  std::vector<StandUnknown> unknowns;   ///< (n)
   std::vector<int> part_of;  ///< (n) part each unknown belongs to; M and K_parts couple within parts only
   /// The first six are the places of M1..M6: upper frame, upper backup roll, upper work roll, lower work roll,
   /// lower backup roll, lower frame (rolls at mid-length).  Others follow: "upper work-roll chock", ...
   std::vector<StandPoint> points;
   std::vector<StandLine> lines;
+  std::vector<CarriedMass> carried;
   Eigen::VectorXd load_cell;   ///< (n) N/m, change of the load-cell force = load_cell . y
   double load_cell_share = 1;  ///< -, part of the mean bite force that the load cell shows
   /// (n, n) kg s2 or empty: what modes left out of the parts contribute (Component::residual, assembled).

@@ -25,6 +25,16 @@ ModalModel modal_model(const StandModel &stand, const Eigen::VectorXd &frequency
   return model;
 }
 
+Eigen::MatrixXd damping_matrix(const StandModel &stand, const Eigen::VectorXd &frequency,
+                               const Eigen::MatrixXd &shape, const double damping, const double gap_damper)
+{
+  require(frequency.size() == shape.cols(), "every shape needs a frequency");
+  const Eigen::MatrixXd MV = stand.M * shape;
+  const Eigen::VectorXd c  = 4 * M_PI * damping * frequency;  // 2 zeta omega
+  const Eigen::MatrixXd C  = MV * c.asDiagonal() * MV.transpose() + gap_damper * stand.b * stand.b.transpose();
+  return 0.5 * (C + C.transpose());
+}
+
 StateSpace state_space(const ModalModel &model)
 {
   const Eigen::Index n = model.frequency.size(), m = model.point.rows();

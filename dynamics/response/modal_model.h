@@ -25,6 +25,11 @@ struct ModalModel {
 ModalModel modal_model(const StandModel &stand, const Eigen::VectorXd &frequency, const Eigen::MatrixXd &shape,
                        double damping, double highest, double gap_damper = 0);
 
+/// (unknowns, unknowns) N s/m: the damping matrix of a stand whose every mode of `shape` has the same damping
+/// ratio, and of a damper between the work rolls; modes that are left out are not damped.  theory.md (6.3), (6.4)
+Eigen::MatrixXd damping_matrix(const StandModel &stand, const Eigen::VectorXd &frequency,
+                               const Eigen::MatrixXd &shape, double damping, double gap_damper = 0);
+
 /// First-order form in [w q; q']; outputs are the accelerations of the points, then the change of the load-cell
 /// force, as state_space(MillModel).
 StateSpace state_space(const ModalModel &model);

@@ -87,7 +87,20 @@ RollBody beam_roll(const std::string &name, const Roll &roll, const Material &st
   body.nodes = body.axis_z = beam.z;
   body.seat                = Eigen::VectorXd::Unit(n, seat_node);
   body.axis                = Eigen::MatrixXd::Identity(n, n);
+  for (const double z : beam.z)
+    body.unknowns.push_back({"node", z, "m"});
   return body;
+}
+
+std::vector<StandUnknown> component_unknowns(const Component &component)
+{
+  std::vector<StandUnknown> unknowns;
+  for (const std::string &displacement : component.interface)
+    unknowns.push_back({displacement, std::numeric_limits<double>::quiet_NaN(), "m"});
+  for (Eigen::Index i = component.n_interface(); i < component.M.rows(); ++i)
+    unknowns.push_back({"fixed-interface mode " + std::to_string(i - component.n_interface() + 1),
+                        std::numeric_limits<double>::quiet_NaN(), "kg^0.5 m"});
+  return unknowns;
 }
 
 RollBody component_roll(const std::string &name, const Component &component)
@@ -113,6 +126,7 @@ RollBody component_roll(const std::string &name, const Component &component)
   body.seat        = Eigen::VectorXd::Unit(n, seat - component.interface.begin());
   body.axis_z      = component.axis_z;
   body.axis        = component.axis;
+  body.unknowns    = component_unknowns(component);
   if (component.residual.rows() == n_i) {
     body.residual                         = Eigen::MatrixXd::Zero(n, n);
     body.residual.topLeftCorner(n_i, n_i) = component.residual;

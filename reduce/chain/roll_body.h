@@ -1,9 +1,11 @@
 #pragma once
 #include "core/model/roll.h"
 #include "core/records/component.h"
+#include "core/records/stand_model.h"
 #include "reduce/chain/timoshenko_beam.h"
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 namespace mill::reduce {
 /// A roll as the stand sees it, made from a beam or from a component.  Whole roll, n unknowns.
@@ -18,8 +20,9 @@ struct RollBody {
   Eigen::VectorXd nodes;     ///< (k) m, nodes of a beam, unknown i at node i; empty: Legendre coefficients first
   int n_barrel = 0;          ///< -, number of Legendre coefficients; 0 for a beam
   Eigen::VectorXd seat;      ///< (n) -, displacement of the bearing seats
-  Eigen::VectorXd axis_z;    ///< (k) m, stations of the axis
-  Eigen::MatrixXd axis;      ///< (k, n) -
+  std::vector<StandUnknown> unknowns;  ///< (n)
+  Eigen::VectorXd axis_z;              ///< (k) m, stations of the axis
+  Eigen::MatrixXd axis;                ///< (k, n) -
 };
 
 /// Roll of stepped Timoshenko beams: barrel, neck to the bearing centre, overhang to the end of the roll, each
@@ -29,6 +32,9 @@ struct RollBody {
 /// @throws InputError  a dimension not positive, a bearing centre inside the barrel or outside the roll
 RollBody beam_roll(const std::string &name, const Roll &roll, const Material &steel, int elements,
                    double common_half_barrel, double scale = 1);
+
+/// Interface displacements, then amplitudes of the mass-normalised modes.
+std::vector<StandUnknown> component_unknowns(const Component &component);
 
 /// Roll of a component with barrel functions and an interface displacement "seat".
 /// @throws InputError  the component has none of these, or matrices of unlike size

@@ -1,9 +1,11 @@
 #include "reduce/stand/mode_names.h"
+#include "reduce/stand/mode_verdict.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <map>
+#include <set>
+#include <utility>
 
 namespace mill::reduce {
 namespace {
@@ -73,12 +75,26 @@ bool starts_with(const std::string &text, const char *start)
   return text.rfind(start, 0) == 0;
 }
 
+/// Shares of the kinetic energy by part; what a part carries is a part of its own.
+std::vector<std::pair<std::string, double>> kinetic_shares(const StandWithModes &s, const Eigen::Index mode)
+{
+  std::vector<std::pair<std::string, double>> shares;
+  for (std::size_t p = 0; p < s.model.parts.size(); ++p)
+    shares.emplace_back(s.model.parts[p], s.modes.kinetic(Eigen::Index(p), mode));
+  for (const CarriedMass &carried : s.model.carried) {
+    const double share = carried.mass * std::pow(carried.row.dot(s.modes.shape.col(mode)), 2);  // phi^T M phi = 1
+    for (auto &[part, energy] : shares)
+      if (part == carried.carrier)
+        energy -= share;
+    shares.emplace_back(carried.name, share);
+  }
+  return shares;
+}
+
 void add_kinetic(Motion &m, const StandWithModes &s, const Eigen::Index mode)
 {
   double housing = 0;
-  for (std::size_t p = 0; p < s.model.parts.size(); ++p) {
-    const std::string &part = s.model.parts[p];
-    const double share      = s.modes.kinetic(Eigen::Index(p), mode);
+  for (const auto &[part, share] : kinetic_shares(s, mode)) {
     if (part == "housing") {
       housing += share;
       continue;
@@ -254,24 +270,34 @@ ModeName decided(const Motion &m)
   return {"mixed", "mixed", "between " + words(*best[0]) + " and " + words(*best[1])};
 }
 
-/// A name that comes again gets a number: bending of one roll, for instance.
-void number_names(std::vector<ModeName> &names)
-{
-  std::map<std::string, int> count;
-  for (ModeName &mode : names)
-    if (const int order = ++count[mode.key]; order > 1 && mode.key != "mixed") {
-      mode.name += fmt::format(", order {}", order);
-      mode.key += fmt::format("_{}", order);
-    }
-}
 }  // namespace
 
-std::vector<ModeName> mode_names(const StandWithModes &stand)
+std::vector<ModeName> own_names(const StandWithModes &stand)
 {
   std::vector<ModeName> names;
   for (Eigen::Index k = 0; k < stand.modes.frequency.size(); ++k)
     names.push_back(decided(motion_of(stand, k)));
-  number_names(names);
+  return names;
+}
+
+void number_names(std::vector<ModeName> &names, const std::vector<bool> &fixed, std::set<std::string> keys)
+{
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    ModeName &mode = names[k];
+    if (fixed[k] || mode.key == "mixed")
+      continue;
+    const std::string name = mode.name, key = mode.key;
+    for (int order = 2; !keys.insert(mode.key).second; ++order) {
+      mode.name = fmt::format("{}, order {}", name, order);
+      mode.key  = fmt::format("{}_{}", key, order);
+    }
+  }
+}
+
+std::vector<ModeName> mode_names(const StandWithModes &stand)
+{
+  std::vector<ModeName> names = own_names(stand);
+  number_names(names, std::vector<bool>(names.size(), false), {});
   return names;
 }
 }  // namespace mill::reduce

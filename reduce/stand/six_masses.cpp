@@ -68,6 +68,7 @@ StandModel chain_stand(const LumpedModel &model, const std::string &frame)
     s.M(i, i) = model.M[std::size_t(i)].value;
     s.parts.push_back(places[std::size_t(i)]);
     s.part_of.push_back(i);
+    s.unknowns.emplace_back();
     s.points.push_back({places[std::size_t(i)], Eigen::VectorXd::Unit(6, i)});
   }
   const bool closed = frame == "closed";

@@ -41,7 +41,7 @@ public:
 
   /// A body in the next unknowns; returns the first.
   Eigen::Index add_body(const std::string &part, const Eigen::MatrixXd &M, const Eigen::MatrixXd &K,
-                        const Eigen::MatrixXd &residual = {})
+                        const std::vector<StandUnknown> &unknowns, const Eigen::MatrixXd &residual = {})
   {
     const Eigen::Index first = next_, n = M.rows();
     s.M.block(first, first, n, n)       = M;
@@ -50,13 +50,15 @@ public:
       s.residual.block(first, first, n, n) = residual;
     std::fill_n(s.part_of.begin() + first, n, int(s.parts.size()));
     s.parts.push_back(part);
+    s.unknowns.insert(s.unknowns.end(), unknowns.begin(), unknowns.end());
     next_ += n;
     return first;
   }
 
   Eigen::VectorXd add_mass(const std::string &part, const double mass)
   {
-    return unit(add_body(part, Eigen::MatrixXd::Constant(1, 1, mass), Eigen::MatrixXd::Zero(1, 1)));
+    return unit(
+        add_body(part, Eigen::MatrixXd::Constant(1, 1, mass), Eigen::MatrixXd::Zero(1, 1), {StandUnknown{}}));
   }
 
   void add_spring(const std::string &name, const double stiffness, const Eigen::VectorXd &row)
@@ -91,7 +93,7 @@ Eigen::VectorXd in_place(const Assembly &a, const Placed &roll, const Eigen::Vec
 Placed place(Assembly &a, const RollBody &roll, const double seat_mass)
 {
   const Eigen::MatrixXd M = roll.M + seat_mass * roll.seat * roll.seat.transpose();
-  return {&roll, a.add_body(roll.name, M, roll.K, roll.residual)};
+  return {&roll, a.add_body(roll.name, M, roll.K, roll.unknowns, roll.residual)};
 }
 
 /// Springs between two barrels (or of the bite), evenly over 0..half_length of both sides.
@@ -161,7 +163,8 @@ void add_frame(Assembly &a, const FourHigh &stand, const StandSprings &springs, 
       residual = Eigen::MatrixXd::Zero(housing->M.rows(), housing->M.rows());
       residual.topLeftCorner(housing->n_interface(), housing->n_interface()) = housing->residual;
     }
-    const Eigen::Index first    = a.add_body("housing", housing->M, housing->K, residual);
+    const Eigen::Index first =
+        a.add_body("housing", housing->M, housing->K, component_unknowns(*housing), residual);
     const Eigen::VectorXd above = a.unit(first + screw), below = a.unit(first + seat);
     const double K = lower_seat_stiffness(f);
     a.add_spring("piston and packing", series(f.piston_stiffness, f.upper_packing_stiffness), upper - above);
@@ -189,6 +192,8 @@ void add_work_chock(Assembly &a, const std::string &side, const Placed &roll, co
   const std::string name     = side + " work-roll chock";
   if (!chock_moves(mass, Kzc)) {
     a.s.points.push_back({name, seat});
+    if (mass > 0)
+      a.s.carried.push_back({name, roll.body->name, seat, 2 * mass});
     return;
   }
   const Eigen::VectorXd chock = a.add_mass(name, 2 * mass);

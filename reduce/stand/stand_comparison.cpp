@@ -120,7 +120,23 @@ Eigen::MatrixXd mac_with_chain(const StandWithModes &stand, const StandWithModes
 
 Eigen::MatrixXd mac_between(const StandWithModes &other, const StandWithModes &beam)
 {
-  return assurance(seen_at(beam.model, other.model) * other.modes.shape, beam.modes.shape, beam.model.M);
+  // A mass that a beam carries counts with its own displacement, which another model may know apart from the
+  // seat's.
+  const auto &carried  = beam.model.carried;
+  const Eigen::Index n = beam.model.M.rows(), c = Eigen::Index(carried.size());
+  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n + c, n + c);
+  Eigen::MatrixXd a(n + c, other.modes.shape.cols()), b(n + c, beam.modes.shape.cols());
+  M.topLeftCorner(n, n) = beam.model.M;
+  a.topRows(n)          = seen_at(beam.model, other.model) * other.modes.shape;
+  b.topRows(n)          = beam.modes.shape;
+  for (Eigen::Index i = 0; i < c; ++i) {
+    const CarriedMass &mass = carried[std::size_t(i)];
+    M.topLeftCorner(n, n) -= mass.mass * mass.row * mass.row.transpose();
+    M(n + i, n + i) = mass.mass;
+    a.row(n + i)    = named(other.model.points, mass.name, other.model.name).row.transpose() * other.modes.shape;
+    b.row(n + i)    = mass.row.transpose() * beam.modes.shape;
+  }
+  return assurance(a, b, M);
 }
 
 std::vector<ModePair> pair_modes(const Eigen::MatrixXd &mac, const Eigen::VectorXd &row_frequency,

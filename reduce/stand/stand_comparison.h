@@ -1,5 +1,6 @@
 #pragma once
 #include "core/records/stand_model.h"
+#include "reduce/stand/mode_name.h"
 #include "reduce/stand/stand_modes.h"
 #include <Eigen/Core>
 #include <string>
@@ -13,6 +14,7 @@ inline constexpr double right_frequency = 0.05;
 struct StandWithModes {
   StandModel model;
   StandModes modes;
+  std::vector<ModeName> names = {};  ///< (modes), by reduce/stand/mode_names; empty: not named
 };
 
 /// (n, 6): shapes of least strain energy with one of the six points displaced by 1 and the others held.
@@ -28,7 +30,8 @@ Eigen::VectorXd in_chain(const StandWithModes &stand);
 Eigen::MatrixXd mac_with_chain(const StandWithModes &stand, const StandWithModes &chain);
 
 /// (modes of other, modes of beam): modal assurance between two detailed stands; `other` is read at the nodes of
-/// the beam stand (axes and points of the same name) and weighted with the beam stand's mass.  theory.md (22.19)
+/// the beam stand (axes and points of the same name) and weighted with the beam stand's mass; what the beams carry
+/// counts with its own displacement.  theory.md (22.19)
 /// @throws InputError  a line or point of `beam` that `other` lacks
 Eigen::MatrixXd mac_between(const StandWithModes &other, const StandWithModes &beam);
 

@@ -11,6 +11,7 @@ struct Words {
 };
 const Words words[] = {
     {"critical_speed",                "roll speed at which vibration begins to grow"                 },
+    {"critical_speed_highest",        "the same by the most stable model of the stand"               },
     {"frequency",                     "frequency of the critical mode"                               },
     {"growth_rate",                   "growth rate at the working speed"                             },
     {"working_frequency",             "frequency of the least stable mode at the working speed"      },
@@ -83,8 +84,9 @@ bool is_slope_by_one_input(const std::string &name)
 }
 
 namespace {
-const char *const asked_first[] = {"critical_speed", "frequency", "growth_rate",    "margin",
-                                   "force",          "friction",  "film_thickness", "flattened_radius"};
+const char *const asked_first[] = {
+    "critical_speed", "critical_speed_highest", "frequency",       "growth_rate", "margin", "force",
+    "friction",       "film_thickness",         "flattened_radius"};
 }  // namespace
 
 std::vector<Group> chatter_groups(const Run &run)

@@ -3,6 +3,14 @@
 #include <string>
 
 namespace mill::report {
+/// What a result mode.* says of its mode.
+struct NamedMode {
+  std::string name;   ///< "third octave, upper stack"
+  std::string why;    ///< the numbers that decided
+  std::string model;  ///< "rolls as reduced finite elements"
+};
+NamedMode named_mode(const Result &mode);
+
 /// The modes by the names they have in a rolling mill: frequency, what decided, the same in other models.  HTML;
 /// empty when the run named none.
 std::string named_mode_table(const Run &run);

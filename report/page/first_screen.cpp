@@ -1,6 +1,7 @@
 // What the page says before anybody scrolls: a verdict, the numbers that a mill is judged by, the stand to scale,
 // and what one has to know about them.
 #include "core/records/result_names.h"
+#include "report/modes/names.h"
 #include "report/page/curves.h"
 #include "report/page/names.h"
 #include "report/page/number.h"
@@ -88,37 +89,37 @@ std::string chatter_sentence(const Condition &worst)
 
 // Modes --------------------------------------------------------------------------------------------------------
 
-struct NamedMode {
-  std::string words;  // "third octave, upper"
+struct OctaveMode {
+  NamedMode named;
   const Result *frequency;
 };
 
-// Third and fifth octave first: they are what a mill asks for.
-std::vector<NamedMode> named_modes(const Run &run)
+bool is_octave(const OctaveMode &mode, const char *octave)
 {
-  std::vector<NamedMode> all;
-  for (const Result &result : run.results) {
-    const auto parts = parts_of(result.name);
-    if (parts.size() != 3 || parts[0] != family::mode || parts[2] != "frequency" || !has_value(&result))
-      continue;
-    std::string words = parts[1];
-    std::replace(words.begin(), words.end(), '_', ' ');
-    all.push_back({words, &result});
-  }
-  const auto rank = [](const NamedMode &mode) {
-    return mode.words.rfind("third octave", 0) == 0 ? 0 : mode.words.rfind("fifth octave", 0) == 0 ? 1 : 2;
+  return mode.named.name.rfind(octave, 0) == 0;
+}
+
+// Third and fifth octave first: they are what a mill asks for.
+std::vector<OctaveMode> modes_by_name(const Run &run)
+{
+  std::vector<OctaveMode> all;
+  for (const Result &result : run.results)
+    if (is_of(result.name, family::mode) && has_value(&result))
+      all.push_back({named_mode(result), &result});
+  const auto rank = [](const OctaveMode &mode) {
+    return is_octave(mode, "third octave") ? 0 : is_octave(mode, "fifth octave") ? 1 : 2;
   };
   std::stable_sort(all.begin(), all.end(),
-                   [&](const NamedMode &a, const NamedMode &b) { return rank(a) < rank(b); });
+                   [&](const OctaveMode &a, const OctaveMode &b) { return rank(a) < rank(b); });
   return all;
 }
 
 std::string mode_sentence(const Run &run)
 {
   std::string text;
-  for (const NamedMode &mode : named_modes(run))
-    if (mode.words.rfind("third octave", 0) == 0 || mode.words.rfind("fifth octave", 0) == 0)
-      text += (text.empty() ? "" : ", ") + mode.words + " at " + shown(*mode.frequency, 3);
+  for (const OctaveMode &mode : modes_by_name(run))
+    if (is_octave(mode, "third octave") || is_octave(mode, "fifth octave"))
+      text += (text.empty() ? "" : "; ") + mode.named.name + " " + shown(*mode.frequency, 3);
   return text;
 }
 
@@ -187,9 +188,9 @@ std::string chain_cards(const Run &run)
   const auto limits  = conditions(run);
   if (!limits.empty())
     all += chatter_card(limits.front());
-  const auto modes = named_modes(run);
+  const auto modes = modes_by_name(run);
   for (std::size_t i = 0; i < std::min(most_modes, modes.size()); ++i)
-    all += card(modes[i].frequency, modes[i].words);
+    all += card(modes[i].frequency, modes[i].named.name, modes[i].named.model);
   if (modes.empty())
     all += card(run.find("f1"), "lowest mode, f1") + card(run.find("f6"), "highest mode, f6");
   if (const Result *level = largest_level(run, label))

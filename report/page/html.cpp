@@ -57,13 +57,13 @@ std::string html_document(const std::string &title, const Run &run, const Page &
 std::string html_page(const Run &run)
 {
   Page page(run);
-  summary_section(page, run);
+  const ModelData models = read_models(run.directory);
+  summary_section(page, run, models);
   stand_section(page, run);
   contact_section(page, run);
   bite_section(page, run);
   chatter_section(page, run, read_chatter(run));
   bearing_section(page, run);
-  const ModelData models = read_models(run.directory);
   shape_section(page, run);
   mass_section(page, models);
   model_section(page, run, models);

@@ -1,3 +1,4 @@
+#include "report/modes/names.h"
 #include "report/page/curves.h"
 #include "report/page/names.h"
 #include "report/page/number.h"
@@ -90,9 +91,16 @@ std::string what_is_left_out(const Run &run)
 }
 }  // namespace
 
-void summary_section(Page &page, const Run &run)
+void summary_section(Page &page, const Run &run, const ModelData &models)
 {
   page.section("summary", "The numbers in short", Depth::manager);
+  if (const ComparedModel *best = models.detailed()) {
+    std::string text =
+        "The frequencies are those of the <b>" + escaped(best->title) + "</b>; the six masses stand beside them.";
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, models.answer.size()); ++i)
+      text += " " + escaped(models.answer[i]);
+    page.paragraph(text);
+  }
   if (const auto groups = short_groups(run); !groups.empty())
     page.table(short_table(groups),
                what_is_in_short(run) +

@@ -1,5 +1,6 @@
 #include "report/page/names.h"
 #include "core/records/result_names.h"
+#include "report/modes/names.h"
 #include <algorithm>
 
 namespace mill::report {
@@ -221,6 +222,11 @@ std::string number_after(const std::string &prefix, const std::string &name)
                                                                                                       : "";
 }
 
+bool ends_with(const std::string &name, const std::string &ending)
+{
+  return name.size() >= ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+}
+
 void add(Group &group, const Result *result)
 {
   if (result)
@@ -247,7 +253,7 @@ std::string meaning_of(const std::string &name)
     if (i == 0 && words.empty() && parts.size() > 1 && parts[0] != "contact")
       words = parts[0];  // the name of a pass
     const bool of_fit = i > 0 && parts[0] == "bite" && parts[1] == bite_fit;
-    if (i == 1 && parts[0] == "bite")
+    if (i == 1 && (parts[0] == "bite" || (parts[0] == "stand" && words.empty())))
       words = of_fit ? "fit to measured values" : parts[1];
     if (i > 2 && of_fit && words.empty())
       words = parts[i];  // the name of a pass
@@ -277,8 +283,8 @@ std::vector<Group> short_groups(const Run &run)
     return bite_groups(run);
   if (run.manifest.kind == "chatter")
     return chatter_groups(run);
-  Group contact{"Contact", {}}, stiffness{"Stiffness", {}}, mass{"Equivalent mass", {}},
-      frequency{"Natural frequency", {}}, fit{"Fit to measured values", {}};
+  Group contact{"Contact", {}}, stiffness{"Stiffness", {}}, mass{"Equivalent mass", {}}, named{"", {}},
+      chain{"", {}}, fit{"Fit to measured values", {}};
   if (run.manifest.kind == "two-cylinders" || !chain_value(run, "K1"))
     for (const Result &result : run.results)
       if (is_of(result.name, family::contact))
@@ -287,16 +293,28 @@ std::vector<Group> short_groups(const Run &run)
     add(stiffness, chain_value(run, "K" + std::to_string(i)));
   for (int i = 1; i <= 4; ++i)
     add(stiffness, chain_value(run, "Kzc" + std::to_string(i)));
-  for (const char *modulus : {"tangent", "kiss"})
-    add(stiffness, run.find(result_name({family::stand, "modulus", modulus})));
+  for (const Result &result : run.results)  // of every pass
+    if (is_of(result.name, family::stand) &&
+        (ends_with(result.name, ".modulus.tangent") || ends_with(result.name, ".modulus.kiss")))
+      stiffness.results.push_back(&result);
   for (int i = 1; i <= 6; ++i)
     add(mass, run.find("M" + std::to_string(i)));
+  // The modes of the best model lead, those of the six masses stand beside them.
+  const bool detailed = run.find("craig-bampton.f1") || run.find("beam.f1");
+  for (const Result &result : run.results)
+    if (detailed && is_of(result.name, family::mode)) {
+      named.title = "Natural frequency, " + named_mode(result).model;
+      named.results.push_back(&result);
+    }
   for (int i = 1; i <= 6; ++i)
-    add(frequency, run.find("f" + std::to_string(i)));
+    add(chain, run.find("f" + std::to_string(i)));
   for (const char *number : {"friction", "friction_factor", "flow_stress_factor"})
     add(fit, run.find(result_name({family::bite, bite_fit, number})));
+  chain.title = detailed ? "Natural frequency, six masses beside it" : "Natural frequency";
+
   std::vector<Group> groups;
-  for (Group &group : {std::ref(contact), std::ref(stiffness), std::ref(mass), std::ref(frequency), std::ref(fit)})
+  for (Group &group :
+       {std::ref(contact), std::ref(stiffness), std::ref(mass), std::ref(named), std::ref(chain), std::ref(fit)})
     if (!group.results.empty())
       groups.push_back(group);
   for (const Group &group : chatter_groups(run))

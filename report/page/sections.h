@@ -10,8 +10,9 @@
 namespace mill::report {
 /// What is seen before scrolling: verdict, numbers, stand to scale, at most five facts to know.
 std::string first_screen(const Run &run);
-void summary_section(Page &page, const Run &run);  ///< short table
-void stand_section(Page &page, const Run &run);    ///< sketch with the numbers on it
+/// Which model the frequencies come from, short table.
+void summary_section(Page &page, const Run &run, const ModelData &models);
+void stand_section(Page &page, const Run &run);  ///< sketch with the numbers on it
 /// Mill modulus over the force and what moves the thickness, inside the stand's section; nothing without its
 /// curve.
 void modulus_part(Page &page, const Run &run);

@@ -3,14 +3,71 @@
 #include "core/case/stand_sections.h"
 
 namespace mill {
+const std::vector<Field<ModelFiles>> &model_file_rows()
+{
+  using T = ModelFiles;
+  static const std::vector<Field<T>> rows{
+      {"name",            &T::name,       "text",  {},          "detailed", "craig-bampton",                        "what the model is called"     },
+      {"mass",
+       &T::mass,
+       "path",                                     {},
+       required,                                                            "models/craig-bampton-mass.mtx",
+       "mass matrix, Matrix Market, kg; symmetric and positive definite"                                                                           },
+      {"stiffness",
+       &T::stiffness,
+       "path",                                     {},
+       required,                                                            "models/craig-bampton-stiffness.mtx",
+       "stiffness matrix, Matrix Market, N/m; symmetric"                                                                                           },
+      {"force",
+       &T::force,
+       "path",                                     {},
+       required,                                                            "models/craig-bampton-force.mtx",
+       "force on each unknown per unit of bite force, one column"                                                                                  },
+      {"readings",
+       &T::readings,
+       "path",                                     {},
+       required,                                                            "models/craig-bampton-readings.mtx",
+       "displacement of each named place, one row each, then the change of the load-cell force in N/m"                                             },
+      {"names",
+       &T::names,
+       "path",                                     {},
+       required,                                                            "models/craig-bampton-names.csv",
+       "what the unknowns and the readings are"                                                                                                    },
+      {"gap_damper",      &T::gap_damper, "N s/m", {0, 1e12},   absent,     "1.9e5 N s/m",                          "damper between the work rolls"},
+      {"frequency_limit",
+       &T::frequency_limit,
+       "Hz",                                       {20, 20000},
+       1000,                                                                "1000 Hz",
+       "up to which the modes of the model are right"                                                                                              },
+      {"modes",
+       &T::modes,
+       "1, Hz",                                    {0.01, 1e6},
+       absent,                                                              "[[1, \"37.8 Hz\"], [2, \"52.5 Hz\"]]",
+       "number and frequency of modes; a run refuses matrices that have others"                                                                    },
+  };
+  return rows;
+}
+
 Lumped read_lumped(const Node &root, Reading &reading)
 {
   Lumped lumped;
-  lumped.given  = read_given(root, "given", "lumped", reading);
+  const Section model = section_at(root, "model", reading);
+  lumped.detailed     = model.node != nullptr;
+  if (lumped.detailed) {
+    read_and_echo(model, model.header(), model_file_rows(), lumped.model, reading);
+    lumped.model.place = model.node->place;
+    if (const Section given = section_at(root, "given", reading); given.node)
+      reading.add(given.node->place,
+                  "[given] holds the masses and springs of a chain, and [model] another model of the stand; leave "
+                  "one of the two out",
+                  {model.node->place});
+  } else
+    lumped.given = read_given(root, "given", "lumped", reading);
   lumped.passes = read_passes(root, pass_rows(), reading);
   check_passes(lumped.passes, reading);
   lumped.dynamics = read_dynamics(root, chain_dynamics_rows(), reading);
-  check_published_force(lumped.dynamics, lumped.given, reading);
+  if (!lumped.detailed)
+    check_published_force(lumped.dynamics, lumped.given, reading);
   return lumped;
 }
 
@@ -21,16 +78,23 @@ const CaseKind &case_kind(const Lumped *)
     k.name     = "lumped";
     k.title    = "lumped model";
     k.read     = [](const Node &root, Reading &reading) -> CaseSpec { return read_lumped(root, reading); };
-    k.sections = {head_section(), given_section(lumped_given_rows(), true), pass_section(false),
-                  dynamics_section(chain_dynamics_rows())};
-    k.notes    = {
-           {"pass", "", {{"synthetic", "true"}},      {"synthetic_range"}},
-           {"pass",
-            "",         {{"name", "\"pass 2\""},
-             {"synthetic", "true"},
-             {"synthetic_range", "[\"733.705 kN\", \"742.280 kN\"]"},
-             {"synthetic_seed", "2"}},
-            {}                                                           }
+    k.sections = {
+        head_section(),
+        given_section(lumped_given_rows(), false),
+        {"model", SectionRows::Repeat::once, false,
+                                      "a stand of any number of unknowns in files, in place of [given]", rows_of(model_file_rows())},
+        pass_section(false),
+        dynamics_section(chain_dynamics_rows())
+    };
+    k.notes = {
+        {"model", "", {},    {},                         true}, // [given] says it
+        {"pass",       "",    {{"synthetic", "true"}}, {"synthetic_range"}},
+        {"pass",
+         "",    {{"name", "\"pass 2\""},
+          {"synthetic", "true"},
+          {"synthetic_range", "[\"733.705 kN\", \"742.280 kN\"]"},
+          {"synthetic_seed", "2"}},
+         {}         }
     };
     k.given = k.published = lumped_given_rows();
     k.repeated            = [](const CaseSpec &spec, const std::string &section) {

@@ -1,5 +1,6 @@
 // Names of modes: the same rules for six masses and for beams.
 #include "reduce/chain/line_contact.h"
+#include "reduce/stand/beam_stand.h"
 #include "reduce/stand/mode_names.h"
 #include "reduce/stand/six_masses.h"
 #include "tests/support/beam_demo.h"
@@ -190,4 +191,84 @@ TEST(ModeNames, TwoRulesNearEachOtherAreMixed)
   EXPECT_EQ(mixed.key, "mixed");
   EXPECT_EQ(mixed.decided, "between frame, upper (upper frame 52 % of the kinetic energy) and frame, lower (lower "
                            "frame 48 % of the kinetic energy)");
+}
+
+namespace {
+std::vector<std::vector<ModeName>> common(const Models &m)
+{
+  return common_names(
+      {
+          &m.beams, &m.six
+  },
+      {{0, 1, mac_with_chain(m.beams, m.six)}});
+}
+}  // namespace
+
+// One name for a mode that both models have; its own shares either say the same or are no clear case.
+TEST(CommonNames, OneForEachModeThatTwoModelsShare)
+{
+  int shared = 0;
+  for (const StandCase &c : cases()) {
+    const Models m   = models_of(c.drawing, c.load, c.K4);
+    const auto names = common(m);
+    const auto mac   = mac_with_chain(m.beams, m.six);
+    for (Eigen::Index i = 0; i < mac.rows(); ++i)
+      for (Eigen::Index j = 0; j < mac.cols(); ++j)
+        if (mac(i, j) > same_mode) {
+          ++shared;
+          const ModeName &beam = names[0][std::size_t(i)], &six = names[1][std::size_t(j)];
+          EXPECT_EQ(beam.name, six.name) << c.name;
+          EXPECT_TRUE(six.own.empty() || six.own == "mixed" || beam.key == "mixed")
+              << c.name << ": " << six.name << " is " << six.own << " by its own shares";
+        }
+    for (const auto &of_model : names) {
+      std::set<std::string> keys;
+      for (const ModeName &mode : of_model)
+        EXPECT_TRUE(mode.key == "mixed" || keys.insert(mode.key).second) << mode.key << " twice in " << c.name;
+    }
+  }
+  EXPECT_GE(shared, 12);
+}
+
+// The name goes over with the shape, and the shares that say something else stand beside it.
+TEST(CommonNames, TheDetailedModelGivesThemAndTheOtherSaysWhatItSees)
+{
+  Models m       = models_of(demo_drawing(), 976.2e3, 0);
+  const auto mac = mac_with_chain(m.beams, m.six);
+  Eigen::Index i = 0, j = 0;
+  mac.maxCoeff(&i, &j);
+  const std::string before = mode_names(m.beams)[std::size_t(i)].name;
+  m.six.modes.kinetic.col(j) << 0, 0, 0, 0, 0, 1;  // shares of another mode under the same shape
+  m.six.modes.strain.col(j).setZero();
+  ASSERT_EQ(mode_names(m.six)[std::size_t(j)].name.rfind("frame, lower", 0), 0u);
+  const ModeName six = common(m)[1][std::size_t(j)];
+  EXPECT_EQ(six.name, before);
+  EXPECT_EQ(six.own, "frame, lower");
+  EXPECT_NE(six.decided.find("mode " + std::to_string(i + 1) + " of beam: "), std::string::npos) << six.decided;
+  EXPECT_NE(six.decided.find("; by its own shares frame, lower: lower frame 100 % of the kinetic energy"),
+            std::string::npos)
+      << six.decided;
+}
+
+// A chock that a beam carries rigidly is named as one that stands on its bearing is.
+TEST(ModeNames, ACarriedChockCountsAsAChock)
+{
+  FourHigh drawing                   = demo_drawing();
+  drawing.work_roll.chock_mass_upper = drawing.work_roll.chock_mass_lower = 1200;
+  const LumpedStand chain                                                 = demo_chain(drawing, 0);
+  const StandModel carried = beam_stand(drawing, stand_springs(drawing, chain), 12);
+  const auto &masses       = carried.carried;
+  ASSERT_EQ(masses.size(), 2u);
+  EXPECT_EQ(masses[0].name, "upper work-roll chock");
+  EXPECT_EQ(masses[0].carrier, "upper work roll");
+  EXPECT_EQ(masses[0].mass, 2 * drawing.work_roll.chock_mass_upper);
+  StandWithModes with{carried, stand_modes(carried, 1500)};
+  StandWithModes without = with;
+  without.model.carried.clear();
+  const auto is_chock = [](const ModeName &n) {
+    return n.key.rfind("chock_", 0) == 0 && n.key.find("work_roll") != std::string::npos;
+  };
+  const auto named = mode_names(with), blind = mode_names(without);
+  EXPECT_GE(std::count_if(named.begin(), named.end(), is_chock), 2) << "one for each work roll at least";
+  EXPECT_EQ(std::count_if(blind.begin(), blind.end(), is_chock), 0) << "counted with the roll they are nobody's";
 }

@@ -1,5 +1,6 @@
 // Mill modulus and names of modes as the page shows them.
 #include "report/modes/names.h"
+#include "report/page/names.h"
 #include "report/page/sections.h"
 #include <cmath>
 #include <gtest/gtest.h>
@@ -71,4 +72,27 @@ TEST(ModulusReport, NamesOfModesWithWhatDecided)
   EXPECT_TRUE(shows(table, "<th scope=\"row\">fifth octave, upper stack</th>"));
   EXPECT_TRUE(shows(table, "<td>K3 and K5 91 % of the strain energy</td>"));
   EXPECT_TRUE(shows(table, "six masses 761.3"));
+}
+
+// The modes of the best model lead the short table, the six masses stand beside them; alone they are all there is.
+TEST(ModulusReport, TheBestModelLeadsTheFrequencies)
+{
+  report::Run run;
+  run.results       = {result("f1", 38.9, "computed: six-mass chain"),
+                       result("mode.third_octave_upper.frequency", 37.8,
+                              "computed: third octave, upper stack: K2 and K6 97 %; rolls as reduced finite elements")};
+  const auto titles = [&] {
+    std::vector<std::string> all;
+    for (const Group &group : short_groups(run))
+      all.push_back(group.title);
+    return all;
+  };
+  EXPECT_EQ(titles(), std::vector<std::string>{"Natural frequency"});
+  run.results.push_back(result("craig-bampton.f1", 37.8, "computed: rolls as reduced finite elements"));
+  EXPECT_EQ(titles(), (std::vector<std::string>{"Natural frequency, rolls as reduced finite elements",
+                                                "Natural frequency, six masses beside it"}));
+  const NamedMode mode = named_mode(run.results[1]);
+  EXPECT_EQ(mode.name, "third octave, upper stack");
+  EXPECT_EQ(mode.why, "K2 and K6 97 %");
+  EXPECT_EQ(mode.model, "rolls as reduced finite elements");
 }

@@ -1,0 +1,13 @@
+#pragma once
+#include "app/pipeline.h"
+#include "core/model/lumped.h"
+#include "reduce/stand/stand_comparison.h"
+
+namespace mill {
+/// A model of any number of unknowns from its files, with the modes up to twice its frequency limit.
+/// @throws InputError  as detailed_model_of(); matrices whose modes are not those that the case says
+reduce::StandWithModes model_from_files(const ModelFiles &files);
+
+/// kind = "lumped" with [model]: its modes f1.. below the limit, and its response to the force of every pass.
+void run_detailed_model(RunContext &run, const Lumped &lumped, Goal goal, const std::string &force_file);
+}  // namespace mill

@@ -1,0 +1,213 @@
+#include "app/stages/model_files.h"
+#include "core/model/case.h"
+#include "core/records/detailed_model.h"
+#include "core/records/files.h"
+#include "core/records/line_vtu.h"
+#include "core/records/mat_file.h"
+#include "core/records/matrix_market.h"
+#include "dynamics/response/modal_model.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+constexpr Eigen::Index many_unknowns = 100;
+
+bool below_limit(const reduce::StandWithModes &s, const Eigen::Index mode, const DynamicsSettings &dynamics)
+{
+  return s.modes.frequency[mode] <= dynamics.frequency_limit;
+}
+
+// Height of an axis or of a mass above the pass line.  m
+double height_of(const FourHigh &stand, const std::string &place)
+{
+  const double work   = stand.work_roll.barrel_diameter / 2,
+               backup = 2 * work + stand.backup_roll.barrel_diameter / 2;
+  const double top    = backup + stand.backup_roll.barrel_diameter;
+  const double side   = place.rfind("lower", 0) == 0 || place == "housing, chock seat" ? -1 : 1;
+  if (place.find("work") != std::string::npos)
+    return side * work;
+  if (place.find("backup") != std::string::npos)
+    return side * backup;
+  return side * (place == "cylinder" ? 0.5 * (backup + top) : top);
+}
+
+// Half the distance of what a point stands for: a chock on its neck, else the middle.  m
+double station_of(const FourHigh &stand, const std::string &place)
+{
+  const bool at_seat = place.find("chock") != std::string::npos || place.find("seat") != std::string::npos;
+  if (!at_seat || place.find("housing") != std::string::npos)
+    return 0;
+  return 0.5 * (place.find("work") != std::string::npos ? stand.work_roll : stand.backup_roll).bearing_span;
+}
+
+// Points of the drawing with the row of the model that moves each.
+struct Drawing {
+  LineField field;
+  std::vector<Eigen::RowVectorXd> rows;
+  void add(const double y, const double z, const Eigen::RowVectorXd &row)
+  {
+    places.push_back({0, y, z});
+    rows.push_back(row);
+  }
+  void finish()
+  {
+    field.position.resize(Eigen::Index(places.size()), 3);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      field.position.row(Eigen::Index(i)) << places[i][0], places[i][1], places[i][2];
+  }
+  Eigen::Index count() const
+  {
+    return Eigen::Index(places.size());
+  }
+
+private:
+  std::vector<std::array<double, 3>> places;
+};
+
+// The axes of the rolls from end to end, and the masses beside them on both sides.
+Drawing drawing_of(const FourHigh &stand, const StandModel &model)
+{
+  Drawing d;
+  for (const StandLine &line : model.lines) {
+    const double y = height_of(stand, line.name);
+    std::vector<Eigen::Index> cell;
+    for (Eigen::Index k = line.z.size() - 1; k > 0; --k) {
+      cell.push_back(d.count());
+      d.add(y, -line.z[k], line.rows.row(k));
+    }
+    for (Eigen::Index k = 0; k < line.z.size(); ++k) {
+      cell.push_back(d.count());
+      d.add(y, line.z[k], line.rows.row(k));
+    }
+    d.field.cells.push_back(cell);
+  }
+  for (const StandPoint &point : model.points) {
+    const bool on_a_line = std::any_of(model.lines.begin(), model.lines.end(), [&](const StandLine &line) {
+      return point.name.rfind(line.name, 0) == 0 && point.name.find("chock") == std::string::npos;
+    });
+    if (on_a_line)
+      continue;
+    const double y = height_of(stand, point.name), z = station_of(stand, point.name);
+    for (const double side : {-1., 1.})
+      if (side > 0 || z != 0) {
+        d.field.cells.push_back({d.count()});
+        d.add(y, side * z, point.row.transpose());
+      }
+  }
+  d.finish();
+  return d;
+}
+
+void write_shapes_of(RunContext &run, const FourHigh &stand, const reduce::StandWithModes &s)
+{
+  Drawing d = drawing_of(stand, s.model);
+  for (Eigen::Index mode = 0; mode < s.modes.frequency.size() && below_limit(s, mode, stand.dynamics); ++mode) {
+    LineField::Vectors shape;
+    const std::string name = std::size_t(mode) < s.names.size() ? ", " + s.names[std::size_t(mode)].name : "";
+    shape.name             = fmt::format("mode {:02}, {:.2f} Hz{}", mode + 1, s.modes.frequency[mode], name);
+    shape.unit             = "kg^-0.5";
+    shape.value            = Eigen::MatrixXd::Zero(d.count(), 3);
+    for (Eigen::Index i = 0; i < d.count(); ++i)
+      shape.value(i, 1) = d.rows[std::size_t(i)].dot(s.modes.shape.col(mode));
+    d.field.vectors.push_back(std::move(shape));
+  }
+  run.out.write("fields/modes-" + s.model.name + ".vtu", line_vtu(d.field));
+}
+
+std::vector<std::string> names_of(const StandModel &model)
+{
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < model.unknowns.size(); ++i) {
+    const StandUnknown &u = model.unknowns[i];
+    names.push_back(model.parts[std::size_t(model.part_of[i])] + ", " + u.what +
+                    (std::isnan(u.position) ? "" : fmt::format(" at {:.6g} m", u.position)) + ", y [" + u.unit +
+                    "]");
+  }
+  return names;
+}
+
+std::string mat_of(const reduce::StandWithModes &s, const Eigen::MatrixXd &M, const Eigen::MatrixXd &K,
+                   const Eigen::MatrixXd &C)
+{
+  std::vector<std::string> readings, modes;
+  for (const StandPoint &point : s.model.points)
+    readings.push_back(point.name + ", y [m]");
+  readings.emplace_back("load cell, change of force [N]");
+  for (const reduce::ModeName &mode : s.names)
+    modes.push_back(mode.name);
+  std::vector<MatVariable> variables{
+      {"M",             M,                    {}                 },
+      {"K",             K,                    {}                 },
+      {"C",             C,                    {}                 },
+      {"b",             s.model.b,            {}                 },
+      {"readings",      readings_of(s.model), {}                 },
+      {"frequency",     s.modes.frequency,    {}                 },
+      {"shape",         s.modes.shape,        {}                 },
+      {"unknown_names", {},                   names_of(s.model)  },
+      {"reading_names", {},                   std::move(readings)}
+  };
+  if (!modes.empty())
+    variables.push_back({"mode_names", {}, std::move(modes)});
+  return mat_file(variables);
+}
+
+// The case that reads the model back, with its first modes to know the matrices by.
+ModelFiles files_of(const reduce::StandWithModes &s, const DynamicsSettings &dynamics, const double gap_damper)
+{
+  const std::string base = "models/" + s.model.name;
+  ModelFiles files;
+  files.name      = s.model.name;
+  files.mass      = base + "-mass.mtx";
+  files.stiffness = base + "-stiffness.mtx";
+  files.force     = base + "-force.mtx";
+  files.readings  = base + "-readings.mtx";
+  files.names     = base + "-names.csv";
+  if (gap_damper > 0)
+    files.gap_damper = gap_damper;
+  files.frequency_limit = dynamics.frequency_limit;
+  for (Eigen::Index i = 0; i < s.modes.frequency.size() && below_limit(s, i, dynamics); ++i)
+    files.modes.push_back({double(i + 1), s.modes.frequency[i]});
+  if (files.modes.size() == 1)
+    files.modes.clear();  // one pair is no table
+  return files;
+}
+}  // namespace
+
+void write_model_files(RunContext &run, const FourHigh &stand, const reduce::StandWithModes &s,
+                       const LumpedModel &chain)
+{
+  const DynamicsSettings &dynamics = stand.dynamics;
+  const double gap_damper = dynamics.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value;
+  const ModelFiles files  = files_of(s, dynamics, gap_damper);
+  const std::string &name = s.model.name;
+  const auto symmetric    = [](const Eigen::MatrixXd &m) { return Eigen::MatrixXd(0.5 * (m + m.transpose())); };
+  const Eigen::MatrixXd K = symmetric(stiffness_of(s.model)), M = symmetric(s.model.M);  // to the last digit
+  run.out.write(files.mass, matrix_market_text(M, "mass matrix of model " + name + ", whole stand, kg"));
+  run.out.write(files.stiffness,
+                matrix_market_text(K, "stiffness matrix of model " + name + ", whole stand, N/m"));
+  run.out.write(files.force,
+                matrix_market_text(s.model.b, "force on each unknown per unit of bite force, model " + name));
+  run.out.write(
+      files.readings,
+      matrix_market_text(readings_of(s.model), "places by unknown (m), last row load cell (N), model " + name));
+  run.out.write(files.names, model_names_csv(s.model));
+  if (s.model.M.rows() <= many_unknowns || dynamics.model_files == "all") {
+    const auto kept =
+        std::upper_bound(s.modes.frequency.begin(), s.modes.frequency.end(), 2 * dynamics.frequency_limit) -
+        s.modes.frequency.begin();
+    const bool all          = s.model.name == "six-mass";
+    const Eigen::Index n    = all ? s.modes.frequency.size() : kept;
+    const Eigen::MatrixXd C = dynamics::damping_matrix(
+        s.model, s.modes.frequency.head(n), s.modes.shape.leftCols(n), dynamics.modal_damping, gap_damper);
+    run.out.write("models/" + name + "-damping.mtx",
+                  matrix_market_text(C, "damping matrix of model " + name + ", whole stand, N s/m"));
+    run.out.write("models/" + name + ".mat", mat_of(s, M, K, C));
+  }
+  if (!s.model.lines.empty())
+    write_shapes_of(run, stand, s);
+  if (name != "six-mass")
+    run.out.write("lumped_model-" + name + ".toml", detailed_model_toml(files, run.the_case, run.out.path()));
+}
+}  // namespace mill

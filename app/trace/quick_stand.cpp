@@ -1,0 +1,182 @@
+#include "app/trace/quick_stand.h"
+#include "app/stages/gauge_results.h"
+#include "app/stages/mode_results.h"
+#include "app/stages/modulus_stage.h"
+#include "core/model/four_high.h"
+#include "core/records/result_names.h"
+#include "reduce/chain/line_contact.h"
+#include "reduce/chain/mill_modulus.h"
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+QuickResult made(const std::string &name, const char *unit, const double value, const char *method,
+                 const std::string &at)
+{
+  QuickResult r;
+  r.name             = name;
+  r.parameter.unit   = unit;
+  r.parameter.value  = value;
+  r.parameter.method = method;
+  r.parameter.at     = at;
+  return r;
+}
+
+// The first pass on its way into the list.
+struct QuickModulus {
+  std::vector<QuickResult> &all;
+  const FourHigh &stand;
+  const SpringFactors &factors;
+  std::string at;
+  double load;
+
+  std::string own(const std::string &quantity, const std::string &aspect = "") const
+  {
+    return stand_result(stand, 0, quantity, aspect);
+  }
+  double value(const std::string &name) const
+  {
+    return find(all, name)->parameter.value;
+  }
+  void add(QuickResult r, const std::vector<std::string> &from, const KeyList &keys, const char *file,
+           const char *equation) const
+  {
+    r.from     = from;
+    r.road     = "mill modulus";
+    r.file     = file;
+    r.equation = equation;
+    inherit(r, all, keys);
+    all.push_back(std::move(r));
+  }
+  // Springs of the chain on the path of the force, then others.
+  static std::vector<std::string> path(const std::vector<std::string> &others)
+  {
+    std::vector<std::string> names{"K1", "K2", "K3", "K5", "K6", "K7"};
+    names.insert(names.end(), others.begin(), others.end());
+    return names;
+  }
+  double series(const std::vector<std::string> &names, const double more = 0) const
+  {
+    double compliance = more;
+    for (const std::string &name : names)
+      compliance += 1 / value(name);
+    return 1 / compliance;
+  }
+  void add_kissing() const;
+  bool add_bite() const;
+  void add_with_strip() const;
+};
+
+void QuickModulus::add_kissing() const
+{
+  const std::string touching = own("K_ww", "tangent");
+  add(made(touching, "N/m", reduce::line_contact(work_roll_pair(stand), load).tangent,
+           "Hertz line contact of both work rolls over the barrel", at),
+      {},
+      joined(keys_in("steel", "youngs_modulus poisson_ratio"),
+             keys_in("work_roll", "barrel_diameter barrel_length"), load_keys(stand.passes.front(), 0)),
+      "reduce/chain/line_contact", "(3.5b)");
+  const auto names = path({touching});
+  add(made(own("modulus", "kiss"), "N/m", series(names), "springs in series, work rolls on each other", at), names,
+      {}, "reduce/chain/mill_modulus", "(30.1)");
+}
+
+// What moves the flattening on a rigid arc, and what does not move the plastic slope there.
+KeyList without(const KeyList &keys, const KeyList &others)
+{
+  KeyList left;
+  for (const std::string &key : keys)
+    if (!holds(others, key))
+      left.push_back(key);
+  return left;
+}
+
+// Flattening and plastic slope by the slab theory that gives K4; false where it has no answer or K4 is given.
+bool QuickModulus::add_bite() const
+{
+  const QuickResult *K4 = find(all, "K4");
+  const auto stiffness  = stand.given.count("K4") ? std::nullopt : quick_bite_stiffness(stand, 0);
+  if (!K4 || !stiffness || !(stiffness->flattening > 0))
+    return false;
+  const bool rigid      = stand.bite.arc == "rigid";
+  const KeyList elastic = keys_in("steel", "youngs_modulus poisson_ratio"),
+                arc     = joined(keys_in("strip", "width entry_thickness exit_thickness"),
+                                 keys_in("pass.0", "entry_thickness exit_thickness"),
+                                 KeyList{"work_roll.barrel_diameter", "bite.arc"}, elastic);
+  QuickResult slope = *K4, flattening = *K4;
+  slope.name                 = "K4.plastic_slope";
+  slope.parameter.value      = stiffness->plastic_slope * factor(factors, slope.name);
+  flattening.name            = "K4.flattening";
+  flattening.parameter.value = stiffness->flattening * factor(factors, flattening.name);
+  if (rigid) {
+    slope.closed      = without(slope.closed, elastic);
+    flattening.closed = arc;
+  }
+  all.push_back(std::move(slope));
+  all.push_back(std::move(flattening));
+  return true;
+}
+
+void QuickModulus::add_with_strip() const
+{
+  const double K3 = value("K3"), K5 = value("K5");
+  const double bend = work_rolls_bending(stand, nullptr, stand.strip.width, K3, K5);
+  std::vector<std::string> more{"K4.flattening"};
+  if (bend * K3 > least_bending) {
+    QuickResult r =
+        made(own("K_bend"), "N/m", factor(factors, own("K_bend")) / bend, "Euler beam on its contact line", at);
+    if (stand.backup_roll.bending_model == "solid")
+      r.stands_for = "the work rolls by finite elements, backup_roll.bending_model = \"solid\"";
+    add(std::move(r), {"K3", "K5"},
+        joined(keys_in("steel", "youngs_modulus"), keys_in("work_roll", "barrel_diameter barrel_length"),
+               keys_in("strip", "width"), keys_in("dynamics", "mass_reference")),
+        "reduce/chain/mill_modulus", "(30.3)");
+    more.push_back(own("K_bend"));
+  }
+  const auto names          = path(more);
+  const double M            = series(names, 1 / value("K4.flattening"));  // both rolls are flattened
+  const std::string modulus = own("modulus", "tangent"), slope = "K4.plastic_slope";
+  add(made(modulus, "N/m", M, "springs in series, strip between the work rolls", at), names, {},
+      "reduce/chain/mill_modulus", "(30.1)");
+  const reduce::GaugeCoupling gauge{M, value(slope)};
+  if (!(gauge.Q > 0))
+    return;
+  add(made(own("screw_sensitivity"), "1", gauge.screw(), "mill modulus and plastic slope", at), {modulus, slope},
+      {}, "app/stages/gauge_results", "(30.7)");
+  add(made(own("force_by", "screw"), "N/m", gauge.force_by_screw(), "mill modulus and plastic slope", at),
+      {modulus, slope}, {}, "app/stages/gauge_results", "(30.9)");
+}
+}  // namespace
+
+void add_quick_modulus(std::vector<QuickResult> &all, const FourHigh &stand, const double load,
+                       const SpringFactors &factors)
+{
+  const QuickModulus modulus{all, stand, factors, fmt::format("{:.1f} kN", load / 1e3), load};
+  modulus.add_kissing();
+  if (modulus.add_bite())
+    modulus.add_with_strip();
+}
+
+void add_named_modes_of_chain(std::vector<QuickResult> &all, const LumpedModel &model,
+                              const DynamicsSettings &settings, const std::string &stands_for)
+{
+  const auto names = chain_with_modes(model, settings).names;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const QuickResult *f = find(all, fmt::format("f{}", i + 1));
+    if (!f || names[i].key == "mixed")
+      continue;
+    QuickResult r      = *f;
+    r.name             = result_name({family::mode, names[i].key, "frequency"});
+    r.parameter.method = "six-mass chain, " + names[i].name;
+    r.from             = {f->name};
+    r.own              = {};
+    r.road             = "modes by name";
+    r.file             = "reduce/stand/mode_names";
+    r.equation         = "(22.23)";
+    r.stands_for       = stands_for;
+    if (!stands_for.empty())
+      r.parameter.inputs = joined(r.parameter.inputs, detailed_model_keys());
+    all.push_back(std::move(r));
+  }
+}
+}  // namespace mill
