@@ -235,7 +235,7 @@ TEST(Trace, WordForWord)
       "Elasticities are differences between 1287 mm .. 1313 mm.\n"
       "Closed forms that stand in for finite elements:\n"
       "  contact.line.half_width, contact.line.peak_pressure, contact.line.approach, contact.line.secant, "
-      "contact.line.tangent: Hertz and Johnson, reduce/chain/line_contact (3.2) to (3.5b), for contact finite "
+      "contact.line.tangent: Hertz and Johnson, contact/line_bodies (3.2) to (3.5b), for contact finite "
       "elements, fem/roll/contact_study\n"
       "No run is stored to compare with.\n");
   EXPECT_EQ(trace_text(t, false).find("Elasticities"), std::string::npos);

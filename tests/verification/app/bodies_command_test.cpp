@@ -71,9 +71,12 @@ TEST(Bodies, ARollerMeetsLundbergAndSaysWhatASharpEndIs)
   const auto log = run("cases/tilted-roller.toml", "log",
                        few + "--set contact.space.tilt='0 mrad' --set upper.profile_load='20000 N'");
   EXPECT_TRUE(near(of(log, "contact.space.approach"), 17.1535e-6, within(0.003, "asked of case roller-log")));
-  EXPECT_TRUE(near(of(log, "contact.space.line_load_ratio"), 1.023, within(0.015, "grids differ by a percent")));
+  EXPECT_TRUE(near(of(log, "contact.space.line_load_ratio"), 1.023,
+                   within(0.015, "1.021 .. 1.025, and grids differ by a percent")));
   const auto sharp =
-      run("cases/tilted-roller.toml", "sharp", few + "--set contact.space.tilt='0 mrad' --set upper.profile=none");
+      run("cases/tilted-roller.toml", "sharp",
+          few + "--set contact.space.tilt='0 mrad' --set upper='{diameter = \"25 mm\", length = \"40 "
+                "mm\"}'");
   EXPECT_TRUE(near(of(sharp, "contact.space.approach"), 16.12e-6, within(0.003, "asked of case roller-sharp")));
   EXPECT_FALSE(sharp.contains("contact.space.edge_factor")) << "the largest pressure there is the grid's";
   EXPECT_FALSE(sharp.contains("contact.space.line_load_ratio"));
