@@ -131,6 +131,18 @@ TEST(Bodies, UnlikeCylindersSlipBesideCattaneo)
   EXPECT_TRUE(near(width.column("shear")->sum() * step, 150e3, within(1e-9, "shear carries the tangential load")));
 }
 
+TEST(Bodies, AContactAsWideAsItsBodyIsWarnedOf)
+{
+  const std::string out = scratch("wide");
+  const auto outcome =
+      millstand("run cases/elliptic-contact.toml -q -o " + out + " " + few +
+                "--set contact.space.loads='[\"100 N\", \"90000 N\"]' --set contact.space.at='80000 N'");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto results = nlohmann::json::parse(std::ifstream(out + "/results.json"));
+  EXPECT_NE(results.dump().find("contact.space: the half width is 0.15 of the relative radius"), std::string::npos)
+      << results.dump().substr(0, 400);
+}
+
 TEST(Bodies, ATiltThatLiftsHalfTheFaceOffIsRefused)
 {
   const auto outcome = millstand("check cases/tilted-roller.toml --set contact.space.tilt='20 mrad'");
