@@ -48,7 +48,7 @@ contact::QuarterGrid grid_for(const SpaceShape &s, const Expected &e, const doub
   } else {
     const double fine        = 12. / rectangles;
     const Eigen::VectorXd up = contact::graded_edges(e.half_z, fine * s.length / (grid.half ? 36 : 50),
-                                                     fine * std::min(e.half_x / 3, s.length / 200), 1.4);
+                                                     fine * std::min(e.half_x / 5, s.length / 200), 1.4);
     grid.z                   = grid.half ? mirrored(up) : up;
   }
   return grid;

@@ -95,6 +95,11 @@ void add_scalars(RunContext &run, const SpaceRun &s)
     tangent.push_back({"Lundberg (33.6)", l.tangent, "even line load at every load"});
     secant.push_back({"Lundberg (33.6)", s.load() / (l.approach + touch), note});
   }
+  const double hertz = s.point ? s.ellipse().semi_x : s.line().half_width;
+  if (hertz > 0.1 * s.shape.radius)
+    run.warn(fmt::format("contact.space: the half width is {:.2g} of the relative radius; half spaces hold for "
+                         "contacts that are small against their bodies, from a tenth on they are off by percents",
+                         hertz / s.shape.radius));
   add(run, s, "half_width", "m", s.fine.half_width, s.coarse.half_width, width);
   add(run, s, "peak_pressure", "Pa", s.fine.peak_pressure, s.coarse.peak_pressure, pressure);
   add(run, s, "approach", "m", a.approach, b.approach, approach);

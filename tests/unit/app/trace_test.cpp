@@ -223,21 +223,20 @@ TEST(Trace, WordForWord)
   // +-R1/(2(R1 + R2)) = 0.118; approach R2/(R1 + R2)/(ln - 1) = 0.059, tangent the same over ln - 2 = 12.02:
   // 0.064.
   const Trace t = traced({"cases/two-cylinders.toml", "lower.diameter", {}, nowhere});
-  EXPECT_EQ(
-      trace_text(t),
-      "lower.diameter = 1300 mm  (cases/two-cylinders.toml:17)\n"
-      "  -> contact of the two cylinders\n"
-      "       contact.line.half_width         0.0012991 m  +0.12 % per %  fem/roll/contact_study (3.2)\n"
-      "       contact.line.peak_pressure    4.9005e+08 Pa  -0.12 % per %  fem/roll/contact_study (3.3)\n"
-      "       contact.line.approach          3.5931e-05 m  +0.06 % per %  fem/roll/contact_study (3.4)\n"
-      "       contact.line.secant         2.7831e+10 N/m2  -0.06 % per %  fem/roll/contact_study (3.5a)\n"
-      "       contact.line.tangent        3.0146e+10 N/m2  -0.06 % per %  fem/roll/contact_study (3.5b)\n"
-      "Elasticities are differences between 1287 mm .. 1313 mm.\n"
-      "Closed forms that stand in for finite elements:\n"
-      "  contact.line.half_width, contact.line.peak_pressure, contact.line.approach, contact.line.secant, "
-      "contact.line.tangent: Hertz and Johnson, reduce/chain/line_contact (3.2) to (3.5b), for contact finite "
-      "elements, fem/roll/contact_study\n"
-      "No run is stored to compare with.\n");
+  EXPECT_EQ(trace_text(t),
+            "lower.diameter = 1300 mm  (cases/two-cylinders.toml:17)\n"
+            "  -> contact of the two cylinders\n"
+            "       contact.line.half_width         0.0012991 m  +0.12 % per %  fem/roll/contact_study (3.2)\n"
+            "       contact.line.peak_pressure    4.9005e+08 Pa  -0.12 % per %  fem/roll/contact_study (3.3)\n"
+            "       contact.line.approach          3.5931e-05 m  +0.06 % per %  fem/roll/contact_study (3.4)\n"
+            "       contact.line.secant         2.7831e+10 N/m2  -0.06 % per %  fem/roll/contact_study (3.5a)\n"
+            "       contact.line.tangent        3.0146e+10 N/m2  -0.06 % per %  fem/roll/contact_study (3.5b)\n"
+            "Elasticities are differences between 1287 mm .. 1313 mm.\n"
+            "Closed forms that stand in for finite elements:\n"
+            "  contact.line.half_width, contact.line.peak_pressure, contact.line.approach, contact.line.secant, "
+            "contact.line.tangent: Hertz and Johnson, contact/line_bodies (3.2) to (3.5b), for contact finite "
+            "elements, fem/roll/contact_study\n"
+            "No run is stored to compare with.\n");
   EXPECT_EQ(trace_text(t, false).find("Elasticities"), std::string::npos);
 }
 
