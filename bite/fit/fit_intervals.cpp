@@ -1,5 +1,6 @@
 #include "bite/fit/fit.h"
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 

@@ -5,6 +5,7 @@
 #include "core/case/errors.h"
 #include "core/laws/scaled_friction.h"
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 namespace mill::bite {

@@ -57,8 +57,8 @@ forward_slip = "6.5 %"
 fit              = ["force", "slip"]
 arc              = "rigid"
 strip            = "rigid-plastic"
-elements_along   = 12
-elements_through = 3
+elements_along   = 8
+elements_through = 2
 )";
 }  // namespace
 
