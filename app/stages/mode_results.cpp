@@ -6,8 +6,6 @@
 #include <utility>
 
 namespace mill {
-namespace {
-// Under which name a model's frequency stands in the results.
 std::string frequency_result(const StandModel &model, const std::size_t mode)
 {
   const std::string number = fmt::format("f{}", mode + 1);
@@ -20,7 +18,6 @@ const char *words_of_model(const std::string &name)
     return "six masses";
   return name == "beam" ? "rolls as beams" : "rolls as reduced finite elements";
 }
-}  // namespace
 
 reduce::StandWithModes chain_with_modes(LumpedModel model, const DynamicsSettings &dynamics)
 {

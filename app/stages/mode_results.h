@@ -10,6 +10,10 @@ namespace mill {
 /// The chain of six masses as it vibrates: without K4 where the measured force holds the reaction of the bite.
 reduce::StandWithModes chain_with_modes(LumpedModel model, const DynamicsSettings &dynamics);
 
+/// Under which name a frequency of a model stands in the results: "craig-bampton.f3" for mode 2.
+std::string frequency_result(const StandModel &model, std::size_t mode);
+const char *words_of_model(const std::string &name);  ///< "beam" -> "rolls as beams"
+
 /// mode.<name>.frequency of every mode below the limit (Hz) that has a name: of the first model, whose frequencies
 /// are in the results already, with those of the others that bear the same name beside it.
 void add_named_modes(RunContext &run, const std::vector<const reduce::StandWithModes *> &models,

@@ -2,10 +2,12 @@
 #include "core/case/fields.h"
 #include "core/model/bearing_case.h"
 #include "core/model/bite_setup.h"
+#include "core/model/campbell.h"
 #include "core/model/chatter.h"
 #include "core/model/contact_settings.h"
 #include "core/model/dynamics_settings.h"
 #include "core/model/frame.h"
+#include "core/model/frequency_response.h"
 #include "core/model/housing.h"
 #include "core/model/pass.h"
 #include "core/model/roll.h"
@@ -96,6 +98,11 @@ const std::vector<Field<ContactSettings>> &roll_contact_rows();  ///< four-high:
 const std::vector<Field<ContactSettings>> &line_contact_rows();  ///< two-cylinders: loads per length
 const std::vector<Field<DynamicsSettings>> &dynamics_rows();
 const std::vector<Field<DynamicsSettings>> &chain_dynamics_rows();  ///< of kind "lumped"
+const std::vector<Field<FrequencyResponseSettings>> &frequency_response_rows();
+const std::vector<Field<CampbellSettings>> &campbell_rows();
+const std::vector<Field<CampbellSettings>> &
+chain_campbell_rows();  ///< of kind "lumped": with the sizes of the rolls
+const std::vector<Field<DriveOrder>> &drive_order_rows();
 const std::vector<Field<TwoCylinders>> &upper_cylinder_rows();
 const std::vector<Field<TwoCylinders>> &lower_cylinder_rows();
 
