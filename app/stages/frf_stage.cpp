@@ -5,6 +5,7 @@
 #include "core/records/csv.h"
 #include "core/records/files.h"
 #include "core/records/result_names.h"
+#include "core/records/turning_keys.h"
 #include "dynamics/response/accelerance.h"
 #include "dynamics/response/response_band.h"
 #include <algorithm>
@@ -206,7 +207,8 @@ public:
     sampling.damping_error = std::isnan(settings.damping_tolerance) ? 0 : settings.damping_tolerance;
     band                   = dynamics::response_band(all[0].modal, uncertain.mode_error.size(), uncertain.inputs,
                                                      uncertain.mode_error, all[0].frequency, sampling);
-    write_band(run, all[0], band);
+    if (!uncertain.inputs.empty() || uncertain.mode_error.maxCoeff() > 0 || sampling.damping_error > 0)
+      write_band(run, all[0], band);
     lacks = uncertain.lacks;
     if (std::isnan(settings.damping_tolerance))
       lacks.push_back("frequency_response.damping_tolerance");
@@ -230,8 +232,7 @@ private:
                            words_of_model(r.model->name), r.modal.frequency.size(), 100 * dynamics.modal_damping,
                            range[0], range[1]);
     p.at     = stand.at;
-    p.inputs = joined(stand.inputs, keys_in("dynamics", "modal_damping force_meaning"),
-                      keys_in("frequency_response", "range resolution"));
+    p.inputs = joined(stand.inputs, frequency_response_keys());
     const Eigen::Index row = Eigen::Index(place), column = Eigen::Index(force);
     if (lacks.empty())
       p.error_estimate = (band.peak_high(row, column) - band.peak_low(row, column)) / (2 * peak.magnitude);

@@ -14,7 +14,7 @@ const std::vector<Field<FrequencyResponseSettings>> &frequency_response_rows()
        "detailed models to one and a half times the highest mode"},
       {"resolution",
        &T::resolution,
-       "Hz", {0.0001, 10000},
+       "Hz", {0.001, 10000},
        absent, "0.5 Hz",
        "step between the frequencies; when absent a quarter of the half width of every resonance near it and "
        "wider between them"                                      },

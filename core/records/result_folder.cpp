@@ -137,6 +137,7 @@ const std::vector<std::string> &result_names()
                                               "lumped_model.toml",
                                               "lumped_model-beam.toml",
                                               "lumped_model-craig-bampton.toml",
+                                              "campbell.csv",
                                               "millstand.log",
                                               "curves",
                                               "response",

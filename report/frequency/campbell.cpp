@@ -4,6 +4,7 @@
 #include "report/plot/svg_plot.h"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace mill::report {
@@ -29,6 +30,19 @@ std::vector<CampbellMode> ascending(std::vector<CampbellMode> modes)
   return modes;
 }
 
+// As high as a mode or a line reaches: where no line goes there is nothing to read.
+double top_of(const CampbellData &data)
+{
+  double mode = 0, lowest = std::numeric_limits<double>::infinity(), line = 0;
+  for (const CampbellMode &m : data.modes) {
+    mode   = std::max(mode, m.frequency);
+    lowest = std::min(lowest, m.frequency);
+  }
+  for (const CampbellLine &l : data.lines)
+    line = std::max(line, l.per_length * data.speeds[1]);
+  return std::min(mode, std::max(1.1 * line, 2 * lowest));
+}
+
 std::string distance_text(const double distance)
 {
   if (std::isnan(distance))
@@ -41,9 +55,7 @@ std::string campbell_drawing(const CampbellData &data)
 {
   if (!data.stored || data.modes.empty() || !(data.speeds[1] > data.speeds[0]))
     return "";
-  double top = 0;
-  for (const CampbellMode &mode : data.modes)
-    top = std::max(top, mode.frequency);
+  const double top = top_of(data);
   Plot plot;
   plot.width  = 1040;
   plot.height = 620;
@@ -62,12 +74,15 @@ std::string campbell_drawing(const CampbellData &data)
   }
   bool first = true;
   for (const CampbellMode &mode : ascending(data.modes)) {
+    if (mode.frequency > plot.y.high)
+      break;
     plot.lines.push_back({first ? "modes" : "", Eigen::Vector2d(data.speeds[0], data.speeds[1]),
                           Eigen::Vector2d::Constant(mode.frequency), Pen::chained});
     first = false;
   }
   for (const CampbellMode &mode : data.modes)
-    plot.points.push_back({data.speeds[0], mode.frequency, mode.name + ", " + fixed(mode.frequency, 0) + " Hz"});
+    if (mode.frequency < plot.y.high)
+      plot.points.push_back({data.speeds[0], mode.frequency, mode.name + ", " + fixed(mode.frequency, 0) + " Hz"});
   Line meets{"crossings", {}, {}, Pen::warm, true, false};
   meets.x.resize(Eigen::Index(data.crossings.size()));
   meets.y.resize(meets.x.size());

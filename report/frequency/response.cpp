@@ -84,8 +84,12 @@ std::vector<std::string> responding_places(const Run &run, const std::string &mo
 
 std::string magnitude_drawing(const Run &run, const std::string &model, const std::string &place)
 {
-  Plot plot                                            = frame("Magnitude, " + place, 360);
-  plot.y                                               = {"acceleration / bite force", unit, Scale::logarithmic};
+  Plot plot = frame("Magnitude, " + place, 360);
+  plot.y    = {"acceleration / bite force", unit, Scale::logarithmic};
+  if (const Table *band = stored_curve(run, curve::frf_band, model + "-bite"))
+    for (const auto &[end, label] : {std::pair("_low", "95 % band"), std::pair("_high", "")})
+      if (const Eigen::VectorXd *edge = band->column(column_of(place) + end))
+        plot.lines.push_back({label, values_of(*band, {"frequency", "Hz"}), per_kilonewton * *edge, Pen::pale});
   const std::pair<const char *, const char *> models[] = {
       {"craig-bampton", "finite elements"},
       {"beam",          "beams"          },
@@ -97,10 +101,6 @@ std::string magnitude_drawing(const Run &run, const std::string &model, const st
                             name == model                 ? Pen::dark
                             : name == std::string("beam") ? Pen::dotted
                                                           : Pen::warm_dashed});
-  if (const Table *band = stored_curve(run, curve::frf_band, model + "-bite"))
-    for (const auto &[end, label] : {std::pair("_low", "95 % band"), std::pair("_high", "")})
-      if (const Eigen::VectorXd *edge = band->column(column_of(place) + end))
-        plot.lines.push_back({label, values_of(*band, {"frequency", "Hz"}), per_kilonewton * *edge, Pen::pale});
   limit_height(plot);
   return svg_plot(plot);
 }

@@ -1,5 +1,6 @@
 #include "core/records/result_names.h"
 #include "report/frequency/figures.h"
+#include "report/page/curves.h"
 #include "report/page/number.h"
 #include "report/page/page.h"
 #include "report/page/sections.h"
@@ -10,7 +11,7 @@
 
 namespace mill::report {
 namespace {
-constexpr std::size_t most_crossings = 24;
+constexpr std::size_t most_crossings = 24, most_keys = 5;
 
 // "upper work roll" -> its results; nullptr when absent.
 const Result *peak_of(const Run &run, const std::string &force, const std::string &place, const char *what)
@@ -40,15 +41,25 @@ std::string peak_rows(const Run &run, const std::vector<std::string> &places)
   return rows;
 }
 
-std::string band_sentence(const Run &run)
+std::string band_sentence(const Run &run, const std::string &model)
 {
-  const Result *peak = peak_of(run, "bite", "upper work roll", "peak");
+  const bool drawn      = stored_curve(run, curve::frf_band, model + "-bite") != nullptr;
+  const std::string own = drawn
+                              ? " Between the pale lines lie 95 of 100 stands drawn at random from the errors of "
+                                "springs, masses and mesh, each taken as 1.96 standard deviations."
+                              : "";
+  const Result *peak    = peak_of(run, "bite", "upper work roll", "peak");
   if (!peak || peak->error_lacks.empty())
-    return "";
+    return own;
   std::string list;
-  for (const std::string &key : peak->error_lacks)
-    list += (list.empty() ? "<code>" : ", <code>") + escaped(key) + "</code>";
-  return " <b>Not in the band</b>, since nothing says how far they may be off: " + list + ".";
+  const auto &lacks     = peak->error_lacks;
+  const std::size_t few = lacks.size() > most_keys + 1 ? most_keys : lacks.size();
+  for (std::size_t i = 0; i < few; ++i)
+    list += (i == 0 ? "<code>" : ", <code>") + escaped(lacks[i]) + "</code>";
+  if (few < lacks.size())
+    list += " and " + std::to_string(lacks.size() - few) + " more, listed with the peaks among all results";
+  return own + (drawn ? " <b>Not in the band</b>" : " <b>Without a band</b>") +
+         ", since nothing says how far they may be off: " + list + ".";
 }
 
 void responses(Page &page, const Run &run)
@@ -62,9 +73,8 @@ void responses(Page &page, const Run &run)
       page.figure({magnitude_drawing(run, model, roll), phase_drawing(run, model, roll)},
                   "Acceleration of the " + std::string(roll) +
                       " per harmonic force in the bite, at its mid-length: magnitude by every model, and phase of "
-                      "the best one. Between the pale lines lie 95 of 100 stands drawn at random from the errors "
-                      "of springs, masses and mesh, each taken as 1.96 standard deviations." +
-                      band_sentence(run));
+                      "the best one." +
+                      band_sentence(run, model));
   std::vector<std::string> chocks, rolls;
   for (const std::string &place : places)
     (place.find("chock") == std::string::npos ? rolls : chocks).push_back(place);

@@ -2,6 +2,7 @@
 #include "core/case/errors.h"
 #include "dynamics/response/accelerance.h"
 #include "dynamics/response/frequency_response.h"
+#include "dynamics/response/modes.h"
 #include "dynamics/response/response_band.h"
 #include "tests/support/near.h"
 #include "tests/support/published_stand.h"
