@@ -1,5 +1,6 @@
 #include "verify/verification.h"
 #include "verify/peer/peer.h"
+#include "verify/stand/response_cases.h"
 #include <algorithm>
 #include <cmath>
 

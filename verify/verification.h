@@ -135,7 +135,6 @@ std::vector<Case> roll_arc_cases();             ///< flexibility of the roll's s
 std::vector<Case> mass_cases();                 ///< equivalent masses and the beam model of the stand
 std::vector<Case> component_cases();            ///< rolls by their component modes against theory and full models
 std::vector<Case> housing_cases();              ///< mill housing by finite elements, screw-down
-std::vector<Case> response_cases();             ///< frequency response of six masses and of component modes
 std::vector<Case> chatter_stand_cases();        ///< bite and stand coupled: eigenvalues, Routh, critical speed
 std::vector<Case> chatter_motion_cases();       ///< time simulation of the coupled stand
 std::vector<Case> chatter_sensitivity_cases();  ///< derivatives of friction and critical speed, maps

@@ -1,3 +1,4 @@
+#include "verify/stand/response_cases.h"
 #include "core/numerics/require.h"
 #include "dynamics/response/accelerance.h"
 #include "reduce/stand/component_stand.h"

@@ -43,12 +43,12 @@ Result result(const std::string &name, const double value, const std::string &un
 report::Run sample()
 {
   report::Run run;
-  run.manifest.kind                              = "four-high";
-  run.directory                                  = "/nonexistent";
-  run.tables["curves/frf-craig-bampton-bite"]    = response({"upper-work-roll", "lower-backup-chock"});
-  run.tables["curves/frf-six-mass-bite"]         = response({"upper-work-roll"});
+  run.manifest.kind                                         = "four-high";
+  run.directory                                             = "/nonexistent";
+  run.tables["curves/frf-craig-bampton-bite"]               = response({"upper-work-roll", "lower-backup-chock"});
+  run.tables["curves/frf-six-mass-bite"]                    = response({"upper-work-roll"});
   run.tables["curves/frf-craig-bampton-lower-backup-chock"] = response({"upper-work-roll", "lower-backup-chock"});
-  run.results = {result("K1", 6e9, "N/m"), result("frf.bite.upper_work_roll.peak", 0.0123, "1/kg"),
+  run.results = {result("M1", 9300, "kg"), result("frf.bite.upper_work_roll.peak", 0.0123, "1/kg"),
                  result("frf.bite.upper_work_roll.frequency", 746.5, "Hz")};
   run.results[1].error_estimate = std::nan("");
   run.results[1].error_lacks    = {"frame.balance_mass_tolerance"};
@@ -58,14 +58,22 @@ report::Run sample()
 CampbellRecord campbell()
 {
   CampbellRecord r;
-  r.model     = "craig-bampton";
-  r.speeds    = {0, 15};
-  r.working   = {2, 6};
-  r.modes     = {{"third_octave_upper", "third octave, upper stack", 52.5, 0.03}};
-  r.lines     = {{"work roll, order 20", "work roll", "work roll", 20, 20 / (M_PI * 0.42)},
-                 {"drive, <teeth>", "drive", "work roll", 12, 12 / (M_PI * 0.42)}};
-  r.crossings = {{0, 0, 3.464, 0}, {0, 1, 5.773, -0.0}, {0, 7, 5, 0}};
-  r.notes     = {"the bearing of the backup rolls has no roller diameter"};
+  r.model   = "craig-bampton";
+  r.speeds  = {0, 15};
+  r.working = {2, 6};
+  r.modes   = {
+        {"third_octave_upper", "third octave, upper stack", 52.5, 0.03}
+  };
+  r.lines = {
+      {"work roll, order 20", "work roll", "work roll", 20, 20 / (M_PI * 0.42)},
+      {"drive, <teeth>",      "drive",     "work roll", 12, 12 / (M_PI * 0.42)}
+  };
+  r.crossings = {
+      {0, 0, 3.464, 0   },
+      {0, 1, 5.773, -0.0},
+      {0, 7, 5,     0   }
+  };
+  r.notes = {"the bearing of the backup rolls has no roller diameter"};
   return r;
 }
 }  // namespace
@@ -78,10 +86,10 @@ TEST(FrequencyReport, FiguresTableAndWhatTheBandLacks)
             (std::vector<std::string>{"upper work roll", "lower backup chock"}));
   Page page(run);
   frequency_section(page, run);
-  for (const char *text : {"Frequency response and speeds", "Magnitude, upper work roll", "Phase, upper work roll",
-                           "acceleration / bite force [(m/s\u00b2)/kN]", "frequency [Hz]", "six masses",
-                           "Chocks, force in the bite", "<b>12.30</b>", "<b>746.5</b>",
-                           "<code>frame.balance_mass_tolerance</code>", "No Campbell diagram"})
+  for (const char *text :
+       {"Frequency response and speeds", "Magnitude, upper work roll", "Phase, upper work roll",
+        "acceleration / bite force [(m/s\u00b2)/kN]", "frequency [Hz]", "six masses", "Chocks, force in the bite",
+        "<b>12.30</b>", "<b>746.5</b>", "<code>frame.balance_mass_tolerance</code>", "No Campbell diagram"})
     EXPECT_TRUE(shows(page.body(), text)) << text;
 }
 
@@ -104,9 +112,9 @@ TEST(FrequencyReport, CampbellDiagramAndCrossings)
   run.directory   = folder;
   Page page(run);
   frequency_section(page, run);
-  for (const char *text :
-       {"speed of the rolls&#39; surface [m/s]", "third octave, upper stack", "working from", "work roll, order 20",
-        "drive, &lt;teeth&gt;", "<b>3.464</b>", "inside", "at most 24 of 2", "no roller diameter"})
+  for (const char *text : {"speed of the rolls&#39; surface [m/s]", "third octave, upper stack", "working from",
+                           "work roll, order 20", "drive, &lt;teeth&gt;", "<b>3.464</b>", "inside",
+                           "at most 24 of 2", "no roller diameter"})
     EXPECT_TRUE(shows(page.body(), text)) << text;
   write_atomically(folder + "/curves/campbell.json", "{");
   Page broken(run);
