@@ -1,6 +1,7 @@
 #include "verify/stand/response_cases.h"
 #include "core/numerics/require.h"
 #include "dynamics/response/accelerance.h"
+#include "fem/roll/roll_component.h"
 #include "reduce/stand/component_stand.h"
 #include "reduce/stand/six_masses.h"
 #include "reduce/stand/stand_modes.h"
@@ -131,10 +132,13 @@ std::vector<Check> components()
 {
   const RollPart work   = roll_part("work roll", demo_work_roll),
                  backup = roll_part("backup roll", demo_backup_roll);
-  fem::ModeChoice choice;
-  choice.frequency_limit = limit;
-  const reduce::StandComponents parts{fem::component_modes(*work.part, work.interface, choice),
-                                      fem::component_modes(*backup.part, backup.interface, choice), std::nullopt};
+  fem::RollComponentOptions options;
+  options.frequency_limit = limit;
+  const auto reduced_roll = [&](const std::string &name, const RollPart &roll) {
+    return fem::roll_component(name, *roll.body, roll.geometry, demo_roll_steel, options).component;
+  };
+  const reduce::StandComponents parts{reduced_roll("work roll", work), reduced_roll("backup roll", backup),
+                                      std::nullopt};
   const FourHigh drawing = demo_stand();
   auto springs           = reduce::stand_springs(drawing, demo_chain(drawing));
   springs.Kzc_upper = springs.Kzc_lower = 2.01e10;
