@@ -2,6 +2,7 @@
 #include "app/case_kinds.h"
 #include "app/stages/bearing_stage.h"
 #include "app/stages/bite_stage.h"
+#include "app/stages/campbell_stage.h"
 #include "app/stages/chatter_stage.h"
 #include "app/stages/contact_stage.h"
 #include "app/stages/curve_files.h"
@@ -9,6 +10,7 @@
 #include "app/stages/dynamics_stage.h"
 #include "app/stages/fit_stage.h"
 #include "app/stages/frame_stage.h"
+#include "app/stages/frf_stage.h"
 #include "app/stages/headline.h"
 #include "app/stages/mode_results.h"
 #include "app/stages/model_stage.h"
@@ -199,6 +201,38 @@ void add_modulus(RunContext &run, const FourHigh &stand, const StandParts &parts
   add_stand_modulus(run, stand, of);
 }
 
+// The bearing of a roll, when it has rollers.
+const RollerBearing *rollers_of(const FourHigh &stand, const Roll &roll)
+{
+  return oil_film_of(stand.oil_films, roll.bearing) ? nullptr : &bearing_of(stand.bearings, roll.bearing);
+}
+
+// Frequency response and Campbell diagram of the best model.
+void add_turning_and_response(RunContext &run, const FourHigh &stand, const reduce::LumpedStand &chain,
+                              const StandModels &models, const ComponentSets &components)
+{
+  const double C = chain.model.C.value;
+  RespondingStand responding;
+  responding.models     = {&models.craig_bampton, &models.beam, &models.chain};
+  responding.uncertain  = inputs_of_modes(stand, chain, models, components);
+  responding.gap_damper = stand.dynamics.force_meaning == "measured" || std::isnan(C) ? 0 : C;
+  responding.limit      = stand.dynamics.frequency_limit;
+  responding.at         = chain.model.at;
+  // The work-roll chocks of the components stand on their bearings.
+  responding.inputs = joined(keys_of_models(chain), chain.model.Kzc[1].inputs, chain.model.Kzc[2].inputs);
+  add_frequency_responses(run, stand.frequency_response, stand.dynamics, responding);
+  add_campbell(run, stand.campbell,
+               {
+                   &models.craig_bampton,
+                   {{"work roll", stand.work_roll.barrel_diameter, "work_roll.barrel_diameter",
+                     rollers_of(stand, stand.work_roll)},
+                                         {"backup roll", stand.backup_roll.barrel_diameter, "backup_roll.barrel_diameter",
+                     rollers_of(stand, stand.backup_roll)}},
+                   stand.passes,
+                   stand.drive
+  });
+}
+
 // The chain of one pass, what stands beside it, and what is done with it.
 // @param gaps  for the mill modulus of the pass, which comes when the bite is there
 void run_pass(RunContext &run, const FourHigh &stand, const StandParts &parts, const PassForces &forces,
@@ -229,6 +263,8 @@ void run_pass(RunContext &run, const FourHigh &stand, const StandParts &parts, c
     add_housing_frequencies(run, stand, parts.components);
     add_model_checks(run, models);
     add_named_modes(run, {&models.craig_bampton, &models.beam, &models.chain}, stand.dynamics.frequency_limit);
+    if (goal >= Goal::modes)
+      add_turning_and_response(run, stand, chain, models, parts.components);
     run.summary += headline(models, stand.dynamics.frequency_limit);
   }
   if (goal >= Goal::masses)
@@ -278,6 +314,29 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
              "this product can be told from measured levels");
 }
 
+namespace {
+void add_turning_and_response(RunContext &run, const Lumped &lumped, const LumpedModel &model,
+                              const reduce::StandWithModes &chain)
+{
+  const bool measured = lumped.dynamics.force_meaning == "measured";
+  RespondingStand responding;
+  responding.models     = {&chain};
+  responding.uncertain  = reduce::modal_sensitivities(chain, model);
+  responding.gap_damper = measured || std::isnan(model.C.value) ? 0 : model.C.value;
+  responding.inputs     = joined(chain_mode_keys(model, lumped.dynamics, Half::upper),
+                                 chain_mode_keys(model, lumped.dynamics, Half::lower));
+  add_frequency_responses(run, lumped.frequency_response, lumped.dynamics, responding);
+  add_campbell(run, lumped.campbell,
+               {
+                   &chain,
+                   {{"work roll", lumped.campbell.work_roll_diameter, "campbell.work_roll_diameter"},
+                          {"backup roll", lumped.campbell.backup_roll_diameter, "campbell.backup_roll_diameter"}},
+                   lumped.passes,
+                   lumped.drive
+  });
+}
+}  // namespace
+
 void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::string &force_file)
 {
   if (lumped.detailed)
@@ -291,6 +350,7 @@ void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::stri
   if (goal >= Goal::modes) {
     const auto chain = chain_with_modes(model, lumped.dynamics);
     add_named_modes(run, {&chain});
+    add_turning_and_response(run, lumped, model, chain);
   }
   if (goal < Goal::simulate)
     return;

@@ -2,7 +2,7 @@
 set(manual_groups ClosedForms HalfSpace Section Solid Friction Nonlinear Roll
                   Bearing Roller Ring OilFilm BearingMotion
                   Slab Inhomogeneous ElasticArc StripFlow StripElastic RollArc
-                  Mass Component Housing
+                  Mass Component Housing Response
                   ChatterStand ChatterMotion ChatterSensitivity ChatterTandem)
 # verification_test compares this list with the groups of the program: a group that is missing here would never run.
 string(REPLACE ";" "," all_groups "${manual_groups};Peer")

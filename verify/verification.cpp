@@ -1,5 +1,6 @@
 #include "verify/verification.h"
 #include "verify/peer/peer.h"
+#include "verify/stand/response_cases.h"
 #include <algorithm>
 #include <cmath>
 
@@ -148,6 +149,7 @@ const std::vector<Group> &groups()
       {"Mass",               "masses",  mass_cases               },
       {"Component",          "masses",  component_cases          },
       {"Housing",            "masses",  housing_cases            },
+      {"Response",           "masses",  response_cases           },
       {"ChatterStand",       "chatter", chatter_stand_cases      },
       {"ChatterMotion",      "chatter", chatter_motion_cases     },
       {"ChatterSensitivity", "chatter", chatter_sensitivity_cases},

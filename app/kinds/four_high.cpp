@@ -129,6 +129,8 @@ std::optional<KeyList> inputs_of(const FourHigh &stand, const Results &results, 
 {
   if (const auto keys = modulus_inputs(stand, results, full))
     return keys;
+  if (const auto keys = turning_inputs(results, stand.drive.size(), full))
+    return keys;
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
     const Pass &pass = stand.passes[p];
     if (const auto keys = response_inputs(results, stand.dynamics, pass, p, full))

@@ -1,4 +1,6 @@
 #include "app/kinds/kind_inputs.h"
+#include "core/records/result_names.h"
+#include "core/records/turning_keys.h"
 #include <fmt/format.h>
 
 namespace mill {
@@ -50,5 +52,14 @@ std::optional<KeyList> response_inputs(const Results &results, const DynamicsSet
   if (!upper || !one_chain)
     follow(Half::lower);
   return joined(keys, response_keys(dynamics, pass, p));
+}
+
+std::optional<KeyList> turning_inputs(const Results &results, const std::size_t orders, const std::string &name)
+{
+  if (results.find(name))
+    return {};
+  if (is_of(name, family::frf))
+    return frequency_response_keys();
+  return is_of(name, family::campbell) ? std::optional<KeyList>(campbell_keys(orders)) : std::nullopt;
 }
 }  // namespace mill

@@ -17,4 +17,9 @@ std::optional<KeyList> bite_inputs(const BiteRun &bite, const std::string &name,
 /// PASS.peak_g.* and PASS.rms_g.*: the numbers of the chain that drives the work roll, and what is done with them.
 std::optional<KeyList> response_inputs(const Results &results, const DynamicsSettings &dynamics, const Pass &pass,
                                        std::size_t p, const std::string &name);
+
+/// frf.* and campbell.* that no run has made yet, for a trace: what they have beside the model.  Those of a run
+/// carry their own lists.
+/// @param orders  number of [[drive.order]]
+std::optional<KeyList> turning_inputs(const Results &results, std::size_t orders, const std::string &name);
 }  // namespace mill

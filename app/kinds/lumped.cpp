@@ -17,6 +17,8 @@ KeyList model_file_keys()
 
 std::optional<KeyList> inputs_of(const Lumped &lumped, const Results &results, const std::string &name)
 {
+  if (const auto keys = turning_inputs(results, lumped.drive.size(), name))
+    return of_kind(*keys, "lumped");
   for (std::size_t p = 0; p < lumped.passes.size(); ++p)
     if (const auto keys = response_inputs(results, lumped.dynamics, lumped.passes[p], p, name))
       return of_kind(lumped.detailed ? joined(*keys, model_file_keys()) : *keys, "lumped");

@@ -9,14 +9,11 @@
 #include <utility>
 
 namespace mill {
-namespace {
-// Under which name a model's frequency stands in the results.
 std::string frequency_result(const StandModel &model, const std::size_t mode)
 {
   const std::string number = fmt::format("f{}", mode + 1);
   return model.name == "six-mass" ? number : result_name({model.name, number});
 }
-}  // namespace
 
 const char *title_of(const std::string &model)
 {

@@ -15,6 +15,8 @@ reduce::StandWithModes chain_with_modes(LumpedModel model, const DynamicsSetting
 
 /// curves/modes-<model>.csv: frequency of every mode and the displacement of every point, largest as 1.
 void write_mode_table(RunContext &run, const reduce::StandWithModes &stand);
+/// Under which name a frequency of a model stands in the results: "craig-bampton.f3" for mode 2.
+std::string frequency_result(const StandModel &model, std::size_t mode);
 
 /// mode.<name>.frequency of every mode below the limit (Hz) that has a name: of the first model, whose frequencies
 /// are in the results already, with those of the others that bear the same name beside it.

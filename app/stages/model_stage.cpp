@@ -60,7 +60,7 @@ void add_frequencies(RunContext &run, const reduce::StandWithModes &s, const red
     f.at             = chain.model.at;
     f.error_estimate = s.modes.error_estimate[i] + errors.error[i];
     f.error_lacks    = errors.lacks[std::size_t(i)];
-    f.inputs         = joined(keys_of(chain.model), detailed_model_keys());
+    f.inputs         = keys_of_models(chain);
     if (s.model.name == "craig-bampton")  // its work-roll chocks stand on their bearings
       f.inputs = joined(f.inputs, chain.model.Kzc[1].inputs, chain.model.Kzc[2].inputs);
     for (const reduce::ModePair &pair : pairs)
@@ -321,6 +321,20 @@ void compare_models(RunContext &run, const FourHigh &stand, const reduce::Lumped
                   lumped_model_toml(own, run.the_case, run.out.path()));
   }
   run.out.write("curves/models.json", json_of_record(comparison(stand, chain, models, components, masses)));
+}
+
+KeyList keys_of_models(const reduce::LumpedStand &chain)
+{
+  return joined(keys_of(chain.model), detailed_model_keys());
+}
+
+std::vector<reduce::ModalSensitivity> inputs_of_modes(const FourHigh &stand, const reduce::LumpedStand &chain,
+                                                      const StandModels &models, const ComponentSets &components)
+{
+  return reduce::modal_sensitivities(models.craig_bampton, stand, reduce::stand_springs(stand, chain, true), chain,
+                                     [&](const FourHigh &s, const reduce::StandSprings &k) {
+                                       return reduce::component_stand(s, k, components.fine);
+                                     });
 }
 
 void add_model_checks(RunContext &run, const StandModels &models)

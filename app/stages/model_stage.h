@@ -2,7 +2,9 @@
 #include "app/run_context.h"
 #include "app/stages/stand_components.h"
 #include "core/model/dynamics_settings.h"
+#include "core/records/provenance.h"
 #include "reduce/chain/fe_masses.h"
+#include "reduce/chain/stand_errors.h"
 #include "reduce/stand/lumped_stand.h"
 #include "reduce/stand/stand_comparison.h"
 
@@ -29,6 +31,12 @@ reduce::FeMasses add_fe_masses(LumpedModel &chain, const FourHigh &stand, const 
 /// (app/stages/model_files.h), six masses made from the other two, and adds their frequencies to the results.
 void compare_models(RunContext &run, const FourHigh &stand, const reduce::LumpedStand &chain,
                     const StandModels &models, const ComponentSets &components, const reduce::FeMasses &masses);
+
+/// What an uncertain spring or mass does to the modes of the finite elements.
+std::vector<reduce::ModalSensitivity> inputs_of_modes(const FourHigh &stand, const reduce::LumpedStand &chain,
+                                                      const StandModels &models, const ComponentSets &components);
+/// Keys behind the beams and the finite elements.
+KeyList keys_of_models(const reduce::LumpedStand &chain);
 
 /// Frequencies of the other models beside f1..f6, once those are there.
 void add_model_checks(RunContext &run, const StandModels &models);

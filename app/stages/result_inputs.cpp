@@ -14,8 +14,14 @@ void set_inputs(Results &results, const Case &the_case)
 
 std::vector<std::string> beside_the_chain(const Case &the_case, const std::string &key)
 {
-  std::vector<std::string> names{"K3.friction_tangent", "K3.path_plateau", "K5.friction_tangent",
-                                 "K5.path_plateau",     "K4.path_plateau", "Kzc.motion.frequency"};
+  std::vector<std::string> names{"K3.friction_tangent",
+                                 "K3.path_plateau",
+                                 "K5.friction_tangent",
+                                 "K5.path_plateau",
+                                 "K4.path_plateau",
+                                 "Kzc.motion.frequency",
+                                 "frf.bite.upper_work_roll.peak",
+                                 "campbell.third_octave_upper.speed"};
   std::vector<std::string> found;
   for (const std::string &name : names) {
     const auto keys = run_kind(the_case).inputs(the_case, Results(), name);

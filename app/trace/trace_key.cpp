@@ -84,10 +84,11 @@ std::map<std::string, std::string> resolved_values(const std::string &text)
   std::map<std::string, std::string> values;
   std::istringstream lines(text);
   std::string section, line;
-  int passes = 0;
+  std::map<std::string, int> listed;  // sections of each name in double brackets so far
   while (std::getline(lines, line)) {
     if (line.rfind("[[", 0) == 0) {
-      section = fmt::format("{}.{}.", line.substr(2, line.find("]]") - 2), passes++);
+      const std::string name = line.substr(2, line.find("]]") - 2);
+      section                = fmt::format("{}.{}.", name, listed[name]++);
     } else if (!line.empty() && line[0] == '[') {
       section = line.substr(1, line.rfind(']') - 1) + ".";
       section.erase(std::remove(section.begin(), section.end(), '"'), section.end());

@@ -203,20 +203,24 @@ ordered_json schema_of(const std::string &kind)
     } else {
       ordered_json item = closed_object();
       add_rows(item, section);
-      ordered_json &properties = root["properties"];
-      if (properties.contains(section.name)) {  // another type of the same section
-        ordered_json &items = properties[section.name]["additionalProperties"];
+      const std::size_t dot    = section.name.rfind('.');
+      const std::string name   = section.name.substr(dot + 1);  // npos + 1 is the whole
+      ordered_json &properties = dot == std::string::npos
+                                     ? root["properties"]
+                                     : object_at(root, section.name.substr(0, dot), section.needed)["properties"];
+      if (properties.contains(name)) {  // another type of the same section
+        ordered_json &items = properties[name]["additionalProperties"];
         items               = ordered_json{
             {"anyOf", ordered_json::array({items, item})}
         };
         continue;
       }
-      properties[section.name] =
+      properties[name] =
           section.repeat == Repeat::list
               ? ordered_json{{"type", "array"}, {"items", item}, {"description", section.meaning}}
               : ordered_json{{"type", "object"}, {"additionalProperties", item}, {"description", section.meaning}};
       if (section.needed)
-        require(root, section.name);
+        require(root, name);
     }
   }
   return root;

@@ -48,6 +48,14 @@ std::map<std::string, double> read_tolerances(const std::vector<Row> &rows, cons
 Frame read_frame(const Node &root, const std::vector<std::string> &needless, Reading &reading);
 DynamicsSettings read_dynamics(const Node &root, const std::vector<Field<DynamicsSettings>> &rows,
                                Reading &reading);
+FrequencyResponseSettings read_frequency_response(const Node &root, Reading &reading);
+CampbellSettings read_campbell(const Node &root, const std::vector<Field<CampbellSettings>> &rows,
+                               Reading &reading);
+/// [[drive.order]]; `root` may have none.
+std::vector<DriveOrder> read_drive_orders(const Node &root, Reading &reading);
+/// Where no roll is drawn: the size of every roll whose turns an order counts.
+void check_turning_shafts(const CampbellSettings &campbell, const std::vector<DriveOrder> &orders,
+                          Reading &reading);
 /// [given] (replaces computed values) or [published] (stands beside them).
 GivenValues read_given(const Node &root, const std::string &name, const std::string &kind, Reading &reading);
 

@@ -2,10 +2,12 @@
 #include "core/case/fields.h"
 #include "core/model/bearing_case.h"
 #include "core/model/bite_setup.h"
+#include "core/model/campbell.h"
 #include "core/model/chatter.h"
 #include "core/model/contact_settings.h"
 #include "core/model/dynamics_settings.h"
 #include "core/model/frame.h"
+#include "core/model/frequency_response.h"
 #include "core/model/housing.h"
 #include "core/model/lumped.h"
 #include "core/model/pass.h"
@@ -99,6 +101,11 @@ const std::vector<Field<SpaceContactSettings>> &space_contact_rows();  ///< two-
 const std::vector<Field<DynamicsSettings>> &dynamics_rows();
 const std::vector<Field<DynamicsSettings>> &chain_dynamics_rows();  ///< of kind "lumped"
 const std::vector<Field<ModelFiles>> &model_file_rows();            ///< [model] of kind "lumped"
+const std::vector<Field<FrequencyResponseSettings>> &frequency_response_rows();
+const std::vector<Field<CampbellSettings>> &campbell_rows();
+const std::vector<Field<CampbellSettings>> &
+chain_campbell_rows();  ///< of kind "lumped": with the sizes of the rolls
+const std::vector<Field<DriveOrder>> &drive_order_rows();
 /// [upper] and [lower] of kind two-cylinders; a plane (of `section`) needs no diameter.
 const std::vector<Field<RoundBody>> &upper_body_rows();
 const std::vector<Field<RoundBody>> &lower_body_rows();

@@ -193,6 +193,29 @@ SectionRows dynamics_section(const std::vector<Field<DynamicsSettings>> &rows)
   return {"dynamics", Repeat::once, false, "runs of the lumped model", rows_of(rows)};
 }
 
+SectionRows frequency_response_section()
+{
+  return {"frequency_response", Repeat::once, false, "acceleration of rolls and chocks per force on them",
+          rows_of(frequency_response_rows())};
+}
+
+SectionRows campbell_section(const std::vector<Field<CampbellSettings>> &rows)
+{
+  return {"campbell", Repeat::once, false, "modes over the rolling speed with the orders of what turns",
+          rows_of(rows)};
+}
+
+SectionRows drive_order_section()
+{
+  return {"drive.order", Repeat::list, false, "an order of the drive in the Campbell diagram",
+          rows_of(drive_order_rows())};
+}
+
+TemplateNote drive_order_note()
+{
+  return {"drive.order", "", {}, {}, true};
+}
+
 SectionRows given_section(const std::vector<Row> &rows, const bool needed)
 {
   return {"given", Repeat::once, needed,

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/case/kinds.h"
 #include "core/case/stand_rows.h"
 #include <string>
 #include <vector>
@@ -12,6 +13,10 @@ SectionRows oil_film_section();             ///< [bearing.NAME] of type oil-film
 SectionRows bite_section();
 SectionRows pass_section(bool needed);
 SectionRows dynamics_section(const std::vector<Field<DynamicsSettings>> &rows);
+SectionRows frequency_response_section();
+SectionRows campbell_section(const std::vector<Field<CampbellSettings>> &rows);
+SectionRows drive_order_section();
+TemplateNote drive_order_note();  ///< what turns in a drive is nobody's default
 SectionRows given_section(const std::vector<Row> &rows, bool needed);  ///< with tolerances
 SectionRows published_section(const std::vector<Row> &rows);
 

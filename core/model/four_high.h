@@ -1,9 +1,11 @@
 #pragma once
 #include "core/model/bite_setup.h"
+#include "core/model/campbell.h"
 #include "core/model/chatter.h"
 #include "core/model/contact_settings.h"
 #include "core/model/dynamics_settings.h"
 #include "core/model/frame.h"
+#include "core/model/frequency_response.h"
 #include "core/model/given.h"
 #include "core/model/housing.h"
 #include "core/model/material.h"
@@ -29,6 +31,9 @@ struct FourHigh {
   ContactSettings upper_contact, lower_contact;  ///< upper: K3, lower: K5
   BiteSetup bite;
   DynamicsSettings dynamics;
+  FrequencyResponseSettings frequency_response;
+  CampbellSettings campbell;
+  std::vector<DriveOrder> drive;
   StandSpan span;            ///< strip before and behind the stand, for chatter
   ChatterAnalysis analysis;  ///< of chatter
   GivenValues given;

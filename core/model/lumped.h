@@ -1,5 +1,7 @@
 #pragma once
+#include "core/model/campbell.h"
 #include "core/model/dynamics_settings.h"
+#include "core/model/frequency_response.h"
 #include "core/model/given.h"
 #include "core/model/material.h"
 #include "core/model/pass.h"
@@ -28,5 +30,8 @@ struct Lumped {
   ModelFiles model;
   std::vector<Pass> passes;
   DynamicsSettings dynamics;
+  FrequencyResponseSettings frequency_response;
+  CampbellSettings campbell;
+  std::vector<DriveOrder> drive;
 };
 }  // namespace mill

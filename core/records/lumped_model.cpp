@@ -58,12 +58,42 @@ const DynamicsSettings &dynamics_of(const Case &c)
   return stand ? stand->dynamics : std::get<Lumped>(c.spec).dynamics;
 }
 
+// Campbell diagram with the rolls that a chain does not draw.
+CampbellSettings campbell_of(const Case &c)
+{
+  const auto *stand = std::get_if<FourHigh>(&c.spec);
+  if (!stand)
+    return std::get<Lumped>(c.spec).campbell;
+  CampbellSettings settings     = stand->campbell;
+  settings.work_roll_diameter   = stand->work_roll.barrel_diameter;
+  settings.backup_roll_diameter = stand->backup_roll.barrel_diameter;
+  return settings;
+}
+
+// What a chain keeps of the frequency response, the Campbell diagram and the drive.
+std::string turning_sections(const Case &c)
+{
+  const auto *stand = std::get_if<FourHigh>(&c.spec);
+  std::string text;
+  const auto add = [&](const char *header, const std::string &own) {
+    if (!own.empty())
+      text += std::string("\n") + header + "\n" + own;
+  };
+  add("[frequency_response]",
+      lines(frequency_response_rows(),
+            stand ? stand->frequency_response : std::get<Lumped>(c.spec).frequency_response));
+  add("[campbell]", lines(chain_campbell_rows(), campbell_of(c)));
+  for (const DriveOrder &order : stand ? stand->drive : std::get<Lumped>(c.spec).drive)
+    add("[[drive.order]]", lines(drive_order_rows(), order));
+  return text;
+}
+
 std::string passes_and_dynamics(const Case &origin, const std::string &directory)
 {
   std::string text;
   for (const Pass &pass : passes_of(origin))
     text += "\n[[pass]]\n" + lines(pass_rows(), input_of(pass, directory));
-  return text + "\n[dynamics]\n" + lines(chain_dynamics_rows(), dynamics_of(origin));
+  return text + "\n[dynamics]\n" + lines(chain_dynamics_rows(), dynamics_of(origin)) + turning_sections(origin);
 }
 
 // Parameter by the name it has in [given].

@@ -22,7 +22,7 @@ struct Case;
 LumpedModel lumped_model_of(const Case &lumped_case);
 
 /// lumped_model.toml: a valid kind = "lumped" case with value, unit, source, at, inputs of every entry and the
-/// passes and dynamics of the case it came from.  Returns the text; passes' paths are made relative to
-/// `directory`.
+/// passes, dynamics and Campbell diagram of the case it came from.  Returns the text; passes' paths are made
+/// relative to `directory`.
 std::string lumped_model_toml(const LumpedModel &model, const Case &origin, const std::string &directory);
 }  // namespace mill

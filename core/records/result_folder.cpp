@@ -139,6 +139,7 @@ const std::vector<std::string> &result_names()
                                               "lumped_model-craig-bampton.toml",
                                               "lumped_model-six-of-beam.toml",
                                               "lumped_model-six-of-craig-bampton.toml",
+                                              "campbell.csv",
                                               "millstand.log",
                                               "curves",
                                               "response",

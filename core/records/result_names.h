@@ -15,7 +15,7 @@ namespace mill {
 /// First part of the names of results of one subject: "contact.upper.half_width", "bite.pass 1.force".
 namespace family {
 constexpr const char *contact = "contact", *bite = "bite", *chatter = "chatter", *bearing = "Kzc",
-                     *bite_spring = "K4", *stand = "stand", *mode = "mode";
+                     *bite_spring = "K4", *stand = "stand", *mode = "mode", *frf = "frf", *campbell = "campbell";
 }
 
 /// Second part of the names of what a fit of the bite finds, "bite.fit.friction"; no pass has this name beside it.
@@ -245,6 +245,11 @@ inline constexpr CurveKind stand_modulus{
     Figure::section,
     {{{"load", "N"}, {"kiss_stretch", "m"}, {"kiss_tangent", "N/m"}, {"kiss_secant", "N/m"}}},
     true};
+/// Of a model and a force: "craig-bampton-bite"; real and imaginary part of every response follow.
+inline constexpr CurveKind frf{"frf", true, "", "accelerance", Figure::section, {{{"frequency", "Hz"}}}, true};
+/// Magnitudes between which 95 of 100 stands lie.
+inline constexpr CurveKind frf_band{
+    "frf", true, "band", "band of the accelerance", Figure::section, {{{"frequency", "Hz"}}}, true};
 inline constexpr CurveKind poles{"poles",
                                  false,
                                  "",

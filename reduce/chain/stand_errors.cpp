@@ -11,6 +11,7 @@ constexpr double no_slope =
 
 /// An input of the stand that may be off.
 struct Uncertain {
+  std::string name;
   double error;
   Keys lacks;
   std::function<void(FourHigh &, StandSprings &)> move;  ///< by 1 + step
@@ -20,7 +21,7 @@ std::vector<Uncertain> springs_of_chain(const LumpedStand &chain)
 {
   std::vector<Uncertain> all;
   const auto add = [&](double StandSprings::*spring, const char *name, const Parameter &p) {
-    all.push_back({p.error_estimate, p.error_lacks.empty() ? Keys{name} : p.error_lacks,
+    all.push_back({name, p.error_estimate, p.error_lacks.empty() ? Keys{name} : p.error_lacks,
                    [spring](FourHigh &, StandSprings &s) { s.*spring *= 1 + step; }});
   };
   const LumpedModel &m = chain.model;
@@ -37,6 +38,35 @@ std::vector<Uncertain> springs_of_chain(const LumpedStand &chain)
   add(&StandSprings::Kzc_upper, "Kzc2", m.Kzc[1]);
   add(&StandSprings::Kzc_lower, "Kzc3", m.Kzc[2]);
   return all;
+}
+
+std::vector<Uncertain> inputs_of(const FourHigh &stand, const LumpedStand &chain)
+{
+  std::vector<Uncertain> inputs = springs_of_chain(chain);
+  for (const FrameValue &part : frame_values(stand.frame))
+    inputs.push_back({part.tolerance_key.substr(0, part.tolerance_key.rfind("_tolerance")),
+                      part.error,
+                      {part.tolerance_key},
+                      [member = part.member](FourHigh &s, StandSprings &) { s.frame.*member *= 1 + step; }});
+  return inputs;
+}
+
+/// The stand with one input moved; of another number of unknowns where the input is zero and stays so.
+StandModel moved(const Uncertain &input, const FourHigh &stand, const StandSprings &springs,
+                 const StandBuilder &build)
+{
+  FourHigh other           = stand;
+  StandSprings its_springs = springs;
+  input.move(other, its_springs);
+  return build(other, its_springs);
+}
+
+/// Too little of a motion's stiffness or mass to matter.
+bool is_felt(const ModalSensitivity &s, const Eigen::VectorXd &squared)
+{
+  const Eigen::VectorXd stiffness = s.dK.diagonal().cwiseAbs().cwiseQuotient(squared),
+                        mass      = s.dM.diagonal().cwiseAbs();
+  return std::max(stiffness.maxCoeff(), mass.maxCoeff()) > 2 * no_slope;
 }
 }  // namespace
 
@@ -55,19 +85,11 @@ FrequencyErrors frequency_errors(const StandWithModes &modes, const FourHigh &st
     return all;
   };
   const Eigen::VectorXd unmoved = quotients(modes.model);
-  std::vector<Uncertain> inputs = springs_of_chain(chain);
-  for (const FrameValue &part : frame_values(stand.frame))
-    inputs.push_back({part.error, {part.tolerance_key}, [member = part.member](FourHigh &s, StandSprings &) {
-                        s.frame.*member *= 1 + step;
-                      }});
-  for (const Uncertain &input : inputs) {
-    FourHigh other           = stand;
-    StandSprings its_springs = springs;
-    input.move(other, its_springs);
-    const StandModel moved = build(other, its_springs);
-    if (moved.M.rows() != modes.model.M.rows())
+  for (const Uncertain &input : inputs_of(stand, chain)) {
+    const StandModel other = moved(input, stand, springs, build);
+    if (other.M.rows() != modes.model.M.rows())
       continue;
-    const Eigen::VectorXd quotient = quotients(moved);
+    const Eigen::VectorXd quotient = quotients(other);
     for (Eigen::Index i = 0; i < m; ++i) {
       const double slope = 0.5 * std::log(quotient[i] / unmoved[i]) / step;
       if (!(std::abs(slope) > no_slope))
@@ -82,5 +104,47 @@ FrequencyErrors frequency_errors(const StandWithModes &modes, const FourHigh &st
     }
   }
   return sum;
+}
+
+std::vector<ModalSensitivity> modal_sensitivities(const StandWithModes &modes, const FourHigh &stand,
+                                                  const StandSprings &springs, const LumpedStand &chain,
+                                                  const StandBuilder &build)
+{
+  const Eigen::MatrixXd K = stiffness_of(modes.model), &V = modes.modes.shape;
+  const Eigen::VectorXd squared = (2 * M_PI * modes.modes.frequency).cwiseAbs2();
+  std::vector<ModalSensitivity> all;
+  for (const Uncertain &input : inputs_of(stand, chain)) {
+    const StandModel other = moved(input, stand, springs, build);
+    if (other.M.rows() != modes.model.M.rows())
+      continue;
+    ModalSensitivity s{input.name, input.error, input.lacks, V.transpose() * (stiffness_of(other) - K) * V / step,
+                       V.transpose() * (other.M - modes.model.M) * V / step};
+    if (is_felt(s, squared))
+      all.push_back(std::move(s));
+  }
+  return all;
+}
+
+std::vector<ModalSensitivity> modal_sensitivities(const StandWithModes &modes, const LumpedModel &chain)
+{
+  const Eigen::MatrixXd &V      = modes.modes.shape;
+  const Eigen::VectorXd squared = (2 * M_PI * modes.modes.frequency).cwiseAbs2();
+  const Eigen::MatrixXd none    = Eigen::MatrixXd::Zero(V.cols(), V.cols());
+  std::vector<ModalSensitivity> all;
+  const auto add = [&](const std::string &name, const Parameter &p, Eigen::MatrixXd dK, Eigen::MatrixXd dM) {
+    ModalSensitivity s{name, p.error_estimate, p.error_lacks.empty() ? Keys{name} : p.error_lacks, std::move(dK),
+                       std::move(dM)};
+    if (is_felt(s, squared))
+      all.push_back(std::move(s));
+  };
+  for (const Connection &spring : modes.model.connections) {
+    const Eigen::MatrixXd strain = spring.rows * V;
+    add(spring.name, chain.K[std::size_t(spring.name[1] - '1')],
+        strain.transpose() * spring.stiffness.asDiagonal() * strain, none);
+  }
+  for (Eigen::Index i = 0; i < 6; ++i)
+    add("M" + std::to_string(i + 1), chain.M[std::size_t(i)], none,
+        modes.model.M(i, i) * V.row(i).transpose() * V.row(i));
+  return all;
 }
 }  // namespace mill::reduce

@@ -25,4 +25,22 @@ using StandBuilder = std::function<StandModel(const FourHigh &stand, const Stand
 /// Cost: the stand is put together some thirty times.
 FrequencyErrors frequency_errors(const StandWithModes &modes, const FourHigh &stand, const StandSprings &springs,
                                  const LumpedStand &chain, const StandBuilder &build);
+
+/// What an input that may be off does to the modes of a stand.
+struct ModalSensitivity {
+  std::string name;    ///< "K3", "frame.oil_column_stiffness"
+  double error;        ///< -, relative; NaN: it states none
+  Keys lacks;          ///< which key would state it
+  Eigen::MatrixXd dK;  ///< (m, m) 1/s2, V^T (dK/d ln x) V over the m modes
+  Eigen::MatrixXd dM;  ///< (m, m) -, the same of the mass
+};
+
+/// One for every input of frequency_errors() that the modes feel.
+std::vector<ModalSensitivity> modal_sensitivities(const StandWithModes &modes, const FourHigh &stand,
+                                                  const StandSprings &springs, const LumpedStand &chain,
+                                                  const StandBuilder &build);
+
+/// The same of the six masses by themselves: K1..K7 and M1..M6 with the errors that they state.
+/// @param modes  of chain_stand(chain)
+std::vector<ModalSensitivity> modal_sensitivities(const StandWithModes &modes, const LumpedModel &chain);
 }  // namespace mill::reduce

@@ -68,6 +68,7 @@ std::string html_page(const Run &run)
   mass_section(page, models);
   model_section(page, run, models);
   mode_section(page, run);
+  frequency_section(page, run);
   response_section(page, run);
   limits_section(page, run);
   full_results_section(page, run);

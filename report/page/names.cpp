@@ -39,6 +39,8 @@ const Words quantities[] = {
     {"housing",     "the bare housing on its feet"                         },
     {"stand",       "the stand"                                            },
     {"mode",        "natural frequency by name"                            },
+    {"frf",         "accelerance"                                          },
+    {"campbell",    "resonance with what turns"                            },
 };
 const Words aspects[] = {
     {"tangent",                  "tangent dF/d\u03b4"                                      },
@@ -195,6 +197,13 @@ const Words aspects[] = {
     {"rms_g",                    "rms acceleration"                                        },
     {"upper_work_roll",          "upper work roll"                                         },
     {"lower_work_roll",          "lower work roll"                                         },
+    {"upper_backup_roll",        "upper backup roll"                                       },
+    {"lower_backup_roll",        "lower backup roll"                                       },
+    {"upper_backup_chock",       "upper backup-roll chock"                                 },
+    {"lower_backup_chock",       "lower backup-roll chock"                                 },
+    {"upper_work_roll_chock",    "upper work-roll chock"                                   },
+    {"lower_work_roll_chock",    "lower work-roll chock"                                   },
+    {"peak",                     "largest magnitude"                                       },
 };
 
 std::string words_of(const std::string &part)
@@ -225,6 +234,17 @@ std::string number_after(const std::string &prefix, const std::string &name)
 bool ends_with(const std::string &name, const std::string &ending)
 {
   return name.size() >= ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+// "third_octave_upper" -> "third octave upper"
+std::string words_of_crossing(std::string part)
+{
+  if (part == "distance")
+    return "distance from the working range";
+  if (part == "speed")
+    return "speed of the rolls' surface";
+  std::replace(part.begin(), part.end(), '_', ' ');
+  return part;
 }
 
 void add(Group &group, const Result *result)
@@ -259,6 +279,12 @@ std::string meaning_of(const std::string &name)
       words = parts[i];  // the name of a pass
     if (i > 1 && parts[0] == "bite" && parts[i] == "peak_pressure")
       words = "largest pressure apart from the edge of the contact";
+    if (parts[0] == family::frf && parts[i] == "bite")
+      words = "force in the bite";
+    if (parts[0] == family::frf && parts[i] == "frequency")
+      words = "frequency of the largest magnitude";
+    if (parts[0] == family::campbell && i > 0)
+      words = words_of_crossing(parts[i]);
     if (i == 1 && parts[0] == "contact")
       words = contact_title(parts[1]);
     if (!words.empty())

@@ -27,6 +27,8 @@ void mass_section(Page &page, const ModelData &data);
 void mode_section(Page &page, const Run &run);  ///< shapes, energy shares, horizontal modes
 /// How few masses are enough: six masses beside detailed models; nothing when the run compared no models.
 void model_section(Page &page, const Run &run, const ModelData &data);
+/// Accelerance of rolls and chocks, Campbell diagram; nothing when the run stored neither.
+void frequency_section(Page &page, const Run &run);
 void response_section(Page &page, const Run &run);  ///< peaks, histories, spectra
 void limits_section(Page &page, const Run &run);    ///< what is assumed, what was not stored
 void full_results_section(Page &page, const Run &run);

@@ -60,14 +60,17 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   check_passes(stand.passes, reading);
   if (const Section contact = section_at(root, "contact", reading); contact.node)
     refuse_unknown_keys(contact, {}, {"upper", "lower"}, reading);
-  stand.upper_contact = read_roll_contact(root, "contact.upper", reading);
-  stand.lower_contact = read_roll_contact(root, "contact.lower", reading);
-  stand.bite          = read_bite_setup(root, reading);
-  stand.dynamics      = read_dynamics(root, dynamics_rows(), reading);
-  stand.span          = read_stand_span(root, reading);
-  stand.analysis      = read_chatter_analysis(root, reading);
-  stand.given         = read_given(root, "given", "four-high", reading);
-  stand.published     = read_given(root, "published", "four-high", reading);
+  stand.upper_contact      = read_roll_contact(root, "contact.upper", reading);
+  stand.lower_contact      = read_roll_contact(root, "contact.lower", reading);
+  stand.bite               = read_bite_setup(root, reading);
+  stand.dynamics           = read_dynamics(root, dynamics_rows(), reading);
+  stand.frequency_response = read_frequency_response(root, reading);
+  stand.campbell           = read_campbell(root, campbell_rows(), reading);
+  stand.drive              = read_drive_orders(root, reading);
+  stand.span               = read_stand_span(root, reading);
+  stand.analysis           = read_chatter_analysis(root, reading);
+  stand.given              = read_given(root, "given", "four-high", reading);
+  stand.published          = read_given(root, "published", "four-high", reading);
   check_four_high(stand, reading);
   return stand;
 }
@@ -103,6 +106,9 @@ std::vector<SectionRows> four_high_sections()
       {"contact.lower", Repeat::once, false, "contact of the lower rolls, K5",                    rows_of(roll_contact_rows())    },
       bite_section(),
       dynamics_section(dynamics_rows()),
+      frequency_response_section(),
+      campbell_section(campbell_rows()),
+      drive_order_section(),
       {"stand",         Repeat::once, false, "the strip around the stand, for millstand chatter",
               rows_of(stand_span_rows())                                                                                                 },
       {"analysis",      Repeat::once, false, "how chatter is searched",                           rows_of(chatter_analysis_rows())},
@@ -130,6 +136,7 @@ std::vector<TemplateNote> four_high_notes()
       {"screwdown",      "",                             {},                                                                   {},                         true},
       {"strip.flow_stress",        "",                           {},         {"k"}},
       {"strip.friction",        "",{},                                        {},                                                           true}, // [strip] says it in a number
+      drive_order_note(),
       {"pass",        "",                              {{"synthetic", "true"}},                                   {"synthetic_range"}          },
       {"pass",
        "",{{"name", "\"pass 2\""},
@@ -158,6 +165,8 @@ const CaseKind &case_kind(const FourHigh *)
         return names_in(own.bearings);
       if (section == "oil-film")
         return names_in(own.oil_films);
+      if (section == "drive.order")
+        return numbers_to(own.drive.size());
       return section == "pass" ? numbers_to(own.passes.size()) : std::vector<std::string>();
     };
     return k;

@@ -65,7 +65,11 @@ Lumped read_lumped(const Node &root, Reading &reading)
     lumped.given = read_given(root, "given", "lumped", reading);
   lumped.passes = read_passes(root, pass_rows(), reading);
   check_passes(lumped.passes, reading);
-  lumped.dynamics = read_dynamics(root, chain_dynamics_rows(), reading);
+  lumped.dynamics           = read_dynamics(root, chain_dynamics_rows(), reading);
+  lumped.frequency_response = read_frequency_response(root, reading);
+  lumped.campbell           = read_campbell(root, chain_campbell_rows(), reading);
+  lumped.drive              = read_drive_orders(root, reading);
+  check_turning_shafts(lumped.campbell, lumped.drive, reading);
   if (!lumped.detailed)
     check_published_force(lumped.dynamics, lumped.given, reading);
   return lumped;
@@ -84,9 +88,13 @@ const CaseKind &case_kind(const Lumped *)
         {"model", SectionRows::Repeat::once, false,
                                       "a stand of any number of unknowns in files, in place of [given]", rows_of(model_file_rows())},
         pass_section(false),
-        dynamics_section(chain_dynamics_rows())
+        dynamics_section(chain_dynamics_rows()),
+        frequency_response_section(),
+        campbell_section(chain_campbell_rows()),
+        drive_order_section()
     };
     k.notes = {
+        drive_order_note(),
         {"model", "", {},    {},                         true}, // [given] says it
         {"pass",       "",    {{"synthetic", "true"}}, {"synthetic_range"}},
         {"pass",
@@ -99,6 +107,8 @@ const CaseKind &case_kind(const Lumped *)
     k.given = k.published = lumped_given_rows();
     k.repeated            = [](const CaseSpec &spec, const std::string &section) {
       const auto &own = std::get<Lumped>(spec);
+      if (section == "drive.order")
+        return numbers_to(own.drive.size());
       return section == "pass" ? numbers_to(own.passes.size()) : std::vector<std::string>();
     };
     return k;

@@ -1,5 +1,6 @@
 // Errors of frequencies from those of springs and masses.
 #include "reduce/chain/stand_errors.h"
+#include "reduce/stand/six_masses.h"
 #include "tests/support/beam_demo.h"
 #include "tests/support/near.h"
 #include <algorithm>
@@ -89,4 +90,39 @@ TEST(StandErrors, AModeNamesWhatItLacks)
       EXPECT_EQ(std::count(lacks.begin(), lacks.end(), "frame.oil_column_stiffness_tolerance"), 1);
     }
   }
+}
+
+TEST(StandErrors, ModalSensitivitiesAreThoseOfTheFrequencies)
+{
+  auto [stand, chain]                            = exact_stand();
+  chain.model.K[0].error_estimate                = 0.1;
+  stand.frame.tolerance["upper_chock_stiffness"] = 0.2;
+  stand.frame.tolerance["cylinder_mass"]         = 0.3;
+  const StandSprings springs                     = stand_springs(stand, chain);
+  StandWithModes s{beams(stand, springs), {}};
+  s.modes                       = stand_modes(s.model, 200);
+  const FrequencyErrors sums    = frequency_errors(s, stand, springs, chain, beams);
+  Eigen::VectorXd by_modes      = Eigen::VectorXd::Zero(s.modes.frequency.size());
+  const Eigen::VectorXd squared = (2 * M_PI * s.modes.frequency).cwiseAbs2();
+  for (const ModalSensitivity &input : modal_sensitivities(s, stand, springs, chain, beams))
+    if (input.error > 0)
+      by_modes +=
+          input.error * 0.5 * (input.dK.diagonal().cwiseQuotient(squared) - input.dM.diagonal()).cwiseAbs();
+  EXPECT_TRUE(near(by_modes, sums.error,
+                   within(2e-3, "steps of 1e-4 in Rayleigh's quotient, slopes below 1e-5 left out", 0.01)));
+}
+
+TEST(StandErrors, ModalSensitivitiesOfTheChainSumUp)
+{
+  const auto [stand, chain] = exact_stand();
+  StandWithModes s{chain_stand(chain.model), {}};
+  s.modes           = stand_modes(s.model);
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6, 6), M = K;
+  for (const ModalSensitivity &input : modal_sensitivities(s, chain.model)) {
+    K += input.dK;
+    M += input.dM;
+  }
+  const Eigen::MatrixXd squared = (2 * M_PI * s.modes.frequency).cwiseAbs2().asDiagonal();
+  EXPECT_LT((K - squared).norm(), 1e-12 * squared.norm()) << "all springs together are the stiffness";
+  EXPECT_LT((M - Eigen::MatrixXd::Identity(6, 6)).norm(), 1e-12) << "all masses together are the mass";
 }
