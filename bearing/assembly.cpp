@@ -1,10 +1,9 @@
 #include "bearing/assembly.h"
+#include "bearing/bearing_stiffness.h"
 #include "bearing/clearance.h"
 #include "bearing/geometry.h"
 #include "bearing/roller_set.h"
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -26,16 +25,6 @@ struct Point {
   RollerForces rollers;
   Vector5 force;       ///< N, N m, of the rollers, against which the load stands
   VectorXd imbalance;  ///< (rows Z ring modes) N, roller loads - bending_load
-};
-
-/// Second derivative of the energy, the ring's part eliminated.
-struct Stiffness {
-  MatrixXd root;         ///< (rows Z modes, rank) L, slopes of all rollers = L L^T
-  MatrixXd press;        ///< (rank, n) L^T times the approach for a unit of each motion
-  MatrixXd bend;         ///< (rank, rows Z ring modes) L^T S
-  MatrixXd solved;       ///< (rank, n) H^-1 press, H = I + L^T S L
-  VectorXd solved_bend;  ///< (rank) H^-1 L^T S imbalance
-  MatrixXd tangent;      ///< (n, n) d(force)/d(motion)
 };
 
 std::string stood_at(const Point &at, const double residual, const std::string &also)
@@ -146,53 +135,10 @@ struct BearingAssembly::Implementation {
     return sum;
   }
 
-  // ---- second derivative
   /// @param press  (rows Z modes, n) approach for a unit of each of n motions
-  Stiffness stiffness(const Point &at, const MatrixXd &press) const
+  BearingStiffness stiffness(const Point &at, const MatrixXd &press) const
   {
-    // Each roller's slope as L L^T with its rank: a roller on one slice has rank one, an unloaded one none.
-    std::vector<std::pair<Index, VectorXd>> roots;
-    for (Index j = 0; j < count(); ++j) {
-      if (!at.rollers.on_raceway[std::size_t(j)])
-        continue;
-      const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(at.rollers.slope.middleCols(j * modes, modes));
-      for (Index i = 0; i < modes; ++i)
-        if (eigen.eigenvalues()[i] > 1e-14 * eigen.eigenvalues()[modes - 1])
-          roots.emplace_back(j, std::sqrt(eigen.eigenvalues()[i]) * eigen.eigenvectors().col(i));
-    }
-    const Index rank = Index(roots.size());
-    Stiffness k;
-    k.root = MatrixXd::Zero(count() * modes, rank);
-    k.press.resize(rank, press.cols());
-    k.bend.resize(rank, at.imbalance.size());
-    for (Index i = 0; i < rank; ++i) {
-      const auto &[j, v]                   = roots[std::size_t(i)];
-      k.root.block(j * modes, i, modes, 1) = v;
-      k.press.row(i)                       = v.transpose() * press.middleRows(j * modes, modes);
-      if (ring_modes)
-        k.bend.row(i) = v.head(ring_modes).transpose() * flexibility.middleRows(j * ring_modes, ring_modes);
-    }
-    if (!ring_modes) {
-      k.solved      = k.press;
-      k.solved_bend = VectorXd::Zero(rank);
-    } else {
-      MatrixXd H = MatrixXd::Identity(rank, rank);
-      for (Index i = 0; i < rank; ++i) {
-        const auto &[j, v] = roots[std::size_t(i)];
-        H.col(i) += k.bend.middleCols(j * ring_modes, ring_modes) * v.head(ring_modes);
-      }
-      MatrixXd right(rank, press.cols() + 1);
-      right << k.press, k.bend * at.imbalance;
-      const Eigen::LLT<MatrixXd> llt(H);
-      // A computed flexibility may be indefinite in its last digits; H then still has an inverse.
-      const MatrixXd out =
-          llt.info() == Eigen::Success ? MatrixXd(llt.solve(right)) : H.partialPivLu().solve(right);
-      k.solved      = out.leftCols(press.cols());
-      k.solved_bend = out.col(press.cols());
-    }
-    k.tangent = k.press.transpose() * k.solved;
-    k.tangent = (k.tangent + k.tangent.transpose()).eval() / 2;
-    return k;
+    return bearing_stiffness(at.rollers, press, flexibility, at.imbalance);
   }
 
   // ---- Newton
@@ -235,7 +181,7 @@ struct BearingAssembly::Implementation {
 
   // Directions in which nothing resists and nothing pulls are left alone; nothing that resists a pull: a long
   // step, cut to `reach` so that rollers come into contact on the way.
-  Step newton_step(const Point &at, const RingDrive &drive, const Stiffness &k, const double reach) const
+  Step newton_step(const Point &at, const RingDrive &drive, const BearingStiffness &k, const double reach) const
   {
     std::vector<Index> free;
     for (std::size_t i = 0; i < 5; ++i)

@@ -1,4 +1,5 @@
 #include "verify/check_text.h"
+#include "core/numerics/short_number.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -13,19 +14,14 @@ std::string number(const double value)
 {
   const double size = std::abs(value);
   if (!(size >= 1e-3 && size < 1e9))
-    return fmt::format("{:.6g}", value);
+    return short_number(value, 6);
   const int before = std::max(0, int(std::floor(std::log10(size))) + 1);
-  std::string text = fmt::format("{:.{}f}", value, std::max(0, 7 - before));
-  if (text.find('.') != std::string::npos)
-    text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.')
-    text.pop_back();
-  return text;
+  return decimal_number(value, std::max(0, 7 - before));
 }
 
 std::string share(const double value)
 {
-  return std::abs(value) >= 1e-5 ? fmt::format("{:.2g} %", 100 * value) : fmt::format("{:.1g}", value);
+  return std::abs(value) >= 1e-5 ? short_number(100 * value, 2) + " %" : short_number(value, 1);
 }
 
 double relative_deviation(const Check &c)

@@ -1,4 +1,5 @@
 #include "core/case/units.h"
+#include "core/numerics/short_number.h"
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -81,18 +82,11 @@ std::size_t leading_number(const std::string_view text, double &number)
   return std::size_t(end - text.data());
 }
 
-std::string digits(const double value, const int precision)
-{
-  char text[64];
-  const auto result = std::to_chars(text, text + sizeof text, value, std::chars_format::general, precision);
-  return std::string(text, result.ptr);
-}
-
 // Fewest digits of a number near `number` that convert to exactly `value`; empty when there is none.
 std::string exact_text(const double value, const double number, const Unit &u)
 {
   for (int precision = 1; precision <= 17; ++precision) {
-    const std::string text = digits(number, precision);
+    const std::string text = short_number(number, precision);
     double back            = 0;
     if (parse_number(text, back) && to_si(back, u) == value)
       return number_text(back);

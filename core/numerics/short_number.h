@@ -6,4 +6,8 @@ namespace mill {
 /// locale.  Numbers of the page have a typography of their own (report/page/number.h), those that are read back
 /// every digit (number_text).
 std::string short_number(double value, int digits = 4);
+/// A number with `decimals` digits behind the point: "0.500".
+std::string fixed_number(double value, int decimals);
+/// The same without zeros at its end: "0.5", "12".
+std::string decimal_number(double value, int decimals);
 }  // namespace mill

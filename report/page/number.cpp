@@ -1,9 +1,7 @@
 #include "report/page/number.h"
-#include <array>
-#include <charconv>
+#include "core/numerics/short_number.h"
 #include <cmath>
 #include <limits>
-#include <system_error>
 
 namespace mill::report {
 namespace {
@@ -13,10 +11,7 @@ const char *const narrow_space = "\u202f";
 
 std::string plain(const double value, const int decimals)
 {
-  std::array<char, 400> text;  // the largest double has 309 digits before the point
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
-  std::string written(text.data(), end.ptr);
+  std::string written = fixed_number(value, decimals);
   if (written.find_first_not_of("-0.") == std::string::npos && written[0] == '-')
     written.erase(0, 1);  // no negative zero on paper
   return written;
@@ -107,11 +102,8 @@ std::string power_of_ten(const int exponent)
 
 std::string pixel(const double value)
 {
-  std::string text = plain(value, 2);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.')
-    text.pop_back();
-  return text;
+  const std::string text = decimal_number(value, 2);
+  return text == "-0" ? "0" : text;
 }
 
 Shown engineering(const double value, const std::string &si_unit)

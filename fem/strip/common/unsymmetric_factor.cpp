@@ -27,8 +27,9 @@ struct UnsymmetricFactor::Implementation {
     umfpack_di_free_numeric(&numeric);
     umfpack_di_free_symbolic(&symbolic);
   }
-  Eigen::VectorXd solve(const int system, const Eigen::VectorXd &b) const
+  Eigen::VectorXd solve(const int system, const Eigen::VectorXd &b, const int refinements)
   {
+    control[UMFPACK_IRSTEP] = refinements;
     const OneBlasThread alone;
     Eigen::VectorXd x(b.size());
     double info[UMFPACK_INFO];
@@ -70,13 +71,20 @@ bool UnsymmetricFactor::factorise(const Eigen::SparseMatrix<double> &matrix)
   return status == UMFPACK_OK;
 }
 
+bool UnsymmetricFactor::factorise(const int n, const std::vector<Eigen::Triplet<double>> &entries)
+{
+  Eigen::SparseMatrix<double> matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return factorise(matrix);
+}
+
 Eigen::VectorXd UnsymmetricFactor::solve(const Eigen::VectorXd &b) const
 {
-  return self->solve(UMFPACK_A, b);
+  return self->solve(UMFPACK_A, b, 0);
 }
 
 Eigen::VectorXd UnsymmetricFactor::solve_transposed(const Eigen::VectorXd &b) const
 {
-  return self->solve(UMFPACK_At, b);
+  return self->solve(UMFPACK_At, b, 2);
 }
 }  // namespace mill::fem

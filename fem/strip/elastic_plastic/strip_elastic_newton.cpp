@@ -13,19 +13,27 @@ ElasticContinuation::ElasticContinuation(const ElasticPass &p, ElasticGrid &g, c
 {
 }
 
+// Residual at which a level is good enough to go on from.
+constexpr double start_tolerance = 1e-7;
+
+bool ElasticContinuation::is_last(const ElasticStage &s) const
+{
+  const ElasticStage last = last_stage(pass);
+  return !s.held_shape && s.least_rate == last.least_rate && s.least_slip == last.least_slip &&
+         s.softness == last.softness && s.compliance == last.compliance && s.flattening == last.flattening;
+}
+
 bool ElasticContinuation::newton(ElasticStage stage, const char *what, const int steps, const bool leaps)
 {
   const VectorXd before = u;
   find_thinnest(stage);
   ElasticEquations e  = elastic_equations(pass, grid, roll, stage, u, memory, true);
   double residual     = e.residual.norm();
-  const double enough = stage.held_shape ? 1e-7 : pass.model.tolerance;
+  const double enough = is_last(stage) ? pass.model.tolerance : std::max(pass.model.tolerance, start_tolerance);
   int stuck           = 0;
   for (int step = 1; step <= steps && std::isfinite(residual); ++step) {
-    Eigen::SparseMatrix<double> K(grid.n_unknowns, grid.n_unknowns);
-    K.setFromTriplets(e.entries.begin(), e.entries.end());
     course.spend(grid.n_unknowns, pass.model.work_limit);
-    if (!factor.factorise(K))
+    if (!factor.factorise(grid.n_unknowns, e.entries))
       break;
     const VectorXd d = factor.solve(e.residual), from = u;
     const double longest = largest_share(d);

@@ -24,6 +24,7 @@ public:
   double last_residual = 0;      ///< -
 
 private:
+  bool is_last(const ElasticStage &stage) const;
   bool find_thinnest(ElasticStage &stage) const;
   double largest_share(const Eigen::VectorXd &d) const;
   UnsymmetricFactor factor;

@@ -227,11 +227,9 @@ void add_derivatives(StripElastic &out, const ElasticPass &pass, const ElasticGr
   stage.held_arc = held;
   RowMemory memory;
   const ElasticEquations e = elastic_equations(pass, grid, roll, stage, u, memory, true);
-  Eigen::SparseMatrix<double> K(grid.n_unknowns, grid.n_unknowns);
-  K.setFromTriplets(e.entries.begin(), e.entries.end());
   UnsymmetricFactor factor;
   bite::BiteState &s = out.flow.state;
-  if (!factor.factorise(K))
+  if (!factor.factorise(grid.n_unknowns, e.entries))
     return;
   const double unit = pass.stress * pass.length * pass.bite->strip.width;
   const bool speed  = !std::isnan(pass.bite->roll_speed);

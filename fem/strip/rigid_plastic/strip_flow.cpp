@@ -1,30 +1,39 @@
 #include "fem/strip/rigid_plastic/strip_flow.h"
 #include "core/case/errors.h"
+#include "core/numerics/short_number.h"
 #include "fem/strip/common/unsymmetric_factor.h"
 #include "fem/strip/rigid_plastic/strip_flow_equations.h"
 #include "fem/strip/rigid_plastic/strip_flow_results.h"
 #include <chrono>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 namespace mill::fem {
 namespace {
 using Eigen::VectorXd;
 
-std::string text(const double value)
+StripStage last_stage(const StripPass &pass)
 {
-  std::ostringstream out;
-  out.precision(3);
-  out << value;
-  return out.str();
+  const bool follows = pass.model.follow_surface;
+  return {pass.model.least_rate,
+          pass.model.least_slip,
+          false,
+          follows,
+          pass.model.release,
+          0,
+          pass.model.arc == bite::Arc::rigid ? 0. : 1.,
+          1};
 }
+
+// Residual at which a level is good enough to go on from: what it leaves is gone after the next one's first step.
+constexpr double start_tolerance = 1e-3;
 
 // Newton's method on one grid, with what has converged so far.
 class Continuation {
 public:
-  Continuation(const StripPass &p, const StripGrid &g, VectorXd start, StripCourse &h)
-      : pass(p), grid(g), u(std::move(start)), course(h)
+  // @param finest  its last level is the solution; false: a start for a finer grid
+  Continuation(const StripPass &p, const StripGrid &g, VectorXd start, StripCourse &h, const bool finest)
+      : pass(p), grid(g), u(std::move(start)), course(h), is_finest(finest)
   {
   }
 
@@ -48,6 +57,7 @@ public:
   // One level; on failure the unknowns stay what they were.
   bool newton(const StripStage &stage)
   {
+    const double enough = ends_at(stage) ? pass.model.tolerance : std::max(pass.model.tolerance, start_tolerance);
     const VectorXd kept = u;
     StripDirections before, after;
     StripEquations e = strip_equations(pass, grid, stage, u, nullptr, &before);
@@ -75,7 +85,7 @@ public:
         break;
       residual = last_residual = next;
       std::swap(before, after);
-      if (residual < pass.model.tolerance) {
+      if (residual < enough) {
         note(stage.free_surface ? "Newton, free surface" : "Newton, fixed surface", stage, step, residual,
              e.force.value);
         at = stage;
@@ -112,10 +122,8 @@ public:
 private:
   VectorXd direction(const StripEquations &e)
   {
-    Eigen::SparseMatrix<double> K(grid.n_unknowns, grid.n_unknowns);
-    K.setFromTriplets(e.entries.begin(), e.entries.end());
     course.spend(grid.n_unknowns, pass.model.work_limit);
-    return factor.factorise(K) ? factor.solve(e.residual) : VectorXd();
+    return factor.factorise(grid.n_unknowns, e.entries) ? factor.solve(e.residual) : VectorXd();
   }
   void note(const char *what, const StripStage &stage, const int iterations, const double residual,
             const double force)
@@ -124,22 +132,18 @@ private:
     course.levels.push_back({what, grid.n_unknowns, stage.least_rate, stage.least_slip, stage.flexibility,
                              iterations, residual, force * pass.stress * pass.length * width});
   }
+  bool ends_at(const StripStage &stage) const
+  {
+    const StripStage last = last_stage(pass);
+    return is_finest && stage.least_rate == last.least_rate && stage.least_slip == last.least_slip &&
+           stage.free_surface == last.free_surface && stage.release == last.release &&
+           stage.end_pressure == last.end_pressure && stage.flexibility == last.flexibility &&
+           stage.tension == last.tension && stage.friction == last.friction;
+  }
   UnsymmetricFactor factor;
   StripCourse &course;
+  bool is_finest;
 };
-
-StripStage last_stage(const StripPass &pass)
-{
-  const bool follows = pass.model.follow_surface;
-  return {pass.model.least_rate,
-          pass.model.least_slip,
-          false,
-          follows,
-          pass.model.release,
-          0,
-          pass.model.arc == bite::Arc::rigid ? 0. : 1.,
-          1};
-}
 
 [[noreturn]] void refuse(const StripPass &pass, const Continuation &c, const StripStage &wanted)
 {
@@ -150,20 +154,20 @@ StripStage last_stage(const StripPass &pass)
              "infinite slope: take the elastic-plastic strip, or Hitchcock's circle";
   if (pass.flexibility) {
     const auto &at = pass.flexibility->position;
-    remedy += "; the flexibility given reaches from " + text(at[0] * 1e3) + " to " +
-              text(at[at.size() - 1] * 1e3) + " mm from the line of centres, the contact had come to " +
-              text(-c.u[c.grid.whole(Whole::exit)] * pass.length * 1e3) + " to " +
-              text(-c.u[c.grid.whole(Whole::entry)] * pass.length * 1e3) + " mm";
+    remedy += "; the flexibility given reaches from " + short_number(at[0] * 1e3, 3) + " to " +
+              short_number(at[at.size() - 1] * 1e3, 3) + " mm from the line of centres, the contact had come to " +
+              short_number(-c.u[c.grid.whole(Whole::exit)] * pass.length * 1e3, 3) + " to " +
+              short_number(-c.u[c.grid.whole(Whole::entry)] * pass.length * 1e3, 3) + " mm";
   }
   throw SolverError(
-      {"roll bite by finite elements: no convergence at g0 = " + text(wanted.least_rate) +
-           " of the mean rate of shear, d0 = " + text(wanted.least_slip) + " of the roll's speed" +
-           (wanted.flexibility > 0 ? ", roll flattening " + text(100 * wanted.flexibility) + " %" : ""),
-       "last residual " + text(c.last_residual) + ", wanted " + text(m.tolerance) + "; " +
+      {"roll bite by finite elements: no convergence at g0 = " + short_number(wanted.least_rate, 3) +
+           " of the mean rate of shear, d0 = " + short_number(wanted.least_slip, 3) + " of the roll's speed" +
+           (wanted.flexibility > 0 ? ", roll flattening " + short_number(100 * wanted.flexibility, 3) + " %" : ""),
+       "last residual " + short_number(c.last_residual, 3) + ", wanted " + short_number(m.tolerance, 3) + "; " +
            std::to_string(c.grid.n_unknowns) + " unknowns",
        "friction at its limit over most of the arc, or a mesh too coarse for the ends of the contact", remedy,
-       "converged up to g0 = " + text(c.at.least_rate) + ", d0 = " + text(c.at.least_slip) + ", flattening " +
-           text(100 * c.at.flexibility) + " %"});
+       "converged up to g0 = " + short_number(c.at.least_rate, 3) + ", d0 = " + short_number(c.at.least_slip, 3) +
+           ", flattening " + short_number(100 * c.at.flexibility, 3) + " %"});
 }
 
 // From an even flow to the last level, on one grid.
@@ -237,7 +241,7 @@ StripLines scaled(StripLines lines, const double by)
 VectorXd solve_unknowns(const StripPass &pass, const StripGrid &grid, const StripFlow *start, StripCourse &course)
 {
   if (start && start->unknowns.size() > 0) {
-    Continuation c(pass, grid, interpolated(strip_grid(start->lines), start->unknowns, grid), course);
+    Continuation c(pass, grid, interpolated(strip_grid(start->lines), start->unknowns, grid), course, true);
     if (solve_warm(c))
       return c.u;
   }
@@ -248,14 +252,14 @@ VectorXd solve_unknowns(const StripPass &pass, const StripGrid &grid, const Stri
   for (auto g = grids.rbegin(); g != grids.rend(); ++g) {
     const bool finest = g + 1 == grids.rend();
     if (u) {
-      Continuation c(pass, *g, interpolated(*(g - 1), *u, *g), course);
+      Continuation c(pass, *g, interpolated(*(g - 1), *u, *g), course, finest);
       u.reset();
       if (solve_warm(c))
         u = c.u;
       if (u)
         continue;
     }
-    Continuation c(pass, *g, first_guess(pass, *g), course);
+    Continuation c(pass, *g, first_guess(pass, *g), course, finest);
     try {
       solve_cold(c);
       u = c.u;
@@ -294,13 +298,11 @@ Gradients gradients(StripPass pass, const StripGrid &grid, StripStage stage, con
   stage.arc_held         = held;
   pass.held_radius       = held ? u[grid.whole(Whole::radius)] : not_given;
   const StripEquations e = strip_equations(pass, grid, stage, u);
-  Eigen::SparseMatrix<double> K(grid.n_unknowns, grid.n_unknowns);
-  K.setFromTriplets(e.entries.begin(), e.entries.end());
   UnsymmetricFactor factor;
   Gradients out;
   out.force.fill(not_given);
   out.traction.fill(not_given);
-  if (!factor.factorise(K))
+  if (!factor.factorise(grid.n_unknowns, e.entries))
     return out;
   const double unit = pass.stress * pass.length * pass.bite->strip.width;
   for (const auto &[sum, gradient] : {std::pair(&e.force, &out.force), std::pair(&e.traction, &out.traction)}) {

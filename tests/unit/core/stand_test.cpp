@@ -1,5 +1,5 @@
 // Whole cases: values arrive in SI, the echo reads back as the same case, templates and schema come from the same
-// rows, and a mutilated case is read or refused and nothing else.
+// rows.
 #include "core/case/input_reference.h"
 #include "core/case/stand_rows.h"
 #include "core/model/bite_case.h"
@@ -7,40 +7,20 @@
 #include "core/model/four_high.h"
 #include "core/model/lumped.h"
 #include "core/records/files.h"
+#include "tests/support/case_folder.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include "tests/support/refusal.h"
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <random>
 
 using namespace mill;
-namespace fs = std::filesystem;
 
 namespace {
 constexpr double deg = 3.14159265358979323846 / 180;
 
-class Cases : public testing::Test {
-protected:
-  fs::path folder = fs::path(testing::TempDir()) / "millstand_stand_test";
-  void SetUp() override
-  {
-    fs::create_directories(folder);
-  }
-  void TearDown() override
-  {
-    fs::remove_all(folder);
-  }
-  std::string file(const std::string &name, const std::string &text)
-  {
-    const std::string path = (folder / name).string();
-    fs::remove(path);  // a new file needs no wait for the disk
-    std::ofstream(path, std::ios::binary) << text;
-    return path;
-  }
-};
+class Cases : public CaseFolder {};
 
 // Everything that follows from the text of a case, without the marks of the defaults and the absolute paths.
 std::string values_of(const Case &c)
@@ -438,74 +418,5 @@ TEST_F(Cases, TheApexConditionClosesWithTheReferenceAngles)
     EXPECT_NE(message.find("19.66 deg"), std::string::npos) << message;  // the cup angle that closes it
     // 311.15 mm tan(1.25 deg) / sin(13.5 deg - 1.25 deg)
     EXPECT_NE(message.find("roller_diameter = \"31.998"), std::string::npos) << message;
-  }
-}
-
-TEST_F(Cases, AMutilatedCaseIsReadOrRefusedAndNothingElse)
-{
-  const std::string all[]      = {template_of("four-high"), template_of("lumped"),
-                                  read_text("cases/four-high-1400.toml"), read_text("cases/published-1400.toml"),
-                                  read_text("cases/two-cylinders.toml")};
-  const std::string snippets[] = {
-      "\"",       "[",   "]",   "[[",         "]]",       "=",           "\n", ".",    "{",
-      "}",        ",",   "#",   "-",          "e999",     " mm",         "\\", "'''",  "\xff",
-      "\xc2\xb5", "nan", "inf", "1979-05-27", "[pass]\n", "[[strip]]\n", "0x", "true", std::string(1, '\0')};
-  const unsigned seed = 20240501;
-  std::mt19937 random(seed);
-  int n_refused = 0;
-  for (int i = 0; i < 2000; ++i) {
-    std::string text = all[random() % std::size(all)];
-    for (unsigned n = 1 + random() % 4; n > 0 && !text.empty(); --n) {
-      const std::size_t at   = random() % text.size();
-      const std::size_t line = text.rfind('\n', at) == std::string::npos ? 0 : text.rfind('\n', at) + 1;
-      const std::size_t end  = std::min(text.find('\n', at), text.size() - 1) + 1;
-      switch (random() % 6) {
-      case 0:
-        text[at] = char(random() % 256);
-        break;
-      case 1:
-        text.insert(at, snippets[random() % std::size(snippets)]);
-        break;
-      case 2:
-        text.erase(at, 1 + random() % 30);
-        break;
-      case 3:  // a line is lost
-        text.erase(line, end - line);
-        break;
-      case 4:  // a line is doubled elsewhere
-        text.insert(text.rfind('\n', random() % text.size()) + 1, text.substr(line, end - line));
-        break;
-      default:  // the value of a line is replaced
-        if (const auto equals = text.find('=', line); equals < end)
-          text.replace(equals, end - equals - 1, "= " + snippets[random() % std::size(snippets)]);
-      }
-    }
-    const std::string path = file("mutant.toml", text);
-    try {
-      const Case c = read_case(path);
-      ASSERT_FALSE(c.resolved.empty());
-    } catch (const InputError &error) {
-      ++n_refused;
-      ASSERT_FALSE(error.problems.empty());
-      for (const Problem &problem : error.problems)
-        ASSERT_FALSE(render(problem).empty());
-    }  // any other exception fails the test
-  }
-  // comments swallow some mutations, hardly ever most of them
-  EXPECT_GT(n_refused, 700) << "seed " << seed;
-}
-
-// One problem for each name that stands again, not one for each pair.
-TEST_F(Cases, EqualNamesAreSaidOnceEach)
-{
-  std::string text = "schema = 1\nkind = \"lumped\"\n";
-  for (int i = 0; i < 200; ++i)
-    text += "[[pass]]\nname = \"again\"\nload = \"1 kN\"\n";
-  try {
-    read_case(file("names.toml", text));
-    FAIL() << "accepted";
-  } catch (const InputError &error) {
-    const auto again = [](const Problem &p) { return p.message.find("earlier pass") != std::string::npos; };
-    EXPECT_EQ(std::count_if(error.problems.begin(), error.problems.end(), again), 199);
   }
 }
