@@ -1,10 +1,13 @@
 #include "app/command_line.h"
 #include "app/console.h"
 #include "app/run_context.h"
+#include "core/case/fields.h"
 #include "core/numerics/sparse.h"
 #include "fem/body/elastic_body.h"
 #include "meshes/common/gmsh_scope.h"
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
 #include <sstream>
 
 namespace mill {
@@ -34,6 +37,38 @@ void add_common(CLI::App *verb, CommandLine &c)
   verb->add_option("--set", c.sets, "override section.key=value, repeatable")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+// "--output" of "--output=DIR"
+std::string option_name(const std::string &argument)
+{
+  return argument.substr(0, argument.find('='));
+}
+
+// A verb or an option that nobody knows, with the nearest one; empty where something else is wrong.
+std::string mistyped(const CLI::App &app, const int argc, char **argv)
+{
+  std::vector<std::string> verbs;
+  for (const CLI::App *verb : app.get_subcommands([](const CLI::App *) { return true; }))
+    verbs.push_back(verb->get_name());
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first.empty() || first[0] == '-')
+    return "";
+  if (std::find(verbs.begin(), verbs.end(), first) == verbs.end())
+    return fmt::format("there is no verb '{}'{}", first, suggestion(first, verbs));
+  std::vector<std::string> known;
+  for (const CLI::Option *option : app.get_subcommand(first)->get_options()) {
+    for (const std::string &name : option->get_lnames())
+      known.push_back("--" + name);
+    for (const std::string &name : option->get_snames())
+      known.push_back("-" + name);
+  }
+  for (int i = 2; i < argc; ++i) {
+    const std::string name = option_name(argv[i]);
+    if (name.size() > 2 && name.compare(0, 2, "--") == 0 && std::find(known.begin(), known.end(), name) == known.end())
+      return fmt::format("millstand {} has no option {}{}", first, name, suggestion(name, known));
+  }
+  return "";
 }
 }  // namespace
 
@@ -99,6 +134,8 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   } catch (const CLI::ParseError &e) {
     std::ostringstream out, err;
     exit_code = app.exit(e, out, err) == 0 ? 0 : 2;
+    if (const std::string slip = exit_code == 2 ? mistyped(app, argc, argv) : ""; !slip.empty())
+      throw InputError(slip);
     console::print(out.str());
     console::say(err.str());
     return {};

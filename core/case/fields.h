@@ -116,10 +116,17 @@ std::optional<Value> read_row(const Row &row, const Section &section, Reading &r
 void refuse_unknown_keys(const Section &section, const std::vector<Row> &rows,
                          const std::vector<std::string> &others, Reading &reading);
 
+/// The problem of one such key, with the nearest of `known` or all of them.
+void report_unknown(const Node::Entry &entry, const Section &section, const std::vector<std::string> &known,
+                    Reading &reading);
+
 /// Value as TOML text in the row's unit, with the digits that read back as the same double; empty for "not given".
 std::string toml_of(const Row &row, const Value &value);
 std::string example_toml(const Row &row);  ///< the row's example as TOML
 std::string default_toml(const Row &row);  ///< the row's default as TOML; empty when it has none
+
+/// The known word that fewest slips lead to; empty when every one is another word.
+std::string nearest_word(const std::string &word, const std::vector<std::string> &known);
 
 /// "; did you mean 'radial_clearance'?", or the list of what is known when nothing is near.
 std::string suggestion(const std::string &word, const std::vector<std::string> &known);

@@ -1,4 +1,5 @@
 #include "core/case/kinds.h"
+#include "core/case/mend_names.h"
 #include "core/case/stand_reader.h"
 #include "core/numerics/require.h"
 #include <algorithm>
@@ -23,6 +24,7 @@ std::string listed(const std::vector<std::string> &words)
 CaseHead read_head(const Section &top, Reading &reading)
 {
   CaseHead head;
+  const std::size_t n_before = reading.problems.size();
   for (const Field<CaseHead> &field : head_rows())
     if (const auto value = read_row(row_of(field), top, reading))
       set_member(field, *value, head);
@@ -39,7 +41,7 @@ CaseHead read_head(const Section &top, Reading &reading)
   else if (reading.usable({"kind"}) && std::find(kinds.begin(), kinds.end(), head.kind) == kinds.end())
     reading.add(reading.place("kind"),
                 fmt::format("{} is unknown{}", reading.said("kind"), suggestion(head.kind, kinds)));
-  if (!reading.problems.empty())
+  if (reading.problems.size() > n_before)
     throw InputError(std::move(reading.problems));
   return head;
 }
@@ -93,7 +95,7 @@ const OilFilmBearing *oil_film_of(const std::vector<OilFilmBearing> &bearings, c
 
 Case read_case(const std::string &path, const std::vector<std::string> &sets)
 {
-  const Node root                    = read_case_file(path, sets);
+  Node root                          = read_case_file(path, sets);
   const std::filesystem::path file   = path;
   const std::filesystem::path folder = file.parent_path();
   Reading reading;
@@ -102,11 +104,13 @@ Case read_case(const std::string &path, const std::vector<std::string> &sets)
 
   Case result;
   const Section top{&root, ""};
+  mend_head(root, reading);
   const CaseHead head = read_head(top, reading);
   result.path         = path;
   result.name         = file.stem().string();
   result.kind         = head.kind;
   result.title        = head.title;
+  mend_names(root, head.kind, reading);
   refuse_unknown_keys(top, rows_of(head_rows()), top_names(head.kind), reading);
   reading.echo = resolved_lines("", head_rows(), head, reading);
 
