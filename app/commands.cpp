@@ -4,6 +4,7 @@
 #include "app/console.h"
 #include "app/out_of_memory.h"
 #include "app/pipeline.h"
+#include "app/review/case_review.h"
 #include "app/run_log.h"
 #include "app/stages/bearing_model.h"
 #include "app/stages/mass_table.h"
@@ -112,19 +113,45 @@ void require_fitting(const std::string &verb, const Case &the_case)
 }
 
 // The case with all that is wrong with it, as far as that can be said before anything is computed.
-Case checked_case(const CommandLine &command)
+struct CheckedCase {
+  Case the_case;
+  CaseReview review;
+};
+
+CheckedCase checked_case(const CommandLine &command)
 {
-  Case the_case = read_case(command.target, command.sets);
+  CheckedCase checked{read_case(command.target, command.sets), {}};
+  const Case &the_case = checked.the_case;
   check_file_names(the_case);
   check_fits(the_case);
   if (const auto check = run_kind(the_case).check)
     check(the_case);
-  return the_case;
+  if (const auto review = run_kind(the_case).review)
+    checked.review = review(the_case, command.force);
+  if (!checked.review.problems.empty())
+    throw InputError(checked.review.problems);
+  return checked;
+}
+
+int check_case(const CommandLine &command)
+{
+  const auto [the_case, review] = checked_case(command);
+  console::print(
+      fmt::format("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, visible(the_case.title, true)));
+  for (const auto *warnings : {&the_case.warnings, &review.warnings, &review.said_by_run})
+    for (const Problem &problem : *warnings)
+      console::print(render(problem, "warning") + "\n");
+  for (const std::string &sentence : said_of_bearings(the_case))
+    console::print(visible(sentence, true) + "\n");
+  for (const std::string &sentence : review.facts)
+    console::print(visible(sentence, true) + "\n");
+  return 0;
 }
 
 int run_chain(const CommandLine &command)
 {
-  const Case the_case = checked_case(command);
+  const CheckedCase checked = checked_case(command);
+  const Case &the_case      = checked.the_case;
   require_fitting(command.verb, the_case);
   const OutputDir out(command.output.empty() ? "out/" + the_case.name : command.output, the_case,
                       command.force_overwrite, run_id_of(the_case, command.verb, command.force));
@@ -156,6 +183,9 @@ int run_chain(const CommandLine &command)
     run.warn("the BLAS in use is the reference one (" + blas_in_use() +
              "), 6 to 20 times slower than OpenBLAS; install libopenblas0-openmp");
 
+  for (const auto *warnings : {&the_case.warnings, &checked.review.warnings})
+    for (const Problem &problem : *warnings)
+      run.warn(problem.message);
   manifest_path = out.path() + "/run.json";
   out.write("resolved.toml", the_case.resolved);
   out.write("run.json", manifest_json(run));
@@ -228,14 +258,8 @@ int carry_out(const CommandLine &command)
 {
   if (command.verb == "new")
     return write_template(command);
-  if (command.verb == "check") {
-    const Case the_case = checked_case(command);
-    console::print(
-        fmt::format("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, visible(the_case.title, true)));
-    for (const std::string &sentence : said_of_bearings(the_case))
-      console::print(visible(sentence, true) + "\n");
-    return 0;
-  }
+  if (command.verb == "check")
+    return check_case(command);
   if (command.verb == "trace") {
     const TraceOptions options{command.target, command.key, command.sets, command.output, command.full};
     console::print(trace_text(trace(options), !command.quiet));

@@ -231,12 +231,21 @@ void report_missing_section(const Section &section, const std::vector<Row> &rows
   if (section.node || section.refused)
     return;
   std::string keys;
+  std::vector<std::string> instead;  // of all of them, each once
   for (const Row &row : rows)
-    if (row.fallback.kind == Fallback::Kind::required)
+    if (row.fallback.kind == Fallback::Kind::required) {
       keys += (keys.empty() ? "" : ", ") + row.key;
-  if (!keys.empty())
-    reading.add(Place{reading.file},
-                fmt::format("the section {} is missing; it needs {}", section.header(), keys));
+      if (std::find(instead.begin(), instead.end(), row.instead) == instead.end())
+        instead.push_back(row.instead);
+    }
+  if (keys.empty())
+    return;
+  std::string others;
+  if (std::find(instead.begin(), instead.end(), "") == instead.end())
+    for (const std::string &one : instead)
+      others += (others.empty() ? "; or " : ", ") + one.substr(0, one.find(" in [given]"));
+  reading.add(Place{reading.file}, fmt::format("the section {} is missing; it needs {}{}", section.header(), keys,
+                                               others.empty() ? "" : others + " in [given]"));
 }
 
 std::optional<Value> default_of(const Row &row)
@@ -261,8 +270,9 @@ std::optional<Value> read_row(const Row &row, const Section &section, Reading &r
     if (row.fallback.kind == Fallback::Kind::required) {
       reading.bad.insert(key);
       if (section.node)
-        reading.add(section.node->place, fmt::format("{} has no '{}'; add for example {} = {}", section.header(),
-                                                     row.key, row.key, example_toml(row)));
+        reading.add(section.node->place, fmt::format("{} has no '{}'; add for example {} = {}{}", section.header(),
+                                                     row.key, row.key, example_toml(row),
+                                                     row.instead.empty() ? "" : ", or " + row.instead));
     }
     return default_of(row);
   }

@@ -58,6 +58,7 @@ struct Row {
   Fallback fallback;
   std::string example;  ///< scalar without quotes, "420 mm"; pair and table as TOML
   std::string meaning;
+  std::string instead = "";  ///< what may be given in place of a required one, "M1 in [given]"; empty: nothing
 };
 
 template <class T>
@@ -73,6 +74,7 @@ template <class T> struct Field {
   Fallback fallback;    ///< value when the key is absent, `required` or `absent`
   const char *example;  ///< shown in messages, used by the template
   const char *meaning;  ///< one sentence
+  std::string instead = "";  ///< as Row::instead
 };
 
 /// What reading a case has found so far: every problem, and where the good values stand.
@@ -80,6 +82,7 @@ struct Reading {
   std::string file;    ///< the case file as the user named it
   std::string folder;  ///< of the case file; paths of the case start there
   std::vector<Problem> problems;
+  std::vector<Problem> warnings;       ///< unlikely, but not impossible: nothing is refused for these
   std::map<std::string, Place> places;         ///< full key -> place of a value that was read and accepted
   std::map<std::string, std::string> written;  ///< full key -> value as written, "\"420 mm\""
   std::set<std::string> bad;                   ///< full keys whose value is missing or was refused
@@ -156,7 +159,7 @@ std::string range_text(const Row &row);
 
 template <class T> Row row_of(const Field<T> &f)
 {
-  return {f.key, kind_of(f.member.index(), f.form), f.form, f.range, f.fallback, f.example, f.meaning};
+  return {f.key, kind_of(f.member.index(), f.form), f.form, f.range, f.fallback, f.example, f.meaning, f.instead};
 }
 
 template <class T> std::vector<Row> rows_of(const std::vector<Field<T>> &fields)

@@ -117,6 +117,7 @@ Case read_case(const std::string &path, const std::vector<std::string> &sets)
   result.spec = kind_named(head.kind).read(root, reading);
   if (!reading.problems.empty())
     throw InputError(std::move(reading.problems));
+  result.warnings = std::move(reading.warnings);
   result.resolved = std::move(reading.echo);
   result.places   = std::move(reading.places);
   return result;

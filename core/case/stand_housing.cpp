@@ -1,3 +1,4 @@
+#include "core/case/given_instead.h"
 #include "core/case/stand_reader.h"
 #include <algorithm>
 #include <array>
@@ -235,10 +236,11 @@ void drop_counted_chocks(Frame &frame, RollerBearing &bearing, const Reading &re
   }
 }
 
-Frame read_frame(const Node &root, const std::vector<std::string> &needless, Reading &reading)
+Frame read_frame(const Node &root, const std::vector<std::string> &needless, const std::set<std::string> &given,
+                 Reading &reading)
 {
   Frame frame;
-  std::vector<Field<Frame>> rows = frame_rows();
+  std::vector<Field<Frame>> rows = beside_given("frame", frame_rows(), given, frame);
   for (Field<Frame> &row : rows)
     if (std::find(needless.begin(), needless.end(), row.key) != needless.end()) {
       row.fallback = absent;

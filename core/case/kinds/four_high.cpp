@@ -1,3 +1,4 @@
+#include "core/case/given_instead.h"
 #include "core/case/kinds.h"
 #include "core/case/stand_reader.h"
 #include "core/case/stand_sections.h"
@@ -6,21 +7,24 @@
 
 namespace mill {
 namespace {
-WorkRollInput read_work_roll(const Node &root, Reading &reading)
+using Names = std::set<std::string>;
+
+WorkRollInput read_work_roll(const Node &root, const Names &given, Reading &reading)
 {
   WorkRollInput roll;
   const Section section = section_at(root, "work_roll", reading);
-  read_and_echo(section, section.header(), work_roll_rows(), roll, reading);
+  read_and_echo(section, section.header(), beside_given("work_roll", work_roll_rows(), given, roll), roll, reading);
   roll.neck_length = (roll.total_length - roll.barrel_length) / 2;
   check_work_roll(roll, reading);
   return roll;
 }
 
-Roll read_backup_roll(const Node &root, Reading &reading)
+Roll read_backup_roll(const Node &root, const Names &given, Reading &reading)
 {
   Roll roll;
   const Section section = section_at(root, "backup_roll", reading);
-  read_and_echo(section, section.header(), backup_roll_rows(), roll, reading);
+  read_and_echo(section, section.header(), beside_given("backup_roll", backup_roll_rows(), given, roll), roll,
+                reading);
   check_backup_roll(roll, reading);
   return roll;
 }
@@ -37,13 +41,29 @@ ContactSettings read_roll_contact(const Node &root, const std::string &name, Rea
 }
 }  // namespace
 
+namespace {
+// Both backup-roll bearings together are given and neither of them is drawn: each is half of them.
+void share_given_bearings(FourHigh &stand)
+{
+  const auto both = stand.given.find("K_Zy");
+  if (!stand.backup_roll.bearing.empty() || both == stand.given.end())
+    return;
+  GivenValue half = both->second;
+  half.parameter.value /= 2;
+  half.parameter.method = "half of given.K_Zy";
+  for (const char *one : {"Kzc1", "Kzc4"})
+    stand.given.emplace(one, half);
+}
+}  // namespace
+
 FourHigh read_four_high(const Node &root, Reading &reading)
 {
   FourHigh stand;
+  const Names given   = given_names(root);
   const Section steel = section_at(root, "steel", reading);
   read_and_echo(steel, steel.header(), steel_rows(), stand.steel, reading);
-  stand.work_roll   = read_work_roll(root, reading);
-  stand.backup_roll = read_backup_roll(root, reading);
+  stand.work_roll   = read_work_roll(root, given, reading);
+  stand.backup_roll = read_backup_roll(root, given, reading);
   stand.bearings    = read_bearings(root, stand.backup_roll.bearing, reading);
   stand.oil_films   = read_oil_films(root, reading);
   stand.housing     = read_housing(root, stand.steel, reading);
@@ -52,10 +72,10 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   const auto backup = std::find_if(stand.bearings.begin(), stand.bearings.end(),
                                    [&](const RollerBearing &b) { return b.name == stand.backup_roll.bearing; });
   const bool known  = backup != stand.bearings.end();
-  stand.frame = read_frame(root, frame_keys_behind(drawn, stand.screwdown, known ? &*backup : nullptr), reading);
+  stand.frame = read_frame(root, frame_keys_behind(drawn, stand.screwdown, known ? &*backup : nullptr), given, reading);
   if (known)
     drop_counted_chocks(stand.frame, *backup, reading);
-  stand.strip  = read_strip(root, reading);
+  stand.strip  = read_strip(root, reading, given);
   stand.passes = read_passes(root, pass_rows(), reading);
   check_passes(stand.passes, reading);
   if (const Section contact = section_at(root, "contact", reading); contact.node)
@@ -68,6 +88,7 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   stand.analysis      = read_chatter_analysis(root, reading);
   stand.given         = read_given(root, "given", "four-high", reading);
   stand.published     = read_given(root, "published", "four-high", reading);
+  share_given_bearings(stand);
   check_four_high(stand, reading);
   return stand;
 }

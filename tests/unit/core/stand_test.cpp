@@ -192,7 +192,7 @@ TEST_F(Cases, TheArrangementOfTheRowsMustBeConfirmed)
 // A chock inside Kzc is no spring of the chain, and a backup roll's does not hang on two feet.
 TEST_F(Cases, AChockIsCountedOnce)
 {
-  const std::vector<std::string> drawn{"bearing.crb.bore=700 mm", "bearing.crb.outside_diameter=950 mm",
+  const std::vector<std::string> drawn{"bearing.crb.bore=950 mm", "bearing.crb.outside_diameter=1200 mm",
                                        "bearing.crb.width=520 mm", "bearing.crb.roller_law=iso"};
   const auto stand = [&](const std::string &more) {
     std::vector<std::string> sets = drawn;
