@@ -65,10 +65,24 @@ std::string mistyped(const CLI::App &app, const int argc, char **argv)
   }
   for (int i = 2; i < argc; ++i) {
     const std::string name = option_name(argv[i]);
-    if (name.size() > 2 && name.compare(0, 2, "--") == 0 && std::find(known.begin(), known.end(), name) == known.end())
+    if (name.size() > 2 && name.compare(0, 2, "--") == 0 &&
+        std::find(known.begin(), known.end(), name) == known.end())
       return fmt::format("millstand {} has no option {}{}", first, name, suggestion(name, known));
   }
   return "";
+}
+}  // namespace
+
+namespace {
+// Every verb with its options, for the completion of a shell.
+std::map<std::string, std::vector<std::string>> words_to_complete(const CLI::App &app)
+{
+  std::map<std::string, std::vector<std::string>> words;
+  for (const CLI::App *verb : app.get_subcommands([](const CLI::App *) { return true; }))
+    for (const CLI::Option *option : verb->get_options())
+      for (const std::string &name : option->get_lnames())
+        words[verb->get_name()].push_back("--" + name);
+  return words;
 }
 }  // namespace
 
@@ -83,6 +97,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   fresh->add_option("KIND", c.target, "four-high, two-cylinders, bearing, bite, chatter or lumped")->required();
   add_output(fresh, c, "file (default: standard output)");
   fresh->add_flag("--force-overwrite", c.force_overwrite, "replace an existing file");
+  fresh->add_option("--from", c.from, "sheet (CSV) of rows key, value[, unit] that fills the template");
 
   auto *check = app.add_subcommand("check", "list every input error of a case, compute nothing");
   check->add_option("CASE", c.target, "case file")->required();
@@ -129,6 +144,8 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   report->add_option("DIR", c.target, "folder of a run")->required();
 
   app.add_subcommand("schema", "print the JSON Schema of the case file");
+  auto *completion = app.add_subcommand("completion", "print the completion of a shell");
+  completion->add_option("SHELL", c.target, "bash or zsh")->required();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &e) {
@@ -141,6 +158,8 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
     return {};
   }
   c.verb = app.get_subcommands().front()->get_name();
+  if (c.verb == "completion")
+    c.words = words_to_complete(app);
   return c;
 }
 }  // namespace mill

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -6,18 +7,20 @@
 namespace mill {
 /// What the user asked for.
 struct CommandLine {
-  std::string verb;                ///< "run", "check", ...
-  std::string target;              ///< case file, kind (new) or folder (report)
-  std::string output;              ///< -o; empty: default
-  std::string force;               ///< simulate --force
-  std::string key;                 ///< trace: input that is followed
-  std::string log;                 ///< --log
-  std::string cache;               ///< --cache; empty: the user's cache folder
-  std::vector<std::string> sets;   ///< --set section.key=value
-  std::vector<std::string> names;  ///< verify: cases of the manual; empty: all
-  std::string markdown;            ///< verify --markdown
-  bool list            = false;    ///< verify --list
-  bool full            = false;    ///< trace --full
+  std::string verb;                                       ///< "run", "check", ...
+  std::string target;                                     ///< case file, kind (new) or folder (report)
+  std::string output;                                     ///< -o; empty: default
+  std::string force;                                      ///< simulate --force
+  std::string from;                                       ///< new --from: sheet of keys and values
+  std::string key;                                        ///< trace: input that is followed
+  std::string log;                                        ///< --log
+  std::string cache;                                      ///< --cache; empty: the user's cache folder
+  std::vector<std::string> sets;                          ///< --set section.key=value
+  std::vector<std::string> names;                         ///< verify: cases of the manual; empty: all
+  std::string markdown;                                   ///< verify --markdown
+  std::map<std::string, std::vector<std::string>> words;  ///< completion: options by verb
+  bool list            = false;                           ///< verify --list
+  bool full            = false;                           ///< trace --full
   bool force_overwrite = false, fresh = false, quiet = false, verbose = false;
   int threads = 0;  ///< 0: all
 };

@@ -1,15 +1,18 @@
 #include "app/commands.h"
 #include "app/address_space.h"
 #include "app/case_kinds.h"
+#include "app/completion.h"
 #include "app/console.h"
 #include "app/out_of_memory.h"
 #include "app/pipeline.h"
 #include "app/review/case_review.h"
 #include "app/run_log.h"
+#include "app/run_summary.h"
 #include "app/stages/bearing_model.h"
 #include "app/stages/mass_table.h"
 #include "app/trace/trace_text.h"
 #include "app/verify_command.h"
+#include "core/case/case_sheet.h"
 #include "core/case/input_reference.h"
 #include "core/case/visible_text.h"
 #include "core/model/case.h"
@@ -51,21 +54,6 @@ std::string now()
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", std::localtime(&t));
   return text;
-}
-
-std::string engineering(const Parameter &p)
-{
-  if (p.unit == "N/m")
-    return fmt::format("{:.5g} kN/mm", p.value / 1e6);
-  if (p.unit == "N/m2")
-    return fmt::format("{:.6g} N/mm per mm", p.value / 1e6);
-  if (p.unit == "m")
-    return fmt::format("{:.5g} mm", 1e3 * p.value);
-  if (p.unit == "Pa")
-    return fmt::format("{:.5g} MPa", p.value / 1e6);
-  if (p.unit == "N")
-    return fmt::format("{:.6g} kN", p.value / 1e3);
-  return fmt::format("{:.6g} {}", p.value, p.unit == "1" ? "" : p.unit);
 }
 
 // chatter.CONDITION.variant.NAME.*, .scheme., .speed_slope.KEY and the like.
@@ -139,8 +127,10 @@ int check_case(const CommandLine &command)
   console::print(
       fmt::format("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, visible(the_case.title, true)));
   for (const auto *warnings : {&the_case.warnings, &review.warnings, &review.said_by_run})
-    for (const Problem &problem : *warnings)
+    for (Problem problem : *warnings) {
+      problem.message = visible(problem.message, true);
       console::print(render(problem, "warning") + "\n");
+    }
   for (const std::string &sentence : said_of_bearings(the_case))
     console::print(visible(sentence, true) + "\n");
   for (const std::string &sentence : review.facts)
@@ -186,7 +176,8 @@ int run_chain(const CommandLine &command)
   for (const auto *warnings : {&the_case.warnings, &checked.review.warnings})
     for (const Problem &problem : *warnings)
       run.warn(problem.message);
-  manifest_path = out.path() + "/run.json";
+  run.results.left_at_template = the_case.left_at_template;
+  manifest_path                = out.path() + "/run.json";
   out.write("resolved.toml", the_case.resolved);
   out.write("run.json", manifest_json(run));
   const auto store = [&](const std::string &status) {
@@ -212,7 +203,9 @@ int run_chain(const CommandLine &command)
   }
   bar.finish();
   store(run.results.warnings.empty() ? "ok" : "warnings");
-  if (!command.quiet) {
+  if (command.verb == "run" && !command.quiet && !command.verbose) {
+    console::print(run_summary(run.results, the_case.name, run.summary, out.path() + "/report.html"));
+  } else if (!command.quiet) {
     print_table(run.results);
     if (!run.summary.empty())
       console::print("\n" + run.summary + "\n");
@@ -225,7 +218,9 @@ int run_chain(const CommandLine &command)
 
 int write_template(const CommandLine &command)
 {
-  const std::string text = template_of(command.target);
+  const std::string text = command.from.empty()
+                               ? template_of(command.target)
+                               : template_from_sheet(command.target, command.from, read_text(command.from));
   if (command.output.empty()) {
     console::print(text);
     return 0;
@@ -267,6 +262,10 @@ int carry_out(const CommandLine &command)
   }
   if (command.verb == "verify")
     return verify_command({command.names, command.list, command.quiet, command.markdown, command.threads});
+  if (command.verb == "completion") {
+    console::print(completion_script(command.target, command.words));
+    return 0;
+  }
   if (command.verb == "schema") {
     console::print(case_schema());
     return 0;

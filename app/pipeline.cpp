@@ -1,5 +1,6 @@
 #include "app/pipeline.h"
 #include "app/case_kinds.h"
+#include "app/review/estimate_review.h"
 #include "app/stages/bearing_stage.h"
 #include "app/stages/bite_stage.h"
 #include "app/stages/chatter_stage.h"
@@ -208,11 +209,11 @@ Frame with_tolerance_of_given(const FourHigh &drawn, Frame frame)
 void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, const PassForces &forces,
               const std::size_t p, const Goal goal, std::vector<Check> &gaps)
 {
-  const bool first     = p == 0;
-  auto chain           = reduce::lumped_stand(drawn, chain_inputs(drawn, parts, p, forces.loads[p]));
-  FourHigh stand       = drawn;
-  stand.frame          = with_tolerance_of_given(drawn, chain.frame);
-  const Pass &pass     = stand.passes[p];
+  const bool first = p == 0;
+  auto chain       = reduce::lumped_stand(drawn, chain_inputs(drawn, parts, p, forces.loads[p]));
+  FourHigh stand   = drawn;
+  stand.frame      = with_tolerance_of_given(drawn, chain.frame);
+  const Pass &pass = stand.passes[p];
   StandModels models;
   reduce::FeMasses fe_masses{};
   if (goal >= Goal::masses) {
@@ -254,7 +255,8 @@ namespace {
 void require_bite(const Case &the_case)
 {
   std::string missing;
-  for (const char *key : {"strip.entry_thickness", "strip.exit_thickness", "strip.friction", "strip.flow_stress"}) {
+  for (const char *key :
+       {"strip.entry_thickness", "strip.exit_thickness", "strip.friction", "strip.flow_stress"}) {
     const bool is_there = std::any_of(the_case.places.begin(), the_case.places.end(), [&](const auto &entry) {
       return entry.first == key || entry.first.rfind(std::string(key) + ".", 0) == 0;
     });
@@ -328,5 +330,6 @@ void run_stages(RunContext &run, const Goal goal, const std::string &force_file)
 {
   run_kind(run.the_case).run(run, goal, force_file);
   set_inputs(run.results, run.the_case);
+  mark_estimates(run);
 }
 }  // namespace mill

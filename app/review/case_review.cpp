@@ -1,9 +1,9 @@
 #include "app/review/case_review.h"
+#include "app/review/quick_modes.h"
 #include "app/review/record_review.h"
 #include "app/stages/bite_stage.h"
 #include "app/stages/contact_stage.h"
 #include "app/stages/dynamics_stage.h"
-#include "app/trace/quick_chain.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
 #include "core/records/lumped_model.h"
@@ -52,14 +52,16 @@ std::vector<Pass> with_force(std::vector<Pass> passes, const std::string &force_
 }
 
 // The load of a pass against the mean of its record.
-void review_load(const Case &the_case, const Pass &pass, const std::size_t p, const double mean, CaseReview &review)
+void review_load(const Case &the_case, const Pass &pass, const std::size_t p, const double mean,
+                 CaseReview &review)
 {
   const Place place = place_of(the_case, fmt::format("pass.{}.load", p), pass.place);
   if (!(mean > 0))
     review.warnings.push_back(
         {pass.force_place,
-         fmt::format("{}: the mean of the force record is {}; a rolling force counts positive where it opens the stand",
-                     pass.name, in_kN(mean)),
+         fmt::format(
+             "{}: the mean of the force record is {}; a rolling force counts positive where it opens the stand",
+             pass.name, in_kN(mean)),
          {}});
   if (std::isnan(pass.load) || !(mean > 0))
     return;
@@ -93,36 +95,31 @@ void review_bite(const FourHigh &stand, const Pass &pass, const double load, Cas
   const auto force = slab_force(stand, pass);
   if (!force || !(load > 0))
     return;
-  const double factor    = factor_between(*force, load);
-  const std::string said = fmt::format("{}: by the slab theory this strip takes a rolling force of {}, the load is {}",
-                                       pass.name, in_MN(*force), in_MN(load));
+  const double factor = factor_between(*force, load);
+  const std::string said =
+      fmt::format("{}: by the slab theory this strip takes a rolling force of {}, the load is {}", pass.name,
+                  in_MN(*force), in_MN(load));
   if (factor > impossible_bite)
-    review.problems.push_back({pass.place,
-                               fmt::format("{}, a factor of {:.3g}; is one of load, flow stress, width and thicknesses "
-                                           "in another unit? given.K4 leaves the strip out",
-                                           said, factor),
-                               {}});
-  else if (factor > of_another_strip)
-    review.said_by_run.push_back(
-        {pass.place, fmt::format("{} ({:+.0f} %); check flow stress, friction and thicknesses", said,
-                                 100 * (*force / load - 1)),
+    review.problems.push_back(
+        {pass.place,
+         fmt::format("{}, a factor of {:.3g}; is one of load, flow stress, width and thicknesses "
+                     "in another unit? given.K4 leaves the strip out",
+                     said, factor),
          {}});
+  else if (factor > of_another_strip)
+    review.said_by_run.push_back({pass.place,
+                                  fmt::format("{} ({:+.0f} %); check flow stress, friction and thicknesses", said,
+                                              100 * (*force / load - 1)),
+                                  {}});
 }
 
 // Of the six masses by closed forms at the load of the first pass.
-ExpectedModes expected_modes(const FourHigh &of, const double load)
+ExpectedModes expected_modes(const FourHigh &stand, const double load)
 {
   ExpectedModes modes;
-  modes.damping     = of.dynamics.modal_damping;
-  FourHigh stand    = of;
-  Pass &pass        = stand.passes.front();
-  pass.load         = load;
-  pass.force_file   = "";
-  pass.synthetic_range = {not_given, not_given};
-  stand.passes.resize(1);
+  modes.damping = stand.dynamics.modal_damping;
   try {
-    QuickMemory memory;
-    for (const QuickResult &r : quick_four_high(stand, memory, {}))
+    for (const QuickResult &r : quick_stand(stand, load))
       if (r.name.size() == 2 && r.name[0] == 'f') {
         modes.lowest  = modes.lowest > 0 ? std::min(modes.lowest, r.parameter.value) : r.parameter.value;
         modes.highest = std::max(modes.highest, r.parameter.value);
@@ -157,7 +154,8 @@ CaseReview review_stand(const Case &the_case, const std::string &force_file)
     }
     review_bite(stand, passes[p], loads[p], review);
   }
-  for (const auto &[name, contact] : {std::pair("upper", &stand.upper_contact), std::pair("lower", &stand.lower_contact)})
+  for (const auto &[name, contact] :
+       {std::pair("upper", &stand.upper_contact), std::pair("lower", &stand.lower_contact)})
     if (!stand.given.count(name[0] == 'u' ? "K3" : "K5"))
       try {
         swept_range(name, *contact, loads);

@@ -15,7 +15,7 @@ struct CaseReview {
 };
 
 /// Records of the passes (format, gaps, length against the lowest mode to be expected, sampling against the highest)
-/// and loads against records, swept ranges and the slab theory of the bite.  theory.md 31.1
+/// and loads against records, swept ranges and the slab theory of the bite.  theory.md 36.1
 /// @param force_file  record that replaces those of the passes; empty: none
 /// @throws InputError  a record that cannot be read
 /// Cost: the records are read once, closed forms some 10 ms.

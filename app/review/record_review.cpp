@@ -12,7 +12,7 @@ constexpr double decay_times = 5;  // after which 0.7 % of a transient is left
 
 std::string of_hertz(const double f)
 {
-  return f >= 1e4 ? fmt::format("{:.4g} kHz", f / 1e3) : fmt::format("{:.4g} Hz", f);
+  return f > 9999.5 ? fmt::format("{:.4g} kHz", f / 1e3) : fmt::format("{:.4g} Hz", f);
 }
 
 void add_times(const Pass &pass, const Place &place, const char *what, const dynamics::RecordTimes &times,

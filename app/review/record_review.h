@@ -12,7 +12,7 @@ struct ExpectedModes {
 };
 
 /// A record is long enough for the level of a mode when its transient has died away: five decay times 1/(2 pi f zeta)
-/// of the lowest mode.  s; zero where nothing is known.  theory.md (31.1)
+/// of the lowest mode.  s; zero where nothing is known.  theory.md (36.1)
 double needed_duration(const ExpectedModes &modes);
 
 /// Force and measured record of one pass.

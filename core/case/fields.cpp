@@ -26,12 +26,12 @@ struct Item {
 // One number with the unit `form` ("1": bare).
 std::optional<double> scalar(const Item &item, const std::string &form, const Range &range)
 {
-  using Fault      = ParsedQuantity::Fault;
-  const Node &node = item.node;
-  const bool bare  = node.kind == Node::Kind::integer || node.kind == Node::Kind::real;
-  const auto want  = needed(item.row);
-  double number    = node.number;
-  double value     = number;
+  using Fault       = ParsedQuantity::Fault;
+  const Node &node  = item.node;
+  const bool bare   = node.kind == Node::Kind::integer || node.kind == Node::Kind::real;
+  const auto want   = needed(item.row);
+  double number     = node.number;
+  double value      = number;
   const auto remedy = [&] { return node.kind == Node::Kind::text ? quantity_remedy(node.text, form, range) : ""; };
   if (form == "1") {
     if (!bare || !std::isfinite(number)) {
@@ -45,7 +45,7 @@ std::optional<double> scalar(const Item &item, const std::string &form, const Ra
     if (node.kind != Node::Kind::text)
       return item.refuse(fmt::format("is no quantity; {}", want));
     const ParsedQuantity parsed = parse_quantity(node.text);
-    const bool fits = parsed.fault == Fault::none && parsed.unit->dimension == unit(form).dimension;
+    const bool fits             = parsed.fault == Fault::none && parsed.unit->dimension == unit(form).dimension;
     if (const std::string slip = fits ? "" : remedy(); !slip.empty())
       return item.refuse(slip);
     if (parsed.fault == Fault::no_number)
@@ -240,12 +240,15 @@ void report_missing_section(const Section &section, const std::vector<Row> &rows
     }
   if (keys.empty())
     return;
-  std::string others;
+  std::string others, estimate = ", or estimate = true";
   if (std::find(instead.begin(), instead.end(), "") == instead.end())
-    for (const std::string &one : instead)
+    for (const std::string &one : instead) {
       others += (others.empty() ? "; or " : ", ") + one.substr(0, one.find(" in [given]"));
+      if (one.find("estimate = true") == std::string::npos)
+        estimate = "";
+    }
   reading.add(Place{reading.file}, fmt::format("the section {} is missing; it needs {}{}", section.header(), keys,
-                                               others.empty() ? "" : others + " in [given]"));
+                                               others.empty() ? "" : others + " in [given]" + estimate));
 }
 
 std::optional<Value> default_of(const Row &row)
@@ -270,9 +273,9 @@ std::optional<Value> read_row(const Row &row, const Section &section, Reading &r
     if (row.fallback.kind == Fallback::Kind::required) {
       reading.bad.insert(key);
       if (section.node)
-        reading.add(section.node->place, fmt::format("{} has no '{}'; add for example {} = {}{}", section.header(),
-                                                     row.key, row.key, example_toml(row),
-                                                     row.instead.empty() ? "" : ", or " + row.instead));
+        reading.add(section.node->place,
+                    fmt::format("{} has no '{}'; add for example {} = {}{}", section.header(), row.key, row.key,
+                                example_toml(row), row.instead.empty() ? "" : ", or " + row.instead));
     }
     return default_of(row);
   }

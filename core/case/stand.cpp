@@ -1,3 +1,4 @@
+#include "core/case/case_template.h"
 #include "core/case/kinds.h"
 #include "core/case/mend_names.h"
 #include "core/case/stand_reader.h"
@@ -93,6 +94,27 @@ const OilFilmBearing *oil_film_of(const std::vector<OilFilmBearing> &bearings, c
   return found == bearings.end() ? nullptr : &*found;
 }
 
+namespace {
+// One equal number is chance, several are a template that was not filled in.
+void add_template_warning(const std::vector<std::string> &left, Reading &reading)
+{
+  constexpr std::size_t no_chance = 3, most_named = 12;
+  if (left.size() < no_chance)
+    return;
+  std::string keys;
+  for (std::size_t i = 0; i < std::min(left.size(), most_named); ++i)
+    keys += (i ? ", " : "") + left[i];
+  if (left.size() > most_named)
+    keys += fmt::format(" and {} more", left.size() - most_named);
+  reading.warnings.push_back(
+      {Place{reading.file},
+       fmt::format("{} values are still those of the template: {}; replace them, or name those "
+                   "that are meant in confirmed = \"...\"",
+                   left.size(), keys),
+       {}});
+}
+}  // namespace
+
 Case read_case(const std::string &path, const std::vector<std::string> &sets)
 {
   Node root                          = read_case_file(path, sets);
@@ -117,6 +139,8 @@ Case read_case(const std::string &path, const std::vector<std::string> &sets)
   result.spec = kind_named(head.kind).read(root, reading);
   if (!reading.problems.empty())
     throw InputError(std::move(reading.problems));
+  result.left_at_template = left_at_template(kind_named(head.kind), reading.written, head.confirmed);
+  add_template_warning(result.left_at_template, reading);
   result.warnings = std::move(reading.warnings);
   result.resolved = std::move(reading.echo);
   result.places   = std::move(reading.places);

@@ -18,6 +18,7 @@ namespace mill {
 struct BearingCase;
 struct BiteCase;
 struct ChatterCase;
+struct EstimateInput;
 struct FourHigh;
 struct Lumped;
 struct TwoCylinders;
@@ -28,8 +29,9 @@ Section section_at(const Node &root, const std::string &name, Reading &reading);
 
 /// [[pass]]; `root` may have none.
 std::vector<Pass> read_passes(const Node &root, const std::vector<Field<PassInput>> &rows, Reading &reading);
-/// @param given  names that stand under [given]: K4 makes thicknesses, friction and flow stress optional
-Strip read_strip(const Node &root, Reading &reading, const std::set<std::string> &given = {});
+/// @param given  names that stand under [given]: K4 makes thicknesses, friction and flow stress optional; null: the
+///               kind has no such section
+Strip read_strip(const Node &root, Reading &reading, const std::set<std::string> *given = nullptr);
 FlowStress read_flow_stress(const Node &root, Reading &reading);
 /// @param section  [strip.friction]
 Friction read_friction_law(const Section &section, Reading &reading);
@@ -48,8 +50,9 @@ std::map<std::string, double> read_tolerances(const std::vector<Row> &rows, cons
                                               Reading &reading);
 /// [frame]; what is needless and not given is NaN, masses behind what is given are zero.
 /// @param given  names that stand under [given]
+/// @param wish   what of it is to be estimated
 Frame read_frame(const Node &root, const std::vector<std::string> &needless, const std::set<std::string> &given,
-                 Reading &reading);
+                 EstimateInput &wish, Reading &reading);
 DynamicsSettings read_dynamics(const Node &root, const std::vector<Field<DynamicsSettings>> &rows,
                                Reading &reading);
 /// [given] (replaces computed values) or [published] (stands beside them).
@@ -93,7 +96,8 @@ std::string estimated_lines(const RollerBearing &bearing);
 void contradict(Reading &reading, const std::string &key, const std::string &why,
                 const std::vector<std::string> &others);
 /// The same for what is unlikely: a warning, nothing is refused.
-void doubt(Reading &reading, const std::string &key, const std::string &why, const std::vector<std::string> &others);
+void doubt(Reading &reading, const std::string &key, const std::string &why,
+           const std::vector<std::string> &others);
 std::string millimetres(double length);  ///< "4.5 mm"
 std::string degrees(double angle);       ///< "19.66 deg"
 

@@ -61,7 +61,7 @@ struct OilInput : Friction {
 /// The top of every case file.
 struct CaseHead {
   int schema = 0;
-  std::string kind, title;
+  std::string kind, title, confirmed;
 };
 
 const std::vector<Field<CaseHead>> &head_rows();
@@ -98,9 +98,6 @@ const std::vector<Field<DynamicsSettings>> &dynamics_rows();
 const std::vector<Field<DynamicsSettings>> &chain_dynamics_rows();  ///< of kind "lumped"
 const std::vector<Field<TwoCylinders>> &upper_cylinder_rows();
 const std::vector<Field<TwoCylinders>> &lower_cylinder_rows();
-
-/// Keys of [frame] that [housing] or [screwdown] may replace.
-const std::vector<std::string> &drawable_frame_keys();
 
 /// Rows of [given]; they share a reader of their own because a value may carry its source.
 /// @param published  of [published], which may hold more than what could replace a computed value

@@ -3,6 +3,7 @@
 #include "core/model/chatter.h"
 #include "core/model/contact_settings.h"
 #include "core/model/dynamics_settings.h"
+#include "core/model/estimate.h"
 #include "core/model/frame.h"
 #include "core/model/given.h"
 #include "core/model/housing.h"
@@ -31,6 +32,7 @@ struct FourHigh {
   DynamicsSettings dynamics;
   StandSpan span;            ///< strip before and behind the stand, for chatter
   ChatterAnalysis analysis;  ///< of chatter
+  Estimates estimates;       ///< values of the records above that nobody gave
   GivenValues given;
   GivenValues published;  ///< same names; only shown beside the computed values
 };

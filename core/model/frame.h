@@ -17,6 +17,7 @@ struct Frame {
   double load_cell_stiffness = not_given;  ///< N/m, absent: rigid
   double chock_to_housing_stiffness =
       not_given;                            ///< N/m, Kx of each work roll, both sides together; absent: rigid
+  double wished_modulus = not_given;        ///< N/m, of the whole stand, that estimates of the above were made from
   std::map<std::string, double> tolerance;  ///< -, relative, of the members above by their keys, as far as given
 };
 

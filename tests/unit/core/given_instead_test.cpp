@@ -61,18 +61,23 @@ TEST_F(GivenInstead, AStandWithEverythingGivenIsRead)
 
 TEST_F(GivenInstead, AMissingValueNamesWhatWouldBeNeededOtherwise)
 {
-  EXPECT_EQ(refused({"K1"}), "the section [frame] is missing; it needs upper_post_stiffness, upper_beam_stiffness, "
-                             "piston_stiffness, upper_packing_stiffness; or K1 in [given]");
+  EXPECT_EQ(refused({"K1"}),
+            "the section [frame] is missing; it needs upper_post_stiffness, upper_beam_stiffness, "
+            "piston_stiffness, upper_packing_stiffness; or K1 in [given], or estimate = true");
   EXPECT_EQ(refused({"K6", "M6"}),
             "the section [frame] is missing; it needs lower_post_mass, lower_beam_mass, load_cell_mass, "
-            "lower_packing_mass, lower_chock_stiffness; or M6, K6 in [given]");
+            "lower_packing_mass, lower_chock_stiffness; or M6, K6 in [given], or estimate = true");
   EXPECT_EQ(refused({"Kzc3"}),
             "[work_roll] has no 'bearing'; add for example bearing = \"trb\", or Kzc2 and Kzc3 in [given]");
-  EXPECT_EQ(refused({"K_Zy"}), "[backup_roll] has no 'bearing'; add for example bearing = \"crb\", or Kzc1 and Kzc4, "
-                               "or K_Zy, in [given]");
-  EXPECT_EQ(refused({"M3"}),
-            "[work_roll] has no 'bearing_mass'; add for example bearing_mass = \"90 kg\", or M3 and M4 in [given]\n"
-            "[work_roll] has no 'chock_mass_upper'; add for example chock_mass_upper = \"0 kg\", or M3 in [given]");
+  EXPECT_EQ(refused({"K_Zy"}),
+            "[backup_roll] has no 'bearing'; add for example bearing = \"crb\", or Kzc1 and Kzc4, "
+            "or K_Zy, in [given]");
+  EXPECT_EQ(
+      refused({"M3"}),
+      "[work_roll] has no 'bearing_mass'; add for example bearing_mass = \"90 kg\", or M3 and M4 in [given], or "
+      "estimate = true\n"
+      "[work_roll] has no 'chock_mass_upper'; add for example chock_mass_upper = \"0 kg\", or M3 in [given], "
+      "or estimate = true");
   EXPECT_EQ(refused({"K4"}),
             "the section [strip.flow_stress] is missing; it needs law\n"
             "[strip] has no 'entry_thickness'; add for example entry_thickness = \"8 mm\", or K4 in [given]\n"
@@ -91,10 +96,10 @@ TEST(BehindGiven, NamesRowsThatAreThere)
     for (const SectionRows &section : sections_of("four-high"))
       if (section.name == one.section)
         for (const std::string &key : one.keys) {
-          const auto row = std::find_if(section.rows.begin(), section.rows.end(),
-                                        [&](const Row &r) { return r.key == key; });
-          EXPECT_TRUE(key == "flow_stress" || (row != section.rows.end() &&
-                                               row->fallback.kind == Fallback::Kind::required))
+          const auto row =
+              std::find_if(section.rows.begin(), section.rows.end(), [&](const Row &r) { return r.key == key; });
+          EXPECT_TRUE(key == "flow_stress" ||
+                      (row != section.rows.end() && row->fallback.kind == Fallback::Kind::required))
               << one.section << "." << key;
         }
   }

@@ -37,7 +37,8 @@ TEST_F(OneTypo, OfASectionIsOneError)
   EXPECT_EQ(with("[frame] ", "[fraem] "), "unknown section [fraem]; did you mean 'frame'?");
   EXPECT_EQ(with("[strip]", "[stripp]"), "unknown section [stripp]; did you mean 'strip'?");
   EXPECT_EQ(with("[contact.upper]", "[contact.uper]"), "unknown key 'uper' in [contact]; did you mean 'upper'?");
-  EXPECT_EQ(with("[upper]", "[uper]", "cases/two-cylinders.toml"), "unknown section [uper]; did you mean 'upper'?");
+  EXPECT_EQ(with("[upper]", "[uper]", "cases/two-cylinders.toml"),
+            "unknown section [uper]; did you mean 'upper'?");
 }
 
 TEST_F(OneTypo, OfAKeyIsOneError)
