@@ -25,6 +25,8 @@ struct StandIn;
 struct TraceKey;
 struct TwoCylinders;
 
+struct CaseReview;
+
 struct RunKind {
   std::vector<std::string> verbs;  ///< it serves, of run, stiffness, masses, modes, chatter and simulate
   /// A sentence for a verb that is refused, where more is to be said than that there is nothing to compute; or
@@ -32,6 +34,9 @@ struct RunKind {
   std::string (*refusal)(const Case &the_case, const std::string &verb) = nullptr;
   /// What no reader can judge, said before anything long is computed.  @throws InputError
   void (*check)(const Case &the_case) = nullptr;
+  /// What the case and its records say about each other; without it nothing.  @throws InputError  a record that
+  /// cannot be read
+  CaseReview (*review)(const Case &the_case, const std::string &force_file) = nullptr;
   /// Stages of a cold run with their share of the time, for the time left.
   std::vector<std::pair<std::string, double>> (*stages)(const Case &the_case) = nullptr;
   void (*run)(RunContext &run, Goal goal, const std::string &force_file)      = nullptr;

@@ -1,10 +1,13 @@
 #include "app/command_line.h"
 #include "app/console.h"
 #include "app/run_context.h"
+#include "core/case/fields.h"
 #include "core/numerics/sparse.h"
 #include "fem/body/elastic_body.h"
 #include "meshes/common/gmsh_scope.h"
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
 #include <sstream>
 
 namespace mill {
@@ -35,6 +38,52 @@ void add_common(CLI::App *verb, CommandLine &c)
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
+
+// "--output" of "--output=DIR"
+std::string option_name(const std::string &argument)
+{
+  return argument.substr(0, argument.find('='));
+}
+
+// A verb or an option that nobody knows, with the nearest one; empty where something else is wrong.
+std::string mistyped(const CLI::App &app, const int argc, char **argv)
+{
+  std::vector<std::string> verbs;
+  for (const CLI::App *verb : app.get_subcommands([](const CLI::App *) { return true; }))
+    verbs.push_back(verb->get_name());
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first.empty() || first[0] == '-')
+    return "";
+  if (std::find(verbs.begin(), verbs.end(), first) == verbs.end())
+    return fmt::format("there is no verb '{}'{}", first, suggestion(first, verbs));
+  std::vector<std::string> known;
+  for (const CLI::Option *option : app.get_subcommand(first)->get_options()) {
+    for (const std::string &name : option->get_lnames())
+      known.push_back("--" + name);
+    for (const std::string &name : option->get_snames())
+      known.push_back("-" + name);
+  }
+  for (int i = 2; i < argc; ++i) {
+    const std::string name = option_name(argv[i]);
+    if (name.size() > 2 && name.compare(0, 2, "--") == 0 &&
+        std::find(known.begin(), known.end(), name) == known.end())
+      return fmt::format("millstand {} has no option {}{}", first, name, suggestion(name, known));
+  }
+  return "";
+}
+}  // namespace
+
+namespace {
+// Every verb with its options, for the completion of a shell.
+std::map<std::string, std::vector<std::string>> words_to_complete(const CLI::App &app)
+{
+  std::map<std::string, std::vector<std::string>> words;
+  for (const CLI::App *verb : app.get_subcommands([](const CLI::App *) { return true; }))
+    for (const CLI::Option *option : verb->get_options())
+      for (const std::string &name : option->get_lnames())
+        words[verb->get_name()].push_back("--" + name);
+  return words;
+}
 }  // namespace
 
 std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &exit_code)
@@ -48,6 +97,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   fresh->add_option("KIND", c.target, "four-high, two-cylinders, bearing, bite, chatter or lumped")->required();
   add_output(fresh, c, "file (default: standard output)");
   fresh->add_flag("--force-overwrite", c.force_overwrite, "replace an existing file");
+  fresh->add_option("--from", c.from, "sheet (CSV) of rows key, value[, unit] that fills the template");
 
   auto *check = app.add_subcommand("check", "list every input error of a case, compute nothing");
   check->add_option("CASE", c.target, "case file")->required();
@@ -107,16 +157,22 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   report->add_option("-o", c.output, "file of the comparison");
 
   app.add_subcommand("schema", "print the JSON Schema of the case file");
+  auto *completion = app.add_subcommand("completion", "print the completion of a shell");
+  completion->add_option("SHELL", c.target, "bash or zsh")->required();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &e) {
     std::ostringstream out, err;
     exit_code = app.exit(e, out, err) == 0 ? 0 : 2;
+    if (const std::string slip = exit_code == 2 ? mistyped(app, argc, argv) : ""; !slip.empty())
+      throw InputError(slip);
     console::print(out.str());
     console::say(err.str());
     return {};
   }
   c.verb = app.get_subcommands().front()->get_name();
+  if (c.verb == "completion")
+    c.words = words_to_complete(app);
   return c;
 }
 }  // namespace mill

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@ struct CommandLine {
   std::string target;              ///< case file, kind (new) or folder (report)
   std::string output;              ///< -o; empty: default
   std::string force;               ///< simulate --force
+  std::string from;                ///< new --from: sheet of keys and values
   std::string key;                 ///< trace: input that is followed
   std::string format;              ///< export: "fmu"
   std::string pass;                ///< export --pass; empty: the first
@@ -19,8 +21,9 @@ struct CommandLine {
   std::vector<std::string> sets;   ///< --set section.key=value
   std::vector<std::string> names;  ///< verify: cases of the manual, empty: all; report: further folders
   std::string markdown;            ///< verify --markdown
-  bool list            = false;    ///< verify --list
-  bool full            = false;    ///< trace --full
+  std::map<std::string, std::vector<std::string>> words;  ///< completion: options by verb
+  bool list            = false;                           ///< verify --list
+  bool full            = false;                           ///< trace --full
   bool force_overwrite = false, fresh = false, quiet = false, verbose = false;
   int threads = 0;  ///< 0: all
 };

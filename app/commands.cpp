@@ -1,15 +1,19 @@
 #include "app/commands.h"
 #include "app/case_kinds.h"
+#include "app/completion.h"
 #include "app/console.h"
 #include "app/export_command.h"
 #include "app/out_of_memory.h"
 #include "app/pipeline.h"
+#include "app/review/case_review.h"
 #include "app/run_log.h"
 #include "app/run_setup.h"
+#include "app/run_summary.h"
 #include "app/stages/bearing_model.h"
 #include "app/stages/mass_table.h"
 #include "app/trace/trace_text.h"
 #include "app/verify_command.h"
+#include "core/case/case_sheet.h"
 #include "core/case/input_reference.h"
 #include "core/case/visible_text.h"
 #include "core/model/case.h"
@@ -29,21 +33,6 @@ namespace fs = std::filesystem;
 namespace mill {
 namespace {
 std::string manifest_path;
-
-std::string engineering(const Parameter &p)
-{
-  if (p.unit == "N/m")
-    return fmt::format("{:.5g} kN/mm", p.value / 1e6);
-  if (p.unit == "N/m2")
-    return fmt::format("{:.6g} N/mm per mm", p.value / 1e6);
-  if (p.unit == "m")
-    return fmt::format("{:.5g} mm", 1e3 * p.value);
-  if (p.unit == "Pa")
-    return fmt::format("{:.5g} MPa", p.value / 1e6);
-  if (p.unit == "N")
-    return fmt::format("{:.6g} kN", p.value / 1e3);
-  return fmt::format("{:.6g} {}", p.value, p.unit == "1" ? "" : p.unit);
-}
 
 // chatter.CONDITION.variant.NAME.*, .scheme., .speed_slope.KEY and the like.
 bool is_beside_a_condition(const std::string &name)
@@ -90,19 +79,47 @@ void require_fitting(const std::string &verb, const Case &the_case)
 }
 
 // The case with all that is wrong with it, as far as that can be said before anything is computed.
-Case checked_case(const CommandLine &command)
+struct CheckedCase {
+  Case the_case;
+  CaseReview review;
+};
+
+CheckedCase checked_case(const CommandLine &command)
 {
-  Case the_case = read_case(command.target, command.sets);
+  CheckedCase checked{read_case(command.target, command.sets), {}};
+  const Case &the_case = checked.the_case;
   check_file_names(the_case);
   check_fits(the_case);
   if (const auto check = run_kind(the_case).check)
     check(the_case);
-  return the_case;
+  if (const auto review = run_kind(the_case).review)
+    checked.review = review(the_case, command.force);
+  if (!checked.review.problems.empty())
+    throw InputError(checked.review.problems);
+  return checked;
+}
+
+int check_case(const CommandLine &command)
+{
+  const auto [the_case, review] = checked_case(command);
+  console::print(
+      fmt::format("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, visible(the_case.title, true)));
+  for (const auto *warnings : {&the_case.warnings, &review.warnings, &review.said_by_run})
+    for (Problem problem : *warnings) {
+      problem.message = visible(problem.message, true);
+      console::print(render(problem, "warning") + "\n");
+    }
+  for (const std::string &sentence : said_of_bearings(the_case))
+    console::print(visible(sentence, true) + "\n");
+  for (const std::string &sentence : review.facts)
+    console::print(visible(sentence, true) + "\n");
+  return 0;
 }
 
 int run_chain(const CommandLine &command)
 {
-  const Case the_case = checked_case(command);
+  const CheckedCase checked = checked_case(command);
+  const Case &the_case      = checked.the_case;
   require_fitting(command.verb, the_case);
   const OutputDir out(command.output.empty() ? "out/" + the_case.name : command.output, the_case,
                       command.force_overwrite, run_id_of(the_case, command.verb, command.force));
@@ -123,7 +140,11 @@ int run_chain(const CommandLine &command)
     run.warn("the BLAS in use is the reference one (" + blas_in_use() +
              "), 6 to 20 times slower than OpenBLAS; install libopenblas0-openmp");
 
-  manifest_path = out.path() + "/run.json";
+  for (const auto *warnings : {&the_case.warnings, &checked.review.warnings})
+    for (const Problem &problem : *warnings)
+      run.warn(problem.message);
+  run.results.left_at_template = the_case.left_at_template;
+  manifest_path                = out.path() + "/run.json";
   out.write("resolved.toml", the_case.resolved);
   out.write("run.json", manifest_json(run));
   const auto store = [&](const std::string &status) {
@@ -149,7 +170,9 @@ int run_chain(const CommandLine &command)
   }
   bar.finish();
   store(run.results.warnings.empty() ? "ok" : "warnings");
-  if (!command.quiet) {
+  if (command.verb == "run" && !command.quiet && !command.verbose) {
+    console::print(run_summary(run.results, the_case.name, run.summary, out.path() + "/report.html"));
+  } else if (!command.quiet) {
     print_table(run.results);
     if (!run.summary.empty())
       console::print("\n" + run.summary + "\n");
@@ -162,7 +185,9 @@ int run_chain(const CommandLine &command)
 
 int write_template(const CommandLine &command)
 {
-  const std::string text = template_of(command.target);
+  const std::string text = command.from.empty()
+                               ? template_of(command.target)
+                               : template_from_sheet(command.target, command.from, read_text(command.from));
   if (command.output.empty()) {
     console::print(text);
     return 0;
@@ -210,14 +235,8 @@ int carry_out(const CommandLine &command)
 {
   if (command.verb == "new")
     return write_template(command);
-  if (command.verb == "check") {
-    const Case the_case = checked_case(command);
-    console::print(
-        fmt::format("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, visible(the_case.title, true)));
-    for (const std::string &sentence : said_of_bearings(the_case))
-      console::print(visible(sentence, true) + "\n");
-    return 0;
-  }
+  if (command.verb == "check")
+    return check_case(command);
   if (command.verb == "trace") {
     const TraceOptions options{command.target, command.key, command.sets, command.output, command.full};
     console::print(trace_text(trace(options), !command.quiet));
@@ -225,6 +244,10 @@ int carry_out(const CommandLine &command)
   }
   if (command.verb == "verify")
     return verify_command({command.names, command.list, command.quiet, command.markdown, command.threads});
+  if (command.verb == "completion") {
+    console::print(completion_script(command.target, command.words));
+    return 0;
+  }
   if (command.verb == "schema") {
     console::print(case_schema());
     return 0;

@@ -1,5 +1,6 @@
 #include "app/pipeline.h"
 #include "app/case_kinds.h"
+#include "app/review/estimate_review.h"
 #include "app/stages/bearing_stage.h"
 #include "app/stages/bite_stage.h"
 #include "app/stages/campbell_stage.h"
@@ -16,11 +17,14 @@
 #include "app/stages/model_stage.h"
 #include "app/stages/modulus_stage.h"
 #include "app/stages/result_inputs.h"
+#include "core/case/given_instead.h"
+#include "core/case/stand_rows.h"
 #include "core/model/lumped.h"
 #include "core/records/csv.h"
 #include "core/records/lumped_model.h"
 #include "core/records/provenance.h"
 #include "reduce/stand/lumped_stand.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
@@ -96,11 +100,8 @@ PassForces forces_of(RunContext &run, FourHigh &stand, const std::string &force_
     if (has_force(pass))
       record = force_of(pass);
     forces.loads.push_back(working_load(pass, record));
-    if (record.force.size() > 0 && std::abs(forces.loads[p] / record.force.mean() - 1) > 0.05)
-      run.warn(
-          fmt::format("{}: pass.load is {}, the mean of its force record {}; stiffnesses belong to the first, "
-                      "accelerations to the second",
-                      pass.name, in_kN(forces.loads[p]), in_kN(record.force.mean())));
+    if (record.force.size() > 0)
+      run.warn(load_beside_record(pass, record.force.mean()));
   }
   return forces;
 }
@@ -233,14 +234,29 @@ void add_turning_and_response(RunContext &run, const FourHigh &stand, const redu
   });
 }
 
+// The frame of the chain; parts that a given K2 or K6 stands for are as sure as that.
+Frame with_tolerance_of_given(const FourHigh &drawn, Frame frame)
+{
+  for (const Field<Frame> &row : frame_rows())
+    for (const char *spring : {"K2", "K6"})
+      if (const auto given = drawn.given.find(spring);
+          given != drawn.given.end() && is_needless("frame", row.key, {spring}) &&
+          std::isnan(drawn.frame.*std::get<double Frame::*>(row.member)))
+        if (const double error = given->second.parameter.error_estimate; !std::isnan(error))
+          frame.tolerance[row.key] = error;
+  return frame;
+}
+
 // The chain of one pass, what stands beside it, and what is done with it.
 // @param gaps  for the mill modulus of the pass, which comes when the bite is there
-void run_pass(RunContext &run, const FourHigh &stand, const StandParts &parts, const PassForces &forces,
+void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, const PassForces &forces,
               const std::size_t p, const Goal goal, std::vector<Check> &gaps)
 {
-  const Pass &pass = stand.passes[p];
   const bool first = p == 0;
-  auto chain       = reduce::lumped_stand(stand, chain_inputs(stand, parts, p, forces.loads[p]));
+  auto chain       = reduce::lumped_stand(drawn, chain_inputs(drawn, parts, p, forces.loads[p]));
+  FourHigh stand   = drawn;
+  stand.frame      = with_tolerance_of_given(drawn, chain.frame);
+  const Pass &pass = stand.passes[p];
   StandModels models;
   reduce::FeMasses fe_masses{};
   if (goal >= Goal::masses) {
@@ -281,10 +297,31 @@ void run_pass(RunContext &run, const FourHigh &stand, const StandParts &parts, c
 }
 }  // namespace
 
+namespace {
+// K4 makes the strip optional, chatter does not.
+void require_bite(const Case &the_case)
+{
+  std::string missing;
+  for (const char *key :
+       {"strip.entry_thickness", "strip.exit_thickness", "strip.friction", "strip.flow_stress"}) {
+    const bool is_there = std::any_of(the_case.places.begin(), the_case.places.end(), [&](const auto &entry) {
+      return entry.first == key || entry.first.rfind(std::string(key) + ".", 0) == 0;
+    });
+    if (!is_there)
+      missing += (missing.empty() ? "" : ", ") + std::string(key);
+  }
+  if (!missing.empty())
+    throw InputError("millstand chatter needs " + missing + " (" + the_case.path +
+                     "): given.K4 is the slope of a bite, not how it follows speed and tension");
+}
+}  // namespace
+
 void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::string &force_file)
 {
-  if (goal == Goal::chatter)
+  if (goal == Goal::chatter) {
+    require_bite(run.the_case);
     stand.dynamics.force_meaning = "measured";  // the stand without the strip, which the bite then adds
+  }
   const PassForces forces = forces_of(run, stand, force_file);
   set_given_inputs(stand.given);
   resolve_frame(run, stand);
@@ -423,5 +460,6 @@ void run_stages(RunContext &run, const Goal goal, const std::string &force_file)
 {
   run_kind(run.the_case).run(run, goal, force_file);
   set_inputs(run.results, run.the_case);
+  mark_estimates(run);
 }
 }  // namespace mill

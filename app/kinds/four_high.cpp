@@ -1,6 +1,7 @@
 #include "app/case_kinds.h"
 #include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
+#include "app/review/case_review.h"
 #include "app/stages/bite_stage.h"
 #include "app/trace/quick_chain.h"
 #include "app/trace/trace_key.h"
@@ -191,6 +192,7 @@ const RunKind &run_kind(const FourHigh &)
     RunKind k;
     k.verbs  = {"run", "stiffness", "masses", "modes", "chatter", "simulate"};
     k.check  = check_bites;
+    k.review = review_stand;
     k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> {
       return {
           {"condensation",  1 },

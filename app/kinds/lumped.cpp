@@ -2,6 +2,7 @@
 #include "app/case_kinds.h"
 #include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
+#include "app/review/case_review.h"
 #include "app/trace/quick_chain.h"
 #include "core/model/case.h"
 #include <filesystem>
@@ -42,6 +43,7 @@ const RunKind &run_kind(const Lumped &)
     RunKind k;
     k.verbs   = {"run", "modes", "simulate"};
     k.refusal = lumped_refusal;
+    k.review  = review_lumped;
     k.stages  = [](const Case &) -> std::vector<std::pair<std::string, double>> {
       return {
           {"passes", 1}

@@ -91,7 +91,7 @@ bite::RollBite bite_of(const Strip &strip, const Pass &pass, const double roll_d
 void check_bites(const Case &the_case)
 {
   std::vector<Problem> problems;
-  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
+  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec); stand && !stand->given.count("K4"))
     for (const Pass &pass : stand->passes)
       check_pass(bite_of(stand->strip, pass, stand->work_roll.barrel_diameter, stand->steel), stand->bite, pass,
                  problems);

@@ -1,4 +1,5 @@
 #include "app/stages/dynamics_stage.h"
+#include "app/stages/contact_stage.h"
 #include "app/stages/curve_files.h"
 #include "app/stages/mode_results.h"
 #include "core/records/csv.h"
@@ -69,6 +70,15 @@ ForceRecord force_of(const Pass &pass)
                     "of the bandwidth); at most 2e7 are made, lower one of them",
                     pass.name, noise.duration * noise.rate));
   return dynamics::synthetic_force(noise);
+}
+
+std::string load_beside_record(const Pass &pass, const double mean)
+{
+  if (std::isnan(pass.load) || !(std::abs(pass.load / mean - 1) > 0.05))
+    return "";
+  return fmt::format("{}: pass.load is {}, the mean of its force record {}; stiffnesses belong to the first, "
+                     "accelerations to the second",
+                     pass.name, in_kN(pass.load), in_kN(mean));
 }
 
 namespace {

@@ -14,6 +14,9 @@ namespace mill {
 /// Force record of a pass: its file, or the synthetic noise its keys describe.
 ForceRecord force_of(const Pass &pass);
 
+/// A sentence where the load of a pass is more than a twentieth off the mean of its record; else empty.
+std::string load_beside_record(const Pass &pass, double mean);
+
 bool has_force(const Pass &pass);  ///< a record, or a range to make one in
 
 /// Vertical modes of the chain, and which half of the stand each moves.

@@ -6,6 +6,6 @@ namespace mill {
 struct Case;
 
 /// The stand as a unit needs it: model data, where each start value comes from, the force that travels along, and
-/// the run that the unit must reproduce.  theory.md 36
+/// the run that the unit must reproduce.  theory.md 35
 fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of);
 }  // namespace mill

@@ -356,6 +356,8 @@ void Modulus::add_with_strip()
     sum += h / 3 * (i == 0 || i == n ? 1 : i % 2 ? 4 : 2) * load * compliance(load);
   }
   secant.checks.push_back({"tangents summed over the force", F / sum, "from the smallest force of the curve"});
+  if (const double wished = stand.frame.wished_modulus; !std::isnan(wished))
+    tangent.checks.push_back({"frame.modulus, from which the frame was estimated (34.8)", wished, ""});
   run.results.add(own("modulus", "tangent"), tangent);
   run.results.add(own("modulus", "secant"), secant);
   add_by_width();

@@ -121,6 +121,16 @@ std::vector<QuickResult> quick_bearings(const FourHigh &stand, const double F, c
     const auto &contact = i < 2 ? stand.upper_contact : stand.lower_contact;
     const Roll &roll    = backup ? stand.backup_roll : stand.work_roll;
     const double load   = bearing_load(stand, backup, contact, F);
+    if (roll.bearing.empty()) {  // not drawn, since all of its stiffnesses are given
+      QuickResult r;
+      r.name      = fmt::format("Kzc{}", i + 1);
+      r.parameter = stand.given.at(r.name).parameter;
+      r.load      = load;
+      all.push_back(r);
+      if (backup)
+        add_both(r, i == 0 ? "K_Zy" : "K_Zy_lower");
+      continue;
+    }
     if (const OilFilmBearing *film = oil_film_of(stand.oil_films, roll.bearing)) {
       const bearing::OilFilmLoad on{
           load, stand.passes[pass].speed / (roll.barrel_diameter / 2), {0, 0}

@@ -164,7 +164,10 @@ void add_springs(QuickResults &all, const FourHigh &stand, const std::size_t p, 
   const auto bearings = quick_bearings(stand, load, p);
   std::vector<QuickResult> made{quick_contact(stand, "upper", load, p), quick_contact(stand, "lower", load, p)};
   made.insert(made.end(), bearings.begin(), bearings.end());
-  made.push_back(quick_bite(stand, int(p)));
+  if (is_given(stand.given, "K4"))  // the strip may be unknown
+    made.push_back(given_result("K4", stand.given.at("K4").parameter));
+  else
+    made.push_back(quick_bite(stand, int(p)));
   for (QuickResult &r : made) {
     if (is_across_given_bearing(r.name, stand.given))
       continue;  // nobody knows it, as in a run

@@ -313,7 +313,8 @@ void check_bearing(const RollerBearing &bearing, Reading &reading)
 void check_bearing_name(const std::string &key, const std::string &bearing, const std::vector<std::string> &names,
                         Reading &reading)
 {
-  if (!reading.usable({key}))
+  if (!reading.usable({key}) ||
+      (bearing.empty() && !reading.places.count(key)))  // not given where it may be left out
     return;
   if (std::find(names.begin(), names.end(), bearing) != names.end())
     return;

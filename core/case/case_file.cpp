@@ -2,6 +2,7 @@
 #include "core/case/case_file.h"
 #include "core/case/error_list.h"
 #include "core/case/nesting.h"
+#include "core/case/quantity_slips.h"
 #include "core/case/units.h"
 #include "core/records/files.h"
 #include "core/records/run_identity.h"
@@ -75,10 +76,22 @@ std::string line_of(const std::string &text, const int number)
   return line;
 }
 
-// "key = 1450 mm": the commonest slip.  Column of the value and the repaired line, or nothing.
+// A number with a unit of this program, or of those it can name.
+bool is_quantity(const std::string &text)
+{
+  const ParsedQuantity parsed = parse_quantity(text);
+  const auto &others          = foreign_units();
+  return parsed.fault == ParsedQuantity::Fault::none ||
+         (parsed.fault == ParsedQuantity::Fault::unknown_unit &&
+          std::any_of(others.begin(), others.end(),
+                      [&](const ForeignUnit &u) { return parsed.unit_text == u.spelling; }));
+}
+
+// "key = 1450 mm", "key = 0,2": the commonest slips.  Column of the value, what is wrong and the repaired line, or
+// nothing.
 struct Unquoted {
   int column = 0;
-  std::string key, value;
+  std::string message;
 };
 Unquoted unquoted_quantity(const std::string &line)
 {
@@ -89,13 +102,25 @@ Unquoted unquoted_quantity(const std::string &line)
   const auto comment = std::min(line.find('#', begin), line.size());
   std::string value  = line.substr(begin, comment - begin);
   value.erase(value.find_last_not_of(" \t\r") + 1);
-  const ParsedQuantity parsed = parse_quantity(value);
-  if (parsed.fault != ParsedQuantity::Fault::none)
-    return {};
   std::string key = line.substr(0, equals);
   key.erase(key.find_last_not_of(" \t") + 1);
   key.erase(0, std::min(key.find_first_not_of(" \t"), key.size()));
-  return {int(begin) + 1, key, value};  // a key and a number are ASCII: bytes are characters up to here
+  const int column = int(begin) + 1;  // a key and a number are ASCII: bytes are characters up to here
+  if (is_quantity(value))
+    return {column, fmt::format("a value with a unit is written in quotes: {} = \"{}\"", key, value)};
+  const auto meant = with_decimal_point(value);
+  if (meant.empty())
+    return {};
+  double number = 0;
+  if (parse_number(meant.front(), number))
+    return {column, fmt::format("a number is written with a decimal point and no other separator: {} = {}", key,
+                                meant.front())};
+  if (!is_quantity(meant.front()))
+    return {};
+  return {column,
+          fmt::format("a value with a unit is written in quotes, its number with a decimal point and no other "
+                      "separator: {} = \"{}\"",
+                      key, meant.front())};
 }
 
 // Line above `line` in the same section where a bare key stands first; 0 when not found.
@@ -122,8 +147,7 @@ Problem problem_of(const toml::parse_error &error, const std::string &file, cons
   if (const Unquoted slip = unquoted_quantity(line_of(text, place.line)); slip.column > 0)
     return {
         {file,         place.line, slip.column},
-        fmt::format("a value with a unit is written in quotes: {} = \"{}\"", slip.key, slip.value),
-        {           }
+        slip.message, {           }
     };
   const std::string redefined = "cannot redefine existing ";
   if (const auto at = description.find(redefined); at != std::string::npos) {

@@ -10,7 +10,7 @@ namespace {
 using nlohmann::ordered_json;
 using Repeat = SectionRows::Repeat;
 
-const char *const quantity_pattern = R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*[^\s0-9].*$)";
+const char *const quantity_pattern = R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*([^\s0-9]|1/).*$)";
 
 ordered_json quantity()
 {
@@ -141,36 +141,24 @@ ordered_json closed_object()
   };
 }
 
+// What is missing is not marked here: given values, drawings, a designation and estimates make keys needless,
+// which `millstand check` knows, and a mistyped key is marked once, where it stands.
 void add_rows(ordered_json &object, const SectionRows &section)
 {
-  const std::vector<std::string> &drawable = drawable_frame_keys();
   for (const Row &row : section.rows) {
     ordered_json type   = (section.name == "given" || section.name == "published") && !is_tolerance(row.key)
                               ? given_type()
                               : type_of(row);
     type["description"] = description(row);
     object["properties"][row.key] = std::move(type);
-    const bool drawn =
-        section.name == "frame" && std::find(drawable.begin(), drawable.end(), row.key) != drawable.end();
-    if (row.fallback.kind == Fallback::Kind::required && !drawn)
-      object["required"].push_back(row.key);
   }
 }
 
-void require(ordered_json &object, const std::string &key)
-{
-  auto &keys = object["required"];
-  if (std::find(keys.begin(), keys.end(), key) == keys.end())
-    keys.push_back(key);
-}
-
 // Object of a section that may lie deeper: "contact.upper" becomes properties.contact.properties.upper.
-ordered_json &object_at(ordered_json &root, const std::string &name, const bool needed)
+ordered_json &object_at(ordered_json &root, const std::string &name)
 {
   ordered_json *object = &root;
   for (const std::string &part : split(name, ".")) {
-    if (needed)
-      require(*object, part);
     ordered_json &properties = (*object)["properties"];
     if (!properties.contains(part))
       properties[part] = closed_object();
@@ -197,7 +185,7 @@ ordered_json schema_of(const std::string &kind)
       root["properties"]["schema"]["const"] = 1;
       root["properties"]["kind"]["const"]   = kind;
     } else if (section.repeat == Repeat::once) {
-      ordered_json &object  = object_at(root, section.name, section.needed);
+      ordered_json &object  = object_at(root, section.name);
       object["description"] = section.meaning;
       add_rows(object, section);
     } else {
@@ -211,7 +199,9 @@ ordered_json schema_of(const std::string &kind)
       if (properties.contains(name)) {  // another type of the same section
         ordered_json &items = properties[name]["additionalProperties"];
         items               = ordered_json{
-            {"anyOf", ordered_json::array({items, item})}
+            {"if",   {{"properties", {{"type", {{"const", section.type}}}}}, {"required", {"type"}}}},
+            {"then", item                                                                           },
+            {"else", items                                                                          }
         };
         continue;
       }
@@ -219,8 +209,6 @@ ordered_json schema_of(const std::string &kind)
           section.repeat == Repeat::list
               ? ordered_json{{"type", "array"}, {"items", item}, {"description", section.meaning}}
               : ordered_json{{"type", "object"}, {"additionalProperties", item}, {"description", section.meaning}};
-      if (section.needed)
-        require(root, name);
     }
   }
   return root;
@@ -229,13 +217,20 @@ ordered_json schema_of(const std::string &kind)
 
 std::string case_schema()
 {
+  // By if and then, so that a typo is marked where it stands and not at every kind that the case is none of.
   ordered_json schema{
-      {"$schema", "http://json-schema.org/draft-07/schema#"},
-      {"title",   "millstand case file"                    }
+      {"$schema",    "http://json-schema.org/draft-07/schema#"       },
+      {"title",      "millstand case file"                           },
+      {"type",       "object"                                        },
+      {"required",   {"schema", "kind"}                              },
+      {"properties", {{"kind", ordered_json{{"enum", case_kinds()}}}}}
   };
-  schema["oneOf"] = ordered_json::array();
+  schema["allOf"] = ordered_json::array();
   for (const std::string &kind : case_kinds())
-    schema["oneOf"].push_back(schema_of(kind));
+    schema["allOf"].push_back({
+        {"if",   {{"properties", {{"kind", ordered_json{{"const", kind}}}}}, {"required", {"kind"}}}},
+        {"then", schema_of(kind)                                                                    }
+    });
   return schema.dump(2) + "\n";
 }
 }  // namespace mill

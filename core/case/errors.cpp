@@ -163,7 +163,7 @@ std::string rest_of(const std::vector<Problem> &problems)
   return fmt::format("and {} more error{}; mend these and check again", n, n == 1 ? "" : "s");
 }
 
-std::string joined(const std::vector<Problem> &problems)
+std::string one_below_the_other(const std::vector<Problem> &problems)
 {
   std::string text;
   for (std::size_t i = 0; i < std::min(problems.size(), most_problems_shown); ++i)
@@ -193,7 +193,8 @@ bool operator<(const Place &a, const Place &b)
   return std::tie(a.file, a.line, a.column) < std::tie(b.file, b.line, b.column);
 }
 
-InputError::InputError(std::vector<Problem> all) : std::runtime_error(joined(sorted(all))), problems(sorted(all))
+InputError::InputError(std::vector<Problem> all)
+    : std::runtime_error(one_below_the_other(sorted(all))), problems(sorted(all))
 {
 }
 

@@ -1,5 +1,6 @@
 #include "core/case/fields.h"
 #include "core/case/error_list.h"
+#include "core/case/quantity_slips.h"
 #include "core/case/units.h"
 #include <algorithm>
 #include <cctype>
@@ -9,15 +10,6 @@
 
 namespace mill {
 namespace {
-// Range ends and values meet after a conversion of units; both carry its rounding, some 1e-16 each.
-constexpr double rounding = 1e-14;
-
-bool inside(const double number, const Range &range)
-{
-  const auto slack = [](const double end) { return std::isfinite(end) ? rounding * std::abs(end) : 0; };
-  return number >= range.min - slack(range.min) && number <= range.max + slack(range.max);
-}
-
 // The value under the reader's eye: its row, its node, its full key, and where to complain.
 struct Item {
   const Row &row;
@@ -34,21 +26,28 @@ struct Item {
 // One number with the unit `form` ("1": bare).
 std::optional<double> scalar(const Item &item, const std::string &form, const Range &range)
 {
-  using Fault      = ParsedQuantity::Fault;
-  const Node &node = item.node;
-  const bool bare  = node.kind == Node::Kind::integer || node.kind == Node::Kind::real;
-  const auto want  = needed(item.row);
-  double number    = node.number;
-  double value     = number;
+  using Fault       = ParsedQuantity::Fault;
+  const Node &node  = item.node;
+  const bool bare   = node.kind == Node::Kind::integer || node.kind == Node::Kind::real;
+  const auto want   = needed(item.row);
+  double number     = node.number;
+  double value      = number;
+  const auto remedy = [&] { return node.kind == Node::Kind::text ? quantity_remedy(node.text, form, range) : ""; };
   if (form == "1") {
-    if (!bare || !std::isfinite(number))
+    if (!bare || !std::isfinite(number)) {
+      if (const std::string slip = remedy(); !slip.empty())
+        return item.refuse(slip);
       return item.refuse(fmt::format("is not a number; {}", want));
+    }
   } else {
     if (bare)
       return item.refuse(fmt::format("has no unit; {}", want));
     if (node.kind != Node::Kind::text)
       return item.refuse(fmt::format("is no quantity; {}", want));
     const ParsedQuantity parsed = parse_quantity(node.text);
+    const bool fits             = parsed.fault == Fault::none && parsed.unit->dimension == unit(form).dimension;
+    if (const std::string slip = fits ? "" : remedy(); !slip.empty())
+      return item.refuse(slip);
     if (parsed.fault == Fault::no_number)
       return item.refuse(fmt::format("does not begin with a number; {}", want));
     if (parsed.fault == Fault::no_unit)
@@ -56,7 +55,7 @@ std::optional<double> scalar(const Item &item, const std::string &form, const Ra
     if (parsed.fault == Fault::unknown_unit)
       return item.refuse(fmt::format("has the unknown unit '{}'; {} (known units: {})", parsed.unit_text, want,
                                      units_like(unit(form))));
-    if (!(parsed.unit->dimension == unit(form).dimension))
+    if (!fits)
       return item.refuse(fmt::format("is {}; {}", parsed.unit->quantity, want));
     value  = parsed.value();
     number = from_si(value, unit(form));
@@ -257,12 +256,24 @@ void report_missing_section(const Section &section, const std::vector<Row> &rows
   if (section.node || section.refused)
     return;
   std::string keys;
+  std::vector<std::string> instead;  // of all of them, each once
   for (const Row &row : rows)
-    if (row.fallback.kind == Fallback::Kind::required)
+    if (row.fallback.kind == Fallback::Kind::required) {
       keys += (keys.empty() ? "" : ", ") + row.key;
-  if (!keys.empty())
-    reading.add(Place{reading.file},
-                fmt::format("the section {} is missing; it needs {}", section.header(), keys));
+      if (std::find(instead.begin(), instead.end(), row.instead) == instead.end())
+        instead.push_back(row.instead);
+    }
+  if (keys.empty())
+    return;
+  std::string others, estimate = ", or estimate = true";
+  if (std::find(instead.begin(), instead.end(), "") == instead.end())
+    for (const std::string &one : instead) {
+      others += (others.empty() ? "; or " : ", ") + one.substr(0, one.find(" in [given]"));
+      if (one.find("estimate = true") == std::string::npos)
+        estimate = "";
+    }
+  reading.add(Place{reading.file}, fmt::format("the section {} is missing; it needs {}{}", section.header(), keys,
+                                               others.empty() ? "" : others + " in [given]" + estimate));
 }
 
 std::optional<Value> default_of(const Row &row)
@@ -287,8 +298,9 @@ std::optional<Value> read_row(const Row &row, const Section &section, Reading &r
     if (row.fallback.kind == Fallback::Kind::required) {
       reading.bad.insert(key);
       if (section.node)
-        reading.add(section.node->place, fmt::format("{} has no '{}'; add for example {} = {}", section.header(),
-                                                     row.key, row.key, example_toml(row)));
+        reading.add(section.node->place,
+                    fmt::format("{} has no '{}'; add for example {} = {}{}", section.header(), row.key, row.key,
+                                example_toml(row), row.instead.empty() ? "" : ", or " + row.instead));
     }
     return default_of(row);
   }
@@ -312,12 +324,17 @@ void refuse_unknown_keys(const Section &section, const std::vector<Row> &rows,
     known.push_back(row.key);
   known.insert(known.end(), others.begin(), others.end());
   for (const Node::Entry &entry : section.node->entries)
-    if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
-      const std::string what = entry.value.section && section.name.empty()
-                                   ? fmt::format("unknown section [{}]", shortened(entry.key))
-                                   : fmt::format("unknown key '{}' in {}", shortened(entry.key), section.header());
-      reading.add(entry.key_place, what + suggestion(entry.key, known));
-    }
+    if (std::find(known.begin(), known.end(), entry.key) == known.end())
+      report_unknown(entry, section, known, reading);
+}
+
+void report_unknown(const Node::Entry &entry, const Section &section, const std::vector<std::string> &known,
+                    Reading &reading)
+{
+  const std::string what = entry.value.section && section.name.empty()
+                               ? fmt::format("unknown section [{}]", shortened(entry.key))
+                               : fmt::format("unknown key '{}' in {}", shortened(entry.key), section.header());
+  reading.add(entry.key_place, what + suggestion(entry.key, known));
 }
 
 }  // namespace mill

@@ -59,6 +59,7 @@ struct Row {
   Fallback fallback;
   std::string example;  ///< scalar without quotes, "420 mm"; pair and table as TOML
   std::string meaning;
+  std::string instead = "";  ///< what may be given in place of a required one, "M1 in [given]"; empty: nothing
 };
 
 template <class T>
@@ -69,12 +70,13 @@ using Member = std::variant<double T::*, int T::*, bool T::*, std::string T::*, 
 /// One input parameter.  Whatever the program ever says about it is said here, once.
 template <class T> struct Field {
   const char *key;
-  Member<T> member;     ///< destination, SI
-  const char *form;     ///< as Row::form; "text" and "path" for those
-  Range range;          ///< both ends allowed
-  Fallback fallback;    ///< value when the key is absent, `required` or `absent`
-  const char *example;  ///< shown in messages, used by the template
-  const char *meaning;  ///< one sentence
+  Member<T> member;          ///< destination, SI
+  const char *form;          ///< as Row::form; "text" and "path" for those
+  Range range;               ///< both ends allowed
+  Fallback fallback;         ///< value when the key is absent, `required` or `absent`
+  const char *example;       ///< shown in messages, used by the template
+  const char *meaning;       ///< one sentence
+  std::string instead = "";  ///< as Row::instead
 };
 
 /// What reading a case has found so far: every problem, and where the good values stand.
@@ -82,6 +84,7 @@ struct Reading {
   std::string file;    ///< the case file as the user named it
   std::string folder;  ///< of the case file; paths of the case start there
   std::vector<Problem> problems;
+  std::vector<Problem> warnings;               ///< unlikely, but not impossible: nothing is refused for these
   std::map<std::string, Place> places;         ///< full key -> place of a value that was read and accepted
   std::map<std::string, std::string> written;  ///< full key -> value as written, "\"420 mm\""
   std::set<std::string> bad;                   ///< full keys whose value is missing or was refused
@@ -118,10 +121,17 @@ std::optional<Value> read_row(const Row &row, const Section &section, Reading &r
 void refuse_unknown_keys(const Section &section, const std::vector<Row> &rows,
                          const std::vector<std::string> &others, Reading &reading);
 
+/// The problem of one such key, with the nearest of `known` or all of them.
+void report_unknown(const Node::Entry &entry, const Section &section, const std::vector<std::string> &known,
+                    Reading &reading);
+
 /// Value as TOML text in the row's unit, with the digits that read back as the same double; empty for "not given".
 std::string toml_of(const Row &row, const Value &value);
 std::string example_toml(const Row &row);  ///< the row's example as TOML
 std::string default_toml(const Row &row);  ///< the row's default as TOML; empty when it has none
+
+/// The known word that fewest slips lead to; empty when every one is another word.
+std::string nearest_word(const std::string &word, const std::vector<std::string> &known);
 
 /// "; did you mean 'radial_clearance'?", or the list of what is known when nothing is near.
 std::string suggestion(const std::string &word, const std::vector<std::string> &known);
@@ -151,7 +161,7 @@ std::string range_text(const Row &row);
 
 template <class T> Row row_of(const Field<T> &f)
 {
-  return {f.key, kind_of(f.member.index(), f.form), f.form, f.range, f.fallback, f.example, f.meaning};
+  return {f.key, kind_of(f.member.index(), f.form), f.form, f.range, f.fallback, f.example, f.meaning, f.instead};
 }
 
 template <class T> std::vector<Row> rows_of(const std::vector<Field<T>> &fields)

@@ -156,12 +156,12 @@ std::string default_toml(const Row &row)
   return value ? toml_of(row, *value) : "";
 }
 
-std::string suggestion(const std::string &word, const std::vector<std::string> &known)
+std::string nearest_word(const std::string &word, const std::vector<std::string> &known)
 {
-  std::string best, list;
-  std::size_t fewest = word.size() / 3 + 1;  // more than a third of the letters wrong is another word
+  std::string best;
+  // More than a third of the letters wrong is another word; of two letters one may be.
+  std::size_t fewest = word.size() == 2 ? 2 : word.size() / 3 + 1;
   for (const std::string &candidate : known) {
-    list += (list.empty() ? "" : ", ") + candidate;
     if (std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size()) >= fewest)
       continue;  // each letter too many is a slip; a very long word would make the table of distances large
     if (const auto slips = slips_between(word, candidate); slips < fewest) {
@@ -169,7 +169,18 @@ std::string suggestion(const std::string &word, const std::vector<std::string> &
       best   = candidate;
     }
   }
-  return best.empty() ? "; known: " + list : "; did you mean '" + best + "'?";
+  return best;
+}
+
+std::string suggestion(const std::string &word, const std::vector<std::string> &known)
+{
+  const std::string best = nearest_word(word, known);
+  if (!best.empty())
+    return "; did you mean '" + best + "'?";
+  std::string list;
+  for (const std::string &candidate : known)
+    list += (list.empty() ? "" : ", ") + candidate;
+  return "; known: " + list;
 }
 
 std::string needed(const Row &row)

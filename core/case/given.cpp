@@ -129,6 +129,14 @@ void report_missing(const Section &given, const std::vector<Row> &rows, Reading 
 }
 }  // namespace
 
+std::vector<std::string> given_table_keys()
+{
+  std::vector<std::string> keys{"value", "inputs"};
+  for (const Row &row : rows_of(table_rows()))
+    keys.push_back(row.key);
+  return keys;
+}
+
 bool parse_source(const std::string &text, Parameter &parameter)
 {
   const auto colon       = text.find(": ");

@@ -3,6 +3,9 @@
 #include "core/records/parameter.h"
 
 namespace mill {
+/// Keys of a value of [given] or [published] that keeps where it comes from: value, source, ...
+std::vector<std::string> given_table_keys();
+
 /// "published", "computed: contact FEM", "assumed: F/20" -> source and method.  False for anything else.
 bool parse_source(const std::string &text, Parameter &parameter);
 

@@ -1,4 +1,5 @@
 #include "core/case/input_reference.h"
+#include "core/case/case_template.h"
 #include "core/case/errors.h"
 #include "core/case/kinds.h"
 #include "core/case/units.h"
@@ -70,8 +71,10 @@ std::string rows_reference(const SectionRows &section)
   std::string text = "| key | form | range | default | example | meaning |\n|---|---|---|---|---|---|\n";
   for (const Row &row : section.rows) {
     const std::string limits = range_text(row);
-    text += fmt::format("| `{}` | {} | {} | {} | `{}` | {} |\n", row.key, cell(form_text(row)),
-                        limits.empty() ? "-" : limits, default_text(row), cell(example_toml(row)), row.meaning);
+    const std::string where  = where_to_find(section.id(), row.key);
+    text += fmt::format("| `{}` | {} | {} | {} | `{}` | {}{} |\n", row.key, cell(form_text(row)),
+                        limits.empty() ? "-" : limits, default_text(row), cell(example_toml(row)), row.meaning,
+                        where.empty() ? "" : "; where to find it: " + where);
   }
   return text;
 }
@@ -143,76 +146,7 @@ std::string kind_references()
   }
   return text;
 }
-
-// One section of a template with what its kind says of it.
-struct Filled {
-  const SectionRows *section;
-  TemplateNote note;
-};
-
-std::string template_line(const Row &row, const Filled &filled)
-{
-  const auto own       = filled.note.values.find(row.key);
-  const auto &shown    = filled.note.shown;
-  const bool has_value = row.fallback.kind != Fallback::Kind::absent || own != filled.note.values.end() ||
-                         std::find(shown.begin(), shown.end(), row.key) != shown.end();
-  std::string value = own != filled.note.values.end() ? own->second : example_toml(row);
-  if (own == filled.note.values.end() && row.fallback.kind != Fallback::Kind::required &&
-      !default_toml(row).empty() && std::find(shown.begin(), shown.end(), row.key) == shown.end())
-    value = default_toml(row);
-  const std::string limits = range_text(row);
-  const std::string choice = row.kind == Kind::choice ? row.form + "; " : "";
-  return fmt::format("{}{} = {}  # {}{}{}\n", has_value ? "" : "# ", row.key, value, choice, row.meaning,
-                     limits.empty() ? "" : "; " + limits);
-}
-
-std::string template_section(const Filled &filled)
-{
-  const std::string header = filled.note.header.empty() ? header_of(*filled.section) : filled.note.header;
-  std::string text =
-      filled.section->name.empty() ? "" : fmt::format("\n{}  # {}\n", header, filled.section->meaning);
-  for (const Row &row : filled.section->rows)
-    if (!is_tolerance(row.key))  // optional, and as many as there are values
-      text += template_line(row, filled);
-  if (filled.note.off)
-    for (std::size_t at = 1; at < text.size(); at = text.find('\n', at) + 1)
-      if (text.compare(at, 2, "# ") != 0)
-        text.insert(at, "# ");
-  return text;
-}
-
-// The sections of a kind with the values its template needs.
-std::vector<Filled> filled_sections(const CaseKind &kind)
-{
-  std::vector<Filled> all;
-  for (const SectionRows &section : kind.sections) {
-    const std::size_t before = all.size();
-    for (const TemplateNote &note : kind.notes)
-      if (note.section == section.id())
-        all.push_back({&section, note});
-    if (all.size() == before)
-      all.push_back({&section, {}});
-    if (section.name.empty())
-      all.back().note.values = {
-          {"kind",  quoted(kind.name) },
-          {"title", quoted(kind.title)}
-      };
-  }
-  return all;
-}
 }  // namespace
-
-std::string template_of(const std::string &kind)
-{
-  const auto &kinds = case_kinds();
-  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-    throw InputError(fmt::format("there is no template for the kind '{}'{}", kind, suggestion(kind, kinds)));
-  std::string text =
-      fmt::format("# A case of kind \"{}\" that runs as it is.  Quantities are texts with a unit.\n\n", kind);
-  for (const Filled &filled : filled_sections(kind_named(kind)))
-    text += template_section(filled);
-  return text;
-}
 
 std::string input_reference()
 {

@@ -25,6 +25,12 @@ struct TemplateNote {
   bool off = false;                           ///< every line a comment: something else says it already
 };
 
+/// A value that stands on a drawing or in a record, and where.
+struct DrawingValue {
+  std::string section, key;  ///< id of the section
+  std::string where;         ///< "roll drawing: .."
+};
+
 /// One kind of case: all that reading and describing it needs.
 struct CaseKind {
   std::string name;   ///< "four-high"
@@ -32,8 +38,10 @@ struct CaseKind {
   CaseSpec (*read)(const Node &root, Reading &reading);
   std::vector<SectionRows> sections;
   std::vector<TemplateNote> notes;  ///< of the sections that need one
-  std::vector<Row> given;           ///< of [given], without tolerances
-  std::vector<Row> published;       ///< of [published]
+  std::vector<DrawingValue>
+      drawing;                 ///< part one of its template, in the order in which one reads; empty: one part
+  std::vector<Row> given;      ///< of [given], without tolerances
+  std::vector<Row> published;  ///< of [published]
   /// Names of the sections of a case that repeat, by their id: bearings, or "0", "1" for those in double brackets.
   std::vector<std::string> (*repeated)(const CaseSpec &spec, const std::string &section) = nullptr;
 };

@@ -1,4 +1,6 @@
+#include "core/case/case_template.h"
 #include "core/case/kinds.h"
+#include "core/case/mend_names.h"
 #include "core/case/stand_reader.h"
 #include "core/numerics/require.h"
 #include <algorithm>
@@ -23,6 +25,7 @@ std::string listed(const std::vector<std::string> &words)
 CaseHead read_head(const Section &top, Reading &reading)
 {
   CaseHead head;
+  const std::size_t n_before = reading.problems.size();
   for (const Field<CaseHead> &field : head_rows())
     if (const auto value = read_row(row_of(field), top, reading))
       set_member(field, *value, head);
@@ -39,7 +42,7 @@ CaseHead read_head(const Section &top, Reading &reading)
   else if (reading.usable({"kind"}) && std::find(kinds.begin(), kinds.end(), head.kind) == kinds.end())
     reading.add(reading.place("kind"),
                 fmt::format("{} is unknown{}", reading.said("kind"), suggestion(head.kind, kinds)));
-  if (!reading.problems.empty())
+  if (reading.problems.size() > n_before)
     throw InputError(std::move(reading.problems));
   return head;
 }
@@ -91,9 +94,30 @@ const OilFilmBearing *oil_film_of(const std::vector<OilFilmBearing> &bearings, c
   return found == bearings.end() ? nullptr : &*found;
 }
 
+namespace {
+// One equal number is chance, several are a template that was not filled in.
+void add_template_warning(const std::vector<std::string> &left, Reading &reading)
+{
+  constexpr std::size_t no_chance = 3, most_named = 12;
+  if (left.size() < no_chance)
+    return;
+  std::string keys;
+  for (std::size_t i = 0; i < std::min(left.size(), most_named); ++i)
+    keys += (i ? ", " : "") + left[i];
+  if (left.size() > most_named)
+    keys += fmt::format(" and {} more", left.size() - most_named);
+  reading.warnings.push_back(
+      {Place{reading.file},
+       fmt::format("{} values are still those of the template: {}; replace them, or name those "
+                   "that are meant in confirmed = \"...\"",
+                   left.size(), keys),
+       {}});
+}
+}  // namespace
+
 Case read_case(const std::string &path, const std::vector<std::string> &sets)
 {
-  const Node root                    = read_case_file(path, sets);
+  Node root                          = read_case_file(path, sets);
   const std::filesystem::path file   = path;
   const std::filesystem::path folder = file.parent_path();
   Reading reading;
@@ -102,17 +126,22 @@ Case read_case(const std::string &path, const std::vector<std::string> &sets)
 
   Case result;
   const Section top{&root, ""};
+  mend_head(root, reading);
   const CaseHead head = read_head(top, reading);
   result.path         = path;
   result.name         = file.stem().string();
   result.kind         = head.kind;
   result.title        = head.title;
+  mend_names(root, head.kind, reading);
   refuse_unknown_keys(top, rows_of(head_rows()), top_names(head.kind), reading);
   reading.echo = resolved_lines("", head_rows(), head, reading);
 
   result.spec = kind_named(head.kind).read(root, reading);
   if (!reading.problems.empty())
     throw InputError(std::move(reading.problems));
+  result.left_at_template = left_at_template(kind_named(head.kind), reading.written, head.confirmed);
+  add_template_warning(result.left_at_template, reading);
+  result.warnings = std::move(reading.warnings);
   result.resolved = std::move(reading.echo);
   result.places   = std::move(reading.places);
   return result;

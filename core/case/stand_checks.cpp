@@ -219,5 +219,6 @@ void check_four_high(const FourHigh &stand, Reading &reading)
         contradict(reading, fmt::format("pass.{}.load", i),
                    fmt::format("is outside the swept range of [{}]", name), {std::string(name) + ".loads"});
   check_published_force(stand.dynamics, stand.given, reading);
+  check_consistency(stand, reading);
 }
 }  // namespace mill

@@ -1,3 +1,5 @@
+#include "core/case/estimates.h"
+#include "core/case/given_instead.h"
 #include "core/case/stand_reader.h"
 #include <algorithm>
 #include <array>
@@ -189,17 +191,6 @@ Screwdown read_screwdown(const Node &root, Reading &reading)
   return screwdown;
 }
 
-const std::vector<std::string> &drawable_frame_keys()
-{
-  static const std::vector<std::string> keys = [] {
-    std::vector<std::string> all = behind_housing;
-    for (const char *spring : {"oil_column_stiffness", "piston_stiffness", "load_cell_stiffness"})
-      all.push_back(spring);
-    return all;
-  }();
-  return keys;
-}
-
 std::vector<std::string> frame_keys_behind(const bool housing, const Screwdown &screwdown,
                                            const RollerBearing *backup_bearing)
 {
@@ -235,20 +226,26 @@ void drop_counted_chocks(Frame &frame, RollerBearing &bearing, const Reading &re
   }
 }
 
-Frame read_frame(const Node &root, const std::vector<std::string> &needless, Reading &reading)
+Frame read_frame(const Node &root, const std::vector<std::string> &needless, const std::set<std::string> &given,
+                 EstimateInput &wish, Reading &reading)
 {
   Frame frame;
-  std::vector<Field<Frame>> rows = frame_rows();
+  const Section section = section_at(root, "frame", reading);
+  wish                  = read_estimate(section, estimate_rows(), reading);
+  std::vector<Field<Frame>> rows =
+      beside_estimate("frame", beside_given("frame", frame_rows(), given, frame), wish.estimate, frame);
   for (Field<Frame> &row : rows)
     if (std::find(needless.begin(), needless.end(), row.key) != needless.end()) {
       row.fallback = absent;
       set_member(row, Value(not_given), frame);
     }
-  const Section section = section_at(root, "frame", reading);
-  std::vector<std::string> tolerances;
+  std::vector<std::string> others;
   for (const Row &row : tolerance_rows(rows_of(rows)))
-    tolerances.push_back(row.key);
-  read_and_echo(section, section.header(), rows, frame, reading, tolerances);
+    others.push_back(row.key);
+  for (const Row &row : rows_of(estimate_rows()))
+    others.push_back(row.key);
+  read_and_echo(section, section.header(), rows, frame, reading, others);
+  reading.echo += resolved_lines("frame", estimate_rows(), wish, reading);
   frame.tolerance = read_tolerances(rows_of(rows), section, reading);
   for (const Field<Frame> &row : rows)
     if (frame.tolerance.count(row.key) && std::isnan(std::get<double>(member_value(row, frame))) &&

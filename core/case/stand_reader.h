@@ -11,12 +11,14 @@
 #include "core/model/roll.h"
 #include "core/model/roller_bearing.h"
 #include "core/model/strip.h"
+#include <set>
 
 // Reading of the kinds of case, section by section.
 namespace mill {
 struct BearingCase;
 struct BiteCase;
 struct ChatterCase;
+struct EstimateInput;
 struct FourHigh;
 struct Lumped;
 struct TwoCylinders;
@@ -27,7 +29,10 @@ Section section_at(const Node &root, const std::string &name, Reading &reading);
 
 /// [[pass]]; `root` may have none.
 std::vector<Pass> read_passes(const Node &root, const std::vector<Field<PassInput>> &rows, Reading &reading);
-Strip read_strip(const Node &root, Reading &reading);
+/// @param given  names that stand under [given]: K4 makes thicknesses, friction and flow stress optional; null:
+/// the
+///               kind has no such section
+Strip read_strip(const Node &root, Reading &reading, const std::set<std::string> *given = nullptr);
 FlowStress read_flow_stress(const Node &root, Reading &reading);
 /// @param section  [strip.friction]
 Friction read_friction_law(const Section &section, Reading &reading);
@@ -44,8 +49,11 @@ void drop_counted_chocks(Frame &frame, RollerBearing &backup_bearing, const Read
 /// Values of tolerance_rows(), by the keys of the quantities they belong to; appended to the echo.
 std::map<std::string, double> read_tolerances(const std::vector<Row> &rows, const Section &section,
                                               Reading &reading);
-/// [frame]; what is needless and not given is NaN.
-Frame read_frame(const Node &root, const std::vector<std::string> &needless, Reading &reading);
+/// [frame]; what is needless and not given is NaN, masses behind what is given are zero.
+/// @param given  names that stand under [given]
+/// @param wish   what of it is to be estimated
+Frame read_frame(const Node &root, const std::vector<std::string> &needless, const std::set<std::string> &given,
+                 EstimateInput &wish, Reading &reading);
 DynamicsSettings read_dynamics(const Node &root, const std::vector<Field<DynamicsSettings>> &rows,
                                Reading &reading);
 FrequencyResponseSettings read_frequency_response(const Node &root, Reading &reading);
@@ -96,6 +104,9 @@ std::string estimated_lines(const RollerBearing &bearing);
 /// Two keys that cannot both be right: the problem stands at the first, the others are shown with it.
 void contradict(Reading &reading, const std::string &key, const std::string &why,
                 const std::vector<std::string> &others);
+/// The same for what is unlikely: a warning, nothing is refused.
+void doubt(Reading &reading, const std::string &key, const std::string &why,
+           const std::vector<std::string> &others);
 std::string millimetres(double length);  ///< "4.5 mm"
 std::string degrees(double angle);       ///< "19.66 deg"
 
@@ -126,6 +137,9 @@ void check_contact(const std::string &section, const ContactSettings &contact, R
 void check_bodies(const TwoCylinders &pair, Reading &reading);
 /// Rolls against each other, bearings that are named, the strip, passes against strip and contacts.
 void check_four_high(const FourHigh &stand, Reading &reading);
+/// Neck in its bearing, bearing on its neck, chocks and rolls in the window, chocks beside each other, loads of
+/// bearings: what cannot be is a problem, what hardly is a warning.
+void check_consistency(const FourHigh &stand, Reading &reading);
 /// force_meaning = "published" needs K4 and C.
 void check_published_force(const DynamicsSettings &dynamics, const GivenValues &given, Reading &reading);
 }  // namespace mill

@@ -39,9 +39,13 @@ template <class T> void add_profile_rows(std::vector<Field<T>> &rows)
 const std::vector<Field<CaseHead>> &head_rows()
 {
   static const std::vector<Field<CaseHead>> rows{
-      {"schema", &CaseHead::schema, "count", any, required, "1",                          "version of the case file format"},
-      {"kind",   &CaseHead::kind,   "text",  any, required, "four-high",                  "what the case describes"        },
-      {"title",  &CaseHead::title,  "text",  any, "",       "1400 four-high, demo stand", "headline of the report"         },
+      {"schema",    &CaseHead::schema,    "count", any, required, "1",                          "version of the case file format"},
+      {"kind",      &CaseHead::kind,      "text",  any, required, "four-high",                  "what the case describes"        },
+      {"title",     &CaseHead::title,     "text",  any, "",       "1400 four-high, demo stand", "headline of the report"         },
+      {"confirmed", &CaseHead::confirmed, "text",  any, "",       "work_roll strip.width",
+       "keys and sections whose values are those of the template and are meant, parted by blanks, or \"all\": the "
+       "run "
+       "lists the others"                                                                                                        },
   };
   return rows;
 }

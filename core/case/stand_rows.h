@@ -64,7 +64,7 @@ struct OilInput : Friction {
 /// The top of every case file.
 struct CaseHead {
   int schema = 0;
-  std::string kind, title;
+  std::string kind, title, confirmed;
 };
 
 const std::vector<Field<CaseHead>> &head_rows();
@@ -110,9 +110,6 @@ const std::vector<Field<DriveOrder>> &drive_order_rows();
 const std::vector<Field<RoundBody>> &upper_body_rows();
 const std::vector<Field<RoundBody>> &lower_body_rows();
 std::vector<Field<RoundBody>> body_rows_for(const Section &section);
-
-/// Keys of [frame] that [housing] or [screwdown] may replace.
-const std::vector<std::string> &drawable_frame_keys();
 
 /// Rows of [given]; they share a reader of their own because a value may carry its source.
 /// @param published  of [published], which may hold more than what could replace a computed value

@@ -1,3 +1,4 @@
+#include "core/case/given_instead.h"
 #include "core/case/stand_reader.h"
 #include "core/model/bite_case.h"
 
@@ -16,9 +17,8 @@ void read_friction(const Section &strip, StripInput &input, Reading &reading)
 }
 
 // The rows of [strip] without the number that a section [strip.friction] stands for.
-std::vector<Field<StripInput>> rows_without_friction()
+std::vector<Field<StripInput>> rows_without_friction(std::vector<Field<StripInput>> rows)
 {
-  auto rows = strip_rows();
   rows.pop_back();
   return rows;
 }
@@ -47,18 +47,24 @@ Friction read_friction_law(const Section &section, Reading &reading)
   return law_of<Friction>(input, friction_law);
 }
 
-Strip read_strip(const Node &root, Reading &reading)
+Strip read_strip(const Node &root, Reading &reading, const std::set<std::string> *given)
 {
   StripInput strip;
+  const auto all           = given ? beside_given("strip", strip_rows(), *given, strip) : strip_rows();
   const Section section    = section_at(root, "strip", reading);
   const Node::Entry *entry = section.node ? section.node->find("friction") : nullptr;
   const bool has_law       = entry && entry->value.kind == Node::Kind::table;
-  read_and_echo(section, section.header(), has_law ? rows_without_friction() : strip_rows(), strip, reading,
+  read_and_echo(section, section.header(), has_law ? rows_without_friction(all) : all, strip, reading,
                 has_law ? std::vector<std::string>{"flow_stress", "friction"}
                         : std::vector<std::string>{"flow_stress"});
-  if (!section.node)
+  if (!section.node) {
+    reading.bad.insert("strip.flow_stress.law");  // nothing else is said of what is not there
     return strip;
-  strip.flow_stress = read_flow_stress(root, reading);
+  }
+  if (section.node->find("flow_stress") || !given || !is_needless("strip", "flow_stress", *given))
+    strip.flow_stress = read_flow_stress(root, reading);
+  else
+    reading.bad.insert("strip.flow_stress.law");
   read_friction(section, strip, reading);
   return strip;
 }

@@ -19,7 +19,9 @@ struct Case {
   std::string kind;  ///< four-high | lumped | two-cylinders | bearing | bite | chatter
   std::string title;
   std::variant<FourHigh, Lumped, TwoCylinders, BearingCase, BiteCase, ChatterCase> spec;
-  std::string resolved;  ///< text of resolved.toml
+  std::vector<std::string> left_at_template;  ///< keys whose values are still those of the template
+  std::vector<Problem> warnings;              ///< what is unlikely but not refused, by place
+  std::string resolved;                       ///< text of resolved.toml
   std::map<std::string, Place>
       places;  ///< "work_roll.barrel_diameter" -> where its value stands; defaults are absent
 };

@@ -4,6 +4,7 @@
 #include "core/model/chatter.h"
 #include "core/model/contact_settings.h"
 #include "core/model/dynamics_settings.h"
+#include "core/model/estimate.h"
 #include "core/model/frame.h"
 #include "core/model/frequency_response.h"
 #include "core/model/given.h"
@@ -36,6 +37,7 @@ struct FourHigh {
   std::vector<DriveOrder> drive;
   StandSpan span;            ///< strip before and behind the stand, for chatter
   ChatterAnalysis analysis;  ///< of chatter
+  Estimates estimates;       ///< values of the records above that nobody gave
   GivenValues given;
   GivenValues published;  ///< same names; only shown beside the computed values
 };

@@ -16,7 +16,8 @@ struct Frame {
   double lower_post_stiffness = 0, lower_beam_stiffness = 0, lower_packing_stiffness = 0;       ///< N/m
   double load_cell_stiffness = not_given;  ///< N/m, absent: rigid
   double chock_to_housing_stiffness =
-      not_given;                            ///< N/m, Kx of each work roll, both sides together; absent: rigid
+      not_given;                      ///< N/m, Kx of each work roll, both sides together; absent: rigid
+  double wished_modulus = not_given;  ///< N/m, of the whole stand, that estimates of the above were made from
   std::map<std::string, double> tolerance;  ///< -, relative, of the members above by their keys, as far as given
 };
 

@@ -22,7 +22,12 @@ const char *name_of(const Source source)
 
 std::string source_text(const Parameter &parameter)
 {
-  const std::string name = name_of(parameter.source);
-  return parameter.method.empty() ? name : name + ": " + parameter.method;
+  std::string text = name_of(parameter.source);
+  if (!parameter.method.empty())
+    text += ": " + parameter.method;
+  if (const std::size_t n = parameter.estimated.size(); n > 0)
+    text += (parameter.method.empty() ? ": " : "; ") + std::to_string(n) +
+            (n == 1 ? " of its inputs is estimated" : " of its inputs are estimated");
+  return text;
 }
 }  // namespace mill

@@ -35,6 +35,7 @@ struct Parameter {
   std::vector<std::string> error_lacks;
   std::vector<std::string> inputs;  ///< keys of the case file it was made from, "work_roll.barrel_diameter"
   std::vector<Check> checks;
+  std::vector<std::string> estimated;  ///< those of the inputs that the case leaves to an estimate
 };
 
 /// "computed: contact FEM", "given", "assumed: F/20"

@@ -213,7 +213,9 @@ KeyList seat_keys(const FourHigh &stand, const std::size_t i, const std::size_t 
 {
   const bool backup = i == 0 || i == 3;
   const Roll &roll  = backup ? stand.backup_roll : stand.work_roll;
-  KeyList keys      = seat_load_keys(stand, backup, i < 2 ? "upper" : "lower", p);
+  if (roll.bearing.empty())  // all of its stiffnesses are given
+    return keys_in("given", backup && stand.given.count("K_Zy") ? "K_Zy" : fmt::format("Kzc{}", i + 1));
+  KeyList keys = seat_load_keys(stand, backup, i < 2 ? "upper" : "lower", p);
   if (const OilFilmBearing *film = oil_film_of(stand.oil_films, roll.bearing))
     return joined(keys, keys_in(pass_section(p), "speed"), keys_in("backup_roll", "barrel_diameter"),
                   oil_film_keys(*film));
@@ -232,7 +234,7 @@ KeyList seat_keys(const FourHigh &stand, const std::size_t i, const std::size_t 
 KeyList seat_across_keys(const FourHigh &stand, const std::size_t i, const std::size_t p)
 {
   const Roll &roll = i == 0 || i == 3 ? stand.backup_roll : stand.work_roll;
-  if (oil_film_of(stand.oil_films, roll.bearing))
+  if (roll.bearing.empty() || oil_film_of(stand.oil_films, roll.bearing))
     return seat_keys(stand, i, p);
   return joined(seat_keys(stand, i, p), keys_in("bearing." + roll.bearing, "slices"));
 }

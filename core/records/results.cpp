@@ -18,6 +18,8 @@ ordered_json json_of(const Parameter &parameter)
   if (!parameter.error_lacks.empty())
     json["error_lacks"] = parameter.error_lacks;  // why there is none
   json["inputs"] = parameter.inputs;
+  if (!parameter.estimated.empty())
+    json["estimated"] = parameter.estimated;
   if (!parameter.checks.empty()) {
     json["checks"] = ordered_json::array();
     for (const Check &check : parameter.checks)
@@ -27,6 +29,25 @@ ordered_json json_of(const Parameter &parameter)
           {"note",  check.note }
       });
   }
+  return json;
+}
+
+ordered_json json_of(const EstimateRecord &record)
+{
+  const Estimate &e = record.estimate;
+  ordered_json json{
+      {"key",   e.key                                  },
+      {"value", e.value                                },
+      {"low",   e.low                                  },
+      {"high",  e.high                                 },
+      {"unit",  e.unit == "kN/mm" ? "N/m"
+               : e.unit == "mm"  ? "m"
+                                 : e.unit},
+      {"rule",  e.rule                                 }
+  };
+  json["moves"] = ordered_json::object();
+  for (const auto &[name, move] : record.moves)
+    json["moves"][name] = move;
   return json;
 }
 }  // namespace
@@ -61,6 +82,13 @@ std::string results_json(const Results &results, const std::string &case_name, c
     json["values"][name] = json_of(parameter);
   json["warnings"]    = results.warnings;
   json["assumptions"] = results.assumptions;
+  if (!results.estimates.empty()) {
+    json["estimates"] = ordered_json::array();
+    for (const EstimateRecord &record : results.estimates)
+      json["estimates"].push_back(json_of(record));
+  }
+  if (!results.left_at_template.empty())
+    json["left_at_template"] = results.left_at_template;
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 }  // namespace mill

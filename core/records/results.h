@@ -1,4 +1,5 @@
 #pragma once
+#include "core/model/estimate.h"
 #include "core/records/parameter.h"
 #include <map>
 #include <string>
@@ -6,11 +7,19 @@
 #include <vector>
 
 namespace mill {
+/// An estimate of the case and what its interval moves, by result: relative, half the interval.
+struct EstimateRecord {
+  Estimate estimate;
+  std::vector<std::pair<std::string, double>> moves;
+};
+
 /// All scalar results of a run in the order they were computed.  Names are those of the product's contract.
 struct Results {
   std::vector<std::pair<std::string, Parameter>> values;
-  std::vector<std::string> warnings;     ///< one sentence each, shown in the status banner
-  std::vector<std::string> assumptions;  ///< what nobody knows and the run had to assume, one sentence each
+  std::vector<std::string> warnings;          ///< one sentence each, shown in the status banner
+  std::vector<std::string> assumptions;       ///< what nobody knows and the run had to assume, one sentence each
+  std::vector<EstimateRecord> estimates;      ///< the one that costs most accuracy first
+  std::vector<std::string> left_at_template;  ///< keys whose values are still those of the template
   void add(const std::string &name, Parameter parameter);  ///< a name twice is our bug
   const Parameter *find(const std::string &name) const;    ///< nullptr when absent
 };

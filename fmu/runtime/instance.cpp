@@ -195,7 +195,7 @@ Tuning Instance::tuning_of(const std::vector<double> &values) const
   return tuning;
 }
 
-// The modes of the present parameters; displacements and velocities of the points stay what they are.  (36.7)
+// The modes of the present parameters; displacements and velocities of the points stay what they are.  (35.7)
 void Instance::use_parameters()
 {
   const Tuning tuning = tuning_of(now_.values);
@@ -227,7 +227,7 @@ void Instance::use_parameters()
       now_.values[i] = system_.rad[std::size_t(variables_[i].index)] / (2 * 3.14159265358979323846);
 }
 
-// Outputs of modes under a force.  (36.1)
+// Outputs of modes under a force.  (35.1)
 void Instance::evaluate(const ModalSystem &system, const Motion &motion, const ModalState &modes,
                         const double force, std::vector<double> &values)
 {

@@ -32,7 +32,7 @@ struct Snapshot {
 };
 
 /// One exported model in the hands of a client: what both versions of the interface share.  A call that is refused
-/// says why in the log and changes nothing.  theory.md 36
+/// says why in the log and changes nothing.  theory.md 35
 class Instance {
 public:
   /// Reads the model.  @throws std::runtime_error  no model there, or of another token
@@ -90,7 +90,7 @@ public:
     bool adjoint;
   };
   /// By the force exactly but for rounding; by a parameter from differences of fourth order, to about 1e-9 of the
-  /// derivative.  Cost: four evaluations of the model for each known.  theory.md (36.8)
+  /// derivative.  Cost: four evaluations of the model for each known.  theory.md (35.8)
   Status derivative(const char *function, const Direction &asked);
 
   /// Is a step from `from` over `length` (s) in order?  Otherwise it is told.

@@ -275,7 +275,7 @@ std::vector<double> Instance::unknowns_at(std::vector<double> values, const Dire
   return result;
 }
 
-// Central differences at two widths, extrapolated: exact for what is linear, else of fourth order.  (36.8)
+// Central differences at two widths, extrapolated: exact for what is linear, else of fourth order.  (35.8)
 std::vector<double> Instance::by_known(const Direction &asked, const Reference reference)
 {
   const Variable &variable = variables_[reference];

@@ -14,7 +14,7 @@ struct Tuning {
 };
 
 /// A model in its n modes with m points:  q'' + (2 zeta w + c b b^T) q' + w^2 q = b (F - F_mean).  theory.md
-/// (36.1)
+/// (35.1)
 struct ModalSystem {
   std::vector<double> rad;        ///< (n) rad/s, ascending
   std::vector<double> bite;       ///< (n) kg^-1/2, b
@@ -26,7 +26,7 @@ struct ModalSystem {
   double load_cell_share = 1;     ///< -
 };
 
-/// Cost: one eigenproblem of the masses of a chain; of given modes only copies.  theory.md (36.2)
+/// Cost: one eigenproblem of the masses of a chain; of given modes only copies.  theory.md (35.2)
 ModalSystem modal_system(const ModelData &model, const Tuning &tuning);
 
 bool same_tuning(const Tuning &a, const Tuning &b);

@@ -5,7 +5,7 @@
 
 // What resources/model.json holds.
 namespace mill::fmu {
-/// Version of the runtime and of the layout of its files; part of every identity (theory.md 36.6).
+/// Version of the runtime and of the layout of its files; part of every identity (theory.md 35.6).
 constexpr const char *runtime_version = "1";
 
 constexpr int fixed_end = -1;  ///< the end of a spring that stands on the ground

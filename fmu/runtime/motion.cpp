@@ -5,7 +5,7 @@
 namespace mill::fmu {
 namespace {
 // Lengths that differ so little, in units of the fastest rate, share what is prepared: four terms of a Taylor
-// series carry the rest, and the fifth is 1e-25.  (36.6)
+// series carry the rest, and the fifth is 1e-25.  (35.6)
 constexpr double same_length = 1e-5;
 // Different lengths a run may go through in turn before one is prepared again.
 constexpr std::size_t most_prepared = 8;
@@ -65,7 +65,7 @@ Motion::Motion(const ModalSystem &system)
     form_ = Form::exponential;
 }
 
-// (36.3) by the power series of the solution for short steps, where the closed form would lose digits, and by the
+// (35.3) by the power series of the solution for short steps, where the closed form would lose digits, and by the
 // closed form for long ones.
 void Motion::prepare_modes(Prepared &step, const double h) const
 {
@@ -113,7 +113,7 @@ void Motion::prepare_modes(Prepared &step, const double h) const
   }
 }
 
-// (36.4): e = exp(s), p1 = (e - 1)/s, p2 = (p1 - 1)/s with s = lambda h; the series where the quotients would
+// (35.4): e = exp(s), p1 = (e - 1)/s, p2 = (p1 - 1)/s with s = lambda h; the series where the quotients would
 // cancel.
 void Motion::prepare_poles(Prepared &step, const double h) const
 {
@@ -138,7 +138,7 @@ void Motion::prepare_poles(Prepared &step, const double h) const
   }
 }
 
-void Motion::prepare_exponential(Prepared &step, const double h) const  // (36.5)
+void Motion::prepare_exponential(Prepared &step, const double h) const  // (35.5)
 {
   const std::size_t s = 2 * n_;
   Matrix G(s + 2, s + 2);

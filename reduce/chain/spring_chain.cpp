@@ -1,5 +1,6 @@
 #include "reduce/chain/spring_chain.h"
 #include "core/case/stand_rows.h"
+#include "core/numerics/short_number.h"
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -95,6 +96,35 @@ SeriesSprings series_springs(const Frame &f, const PathSprings &path)
       {"frame.load_cell_stiffness",     f.load_cell_stiffness    }
   });
   return chain;
+}
+
+namespace {
+void share_the_rest(const std::string &name, const double K, const std::vector<double *> &parts, double known)
+{
+  std::vector<double *> open;
+  for (double *part : parts)
+    if (std::isnan(*part))
+      open.push_back(part);
+    else
+      known += 1 / *part;
+  if (open.empty() || std::isnan(K))
+    return;
+  const double rest = 1 / K - known;
+  if (!(rest > 0))
+    throw InputError("given." + name + " = " + short_number(K / 1e6) +
+                     " kN/mm is stiffer than bearings and bending of the backup roll in it, which have " +
+                     short_number(1 / known / 1e6) + " kN/mm; give a softer one, or K_Zy and K_ZW as well");
+  for (double *part : open)
+    *part = double(open.size()) / rest;
+}
+}  // namespace
+
+Frame with_given_springs(Frame f, const PathSprings &path, const double K2, const double K6)
+{
+  share_the_rest("K2", K2, {&f.oil_column_stiffness, &f.cylinder_body_stiffness, &f.upper_chock_stiffness},
+                 1 / path.K_Zy_upper + 1 / path.K_ZW);
+  share_the_rest("K6", K6, {&f.lower_chock_stiffness}, 1 / path.K_Zy_lower + 1 / path.K_ZW);
+  return f;
 }
 
 Flexibilities flexibilities(const Frame &f, const PathSprings &path, const double K1, const double K7)

@@ -20,6 +20,7 @@ using ChainValues = std::array<double, 13>;
 struct ChainNumbers {
   double K3 = 0, K4 = 0, K5 = 0, K_Zy_upper = 0, K_Zy_lower = 0;
   double K_ZW = not_given, K1 = not_given, K7 = not_given;  ///< given ones; absent: from the drawing
+  double K2 = not_given, K6 = not_given;                    ///< given ones, for parts that are not drawn
   double K_ZW_factor = 1;                                   ///< on the one or the other
 };
 
@@ -61,6 +62,7 @@ struct Reduced {
   BentBackupRoll backup;
   std::array<BentWorkRoll, 2> work;  ///< upper, lower
   double K_ZW;                       ///< N/m
+  Frame frame;                       ///< as drawn, or what a given K2, K6 leaves for it
   SeriesSprings series;
   Flexibilities u;
 };
@@ -74,9 +76,9 @@ Reduced reduce_stand(const FourHigh &stand, const ChainNumbers &n, const Rolls &
   r.backup           = times(rolls.backup, drawn / r.K_ZW);  // shape and stiffness stay one roll
   r.work             = {rolls.work(n.K3), rolls.work(n.K5)};
   const PathSprings path{n.K_Zy_upper, n.K_Zy_lower, r.K_ZW};
-  r.series = series_springs(stand.frame, path);
-  r.u      = flexibilities(stand.frame, path, std::isnan(n.K1) ? r.series.K1 : n.K1,
-                      std::isnan(n.K7) ? r.series.K7 : n.K7);
+  r.frame  = with_given_springs(stand.frame, path, n.K2, n.K6);
+  r.series = series_springs(r.frame, path);
+  r.u = flexibilities(r.frame, path, std::isnan(n.K1) ? r.series.K1 : n.K1, std::isnan(n.K7) ? r.series.K7 : n.K7);
   return r;
 }
 
@@ -266,6 +268,8 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
   n.K_ZW = given_or(stand, "K_ZW", not_given);
   n.K1   = given_or(stand, "K1", not_given);
   n.K7   = given_or(stand, "K7", not_given);
+  n.K2   = given_or(stand, "K2", not_given);
+  n.K6   = given_or(stand, "K6", not_given);
 
   std::vector<UncertainInput> uncertain;
   for (const FrameValue &part : frame_values(stand.frame))
@@ -276,8 +280,16 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
   uncertain.push_back(spring(&ChainNumbers::K_Zy_lower, "K_Zy_lower", result.K_Zy_lower));
   if (!inputs.solid || stand.given.count("K_ZW"))  // else by the change of all shapes together
     uncertain.push_back(spring(&ChainNumbers::K_ZW_factor, "K_ZW", result.K_ZW));
-  for (const auto &[name, number] : {std::pair("K1", &ChainNumbers::K1), std::pair("K7", &ChainNumbers::K7)})
-    if (const auto given = stand.given.find(name); given != stand.given.end())
+  const auto fills = [&](const std::string &name) {  // a given spring that stands for parts nobody drew
+    const Frame &f = stand.frame;
+    return name == "K2" ? std::isnan(f.oil_column_stiffness) || std::isnan(f.cylinder_body_stiffness) ||
+                              std::isnan(f.upper_chock_stiffness)
+           : name == "K6" ? std::isnan(f.lower_chock_stiffness)
+                          : true;
+  };
+  for (const auto &[name, number] : {std::pair("K1", &ChainNumbers::K1), std::pair("K7", &ChainNumbers::K7),
+                                     std::pair("K2", &ChainNumbers::K2), std::pair("K6", &ChainNumbers::K6)})
+    if (const auto given = stand.given.find(name); given != stand.given.end() && fills(name))
       uncertain.push_back(spring(number, name, given->second.parameter));
 
   const Reduced reduced    = reduce_stand(stand, n, rolls, reference);
@@ -333,6 +345,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
   }
   model.C = damper(stand);
 
+  result.frame       = reduced.frame;
   result.flexibility = reduced.u;
   result.backup      = reduced.backup;
   result.work        = reduced.work;

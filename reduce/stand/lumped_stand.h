@@ -76,6 +76,7 @@ struct LumpedStand {
   LumpedModel model;
   Parameter K_ZW;  ///< N/m, backup roll on its bearing centres, by the mass reference of the case
   Parameter K_Zy_upper, K_Zy_lower;  ///< N/m, as used: computed or given
+  Frame frame;                       ///< as drawn, or what a given K2, K6 leaves for parts that are not
   Flexibilities flexibility;
   BentBackupRoll backup;             ///< as used, K_ZW given or not
   std::array<BentWorkRoll, 2> work;  ///< upper, lower

@@ -1,9 +1,9 @@
 // Rows: every kind of value, its range, its default and the way back to text; and a walk over all rows of the
 // product.
 #include "core/case/fields.h"
-#include "core/records/files.h"
 #include "core/case/stand_rows.h"
 #include "core/case/units.h"
+#include "core/records/files.h"
 #include "tests/support/near.h"
 #include <cmath>
 #include <filesystem>
@@ -124,7 +124,9 @@ TEST_F(Fields, QuantitiesRefuseWhatIsNone)
   EXPECT_EQ(refusal("length = \"420 kg\""), "s.length = \"420 kg\" is a mass" + need);
   EXPECT_EQ(refusal("length = \"wide\""), "s.length = \"wide\" does not begin with a number" + need);
   EXPECT_EQ(refusal("length = \"420 inch\""),
-            "s.length = \"420 inch\" has the unknown unit 'inch'" + need + " (known units: m, mm, um)");
+            "s.length = \"420 inch\" is in inches; 420 inch = 10668 mm, which is outside 200 mm .. 2500 mm");
+  EXPECT_EQ(refusal("length = \"42 ell\""),
+            "s.length = \"42 ell\" has the unknown unit 'ell'" + need + " (known units: m, mm, um)");
   EXPECT_EQ(refusal("length = true"), "s.length = true is no quantity" + need);
   EXPECT_EQ(refusal("length = [\"1 m\"]"), "s.length = [\"1 m\"] is no quantity" + need);
   EXPECT_EQ(refusal("length = 1979-05-27"), "s.length = (date or time) is no quantity" + need);

@@ -74,9 +74,11 @@ protected:
 TEST_F(LumpedModels, ComeBackFromDiskWithEverySource)
 {
   write("data/f.csv", "time [s],force [kN]\n0,1\n1,2\n");
-  const Case origin       = read_case(write("case.toml", template_of("four-high")),
-                                      {"pass.0.published_peak=[\"1.40 g\", \"0.75 g\"]", "dynamics.modal_damping=2 %"});
-  const LumpedModel model = sample();
+  const std::string second = "\n[[pass]]\nname = \"pass 2\"\nsynthetic_range = [\"733 kN\", \"742 kN\"]\n"
+                             "synthetic_seed = 2\n";
+  const Case origin        = read_case(write("case.toml", template_of("four-high") + second),
+                                       {"pass.0.published_peak=[\"1.40 g\", \"0.75 g\"]", "dynamics.modal_damping=2 %"});
+  const LumpedModel model  = sample();
   const Case read =
       read_case(write("out/lumped_model.toml", lumped_model_toml(model, origin, (folder / "out").string())));
   EXPECT_EQ(read.kind, "lumped");

@@ -13,7 +13,7 @@ LumpedModel chain_with(const std::string &more)
 {
   const auto the_case =
       read_case("cases/four-high-1400.toml",
-                {"bearing.crb.bore=700 mm", "bearing.crb.outside_diameter=950 mm", "bearing.crb.width=520 mm",
+                {"bearing.crb.bore=950 mm", "bearing.crb.outside_diameter=1200 mm", "bearing.crb.width=520 mm",
                  "bearing.crb.roller_law=iso", "frame.upper_chock_stiffness=1.03e5 kN/mm",
                  "frame.lower_chock_stiffness=0.9e5 kN/mm", more});
   const auto spring = [](const double value) {

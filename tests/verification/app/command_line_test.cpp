@@ -1,6 +1,7 @@
 #include "core/records/files.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -293,5 +294,39 @@ TEST(CommandLine, HelpVersionAndMistakes)
             "cases/four-high-1400.toml: no errors (four-high \"1400 four-high, demo stand\")\n"
             "bearing.trb: the apex condition closes at a cup angle of 19.66 deg; cup_angle is 19.66 deg\n"
             "bearing.trb: row_hands is not given; +-+-, pairs back to back: two double cups (TQI) is "
-            "assumed\n");
+            "assumed\n"
+            "pass 1: the force record lasts 10 s, 100001 samples at 10 kHz, mean 976.0 kN\n"
+            "pass 2: the force record lasts 10 s, 100001 samples at 10 kHz, mean 738.2 kN\n");
+}
+
+TEST(CommandLine, MistypedVerbsAndOptionsGetTheNearest)
+{
+  EXPECT_EQ(millstand("chekc cases/two-cylinders.toml").err,
+            "error: there is no verb 'chekc'; did you mean 'check'?\n");
+  EXPECT_EQ(millstand("run cases/two-cylinders.toml --freshh").err,
+            "error: millstand run has no option --freshh; did you mean '--fresh'?\n");
+  EXPECT_EQ(millstand("check cases/two-cylinders.toml --outptu x").exit_code, 2);
+}
+
+TEST(CommandLine, ASheetFillsATemplateThatIsChecked)
+{
+  const std::string folder = scratch("sheet");
+  std::ofstream(folder + "/stand.csv") << "key;value;unit\nwork_roll.barrel_diameter;425,5;mm\n";
+  ASSERT_EQ(millstand("new four-high --from " + folder + "/stand.csv -o " + folder + "/stand.toml").exit_code, 0);
+  EXPECT_NE(mill::read_text(folder + "/stand.toml").find("barrel_diameter = \"425.5 mm\"  # roll drawing: "),
+            std::string::npos);
+  const auto check = millstand("check " + folder + "/stand.toml");
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_NE(check.out.find("warning: "), std::string::npos) << "what is left of the template";
+}
+
+TEST(CommandLine, ARunEndsWithItsVerdict)
+{
+  const auto outcome = millstand("run cases/published-1400.toml -o " + scratch("verdict"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_LE(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 25) << outcome.out;
+  EXPECT_EQ(outcome.out.rfind("published-1400: done, ", 0), 0u) << outcome.out;
+  EXPECT_NE(outcome.out.find("/report.html\n"), std::string::npos);
+  const auto table = millstand("run cases/published-1400.toml -v -o " + scratch("verdict"));
+  EXPECT_NE(table.out.find("\nM1 "), std::string::npos) << table.out;
 }

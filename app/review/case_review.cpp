@@ -1,0 +1,182 @@
+#include "app/review/case_review.h"
+#include "app/review/quick_modes.h"
+#include "app/review/record_review.h"
+#include "app/stages/bite_stage.h"
+#include "app/stages/contact_stage.h"
+#include "app/stages/dynamics_stage.h"
+#include "core/model/case.h"
+#include "core/model/lumped.h"
+#include "core/records/lumped_model.h"
+#include "core/records/provenance.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+namespace mill {
+namespace {
+// Factors between two numbers that should be one: noise and models differ by less, units by thousands.
+constexpr double of_another_unit = 50, of_another_strip = 1.3, impossible_bite = 100;
+
+std::string in_MN(const double load)
+{
+  return load >= 1e6 ? fmt::format("{:.4g} MN", load / 1e6) : fmt::format("{:.4g} kN", load / 1e3);
+}
+
+double factor_between(const double a, const double b)
+{
+  return a > 0 && b > 0 ? std::max(a / b, b / a) : 1;
+}
+
+Place place_of(const Case &the_case, const std::string &key, const Place &otherwise)
+{
+  const auto found = the_case.places.find(key);
+  return found == the_case.places.end() ? otherwise : found->second;
+}
+
+// The record of each pass; one without has an empty one.
+std::vector<ForceRecord> records_of(const std::vector<Pass> &passes)
+{
+  std::vector<ForceRecord> records;
+  for (const Pass &pass : passes)
+    records.push_back(has_force(pass) ? force_of(pass) : ForceRecord{});
+  return records;
+}
+
+std::vector<Pass> with_force(std::vector<Pass> passes, const std::string &force_file)
+{
+  if (!force_file.empty())
+    for (Pass &pass : passes)
+      pass.force_file = force_file;
+  return passes;
+}
+
+// The load of a pass against the mean of its record.
+void review_load(const Case &the_case, const Pass &pass, const std::size_t p, const double mean,
+                 CaseReview &review)
+{
+  const Place place = place_of(the_case, fmt::format("pass.{}.load", p), pass.place);
+  if (!(mean > 0))
+    review.warnings.push_back(
+        {pass.force_place,
+         fmt::format(
+             "{}: the mean of the force record is {}; a rolling force counts positive where it opens the stand",
+             pass.name, in_kN(mean)),
+         {}});
+  if (std::isnan(pass.load) || !(mean > 0))
+    return;
+  const double factor = factor_between(pass.load, mean);
+  if (factor > of_another_unit)
+    review.problems.push_back({place,
+                               fmt::format("{}: pass.load is {}, the mean of its force record {}, a factor of "
+                                           "{:.4g}; one of the two is in another unit",
+                                           pass.name, in_MN(pass.load), in_MN(mean), factor),
+                               {pass.force_place}});
+  else if (const std::string said = load_beside_record(pass, mean); !said.empty())
+    review.said_by_run.push_back({place, said, {pass.force_place}});
+}
+
+// Force of the bite by Karman's slab on Hitchcock's arc; nothing where it has no answer or K4 is given.
+std::optional<double> slab_force(const FourHigh &stand, const Pass &pass)
+{
+  if (stand.given.count("K4"))
+    return {};
+  try {
+    const auto bite = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
+    return bite::solve_slab(bite, {bite::Theory::karman, bite::Arc::hitchcock, 0}).force;
+  } catch (const InputError &) {
+  } catch (const SolverError &) {
+  }
+  return {};
+}
+
+void review_bite(const FourHigh &stand, const Pass &pass, const double load, CaseReview &review)
+{
+  const auto force = slab_force(stand, pass);
+  if (!force || !(load > 0))
+    return;
+  const double factor = factor_between(*force, load);
+  const std::string said =
+      fmt::format("{}: by the slab theory this strip takes a rolling force of {}, the load is {}", pass.name,
+                  in_MN(*force), in_MN(load));
+  if (factor > impossible_bite)
+    review.problems.push_back(
+        {pass.place,
+         fmt::format("{}, a factor of {:.3g}; is one of load, flow stress, width and thicknesses "
+                     "in another unit? given.K4 leaves the strip out",
+                     said, factor),
+         {}});
+  else if (factor > of_another_strip)
+    review.said_by_run.push_back({pass.place,
+                                  fmt::format("{} ({:+.0f} %); check flow stress, friction and thicknesses", said,
+                                              100 * (*force / load - 1)),
+                                  {}});
+}
+
+// Of the six masses by closed forms at the load of the first pass.
+ExpectedModes expected_modes(const FourHigh &stand, const double load)
+{
+  ExpectedModes modes;
+  modes.damping = stand.dynamics.modal_damping;
+  try {
+    for (const QuickResult &r : quick_stand(stand, load))
+      if (r.name.size() == 2 && r.name[0] == 'f') {
+        modes.lowest  = modes.lowest > 0 ? std::min(modes.lowest, r.parameter.value) : r.parameter.value;
+        modes.highest = std::max(modes.highest, r.parameter.value);
+      }
+  } catch (const InputError &) {  // the run says it with its place
+  } catch (const SolverError &) {
+  }
+  return modes;
+}
+
+ExpectedModes modes_of(const Case &the_case, const DynamicsSettings &settings)
+{
+  const auto frequency = chain_modes(lumped_model_of(the_case), settings).modes.frequency;
+  return {frequency.minCoeff(), frequency.maxCoeff(), settings.modal_damping};
+}
+}  // namespace
+
+CaseReview review_stand(const Case &the_case, const std::string &force_file)
+{
+  const auto &stand  = std::get<FourHigh>(the_case.spec);
+  const auto passes  = with_force(stand.passes, force_file);
+  const auto records = records_of(passes);
+  CaseReview review;
+  std::vector<double> loads;
+  for (std::size_t p = 0; p < passes.size(); ++p)
+    loads.push_back(std::isnan(passes[p].load) ? records[p].force.mean() : passes[p].load);
+  const ExpectedModes modes = expected_modes(stand, loads.front());
+  for (std::size_t p = 0; p < passes.size(); ++p) {
+    if (has_force(passes[p])) {
+      review_load(the_case, passes[p], p, records[p].force.mean(), review);
+      review_records(passes[p], records[p], modes, review);
+    }
+    review_bite(stand, passes[p], loads[p], review);
+  }
+  for (const auto &[name, contact] :
+       {std::pair("upper", &stand.upper_contact), std::pair("lower", &stand.lower_contact)})
+    if (!stand.given.count(name[0] == 'u' ? "K3" : "K5"))
+      try {
+        swept_range(name, *contact, loads);
+      } catch (const InputError &e) {
+        review.problems.insert(review.problems.end(), e.problems.begin(), e.problems.end());
+      }
+  return review;
+}
+
+CaseReview review_lumped(const Case &the_case, const std::string &force_file)
+{
+  const auto &lumped = std::get<Lumped>(the_case.spec);
+  const auto passes  = with_force(lumped.passes, force_file);
+  const auto records = records_of(passes);
+  CaseReview review;
+  const ExpectedModes modes = modes_of(the_case, lumped.dynamics);
+  for (std::size_t p = 0; p < passes.size(); ++p)
+    if (has_force(passes[p])) {
+      review_load(the_case, passes[p], p, records[p].force.mean(), review);
+      review_records(passes[p], records[p], modes, review);
+    }
+  return review;
+}
+}  // namespace mill

@@ -1,0 +1,156 @@
+#include "app/review/estimate_review.h"
+#include "app/review/quick_modes.h"
+#include "app/run_context.h"
+#include "app/stages/dynamics_stage.h"
+#include "app/trace/quick_chain.h"
+#include "core/case/estimates.h"
+#include "core/case/units.h"
+#include "core/model/case.h"
+#include "core/records/provenance.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+constexpr double no_move = 1e-5;  // relative; less is nobody's concern
+
+bool is_mode(const std::string &name)
+{
+  return name.size() >= 2 && name[0] == 'f' && name[1] >= '1' && name[1] <= '9';
+}
+
+// Springs, masses, bearings and modes of the first pass; responses and later passes have a dot in their name.
+bool is_ranked(const std::string &name)
+{
+  return name.find('.') == std::string::npos;
+}
+
+template <class Which> double largest_move(const EstimateRecord &record, const Which &is_meant)
+{
+  double most = 0;
+  for (const auto &[name, move] : record.moves)
+    if (is_meant(name))
+      most = std::max(most, move);
+  return most;
+}
+
+double largest_mode_move(const EstimateRecord &record)
+{
+  return largest_move(record, is_mode);
+}
+
+std::string quantity_of(const Estimate &e, const double value)
+{
+  return fmt::format("{:.4g}", from_si(value, unit(e.unit)));
+}
+
+std::string sentence(const EstimateRecord &record)
+{
+  const Estimate &e = record.estimate;
+  std::string moved;
+  for (const auto &[name, move] : record.moves)
+    if (is_mode(name) && move == largest_mode_move(record) && move > no_move && moved.empty())
+      moved = fmt::format("; its interval moves {} by {:.2g} %", name, 100 * move);
+  return fmt::format("{} is estimated: {} {} ({} .. {}), {}{}", e.key, quantity_of(e, e.value), e.unit,
+                     quantity_of(e, e.low), quantity_of(e, e.high), e.rule, moved);
+}
+
+double load_of_first(const FourHigh &stand)
+{
+  const Pass &pass = stand.passes.front();
+  return std::isnan(pass.load) ? force_of(pass).force.mean() : pass.load;
+}
+
+bool is_of_frame(const Estimate &e)
+{
+  return e.key.rfind("frame.", 0) == 0;
+}
+
+// What one estimate moves in a result: by the closed form of that name, "K3" of "K3.tangent"; of modes of other
+// models the most it moves any mode of the chain, of the mill modulus the most it moves any spring.  NaN: nothing
+// tells.
+double move_of(const EstimateRecord &record, const std::string &name, const std::vector<std::string> &known)
+{
+  const std::string stem = name.substr(0, name.find('.')), last = name.substr(name.rfind('.') + 1);
+  if (stem != name && (is_mode(last) || last == "frequency"))
+    return largest_mode_move(record);
+  if (stem == "stand")
+    return largest_move(record, [](const std::string &spring) { return spring[0] == 'K'; });
+  if (!holds(known, stem))
+    return not_given;
+  return largest_move(record, [&](const std::string &of) { return of == stem; });
+}
+
+// What all estimates of the rolls may move together.
+double moved_by_rolls(const std::vector<EstimateRecord> &records, const std::string &name, const KeyList &keys,
+                      const std::vector<std::string> &known)
+{
+  double sum = 0;
+  for (const EstimateRecord &record : records)
+    if (!is_of_frame(record.estimate) && holds(keys, record.estimate.key))
+      sum += move_of(record, name, known);
+  return sum;
+}
+}  // namespace
+
+std::vector<EstimateRecord> ranked_estimates(const FourHigh &stand, const double load)
+{
+  std::vector<EstimateRecord> records;
+  for (const Estimate &e : stand.estimates) {
+    EstimateRecord record{e, {}};
+    const auto at = [&](const double value) {
+      FourHigh other = stand;
+      set_estimated(other, e.key, value);
+      return quick_stand(other, load);
+    };
+    try {
+      const auto low = at(e.low), high = at(e.high);
+      for (const QuickResult &r : low)
+        if (const QuickResult *other = find(high, r.name); other && is_ranked(r.name)) {
+          const double move = 0.5 * std::abs(std::log(other->parameter.value / r.parameter.value));
+          if (move > no_move)
+            record.moves.emplace_back(r.name, move);
+        }
+    } catch (const InputError &) {  // an end of the interval that the closed forms refuse
+    } catch (const SolverError &) {
+    }
+    records.push_back(std::move(record));
+  }
+  std::stable_sort(records.begin(), records.end(), [](const EstimateRecord &a, const EstimateRecord &b) {
+    return largest_mode_move(a) > largest_mode_move(b);
+  });
+  return records;
+}
+
+void mark_estimates(RunContext &run)
+{
+  const auto *stand = std::get_if<FourHigh>(&run.the_case.spec);
+  if (!stand || stand->estimates.empty())
+    return;
+  const double load     = load_of_first(*stand);
+  run.results.estimates = ranked_estimates(*stand, load);
+  std::vector<std::string> known;  // names of the closed forms
+  for (const QuickResult &r : quick_stand(*stand, load))
+    known.push_back(r.name);
+  for (auto &[name, p] : run.results.values) {
+    KeyList more;
+    for (const Estimate &e : stand->estimates)
+      if (holds(p.inputs, e.key)) {
+        p.estimated.push_back(e.key);
+        more = joined(more, e.from);
+      }
+    if (p.estimated.empty())
+      continue;
+    const double moved = moved_by_rolls(run.results.estimates, name, p.inputs, known);
+    if (std::isnan(moved))
+      for (const std::string &key : p.estimated)
+        if (key.rfind("frame.", 0) != 0 && !holds(p.error_lacks, key))
+          p.error_lacks.push_back(key);
+    p.error_estimate += moved;
+    p.inputs = joined(p.inputs, more);
+  }
+  for (const EstimateRecord &record : run.results.estimates)
+    run.assume(sentence(record));
+}
+}  // namespace mill

@@ -1,0 +1,309 @@
+#include "core/case/case_sheet.h"
+#include "core/case/case_template.h"
+#include "core/case/error_list.h"
+#include "core/case/quantity_slips.h"
+#include "core/case/units.h"
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+#include <set>
+
+namespace mill {
+namespace {
+using Repeat = SectionRows::Repeat;
+
+struct SheetRow {
+  std::vector<std::string> cells;
+  int line = 0;
+};
+
+char separator_of(const std::string &line)
+{
+  for (const char c : {'\t', ';'})
+    if (line.find(c) != std::string::npos)
+      return c;
+  return ',';
+}
+
+std::string stripped(std::string text)
+{
+  const char *blanks = " \t\r";
+  text.erase(0, std::min(text.find_first_not_of(blanks), text.size()));
+  text.erase(text.find_last_not_of(blanks) + 1);
+  return text;
+}
+
+// Cells of a line; quotes hold separators and doubled quotes.
+std::vector<std::string> cells_of(const std::string &line, const char separator)
+{
+  std::vector<std::string> cells{""};
+  bool inside_quotes = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == '"' && inside_quotes && i + 1 < line.size() && line[i + 1] == '"')
+      cells.back() += line[++i];
+    else if (c == '"')
+      inside_quotes = !inside_quotes;
+    else if (c == separator && !inside_quotes)
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  }
+  for (std::string &cell : cells)
+    cell = stripped(cell);
+  while (!cells.empty() && cells.back().empty())
+    cells.pop_back();
+  return cells;
+}
+
+std::vector<SheetRow> rows_of_sheet(std::string text)
+{
+  if (text.rfind("\xef\xbb\xbf", 0) == 0)
+    text.erase(0, 3);
+  std::vector<SheetRow> rows;
+  char separator = 0;
+  int number     = 0;
+  for (const std::string &line : split(text, "\n")) {
+    ++number;
+    if (const std::string bare = stripped(line); bare.empty() || bare[0] == '#')
+      continue;
+    if (!separator)
+      separator = separator_of(line);
+    const auto cells = cells_of(line, separator);
+    if (!cells.empty() && !(rows.empty() && (cells[0] == "key" || cells[0] == "Key" || cells[0] == "KEY")))
+      rows.push_back({cells, number});
+  }
+  return rows;
+}
+
+// Where a full key leads in the template: the section as filled, and the row.
+struct Target {
+  FilledSection *filled = nullptr;
+  const Row *row        = nullptr;
+};
+
+// "[bearing.trb]" -> "trb"
+std::string name_in(const std::string &header)
+{
+  const auto dot = header.find('.');
+  return dot == std::string::npos ? "" : header.substr(dot + 1, header.find(']') - dot - 1);
+}
+
+class SheetReader {
+public:
+  SheetReader(const CaseKind &of, std::string file) : kind(of), sections(filled_sections(of))
+  {
+    reading.file = std::move(file);
+  }
+  void take(const SheetRow &row);
+  std::string text()
+  {
+    if (!reading.problems.empty())
+      throw InputError(std::move(reading.problems));
+    return template_text(kind, sections);
+  }
+
+private:
+  const CaseKind &kind;
+  std::vector<FilledSection> sections;
+  Reading reading;
+  std::set<std::string> seen;
+
+  Target target_of(const std::string &key);
+  void set(FilledSection &filled, const std::string &key, const std::string &value);
+  FilledSection *named(const SectionRows &section, const std::string &name);
+  FilledSection *numbered(const SectionRows &section, std::size_t i);
+  std::vector<std::string> known_keys() const;
+  std::string near_key(const std::string &key) const
+  {
+    const std::string near = nearest_word(key, known_keys());
+    return near.empty() ? "; the template and docs/input.md have the keys of each section"
+                        : "; did you mean '" + near + "'?";
+  }
+};
+
+// A section of this name, added behind its like when the template has none.
+FilledSection *SheetReader::named(const SectionRows &section, const std::string &name)
+{
+  auto last = sections.end();
+  for (auto it = sections.begin(); it != sections.end(); ++it)
+    if (it->section == &section) {
+      last = it;
+      if (name_in(it->note.header) == name)
+        return &*it;
+    }
+  if (last == sections.end())
+    return nullptr;
+  FilledSection added{&section, {}};
+  added.note.section = section.id();
+  added.note.header  = fmt::format("[{}.{}]", section.name, key_text(name));
+  return &*sections.insert(last + 1, added);
+}
+
+FilledSection *SheetReader::numbered(const SectionRows &section, const std::size_t i)
+{
+  std::size_t n = 0;
+  auto last     = sections.end();
+  for (auto it = sections.begin(); it != sections.end(); ++it)
+    if (it->section == &section) {
+      if (n++ == i)
+        return &*it;
+      last = it;
+    }
+  if (last == sections.end() || i != n)
+    return nullptr;
+  FilledSection added{&section, {}};
+  added.note.section        = section.id();
+  added.note.values["name"] = quoted(fmt::format("pass {}", i + 1));
+  return &*sections.insert(last + 1, added);
+}
+
+Target SheetReader::target_of(const std::string &key)
+{
+  const auto last           = key.rfind('.');
+  const std::string section = last == std::string::npos ? "" : key.substr(0, last),
+                    name    = last == std::string::npos ? key : key.substr(last + 1);
+  const auto row_in         = [&](const SectionRows &rows) {
+    const auto found =
+        std::find_if(rows.rows.begin(), rows.rows.end(), [&](const Row &r) { return r.key == name; });
+    return found == rows.rows.end() ? nullptr : &*found;
+  };
+  for (const SectionRows &rows : kind.sections) {
+    const Row *row = row_in(rows);
+    if (!row)
+      continue;
+    if (rows.repeat == Repeat::once && rows.name == section)
+      for (FilledSection &filled : sections)
+        if (filled.section == &rows)
+          return {&filled, row};
+    if (rows.repeat == Repeat::named && rows.type.empty() && section.rfind(rows.name + ".", 0) == 0)
+      return {named(rows, section.substr(rows.name.size() + 1)), row};
+    if (rows.repeat == Repeat::list && section == rows.name)
+      return {numbered(rows, 0), row};
+    const std::string index = section.substr(std::min(rows.name.size() + 1, section.size()));
+    if (rows.repeat == Repeat::list && section == rows.name + "." + index && index.size() == 1 &&
+        std::isdigit(index[0]))
+      return {numbered(rows, std::size_t(index[0] - '0')), row};
+  }
+  return {};
+}
+
+std::vector<std::string> SheetReader::known_keys() const
+{
+  std::vector<std::string> keys;
+  for (const FilledSection &filled : sections)
+    for (const Row &row : filled.section->rows) {
+      const std::string name = name_in(filled.note.header);
+      const std::string section =
+          filled.section->repeat == Repeat::named ? filled.section->name + "." + name : filled.section->name;
+      if (filled.section->type.empty() && !is_tolerance(row.key))
+        keys.push_back(section.empty() ? row.key : section + "." + row.key);
+    }
+  return keys;
+}
+
+bool is_list(const Row &row)
+{
+  return row.kind == Kind::pair || row.kind == Kind::table || row.kind == Kind::six;
+}
+
+// A cell as the case file would say it; decimal commas of the sheet's locale become points.
+Node node_of_cell(const Row &row, std::string value, const std::string &unit_text, const Place &place)
+{
+  Node node;
+  node.place = place;
+  node.kind  = Node::Kind::text;
+  if (const auto pointed = with_decimal_point(value); pointed.size() == 1 && row.kind != Kind::text)
+    value = pointed.front();
+  node.text = unit_text.empty() ? value : value + " " + unit_text;
+  if (row.kind == Kind::number || row.kind == Kind::count) {
+    if (parse_number(node.text, node.number))
+      node.kind = row.kind == Kind::count && node.number == double(long(node.number)) ? Node::Kind::integer
+                                                                                      : Node::Kind::real;
+  } else if (row.kind == Kind::flag && (value == "true" || value == "false")) {
+    node.kind = Node::Kind::flag;
+    node.flag = value == "true";
+  } else if (is_list(row)) {  // parted by blanks or bars: "900 kN | 1000 kN"
+    node.kind = Node::Kind::array;
+    for (const std::string &part : split(node.text, "|")) {
+      Node item;
+      item.place = place;
+      item.kind  = Node::Kind::text;
+      item.text  = stripped(part);
+      node.items.push_back(item);
+    }
+  }
+  return node;
+}
+
+std::string toml_of_node(const Node &node)
+{
+  if (node.kind == Node::Kind::text)
+    return quoted(node.text);
+  if (node.kind != Node::Kind::array)
+    return shown(node);
+  std::string list;
+  for (const Node &item : node.items)
+    list += (list.empty() ? "" : ", ") + quoted(item.text);
+  return "[" + list + "]";
+}
+
+// A value of the sheet with what of the template's own cannot stand beside it.
+void SheetReader::set(FilledSection &filled, const std::string &key, const std::string &value)
+{
+  TemplateNote &note = filled.note;
+  const auto drop    = [&](const std::string &own) {
+    if (seen.count(name_in(note.header) + "/" + own) > 0)
+      return;  // the sheet gives it too
+    note.values.erase(own);
+    note.shown.erase(std::remove(note.shown.begin(), note.shown.end(), own), note.shown.end());
+  };
+  seen.insert(name_in(note.header) + "/" + key);
+  note.values[key] = value;
+  if (filled.section->name == "pass" && (key == "load" || key == "force"))
+    for (const char *made : {"synthetic", "synthetic_range", "synthetic_seed"})
+      drop(made);
+  if (key == "designation")
+    for (const Row &row : filled.section->rows)
+      drop(row.key);
+  if (key == "type" && value.find("cylindrical") != std::string::npos)
+    for (const char *angle : {"roller_cone_angle", "cup_angle"})
+      drop(angle);
+}
+
+void SheetReader::take(const SheetRow &row)
+{
+  const Place place{reading.file, row.line, 1};
+  const std::string key = row.cells[0];
+  if (row.cells.size() < 2 || row.cells[1].empty())
+    return;  // a row of the form that nobody filled in
+  if (row.cells.size() > 3)
+    return reading.add(
+        place, fmt::format("{}: {} cells in a row; key, value and unit are wanted", key, row.cells.size()));
+  const Target target = target_of(key);
+  if (!target.filled || !target.row)
+    return reading.add(place, fmt::format("unknown key '{}'{}", shortened(key), near_key(key)));
+  if (!seen.insert(key).second)
+    return reading.add(place, fmt::format("'{}' stands twice; remove one of the two", key));
+  Node section;
+  section.place = place;
+  section.entries.push_back(
+      {target.row->key, place,
+       node_of_cell(*target.row, row.cells[1], row.cells.size() > 2 ? row.cells[2] : "", place)});
+  const auto last = key.rfind('.');
+  if (read_row(*target.row, {&section, last == std::string::npos ? "" : key.substr(0, last)}, reading))
+    set(*target.filled, target.row->key, toml_of_node(section.entries[0].value));
+}
+}  // namespace
+
+std::string template_from_sheet(const std::string &kind, const std::string &file, const std::string &sheet)
+{
+  const auto &kinds = case_kinds();
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+    throw InputError(fmt::format("there is no template for the kind '{}'{}", kind, suggestion(kind, kinds)));
+  SheetReader reader(kind_named(kind), file);
+  for (const SheetRow &row : rows_of_sheet(sheet))
+    reader.take(row);
+  return reader.text();
+}
+}  // namespace mill

@@ -1,0 +1,31 @@
+#pragma once
+#include "core/case/fields.h"
+#include <string>
+#include <vector>
+
+// Quantities as they stand on drawings of other countries and in sheets of other locales.  They are refused and
+// not read: the case file then shows the number the program works with, "ton" is not guessed, and nobody has to
+// know which of two commas was meant.  The message holds the line that is right.
+namespace mill {
+/// A unit that is not in the list of this program, with what one of it is.
+struct ForeignUnit {
+  const char *spelling;  ///< "in"
+  const char *name;      ///< in words, "inches"
+  double factor;         ///< SI value of one
+  const char *like;      ///< a unit of the list with its dimension, "mm"
+};
+const std::vector<ForeignUnit> &foreign_units();
+
+/// What a number with a decimal comma, thousands separators or gaps may mean, with a decimal point: "1450,5 mm" ->
+/// "1450.5 mm"; "1,450 mm" -> "1.450 mm" and "1450 mm".  Empty when there is nothing of the kind in it.
+std::vector<std::string> with_decimal_point(const std::string &text);
+
+/// The remedy for a text that is no quantity of the wanted unit: "has a decimal comma; write \"1450.5 mm\"", "is
+/// in inches; 57.1 in = 1450.34 mm: write \"1450.34 mm\"".  Empty when it is no such slip.
+/// @param form   unit of the row; "1" for a pure number
+/// @param range  in that unit; readings outside are not proposed
+std::string quantity_remedy(const std::string &text, const std::string &form, const Range &range);
+
+/// Is the number within the range?  Both carry the rounding of a conversion of units.
+bool inside(double number, const Range &range);
+}  // namespace mill

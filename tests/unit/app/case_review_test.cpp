@@ -1,0 +1,285 @@
+// What a case and its records say about each other before a run, word for word.
+#include "app/case_kinds.h"
+#include "app/completion.h"
+#include "app/review/case_review.h"
+#include "app/review/estimate_review.h"
+#include "app/review/quick_modes.h"
+#include "app/review/record_review.h"
+#include "app/run_summary.h"
+#include "core/case/estimates.h"
+#include "core/case/input_reference.h"
+#include "core/model/case.h"
+#include "core/records/files.h"
+#include "tests/support/given_stand.h"
+#include "tests/support/near.h"
+#include "tests/support/refusal.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+using namespace mill;
+namespace fs = std::filesystem;
+
+namespace {
+using Sets = std::vector<std::string>;
+
+std::string messages(const std::vector<Problem> &problems)
+{
+  std::string text;
+  for (const Problem &problem : problems)
+    text += (text.empty() ? "" : "\n") + problem.message;
+  return text;
+}
+
+class Reviewed : public testing::Test {
+protected:
+  fs::path folder = fs::path(testing::TempDir()) / "millstand_review_test";
+  void SetUp() override
+  {
+    fs::create_directories(folder);
+  }
+  void TearDown() override
+  {
+    fs::remove_all(folder);
+  }
+  /// A force record of n samples at `rate`, alternating around a mean; those of `lost` are left out.
+  std::string record(const std::string &name, const int n, const double rate, const double mean_kN,
+                     const std::string &header = "time [s],force [kN]", const int lost_from = 0,
+                     const int lost_to = 0, const int columns = 1)
+  {
+    std::string text = header + "\n";
+    for (int i = 0; i < n; ++i)
+      if (i < lost_from || i >= lost_to) {
+        text += fmt::format("{:.6f}", i / rate);
+        for (int c = 0; c < columns; ++c)
+          text += fmt::format(",{:.3f}", mean_kN + (i % 2 ? 1 : -1));
+        text += "\n";
+      }
+    const std::string path = (folder / name).string();
+    write_atomically(path, text);
+    return path;
+  }
+  CaseReview review(const Sets &sets, const char *file = "cases/published-1400.toml")
+  {
+    const Case c = read_case(file, sets);
+    return run_kind(c).review(c, "");
+  }
+};
+}  // namespace
+
+TEST_F(Reviewed, ARecordMustOutlastTheLowestMode)
+{
+  // (34.1) at 38.9 Hz and 1 %: 2.05 s.
+  EXPECT_TRUE(near(needed_duration({38.9, 800, 0.01}), 5 / (2 * 3.14159265358979 * 0.01 * 38.9),
+                   within(1e-12, "the formula")));
+  EXPECT_EQ(needed_duration({}), 0);
+  const std::string brief = record("brief.csv", 2001, 4000, 976);
+  const CaseReview r      = review({"pass.0.force=" + brief});
+  ASSERT_EQ(r.warnings.size(), 1u);
+  EXPECT_EQ(
+      r.warnings[0].message.rfind("pass 1: the force record lasts 0.5 s; the lowest mode to be expected, at ", 0),
+      0u)
+      << r.warnings[0].message;
+  EXPECT_NE(
+      r.warnings[0].message.find(" to build up (five decay times at 1 % damping): peaks and rms are those of a "
+                                 "start, give a longer record"),
+      std::string::npos);
+  EXPECT_EQ(r.facts.at(0), "pass 1: the force record lasts 0.5 s, 2001 samples at 4000 Hz, mean 976.0 kN");
+}
+
+TEST_F(Reviewed, SamplingAndGapsAreJudged)
+{
+  const std::string slow = record("slow.csv", 2001, 200, 976, "time [s],force [kN]", 640, 664);
+  const CaseReview r     = review({"pass.0.force=" + slow});
+  EXPECT_EQ(messages(r.warnings),
+            "pass 1: the force record has a gap, the longest of 0.125 s at 3.195 s; straight lines fill it");
+  EXPECT_NE(messages(r.said_by_run).find("pass 1: the rolling force is sampled at "), std::string::npos);
+  EXPECT_NE(messages(r.said_by_run).find(" (mode by closed forms)"), std::string::npos);
+}
+
+TEST_F(Reviewed, AMeasuredRecordIsReadToo)
+{
+  const std::string header = "time [s],upper_work_roll [g],lower_work_roll [g]";
+  const std::string force  = record("force.csv", 40001, 4000, 976),
+                    slow   = record("slow.csv", 2001, 200, 0, header, 0, 0, 2);
+  const CaseReview r       = review({"pass.0.force=" + force, "pass.0.measured=" + slow});
+  EXPECT_NE(messages(r.warnings)
+                .find("pass 1: the measured record is sampled at 200 Hz and shows nothing above 100 "
+                      "Hz; the highest mode to be expected is at "),
+            std::string::npos)
+      << messages(r.warnings);
+  std::string late = read_text(slow);
+  for (std::size_t at = late.find('\n') + 1; at < late.size(); at = late.find('\n', at) + 1)
+    late.insert(at, "1");  // 0.005 becomes 10.005, the last 110
+  const std::string path = (folder / "late.csv").string();
+  write_atomically(path, late);
+  EXPECT_EQ(
+      messages(review({"pass.0.force=" + force, "pass.0.measured=" + path}).problems),
+      "pass 1: the measured record, 10 .. 110 s, and the force record, 0 .. 10 s, have no time in common; count "
+      "both from the same moment");
+  EXPECT_EQ(refusal([&] {
+              review({"pass.0.force=" + force, "pass.0.measured=" + force});
+            }).find("no column 'upper_work_roll' in the header"),
+            0u)
+      << refusal([&] {
+           review({"pass.0.force=" + force, "pass.0.measured=" + force});
+         });
+}
+
+TEST_F(Reviewed, ALoadOfAnotherOrderIsRefused)
+{
+  const std::string force = record("force.csv", 40001, 4000, 976);
+  const Sets on{"pass.0.force=" + force, "pass.1.force=" + force};
+  const auto with = [&](const std::string &set) {
+    Sets sets = on;
+    sets.push_back(set);
+    return review(sets, "cases/four-high-1400.toml");
+  };
+  EXPECT_EQ(
+      messages(with("pass.0.load=976 N").problems.size()
+                   ? std::vector<Problem>{with("pass.0.load=976 N").problems[0]}
+                   : std::vector<Problem>{}),
+      "pass 1: pass.load is 0.976 kN, the mean of its force record 976 kN, a factor of 1000; one of the two is in "
+      "another unit");
+  EXPECT_EQ(messages(with("pass.0.load=900 kN").said_by_run)
+                .find("pass 1: pass.load is 900.0 kN, the mean of its force record 976.0 kN; stiffnesses belong "
+                      "to the first, "
+                      "accelerations to the second"),
+            0u);
+  EXPECT_EQ(
+      messages(with("contact.upper.loads=[\"100 N\", \"500 N\"]").problems)
+          .find("contact.upper.loads = 0.1 kN .. 0.5 kN does not hold the working load of 976.0 kN; a curve is "
+                "never extrapolated, widen the range"),
+      0u);
+}
+
+TEST_F(Reviewed, AStripThatTakesAnotherForceIsSaid)
+{
+  const std::string force = record("force.csv", 40001, 4000, 976);
+  const Sets on{"pass.0.force=" + force, "pass.1.force=" + force};
+  const auto with = [&](const std::string &flow) {
+    Sets sets = on;
+    sets.push_back("strip.flow_stress.k=" + flow);
+    return review(sets, "cases/four-high-1400.toml");
+  };
+  EXPECT_EQ(messages(with("28 MPa").said_by_run), "") << "the demo stand";
+  const std::string warned = messages(with("60 MPa").said_by_run);
+  EXPECT_EQ(warned.rfind("pass 1: by the slab theory this strip takes a rolling force of 2.", 0), 0u) << warned;
+  EXPECT_NE(warned.find(" MN, the load is 976 kN (+1"), std::string::npos) << warned;
+  EXPECT_NE(warned.find(" %); check flow stress, friction and thicknesses"), std::string::npos) << warned;
+  const std::string refused = messages(with("0.28 MPa").problems);
+  EXPECT_NE(refused.find("a factor of 1"), std::string::npos) << refused;
+  EXPECT_NE(
+      refused.find("; is one of load, flow stress, width and thicknesses in another unit? given.K4 leaves the "
+                   "strip out"),
+      std::string::npos)
+      << refused;
+}
+
+// Everything behind springs and masses is given: the closed forms need neither frame nor bearing nor flow stress.
+TEST_F(Reviewed, AStandWithEverythingGivenHasItsModes)
+{
+  const std::string path = (folder / "given.toml").string();
+  write_atomically(path, given_stand());
+  const Case c       = read_case(path);
+  const auto &stand  = std::get<FourHigh>(c.spec);
+  const auto results = quick_stand(stand, 976e3);
+  const auto value   = [&](const std::string &name) {
+    const auto found =
+        std::find_if(results.begin(), results.end(), [&](const QuickResult &r) { return r.name == name; });
+    return found == results.end() ? std::nan("") : found->parameter.value;
+  };
+  EXPECT_EQ(value("M1"), 9320);
+  EXPECT_EQ(value("K2"), 1.0e10);
+  EXPECT_EQ(value("K_Zy"), 1.02e11);
+  // Upper half open: f of M1, M2, M3 on K1, K2, K3, from its characteristic polynomial det(K - w^2 M) = 0.
+  const double w2 = std::pow(2 * 3.14159265358979323846 * value("f1"), 2);
+  const double a = 6.3086e9 + 1e10 - w2 * 9320, b = 1e10 + 4e10 - w2 * 59720, d = 4e10 - w2 * 1889;
+  EXPECT_LT(std::abs(a * (b * d - 16e20) - 1e20 * d), 1e-6 * std::abs(a * b * d));
+  EXPECT_TRUE(run_kind(c).review(c, "").problems.empty());
+}
+
+TEST_F(Reviewed, EstimatesAreRankedByWhatTheyMove)
+{
+  const std::string path = (folder / "template.toml").string();
+  write_atomically(path, template_of("four-high"));
+  const auto stand   = std::get<FourHigh>(read_case(path).spec);
+  const auto records = ranked_estimates(stand, 976e3);
+  ASSERT_EQ(records.size(), stand.estimates.size());
+  const auto move = [&](const EstimateRecord &record, const std::string &name) {
+    for (const auto &[of, value] : record.moves)
+      if (of == name)
+        return value;
+    return 0.;
+  };
+  const auto of = [&](const std::string &key) {
+    return *std::find_if(records.begin(), records.end(),
+                         [&](const EstimateRecord &r) { return r.estimate.key == key; });
+  };
+  // K1 is a series: the slope of ln K1 over ln K_beam is its share of the compliance, 12 of 19 parts.
+  const double high = 1 / 0.06, low = 1 / 0.18, rest = 0.07;  // of K_beam/M; the others of 1/M
+  EXPECT_TRUE(near(move(of("frame.upper_beam_stiffness"), "K1"),
+                   0.5 * std::log((1 / low + rest) / (1 / high + rest)),
+                   within(1e-9, "two series of four springs")));
+  EXPECT_EQ(move(of("frame.upper_beam_stiffness"), "K7"), 0);
+  EXPECT_GT(move(of("backup_roll.chock_mass_upper"), "M2"), 0.01);
+  const auto largest = [&](const EstimateRecord &r) {
+    double most = 0;
+    for (const auto &[name, value] : r.moves)
+      if (name[0] == 'f' && name.size() == 2)
+        most = std::max(most, value);
+    return most;
+  };
+  for (std::size_t i = 1; i < records.size(); ++i)
+    EXPECT_GE(largest(records[i - 1]), largest(records[i])) << records[i].estimate.key;
+}
+
+TEST(RunSummary, HasAtMostTwentyFiveLines)
+{
+  Results results;
+  const auto add = [&](const std::string &name, const double value, const char *unit) {
+    Parameter p;
+    p.value = value;
+    p.unit  = unit;
+    results.add(name, p);
+  };
+  add("stand.modulus.tangent", 4.5e9, "N/m");
+  add("stand.modulus.kiss", 5.1e9, "N/m");
+  for (int i = 1; i <= 20; ++i) {
+    add("K3.reading" + std::to_string(i), 4e10, "N/m");
+    add("mode.bending_" + std::to_string(i) + ".frequency", 100. * i, "Hz");
+    results.warnings.push_back("warning number " + std::to_string(i) + " " + std::string(300, 'x'));
+  }
+  std::string limits;
+  for (int i = 0; i < 20; ++i)
+    limits += "condition " + std::to_string(i) + ": stable\n";
+  const std::string text = run_summary(results, "stand", limits, "out/stand/report.html");
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 25);
+  EXPECT_EQ(
+      text.rfind("stand: done, 20 warnings\nmill modulus: 4.5 MN/mm with strip, 5.1 MN/mm with touching work "
+                 "rolls\n  mode bending 1 ",
+                 0),
+      0u)
+      << text;
+  EXPECT_NE(text.find("  and 12 more named modes\ncondition 0: stable\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nand 13 more warnings on the page\nreport: out/stand/report.html\n"), std::string::npos)
+      << text;
+  EXPECT_EQ(run_summary({}, "stand", "", "p"), "stand: done, nothing to warn of\nreport: p\n");
+}
+
+TEST(Completion, KnowsVerbsOptionsAndKinds)
+{
+  const std::map<std::string, std::vector<std::string>> options{
+      {"new", {"--output", "--from"}},
+      {"run", {"--fresh"}           }
+  };
+  const std::string bash = completion_script("bash", options);
+  EXPECT_NE(bash.find("compgen -W \"new run --help --version\""), std::string::npos) << bash;
+  EXPECT_NE(bash.find("new) options=\"--output --from\" ;;"), std::string::npos) << bash;
+  EXPECT_NE(bash.find("four-high"), std::string::npos);
+  EXPECT_EQ(bash.find("bashcompinit"), std::string::npos);
+  EXPECT_NE(completion_script("zsh", options).find("bashcompinit"), std::string::npos);
+  EXPECT_EQ(refusal([&] { completion_script("bsh", options); }),
+            "there is no completion for the shell 'bsh'; did you mean 'bash'?");
+}

@@ -1,0 +1,71 @@
+// One typo, one error: what a mistyped name stands for is read on and checked.
+#include "core/case/input_reference.h"
+#include "core/model/case.h"
+#include "core/records/files.h"
+#include "tests/support/refusal.h"
+#include <filesystem>
+#include <gtest/gtest.h>
+
+using namespace mill;
+
+namespace {
+class OneTypo : public testing::Test {
+protected:
+  std::string path = (std::filesystem::path(testing::TempDir()) / "millstand_typo_test.toml").string();
+  void TearDown() override
+  {
+    std::filesystem::remove(path);
+  }
+  /// The demo stand with one text in place of another.
+  std::string with(const std::string &from, const std::string &to, const char *file = "cases/four-high-1400.toml")
+  {
+    std::string text = read_text(file);
+    const auto at    = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+    for (std::size_t i; (i = text.find("\"data/")) != std::string::npos;)
+      text.replace(i, 6, "\"" MILLSTAND_SOURCE_DIR "/cases/data/");
+    write_atomically(path, text);
+    return refusals([&] { read_case(path); });
+  }
+};
+}  // namespace
+
+TEST_F(OneTypo, OfASectionIsOneError)
+{
+  EXPECT_EQ(with("[backup_roll]", "[backup_rol]"), "unknown section [backup_rol]; did you mean 'backup_roll'?");
+  EXPECT_EQ(with("[frame] ", "[fraem] "), "unknown section [fraem]; did you mean 'frame'?");
+  EXPECT_EQ(with("[strip]", "[stripp]"), "unknown section [stripp]; did you mean 'strip'?");
+  EXPECT_EQ(with("[contact.upper]", "[contact.uper]"), "unknown key 'uper' in [contact]; did you mean 'upper'?");
+  EXPECT_EQ(with("[upper]", "[uper]", "cases/two-cylinders.toml"),
+            "unknown section [uper]; did you mean 'upper'?");
+}
+
+TEST_F(OneTypo, OfAKeyIsOneError)
+{
+  EXPECT_EQ(with("barrel_length    = \"1400 mm\"", "barrel_lenght    = \"1400 mm\""),
+            "unknown key 'barrel_lenght' in [work_roll]; did you mean 'barrel_length'?");
+  EXPECT_EQ(with("rollers_per_row   = 39", "roller_per_row   = 39"),
+            "unknown key 'roller_per_row' in [bearing.trb]; did you mean 'rollers_per_row'?");
+  EXPECT_EQ(with("k = \"28 MPa\"", "kk = \"28 MPa\""),
+            "unknown key 'kk' in [strip.flow_stress]; did you mean 'k'?");
+  EXPECT_EQ(with("name           = \"pass 1\"", "nmae           = \"pass 1\""),
+            "unknown key 'nmae' in [pass.0]; did you mean 'name'?");
+  EXPECT_EQ(with("kind   =", "kidn   ="), "unknown key 'kidn' in the top level; did you mean 'kind'?");
+  EXPECT_EQ(with("title  =", "titel  ="), "unknown key 'titel' in the top level; did you mean 'title'?");
+}
+
+// What stands under the mistyped name is checked in the same go.
+TEST_F(OneTypo, TheValueUnderItIsCheckedToo)
+{
+  EXPECT_EQ(with("barrel_length    = \"1400 mm\"", "barrel_lenght    = \"1400 kg\""),
+            "unknown key 'barrel_lenght' in [work_roll]; did you mean 'barrel_length'?\n"
+            "work_roll.barrel_length = \"1400 kg\" is a mass; a length is needed, for example \"1400 mm\"");
+}
+
+// A second key of the same name is no typo of the first.
+TEST_F(OneTypo, OfANameThatIsThereTooStaysUnknown)
+{
+  EXPECT_EQ(with("crown            = \"0 um\"", "crown = \"0 um\"\ncrwon = \"1 kg\""),
+            "unknown key 'crwon' in [work_roll]; did you mean 'crown'?");
+}
