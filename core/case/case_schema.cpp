@@ -195,7 +195,7 @@ ordered_json schema_of(const std::string &kind)
       const std::string name   = section.name.substr(dot + 1);  // npos + 1 is the whole
       ordered_json &properties = dot == std::string::npos
                                      ? root["properties"]
-                                     : object_at(root, section.name.substr(0, dot), section.needed)["properties"];
+                                     : object_at(root, section.name.substr(0, dot))["properties"];
       if (properties.contains(name)) {  // another type of the same section
         ordered_json &items = properties[name]["additionalProperties"];
         items               = ordered_json{
