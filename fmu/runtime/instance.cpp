@@ -258,9 +258,10 @@ bool Instance::may_step(const char *function, const double from, const double le
   const std::string who = std::string(function) + ": ";
   if (!allows(function, {Phase::step}))
     return false;
-  if (!(length > 0) || !std::isfinite(length) || !std::isfinite(from)) {
+  constexpr double longest = 1e9;  // s
+  if (!(length > 0 && length <= longest) || !std::isfinite(from)) {
     log_->refuse(Status::error, who + "the step from " + number_text(from) + " s over " + number_text(length) +
-                                    " s has no length above zero");
+                                    " s has no length above zero and up to " + number_text(longest) + " s");
     return false;
   }
   const double end = from + length;

@@ -5,6 +5,8 @@
 
 namespace mill::fmu {
 namespace {
+constexpr double steepest = 1e24;  // N/s, from end to end of the range of the force within a picosecond
+
 std::string with_unit(const double value, const Variable &variable)
 {
   return number_text(value) + (std::string(variable.unit) == "1" ? "" : std::string(" ") + variable.unit);
@@ -182,10 +184,11 @@ Status Instance::set_input_derivatives(const char *function, const Reference *re
       return Status::error;
     if (variable->causality != Causality::input)
       return log_->refuse(Status::error, std::string(function) + ": " + variable->name + " is no input");
-    if (!std::isfinite(values[i]))
-      return log_->refuse(Status::discard, std::string(function) +
-                                               ": the derivative of F_roll is no finite number; it stays " +
-                                               number_text(now_.slope) + " N/s");
+    if (!(std::abs(values[i]) <= steepest))
+      return log_->refuse(Status::discard, std::string(function) + ": the derivative of F_roll, " +
+                                               number_text(values[i]) + " N/s, is out of range (" +
+                                               number_text(-steepest) + " .. " + number_text(steepest) +
+                                               " N/s); it stays " + number_text(now_.slope) + " N/s");
   }
   for (std::size_t i = 0; i < n; ++i)
     now_.slope = values[i];

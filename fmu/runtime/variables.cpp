@@ -67,7 +67,7 @@ std::vector<Variable> variables_of(const ModelData &model)
   all.push_back(
       {"time", Role::time, 0, Type::real, Causality::independent, Variability::continuous, "s", "", 0, -1, 0, 0});
   all.push_back({"F_roll", Role::bite_force, 0, Type::real, Causality::input, Variability::continuous, "N", "kN",
-                 0, -1, model.mean_force, 1e6});
+                 -largest_force, largest_force, model.mean_force, 1e6});
   add_parameters(model, all);
   for (std::size_t j = 0; j < model.points.size(); ++j)
     all.push_back(output("a_" + model.points[j], Role::acceleration, int(j), "m/s2", "g", 1));
