@@ -253,7 +253,7 @@ int carry_out(const CommandLine &command)
     return 0;
   }
   if (command.verb == "export")
-    return export_command(command, checked_case(command));
+    return export_command(command, checked_case(command).the_case);
   if (command.verb == "report")
     return command.names.empty() ? write_report(command.target) : write_comparison(command);
   return run_chain(command);
