@@ -18,13 +18,13 @@ std::string of_hertz(const double f)
 void add_times(const Pass &pass, const Place &place, const char *what, const dynamics::RecordTimes &times,
                const std::string &more, CaseReview &review)
 {
-  review.facts.push_back(fmt::format("{}: the {} lasts {:.4g} s, {} samples at {}{}", pass.name, what, times.duration,
-                                     times.samples, of_hertz(1 / times.step), more));
+  review.facts.push_back(fmt::format("{}: the {} lasts {:.4g} s, {} samples at {}{}", pass.name, what,
+                                     times.duration, times.samples, of_hertz(1 / times.step), more));
   if (times.n_gaps > 0)
     review.warnings.push_back(
         {place,
-         fmt::format("{}: the {} has {}, the longest of {:.3g} s at {:.4g} s; straight lines fill {}", pass.name, what,
-                     times.n_gaps == 1 ? "a gap" : fmt::format("{} gaps", times.n_gaps), times.longest_gap,
+         fmt::format("{}: the {} has {}, the longest of {:.3g} s at {:.4g} s; straight lines fill {}", pass.name,
+                     what, times.n_gaps == 1 ? "a gap" : fmt::format("{} gaps", times.n_gaps), times.longest_gap,
                      times.longest_at, times.n_gaps == 1 ? "it" : "them"),
          {}});
 }
@@ -36,10 +36,11 @@ void judge_length(const Pass &pass, const double duration, const ExpectedModes &
     return;
   review.warnings.push_back(
       {pass.force_place,
-       fmt::format("{}: the force record lasts {:.3g} s; the lowest mode to be expected, at {:.3g} Hz by closed forms, "
-                   "takes {:.3g} s to build up (five decay times at {:g} % damping): peaks and rms are those of a "
-                   "start, give a longer record",
-                   pass.name, duration, modes.lowest, needed, 100 * modes.damping),
+       fmt::format(
+           "{}: the force record lasts {:.3g} s; the lowest mode to be expected, at {:.3g} Hz by closed forms, "
+           "takes {:.3g} s to build up (five decay times at {:g} % damping): peaks and rms are those of a "
+           "start, give a longer record",
+           pass.name, duration, modes.lowest, needed, 100 * modes.damping),
        {}});
 }
 
@@ -52,9 +53,10 @@ void review_measured(const Pass &pass, const ForceRecord &force, const ExpectedM
   if (measured.time[0] >= last(force.time) || last(measured.time) <= force.time[0])
     review.problems.push_back(
         {pass.measured_place,
-         fmt::format("{}: the measured record, {:.4g} .. {:.4g} s, and the force record, {:.4g} .. {:.4g} s, have no "
-                     "time in common; count both from the same moment",
-                     pass.name, measured.time[0], last(measured.time), force.time[0], last(force.time)),
+         fmt::format(
+             "{}: the measured record, {:.4g} .. {:.4g} s, and the force record, {:.4g} .. {:.4g} s, have no "
+             "time in common; count both from the same moment",
+             pass.name, measured.time[0], last(measured.time), force.time[0], last(force.time)),
          {pass.force_place}});
   const double nyquist = 0.5 / times.step;
   if (nyquist < modes.highest)
@@ -75,8 +77,9 @@ double needed_duration(const ExpectedModes &modes)
 void review_records(const Pass &pass, const ForceRecord &force, const ExpectedModes &modes, CaseReview &review)
 {
   const auto times = dynamics::record_times(force.time);
-  add_times(pass, pass.force_place, pass.force_file.empty() ? "noise that stands for a force record" : "force record",
-            times, ", mean " + in_kN(force.force.mean()), review);
+  add_times(pass, pass.force_place,
+            pass.force_file.empty() ? "noise that stands for a force record" : "force record", times,
+            ", mean " + in_kN(force.force.mean()), review);
   for (const std::string &note : force.notes)
     review.facts.push_back(pass.name + ": " + note);
   judge_length(pass, times.duration, modes, review);
