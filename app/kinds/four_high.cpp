@@ -149,10 +149,10 @@ std::optional<KeyList> inputs_of(const FourHigh &stand, const Results &results, 
     if (p == 0)
       if (const auto keys = rating_inputs_of(stand, name))
         return keys;
-    const KeyList film = keys_in("bearing", stand.backup_roll.bearing);
-    if (begins(name, film[0] + ".film."))
+    const std::string film = "bearing." + stand.backup_roll.bearing;  // of no name where its stiffness is given
+    if (begins(name, film + ".film."))
       return joined(seat_keys(stand, stand.given.count("Kzc1") ? 3 : 0, p),
-                    ends(name, ".least_speed") ? keys_in(film[0], "roughness") : KeyList());
+                    ends(name, ".least_speed") ? keys_in(film, "roughness") : KeyList());
     for (std::size_t i = 0; i < 4; ++i)
       if (begins(name, fmt::format("Kzc{}.", i + 1)))
         return seat_keys(stand, i, p);

@@ -51,6 +51,12 @@ std::vector<Pass> with_force(std::vector<Pass> passes, const std::string &force_
   return passes;
 }
 
+// A place that can be shown beside another; a made record has none.
+std::vector<Place> of_file(const Place &place)
+{
+  return place.line > 0 ? std::vector<Place>{place} : std::vector<Place>{};
+}
+
 // The load of a pass against the mean of its record.
 void review_load(const Case &the_case, const Pass &pass, const std::size_t p, const double mean,
                  CaseReview &review)
@@ -71,9 +77,9 @@ void review_load(const Case &the_case, const Pass &pass, const std::size_t p, co
                                fmt::format("{}: pass.load is {}, the mean of its force record {}, a factor of "
                                            "{:.4g}; one of the two is in another unit",
                                            pass.name, in_MN(pass.load), in_MN(mean), factor),
-                               {pass.force_place}});
+                               of_file(pass.force_place)});
   else if (const std::string said = load_beside_record(pass, mean); !said.empty())
-    review.said_by_run.push_back({place, said, {pass.force_place}});
+    review.said_by_run.push_back({place, said, of_file(pass.force_place)});
 }
 
 // Force of the bite by Karman's slab on Hitchcock's arc; nothing where it has no answer or K4 is given.

@@ -290,13 +290,19 @@ TEST(CommandLine, HelpVersionAndMistakes)
   EXPECT_EQ(millstand("report " + scratch("empty")).exit_code, 2);
   const auto check = millstand("check cases/four-high-1400.toml");
   EXPECT_EQ(check.exit_code, 0);
-  EXPECT_EQ(check.out,
-            "cases/four-high-1400.toml: no errors (four-high \"1400 four-high, demo stand\")\n"
-            "bearing.trb: the apex condition closes at a cup angle of 19.66 deg; cup_angle is 19.66 deg\n"
-            "bearing.trb: row_hands is not given; +-+-, pairs back to back: two double cups (TQI) is "
-            "assumed\n"
-            "pass 1: the force record lasts 10 s, 100001 samples at 10 kHz, mean 976.0 kN\n"
-            "pass 2: the force record lasts 10 s, 100001 samples at 10 kHz, mean 738.2 kN\n");
+  EXPECT_EQ(
+      check.out.rfind("cases/four-high-1400.toml: no errors (four-high \"1400 four-high, demo stand\")\n", 0), 0u);
+  // The strip of the first pass is fitted to its force, not that of the second.
+  EXPECT_NE(check.out.find(": warning: pass 2: by the slab theory this strip takes a rolling force of "),
+            std::string::npos);
+  EXPECT_NE(check.out.find(" kN, the load is 738.2 kN (+"), std::string::npos) << check.out;
+  const std::string facts =
+      "bearing.trb: the apex condition closes at a cup angle of 19.66 deg; cup_angle is 19.66 deg\n"
+      "bearing.trb: row_hands is not given; +-+-, pairs back to back: two double cups (TQI) is "
+      "assumed\n"
+      "pass 1: the force record lasts 10 s, 100001 samples at 10 kHz, mean 976.0 kN\n"
+      "pass 2: the force record lasts 10 s, 100001 samples at 10 kHz, mean 738.2 kN\n";
+  EXPECT_EQ(check.out.substr(check.out.size() - std::min(facts.size(), check.out.size())), facts);
 }
 
 TEST(CommandLine, MistypedVerbsAndOptionsGetTheNearest)
