@@ -8,6 +8,7 @@
 #include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_in.h>
@@ -396,6 +397,44 @@ void set_assembly_threads(const int n)
   MultithreadInfo::set_thread_limit(unsigned(n));
 }
 
+namespace {
+/// A field of several components on the nodes of a scalar one, as pictures want it.
+class NodeField {
+public:
+  /// @param at_nodes  (nodes, components)
+  NodeField(const DoFHandler<3> &nodes, const Eigen::MatrixXd &at_nodes)
+      : dofs_(nodes.get_triangulation()), n_(unsigned(at_nodes.cols()))
+  {
+    const FESystem<3> several(nodes.get_fe(), n_);
+    dofs_.distribute_dofs(several);
+    values_.reinit(dofs_.n_dofs());
+    std::vector<types::global_dof_index> one(nodes.get_fe().dofs_per_cell), all(several.dofs_per_cell);
+    auto cell = dofs_.begin_active();
+    for (const auto &node_cell : nodes.active_cell_iterators()) {
+      node_cell->get_dof_indices(one);
+      cell->get_dof_indices(all);
+      for (unsigned i = 0; i < all.size(); ++i) {
+        const auto [component, base] = several.system_to_component_index(i);
+        values_[all[i]]              = at_nodes(Eigen::Index(one[base]), component);
+      }
+      ++cell;
+    }
+  }
+  /// The field has to live until the picture is written.
+  void add_to(DataOut<3> &out, const std::string &name,
+              const DataComponentInterpretation::DataComponentInterpretation kind) const
+  {
+    out.add_data_vector(dofs_, values_, std::vector<std::string>(n_, name),
+                        std::vector<DataComponentInterpretation::DataComponentInterpretation>(n_, kind));
+  }
+
+private:
+  DoFHandler<3> dofs_;
+  unsigned n_;
+  Vector<double> values_;
+};
+}  // namespace
+
 void ElasticBody::write_vtu(const std::string &path, const Eigen::VectorXd &displacement,
                             const Eigen::VectorXd &pressure) const
 {
@@ -424,32 +463,24 @@ void ElasticBody::write_vtu(const std::string &path, const Eigen::VectorXd &disp
       ++count[index[q]];
     }
   }
-  const std::vector<std::string> names{"displacement_x_m", "displacement_y_m",   "displacement_z_m",
-                                       "stress_xx_Pa",     "stress_yy_Pa",       "stress_zz_Pa",
-                                       "stress_xy_Pa",     "stress_xz_Pa",       "stress_yz_Pa",
-                                       "von_mises_Pa",     "contact_pressure_Pa"};
-  std::vector<Vector<double>> fields(names.size(), Vector<double>(n_nodes));
+  Eigen::MatrixXd vector(n_nodes, 3), tensor(n_nodes, 9);
+  Vector<double> von_mises(n_nodes), contact(n_nodes);
   for (int i = 0; i < n_nodes; ++i) {
     const Eigen::Matrix3d s = sum[i] / std::max(1, count[i]);
     const Eigen::Matrix3d d = s - s.trace() / 3 * Eigen::Matrix3d::Identity();
-    const double values[]   = {displacement[3 * i],
-                               displacement[3 * i + 1],
-                               displacement[3 * i + 2],
-                               s(0, 0),
-                               s(1, 1),
-                               s(2, 2),
-                               s(0, 1),
-                               s(0, 2),
-                               s(1, 2),
-                               std::sqrt(1.5 * d.squaredNorm()),
-                               pressure[i]};
-    for (std::size_t f = 0; f < names.size(); ++f)
-      fields[f][i] = values[f];
+    vector.row(i)           = displacement.segment<3>(3 * i).transpose();
+    tensor.row(i)           = Eigen::Map<const Eigen::RowVectorXd>(s.data(), 9);  // symmetric: either order
+    von_mises[i]            = std::sqrt(1.5 * d.squaredNorm());
+    contact[i]              = pressure[i];
   }
   DataOut<3> out;
   out.attach_dof_handler(self->dofs);
-  for (std::size_t f = 0; f < names.size(); ++f)
-    out.add_data_vector(fields[f], names[f]);
+  using Kind = DataComponentInterpretation::DataComponentInterpretation;
+  NodeField displacements(self->dofs, vector), stresses(self->dofs, tensor);
+  displacements.add_to(out, "displacement_m", Kind::component_is_part_of_vector);
+  stresses.add_to(out, "stress_Pa", Kind::component_is_part_of_tensor);
+  out.add_data_vector(von_mises, "von_mises_Pa");
+  out.add_data_vector(contact, "contact_pressure_Pa");
   GridTools::scale(self->mesh.unit, self->triangulation);  // pictures are in metres
   out.build_patches(self->mapping, self->fe.degree, DataOut<3>::curved_boundary);
   GridTools::scale(1 / self->mesh.unit, self->triangulation);

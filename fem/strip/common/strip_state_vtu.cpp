@@ -33,9 +33,12 @@ void write_strip_flow_vtu(const std::string &path, const StripFlow &flow)
   scalar("pressure_Pa", flow.pressure);
   scalar("strain", flow.strain);
   scalar("strain_rate", flow.rate);
-  scalar("stress_xx_Pa", flow.sxx);
-  scalar("stress_yy_Pa", flow.syy);
-  scalar("stress_xy_Pa", flow.sxy);
+  // Plane strain: what acts along the rolls follows from the mean stress, which is the pressure's opposite.
+  array("stress_Pa", 9, [&](const Eigen::Index i, const Eigen::Index j) {
+    const double along_rolls = -3 * flow.pressure(i, j) - flow.sxx(i, j) - flow.syy(i, j);
+    out << flow.sxx(i, j) << ' ' << flow.sxy(i, j) << " 0 " << flow.sxy(i, j) << ' ' << flow.syy(i, j) << " 0 0 0 "
+        << along_rolls << '\n';
+  });
   out << "</PointData>\n<Cells>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
   // Biquadratic quadrilateral: corners counter-clockwise, middles of the sides, centre.
   const int along[9] = {0, 2, 2, 0, 1, 2, 1, 0, 1}, through[9] = {0, 0, 2, 2, 0, 1, 2, 1, 1};
