@@ -249,13 +249,13 @@ BaseCase drawn_stand()
   replace("crown            = \"0 um\"", "");  // a table may stand instead
   // That of the work rolls goes on no neck of a backup roll; this one does.
   text += "\n[bearing.another]\ntype = \"four-row cylindrical\"\nrows = 4\nrollers_per_row = 31\nroller_length = "
-          "\"110 mm\"\n"
-          "roller_diameter = \"75 mm\"\nroller_law = \"palmgren\"\n";
+          "\"100 mm\"\n"
+          "roller_diameter = \"70 mm\"\nbore = \"950 mm\"\noutside_diameter = \"1200 mm\"\nwidth = \"600 mm\"\n";
   const std::string file = testing::TempDir() + "cache-keys-" + std::to_string(getpid()) + ".toml";
   write_atomically(file, text);
   return {
       file,
-      {"bearing.trb.roller_total_length=34 mm", "work_roll.end_chamfer_length=50 mm",
+      {"bearing.trb.roller_total_length=34 mm", "bearing.crb.bore=960 mm", "work_roll.end_chamfer_length=50 mm",
         "backup_roll.end_chamfer_length=50 mm", "bite.arc=elastic", every_friction, every_flow_stress("28 MPa")}
   };
 }

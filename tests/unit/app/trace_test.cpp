@@ -214,7 +214,7 @@ TEST(Trace, TwoPercentMoreDiameterTakesItsRoad)
   for (const char *same : {"Kzc2", "Kzc3", "M1", "M6", "K1", "K7", "K4"})
     EXPECT_EQ(find(before, same)->parameter.value, find(after, same)->parameter.value) << same;
   const Trace t = traced({demo, "backup_roll.barrel_diameter", {}, nowhere});
-  EXPECT_EQ(t.key.origin, "cases/four-high-1400.toml:32");
+  EXPECT_EQ(t.key.origin, "cases/four-high-1400.toml:33");
 }
 
 TEST(Trace, WordForWord)
