@@ -41,24 +41,23 @@ void add_modulus_line(const Results &results, std::vector<std::string> &lines)
   lines.push_back(text);
 }
 
-// mode.third_octave.frequency -> third octave
+// mode.third_octave.frequency -> third octave; third and fifth octave first, as they are what a mill asks for.
 void add_mode_lines(const Results &results, std::vector<std::string> &lines)
 {
-  std::size_t n = 0, all = 0;
-  for (const auto &[name, p] : results.values) {
-    const std::string begin = "mode.", end = ".frequency";
-    if (name.rfind(begin, 0) != 0 || name.size() <= begin.size() + end.size() ||
-        name.compare(name.size() - end.size(), end.size(), end) != 0)
-      continue;
-    if (++all > most_modes)
-      continue;
-    std::string mode = name.substr(begin.size(), name.size() - begin.size() - end.size());
-    std::replace(mode.begin(), mode.end(), '_', ' ');
-    lines.push_back(value_line("mode " + mode, p));
-    ++n;
-  }
-  if (all > n)
-    lines.push_back(fmt::format("  and {} more named modes", all - n));
+  std::vector<std::pair<std::string, const Parameter *>> modes;
+  for (const auto &[name, p] : results.values)
+    if (const auto parts = parts_of(name);
+        parts.size() == 3 && parts[0] == family::mode && parts[2] == "frequency") {
+      modes.emplace_back(parts[1], &p);
+      std::replace(modes.back().first.begin(), modes.back().first.end(), '_', ' ');
+    }
+  std::stable_partition(modes.begin(), modes.end(), [](const auto &mode) {
+    return mode.first.rfind("third octave", 0) == 0 || mode.first.rfind("fifth octave", 0) == 0;
+  });
+  for (std::size_t i = 0; i < std::min(modes.size(), most_modes); ++i)
+    lines.push_back(value_line("mode " + modes[i].first, *modes[i].second));
+  if (modes.size() > most_modes)
+    lines.push_back(fmt::format("  and {} more named modes", modes.size() - most_modes));
 }
 
 // Where nothing vibrates the first results speak.

@@ -35,8 +35,9 @@
   }
 
   function unfold(id) {
-    var target = id && document.getElementById(id), part = target && target.closest("details.part");
-    if (part) part.open = true;
+    var target = id && document.getElementById(id);
+    for (var part = target; part; part = part.parentElement && part.parentElement.closest("details"))
+      if (part.tagName === "DETAILS") part.open = true;
     if (target) target.scrollIntoView();
   }
 

@@ -89,16 +89,38 @@ std::string all_checks(const Result &result)
   return cell;
 }
 
-std::string folded_inputs(const Result &result)
-{
-  if (result.inputs.empty())
-    return "";
-  std::string list;
-  for (const std::string &input : result.inputs)
-    list += (list.empty() ? "" : ", ") + ("<code>" + escaped(input) + "</code>");
-  const std::string count = std::to_string(result.inputs.size());
-  return "<details><summary>" + count + (count == "1" ? " input" : " inputs") + "</summary>" + list + "</details>";
-}
+// Lists of inputs that results share are long and few: each stands once, below the table.
+class InputLists {
+public:
+  /// A link to the list of these inputs; empty without inputs.
+  std::string link(const std::vector<std::string> &inputs)
+  {
+    if (inputs.empty())
+      return "";
+    const auto found = std::find(lists_.begin(), lists_.end(), inputs);
+    const auto at    = std::size_t(found - lists_.begin());
+    if (found == lists_.end())
+      lists_.push_back(inputs);
+    return "<small><a href=\"#inputs-" + std::to_string(at + 1) + "\">" + std::to_string(inputs.size()) +
+           (inputs.size() == 1 ? " input" : " inputs") + ", list " + std::to_string(at + 1) + "</a></small>";
+  }
+  std::string html() const
+  {
+    std::string all;
+    for (std::size_t i = 0; i < lists_.size(); ++i) {
+      std::string keys;
+      for (const std::string &input : lists_[i])
+        keys += (keys.empty() ? "<code>" : ", <code>") + escaped(input) + "</code>";
+      all += "<p id=\"inputs-" + std::to_string(i + 1) + "\"><b>" + std::to_string(i + 1) + ".</b> " + keys +
+             "</p>\n";
+    }
+    return all.empty() ? ""
+                       : "<details class=\"lists\"><summary>Lists of inputs</summary>\n" + all + "</details>\n";
+  }
+
+private:
+  std::vector<std::vector<std::string>> lists_;
+};
 
 std::string group_head(const Group &group)
 {
@@ -186,9 +208,10 @@ std::string full_table(const Run &run)
   std::string table =
       "<table class=\"results full\"><thead><tr><th>name</th><th>value</th><th>source</th><th>at</th>"
       "<th>accuracy</th><th>checks (this run deviates by)</th></tr></thead>\n<tbody>\n";
-  const auto row = [](const Result &result) {
+  InputLists lists;
+  const auto row = [&](const Result &result) {
     return "<tr" + data_of(result) + ">" + row_head(result) + common_cells(result, result.source) + "<td>" +
-           all_checks(result) + folded_inputs(result) + "</td></tr>\n";
+           all_checks(result) + lists.link(result.inputs) + "</td></tr>\n";
   };
   if (run.manifest.kind == "bearing" || run.manifest.kind == "bite")
     for (const Group &group : short_groups(run)) {
@@ -200,7 +223,7 @@ std::string full_table(const Run &run)
     for (const Result &result : run.results)
       if (run.manifest.kind == "chatter" ? !is_slope_by_one_input(result.name) : !is_of_one_model(result.name))
         table += row(result);
-  return table + "</tbody></table>\n";
+  return table + "</tbody></table>\n" + lists.html();
 }
 
 const Result *pass_value(const Run &run, const PassInfo &pass, const std::string &quantity)
