@@ -255,8 +255,9 @@ BaseCase drawn_stand()
   write_atomically(file, text);
   return {
       file,
-      {"bearing.trb.roller_total_length=34 mm", "bearing.crb.bore=960 mm", "work_roll.end_chamfer_length=50 mm",
-        "backup_roll.end_chamfer_length=50 mm", "bite.arc=elastic", every_friction, every_flow_stress("28 MPa")}
+      {"bearing.trb.roller_total_length=34 mm", "bearing.crb.bore=960 mm", "bearing.crb.outside_diameter=1200 mm",
+        "work_roll.end_chamfer_length=50 mm", "backup_roll.end_chamfer_length=50 mm", "bite.arc=elastic",
+        every_friction, every_flow_stress("28 MPa")}
   };
 }
 

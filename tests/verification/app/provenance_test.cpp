@@ -201,14 +201,14 @@ const std::vector<std::string> tapered{"bearing.trb.roller_total_length=34 mm",
 // Of a stand: the type of a bearing follows from its angles and is not changed alone, nor does an end play or
 // a preload stand beside a clearance; the closed forms bend one beam whatever bending_model says; another bearing
 // or a seat for the chocks puts the horizontal modes in another order; in another frame a mode has another name;
-// what is not given yet stands in no list of what it would replace.  The bite's elements are kept under all
-// constants of all laws.
+// what is not given yet stands in no list of what it would replace; the work rolls' bearing does not go on the
+// necks of the backup rolls, and there is no third.  The bite's elements are kept under all constants of all laws.
 const Exceptions of_a_stand{
-    {"bearing.trb.type",            "bearing.crb.type", "bearing.trb.end_play", "bearing.trb.preload", "given.*",
-     "backup_roll.bending_model",                                                                                              "work_roll.bearing of fh3", "bearing.trb.profile of fh3",
+    {"backup_roll.bearing",       "bearing.trb.type",           "bearing.crb.type", "bearing.trb.end_play", "bearing.trb.preload",
+     "given.*",                                                                                      "backup_roll.bending_model", "work_roll.bearing of fh3", "bearing.trb.profile of fh3",
      "bearing.trb.profile of fh4", "dynamics.frame of mode.*", "frame.chock_to_housing_stiffness"},
-    {"strip.initial_thickness", "strip.youngs_modulus",                      "strip.poisson_ratio",                  "strip.flow_stress.*",
-     "strip.friction.*",              "pass.0.speed"}
+    {"strip.initial_thickness", "strip.youngs_modulus", "strip.poisson_ratio",                                                  "strip.flow_stress.*",
+     "strip.friction.*",                                 "pass.0.speed"}
 };
 
 Exceptions also(Exceptions known, const std::vector<std::string> &not_moved)
