@@ -136,8 +136,18 @@ ExpectedModes expected_modes(const FourHigh &stand, const double load)
   return modes;
 }
 
+// Of a stand in files those that the case names, which a run finds again or refuses.
 ExpectedModes modes_of(const Case &the_case, const DynamicsSettings &settings)
 {
+  if (const auto &lumped = std::get<Lumped>(the_case.spec); lumped.detailed) {
+    ExpectedModes named{0, 0, settings.modal_damping};
+    for (const auto &[number, frequency] : lumped.model.modes)
+      if (frequency <= lumped.model.frequency_limit) {
+        named.lowest  = named.lowest > 0 ? std::min(named.lowest, frequency) : frequency;
+        named.highest = std::max(named.highest, frequency);
+      }
+    return named;
+  }
   const auto frequency = chain_modes(lumped_model_of(the_case), settings).modes.frequency;
   return {frequency.minCoeff(), frequency.maxCoeff(), settings.modal_damping};
 }

@@ -93,7 +93,7 @@ std::string what_is_left_out(const Run &run)
 
 void summary_section(Page &page, const Run &run, const ModelData &models)
 {
-  page.section("summary", "The numbers in short", Depth::manager);
+  page.section("summary", "The numbers in short");
   if (const ComparedModel *best = models.detailed()) {
     std::string text =
         "The frequencies are those of the <b>" + escaped(best->title) + "</b>; the six masses stand beside them.";

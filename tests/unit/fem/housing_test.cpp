@@ -174,7 +174,8 @@ TEST(HousingStatics, VtuHoldsTheDisplacement)
   fem::write_housing_vtu(file.path, body, s, 1e6);
   std::ifstream in(file.path);
   const std::string text((std::istreambuf_iterator<char>(in)), {});
-  EXPECT_NE(text.find("displacement_y_m"), std::string::npos);
+  EXPECT_NE(text.find("Name=\"displacement_m\" NumberOfComponents=\"3\""), std::string::npos);
+  EXPECT_NE(text.find("Name=\"stress_Pa\" NumberOfComponents=\"9\""), std::string::npos);
   const std::string head = text.substr(0, text.find("<VTKFile"));
   EXPECT_NE(head.find("deal.II"), std::string::npos) << "no head at all?";
   EXPECT_EQ(head.find(':'), std::string::npos) << "the time of day: " << head;  // the same run, the same bits
