@@ -89,7 +89,10 @@ std::string different(const std::string &a, const std::string &b)
     const double x = result.at("value"), y = two.at(name).at("value");
     const bool of_components = name.rfind("craig-bampton", 0) == 0 || name.rfind("mode.", 0) == 0 ||
                                name.rfind("frf.", 0) == 0 || name.rfind("campbell.", 0) == 0;
-    if (of_components ? std::abs(x - y) > 1e-10 * std::abs(x) : x != y)
+    // A maximum is flat: its place moves with the square root of rounding, 3e-12 here.
+    const bool place_of_maximum = name.rfind("frf.", 0) == 0 && name.find(".frequency") != std::string::npos;
+    const double tolerance      = place_of_maximum ? 1e-6 : 1e-10;
+    if (of_components ? std::abs(x - y) > tolerance * std::abs(x) : x != y)
       different += name + " ";
   }
   return different;
