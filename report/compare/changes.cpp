@@ -1,3 +1,4 @@
+#include "core/records/result_names.h"
 #include "report/compare/comparison.h"
 #include <algorithm>
 #include <cmath>
@@ -55,15 +56,23 @@ std::string value_of(const Inputs &inputs, const std::string &key)
   return found == inputs.end() ? "" : found->second;
 }
 
-double error_of(const Result &result)
+bool states_error(const Result &result)
 {
-  return std::isfinite(result.error_estimate) ? std::abs(result.error_estimate) : 0;
+  return std::isfinite(result.error_estimate);
+}
+
+// What a mill is judged by.
+bool leads(const Result &result)
+{
+  const auto parts = parts_of(result.name);
+  return is_of(result.name, result_name({family::stand, "modulus"})) || parts.front() == family::mode ||
+         (parts.front() == family::chatter && parts.back() == "critical_speed");
 }
 
 // Against the first run that has the result.
 ChangedResult change_of(std::vector<const Result *> results)
 {
-  ChangedResult c{std::move(results), 0, false};
+  ChangedResult c{std::move(results)};
   const auto first =
       std::find_if(c.results.begin(), c.results.end(), [](const Result *r) { return r != nullptr; });
   for (auto other = first + 1; other != c.results.end(); ++other) {
@@ -75,7 +84,9 @@ ChangedResult change_of(std::vector<const Result *> results)
                  : 0;
     if (std::abs(change) > std::abs(c.change)) {
       c.change = change;
-      c.beyond = std::abs(change) > error_of(**first) + error_of(**other);
+      c.known  = states_error(**first) && states_error(**other);
+      c.beyond =
+          c.known && std::abs(change) > std::abs((*first)->error_estimate) + std::abs((*other)->error_estimate);
     }
   }
   return c;
@@ -126,6 +137,9 @@ std::vector<ChangedResult> changed_results(const std::vector<Run> &runs)
     }
   std::stable_sort(changed.begin(), changed.end(), [](const ChangedResult &a, const ChangedResult &b) {
     return std::abs(a.change) > std::abs(b.change);
+  });
+  std::stable_partition(changed.begin(), changed.end(), [](const ChangedResult &c) {
+    return leads(**std::find_if(c.results.begin(), c.results.end(), [](const Result *r) { return r != nullptr; }));
   });
   return changed;
 }

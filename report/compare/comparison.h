@@ -20,10 +20,12 @@ std::vector<ChangedInput> changed_inputs(const std::vector<std::string> &resolve
 struct ChangedResult {
   std::vector<const Result *> results;  ///< (runs) nullptr: that run has none
   double change = 0;                    ///< -, largest deviation from the first run, with its sign
-  bool beyond   = false;                ///< larger than the error estimates of both together
+  bool known    = false;                ///< both runs state an error
+  bool beyond   = false;                ///< larger than the errors of both together, which are known
 };
 
-/// Largest change first.  Deviations below 1e-9 are rounding and count as none.
+/// Modulus, named modes and critical speeds first, then the others; the largest change first in either part.
+/// Deviations below 1e-9 are rounding and count as none.
 std::vector<ChangedResult> changed_results(const std::vector<Run> &runs);
 
 /// The page that compares them, complete.

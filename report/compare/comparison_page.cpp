@@ -54,7 +54,7 @@ std::string input_table(const std::vector<Run> &runs, const std::vector<ChangedI
   for (const ChangedInput &input : inputs) {
     rows += "<tr><th scope=\"row\"><code>" + escaped(input.key) + "</code></th>";
     for (const std::string &value : input.values)
-      rows += "<td>" + (value.empty() ? std::string("\u2013") : escaped(shortened(value, 300, 13.5))) + "</td>";
+      rows += "<td>" + (value.empty() ? std::string("\u2013") : escaped(shortened(value, 1500, 13.5))) + "</td>";
     rows += "</tr>\n";
   }
   return "<table class=\"results\"><thead><tr><th>input</th>" + heads(runs, false) + "</tr></thead>\n<tbody>\n" +
@@ -71,7 +71,10 @@ std::string result_row(const ChangedResult &changed)
   for (const Result *result : changed.results)
     row += "<td class=\"value\">" + (result ? value_cell(*result) : std::string("\u2013")) + "</td>";
   return row + "<td class=\"num\"><b>" + percent(changed.change) + "</b></td><td>" +
-         (changed.beyond ? "beyond the accuracy of both" : "within the accuracy") + "</td></tr>\n";
+         (!changed.known   ? "accuracy not known"
+          : changed.beyond ? "beyond the accuracy of both"
+                           : "within the accuracy") +
+         "</td></tr>\n";
 }
 
 std::string result_table(const std::vector<Run> &runs, const std::vector<ChangedResult> &results)
@@ -119,7 +122,8 @@ std::string verdict_of(const std::vector<ChangedInput> &inputs, const std::vecto
   if (results.empty())
     return text + "all results that the runs share are equal.";
   return text + counted(results.size(), "result") + (results.size() == 1 ? " differs, " : " differ, ") +
-         std::to_string(n_beyond) + " by more than the accuracy of both runs.";
+         std::to_string(n_beyond) + " by more than the accuracy of both runs" +
+         (n_unknown > 0 ? ", " + std::to_string(n_unknown) + " of unknown accuracy." : ".");
 }
 }  // namespace
 
@@ -138,8 +142,9 @@ std::string comparison_page(const std::vector<Run> &runs, const std::vector<std:
     page.paragraph("Every result that two runs share is the same to 9 digits.");
   else
     page.table(result_table(runs, results),
-               "Results that differ, the largest change against " + escaped(label_of(runs, 0)) +
-                   " first. A change within the sum of both error estimates may be none.");
+               "Results that differ from " + escaped(label_of(runs, 0)) +
+                   ": modulus, modes and critical speeds, then the others, the largest change first. A change "
+                   "within the sum of both error estimates may be none.");
   if (const auto drawings = drawn_curves(runs); !drawings.empty()) {
     page.section("curves", "The same curves", Depth::engineer);
     page.figure(drawings, "Curves that the runs share, on the same axes.");
