@@ -113,6 +113,8 @@ std::vector<std::string> drawn_curves(const std::vector<Run> &runs)
 
 std::string verdict_of(const std::vector<ChangedInput> &inputs, const std::vector<ChangedResult> &results)
 {
+  const auto n_unknown =
+      std::count_if(results.begin(), results.end(), [](const ChangedResult &r) { return !r.known; });
   const auto n_beyond =
       std::count_if(results.begin(), results.end(), [](const ChangedResult &r) { return r.beyond; });
   const auto counted = [](const std::size_t n, const char *what) {
