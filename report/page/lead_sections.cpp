@@ -110,7 +110,7 @@ void summary_section(Page &page, const Run &run, const ModelData &models)
 
 void limits_section(Page &page, const Run &run)
 {
-  page.section("limits", "Assumptions and limits");
+  page.section("limits", "Assumptions and limits", Depth::manager);
   if (!run.assumptions.empty())
     page.html(list_of(run.assumptions));
   page.paragraph(what_is_left_out(run));

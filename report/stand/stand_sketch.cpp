@@ -260,7 +260,7 @@ void stand_section(Page &page, const Run &run)
 {
   if (!has_chain(run))
     return;
-  page.section("stand", "Stand and chain", Depth::manager);
+  page.section("stand", "Stand and chain");
   page.figure(
       {stand_sketch(run)},
       std::string(has_geometry(run) ? "The rolls to scale and the chain that stands for them. " : "The chain. ") +
