@@ -118,9 +118,10 @@ KeyList keys_of(const RunContext &run, const CampbellMode &mode, const CampbellL
     if (line.shaft == roll.name) {
       keys = joined(keys, KeyList{roll.diameter_key});
       if (roll.bearing && line.group.find("bearing") != std::string::npos)
-        keys = joined(keys, keys_in("bearing." + roll.bearing->name,
-                                    "bore outside_diameter pitch_diameter roller_diameter rollers_per_row "
-                                    "roller_cone_angle cup_angle"),
+        keys = joined(keys,
+                      keys_in("bearing." + roll.bearing->name,
+                              "bore outside_diameter pitch_diameter roller_diameter rollers_per_row "
+                              "roller_cone_angle cup_angle"),
                       keys_in("campbell", "bearing_harmonics"));
     }
   for (std::size_t i = 0; i < stand.drive.size(); ++i)

@@ -98,11 +98,11 @@ const CaseKind &case_kind(const Lumped *)
         {"model", "", {},    {},                         true}, // [given] says it
         {"pass",       "",    {{"synthetic", "true"}}, {"synthetic_range"}},
         {"pass",
-         "",    {{"name", "\"pass 2\""},
+            "",    {{"name", "\"pass 2\""},
           {"synthetic", "true"},
           {"synthetic_range", "[\"733.705 kN\", \"742.280 kN\"]"},
           {"synthetic_seed", "2"}},
-         {}         }
+            {}         }
     };
     k.given = k.published = lumped_given_rows();
     k.repeated            = [](const CaseSpec &spec, const std::string &section) {
