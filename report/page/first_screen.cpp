@@ -360,6 +360,41 @@ std::string known(const Run &run)
          "</div>\n";
 }
 
+// The result that an estimate moves most.
+std::string costs_most(const EstimateInfo &e)
+{
+  const auto most = std::max_element(e.moves.begin(), e.moves.end(), [](const auto &a, const auto &b) {
+    return std::abs(a.second) < std::abs(b.second);
+  });
+  return most == e.moves.end() ? "\u2013"
+                               : escaped(most->first) + " \u00b1" + percent(std::abs(most->second)).substr(1);
+}
+
+// Folded: what no drawing gave, by what it costs in accuracy.
+std::string estimates(const Run &run)
+{
+  if (run.estimates.empty())
+    return "";
+  std::string rows;
+  for (const EstimateInfo &e : run.estimates) {
+    const Shown value = engineering(e.value, e.unit), low = engineering(e.low, e.unit),
+                high        = engineering(e.high, e.unit);
+    const std::string range = low.unit == value.unit && high.unit == value.unit
+                                  ? significant(low.value, 3) + " .. " + significant(high.value, 3)
+                                  : "";
+    rows += "<tr><th scope=\"row\"><code>" + escaped(e.key) + "</code></th><td class=\"num\"><b>" +
+            significant(value.value, 3) + "</b> " + escaped(value.unit) + "</td><td>" + range + "</td><td>" +
+            costs_most(e) + "</td><td>" + escaped(e.rule) + "</td></tr>\n";
+  }
+  return "<details class=\"known estimates\"><summary>" + std::to_string(run.estimates.size()) +
+         (run.estimates.size() == 1 ? " value is estimated; " : " values are estimated; ") +
+         escaped(run.estimates.front().key) +
+         " costs most "
+         "accuracy</summary>\n<table><thead><tr><th>key</th><th>estimate</th><th>interval</th><th>moves "
+         "most</th><th>rule</th></tr></thead>\n<tbody>\n" +
+         rows + "</tbody></table></details>\n";
+}
+
 std::string head(const Run &run)
 {
   const Manifest &m = run.manifest;
@@ -386,6 +421,6 @@ std::string first_screen(const Run &run)
     both += "<figure>" + drawing + "<figcaption>The stand to scale.</figcaption></figure>\n";
   if (!both.empty())
     both = std::string("<div class=\"first") + (drawing.empty() ? " alone" : "") + "\">\n" + both + "</div>\n";
-  return head(run) + verdict(run) + both + known(run);
+  return head(run) + verdict(run) + both + known(run) + estimates(run);
 }
 }  // namespace mill::report

@@ -91,10 +91,27 @@ Result result_of(const std::string &name, const Json &entry)
                 number_at(entry, "error_estimate"),
                 texts_at(entry, "inputs"),
                 {},
-                texts_at(entry, "error_lacks")};
+                texts_at(entry, "error_lacks"),
+                texts_at(entry, "estimated")};
   for (const Json &check : list_at(entry, "checks"))
     result.checks.push_back({text_at(check, "name"), number_at(check, "value"), text_at(check, "note")});
   return result;
+}
+
+EstimateInfo estimate_of(const Json &entry)
+{
+  EstimateInfo e{text_at(entry, "key"),
+                 number_at(entry, "value"),
+                 number_at(entry, "low"),
+                 number_at(entry, "high"),
+                 text_at(entry, "unit"),
+                 text_at(entry, "rule"),
+                 {}};
+  const Json moves = object_at(entry, "moves");
+  for (const auto &[name, move] : moves.items())
+    if (move.is_number())
+      e.moves.emplace_back(name, move.get<double>());
+  return e;
 }
 
 // Returns the run_id; empty when the file states none.
@@ -108,6 +125,8 @@ std::string read_results(const std::string &path, Run &run)
       if (std::find(run.warnings.begin(), run.warnings.end(), warning) == run.warnings.end())
         run.warnings.push_back(warning);
     run.assumptions = texts_at(json, "assumptions");
+    for (const Json &entry : list_at(json, "estimates"))
+      run.estimates.push_back(estimate_of(entry));
     for (const auto &[name, entry] : json.at("values").items())
       run.results.push_back(result_of(name, entry));
     return text_at(json, "run_id");

@@ -9,15 +9,25 @@
 namespace mill::report {
 /// One entry of results.json.
 struct Result {
-  std::string name;                      ///< "K3.tangent"
-  double value;                          ///< SI; NaN when the run stored none
-  std::string unit;                      ///< SI unit, "N/m", "1"
-  std::string source;                    ///< "computed: contact FEM", "given", ...
-  std::string at;                        ///< load or state, "976.2 kN"; empty when it has none
-  double error_estimate;                 ///< relative; NaN: none can be stated
-  std::vector<std::string> inputs;       ///< keys of the case file
-  std::vector<Check> checks;             ///< independent values beside it
-  std::vector<std::string> error_lacks;  ///< why none can be stated: inputs whose own error is not known
+  std::string name;                         ///< "K3.tangent"
+  double value;                             ///< SI; NaN when the run stored none
+  std::string unit;                         ///< SI unit, "N/m", "1"
+  std::string source;                       ///< "computed: contact FEM", "given", ...
+  std::string at;                           ///< load or state, "976.2 kN"; empty when it has none
+  double error_estimate;                    ///< relative; NaN: none can be stated
+  std::vector<std::string> inputs;          ///< keys of the case file
+  std::vector<Check> checks;                ///< independent values beside it
+  std::vector<std::string> error_lacks;     ///< why none can be stated: inputs whose own error is not known
+  std::vector<std::string> estimated = {};  ///< those of the inputs that are estimates
+};
+
+/// A value that no drawing gave: results.json, "estimates".
+struct EstimateInfo {
+  std::string key;          ///< "frame.upper_post_mass"
+  double value, low, high;  ///< in `unit`
+  std::string unit;         ///< SI
+  std::string rule;
+  std::vector<std::pair<std::string, double>> moves;  ///< result and what half the interval moves it by, relative
 };
 
 struct PassInfo {
@@ -60,6 +70,7 @@ struct Run {
   std::string status;  ///< "ok", "warnings" or anything else, which is a failure
   std::vector<Result> results;
   std::vector<std::string> warnings, assumptions;
+  std::vector<EstimateInfo> estimates;  ///< the one that costs most accuracy first
   Manifest manifest;
   std::map<std::string, Table> tables;  ///< by path in the run directory without ending: "curves/modes"
   std::vector<std::string> remarks;     ///< what is missing or could not be read, one sentence each

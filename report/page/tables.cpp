@@ -71,11 +71,20 @@ std::string row_head(const Result &result)
          "</small></th>";
 }
 
+// What hangs on estimates says so beside its source.
+std::string marked_estimated(const Result &result)
+{
+  if (result.estimated.empty())
+    return "";
+  return "<small>estimated: " + std::to_string(result.estimated.size()) +
+         (result.estimated.size() == 1 ? " input" : " inputs") + "</small>";
+}
+
 std::string common_cells(const Result &result, const std::string &source)
 {
-  return "<td class=\"value\">" + value_cell(result) + "</td><td>" + escaped(source) + "</td><td>" +
-         (result.at.empty() ? "\u2013" : unbroken(escaped(result.at))) + "</td><td>" + accuracy_cell(result) +
-         "</td>";
+  return "<td class=\"value\">" + value_cell(result) + "</td><td>" + escaped(source) + marked_estimated(result) +
+         "</td><td>" + (result.at.empty() ? "\u2013" : unbroken(escaped(result.at))) + "</td><td>" +
+         accuracy_cell(result) + "</td>";
 }
 
 std::string all_checks(const Result &result)

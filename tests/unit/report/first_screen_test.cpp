@@ -104,6 +104,19 @@ TEST(FirstScreen, FiveFactsAndTheRestFolded)
   EXPECT_LT(html.find("<summary>2 more</summary>"), html.find("Fact number 6"));
 }
 
+TEST(FirstScreen, EstimatesFoldWithWhatTheyCost)
+{
+  mill::report::Run run = four_high();
+  EXPECT_FALSE(says(first_screen(run), "estimated"));
+  run.estimates = {
+      {"frame.upper_post_stiffness", 6e10, 4e10, 8e10, "N/m", "rule of thumb", {{"K1", 0.2}, {"f1", -0.05}}}
+  };
+  const std::string html = first_screen(run);
+  EXPECT_TRUE(says(html, "1 value is estimated; frame.upper_post_stiffness costs most accuracy")) << html;
+  EXPECT_TRUE(says(html, "<td>K1 \u00b120.0\u00a0%</td><td>rule of thumb</td>")) << html;
+  EXPECT_TRUE(says(html, "40\u202f000 .. 80\u202f000"));
+}
+
 TEST(StandToScale, DrawsHousingAndScrewdownWhereTheyAreGiven)
 {
   mill::report::Run run = four_high();
