@@ -19,8 +19,8 @@ struct FourHigh;
 
 struct BiteCase;
 struct Lumped;
-struct QuickMemory;
-struct QuickResult;
+struct ClosedFormMemory;
+struct ClosedFormResult;
 struct StandIn;
 struct TraceKey;
 struct TwoCylinders;
@@ -50,12 +50,12 @@ struct RunKind {
   std::optional<KeyList> (*inputs)(const Case &the_case, const Results &results,
                                    const std::string &name) = nullptr;
   /// Every result by closed forms, for a trace.
-  std::vector<QuickResult> (*trace)(const Case &the_case, QuickMemory &memory,
-                                    const std::map<std::string, double> &factors) = nullptr;
+  std::vector<ClosedFormResult> (*trace)(const Case &the_case, ClosedFormMemory &memory,
+                                         const std::map<std::string, double> &factors) = nullptr;
   /// What a trace takes for a key that is not given.
-  /// @param quick  results of the case
+  /// @param closed  results of the case
   std::optional<StandIn> (*stand_in)(const Case &the_case, const TraceKey &key,
-                                     const std::vector<QuickResult> &quick) = nullptr;
+                                     const std::vector<ClosedFormResult> &closed) = nullptr;
 };
 
 const RunKind &run_kind(const Case &the_case);

@@ -131,7 +131,8 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   add_common(unit, c);
   unit->get_option("--output")->description("archive to write (default out/<case name>.fmu)");
 
-  auto *trace = app.add_subcommand("trace", "which results one input reaches, by which road, with elasticities");
+  auto *trace =
+      app.add_subcommand("trace", "which results one input reaches, through which relation, with elasticities");
   trace->add_option("CASE", c.target, "case file")->required();
   trace->add_option("KEY", c.key, "input as --set names it, backup_roll.barrel_diameter")->required();
   trace->add_flag("--full", c.full,

@@ -60,7 +60,7 @@ void write_shapes(RunContext &run, const reduce::LumpedStand &s)
   write_curve(run, curve::shape_backup_roll, "", backup);
 }
 
-// Mean of the record, or the load that stands for it.
+// Mean of the record, or the load that represents it.
 double working_load(const Pass &pass, const ForceRecord &force)
 {
   return std::isnan(pass.load) ? force.force.mean() : pass.load;
@@ -234,7 +234,7 @@ void add_turning_and_response(RunContext &run, const FourHigh &stand, const redu
   });
 }
 
-// The frame of the chain; parts that a given K2 or K6 stands for are as sure as that.
+// The frame of the chain; parts that a given K2 or K6 represents are as sure as that.
 Frame with_tolerance_of_given(const FourHigh &drawn, Frame frame)
 {
   for (const Field<Frame> &row : frame_rows())

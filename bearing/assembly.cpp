@@ -71,7 +71,7 @@ struct BearingAssembly::Implementation {
       flexibility = flexibility_at(model.rings, places.azimuth);
   }
 
-  // Offsets of the rows.  With preload rings give way too: the rows are set until each carries it in the
+  // Offsets of the rows.  With preload rings deflect too: the rows are set until each carries it in the
   // concentric position, by Newton's method on the offsets.
   void seat()
   {
@@ -83,9 +83,9 @@ struct BearingAssembly::Implementation {
     for (Index j = 0; j < count(); ++j)
       row(j * modes, j / places.rollers) = 1;
     const VectorXd wanted = VectorXd::Constant(places.rows, preload * places.rollers);
-    RingDrive rest;
-    rest.by_motion = {true, true, true, true, true};
-    Point at       = at_motion(Vector5::Zero());
+    RingLoading rest;
+    rest.prescribed = {true, true, true, true, true};
+    Point at        = at_motion(Vector5::Zero());
     for (int i = 0; i < 50; ++i) {
       int iterations          = 0;
       at                      = equilibrium(rest, at, iterations);
@@ -147,49 +147,50 @@ struct BearingAssembly::Implementation {
     VectorXd bending_load;
   };
 
-  Vector5 unbalanced(const Point &at, const RingDrive &drive) const
+  Vector5 unbalanced(const Point &at, const RingLoading &loading) const
   {
     Vector5 out = Vector5::Zero();
     for (std::size_t i = 0; i < 5; ++i)
-      if (!drive.by_motion[i])
-        out[Index(i)] = drive.value[Index(i)] - at.force[Index(i)];
+      if (!loading.prescribed[i])
+        out[Index(i)] = loading.value[Index(i)] - at.force[Index(i)];
     return out;
   }
 
   // Slope of the energy along a step: negative while the energy still falls.
-  double slope(const Point &at, const RingDrive &drive, const Step &step) const
+  double slope(const Point &at, const RingLoading &loading, const Step &step) const
   {
-    double sum = -unbalanced(at, drive).dot(step.motion);
+    double sum = -unbalanced(at, loading).dot(step.motion);
     if (ring_modes)
       sum -= at.imbalance.dot(flexibility * step.bending_load);
     return sum;
   }
 
-  double residual(const Point &at, const RingDrive &drive) const
+  double residual(const Point &at, const RingLoading &loading) const
   {
-    Vector5 scaled = unbalanced(at, drive);
+    Vector5 scaled = unbalanced(at, loading);
     scaled.tail<2>() /= radius;
     double worst = scaled.cwiseAbs().maxCoeff();
     if (at.imbalance.size())
       worst = std::max(worst, at.imbalance.cwiseAbs().maxCoeff());
     double scale = total(at);
     for (std::size_t i = 0; i < 5; ++i)
-      if (!drive.by_motion[i])
-        scale = std::max(scale, std::abs(drive.value[Index(i)]) / (i < 3 ? 1 : radius));
+      if (!loading.prescribed[i])
+        scale = std::max(scale, std::abs(loading.value[Index(i)]) / (i < 3 ? 1 : radius));
     return scale > 0 ? worst / scale : 0;
   }
 
   // Directions in which nothing resists and nothing pulls are left alone; nothing that resists a pull: a long
   // step, cut to `reach` so that rollers come into contact on the way.
-  Step newton_step(const Point &at, const RingDrive &drive, const BearingStiffness &k, const double reach) const
+  Step newton_step(const Point &at, const RingLoading &loading, const BearingStiffness &k,
+                   const double reach) const
   {
     std::vector<Index> free;
     for (std::size_t i = 0; i < 5; ++i)
-      if (!drive.by_motion[i])
+      if (!loading.prescribed[i])
         free.push_back(Index(i));
     Step step{Vector5::Zero(), VectorXd::Zero(at.imbalance.size())};
     if (!free.empty()) {
-      const Vector5 pull = unbalanced(at, drive) + k.press.transpose() * k.solved_bend;
+      const Vector5 pull = unbalanced(at, loading) + k.press.transpose() * k.solved_bend;
       Vector5 lever;
       lever << 1, 1, 1, radius, radius;
       const double size = (k.tangent.diagonal().array() / lever.array().square()).maxCoeff();
@@ -220,11 +221,11 @@ struct BearingAssembly::Implementation {
 
   // The energy is convex, so its slope along the step grows: full step if the slope has not turned by much, else
   // where it has nearly vanished.
-  Point along(const Point &from, const RingDrive &drive, const Step &step) const
+  Point along(const Point &from, const RingLoading &loading, const Step &step) const
   {
-    const double start = slope(from, drive, step);
+    const double start = slope(from, loading, step);
     Point to           = moved(from, step, 1);
-    double high_slope  = slope(to, drive, step);
+    double high_slope  = slope(to, loading, step);
     if (!(start < 0) || high_slope <= 0.9 * -start)
       return to;
     double low = 0, high = 1, low_slope = start;
@@ -232,7 +233,7 @@ struct BearingAssembly::Implementation {
       double by      = low - low_slope * (high - low) / (high_slope - low_slope);
       by             = std::clamp(by, low + 0.05 * (high - low), high - 0.05 * (high - low));
       to             = moved(from, step, by);
-      const double s = slope(to, drive, step);
+      const double s = slope(to, loading, step);
       if (std::abs(s) <= 0.5 * std::abs(start))
         return to;
       (s > 0 ? high : low)             = by;
@@ -241,25 +242,25 @@ struct BearingAssembly::Implementation {
     return to;
   }
 
-  Point equilibrium(const RingDrive &drive, Point at, int &iterations) const
+  Point equilibrium(const RingLoading &loading, Point at, int &iterations) const
   {
     double reach = 20e-6, best = INFINITY;
     for (iterations = 0; iterations < step_limit; ++iterations) {
-      const double off = residual(at, drive);
+      const double off = residual(at, loading);
       // To 1e-13; where the motion's last digit moves more than that (a light load behind a large clearance),
       // until nothing improves.
       if (off <= 1e-13 || (iterations > 3 && off <= 1e-10 && off > 0.5 * best) || (iterations > 20 && off <= 1e-7))
         return at;
       best = std::min(best, off);
       if (at.motion.head<3>().norm() > 0.1 * radius)
-        throw no_equilibrium(drive, at,
+        throw no_equilibrium(loading, at,
                              "the rings moved apart: the load has no counterpart, for instance a single "
                              "row that its own radial load pushes out axially");
-      const Step step = newton_step(at, drive, stiffness(at, places.press), reach);
+      const Step step = newton_step(at, loading, stiffness(at, places.press), reach);
       reach           = std::max(reach, 4 * step.motion.head<3>().norm());
-      at              = along(at, drive, step);
+      at              = along(at, loading, step);
     }
-    throw no_equilibrium(drive, at, "an input that is not a number, or a load far beyond the bearing");
+    throw no_equilibrium(loading, at, "an input that is not a number, or a load far beyond the bearing");
   }
 
   // ---- start
@@ -278,12 +279,12 @@ struct BearingAssembly::Implementation {
   }
 
   // Moved along the load by what clearance and the heaviest roller take (Stribeck), then on until rollers touch.
-  Point cold_start(const RingDrive &drive) const
+  Point cold_start(const RingLoading &loading) const
   {
     const RollerBearing &b = model.bearing;
     Vector5 motion = Vector5::Zero(), along_load = Vector5::Zero();
     for (std::size_t i = 0; i < 5; ++i)
-      (drive.by_motion[i] ? motion : along_load)[Index(i)] = drive.value[Index(i)];
+      (loading.prescribed[i] ? motion : along_load)[Index(i)] = loading.value[Index(i)];
     const double radial = along_load.head<2>().norm(), ca = std::cos(b.cup_angle), sa = std::sin(b.cup_angle);
     if (radial > 0) {
       const double heaviest = 4.1 * radial / (double(count()) * ca);
@@ -301,42 +302,42 @@ struct BearingAssembly::Implementation {
     for (double travel = 1e-6; !pressed(at) && size > 0 && travel < 0.1 * radius; travel *= 2)
       at = at_motion(motion + travel / size * towards);
     if (!pressed(at) && size > 0)
-      throw no_equilibrium(drive, at, "no roller is pressed by a motion in the direction of the load");
+      throw no_equilibrium(loading, at, "no roller is pressed by a motion in the direction of the load");
     return at;
   }
 
-  Point warm_start(const RingDrive &drive) const
+  Point warm_start(const RingLoading &loading) const
   {
     Point at = *last;
     for (std::size_t i = 0; i < 5; ++i)
-      if (drive.by_motion[i])
-        at.motion[Index(i)] = drive.value[Index(i)];
+      if (loading.prescribed[i])
+        at.motion[Index(i)] = loading.value[Index(i)];
     const RollerForces before = at.rollers;
     evaluate(at, &before);
-    return pressed(at) ? at : cold_start(drive);
+    return pressed(at) ? at : cold_start(loading);
   }
 
   // A start far off may stall on the rounding of its own large loads: then once more from the load's direction.
-  Point from_any_start(const RingDrive &drive, int &iterations) const
+  Point from_any_start(const RingLoading &loading, int &iterations) const
   {
     if (last)
       try {
-        return equilibrium(drive, warm_start(drive), iterations);
+        return equilibrium(loading, warm_start(loading), iterations);
       } catch (const SolverError &) {
       }
-    return equilibrium(drive, cold_start(drive), iterations);
+    return equilibrium(loading, cold_start(loading), iterations);
   }
 
-  SolverError no_equilibrium(const RingDrive &drive, const Point &at, const std::string &cause) const
+  SolverError no_equilibrium(const RingLoading &loading, const Point &at, const std::string &cause) const
   {
     return SolverError(
-        {"bearing " + model.bearing.name + ": no equilibrium under " + drive_text(drive),
-         stood_at(at, residual(at, drive), ""), cause,
+        {"bearing " + model.bearing.name + ": no equilibrium under " + loading_text(loading),
+         stood_at(at, residual(at, loading), ""), cause,
          "impose the motion of a component that nothing holds, or change load, clearance or preload", ""});
   }
 
   // ---- result
-  AssemblyState state(const Point &at, const RingDrive &drive, const int iterations) const
+  AssemblyState state(const Point &at, const RingLoading &loading, const int iterations) const
   {
     const RollerBearing &b = model.bearing;
     const int R = places.rows, Z = places.rollers;
@@ -346,7 +347,7 @@ struct BearingAssembly::Implementation {
     s.tangent     = stiffness(at, places.press).tangent;
     s.azimuth     = places.azimuth;
     s.iterations  = iterations;
-    s.residual    = residual(at, drive);
+    s.residual    = residual(at, loading);
     s.slice_load  = at.rollers.slice_load;
     s.ring_motion = at.ring_motion;
     for (MatrixXd *table :
@@ -383,19 +384,19 @@ struct BearingAssembly::Implementation {
     return s;
   }
 
-  AssemblyState solve(const RingDrive &drive)
+  AssemblyState solve(const RingLoading &loading)
   {
-    if (!drive.value.allFinite())
+    if (!loading.value.allFinite())
       throw InputError("bearing." + model.bearing.name + ": a load or motion that is not a number");
     int iterations = 0;
-    Point at       = from_any_start(drive, iterations);
+    Point at       = from_any_start(loading, iterations);
     const bool all_imposed =
-        std::all_of(drive.by_motion.begin(), drive.by_motion.end(), [](bool imposed) { return imposed; });
+        std::all_of(loading.prescribed.begin(), loading.prescribed.end(), [](bool imposed) { return imposed; });
     if (!all_imposed && !pressed(at))
-      throw no_equilibrium(drive, at,
+      throw no_equilibrium(loading, at,
                            "no roller carries load: without load a bearing with clearance is loose and has "
                            "no stiffness");
-    const AssemblyState out = state(at, drive, iterations);
+    const AssemblyState out = state(at, loading, iterations);
     last                    = std::move(at);
     return out;
   }
@@ -405,20 +406,20 @@ BearingAssembly::BearingAssembly(BearingModel model) : self(std::make_unique<Imp
 BearingAssembly::~BearingAssembly()                           = default;
 BearingAssembly::BearingAssembly(BearingAssembly &&) noexcept = default;
 
-AssemblyState BearingAssembly::solve(const RingDrive &drive)
+AssemblyState BearingAssembly::solve(const RingLoading &loading)
 {
-  return self->solve(drive);
+  return self->solve(loading);
 }
 
-AssemblyCurve BearingAssembly::curve(const std::vector<RingDrive> &drives)
+AssemblyCurve BearingAssembly::curve(const std::vector<RingLoading> &loadings)
 {
   AssemblyCurve out;
-  for (const RingDrive &drive : drives)
+  for (const RingLoading &loading : loadings)
     try {
-      out.states.push_back(solve(drive));
+      out.states.push_back(solve(loading));
     } catch (const SolverError &error) {
       out.failure       = error.report;
-      out.failure->kept = std::to_string(out.states.size()) + " of " + std::to_string(drives.size()) + " states";
+      out.failure->kept = std::to_string(out.states.size()) + " of " + std::to_string(loadings.size()) + " states";
       break;
     }
   return out;

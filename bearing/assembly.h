@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-// The assembled bearing: rows x rollers x slices between rings that may give way.  theory.md 5.5
+// The assembled bearing: rows x rollers x slices between rings that may deflect.  theory.md 5.5
 namespace mill::bearing {
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
@@ -28,14 +28,14 @@ struct BearingModel {
 BearingModel rigid_model(const RollerBearing &bearing);
 
 /// Imposed on the inner ring: load or motion for each of  x, y, z, rotation about x, rotation about y.
-struct RingDrive {
-  Vector5 value                 = Vector5::Zero();  ///< N, N m where a load is imposed; m, rad where a motion is
-  std::array<bool, 5> by_motion = {false, false, true, true, true};
+struct RingLoading {
+  Vector5 value                  = Vector5::Zero();  ///< N, N m where a load is imposed; m, rad where a motion is
+  std::array<bool, 5> prescribed = {false, false, true, true, true};
 };
 /// Radial load along x (N); axial motion zero, tilt (rad) about y imposed.
-RingDrive radial_drive(double load, double tilt = 0);
+RingLoading radial_drive(double load, double tilt = 0);
 /// For messages: "F_x = 1000 kN, tilt about y = 0.5 mrad"; what is zero is left out.
-std::string drive_text(const RingDrive &drive);
+std::string loading_text(const RingLoading &loading);
 
 /// One equilibrium.
 struct AssemblyState {
@@ -55,23 +55,23 @@ struct AssemblyState {
   Eigen::VectorXd row_share;  ///< (rows) -, of the radial load; negative: loaded on the far side; 0 without it
   Eigen::VectorXi loaded_rollers;  ///< (rows), rollers that both raceways press, by more than rounding: carries()
   Eigen::VectorXd azimuth;         ///< (Z) rad, from the support
-  Eigen::VectorXd ring_motion;     ///< (rows Z modes) m, how far the rings give way; empty: rigid
+  Eigen::VectorXd ring_motion;     ///< (rows Z modes) m, how far the rings deflect; empty: rigid
   int iterations  = 0;
   double residual = 0;  ///< -, largest of the equilibrium, relative to the load
 };
 
 /// Radial stiffness along the radial load, N/m: loads of the other load-driven components kept, motions of the
 /// motion-driven ones kept.  Without a radial load along x.
-double radial_tangent(const AssemblyState &state, const RingDrive &drive);
+double radial_tangent(const AssemblyState &state, const RingLoading &loading);
 /// d F / d u along one axis (0..4), N/m, or N m for the turns (3, 4): loads of the other load-driven components
 /// kept, motions of the motion-driven ones kept.
-double stiffness_along(const AssemblyState &state, const RingDrive &drive, int axis);
+double stiffness_along(const AssemblyState &state, const RingLoading &loading, int axis);
 /// Radial load over the motion along it, from the concentric position, N/m.
 double radial_secant(const AssemblyState &state);
 
-/// States over a list of drives, until one has no solution.
+/// States over a list of loadings, until one has no solution.
 struct AssemblyCurve {
-  std::vector<AssemblyState> states;           ///< of the drives that converged, in order
+  std::vector<AssemblyState> states;           ///< of the loadings that converged, in order
   std::optional<SolverError::Report> failure;  ///< why the next one did not; names its load
 };
 
@@ -93,16 +93,17 @@ public:
   ~BearingAssembly();
   BearingAssembly(BearingAssembly &&) noexcept;
 
-  /// @throws InputError   a drive that is not finite
+  /// @throws InputError   a loading that is not finite
   /// @throws SolverError  no roller carries a load that has to be carried; no equilibrium (a row that is pushed
   ///                      out axially); 200 steps.  Says how it stood; the state before is kept.
   /// Cost per Newton step: rows Z roller laws, and (rank)^3 / 3 for elastic rings, rank at most loaded rollers x
   /// modes.  4 x 39 rollers of 41 slices, 5 steps: 1 ms by a power law, 15 ms with elastic rings, 50 ms with a
   /// line-contact law.
-  AssemblyState solve(const RingDrive &drive);
+  AssemblyState solve(const RingLoading &loading);
 
-  /// Drives in turn, each from the state before.  A drive without a solution ends the curve; it does not throw.
-  AssemblyCurve curve(const std::vector<RingDrive> &drives);
+  /// Loadings in turn, each from the state before.  A loading without a solution ends the curve; it does not
+  /// throw.
+  AssemblyCurve curve(const std::vector<RingLoading> &loadings);
 
   /// The next solve starts cold.
   void forget();
@@ -125,5 +126,5 @@ struct CageVariation {
   Eigen::VectorXd secant;   ///< (n) N/m, radial_secant
 };
 /// @throws InputError  n < 1; SolverError as solve
-CageVariation cage_variation(const BearingModel &model, const RingDrive &drive, int n);
+CageVariation cage_variation(const BearingModel &model, const RingLoading &loading, int n);
 }  // namespace mill::bearing

@@ -8,8 +8,8 @@ namespace mill::bearing {
 ///
 /// Loads and displacements of a roller on its line are along the raceway's normal and described by Legendre
 /// polynomials P_a(2x/L), a < modes.  With N_a = sum_k P_a(x_k) q_k the load density is q(x) = sum_a (2a+1)/L N_a
-/// P_a, and the line gives way by w(x) = sum_a w_a P_a, so that sum_k q_k w(x_k) = sum_a N_a w_a.  x runs along
-/// the contact line, positive towards greater z.  Positive: the roller presses on the ring and the ring gives way.
+/// P_a, and the line deflects by w(x) = sum_a w_a P_a, so that sum_k q_k w(x_k) = sum_a N_a w_a.  x runs along
+/// the contact line, positive towards greater z.  Positive: the roller presses on the ring and the ring deflects.
 struct RingFlexibility {
   int rows = 0, modes = 0;
   /// Bodies of revolution, the cone on its neck and the cup in round surroundings: [m] (rows modes, rows modes)

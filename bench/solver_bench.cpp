@@ -26,7 +26,7 @@ struct Sweep {
 };
 
 // Each load the best of three whole sweeps: other work on the machine only ever adds time.
-Sweep warm(ActiveSet &solver, std::vector<Drive> loads)
+Sweep warm(ActiveSet &solver, std::vector<Loading> loads)
 {
   std::vector<double> best(loads.size(), 1e300);
   Sweep out;
@@ -44,7 +44,7 @@ Sweep warm(ActiveSet &solver, std::vector<Drive> loads)
   return out;
 }
 
-void report(const std::string &name, const Problem &p, const std::vector<Drive> &loads, const bool last)
+void report(const std::string &name, const Problem &p, const std::vector<Loading> &loads, const bool last)
 {
   double first = 1e300, cold = 1e300;
   State s;
@@ -73,7 +73,7 @@ void report(const std::string &name, const Problem &p, const std::vector<Drive> 
 
 int main()
 {
-  std::vector<Drive> ball, rolls;
+  std::vector<Loading> ball, rolls;
   for (int i = 1; i <= 20; ++i) {
     ball.push_back({one(50. * i), {}});
     rolls.push_back({Eigen::Vector2d(50e3 * i, 50e3 * i * 0.02), {}});

@@ -59,7 +59,7 @@ struct BiteState {
   double bite_angle        = 0;  ///< rad, arc length / flattened radius
   double neutral_position  = 0;  ///< m; of several (a zone without slip) the middle
   double neutral_thickness = 0;  ///< m
-  double sticking_length   = 0;  ///< m, of the arc on which the friction stress is at its limit or slip is nil
+  double sticking_length   = 0;  ///< m, of the arc on which the friction stress is at its limit or slip is zero
   double entry_speed       = not_given;  ///< m/s, of the strip; nan without a roll speed
   double exit_speed        = not_given;  ///< m/s
   double forward_slip      = 0;          ///< -, exit speed / roll speed - 1

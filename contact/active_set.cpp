@@ -65,11 +65,11 @@ void finish(Evaluation &e, const ActiveFactor &factor, const ScaledModes &modes,
   e.length = length_scale(modes, e.modes, factor.order());
 }
 
-Evaluation evaluate(const ActiveFactor &factor, const ScaledModes &modes, const Drive &drive)
+Evaluation evaluate(const ActiveFactor &factor, const ScaledModes &modes, const Loading &loading)
 {
   Evaluation e;
   e.gram  = factor.gram();
-  e.modes = solve_modes(e.gram, modes, drive);
+  e.modes = solve_modes(e.gram, modes, loading);
   finish(e, factor, modes, factor.combine(closing(e.modes, modes)));
   return e;
 }
@@ -94,7 +94,7 @@ double residual(const Evaluation &e, const ScaledModes &modes, const ActiveFacto
 }
 
 // One step of iterative refinement of forces and modes together.
-void refine(Evaluation &e, const ActiveFactor &factor, const ScaledModes &modes, const Drive &drive)
+void refine(Evaluation &e, const ActiveFactor &factor, const ScaledModes &modes, const Loading &loading)
 {
   const auto &order = factor.order();
   const int k       = modes.k;
@@ -108,7 +108,7 @@ void refine(Evaluation &e, const ActiveFactor &factor, const ScaledModes &modes,
   const Eigen::VectorXd y = -factor.solve(open);
   const auto G            = GW.leftCols(k);
   // Corrections obey the same k equations, driven by what is missing.
-  Drive none              = drive;
+  Loading none            = loading;
   none.value              = Eigen::VectorXd::Zero(k);
   auto gram               = e.gram;
   gram.col(2 * k).head(k) = -(G.transpose() * (force + y) - e.modes.resultant);
@@ -139,11 +139,11 @@ void add_smallest(std::vector<int> from, const Eigen::VectorXd &value, const std
 }
 
 [[noreturn]] void unreachable(const Support &support, const ScaledModes &modes, const std::vector<int> &imposed,
-                              const Drive &drive)
+                              const Loading &loading)
 {
   std::string values;
   for (const int j : imposed)
-    values += (values.empty() ? "" : ", ") + std::to_string(drive.value[j] * modes.scale[j]);
+    values += (values.empty() ? "" : ", ") + std::to_string(loading.value[j] * modes.scale[j]);
   const std::string shares = "pressing forces leave " + std::to_string(100 * support.relative_missing) +
                              " % of the imposed resultants (" + values + ") unbalanced";
   if (imposed.size() == 1)
@@ -179,11 +179,11 @@ struct ActiveSet::Implementation {
   {
   }
 
-  std::vector<int> imposed_resultants(const Drive &drive) const
+  std::vector<int> imposed_resultants(const Loading &loading) const
   {
     std::vector<int> out;
     for (int j = 0; j < modes.k; ++j)
-      if (!drive.by_motion[j])
+      if (!loading.prescribed[j])
         out.push_back(j);
     return out;
   }
@@ -194,12 +194,12 @@ struct ActiveSet::Implementation {
   }
 
   // The only mode that is not held carries nothing and every node resists it: the bodies just touch.
-  bool just_touching(const Drive &drive, const std::vector<int> &imposed, ModeState &out) const
+  bool just_touching(const Loading &loading, const std::vector<int> &imposed, ModeState &out) const
   {
     for (const int j : imposed)
-      if (drive.value[j] != 0)
+      if (loading.value[j] != 0)
         return false;
-    out.motion    = drive.value;
+    out.motion    = loading.value;
     out.resultant = Eigen::VectorXd::Zero(modes.k);
     for (const int j : imposed)
       out.motion[j] = 0;
@@ -249,7 +249,7 @@ struct ActiveSet::Implementation {
   }
 
   // A first set: from the same problem on groups of nodes, the most loaded first so that the rim can go cheaply.
-  void cold_start(const Drive &drive)
+  void cold_start(const Loading &loading)
   {
     const int n = int(p.C.rows());
     if (n <= small_problem) {
@@ -262,9 +262,9 @@ struct ActiveSet::Implementation {
     } else
       coarse->set_gap(grouped(p.initial_gap));
     coarse->forget();
-    Drive user = drive;
+    Loading user = loading;
     for (int j = 0; j < modes.k; ++j)
-      user.value[j] *= drive.by_motion[j] ? 1 / modes.scale[j] : modes.scale[j];
+      user.value[j] *= loading.prescribed[j] ? 1 / modes.scale[j] : modes.scale[j];
     Eigen::VectorXd force;
     try {
       force = coarse->solve(user).nodal;
@@ -312,7 +312,7 @@ struct ActiveSet::Implementation {
   }
 
   // The nodes in doubt against each other, all others held.  False: no set was found.
-  bool settle(const std::vector<int> &doubt, const Evaluation &e, const Drive &drive)
+  bool settle(const std::vector<int> &doubt, const Evaluation &e, const Loading &loading)
   {
     std::vector<char> start;
     std::vector<int> inside;
@@ -324,7 +324,7 @@ struct ActiveSet::Implementation {
     factor.remove(inside);
     const Border border = factor.border(doubt);
     const auto chosen =
-        candidates_in_contact(border.S, border.rhs, factor.gram(), modes, drive, std::move(start), e.length);
+        candidates_in_contact(border.S, border.rhs, factor.gram(), modes, loading, std::move(start), e.length);
     if (chosen.empty())
       return false;
     factor.append(border, chosen);
@@ -339,13 +339,13 @@ struct ActiveSet::Implementation {
     begin_with(set);
   }
 
-  State state(Evaluation e, const Drive &drive)
+  State state(Evaluation e, const Loading &loading)
   {
     State s;
     s.residual = residual(e, modes, factor);
     for (int i = 0; i < 2 && s.residual > 1e-14; ++i) {
       Evaluation better = e;
-      refine(better, factor, modes, drive);
+      refine(better, factor, modes, loading);
       const double now = residual(better, modes, factor);
       if (!(now < s.residual))
         break;
@@ -377,31 +377,31 @@ struct ActiveSet::Implementation {
     return s;
   }
 
-  State solve(const Drive &drive, const std::vector<char> &start)
+  State solve(const Loading &loading, const std::vector<char> &start)
   {
-    const std::vector<int> imposed = imposed_resultants(drive);
+    const std::vector<int> imposed = imposed_resultants(loading);
     ModeState touching;
-    if (just_touching(drive, imposed, touching)) {
+    if (just_touching(loading, imposed, touching)) {
       warm = false;
       return open_state(touching);
     }
     if (!imposed.empty()) {
-      const Support support = pressing_support(levers(imposed), drive.value(imposed));
+      const Support support = pressing_support(levers(imposed), loading.value(imposed));
       // 1e-10: the rounding of the least squares; a line of action on the very edge of the nodes still passes.
       if (support.relative_missing > 1e-10)
-        unreachable(support, modes, imposed, drive);
+        unreachable(support, modes, imposed, loading);
     }
     const bool given = std::any_of(start.begin(), start.end(), [](const char a) { return a != 0; });
     if (given && start != factor.indicator())
       begin_with(start);
     else if (!given && !(start.empty() && warm))
-      cold_start(drive);
+      cold_start(loading);
     warm = false;  // until this solve has ended well
 
     std::vector<int> all_doubts;
     bool followed = false;
     for (int iteration = 1; iteration <= 60; ++iteration) {
-      const Evaluation e     = evaluate(factor, modes, drive);
+      const Evaluation e     = evaluate(factor, modes, loading);
       std::size_t n_violated = 0;
       bool lost              = !e.nodal.allFinite() || !e.gap.allFinite();
       std::vector<int> doubt;
@@ -411,7 +411,7 @@ struct ActiveSet::Implementation {
         lost = n_violated == 0 && !e.modes.determined && residual(e, modes, factor) > 1e-10;
       }
       if (!lost && n_violated == 0) {
-        State s      = state(e, drive);
+        State s      = state(e, loading);
         s.iterations = iteration;
         warm         = true;
         return s;
@@ -425,12 +425,12 @@ struct ActiveSet::Implementation {
         std::set_union(doubt.begin(), doubt.end(), all_doubts.begin(), all_doubts.end(), std::back_inserter(both));
         all_doubts = doubt = both;
       }
-      if (lost || !settle(doubt, e, drive)) {
+      if (lost || !settle(doubt, e, loading)) {
         if (followed)
           break;
         followed = true;
         try {
-          factor.reset(set_by_continuation(p, modes, drive));
+          factor.reset(set_by_continuation(p, modes, loading));
         } catch (const SolverError &) {
           undetermined(imposed);
         }
@@ -449,15 +449,15 @@ ActiveSet::ActiveSet(Problem problem)
 ActiveSet::~ActiveSet()                     = default;
 ActiveSet::ActiveSet(ActiveSet &&) noexcept = default;
 
-State ActiveSet::solve(const Drive &drive, const std::vector<char> &start)
+State ActiveSet::solve(const Loading &loading, const std::vector<char> &start)
 {
   const auto k = self->modes.k;
-  if (drive.value.size() != k || !(drive.by_motion.empty() || int(drive.by_motion.size()) == k) ||
-      !drive.value.allFinite())
-    throw InputError("contact: a drive needs " + std::to_string(k) + " finite values");
+  if (loading.value.size() != k || !(loading.prescribed.empty() || int(loading.prescribed.size()) == k) ||
+      !loading.value.allFinite())
+    throw InputError("contact: a loading needs " + std::to_string(k) + " finite values");
   if (!start.empty() && int(start.size()) != self->p.C.rows())
     throw InputError("contact: a start needs an entry for each of " + std::to_string(self->p.C.rows()) + " nodes");
-  return self->solve(scaled(drive, self->modes), start);
+  return self->solve(scaled(loading, self->modes), start);
 }
 
 void ActiveSet::set_gap(const Eigen::VectorXd &initial_gap)

@@ -7,7 +7,7 @@ namespace mill::contact {
 class ActiveFactor;
 struct ScaledModes;
 
-/// Exact solver of a contact problem; keeps the active set and its Cholesky factor from one drive to the next.
+/// Exact solver of a contact problem; keeps the active set and its Cholesky factor from one loading to the next.
 ///
 /// Each iteration evaluates the conditions on all nodes for the present set, and then settles the nodes in doubt
 /// (those that violate a condition, and their next of kin by force or gap) against each other exactly, with all
@@ -29,7 +29,7 @@ public:
   ActiveSet(ActiveSet &&) noexcept;
 
   /// @param start  (n) a set to begin with; empty: the set of the last solve, or a cold start if there was none
-  /// @throws InputError   drive of another size, NaN
+  /// @throws InputError   loading of another size, NaN
   /// @throws SolverError  the resultants need tension; their line of action lies outside the contact; all motions
   ///                      are free and nothing presses; too few nodes to hold a free motion; C not positive
   ///                      definite
@@ -37,7 +37,7 @@ public:
   /// of zero on a single mode that only closes: the bodies just touch.
   /// Cost: per iteration one product with C and about a^2 m, a active nodes, m in doubt; a cold start a^3 / 3
   /// more.
-  State solve(const Drive &drive, const std::vector<char> &start = {});
+  State solve(const Loading &loading, const std::vector<char> &start = {});
 
   /// Another initial gap (crown, wear, thermal profile), same bodies: nothing is factorised again.  (n) m
   /// @throws InputError  size, NaN

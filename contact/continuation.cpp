@@ -15,7 +15,7 @@ struct Slopes {
   double length;          // m, of the closing
 };
 
-Slopes slopes(const ActiveFactor &factor, const ScaledModes &modes, const Drive &constant, const Drive &linear,
+Slopes slopes(const ActiveFactor &factor, const ScaledModes &modes, const Loading &constant, const Loading &linear,
               const double at, const ModeState &here)
 {
   Slopes out;
@@ -50,7 +50,7 @@ const char *const outside =
 }
 
 // Which of the nodes without force and gap touch from here on: complementarity of the derivatives.
-void settle(ActiveFactor &factor, const ScaledModes &modes, const Drive &linear, const std::vector<int> &ties,
+void settle(ActiveFactor &factor, const ScaledModes &modes, const Loading &linear, const std::vector<int> &ties,
             const std::vector<char> &guess, const double at)
 {
   std::vector<int> inside;
@@ -71,7 +71,7 @@ void settle(ActiveFactor &factor, const ScaledModes &modes, const Drive &linear,
 }
 }  // namespace
 
-void follow_path(ActiveFactor &factor, const ScaledModes &modes, const Drive &constant, const Drive &linear,
+void follow_path(ActiveFactor &factor, const ScaledModes &modes, const Loading &constant, const Loading &linear,
                  const ModeState &start, const std::vector<int> &touching,
                  const std::function<void(const PathStep &)> &seen)
 {
@@ -140,11 +140,11 @@ void follow_path(ActiveFactor &factor, const ScaledModes &modes, const Drive &co
   lost(at, "more events than a path of this size can have");
 }
 
-Path follow(ActiveSet &solver, const Drive &from, const Drive &to)
+Path follow(ActiveSet &solver, const Loading &from, const Loading &to)
 {
   const int k = solver.modes().k;
   if (from.value.size() != k || to.value.size() != k ||
-      scaled(from, solver.modes()).by_motion != scaled(to, solver.modes()).by_motion)
+      scaled(from, solver.modes()).prescribed != scaled(to, solver.modes()).prescribed)
     throw InputError("continuation: both drives must impose the same modes in the same way");
   const State start = solver.solve(from);
   std::vector<int> touching;
@@ -155,8 +155,8 @@ Path follow(ActiveSet &solver, const Drive &from, const Drive &to)
       touching.push_back(i);
 
   const ScaledModes &modes = solver.modes();
-  const Drive constant     = scaled(from, modes);
-  Drive linear             = scaled(to, modes);
+  const Loading constant   = scaled(from, modes);
+  Loading linear           = scaled(to, modes);
   linear.value -= constant.value;
 
   ModeState begin;

@@ -92,7 +92,7 @@ struct FrictionSolver::Implementation {
 
   // The equations of a status: each row is a share of the openings equal to zero and a share of the forces.
   // `bounds` (n) frozen friction bounds, or null: mu times the normal force of the same solution.
-  bool solve(const Sets &s, const Drive &drive, const VectorXd *bounds, Iterate &out) const
+  bool solve(const Sets &s, const Loading &loading, const VectorXd *bounds, Iterate &out) const
   {
     const int k = modes.k, N = int(p.C.rows());
     std::vector<int> in, row_of(n, -1);
@@ -154,7 +154,7 @@ struct FrictionSolver::Implementation {
     out.gram.topRows(k) = G.transpose() * Z.leftCols(2 * k + 1);
     MatrixXd driven     = out.gram;
     driven.col(2 * k).head(k) -= G.transpose() * Z.col(2 * k + 1);
-    out.modes            = solve_modes(driven, modes, drive);
+    out.modes            = solve_modes(driven, modes, loading);
     const VectorXd c     = closing(out.modes, modes);
     const VectorXd force = Z.leftCols(2 * k + 1) * c + Z.col(2 * k + 1);
     out.nodal            = VectorXd::Zero(N);
@@ -269,14 +269,14 @@ struct FrictionSolver::Implementation {
   }
 
   // Newton's method from a status.  True: all conditions hold.
-  bool newton(Sets &s, const Drive &drive, const VectorXd *bounds, Iterate &it, int &iterations) const
+  bool newton(Sets &s, const Loading &loading, const VectorXd *bounds, Iterate &it, int &iterations) const
   {
     std::set<std::vector<Status>> seen;
     bool one_by_one = false;
     int exchanges   = 0;
     double before   = 0;
     for (int step = 0; step < 40 + (one_by_one ? 4 * n : 0); ++step, ++iterations) {
-      if (!solve(s, drive, bounds, it))
+      if (!solve(s, loading, bounds, it))
         return false;
       Sets next = asked_for(s, it, bounds);
       if (same(s, next, d)) {
@@ -307,18 +307,18 @@ struct FrictionSolver::Implementation {
   }
 
   // Bounds frozen, then updated from the normal forces.
-  bool with_frozen_bounds(Sets &s, const Drive &drive, Iterate &it, int &iterations) const
+  bool with_frozen_bounds(Sets &s, const Loading &loading, Iterate &it, int &iterations) const
   {
     VectorXd bounds = p.mu.cwiseProduct(last.nodal.head(n));
     for (int round = 0; round < 60; ++round) {
-      if (!newton(s, drive, &bounds, it, iterations))
+      if (!newton(s, loading, &bounds, it, iterations))
         return false;
       const VectorXd now = p.mu.cwiseProduct(it.nodal.head(n).cwiseMax(0));
       const double move  = (now - bounds).cwiseAbs().maxCoeff();
       bounds             = now;
       if (move <= 1e-6 * now.maxCoeff()) {
         Sets close = s;
-        if (newton(close, drive, nullptr, it, iterations)) {
+        if (newton(close, loading, nullptr, it, iterations)) {
           s = close;
           return true;
         }
@@ -328,7 +328,7 @@ struct FrictionSolver::Implementation {
   }
 
   // Without friction, from the normal block: who touches.  All nodes when the tangential motion decides that.
-  Sets first_guess(const Drive &drive) const
+  Sets first_guess(const Loading &loading) const
   {
     Sets out{std::vector<Status>(n, Status::open), MatrixXd::Zero(n, d), VectorXd::Zero(n)};
     std::vector<char> touch(n, 1);
@@ -346,11 +346,11 @@ struct FrictionSolver::Implementation {
           q.W.col(Eigen::Index(j)) = modes.rhs.col(modes.k + normal[j]).head(n);
       }
       q.initial_gap = p.initial_gap;
-      Drive part;
+      Loading part;
       part.value.resize(Eigen::Index(normal.size()));
       for (std::size_t j = 0; j < normal.size(); ++j) {
-        part.value[Eigen::Index(j)] = drive.value[normal[j]];
-        part.by_motion.push_back(drive.by_motion[normal[j]]);
+        part.value[Eigen::Index(j)] = loading.value[normal[j]];
+        part.prescribed.push_back(loading.prescribed[normal[j]]);
       }
       try {
         touch = ActiveSet(std::move(q)).solve(part).active;
@@ -363,7 +363,7 @@ struct FrictionSolver::Implementation {
     return out;
   }
 
-  const FrictionState &advance(const Drive &drive)
+  const FrictionState &advance(const Loading &loading)
   {
     modes.rhs.col(2 * modes.k) << p.initial_gap, last.slip;
     Sets s = sets;
@@ -375,16 +375,16 @@ struct FrictionSolver::Implementation {
     const bool nothing_touches =
         std::all_of(s.status.begin(), s.status.end(), [](const Status x) { return x == Status::open; });
     if (nothing_touches)
-      s = first_guess(drive);
+      s = first_guess(loading);
     Iterate it;
     int iterations = 1;
     Sets found     = s;
-    bool done      = newton(found, drive, nullptr, it, iterations);
+    bool done      = newton(found, loading, nullptr, it, iterations);
     if (!done) {
       const bool slides = std::none_of(found.status.begin(), found.status.end(),
                                        [](const Status x) { return x == Status::stick; });
       found             = s;
-      done              = with_frozen_bounds(found, drive, it, iterations);
+      done              = with_frozen_bounds(found, loading, it, iterations);
       if (!done)
         fail(slides || std::none_of(found.status.begin(), found.status.end(),
                                     [](const Status x) { return x == Status::stick; }));
@@ -422,7 +422,7 @@ struct FrictionSolver::Implementation {
                          "impose the tangential motion instead, or a larger coefficient", ""});
     throw SolverError({"friction: no status found", "neither Newton's method nor frozen bounds end",
                        "a large coefficient of friction with strong coupling, or a long step",
-                       "reach the drive in smaller steps", ""});
+                       "reach the loading in smaller steps", ""});
   }
 };
 
@@ -434,13 +434,13 @@ FrictionSolver::FrictionSolver(FrictionProblem problem)
 FrictionSolver::~FrictionSolver()                          = default;
 FrictionSolver::FrictionSolver(FrictionSolver &&) noexcept = default;
 
-const FrictionState &FrictionSolver::advance(const Drive &drive)
+const FrictionState &FrictionSolver::advance(const Loading &loading)
 {
   const auto k = self->modes.k;
-  if (drive.value.size() != k || !(drive.by_motion.empty() || int(drive.by_motion.size()) == k) ||
-      !drive.value.allFinite())
-    throw InputError("friction: a drive needs " + std::to_string(k) + " finite values");
-  return self->advance(scaled(drive, self->modes));
+  if (loading.value.size() != k || !(loading.prescribed.empty() || int(loading.prescribed.size()) == k) ||
+      !loading.value.allFinite())
+    throw InputError("friction: a loading needs " + std::to_string(k) + " finite values");
+  return self->advance(scaled(loading, self->modes));
 }
 
 void FrictionSolver::reset()

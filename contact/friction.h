@@ -38,8 +38,9 @@ struct FrictionState {
   int iterations    = 0;
 };
 
-/// Follows a path of drives; the state of one drive is where the next begins.  The load path matters: a node that
-/// slips in a step does so along the slip of the step as a whole (implicit), so the steps are part of the model.
+/// Follows a path of loadings; the state of one loading is where the next begins.  The load path matters: a node
+/// that slips in a step does so along the slip of the step as a whole (implicit), so the steps are part of the
+/// model.
 ///
 /// Each step: a semismooth Newton method (Alart and Curnier 1991) on the nodes that touch; in the plane it is an
 /// exchange of status and ends on the exact one.  If it does not end, friction bounds are frozen at mu times the
@@ -53,10 +54,10 @@ public:
   FrictionSolver(FrictionSolver &&) noexcept;
 
   /// The next step.  On an exception the state stays where it was.
-  /// @throws InputError   drive of another size, NaN
+  /// @throws InputError   loading of another size, NaN
   /// @throws SolverError  the resultants exceed what friction carries (everything slides); no status found
   /// Cost per iteration: LU factorisation of (1 + d) a unknowns, a nodes in contact.
-  const FrictionState &advance(const Drive &drive);
+  const FrictionState &advance(const Loading &loading);
 
   /// Unloaded and without slip.
   void reset();

@@ -145,9 +145,9 @@ HalfSpaceContact::HalfSpaceContact(const HalfSpaces &bodies, const QuarterGrid &
 HalfSpaceState HalfSpaceContact::at_load(const double load)
 {
   require_input(load > 0, "half space: the load must be positive");
-  Drive drive;
-  drive.value         = Eigen::VectorXd::Constant(1, load / grid.mirrors());
-  const State quarter = solver.solve(drive);
+  Loading loading;
+  loading.value       = Eigen::VectorXd::Constant(1, load / grid.mirrors());
+  const State quarter = solver.solve(loading);
 
   HalfSpaceState s;
   s.load        = load;

@@ -27,12 +27,12 @@ ScaledModes scaled_modes(const Eigen::MatrixXd &G, const Eigen::MatrixXd &W, con
   return out;
 }
 
-Drive scaled(const Drive &drive, const ScaledModes &modes)
+Loading scaled(const Loading &loading, const ScaledModes &modes)
 {
-  Drive out = drive;
-  out.by_motion.resize(modes.k, 0);
+  Loading out = loading;
+  out.prescribed.resize(modes.k, 0);
   for (int j = 0; j < modes.k; ++j)
-    out.value[j] *= out.by_motion[j] ? modes.scale[j] : 1 / modes.scale[j];
+    out.value[j] *= out.prescribed[j] ? modes.scale[j] : 1 / modes.scale[j];
   return out;
 }
 
@@ -51,7 +51,7 @@ Reduced reduced(const Eigen::MatrixXd &gram, const ScaledModes &modes)
 }
 }  // namespace
 
-ModeState solve_modes(const Eigen::MatrixXd &gram, const ScaledModes &modes, const Drive &drive, const int gap,
+ModeState solve_modes(const Eigen::MatrixXd &gram, const ScaledModes &modes, const Loading &loading, const int gap,
                       const ModeState *near)
 {
   const int k       = modes.k;
@@ -60,12 +60,12 @@ ModeState solve_modes(const Eigen::MatrixXd &gram, const ScaledModes &modes, con
   Eigen::VectorXd rhs = gram.block(0, 2 * k + gap, k, 1) * modes.compliance;
   Eigen::MatrixXd N(k, k);
   for (int j = 0; j < k; ++j)
-    if (drive.by_motion[j]) {
+    if (loading.prescribed[j]) {
       N.col(j) = -M.col(j);
-      rhs -= H.col(j) * drive.value[j];
+      rhs -= H.col(j) * loading.value[j];
     } else {
       N.col(j) = H.col(j);
-      rhs += M.col(j) * (drive.value[j] * modes.compliance);
+      rhs += M.col(j) * (loading.value[j] * modes.compliance);
     }
   ModeState out;
   Eigen::VectorXd unknown;
@@ -80,7 +80,7 @@ ModeState solve_modes(const Eigen::MatrixXd &gram, const ScaledModes &modes, con
     Eigen::VectorXd close = Eigen::VectorXd::Zero(k);
     if (near)
       for (int j = 0; j < k; ++j)
-        close[j] = drive.by_motion[j] ? near->resultant[j] * modes.compliance : near->motion[j];
+        close[j] = loading.prescribed[j] ? near->resultant[j] * modes.compliance : near->motion[j];
     unknown           = close + least.solve(rhs - N * close);
     out.determined    = false;
     const double size = std::max(rhs.norm(), (N * close).norm());
@@ -89,8 +89,8 @@ ModeState solve_modes(const Eigen::MatrixXd &gram, const ScaledModes &modes, con
   out.motion.resize(k);
   out.resultant.resize(k);
   for (int j = 0; j < k; ++j) {
-    out.motion[j]    = drive.by_motion[j] ? drive.value[j] : unknown[j];
-    out.resultant[j] = drive.by_motion[j] ? unknown[j] / modes.compliance : drive.value[j];
+    out.motion[j]    = loading.prescribed[j] ? loading.value[j] : unknown[j];
+    out.resultant[j] = loading.prescribed[j] ? unknown[j] / modes.compliance : loading.value[j];
   }
   return out;
 }
@@ -123,8 +123,9 @@ Tangents tangents(const Eigen::MatrixXd &gram, const ScaledModes &modes)
 }
 
 std::vector<char> candidates_in_contact(const Eigen::MatrixXd &S, const Eigen::MatrixXd &rhs,
-                                        const Eigen::MatrixXd &gram, const ScaledModes &modes, const Drive &drive,
-                                        std::vector<char> set, const double length, const int gap)
+                                        const Eigen::MatrixXd &gram, const ScaledModes &modes,
+                                        const Loading &loading, std::vector<char> set, const double length,
+                                        const int gap)
 {
   const int m = int(S.rows());
   std::set<std::vector<char>> seen;
@@ -145,7 +146,7 @@ std::vector<char> candidates_in_contact(const Eigen::MatrixXd &S, const Eigen::M
     if (llt.info() != Eigen::Success)
       return {};
     L.triangularView<Eigen::Lower>().solveInPlace(X);
-    const ModeState state   = solve_modes(gram + X.transpose() * X, modes, drive, gap);
+    const ModeState state   = solve_modes(gram + X.transpose() * X, modes, loading, gap);
     const Eigen::VectorXd c = closing(state, modes, gap);
     Eigen::VectorXd force   = X * c;
     L.transpose().triangularView<Eigen::Upper>().solveInPlace(force);

@@ -18,8 +18,8 @@ struct ScaledModes {
 ScaledModes scaled_modes(const Eigen::MatrixXd &G, const Eigen::MatrixXd &W, double compliance,
                          const Eigen::MatrixXd &gaps);
 
-/// Drive in scaled modes.
-Drive scaled(const Drive &drive, const ScaledModes &modes);
+/// Loading in scaled modes.
+Loading scaled(const Loading &loading, const ScaledModes &modes);
 
 struct ModeState {
   Eigen::VectorXd motion;     ///< (k) scaled
@@ -35,7 +35,7 @@ struct ModeState {
 /// @param gram  (2 k + p, 2 k + p) B_A^T C_AA^-1 B_A
 /// @param gap   which of the p gaps
 /// @param near  state to stay close to where the equations leave a choice; null: zero
-ModeState solve_modes(const Eigen::MatrixXd &gram, const ScaledModes &modes, const Drive &scaled_drive,
+ModeState solve_modes(const Eigen::MatrixXd &gram, const ScaledModes &modes, const Loading &scaled_loading,
                       int gap = 0, const ModeState *near = nullptr);
 
 /// (2 k + p) so that B times it is the closing of the nodes:  G motion - W resultant - gap.
@@ -58,6 +58,6 @@ Tangents tangents(const Eigen::MatrixXd &gram, const ScaledModes &modes);
 /// @return (m) active candidates; empty (while m > 0) when no set was found
 std::vector<char> candidates_in_contact(const Eigen::MatrixXd &S, const Eigen::MatrixXd &rhs,
                                         const Eigen::MatrixXd &gram, const ScaledModes &modes,
-                                        const Drive &scaled_drive, std::vector<char> start, double length,
+                                        const Loading &scaled_loading, std::vector<char> start, double length,
                                         int gap = 0);
 }  // namespace mill::contact

@@ -15,9 +15,9 @@ struct Problem {
 };
 
 /// What is imposed on each of the k modes: its resultant (N, N m) or its motion (m, rad).
-struct Drive {
-  Eigen::VectorXd value;        ///< (k)
-  std::vector<char> by_motion;  ///< (k) 1: the value is a motion; empty: all are resultants
+struct Loading {
+  Eigen::VectorXd value;         ///< (k)
+  std::vector<char> prescribed;  ///< (k) 1: the value is a motion; empty: all are resultants
 };
 
 struct State {

@@ -32,26 +32,26 @@ Support balanced(const Eigen::MatrixXd &G, const Eigen::VectorXd &resultant)
 }
 }  // namespace
 
-std::vector<int> set_by_continuation(const Problem &p, const ScaledModes &modes, const Drive &drive)
+std::vector<int> set_by_continuation(const Problem &p, const ScaledModes &modes, const Loading &loading)
 {
   const int n = int(p.C.rows()), k = modes.k;
   std::vector<int> imposed;
   for (int j = 0; j < k; ++j)
-    if (!drive.by_motion[j])
+    if (!loading.prescribed[j])
       imposed.push_back(j);
   Support support;
   if (!imposed.empty())
-    support = balanced(modes.rhs(Eigen::all, imposed), drive.value(imposed));
+    support = balanced(modes.rhs(Eigen::all, imposed), loading.value(imposed));
 
   Eigen::VectorXd nodal = Eigen::VectorXd::Zero(n);
   for (int i = 0; i < support.force.size(); ++i)
     nodal[support.nodes[i]] = support.force[i];
   ModeState start;
-  start.motion    = drive.value;
+  start.motion    = loading.value;
   start.resultant = modes.rhs.leftCols(k).transpose() * nodal;
   for (const int j : imposed) {
     start.motion[j]    = 0;
-    start.resultant[j] = drive.value[j];
+    start.resultant[j] = loading.value[j];
   }
   // The gap that closes exactly on the nodes taken and nowhere else, and what it lacks of the true one.
   const Eigen::VectorXd closed =
@@ -66,10 +66,10 @@ std::vector<int> set_by_continuation(const Problem &p, const ScaledModes &modes,
   const ScaledModes path = scaled_modes(p.G, p.W, modes.compliance, gaps);
   ActiveFactor factor(p.C, path.rhs);
   factor.reset(support.nodes);
-  Drive still = drive;
+  Loading still = loading;
   still.value.setZero();
   const std::vector<int> idle(support.nodes.begin() + support.force.size(), support.nodes.end());
-  follow_path(factor, path, drive, still, start, idle, [](const PathStep &) {});
+  follow_path(factor, path, loading, still, start, idle, [](const PathStep &) {});
   return factor.order();
 }
 }  // namespace mill::contact

@@ -2,7 +2,7 @@
 #include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
 #include "app/stages/bearing_stage.h"
-#include "app/trace/quick_parts.h"
+#include "app/trace/closed_form_parts.h"
 #include "core/case/kinds.h"
 #include "core/case/stand_rows.h"
 #include <nlohmann/json.hpp>
@@ -47,8 +47,8 @@ const RunKind &run_kind(const BearingCase &)
     k.inputs = [](const Case &the_case, const Results &results, const std::string &name) {
       return inputs_of(std::get<BearingCase>(the_case.spec), results, name);
     };
-    k.trace = [](const Case &the_case, QuickMemory &, const std::map<std::string, double> &) {
-      return quick_bearing_case(std::get<BearingCase>(the_case.spec));
+    k.trace = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
+      return closed_form_bearing_case(std::get<BearingCase>(the_case.spec));
     };
     return k;
   }();

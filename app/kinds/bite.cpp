@@ -1,7 +1,7 @@
 #include "app/case_kinds.h"
 #include "app/kinds/kind_inputs.h"
 #include "app/stages/bite_stage.h"
-#include "app/trace/quick_parts.h"
+#include "app/trace/closed_form_parts.h"
 #include "app/trace/trace_key.h"
 #include "core/model/bite_case.h"
 #include "core/model/case.h"
@@ -18,7 +18,8 @@ std::optional<KeyList> inputs_of(const BiteCase &spec, const Results &, const st
   return {};
 }
 
-std::optional<StandIn> bite_stand_in(const Case &the_case, const TraceKey &key, const std::vector<QuickResult> &)
+std::optional<StandIn> bite_stand_in(const Case &the_case, const TraceKey &key,
+                                     const std::vector<ClosedFormResult> &)
 {
   return pass_of(key) ? strip_instead(std::get<BiteCase>(the_case.spec).strip, key) : std::nullopt;
 }
@@ -45,8 +46,8 @@ const RunKind &run_kind(const BiteCase &)
     k.inputs = [](const Case &the_case, const Results &results, const std::string &name) {
       return inputs_of(std::get<BiteCase>(the_case.spec), results, name);
     };
-    k.trace = [](const Case &the_case, QuickMemory &, const std::map<std::string, double> &) {
-      return quick_bite_case(std::get<BiteCase>(the_case.spec));
+    k.trace = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
+      return closed_form_bite_case(std::get<BiteCase>(the_case.spec));
     };
     k.stand_in = bite_stand_in;
     return k;

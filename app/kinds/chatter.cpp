@@ -1,7 +1,7 @@
 #include "app/case_kinds.h"
 #include "app/kinds/kind_inputs.h"
 #include "app/stages/chatter_stage.h"
-#include "app/trace/quick_parts.h"
+#include "app/trace/closed_form_parts.h"
 #include "core/model/case.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -51,8 +51,8 @@ const RunKind &run_kind(const ChatterCase &)
     k.inputs = [](const Case &the_case, const Results &results, const std::string &name) {
       return inputs_of(std::get<ChatterCase>(the_case.spec), results, name);
     };
-    k.trace = [](const Case &the_case, QuickMemory &, const std::map<std::string, double> &) {
-      return quick_chatter(std::get<ChatterCase>(the_case.spec));
+    k.trace = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
+      return closed_form_chatter(std::get<ChatterCase>(the_case.spec));
     };
     return k;
   }();

@@ -3,7 +3,7 @@
 #include "app/kinds/manifest_parts.h"
 #include "app/review/case_review.h"
 #include "app/stages/bite_stage.h"
-#include "app/trace/quick_chain.h"
+#include "app/trace/closed_form_chain.h"
 #include "app/trace/trace_key.h"
 #include "core/model/case.h"
 #include "core/records/result_names.h"
@@ -161,14 +161,14 @@ std::optional<KeyList> inputs_of(const FourHigh &stand, const Results &results, 
 }
 
 std::optional<StandIn> four_high_stand_in(const Case &the_case, const TraceKey &key,
-                                          const std::vector<QuickResult> &quick)
+                                          const std::vector<ClosedFormResult> &closed)
 {
   const auto &stand = std::get<FourHigh>(the_case.spec);
   if (key.name.rfind("given.", 0) == 0)
-    return computed_instead(quick, key.row.key);
+    return computed_instead(closed, key.row.key);
   if (const auto pass = pass_of(key)) {
     const std::string prefix = *pass == 0 ? "" : stand.passes[*pass].name + ".";
-    if (const QuickResult *contact = find(quick, prefix + "K3");
+    if (const ClosedFormResult *contact = find(closed, prefix + "K3");
         key.row.key == "load" && contact && contact->load > 0)
       return StandIn{contact->load, "not given: mean of the force record"};
     return strip_instead(stand.strip, key);
@@ -177,8 +177,8 @@ std::optional<StandIn> four_high_stand_in(const Case &the_case, const TraceKey &
     return StandIn{stand.strip.entry_thickness, "not given: the entry thickness"};
   if (key.row.key != "bearing_load")
     return {};
-  const bool backup          = key.name.rfind("backup_roll.", 0) == 0;
-  const QuickResult *bearing = find(quick, backup ? "Kzc1" : "Kzc2");
+  const bool backup               = key.name.rfind("backup_roll.", 0) == 0;
+  const ClosedFormResult *bearing = find(closed, backup ? "Kzc1" : "Kzc2");
   if (!bearing)
     return {};
   return StandIn{bearing->load,
@@ -221,8 +221,8 @@ const RunKind &run_kind(const FourHigh &)
     k.inputs = [](const Case &the_case, const Results &results, const std::string &name) {
       return inputs_of(std::get<FourHigh>(the_case.spec), results, name);
     };
-    k.trace = [](const Case &the_case, QuickMemory &memory, const std::map<std::string, double> &factors) {
-      return quick_four_high(std::get<FourHigh>(the_case.spec), memory, factors);
+    k.trace = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &factors) {
+      return closed_form_four_high(std::get<FourHigh>(the_case.spec), memory, factors);
     };
     k.stand_in = four_high_stand_in;
     return k;

@@ -3,7 +3,7 @@
 #include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
 #include "app/review/case_review.h"
-#include "app/trace/quick_chain.h"
+#include "app/trace/closed_form_chain.h"
 #include "core/model/case.h"
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -66,8 +66,8 @@ const RunKind &run_kind(const Lumped &)
     k.inputs = [](const Case &the_case, const Results &results, const std::string &name) {
       return inputs_of(std::get<Lumped>(the_case.spec), results, name);
     };
-    k.trace = [](const Case &the_case, QuickMemory &memory, const std::map<std::string, double> &) {
-      return quick_lumped(the_case, memory);
+    k.trace = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &) {
+      return closed_form_lumped(the_case, memory);
     };
     return k;
   }();

@@ -2,7 +2,7 @@
 #include "app/case_kinds.h"
 #include "app/stages/body_pair.h"
 #include "app/stages/contact_stage.h"
-#include "app/trace/quick_parts.h"
+#include "app/trace/closed_form_parts.h"
 #include "core/model/case.h"
 #include <nlohmann/json.hpp>
 
@@ -45,8 +45,8 @@ const RunKind &run_kind(const TwoCylinders &)
     k.inputs = [](const Case &the_case, const Results &, const std::string &name) -> std::optional<KeyList> {
       return cylinder_keys(std::get<TwoCylinders>(the_case.spec), name);
     };
-    k.trace = [](const Case &the_case, QuickMemory &, const std::map<std::string, double> &) {
-      return quick_cylinders(std::get<TwoCylinders>(the_case.spec));
+    k.trace = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
+      return closed_form_cylinders(std::get<TwoCylinders>(the_case.spec));
     };
     return k;
   }();

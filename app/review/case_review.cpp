@@ -1,5 +1,5 @@
 #include "app/review/case_review.h"
-#include "app/review/quick_modes.h"
+#include "app/review/closed_form_modes.h"
 #include "app/review/record_review.h"
 #include "app/stages/bite_stage.h"
 #include "app/stages/contact_stage.h"
@@ -125,7 +125,7 @@ ExpectedModes expected_modes(const FourHigh &stand, const double load)
   ExpectedModes modes;
   modes.damping = stand.dynamics.modal_damping;
   try {
-    for (const QuickResult &r : quick_stand(stand, load))
+    for (const ClosedFormResult &r : closed_form_stand(stand, load))
       if (r.name.size() == 2 && r.name[0] == 'f') {
         modes.lowest  = modes.lowest > 0 ? std::min(modes.lowest, r.parameter.value) : r.parameter.value;
         modes.highest = std::max(modes.highest, r.parameter.value);

@@ -1,8 +1,8 @@
 #include "app/review/estimate_review.h"
-#include "app/review/quick_modes.h"
+#include "app/review/closed_form_modes.h"
 #include "app/run_context.h"
 #include "app/stages/dynamics_stage.h"
-#include "app/trace/quick_chain.h"
+#include "app/trace/closed_form_chain.h"
 #include "core/case/estimates.h"
 #include "core/case/units.h"
 #include "core/model/case.h"
@@ -102,12 +102,12 @@ std::vector<EstimateRecord> ranked_estimates(const FourHigh &stand, const double
     const auto at = [&](const double value) {
       FourHigh other = stand;
       set_estimated(other, e.key, value);
-      return quick_stand(other, load);
+      return closed_form_stand(other, load);
     };
     try {
       const auto low = at(e.low), high = at(e.high);
-      for (const QuickResult &r : low)
-        if (const QuickResult *other = find(high, r.name); other && is_ranked(r.name)) {
+      for (const ClosedFormResult &r : low)
+        if (const ClosedFormResult *other = find(high, r.name); other && is_ranked(r.name)) {
           const double move = 0.5 * std::abs(std::log(other->parameter.value / r.parameter.value));
           if (move > no_move)
             record.moves.emplace_back(r.name, move);
@@ -131,7 +131,7 @@ void mark_estimates(RunContext &run)
   const double load     = load_of_first(*stand);
   run.results.estimates = ranked_estimates(*stand, load);
   std::vector<std::string> known;  // names of the closed forms
-  for (const QuickResult &r : quick_stand(*stand, load))
+  for (const ClosedFormResult &r : closed_form_stand(*stand, load))
     known.push_back(r.name);
   for (auto &[name, p] : run.results.values) {
     KeyList more;

@@ -78,7 +78,7 @@ void review_records(const Pass &pass, const ForceRecord &force, const ExpectedMo
 {
   const auto times = dynamics::record_times(force.time);
   add_times(pass, pass.force_place,
-            pass.force_file.empty() ? "noise that stands for a force record" : "force record", times,
+            pass.force_file.empty() ? "noise that represents a force record" : "force record", times,
             ", mean " + in_kN(force.force.mean()), review);
   for (const std::string &note : force.notes)
     review.facts.push_back(pass.name + ": " + note);

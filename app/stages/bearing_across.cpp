@@ -22,17 +22,17 @@ bearing::ChockSupport on_liner(RollerBearing b)
 }
 
 // The rolling force stands across the axis that is asked about: x points to the liner.
-bearing::RingDrive across_drive(const BearingQuestion &q)
+bearing::RingLoading across_drive(const BearingQuestion &q)
 {
-  auto drive     = bearing::radial_drive(0);
-  drive.value[1] = q.radial;
-  return drive;
+  auto loading     = bearing::radial_drive(0);
+  loading.value[1] = q.radial;
+  return loading;
 }
 
 double across(const bearing::BearingModel &model, const BearingQuestion &q)
 {
-  const auto drive = across_drive(q);
-  return stiffness_along(bearing::BearingAssembly(model).solve(drive), drive, 0);
+  const auto loading = across_drive(q);
+  return stiffness_along(bearing::BearingAssembly(model).solve(loading), loading, 0);
 }
 
 double by_law(const BearingQuestion &q, const std::string &law)

@@ -42,7 +42,7 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
     const auto &at             = study.curve.states[std::size_t(i)];
     mass.curve.displacement[i] = at.motion[0];
     mass.curve.force[i]        = at.load[0];
-    mass.curve.tangent[i]      = bearing::radial_tangent(at, study.drive);
+    mass.curve.tangent[i]      = bearing::radial_tangent(at, study.loading);
   }
   mass.mean_load    = {spec.load.radial, 0};
   mass.direction    = {std::cos(e.direction), std::sin(e.direction)};

@@ -25,7 +25,7 @@ Eigen::VectorXd column(const bearing::AssemblyCurve &curve, const Eigen::Index n
 Table load_table(const BearingStudy &s)
 {
   const auto n           = Eigen::Index(s.curve.states.size());
-  const auto tangent     = [&](const AssemblyState &at) { return bearing::radial_tangent(at, s.drive); };
+  const auto tangent     = [&](const AssemblyState &at) { return bearing::radial_tangent(at, s.loading); };
   const auto whole       = [](const AssemblyState &at) { return double(at.loaded_rollers.sum()); };
   const auto row_rollers = [](const AssemblyState &at) { return double(at.loaded_rollers.maxCoeff()); };
   Table t;
@@ -179,7 +179,7 @@ fem::RollerContactState heaviest_roller(const BearingStudy &s)
 
 Table cage_table(const BearingStudy &s)
 {
-  const auto v = bearing::cage_variation(s.parts.model, s.drive, 16);
+  const auto v = bearing::cage_variation(s.parts.model, s.loading, 16);
   Table t;
   return t.add("angle", "rad", v.angle).add("tangent", "N/m", v.tangent).add("secant", "N/m", v.secant);
 }

@@ -19,7 +19,7 @@ struct BearingVariant {
   bearing::BearingModel model;
 };
 
-/// A bearing ready to be loaded: its geometry, the law of its roller and what its rings give way, each with what
+/// A bearing ready to be loaded: its geometry, the law of its roller and how far its rings deflect, each with what
 /// it is known to.
 struct BearingParts {
   bearing::BearingModel model;

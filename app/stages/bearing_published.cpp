@@ -48,13 +48,13 @@ double where_on_curve(const std::vector<bearing::AssemblyState> &states, const S
 // The curve beyond its largest load: eight states up to some twenty times it, as far as they have a solution.
 std::vector<bearing::AssemblyState> states_beyond(const BearingStudy &s)
 {
-  std::vector<bearing::RingDrive> drives;
-  auto drive = s.drive;
+  std::vector<bearing::RingLoading> loadings;
+  auto loading = s.loading;
   for (int i = 1; i <= 8; ++i) {
-    drive.value[0] = s.question.loads[s.curve.states.size() - 1] * std::pow(1.45, i);
-    drives.push_back(drive);
+    loading.value[0] = s.question.loads[s.curve.states.size() - 1] * std::pow(1.45, i);
+    loadings.push_back(loading);
   }
-  auto states = bearing::BearingAssembly(s.parts.model).curve(drives).states;
+  auto states = bearing::BearingAssembly(s.parts.model).curve(loadings).states;
   states.insert(states.begin(), s.curve.states.back());
   return states;
 }
@@ -182,7 +182,7 @@ void add_published_results(RunContext &run, const std::string &prefix, const Bea
   };
   fit(
       "load_that_fits_tangent",
-      [&](const bearing::AssemblyState &at) { return bearing::radial_tangent(at, s.drive); }, "tangent");
+      [&](const bearing::AssemblyState &at) { return bearing::radial_tangent(at, s.loading); }, "tangent");
   fit("load_that_fits_secant", bearing::radial_secant, "secant");
 }
 }  // namespace mill

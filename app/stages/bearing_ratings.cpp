@@ -11,7 +11,7 @@
 
 namespace mill {
 namespace {
-// What stands for the oil where the case does not say it, and how far it may be off.
+// What represents the oil where the case does not say it, and how far it may be off.
 constexpr double usual_viscosity = 1, usual_contamination = 0.3;
 
 /// What every rating of one bearing is made from.

@@ -84,14 +84,14 @@ Parameter tangent_of(const BearingStudy &s, const std::vector<std::string> &inpu
   Parameter p = plain(s, inputs);
   p.value     = s.tangent;
   p.error_estimate =
-      with_estimates(s, error_of(s, [&](const auto &at) { return bearing::radial_tangent(at, s.drive); }));
+      with_estimates(s, error_of(s, [&](const auto &at) { return bearing::radial_tangent(at, s.loading); }));
   p.checks = s.tangent_checks;
   return p;
 }
 
 Parameter across_of(const BearingStudy &s, const std::vector<std::string> &inputs)
 {
-  const auto across = [&](const bearing::AssemblyState &at) { return bearing::stiffness_along(at, s.drive, 1); };
+  const auto across = [&](const bearing::AssemblyState &at) { return bearing::stiffness_along(at, s.loading, 1); };
   Parameter p       = plain(s, inputs);
   p.value           = s.tangent_across;
   p.error_estimate  = with_estimates(s, error_of(s, across));
@@ -127,7 +127,7 @@ void add_stiffnesses(const BearingStudy &s, const Add &add)
       ", tangent along the axis, all other motions held");
   if (std::isfinite(s.question.bearing.width))  // else the places of the rows are not known
     add(
-        "tilting", "N m/rad", [&](const auto &at) { return bearing::stiffness_along(at, s.drive, 4); }, true,
+        "tilting", "N m/rad", [&](const auto &at) { return bearing::stiffness_along(at, s.loading, 4); }, true,
         ", tangent against tilt in the plane of the load, loads and imposed motions held");
 }
 
@@ -247,7 +247,7 @@ void warn_of_arrangement(RunContext &run, const std::string &prefix, const Beari
   std::string tilting;
   if (std::isfinite(b.width))
     tilting = prefix + ".tilting between rigid rings: " +
-              range([&](const auto &at) { return bearing::stiffness_along(at, s.drive, 4); },
+              range([&](const auto &at) { return bearing::stiffness_along(at, s.loading, 4); },
                     "{:.3g} .. {:.3g} kN m/mrad; ", 1e-6);
   run.warn(fmt::format(
       "bearing {}: row_hands is not given; {} is assumed, and {}.tilting, the axial forces of the rows "
@@ -264,7 +264,7 @@ void say_supports(RunContext &run, const std::string &prefix, const BearingStudy
   std::string text = fmt::format("bearing.{} does not say how its chock is held: {}.tangent is {:.4g} kN/mm, {}",
                                  b.name, prefix, s.tangent / 1e6, bearing::support_name(b));
   for (const StudyVariant &v : s.supports)
-    text += fmt::format("; {:.4g} kN/mm, {}", bearing::radial_tangent(v.at, s.drive) / 1e6, v.about);
+    text += fmt::format("; {:.4g} kN/mm, {}", bearing::radial_tangent(v.at, s.loading) / 1e6, v.about);
   run.assume(text + "; the largest difference is part of the error of every result of this bearing");
 }
 }  // namespace

@@ -183,7 +183,7 @@ reduce::LoadDeflection over_the_force(const BearingStudy &study)
     const auto &state  = study.curve.states[std::size_t(i)];
     both.load[i]       = 2 * study.question.loads[std::size_t(i)];
     both.deflection[i] = state.motion[0];
-    both.tangent[i]    = 2 * bearing::radial_tangent(state, study.drive);
+    both.tangent[i]    = 2 * bearing::radial_tangent(state, study.loading);
   }
   return both;
 }

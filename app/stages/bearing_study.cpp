@@ -44,7 +44,7 @@ bearing::AssemblyState solved(bearing::BearingModel model, const BearingStudy &s
 {
   model.cage_angle        = s.question.cage_angle;
   model.centrifugal_force = s.question.centrifugal;
-  return bearing::BearingAssembly(std::move(model)).solve(s.drive);
+  return bearing::BearingAssembly(std::move(model)).solve(s.loading);
 }
 
 // How well each ingredient of the model is known: the model without it, or with its neighbour.
@@ -105,7 +105,7 @@ void add_checks(BearingStudy &s, const bearing::AssemblyState &palmgren, const s
   const bool elastic      = s.question.bearing.rings == "elastic";
   const std::string other = elastic ? "rigid rings" : "another law of one roller";
   const auto add = [&](const std::string &name, const bearing::AssemblyState &at, const std::string &note) {
-    s.tangent_checks.push_back({name, bearing::radial_tangent(at, s.drive), note});
+    s.tangent_checks.push_back({name, bearing::radial_tangent(at, s.loading), note});
     if (s.question.radial > 0)
       s.secant_checks.push_back({name, bearing::radial_secant(at), note});
   };
@@ -121,7 +121,7 @@ void add_checks(BearingStudy &s, const bearing::AssemblyState &palmgren, const s
 bearing::AssemblyState solve_or_keep(RunContext &run, const BearingStudy &s, bearing::BearingAssembly &assembly)
 {
   try {
-    return assembly.solve(s.drive);
+    return assembly.solve(s.loading);
   } catch (SolverError &e) {
     if (!s.curve.states.empty()) {
       write_load_curve(run, s);
@@ -149,20 +149,20 @@ BearingQuestion question_of(const BearingCase &spec)
   return q;
 }
 
-bearing::RingDrive drive_of(const BearingQuestion &q, const double radial)
+bearing::RingLoading drive_of(const BearingQuestion &q, const double radial)
 {
-  auto drive = bearing::radial_drive(radial, q.tilt);
+  auto loading = bearing::radial_drive(radial, q.tilt);
   if (std::isfinite(q.axial_displacement))
-    drive.value[2] = q.axial_displacement;
+    loading.value[2] = q.axial_displacement;
   else if (q.axial != 0) {
-    drive.value[2]     = q.axial;
-    drive.by_motion[2] = false;
+    loading.value[2]      = q.axial;
+    loading.prescribed[2] = false;
   }
   if (std::isfinite(q.moment)) {
-    drive.value[4]     = q.moment;
-    drive.by_motion[4] = false;
+    loading.value[4]      = q.moment;
+    loading.prescribed[4] = false;
   }
-  return drive;
+  return loading;
 }
 
 std::string load_text(const BearingStudy &s)
@@ -232,26 +232,26 @@ SolvedBearing solve_all(RunContext &run, BearingStudy &s)
   const BearingQuestion &q = s.question;
   SolvedBearing out;
   const auto rigid_model = with_rigid_rings(s.parts.model);
-  std::vector<bearing::RingDrive> drives;
+  std::vector<bearing::RingLoading> loadings;
   for (const double load : q.loads)
-    drives.push_back(drive_of(q, load));
+    loadings.push_back(drive_of(q, load));
   run.progress.at("bearing " + q.bearing.name, 0);
   bearing::AssemblyCurve standard_curve, rigid_curve;
   const auto by = [&](const bearing::BearingModel &model, bearing::AssemblyCurve &curve,
                       bearing::AssemblyState &at) {
     bearing::BearingAssembly assembly(model);
-    curve = assembly.curve(drives);
-    at    = assembly.solve(s.drive);
+    curve = assembly.curve(loadings);
+    at    = assembly.solve(s.loading);
   };
   run_side_by_side(run, {[&](RunContext &own) {
                            bearing::BearingAssembly assembly(s.parts.model);
-                           s.curve = assembly.curve(drives);
+                           s.curve = assembly.curve(loadings);
                            out.at  = solve_or_keep(own, s, assembly);
                          },
                          [&](RunContext &) { by(standard_model(q, "iso"), standard_curve, out.standard); },
                          [&](RunContext &) { by(rigid_model, rigid_curve, out.rigid); }});
   run.progress.at("bearing " + q.bearing.name, 0.8);
-  out.palmgren        = bearing::BearingAssembly(standard_model(q, "palmgren")).solve(s.drive);
+  out.palmgren        = bearing::BearingAssembly(standard_model(q, "palmgren")).solve(s.loading);
   out.slice_deviation = s.slice_deviation = deviation_of_slices(s.parts, out.at.roller_load.maxCoeff());
   out.companions                          = solved_all(run, s, companions_of(s));
   out.supports                            = solved_all(run, s, s.parts.supports);
@@ -285,7 +285,7 @@ BearingStudy study_bearing(RunContext &run, const BearingParts &parts, const Bea
   s.parts                         = parts;
   s.parts.model.cage_angle        = q.cage_angle;
   s.parts.model.centrifugal_force = q.centrifugal;
-  s.drive                         = drive_of(q, q.radial);
+  s.loading                       = drive_of(q, q.radial);
   SolvedBearing solved            = solved_or_kept(run, s);
   s.curve.states                  = std::move(solved.curve);
   s.standard_curve.states         = std::move(solved.standard_curve);
@@ -296,9 +296,9 @@ BearingStudy study_bearing(RunContext &run, const BearingParts &parts, const Bea
   s.at              = std::move(solved.at);
   s.standard        = std::move(solved.standard);
   s.rigid           = std::move(solved.rigid);
-  s.tangent         = bearing::radial_tangent(s.at, s.drive);
+  s.tangent         = bearing::radial_tangent(s.at, s.loading);
   s.secant          = bearing::radial_secant(s.at);
-  s.tangent_across  = bearing::stiffness_along(s.at, s.drive, 1);
+  s.tangent_across  = bearing::stiffness_along(s.at, s.loading, 1);
   s.slice_deviation = solved.slice_deviation;
   const auto rigid  = with_rigid_rings(s.parts.model);
   s.companions      = named(companions_of(s), std::move(solved.companions));

@@ -33,7 +33,7 @@ struct StudyVariant {
 struct BearingStudy {
   BearingQuestion question;
   BearingParts parts;
-  bearing::RingDrive drive;
+  bearing::RingLoading loading;
   bearing::AssemblyState at;        ///< at the working load
   bearing::AssemblyState standard;  ///< ISO law, rigid rings
   bearing::AssemblyState rigid;     ///< the law of the case, rigid rings
@@ -59,7 +59,7 @@ double error_of(const BearingStudy &study, const StateNumber &number);
 
 /// What a case of kind "bearing" asks, and what acts on the inner ring under one radial load of its sweep.
 BearingQuestion question_of(const BearingCase &spec);
-bearing::RingDrive drive_of(const BearingQuestion &question, double radial);
+bearing::RingLoading drive_of(const BearingQuestion &question, double radial);
 
 /// "1000 kN on one bearing, 50 kN axial": what a result of the study belongs to.
 std::string load_text(const BearingStudy &study);

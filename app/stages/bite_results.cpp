@@ -222,7 +222,7 @@ double interpolated(const Eigen::VectorXd &x, const Eigen::VectorXd &y, const do
   return (1 - t) * y[i - 1] + t * y[i];
 }
 
-// (contact nodes) m, what the section of the roll gives way under the pressure of the finite elements.
+// (contact nodes) m, how far the section of the roll deflects under the pressure of the finite elements.
 Eigen::VectorXd roll_displacement(const BiteStudy &s)
 {
   const bite::BiteState &state     = s.flow->fine.state;
@@ -239,12 +239,12 @@ Eigen::VectorXd roll_displacement(const BiteStudy &s)
   return at_nodes;
 }
 
-// The path form: nodal forces over what the roll gives way there.  It belongs to the mesh, so its number of nodes
-// stands with it.
+// The path form: nodal forces over how far the roll deflects there.  It belongs to the mesh, so its number of
+// nodes stands with it.
 void add_path_plateau(const BiteStudy &s, BiteSpring &spring)
 {
   if (!s.flow || s.flexibility.position.size() == 0)
-    return;  // a rigid roll gives way nowhere
+    return;  // a rigid roll deflects nowhere
   const fem::StripFlow &f = s.flow->fine;
   bite::PathStiffness path;
   try {

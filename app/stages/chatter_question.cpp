@@ -158,7 +158,7 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
     c.speed         = 0.5 * (stand.analysis.speeds[0] + stand.analysis.speeds[1]);
     asked.assumed.push_back(
         fmt::format("{}: the speed of the rolls is not given (pass.speed); {:.4g} m/s, the middle of the range "
-                    "searched, stands for it",
+                    "searched, represents it",
                     pass.name, c.speed));
   }
   constexpr double usual_distance = 5;  // m

@@ -17,20 +17,20 @@ namespace {
 // Raised by hand when meshing or condensation changes what it computes.
 constexpr const char *stage_version = "condensation 3";
 
-fem::CondenseOptions options_of(const CondenseWish &wanted, const bool companion)
+fem::CondenseOptions options_of(const RollOptions &wanted, const bool companion)
 {
   fem::CondenseOptions options;
-  options.slab        = wanted.slab;
-  options.both_sides  = !wanted.slab && (wanted.both_sides || companion);
-  options.odd_squeeze = !wanted.slab;  // for the joint stiffness
-  options.tractions   = wanted.tractions;
-  options.keep_fields = companion;
+  options.slab          = wanted.slab;
+  options.both_sides    = !wanted.slab && (wanted.both_sides || companion);
+  options.odd_symmetric = !wanted.slab;  // for the joint stiffness
+  options.tractions     = wanted.tractions;
+  options.keep_fields   = companion;
   return options;
 }
 
 std::shared_ptr<const fem::CondensedRoll> condensed(RunContext &run, const std::string &name,
                                                     const RollGeometry &geometry, const meshes::RollMeshSize &size,
-                                                    const Material &steel, const CondenseWish &wanted,
+                                                    const Material &steel, const RollOptions &wanted,
                                                     const bool companion)
 {
   const fem::CondenseOptions options = options_of(wanted, companion);
@@ -63,14 +63,14 @@ std::shared_ptr<const fem::CondensedRoll> condensed(RunContext &run, const std::
 }  // namespace
 
 std::string roll_inputs(const RollGeometry &geometry, const meshes::RollMeshSize &size, const Material &steel,
-                        const CondenseWish &wanted, const bool companion)
+                        const RollOptions &wanted, const bool companion)
 {
   return record_text(stage_version, fem::library_version(), meshes::library_version(), geometry, size,
                      at_rest(steel), options_of(wanted, companion));
 }
 
 CondensedPair condensed_pair(RunContext &run, const std::string &name, const RollGeometry &geometry,
-                             const meshes::RollMeshSize &size, const Material &steel, const CondenseWish &wanted)
+                             const meshes::RollMeshSize &size, const Material &steel, const RollOptions &wanted)
 {
   CondensedPair pair;
   run_side_by_side(

@@ -13,7 +13,7 @@ struct CondensedPair {
 };
 
 /// What the contact needs of a roll beside the loads that are the same on both sides, on both meshes.
-struct CondenseWish {
+struct RollOptions {
   bool slab       = false;  ///< plane strain
   bool both_sides = false;  ///< loads that differ between the sides; the coarse mesh always has them
   bool tractions  = false;  ///< friction
@@ -22,10 +22,10 @@ struct CondenseWish {
 /// Everything that a condensed roll depends on, as text; its hash is the key of the cache.
 /// @param companion  on the coarse mesh, whose size is given
 std::string roll_inputs(const RollGeometry &geometry, const meshes::RollMeshSize &size, const Material &steel,
-                        const CondenseWish &wanted, bool companion);
+                        const RollOptions &wanted, bool companion);
 
 /// Meshes and condenses a roll, or takes both from the cache.
 /// @param name  as the user calls the roll: "backup roll"
 CondensedPair condensed_pair(RunContext &run, const std::string &name, const RollGeometry &geometry,
-                             const meshes::RollMeshSize &size, const Material &steel, const CondenseWish &wanted);
+                             const meshes::RollMeshSize &size, const Material &steel, const RollOptions &wanted);
 }  // namespace mill

@@ -42,7 +42,7 @@ Table barrel_table(const BarrelProfile &p)
 }
 
 namespace {
-// Forces of the side z >= 0 and of the side z <= 0 as those of the even and the odd parity.
+// Forces of the side z >= 0 and of the side z <= 0 as those of the even and the odd symmetry case.
 std::array<Eigen::VectorXd, 2> fold(const fem::PatchGrid &grid, const Eigen::VectorXd &nodal)
 {
   const Eigen::Index n = grid.x.size() * grid.z.size();
@@ -75,9 +75,9 @@ void write_fields(RunContext &run, const std::string &file, const CondensedPair 
     const auto node    = Eigen::Index(i);
     pressure[patch[i]] = (even[node] + (odd.size() > 0 ? odd[node] : 0)) / grid.area[node];
   }
-  Eigen::VectorXd displacement = roll.coarse->squeeze.field * even;
+  Eigen::VectorXd displacement = roll.coarse->symmetric.field * even;
   if (odd.size() > 0)
-    displacement += roll.coarse->squeeze_odd.field * odd;
+    displacement += roll.coarse->symmetric_odd.field * odd;
   body.write_vtu(run.out.file(file), displacement, pressure);
 }
 }  // namespace mill

@@ -53,7 +53,7 @@ struct PlannedRoll {
 };
 struct PlannedPair {
   PlannedRoll backup, work;
-  CondenseWish wanted;
+  RollOptions wanted;
 };
 
 /// Both rolls of a contact, meshed for loads up to `largest_load`.

@@ -5,7 +5,7 @@
 #include "app/stages/contact_slope.h"
 #include "app/stages/contact_store.h"
 #include "app/stages/curve_files.h"
-#include "app/stages/second_engine.h"
+#include "app/stages/fourier_stage.h"
 #include "core/model/four_high.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/process/parallel.h"
@@ -69,8 +69,8 @@ Parameter blank(const std::string &unit, const double load, const std::string &r
   return p;
 }
 
-const char *const second_engine = "second engine, Fourier series";
-const char *const coarse_mesh   = "mesh twice as coarse";
+const char *const fourier_solver = "Fourier solver";
+const char *const coarse_mesh    = "mesh twice as coarse";
 
 // Of a line contact the tangent compliance falls by A/F per newton (3.5b).
 void add_curvature(RunContext &run, const Study &s, const std::string &prefix, const double F, const double fine,
@@ -86,7 +86,7 @@ void add_curvature(RunContext &run, const Study &s, const std::string &prefix, c
   curvature.checks.push_back(
       {"Hertz line contact, K^3 A/(F L)", std::pow(hertz.tangent, 3) * A_over_L / F, "no barrel ends"});
   beside(curvature, coarse_mesh, coarse);
-  beside(curvature, second_engine, second);
+  beside(curvature, fourier_solver, second);
   run.results.add(prefix + s.K + ".curvature", curvature);
 }
 
@@ -107,7 +107,7 @@ void add_held(RunContext &run, const Study &s, const std::string &prefix, const 
     h.checks.push_back(
         {"rolls squeezed between mirrored contacts", mirrored.value, "another datum and no bending"});
     h.checks.push_back({coarse_mesh, on_coarse, ""});
-    beside(h, second_engine, by_second);
+    beside(h, fourier_solver, by_second);
     h.inputs.insert(h.inputs.end(), {"strip.width", "backup_roll.bearing_span"});
     run.results.add(prefix + s.K + ".in_stand_" + what, h);
   };
@@ -150,8 +150,8 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
   std::optional<ContactSlope> second;
   if (s.second) {
     second = slope_of(s.second->mirrored, F);
-    beside(tangent, second_engine, second->tangent);
-    beside(secant, second_engine, second->secant);
+    beside(tangent, fourier_solver, second->tangent);
+    beside(secant, fourier_solver, second->secant);
   }
   run.results.add(prefix + s.K + ".tangent", tangent);
   run.results.add(prefix + s.K + ".secant", secant);
@@ -212,7 +212,7 @@ void add_section(RunContext &run, Study &s, const FourHigh &stand, const double 
     p.error_estimate = std::max(mesh_pair_error(value, second), what == "approach" ? 0. : misfit);
     p.checks.push_back({"Hertz line contact", closed, ""});
     p.checks.push_back({coarse_mesh, second, ""});
-    beside(p, second_engine, other);
+    beside(p, fourier_solver, other);
     run.results.add("contact." + s.name + "." + what, p);
   };
   const auto at_middle = [&](const Eigen::VectorXd &values) {

@@ -1,6 +1,6 @@
 #pragma once
 #include "app/stages/contact_model.h"
-#include "app/stages/second_engine.h"
+#include "app/stages/fourier_stage.h"
 #include "core/records/records.h"
 #include <array>
 #include <optional>
@@ -10,7 +10,7 @@
 namespace mill {
 struct FourHigh;
 
-/// Everything that was solved of one contact: its curves, the second engine's, single loads of every pair, and
+/// Everything that was solved of one contact: its curves, the Fourier solver's, single loads of every pair, and
 /// what is read off a pair; not the rolls and the compliances made of them, which only another load needs.
 struct SolvedStudy {
   ContactCurve mirrored, in_stand, coarse, in_stand_coarse;

@@ -234,7 +234,7 @@ PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &cha
               inputs_of(chain, settings),
               {},
               limit};
-  // Modes up to the limit are trusted; those above are driven too, since they give way under slower forces.
+  // Modes up to the limit are trusted; those above are driven too, since they deflect under slower forces.
   for (Eigen::Index i = 0; i < stand.modes.frequency.size() && stand.modes.frequency[i] <= limit; ++i)
     p.highest_mode = stand.modes.frequency[i];
   return p;

@@ -67,7 +67,7 @@ void add_housing(RunContext &run, const FourHigh &stand, const Frame &before, co
           {"frame of Timoshenko beams (23.10)", 1 / beams.flexibility[i], "corners half rigid"});
     add_given(spring, given_K[i]);
     run.results.add(fmt::format("frame.{}_stiffness", part_names[i]), spring);
-    // Beam theory and the rules speak of the mass at screw or seat; the chain's point gives way more.
+    // Beam theory and the rules speak of the mass at screw or seat; the chain's point deflects more.
     const double moved = M[i] / statics.reduced_mass[i];
     Parameter mass =
         computed(M[i], "kg", how + ", kinetic energy of the static shape, at the chain's point (4.13a)",

@@ -33,7 +33,7 @@ double height_of(const FourHigh &stand, const std::string &place)
   return side * (place == "cylinder" ? 0.5 * (backup + top) : top);
 }
 
-// Half the distance of what a point stands for: a chock on its neck, else the middle.  m
+// Half the distance of what a point represents: a chock on its neck, else the middle.  m
 double station_of(const FourHigh &stand, const std::string &place)
 {
   const bool at_seat = place.find("chock") != std::string::npos || place.find("seat") != std::string::npos;

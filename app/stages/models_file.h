@@ -17,7 +17,7 @@ std::vector<ModePartners> mode_partners(const StandModels &models);
 /// How alike the shapes of the two detailed models are.
 MacTable mac_table(const StandModels &models, double limit);
 
-/// M1..M6 by every road.
+/// M1..M6 by every method.
 std::vector<MassRoutes> mass_routes(const FourHigh &stand, const reduce::LumpedStand &chain,
                                     const reduce::FeMasses &masses);
 }  // namespace mill

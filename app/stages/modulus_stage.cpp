@@ -40,8 +40,8 @@ reduce::BentWorkRoll bent(const FourHigh &stand, const Component *solid, const d
   const Roll &roll = stand.work_roll;
   if (solid)
     return {*solid, width / 2, K};
-  return {reduce::bed_shape({roll.barrel_length / 2, width / 2, K / roll.barrel_length,
-                             reduce::beam_section(barrel_section(roll), stand.steel).bending})};
+  return {reduce::foundation_shape({roll.barrel_length / 2, width / 2, K / roll.barrel_length,
+                                    reduce::beam_section(barrel_section(roll), stand.steel).bending})};
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ private:
     const Parameter *p = run.results.find(of_pass(name));
     return p ? p->value : otherwise;
   }
-  // A spring of the chain whose bearing gives way by its secant.
+  // A spring of the chain whose bearing deflects by its secant.
   double secant_with_bearing(const std::string &spring_name, const Parameter &K_Zy, const std::size_t seat) const
   {
     const double K = spring(spring_name).value;

@@ -146,7 +146,7 @@ void add_moment(RunContext &run, const SpaceRun &s)
     checks.push_back({"rolling of the crown (33.12)", s.load() * tilt / s.shape.curvature, ""});
   else if (s.long_line())
     checks.push_back({"slices apart (33.11)", s.shape.slices(s.load(), tilt).moment,
-                      "slices that do not feel each other give way more evenly"});
+                      "slices that do not feel each other deflect more evenly"});
   add(run, s, "moment", "N m", s.fine.state.moment, s.coarse.state.moment, checks);
 }
 

@@ -176,8 +176,8 @@ FlowAnswer solve_flow(RunContext &run, const FlowQuestion &q, const bite::ArcFle
     run.progress.note(
         fmt::format("bite {}: {}, {} unknowns, g0 {:.3g}, d0 {:.3g}, {} steps, residual {:.2g}, force "
                     "{:.6g} kN",
-                    q.pass, level.stage, level.n_unknowns, level.least_rate, level.least_slip, level.iterations,
-                    level.residual, level.force / 1e3));
+                    q.pass, level.stage, level.n_unknowns, level.cutoff_strain_rate, level.cutoff_slip,
+                    level.iterations, level.residual, level.force / 1e3));
   try {
     write_cache_entry(file, flow_kind, key, stored_flow(answer));
   } catch (const InputError &e) {

@@ -16,23 +16,23 @@
 
 namespace mill {
 namespace {
-using QuickResults = std::vector<QuickResult>;
+using ClosedFormResults = std::vector<ClosedFormResult>;
 
 // A result that moves by less than this has not moved: eigenvalues of an unchanged block round differently.
 constexpr double rounding = 1e-11;
 
 struct Evaluation {
   const TraceOptions &options;
-  QuickMemory &memory;
+  ClosedFormMemory &memory;
   const SpringFactors &factors;
-  QuickResults at(const std::string &path, const std::string &toml) const
+  ClosedFormResults at(const std::string &path, const std::string &toml) const
   {
     auto sets = options.sets;
     sets.push_back(path + "=" + toml);
-    return quick_chain(read_case(options.case_file, sets), memory, factors);
+    return closed_form_chain(read_case(options.case_file, sets), memory, factors);
   }
   // Nothing where the case refuses the value; `why` then says so.
-  std::optional<QuickResults> tried(const std::string &path, const std::string &toml, std::string &why) const
+  std::optional<ClosedFormResults> tried(const std::string &path, const std::string &toml, std::string &why) const
   {
     try {
       return at(path, toml);
@@ -48,8 +48,9 @@ struct Evaluation {
 // Values of the key below and above, with the results there.
 struct Sides {
   double x = 0, x_down = 0, x_up = 0;  // numbers as written
-  std::optional<QuickResults> down, up;
-  std::optional<QuickResults> middle;  // where giving the value of the key is another case than leaving it out
+  std::optional<ClosedFormResults> down, up;
+  std::optional<ClosedFormResults>
+      middle;  // where giving the value of the key is another case than leaving it out
 };
 
 bool is_size(const Row &row)
@@ -83,9 +84,9 @@ Sides evaluate_sides(const TraceKey &key, const Evaluation &evaluation, std::str
   return first;
 }
 
-double value_of(const QuickResults &results, const std::string &name)
+double value_of(const ClosedFormResults &results, const std::string &name)
 {
-  const QuickResult *r = find(results, name);
+  const ClosedFormResult *r = find(results, name);
   return r ? r->parameter.value : not_given;
 }
 
@@ -121,7 +122,7 @@ void add_slopes(TraceLine &line, const Sides &s, const bool from_zero)
 }
 
 // Springs and masses of later passes belong to a trace of a key of that pass only: "pass 2.K3" beside "K3".
-bool is_of_later_pass(const Case &the_case, const QuickResults &all, const std::string &result)
+bool is_of_later_pass(const Case &the_case, const ClosedFormResults &all, const std::string &result)
 {
   const auto &passes = all_passes(the_case);
   for (std::size_t p = 1; p < passes.size(); ++p)
@@ -242,10 +243,10 @@ std::optional<StoredRun> stored_run(const TraceOptions &options, const Case &the
 }
 
 // What the run found for the springs over what closed forms give.
-SpringFactors run_factors(const StoredRun &run, const QuickResults &base)
+SpringFactors run_factors(const StoredRun &run, const ClosedFormResults &base)
 {
   SpringFactors factors;
-  for (const QuickResult &r : base) {
+  for (const ClosedFormResult &r : base) {
     const auto stored = run.values.find(r.name);
     const bool spring = !r.stands_for.empty() && stored != run.values.end();
     if (spring && stored->second > 0 && r.parameter.value > 0)
@@ -277,15 +278,15 @@ SpringFactors bending_factor(const StoredRun &run)
 
 Trace trace(const TraceOptions &options)
 {
-  QuickMemory memory;
+  ClosedFormMemory memory;
   return trace(options, memory);
 }
 
-Trace trace(const TraceOptions &options, QuickMemory &memory)
+Trace trace(const TraceOptions &options, ClosedFormMemory &memory)
 {
   const Case the_case = read_case(options.case_file, options.sets);
   Trace trace;
-  trace.base            = quick_chain(the_case, memory);
+  trace.base            = closed_form_chain(the_case, memory);
   const auto run        = stored_run(options, the_case);
   trace.key             = find_key(the_case, options.sets, options.key, trace.base);
   SpringFactors factors = run ? bending_factor(*run) : SpringFactors{};
@@ -299,10 +300,10 @@ Trace trace(const TraceOptions &options, QuickMemory &memory)
     trace.from_run = true;
   }
   if (!factors.empty())
-    trace.base = quick_chain(the_case, memory, factors);
+    trace.base = closed_form_chain(the_case, memory, factors);
   const Evaluation evaluation{options, memory, factors};
   std::vector<TraceLine> lines;
-  for (const QuickResult &result : trace.base) {
+  for (const ClosedFormResult &result : trace.base) {
     TraceLine line;
     line.result = result;
     line.moves  = false;
@@ -342,7 +343,7 @@ Trace trace(const TraceOptions &options, QuickMemory &memory)
   if (run) {
     trace.run_folder  = run->folder;
     trace.same_inputs = run->same_inputs;
-    for (const QuickResult &r : trace.base)
+    for (const ClosedFormResult &r : trace.base)
       if (const auto stored = run->values.find(r.name); stored != run->values.end())
         trace.run.emplace_back(r.name, stored->second);
   }

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/trace/quick_chain.h"
+#include "app/trace/closed_form_chain.h"
 #include "app/trace/trace_key.h"
 #include <string>
 #include <utility>
@@ -17,7 +17,7 @@ struct TraceOptions {
 
 /// How far one result follows the key.
 struct TraceLine {
-  QuickResult result;
+  ClosedFormResult result;
   std::vector<std::string> through;  ///< of the results it is made of those that the key reaches
   bool direct     = true;            ///< the key also enters without them
   bool moves      = true;            ///< false: only finite elements follow this key
@@ -32,22 +32,22 @@ struct Trace {
   std::string per;                  ///< "%": percent per percent; "um": percent per um; "": no elasticity
   std::string steps;                ///< "1435.5 mm .. 1464.5 mm": between which values the differences were taken
   std::string reason;               ///< why there is no elasticity
-  std::vector<TraceLine> lines;     ///< in the order of the roads
+  std::vector<TraceLine> lines;     ///< in the order of the relations
   std::vector<std::string> beside;  ///< without a line: results that only a run has and that state this key
-  std::vector<QuickResult> base;    ///< every result of the case
-  std::string run_folder;           ///< last run that was found; empty: none
-  bool same_inputs = true;          ///< it was made from this very case
+  std::vector<ClosedFormResult> base;  ///< every result of the case
+  std::string run_folder;              ///< last run that was found; empty: none
+  bool same_inputs = true;             ///< it was made from this very case
   bool from_run    = false;
   std::vector<std::pair<std::string, double>> run;  ///< its values by name, of the results above
 };
 
-/// Traces one input through the quick chain: two more evaluations with the key changed by a hundredth (a count by
-/// one, a zero by a hundredth of its unit) on the road of --set, so with the same checks.  Where a check refuses a
-/// hundredth a smaller step is taken, or one side only.
+/// Traces one input through the closed-form model: two more evaluations with the key changed by a hundredth (a
+/// count by one, a zero by a hundredth of its unit) in the way of --set, so with the same checks.  Where a check
+/// refuses a hundredth a smaller step is taken, or one side only.
 /// @throws InputError   unknown key, with the nearest known one; errors of the case; --full without a run
-/// @throws SolverError  as quick_chain
+/// @throws SolverError  as closed_form_chain
 /// Cost: three evaluations of the chain, 0.3 s with two passes of 10 s.
 Trace trace(const TraceOptions &options);
 /// The same for many keys: forces and responses are kept in between.
-Trace trace(const TraceOptions &options, QuickMemory &memory);
+Trace trace(const TraceOptions &options, ClosedFormMemory &memory);
 }  // namespace mill

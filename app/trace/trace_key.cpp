@@ -1,6 +1,6 @@
 #include "app/trace/trace_key.h"
 #include "app/case_kinds.h"
-#include "app/trace/quick_chain.h"
+#include "app/trace/closed_form_chain.h"
 #include "core/case/kinds.h"
 #include "core/case/units.h"
 #include <algorithm>
@@ -44,10 +44,11 @@ std::vector<std::string> parts_of(const std::string &path)
   return parts;
 }
 
-std::optional<StandIn> stand_in(const Case &the_case, const TraceKey &key, const std::vector<QuickResult> &quick)
+std::optional<StandIn> stand_in(const Case &the_case, const TraceKey &key,
+                                const std::vector<ClosedFormResult> &closed)
 {
   const auto of_kind = run_kind(the_case).stand_in;
-  return of_kind ? of_kind(the_case, key, quick) : std::nullopt;
+  return of_kind ? of_kind(the_case, key, closed) : std::nullopt;
 }
 }  // namespace
 
@@ -57,9 +58,9 @@ std::optional<std::size_t> pass_of(const TraceKey &key)
   return parts[0] == "pass" ? std::optional<std::size_t>(std::stoi(parts[1])) : std::nullopt;
 }
 
-std::optional<StandIn> computed_instead(const std::vector<QuickResult> &quick, const std::string &name)
+std::optional<StandIn> computed_instead(const std::vector<ClosedFormResult> &closed, const std::string &name)
 {
-  const QuickResult *result = find(quick, name);
+  const ClosedFormResult *result = find(closed, name);
   if (!result || std::isnan(result->parameter.value))
     return {};
   return StandIn{result->parameter.value, "not given: computed"};
@@ -129,7 +130,7 @@ std::vector<TraceKey> keys_of(const Case &the_case)
 }
 
 TraceKey find_key(const Case &the_case, const std::vector<std::string> &sets, const std::string &name,
-                  const std::vector<QuickResult> &quick)
+                  const std::vector<ClosedFormResult> &closed)
 {
   const auto keys  = keys_of(the_case);
   const auto found = std::find_if(keys.begin(), keys.end(),
@@ -170,7 +171,7 @@ TraceKey find_key(const Case &the_case, const std::vector<std::string> &sets, co
     double instead_of   = not_given;
     key.origin          = "default";
     if (toml.empty())
-      if (const auto instead = stand_in(the_case, key, quick)) {
+      if (const auto instead = stand_in(the_case, key, closed)) {
         toml       = key.row.kind == Kind::number ? number_text(instead->value)
                                                   : quoted(quantity_text(instead->value, unit(key.row.form)));
         key.origin = instead->said;

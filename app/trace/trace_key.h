@@ -1,5 +1,5 @@
 #pragma once
-#include "app/trace/quick_parts.h"
+#include "app/trace/closed_form_parts.h"
 #include "core/case/case_file.h"
 #include "core/case/fields.h"
 #include "core/model/strip.h"
@@ -17,10 +17,10 @@ struct TraceKey {
   std::string name;  ///< "backup_roll.barrel_diameter", "pass.0.load"
   std::string path;  ///< as --set addresses it; names with dots in quotes
   Row row{"", Kind::text, "text", {}, absent, "", ""};
-  std::optional<Node> value;  ///< as written, as the default, or what stands for it; nothing: not given
+  std::optional<Node> value;  ///< as written, as the default, or what represents it; nothing: not given
   std::string shown;          ///< "1450 mm", "not given"
   bool stands_in = false;     ///< the value is what the program takes where the key is not given
-  std::string origin;         ///< "cases/four-high-1400.toml:33", "default", "--set ...", or what stands for it
+  std::string origin;         ///< "cases/four-high-1400.toml:33", "default", "--set ...", or what represents it
 };
 
 /// What the program takes for a key that is not given, where that has a size.
@@ -32,7 +32,7 @@ struct StandIn {
 /// Number of the pass that a key belongs to.
 std::optional<std::size_t> pass_of(const TraceKey &key);
 /// A result in the place of a given value.
-std::optional<StandIn> computed_instead(const std::vector<QuickResult> &quick, const std::string &name);
+std::optional<StandIn> computed_instead(const std::vector<ClosedFormResult> &closed, const std::string &name);
 /// A value of [strip] in the place of that of a pass.
 std::optional<StandIn> strip_instead(const Strip &strip, const TraceKey &key);
 
@@ -41,10 +41,10 @@ std::vector<TraceKey> keys_of(const Case &the_case);
 
 /// One of them with its value.
 /// @param sets   as given to read_case
-/// @param quick  results of the case: a value that is not given but computed is found there
+/// @param closed  results of the case: a value that is not given but computed is found there
 /// @throws InputError  unknown key, with the nearest known one
 TraceKey find_key(const Case &the_case, const std::vector<std::string> &sets, const std::string &name,
-                  const std::vector<QuickResult> &quick);
+                  const std::vector<ClosedFormResult> &closed);
 
 /// resolved.toml, full key -> value as TOML: what is given, defaults, what the reader filled in.
 std::map<std::string, std::string> resolved_values(const std::string &text);

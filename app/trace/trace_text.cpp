@@ -66,14 +66,14 @@ std::string without_pass(const std::string &name)
   return spring_or_mass ? name.substr(dot + 1) : name;
 }
 
-std::string road_text(const Trace &trace, const TraceLine &line)
+std::string relation_text(const Trace &trace, const TraceLine &line)
 {
   std::vector<std::string> from;
   for (const std::string &part : line.through)
     from.push_back(without_pass(part));
   if (line.direct && !from.empty())
     from.insert(from.begin(), trace.key.row.key);
-  return line.result.road + (from.empty() ? "" : ", from " + listed(from));
+  return line.result.relation + (from.empty() ? "" : ", from " + listed(from));
 }
 
 // The results of the table and all that they are made of.
@@ -83,7 +83,7 @@ std::vector<std::string> involved(const Trace &trace)
   for (const TraceLine &line : trace.lines)
     names.push_back(line.result.name);
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (const QuickResult *result = find(trace.base, names[i]))
+    if (const ClosedFormResult *result = find(trace.base, names[i]))
       for (const std::string &part : result->from)
         if (std::find(names.begin(), names.end(), part) == names.end())
           names.push_back(part);
@@ -95,7 +95,7 @@ std::string stand_in_notes(const Trace &trace)
 {
   const auto names_here = involved(trace);
   std::vector<std::pair<std::string, std::vector<std::string>>> groups;
-  for (const QuickResult &r : trace.base) {
+  for (const ClosedFormResult &r : trace.base) {
     if (r.stands_for.empty() || std::find(names_here.begin(), names_here.end(), r.name) == names_here.end())
       continue;
     const std::string said = r.parameter.method + ", for " + r.stands_for;
@@ -149,18 +149,19 @@ std::string trace_text(const Trace &trace, const bool notes)
     moves      = moves || line.moves;
     record     = record || (line.moves && line.result.file == "dynamics/response/response");
   }
-  std::vector<std::pair<std::string, std::string>> roads;  // each with its results, in the order of the first
+  std::vector<std::pair<std::string, std::string>> relations;  // each with its results, in the order of the first
   for (const TraceLine &line : trace.lines) {
-    const std::string road = road_text(trace, line);
-    auto known = std::find_if(roads.begin(), roads.end(), [&](const auto &r) { return r.first == road; });
-    if (known == roads.end())
-      known = roads.insert(roads.end(), {road, ""});
+    const std::string relation = relation_text(trace, line);
+    auto known =
+        std::find_if(relations.begin(), relations.end(), [&](const auto &r) { return r.first == relation; });
+    if (known == relations.end())
+      known = relations.insert(relations.end(), {relation, ""});
     known->second += fmt::format("       {:<{}}  {:>15}  {:>{}}  {}{}\n", line.result.name, wide_name,
                                  value_text(line.result.parameter), elasticity_text(trace, line), wide_slope,
                                  line.result.file, line.result.equation.empty() ? "" : " " + line.result.equation);
   }
-  for (const auto &[road, results] : roads)
-    text += "  -> " + road + "\n" + results;
+  for (const auto &[relation, results] : relations)
+    text += "  -> " + relation + "\n" + results;
   if (trace.lines.empty() && !trace.beside.empty())
     text += "  -> only in a run: " + listed(trace.beside) + "\n";
   else if (trace.lines.empty())

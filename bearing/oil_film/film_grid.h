@@ -13,7 +13,7 @@ struct FilmGrid {
   Eigen::VectorXd z_gap;    ///< (rows + 1) from one row to the next, the ends included; 0 at a plane of symmetry
   Eigen::VectorXd z_width;  ///< (rows) of the control volume
   Eigen::MatrixXd held;     ///< (rows, columns) pressure of a groove or of the widest gap; NaN where it is free
-  double mirror = 1;        ///< -, 2 when one half of the length stands for both
+  double mirror = 1;        ///< -, 2 when one half of the length represents both
   Eigen::Index columns() const
   {
     return angle.size();

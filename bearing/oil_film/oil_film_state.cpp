@@ -183,7 +183,7 @@ FilmProblem film_problem(const OilFilmBearing &b, const OilFilmLoad &load, const
   return p;
 }
 
-QuickOilFilm quick_oil_film(const OilFilmBearing &b, const OilFilmLoad &load, const BalancedFilm *near)
+CoarseOilFilm coarse_oil_film(const OilFilmBearing &b, const OilFilmLoad &load, const BalancedFilm *near)
 {
   require_bearing(b, load);
   const WarmFilm w = warm_film(b, load, 1, nullptr, near);
@@ -218,7 +218,7 @@ double least_speed(const OilFilmBearing &b, OilFilmLoad load)
   const auto film_at = [&](const double speed) {
     load.speed = speed;
     try {
-      return carries(b, quick_oil_film(b, load).at);
+      return carries(b, coarse_oil_film(b, load).at);
     } catch (const SolverError &) {
       return false;
     }

@@ -44,12 +44,12 @@ OilFilmSolution solve_oil_film(const OilFilmBearing &bearing, const OilFilmLoad 
 
 /// The same on the coarser grid alone: for searches and curves.
 /// @param near  of a neighbouring state, or null
-struct QuickOilFilm {
+struct CoarseOilFilm {
   OilFilmState at;
   BalancedFilm film;
 };
-QuickOilFilm quick_oil_film(const OilFilmBearing &bearing, const OilFilmLoad &load,
-                            const BalancedFilm *near = nullptr);
+CoarseOilFilm coarse_oil_film(const OilFilmBearing &bearing, const OilFilmLoad &load,
+                              const BalancedFilm *near = nullptr);
 
 /// Thinnest film that still parts the surfaces: three times their roughness, and 2 % of the clearance.
 double least_carrying_film(const OilFilmBearing &bearing);

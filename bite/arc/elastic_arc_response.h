@@ -243,7 +243,7 @@ private:
     r.largest_shear  = law.slides ? value_of(law.coefficient) * r.neutral_pressure / (0.5 * value_of(k_n))
                                   : std::max(value_of(law.entry_factor), value_of(law.exit_factor));
   }
-  /// Ends of the contact: where the straight pressure of the last cell with any would be nil.
+  /// Ends of the contact: where the straight pressure of the last cell with any would be zero.
   static double nil_between(const double x0, const double p0, const double x1, const double p1)
   {
     return p0 == p1 ? x1 : x0 + (x1 - x0) * p0 / (p0 - p1);

@@ -13,7 +13,7 @@ namespace mill::bite {
 /// Cost O(n^2), 10 ns an entry.  Source: K. L. Johnson, Contact Mechanics (1985), chapter 2.
 ArcFlexibility half_plane_flexibility(const Eigen::VectorXd &position, const Material &roll, double roll_radius);
 
-/// Slope of that displacement along x at the same places by the same pressures, 1/Pa (n, n).  The pressure is nil
+/// Slope of that displacement along x at the same places by the same pressures, 1/Pa (n, n).  The pressure is zero
 /// at the first and the last place.
 Eigen::MatrixXd half_plane_slope(const Eigen::VectorXd &position, const Material &roll);
 }  // namespace mill::bite

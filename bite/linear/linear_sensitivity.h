@@ -57,13 +57,13 @@ std::vector<PassNumber> numbers_of(const RollBite &bite);
 /// Bite with one number times a factor.
 RollBite with_number_scaled(RollBite bite, PassNumber number, double factor);
 
-/// Steady state and coefficients with their derivatives d/d ln p = p d/dp by every number of the pass; nil where
+/// Steady state and coefficients with their derivatives d/d ln p = p d/dp by every number of the pass; zero where
 /// the bite does not depend on it or it is zero.  R' follows the force by (8.9); the coefficients are derivatives
 /// with R' held, which moves from one steady state to the next.  theory.md (27.1)-(27.3)
 struct LinearSensitivity {
   PerPassNumber<double> flattened_radius{};  ///< m
   PerPassNumber<double> friction{};          ///< -
-  PerPassNumber<double> film_thickness{};    ///< m; nil without a film
+  PerPassNumber<double> film_thickness{};    ///< m; zero without a film
   PerPassNumber<double> force{};             ///< N
   PerPassNumber<double> entry_speed{};       ///< m/s
   PerPassNumber<double> exit_speed{};        ///< m/s

@@ -23,7 +23,7 @@ template <class T> PassInputs<T> inputs_at(const UnsteadyBite &u, const std::arr
   return in;
 }
 
-// Speed of the strip where a bite becomes nil: the one that the exit point knows.
+// Speed of the strip where a bite becomes zero: the one that the exit point knows.
 double vanishing_speed(const UnsteadyBite &u)
 {
   return u.scheme == Linearisation::implicit ? u.bite.roll_speed : u.steady_entry_speed;

@@ -25,7 +25,7 @@ using Moment = std::array<double, 5>;
 Moment steady_moment(const UnsteadyBite &bite);
 
 /// What the bite answers.  Without contact: no force, and the strip at the speed of the rolls, to which a bite
-/// that becomes nil tends.
+/// that becomes zero tends.
 struct BiteAnswer {
   double entry_speed      = 0;          ///< m/s
   double exit_speed       = 0;          ///< m/s

@@ -15,7 +15,7 @@ constexpr int by_friction = static_cast<int>(Input::friction);
 constexpr int by_speed    = static_cast<int>(Input::roll_speed);
 using Wide                = Dual<n_inputs>;
 
-/// The same derivatives by more inputs: nil by speed and gap rate.
+/// The same derivatives by more inputs: zero by speed and gap rate.
 Wide widened(const Slope &x)
 {
   Wide y(x.value);

@@ -15,7 +15,7 @@ template <class T> struct PassInputs {
   T flow_stress;                      ///< -, factor on k_f
   T radius;                           ///< m, of the arc
   T roll_speed, gap_rate;             ///< m/s
-  T initial_thickness;                ///< m, where the strain is nil; goes with the entry where it is not given
+  T initial_thickness;                ///< m, where the strain is zero; goes with the entry where it is not given
 };
 
 template <class T> T &input(PassInputs<T> &in, const Input which)

@@ -49,7 +49,7 @@ PathStiffness path_stiffness(const VectorXd &position, const VectorXd &pressure,
   for (Index i = first; i <= last; ++i) {
     const double f = pressure[i] * width * share(position, i);
     if (!(displacement[i] > 0))
-      refuse("the roll does not give way at x = ", 1e3 * position[i], " mm (", 1e6 * displacement[i],
+      refuse("the roll does not deflect at x = ", 1e3 * position[i], " mm (", 1e6 * displacement[i],
              " um) though it is pressed");
     out.nodal[i - first] = f / displacement[i];
     force += f;

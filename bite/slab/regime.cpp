@@ -32,7 +32,7 @@ double elastic_share(const Strip &s, const double radius)
   const double stiff = s.youngs_modulus / (1 - s.poisson_ratio * s.poisson_ratio);
   const double draft = s.entry_thickness - s.exit_thickness;
   const double reference =
-      std::isfinite(s.initial_thickness) ? s.initial_thickness : s.entry_thickness;  // where the strain is nil
+      std::isfinite(s.initial_thickness) ? s.initial_thickness : s.entry_thickness;  // where the strain is zero
   const auto yield = [&](const double h) { return carried_flow_stress(s.flow_stress, std::log(reference / h)); };
   const double in  = s.entry_thickness * std::max(0., yield(s.entry_thickness) - s.entry_tension) / stiff,
                out = s.exit_thickness * std::max(0., yield(s.exit_thickness) - s.exit_tension) / stiff;

@@ -115,11 +115,11 @@ const std::vector<Field<RollerBearing>> &bearing_rows()
        "diameter "
        "are given, else iso"                                                                                                                                                                                                                             },
       {"rings",               &T::rings,               "elastic | rigid",                                               any,          absent,   "elastic",
-       "whether rings, neck and chock give way; when absent elastic if their sizes are given, else rigid"                                                                                                                                                },
+       "whether rings, neck and chock deflect; when absent elastic if their sizes are given, else rigid"                                                                                                                                                 },
       {"slices",              &T::slices,              "count",                                                         {1, 1001},    41,       "41",                                                                          "laminae along one roller"},
       {"chock",               &T::chock,               "block | round | rigid",                                         any,          absent,   "block",
        "what holds the cup when the rings are elastic: a block with a bore, supported on one face; a round "
-       "housing as large as it; nothing that gives way. When absent a block; with its sizes absent too, the cup "
+       "housing as large as it; nothing that deflects. When absent a block; with its sizes absent too, the cup "
        "held counts in the accuracy"                                                                                                                                                                                                                     },
       {"chock_width",         &T::chock_width,         "mm",                                                            chock_size,   absent,   "600 mm",
        "across the load; when absent 1.7 outside diameters, assumed"                                                                                                                                                                                     },

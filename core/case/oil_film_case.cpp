@@ -52,7 +52,7 @@ const std::vector<Field<OilFilmBearing>> &oil_film_rows()
        &T::bush_thickness,
        "mm",                                                      {0.01, 500},
        absent,                                                                             "3 mm",
-       "of the layer of the bush that gives way under pressure; when absent it is rigid"                                                                                                                                                  },
+       "of the layer of the bush that deflects under pressure; when absent it is rigid"                                                                                                                                                   },
       {"bush_modulus",         &T::bush_modulus,      "GPa",      {0.001, 1000}, 52,       "52 GPa",                                                          "of that layer, babbitt"                                                    },
       {"bush_poisson_ratio",   &T::bush_poisson,      "1",        {0, 0.49},     0.35,     "0.35",                                                            "of that layer"                                                             },
       {"sleeve_thickness",

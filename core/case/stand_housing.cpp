@@ -218,7 +218,7 @@ void drop_counted_chocks(Frame &frame, RollerBearing &bearing, const Reading &re
     const std::string key = std::string("frame.") + chock.key;
     if (reading.places.count(key) && reading.usable({key}))
       bearing.filled.push_back(fmt::format(
-          "{} is left out of the chain: bearing.{} gives way with its chock (rings = \"elastic\", chock = "
+          "{} is left out of the chain: bearing.{} deflects with its chock (rings = \"elastic\", chock = "
           "\"{}\"), "
           "which the stiffness of the bearing counts already; chock = \"rigid\" leaves the chock to [frame]",
           reading.said(key), bearing.name, bearing.chock));

@@ -16,14 +16,14 @@ void read_friction(const Section &strip, StripInput &input, Reading &reading)
   input.friction    = read_friction_law({law.node, "strip.friction"}, reading);
 }
 
-// The rows of [strip] without the number that a section [strip.friction] stands for.
+// The rows of [strip] without the number that a section [strip.friction] represents.
 std::vector<Field<StripInput>> rows_without_friction(std::vector<Field<StripInput>> rows)
 {
   rows.pop_back();
   return rows;
 }
 
-// The constants of a law with what its name stands for; a name that is none has been refused.
+// The constants of a law with what its name represents; a name that is none has been refused.
 template <class Law, class Input, class Parse> Law law_of(const Input &input, const Parse &parse)
 {
   Law law = input;

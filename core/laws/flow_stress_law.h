@@ -52,7 +52,7 @@ struct FlowStressConstant {
   const char *key;
   double FlowStress::*member;
   const char *unit;             ///< of the case file
-  std::array<double, 2> range;  ///< in that unit, both ends allowed; the fallback is nil
+  std::array<double, 2> range;  ///< in that unit, both ends allowed; the fallback is zero
   const char *example, *meaning;
   const char *name;     ///< in the tables of sensitivities
   const char *si_unit;  ///< there
@@ -115,9 +115,9 @@ std::vector<SmoothFlowStress> smooth_pieces_of(const FlowStress &law, double lar
 constexpr double least_strain = 1e-4;
 
 /// What a law grows with (the base of its power, Voce's 1 - exp(-n e)) as the law sees it: itself down to
-/// least_strain; below, a hyperbola with the same value and slope there, half of it at nil, never negative.  One
-/// rule for slab theories and finite elements: no infinite slope, no kink, no nan from a strain rounded below nil.
-/// theory.md 8.1
+/// least_strain; below, a hyperbola with the same value and slope there, half of it at zero, never negative.  One
+/// rule for slab theories and finite elements: no infinite slope, no kink, no nan from a strain rounded below
+/// zero. theory.md 8.1
 template <class T> T growth(const T &x)
 {
   return value_of(x) < least_strain ? T(least_strain * least_strain / (2 * least_strain - x)) : x;

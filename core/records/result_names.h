@@ -121,7 +121,7 @@ constexpr std::array<CurveColumn, 8> of_speed{
 inline constexpr CurveKind contact{"contact", true, "", "this run", Figure::load_approach, of_contact};
 inline constexpr CurveKind contact_in_stand{
     "contact", true, "in-stand", "held as in the stand", Figure::load_approach, of_contact};
-inline constexpr CurveKind contact_second{"contact", true, "second", "second engine", Figure::load_approach,
+inline constexpr CurveKind contact_second{"contact", true, "second", "Fourier solver", Figure::load_approach,
                                           of_contact};
 inline constexpr CurveKind contact_closed{
     "contact", true, "closed", "closed forms", Figure::section, {{{"load", "N"}, {"hertz_secant", "N/m"}}}, true};
@@ -129,7 +129,7 @@ inline constexpr CurveKind contact_barrel{"contact", true, "barrel", "as in the 
 inline constexpr CurveKind contact_barrel_mirrored{"contact",         true,           "barrel-mirrored",
                                                    "squeezed evenly", Figure::barrel, of_barrel};
 inline constexpr CurveKind contact_barrel_second{
-    "contact", true, "barrel-second", "as in the stand, second engine", Figure::barrel, of_barrel};
+    "contact", true, "barrel-second", "as in the stand, Fourier solver", Figure::barrel, of_barrel};
 inline constexpr CurveKind contact_pressure{"contact",       true,    "pressure", "contact pressure",
                                             Figure::section, of_patch};
 

@@ -172,7 +172,8 @@ struct MotionIntegrator::Solver {
                          "memory is exhausted", "shorten the record or lower its rate", ""});
   }
 
-  // Size of the motion: what the bearing gives way to the forces that act, its clearance, and where it starts.
+  // Size of the motion: how far the bearing deflects under the forces that act, its clearance, and where it
+  // starts.
   double length_scale(const BearingState &start) const
   {
     double load = motion.mean_load.norm() + std::abs(motion.amplitude);

@@ -49,7 +49,7 @@ struct RecordMode {
 /// @param signal  (k) k >= 40 evenly spaced samples
 /// @param step    s
 /// @param noise   -, directions weaker than this share of the strongest are left out
-/// Returns nothing for a signal that is nil or too short.
+/// Returns nothing for a signal that is zero or too short.
 /// Cost: 10 ms for 10000 samples.
 /// Source: Y. Hua, T. K. Sarkar, IEEE Trans. Acoust. Speech Signal Process. 38 (1990) 814.
 std::vector<RecordMode> record_modes(const Eigen::VectorXd &signal, double step, double noise = 1e-7);

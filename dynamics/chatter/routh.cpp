@@ -283,7 +283,7 @@ template <unsigned digits> bool counted(const Eigen::MatrixXd &A, const double r
   const double scale        = time_scale(A);
   const auto entries        = entries_of<Real>(scaled(A, scale), Real(right_of) / Real(scale));
   const auto s              = std::size_t(A.rows());
-  constexpr std::size_t few = 16;  // states up to which the slower road is the shorter one
+  constexpr std::size_t few = 16;  // states up to which the slower method takes less time
   Polynomial<Real> p        = s <= few ? polynomial_by_traces(entries, s) : polynomial_by_elimination(entries, s);
   drop_roots_at_zero(p);
   if (!(defect(p, entries, s) <

@@ -12,7 +12,7 @@ using bite::PassNumber;
 using Complex = std::complex<double>;
 
 /// One input, or several that go together: what of it is in the bite, in the structure, in the strip.
-struct Lever {
+struct VariedInput {
   std::string key, name, unit;
   double value = 0;  ///< SI
   std::vector<PassNumber> bite;
@@ -20,19 +20,19 @@ struct Lever {
   bool entry_distance = false, exit_distance = false, strip_modulus = false;
 };
 
-Lever lever_of(const bite::RollBite &bite, const PassNumber number)
+VariedInput varied_input_of(const bite::RollBite &bite, const PassNumber number)
 {
   const auto [key, name, unit] = name_of(number);
   const double diameter        = number == PassNumber::roll_radius ? 2 : 1;
   return {key, name, unit, diameter * value_of(bite, number), {number}};
 }
 
-std::vector<Lever> levers_of(const ChatterStandModel &stand, const std::vector<StructureNumber> &numbers,
-                             const bite::RollBite &bite)
+std::vector<VariedInput> varied_inputs_of(const ChatterStandModel &stand,
+                                          const std::vector<StructureNumber> &numbers, const bite::RollBite &bite)
 {
-  std::vector<Lever> all;
+  std::vector<VariedInput> all;
   for (const PassNumber number : numbers_of(bite))
-    all.push_back(lever_of(bite, number));
+    all.push_back(varied_input_of(bite, number));
   const auto together = [&](const char *key, const char *name, const PassNumber a, const PassNumber b) {
     if (value_of(bite, a) != 0 && value_of(bite, b) != 0)
       all.push_back({
@@ -43,20 +43,20 @@ std::vector<Lever> levers_of(const ChatterStandModel &stand, const std::vector<S
   if (has_film(bite.strip.friction))
     together("oil.friction", "friction as a whole", PassNumber::mu0, PassNumber::mu1);
   for (const StructureNumber &number : numbers) {
-    Lever lever{number.key, number.name, number.unit, number.value, {}};
-    lever.structure = &number;
-    all.push_back(lever);
+    VariedInput varied{number.key, number.name, number.unit, number.value, {}};
+    varied.structure = &number;
+    all.push_back(varied);
   }
-  Lever entry{"stand.entry_distance", "distance to the stand before", "m", stand.entry_distance, {}};
+  VariedInput entry{"stand.entry_distance", "distance to the stand before", "m", stand.entry_distance, {}};
   entry.entry_distance = true;
-  Lever exit{"stand.exit_distance", "distance to the stand behind", "m", stand.exit_distance, {}};
+  VariedInput exit{"stand.exit_distance", "distance to the stand behind", "m", stand.exit_distance, {}};
   exit.exit_distance = true;
-  Lever both{"stand.distances", "both distances", "1", 1, {}};
+  VariedInput both{"stand.distances", "both distances", "1", 1, {}};
   both.entry_distance = both.exit_distance = true;
-  Lever modulus{"strip.youngs_modulus", "Young's modulus of the strip", "Pa", stand.strip_modulus, {}};
+  VariedInput modulus{"strip.youngs_modulus", "Young's modulus of the strip", "Pa", stand.strip_modulus, {}};
   modulus.strip_modulus = true;
-  for (const Lever &lever : {entry, exit, both, modulus})
-    all.push_back(lever);
+  for (const VariedInput &varied : {entry, exit, both, modulus})
+    all.push_back(varied);
   return all;
 }
 
@@ -69,41 +69,41 @@ struct Slopes {
   const ChatterStandModel &stand;
 
   /// d(growth rate)/d ln p, 1/s, (27.5)-(27.7).
-  double growth(const Lever &lever) const
+  double growth(const VariedInput &varied) const
   {
     const Eigen::Index n = stand.structure.n();
     double sum           = 0;
-    for (const PassNumber number : lever.bite)
+    for (const PassNumber number : varied.bite)
       sum += eigenvalue.by(chatter_matrix_by(stand, pass.by[int(number)])).real();
-    if (lever.structure)
-      sum += eigenvalue.by(chatter_matrix_by(stand, point.by, *lever.structure)).real();
+    if (varied.structure)
+      sum += eigenvalue.by(chatter_matrix_by(stand, point.by, *varied.structure)).real();
     const auto row = [&](const Eigen::Index i) {  // the row of a tension goes with E/L
       Eigen::MatrixXd A_by = Eigen::MatrixXd::Zero(A.rows(), A.cols());
       A_by.row(i)          = A.row(i);
       return eigenvalue.by(A_by).real();
     };
-    if (lever.entry_distance)
+    if (varied.entry_distance)
       sum -= row(2 * n);
-    if (lever.exit_distance)
+    if (varied.exit_distance)
       sum -= row(2 * n + 1);
-    if (lever.strip_modulus)
+    if (varied.strip_modulus)
       sum += row(2 * n) + row(2 * n + 1);
     return sum;
   }
-  double friction(const Lever &lever) const
+  double friction(const VariedInput &varied) const
   {
-    return of(pass.friction, lever) / point.state.friction;
+    return of(pass.friction, varied) / point.state.friction;
   }
-  double force(const Lever &lever) const
+  double force(const VariedInput &varied) const
   {
-    return of(pass.force, lever) / point.state.force;
+    return of(pass.force, varied) / point.state.force;
   }
 
 private:
-  static double of(const bite::PerPassNumber<double> &by, const Lever &lever)
+  static double of(const bite::PerPassNumber<double> &by, const VariedInput &varied)
   {
     double sum = 0;
-    for (const PassNumber number : lever.bite)
+    for (const PassNumber number : varied.bite)
       sum += by[int(number)];
     return sum;
   }
@@ -120,10 +120,10 @@ Slopes slopes_at(const ChatterStandModel &stand, const bite::RollBite &bite, con
 }
 
 /// -(d growth/d ln p)/(d growth/d ln v), (27.4).
-double speed_slope(const Slopes &at, const Lever &lever)
+double speed_slope(const Slopes &at, const VariedInput &varied)
 {
-  static const Lever speed{"", "", "", 0, {PassNumber::roll_speed}};
-  const double growth = at.growth(lever);
+  static const VariedInput speed{"", "", "", 0, {PassNumber::roll_speed}};
+  const double growth = at.growth(varied);
   return growth == 0 ? 0 : -growth / at.growth(speed);  // no -0
 }
 
@@ -139,26 +139,26 @@ struct Changed {
   bite::RollBite bite;
 };
 
-Changed changed(const ChatterStandModel &stand, const bite::RollBite &bite, const Lever &lever,
+Changed changed(const ChatterStandModel &stand, const bite::RollBite &bite, const VariedInput &varied,
                 const double factor)
 {
   Changed c{stand, bite};
-  for (const PassNumber number : lever.bite)
+  for (const PassNumber number : varied.bite)
     c.bite = with_number_scaled(c.bite, number, factor);
-  if (lever.structure)
-    c.stand.structure = lever.structure->scaled(factor);
-  c.stand.entry_distance *= lever.entry_distance ? factor : 1;
-  c.stand.exit_distance *= lever.exit_distance ? factor : 1;
-  c.stand.strip_modulus *= lever.strip_modulus ? factor : 1;
+  if (varied.structure)
+    c.stand.structure = varied.structure->scaled(factor);
+  c.stand.entry_distance *= varied.entry_distance ? factor : 1;
+  c.stand.exit_distance *= varied.exit_distance ? factor : 1;
+  c.stand.strip_modulus *= varied.strip_modulus ? factor : 1;
   return c;
 }
 
-bool is_speed(const Lever &lever)
+bool is_speed(const VariedInput &varied)
 {
-  return lever.bite == std::vector<PassNumber>{PassNumber::roll_speed};
+  return varied.bite == std::vector<PassNumber>{PassNumber::roll_speed};
 }
 
-FiniteChange finite_change(const ChatterStandModel &stand, const bite::RollBite &bite, const Lever &lever,
+FiniteChange finite_change(const ChatterStandModel &stand, const bite::RollBite &bite, const VariedInput &varied,
                            const double factor, const SensitivityRequest &request, const SensitivityTable &base)
 {
   FiniteChange change;
@@ -167,19 +167,19 @@ FiniteChange finite_change(const ChatterStandModel &stand, const bite::RollBite 
       change.outcome = text;
   };
   try {
-    const Changed c = changed(stand, bite, lever, factor);
-    if (lever.bite.empty())
+    const Changed c = changed(stand, bite, varied, factor);
+    if (varied.bite.empty())
       change.friction = 0;  // the bite is the same
     else
       try {
-        const double speed = is_speed(lever) ? factor * request.working_speed : request.working_speed;
+        const double speed = is_speed(varied) ? factor * request.working_speed : request.working_speed;
         change.friction    = working_point(c.bite, speed, request.scheme).state.friction / base.friction - 1;
       } catch (const InputError &error) {
         note(error.problems.front().message);
       } catch (const SolverError &error) {
         note(error.report.what + ": " + error.report.where);
       }
-    if (is_speed(lever))
+    if (is_speed(varied))
       return change;
     const CriticalSpeed found = critical_speed(c.stand, c.bite, request.scheme, request.range);
     if (found.verdict != Verdict::crossing)
@@ -188,9 +188,9 @@ FiniteChange finite_change(const ChatterStandModel &stand, const bite::RollBite 
       note(fmt::format("critical speed {:.3f} m/s, the unchanged stand has none", found.speed));
     else {
       change.critical_speed = found.speed / base.critical_speed - 1;
-      if (!lever.structure)  // whose matrices do not know how they move from the changed structure on
-        change.slope =
-            speed_slope(slopes_at(c.stand, c.bite, request.scheme, found.speed, &critical_crossing(found)), lever);
+      if (!varied.structure)  // whose matrices do not know how they move from the changed structure on
+        change.slope = speed_slope(
+            slopes_at(c.stand, c.bite, request.scheme, found.speed, &critical_crossing(found)), varied);
     }
   } catch (const InputError &error) {
     note(error.problems.front().message);
@@ -212,23 +212,24 @@ bool goes_one_way(const double slope, const FiniteChange &lowered, const FiniteC
   return !(up && down);
 }
 
-void fill_finite_changes(SensitivityTable &table, const std::vector<Lever> &levers, const ChatterStandModel &stand,
-                         const bite::RollBite &bite, const SensitivityRequest &request)
+void fill_finite_changes(SensitivityTable &table, const std::vector<VariedInput> &varied_inputs,
+                         const ChatterStandModel &stand, const bite::RollBite &bite,
+                         const SensitivityRequest &request)
 {
-  share_tasks(2 * long(levers.size()), request.threads, [&](const long i) {
+  share_tasks(2 * long(varied_inputs.size()), request.threads, [&](const long i) {
     const bool raised               = i % 2;
-    const auto lever                = std::size_t(i / 2);
+    const auto varied               = std::size_t(i / 2);
     const double factor             = raised ? 1 + request.change : 1 - request.change;
-    ChatterSensitivity &s           = table.inputs[lever];
-    (raised ? s.raised : s.lowered) = finite_change(stand, bite, levers[lever], factor, request, table);
+    ChatterSensitivity &s           = table.inputs[varied];
+    (raised ? s.raised : s.lowered) = finite_change(stand, bite, varied_inputs[varied], factor, request, table);
   });
   for (ChatterSensitivity &s : table.inputs)
     s.monotone = goes_one_way(s.critical_speed, s.lowered, s.raised);
 }
 
 /// The same stand under Coulomb friction of the working point: what is left without the way over the friction.
-void fill_held_friction(SensitivityTable &table, const std::vector<Lever> &levers, const ChatterStandModel &stand,
-                        bite::RollBite bite, const SensitivityRequest &request)
+void fill_held_friction(SensitivityTable &table, const std::vector<VariedInput> &varied_inputs,
+                        const ChatterStandModel &stand, bite::RollBite bite, const SensitivityRequest &request)
 {
   bite.strip.friction             = Friction{};
   bite.strip.friction.coefficient = table.friction;
@@ -237,9 +238,9 @@ void fill_held_friction(SensitivityTable &table, const std::vector<Lever> &lever
     return;
   table.critical_speed_at_held_friction = found.speed;
   const Slopes at = slopes_at(stand, bite, request.scheme, found.speed, &critical_crossing(found));
-  for (std::size_t i = 0; i < levers.size(); ++i)
-    if (!is_speed(levers[i]))
-      table.inputs[i].critical_speed_at_held_friction = speed_slope(at, levers[i]);
+  for (std::size_t i = 0; i < varied_inputs.size(); ++i)
+    if (!is_speed(varied_inputs[i]))
+      table.inputs[i].critical_speed_at_held_friction = speed_slope(at, varied_inputs[i]);
 }
 
 void sort_by_size(SensitivityTable &table)
@@ -262,25 +263,25 @@ SensitivityTable chatter_sensitivities(const ChatterStandModel &stand, const std
         fmt::format("sensitivities need a working speed above zero, not {:g} m/s", request.working_speed));
   if (!(request.change >= 0 && request.change < 1))
     throw InputError(fmt::format("a finite change of {:g} has to lie between 0 and 1", request.change));
-  bite::RollBite pass = bite;
-  pass.roll_speed     = request.working_speed;
-  const auto levers   = levers_of(stand, numbers, pass);
-  const Slopes work   = slopes_at(stand, pass, request.scheme, request.working_speed, nullptr);
+  bite::RollBite pass      = bite;
+  pass.roll_speed          = request.working_speed;
+  const auto varied_inputs = varied_inputs_of(stand, numbers, pass);
+  const Slopes work        = slopes_at(stand, pass, request.scheme, request.working_speed, nullptr);
 
   SensitivityTable table;
   table.working_speed = request.working_speed;
   table.friction      = work.point.state.friction;
   table.force         = work.point.state.force;
   table.growth        = work.eigenvalue.value.real();
-  for (const Lever &lever : levers) {
+  for (const VariedInput &varied : varied_inputs) {
     ChatterSensitivity s;
-    s.key      = lever.key;
-    s.name     = lever.name;
-    s.unit     = lever.unit;
-    s.value    = lever.value;
-    s.friction = work.friction(lever);
-    s.force    = work.force(lever);
-    s.growth   = work.growth(lever);
+    s.key      = varied.key;
+    s.name     = varied.name;
+    s.unit     = varied.unit;
+    s.value    = varied.value;
+    s.friction = work.friction(varied);
+    s.force    = work.force(varied);
+    s.growth   = work.growth(varied);
     table.inputs.push_back(s);
   }
 
@@ -291,13 +292,13 @@ SensitivityTable chatter_sensitivities(const ChatterStandModel &stand, const std
     table.frequency           = found.frequency;
     const Slopes at           = slopes_at(stand, pass, request.scheme, found.speed, &critical_crossing(found));
     table.growth_by_log_speed = at.growth({"", "", "", 0, {PassNumber::roll_speed}});
-    for (std::size_t i = 0; i < levers.size(); ++i)
-      if (!is_speed(levers[i]))
-        table.inputs[i].critical_speed = speed_slope(at, levers[i]);
+    for (std::size_t i = 0; i < varied_inputs.size(); ++i)
+      if (!is_speed(varied_inputs[i]))
+        table.inputs[i].critical_speed = speed_slope(at, varied_inputs[i]);
   }
-  fill_held_friction(table, levers, stand, pass, request);
+  fill_held_friction(table, varied_inputs, stand, pass, request);
   if (request.change > 0)
-    fill_finite_changes(table, levers, stand, pass, request);
+    fill_finite_changes(table, varied_inputs, stand, pass, request);
   sort_by_size(table);
   return table;
 }

@@ -17,7 +17,7 @@ namespace mill::dynamics {
 struct StructureNumber {
   std::string key, name, unit;                   ///< "stand.masses[4]", "lower backup roll, mass", "kg"
   double value = 0;                              ///< SI
-  Eigen::MatrixXd M_by, C_by, K_by;              ///< (n, n) p dM/dp, p dC/dp, p dK/dp; empty: nil
+  Eigen::MatrixXd M_by, C_by, K_by;              ///< (n, n) p dM/dp, p dC/dp, p dK/dp; empty: zero
   std::function<StandStructure(double)> scaled;  ///< the structure with the number times a factor
 };
 

@@ -42,7 +42,7 @@ struct Crossing {
   bool upward   = true;          ///< it grows above this speed
   bool of_stand = true;          ///< the stand as a whole changes between stable and unstable here; false: another
                                  ///< root grows on both sides
-  double frequency = not_given;  ///< Hz; 0: no vibration, the stand creeps away
+  double frequency = not_given;  ///< Hz; 0: no vibration, the stand drifts away without vibration
   double slope     = not_given;  ///< 1/s per m/s, of the real part
   std::complex<double> root;     ///< 1/s
 };

@@ -15,7 +15,7 @@ struct DelaySystem {
   Eigen::VectorXd delay;  ///< (m) s, >= 0
 };
 
-/// (n, n) A + U W^T: the system when every delay is nil.  1/s
+/// (n, n) A + U W^T: the system when every delay is zero.  1/s
 Eigen::MatrixXd without_delay(const DelaySystem &system);
 
 /// A root s of  [ s - A - sum_k U_k W_k^T exp(-s delay_k) ] z = 0.
@@ -120,7 +120,7 @@ using DelayHistory = std::function<Eigen::MatrixXd(double)>;
 /// over each step, from values and rates at its ends.  theory.md (28.10)
 /// @param step     s; shortened so that the first delay is a whole number of steps
 /// @param history  before t = 0; empty: at rest
-/// @throws InputError  step or duration not above 0; a step beyond a delay that is not nil
+/// @throws InputError  step or duration not above 0; a step beyond a delay that is not zero
 /// Error (w step)^4/384 of a delayed signal of frequency w.  Cost O(n^2) per step.
 DelayMotion delay_motion(const DelaySystem &system, const Eigen::VectorXd &start, double duration, double step,
                          const DelayHistory &history = {});

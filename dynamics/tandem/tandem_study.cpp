@@ -94,7 +94,7 @@ std::vector<TandemShare> shares(const TandemLine &line, const DelayRoot &root)
   return all;
 }
 
-// Waves on the longest piece of strip between two stands at the full critical speed; nil without one.
+// Waves on the longest piece of strip between two stands at the full critical speed; zero without one.
 double waves_between(const TandemStudy &s)
 {
   double most = 0;

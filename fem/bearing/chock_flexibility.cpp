@@ -181,7 +181,7 @@ ChockFlexibility chock_flexibility(const RingSection &cup, const MeshFile &mesh,
   const SymmetricSparse &K = body.stiffness();
   const int rows           = int(cup.raceways.size());
   // Even and odd about the mid-plane by cosine and sine; a block that is not halved has no odd one.
-  std::array<Eigen::MatrixXd, 4> parity;
+  std::array<Eigen::MatrixXd, 4> symmetry;
   std::array<int, 4> n_unknowns{};
   share_tasks(4, threads, [&](const long i) {
     const bool sine = i >= 2, odd = i % 2 == 1;
@@ -190,14 +190,14 @@ ChockFlexibility chock_flexibility(const RingSection &cup, const MeshFile &mesh,
     const Eigen::MatrixXd loads = harmonic_loads(body, cup, halved, sine, harmonics, modes);
     const HeldStiffness held(K, supports(body, sine, odd));
     n_unknowns[std::size_t(i)] = held.n_unknowns();
-    parity[std::size_t(i)]     = 2 * held.flexibility(loads);  // the other side of the load line does as much work
+    symmetry[std::size_t(i)]   = 2 * held.flexibility(loads);  // the other side of the load line does as much work
   });
   ChockFlexibility out;
   out.harmonics   = harmonics;
   const auto side = [&](const std::size_t even, const int orders) -> Eigen::MatrixXd {
     if (orders == 0)
       return Eigen::MatrixXd(0, 0);
-    return halved ? both_halves(parity[even], parity[even + 1], orders, rows, modes) : parity[even];
+    return halved ? both_halves(symmetry[even], symmetry[even + 1], orders, rows, modes) : symmetry[even];
   };
   out.cosine     = side(0, harmonics);
   out.sine       = side(2, harmonics - 1);

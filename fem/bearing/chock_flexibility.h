@@ -12,7 +12,7 @@ struct ChockFlexibility {
   int harmonics = 0;
   Eigen::MatrixXd cosine;  ///< (n rows modes)^2 m/N
   Eigen::MatrixXd sine;    ///< ((n-1) rows modes)^2 m/N
-  int n_unknowns = 0;      ///< of one parity, free ones
+  int n_unknowns = 0;      ///< of one symmetry case, free ones
 };
 
 /// Flexibility of the cup's contact lines in the block of mesh_chock, which is held on its support (or, round, on
@@ -20,7 +20,7 @@ struct ChockFlexibility {
 /// @param mesh       of meshes::mesh_chock for this cup
 /// @param harmonics  n >= 1; 2 to 3 quadratic elements per wave are wanted
 /// @param threads  parities that are factorised side by side
-/// Cost: one factorisation per parity.
+/// Cost: one factorisation per symmetry case.
 ChockFlexibility chock_flexibility(const RingSection &cup, const MeshFile &mesh, bool halved,
                                    const Material &material, int harmonics, int modes, int threads = 1);
 

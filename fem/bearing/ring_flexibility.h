@@ -26,8 +26,9 @@ struct RingResult {
   std::vector<std::string> notes;  ///< what a reader of the numbers should know, one sentence each
 };
 
-/// What rings, neck and chock give way under the rollers beyond the raceway pieces that the law of one roller
-/// counts. Bodies of revolution by one factorisation per harmonic; the block by one per parity.  theory.md 15
+/// How far rings, neck and chock deflect under the rollers beyond the raceway pieces that the law of one roller
+/// counts. Bodies of revolution by one factorisation per harmonic; the block by one per symmetry case.  theory.md
+/// 15
 /// @param meshes  of these sections
 /// @param coarse  a coarser set, for companion and error estimate; null: none (error_estimate 0)
 /// @param threads  cone, cup and the parities of the block are done side by side

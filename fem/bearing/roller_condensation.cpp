@@ -41,7 +41,7 @@ CondensedRoller::Parities condense_raceway(const MeshFile &mesh, const PatchGrid
 {
   const ElasticBody body(mesh, counts.setup.material, 2);
   const std::vector<int> patch = in_grid_order(body, half);
-  const auto parity            = [&](const bool odd) {
+  const auto symmetry          = [&](const bool odd) {
     const FreeUnknowns f = free_unknowns(body.unit_stiffness(), held_raceway(body, odd));
     std::vector<int> retained, row(patch.size(), -1);
     for (std::size_t i = 0; i < patch.size(); ++i)
@@ -55,7 +55,7 @@ CondensedRoller::Parities condense_raceway(const MeshFile &mesh, const PatchGrid
     const Eigen::MatrixXd C = inverse_from_factor(factor.schur_factor()) / body.stiffness_unit();
     return rows_and_columns(C, row, row);
   };
-  return {parity(false), parity(true)};
+  return {symmetry(false), symmetry(true)};
 }
 }  // namespace
 
@@ -67,10 +67,10 @@ CondensedRoller condense_roller(const RollerSetup &setup, const RollerMeshes &me
   options.both_sides = true;
   CondensedRoll roll =
       condense(ElasticBody(meshes.roller, out.setup.material, 2), meshes.roller.geometry, options);
-  out.squeeze      = {std::move(roll.squeeze.patch), std::move(roll.squeeze_odd.patch)};
-  out.translate    = {std::move(roll.translate.patch), std::move(roll.translate_odd.patch)};
-  out.factor_bytes = roll.factor_bytes;
-  out.n_unknowns   = roll.n_unknowns;
+  out.symmetric     = {std::move(roll.symmetric.patch), std::move(roll.symmetric_odd.patch)};
+  out.antisymmetric = {std::move(roll.antisymmetric.patch), std::move(roll.antisymmetric_odd.patch)};
+  out.factor_bytes  = roll.factor_bytes;
+  out.n_unknowns    = roll.n_unknowns;
   progress.at("roller", 0.5);
   out.inner = condense_raceway(meshes.inner, roll.grid, out);
   progress.at("roller", 0.75);
@@ -112,14 +112,15 @@ Eigen::MatrixXd both_sides(const CondensedRoller::Parities &half, const int n)
 
 Eigen::MatrixXd pair_flexibility(const CondensedRoller &roller)
 {
-  const int n_x                 = roller.grid.n_x;
-  const Eigen::MatrixXd squeeze = both_sides(roller.squeeze, n_x), translate = both_sides(roller.translate, n_x);
-  const Eigen::Index n = squeeze.rows();
+  const int n_x                       = roller.grid.n_x;
+  const Eigen::MatrixXd symmetric     = both_sides(roller.symmetric, n_x),
+                        antisymmetric = both_sides(roller.antisymmetric, n_x);
+  const Eigen::Index n                = symmetric.rows();
   Eigen::MatrixXd C(2 * n, 2 * n);
-  C.topLeftCorner(n, n)     = 0.5 * (squeeze + translate) + both_sides(roller.inner, n_x);
-  C.topRightCorner(n, n)    = 0.5 * (squeeze - translate);
+  C.topLeftCorner(n, n)     = 0.5 * (symmetric + antisymmetric) + both_sides(roller.inner, n_x);
+  C.topRightCorner(n, n)    = 0.5 * (symmetric - antisymmetric);
   C.bottomLeftCorner(n, n)  = C.topRightCorner(n, n).transpose();
-  C.bottomRightCorner(n, n) = 0.5 * (squeeze + translate) + both_sides(roller.outer, n_x);
+  C.bottomRightCorner(n, n) = 0.5 * (symmetric + antisymmetric) + both_sides(roller.outer, n_x);
   return 0.5 * (C + C.transpose());
 }
 }  // namespace mill::fem

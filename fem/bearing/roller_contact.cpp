@@ -111,18 +111,18 @@ struct RollerContact::Implementation {
     // Both gaps of a station are least at its middle, and a roller half way between the backs shares them.
     for (int k = 0; k < grid.n_z; ++k)
       if (by + turn * grid.z[k] > 2 * solver.problem().initial_gap[k * grid.n_x])
-        return solve(drive(by, turn, true));
+        return solve(loading(by, turn, true));
     return apart(by, turn);
   }
 
-  static contact::Drive drive(const double first, const double turn, const bool by_approach)
+  static contact::Loading loading(const double first, const double turn, const bool by_approach)
   {
     return {
         Eigen::Vector4d(first, turn, 0, 0), std::vector<char>{char(by_approach), 1, 0, 0}
     };
   }
 
-  RollerContactState solve(const contact::Drive &imposed)
+  RollerContactState solve(const contact::Loading &imposed)
   {
     const contact::State state = solver.solve(imposed);
     require_inside(state);
@@ -165,7 +165,7 @@ RollerContactState RollerContact::solve_load(const double load, const double til
 {
   if (!(load > 0))
     throw InputError("roller: the load must be positive");
-  return self->solve(Implementation::drive(0.5 * load, tilt, false));
+  return self->solve(Implementation::loading(0.5 * load, tilt, false));
 }
 const contact::Problem &RollerContact::problem() const
 {

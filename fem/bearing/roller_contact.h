@@ -19,10 +19,11 @@ struct CondensedRoller {
     Eigen::MatrixXd even;  ///< (m, m) m/N, m nodes with z >= 0; about mid-length
     Eigen::MatrixXd odd;   ///< (m, m) m/N
   };
-  Parities squeeze, translate;  ///< of the roller: both lines pressed towards its axis, or pushed the same way
-  Parities inner, outer;        ///< of the raceways, held at their backs
-  int n_unknowns      = 0;      ///< of the roller and both raceways, one parity of each
-  double factor_bytes = 0;      ///< bytes, largest factor
+  Parities symmetric,
+      antisymmetric;        ///< of the roller: both lines pressed towards its axis, or pushed the same way
+  Parities inner, outer;    ///< of the raceways, held at their backs
+  int n_unknowns      = 0;  ///< of the roller and both raceways, one symmetry case of each
+  double factor_bytes = 0;  ///< bytes, largest factor
 };
 
 /// Condenses the three bodies: eight factorisations.

@@ -8,10 +8,10 @@ namespace mill::fem {
 // The memory that a factor may take decides whether there is an answer, not which.
 template <class Io> void each_member(Io &&io, const CondenseOptions &record)
 {
-  const auto &[slab, both_sides, odd_squeeze, tractions, keep_fields, memory] = record;
+  const auto &[slab, both_sides, odd_symmetric, tractions, keep_fields, memory] = record;
   io("slab", slab);
   io("both_sides", both_sides);
-  io("odd_squeeze", odd_squeeze);
+  io("odd_symmetric", odd_symmetric);
   io("tractions", tractions);
   io("keep_fields", keep_fields);
 }

@@ -44,7 +44,7 @@ void read_grid(const ElasticBody &body, const std::vector<int> &patch, Condensed
 }
 }  // namespace
 
-std::vector<char> held_unknowns(const ElasticBody &body, const Parity &parity, const bool slab)
+std::vector<char> constrained_unknowns(const ElasticBody &body, const SymmetryCase &symmetry, const bool slab)
 {
   std::vector<char> held(3 * body.nodes().rows(), 0);
   const auto hold = [&](const char *group, const std::vector<int> &directions) {
@@ -55,14 +55,14 @@ std::vector<char> held_unknowns(const ElasticBody &body, const Parity &parity, c
   hold("symmetry.x", {0});
   if (slab)
     hold("end", {2});
-  hold("symmetry.y", parity.squeeze ? std::vector<int>{1} : std::vector<int>{0, 2});
-  hold("symmetry.z", parity.odd ? std::vector<int>{0, 1} : std::vector<int>{2});
+  hold("symmetry.y", symmetry.symmetric ? std::vector<int>{1} : std::vector<int>{0, 2});
+  hold("symmetry.z", symmetry.odd ? std::vector<int>{0, 1} : std::vector<int>{2});
   // What stays free: translation along y, rotation about x, or (squeezed one way on each side) translation along
   // z.
-  if (parity.squeeze && parity.odd)
+  if (symmetry.symmetric && symmetry.odd)
     held[3 * body.axis().front() + 2] = 1;
-  else if (!parity.squeeze)
-    held[3 * (parity.odd ? body.axis().back() : body.axis().front()) + 1] = 1;
+  else if (!symmetry.symmetric)
+    held[3 * (symmetry.odd ? body.axis().back() : body.axis().front()) + 1] = 1;
   return held;
 }
 
@@ -132,14 +132,14 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
     int n_unknowns = 0;
     FactorCost cost;
   };
-  const auto solve_parity = [&](const Parity &parity, Size &size) {
-    ParityFlexibility out;
-    const FreeUnknowns f = free_unknowns(stiffness, held_unknowns(body, parity, options.slab));
-    const auto axis      = parity.squeeze ? std::vector<int>() : body.axis();
-    const bool traction  = options.tractions && parity.squeeze;
+  const auto solve_case = [&](const SymmetryCase &symmetry, Size &size) {
+    CaseFlexibility out;
+    const FreeUnknowns f = free_unknowns(stiffness, constrained_unknowns(body, symmetry, options.slab));
+    const auto axis      = symmetry.symmetric ? std::vector<int>() : body.axis();
+    const bool traction  = options.tractions && symmetry.symmetric;
     const Retained kept  = choose(f, axis, patch, traction);
     // Loads, solution and its copy on the free unknowns, then the field of every node.
-    const bool fields   = options.keep_fields && parity.squeeze;
+    const bool fields   = options.keep_fields && symmetry.symmetric;
     const double values = fields ? n * (3. * double(f.unknown.size()) + 3. * double(body.nodes().rows())) : 0;
     const double left   = options.memory > 0 ? options.memory : memory_left().bytes;
     const CondensingFactor factor(f.K, f.node, kept.all, std::max(1., left - 8 * values));
@@ -152,9 +152,9 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
       out.traction.topRows(n) *= -1;
       out.traction.leftCols(n) *= -1;
     }
-    if (!parity.squeeze)
+    if (!symmetry.symmetric)
       out.axis = rows_and_columns(C, kept.axis_row, normal);
-    if (!parity.squeeze && geometry.neck_length > 0) {
+    if (!symmetry.symmetric && geometry.neck_length > 0) {
       const Eigen::VectorXd seat = body.face_load("neck", seat_pressure, &geometry);
       Eigen::VectorXd load       = Eigen::VectorXd::Zero(size.n_unknowns);
       for (int i = 0; i < seat.size(); ++i)
@@ -183,32 +183,32 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
     }
     return out;
   };
-  const bool odd_squeeze   = !options.slab && (options.both_sides || options.odd_squeeze);
-  const bool odd_translate = !options.slab && options.both_sides;
-  std::vector<std::pair<Parity, ParityFlexibility *>> parities{
-      {{true, false}, &roll.squeeze}
+  const bool odd_symmetric     = !options.slab && (options.both_sides || options.odd_symmetric);
+  const bool odd_antisymmetric = !options.slab && options.both_sides;
+  std::vector<std::pair<SymmetryCase, CaseFlexibility *>> cases{
+      {{true, false}, &roll.symmetric}
   };
   if (!options.slab)
-    parities.push_back({
+    cases.push_back({
         {false, false},
-        &roll.translate
+        &roll.antisymmetric
     });
-  if (odd_squeeze)
-    parities.push_back({
+  if (odd_symmetric)
+    cases.push_back({
         {true, true},
-        &roll.squeeze_odd
+        &roll.symmetric_odd
     });
-  if (odd_translate)
-    parities.push_back({
+  if (odd_antisymmetric)
+    cases.push_back({
         {false, true},
-        &roll.translate_odd
+        &roll.antisymmetric_odd
     });
-  std::vector<Size> sizes(parities.size());
+  std::vector<Size> sizes(cases.size());
   std::atomic<int> done{0};
-  share_tasks(long(parities.size()), threads, [&](const long i) {
-    const auto &[parity, out] = parities[std::size_t(i)];
-    *out                      = solve_parity(parity, sizes[std::size_t(i)]);
-    progress.at("condensation", double(++done) / double(parities.size()));
+  share_tasks(long(cases.size()), threads, [&](const long i) {
+    const auto &[symmetry, out] = cases[std::size_t(i)];
+    *out                        = solve_case(symmetry, sizes[std::size_t(i)]);
+    progress.at("condensation", double(++done) / double(cases.size()));
   });
   roll.n_unknowns   = sizes.back().n_unknowns;
   roll.factor_bytes = sizes.back().cost.bytes;

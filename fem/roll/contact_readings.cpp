@@ -87,7 +87,7 @@ PathPlateau path_plateau(const ContactPair &pair, const ContactPoint &point, con
   PathPlateau out{0, 0, 0};
   for (int k = 0; k < g.n_z; ++k)
     if (std::abs(g.z[k] - centre) <= inside * (1 + 1e-9) && profile.approach[k] > 0) {
-      // A station on the plane of symmetry of a quarter stands for both sides.
+      // A station on the plane of symmetry of a quarter represents both sides.
       const double length = (!g.whole && k == 0 ? 2 : 1) * w[k];
       out.mean += profile.line_load[k] * length / profile.approach[k];
       out.tributary_length += length;

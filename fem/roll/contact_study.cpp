@@ -102,7 +102,7 @@ ContactPair make_pair(const std::string &name, const CondensedRoll &first, const
   pair.radii_sum           = first.geometry.radius + second.geometry.radius;
   const int n              = a.grid.n_x * a.grid.n_z;
   const double length      = a.grid.z[a.grid.n_z - 1];
-  const bool slab          = first.translate.patch.size() == 0;
+  const bool slab          = first.antisymmetric.patch.size() == 0;
   pair.problem.C           = a.flexibility + b.flexibility;
   pair.problem.W           = a.support + b.support;
   pair.problem.initial_gap = profile_gap(a.grid, first.geometry.radius, second.geometry.radius, drop);
@@ -248,18 +248,18 @@ Axes axes_of(const ContactPair &pair, const contact::State &s)
 contact::State solve_tilted(const ContactPair &pair, contact::ActiveSet &solver, const double force,
                             const std::vector<char> &start)
 {
-  contact::Drive drive{
+  contact::Loading loading{
       Eigen::Vector2d(force, 0), {0, 0}
   };
   if (pair.axis.isZero(0) && pair.axis_support.isZero(0)) {
-    drive.value[1]  = pair.tilt;
-    drive.by_motion = {0, 1};
-    return solver.solve(drive, start);
+    loading.value[1]   = pair.tilt;
+    loading.prescribed = {0, 1};
+    return solver.solve(loading, start);
   }
   const Eigen::VectorXd &z = pair.grid.z;
   double low               = force * z[0] * (1 - 1e-6),
          high              = force * z[z.size() - 1] * (1 - 1e-6);  // line of action on the contact
-  contact::State s         = solver.solve(drive, start);
+  contact::State s         = solver.solve(loading, start);
   const double reach       = z.cwiseAbs().maxCoeff();
   for (int step = 0; step < 100; ++step) {
     const Axes axes    = axes_of(pair, s);
@@ -267,10 +267,10 @@ contact::State solve_tilted(const ContactPair &pair, contact::ActiveSet &solver,
     const double scale = std::abs(axes.motion[0]) + std::abs(pair.tilt) * reach;
     if (std::abs(error) * reach <= 1e-13 * scale || high - low <= 1e-14 * force * reach)
       return s;
-    (error > 0 ? low : high) = drive.value[1];
-    const double newton      = drive.value[1] + error / axes.compliance(1, 1);
-    drive.value[1]           = newton > low && newton < high ? newton : 0.5 * (low + high);
-    s                        = solver.solve(drive, s.active);
+    (error > 0 ? low : high) = loading.value[1];
+    const double newton      = loading.value[1] + error / axes.compliance(1, 1);
+    loading.value[1]         = newton > low && newton < high ? newton : 0.5 * (low + high);
+    s                        = solver.solve(loading, s.active);
   }
   throw SolverError({"contact " + pair.name + ": no moment gives the tilt asked for", "after 100 steps",
                      "a tilt that stands the rolls on their edge", "lower contact." + pair.name + ".tilt", ""});

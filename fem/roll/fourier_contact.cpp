@@ -44,7 +44,7 @@ Eigen::VectorXd strip_load(const Eigen::VectorXd &edge, const double width, cons
   return load / (odd ? load.dot(z) : load.sum());
 }
 
-// What the balancing load of one parity does to surface and axis, per unit of its resultant on one side.
+// What the balancing load of one symmetry case does to surface and axis, per unit of its resultant on one side.
 struct Balance {
   Eigen::VectorXd surface, axis;
 };
@@ -144,7 +144,7 @@ struct Linear {
 // imposed: rows `imposed_*` times the unknowns equal to `imposed`.
 class Bordered {
 public:
-  Bordered(const FourierPair &pair_of_rolls, const FourierDrive &drive, const Linearised &linear,
+  Bordered(const FourierPair &pair_of_rolls, const FourierDrive &loading, const Linearised &linear,
            const std::vector<char> &touching)
       : pair(pair_of_rolls), k(pair.closing.cols())
   {
@@ -162,7 +162,7 @@ public:
     A.block(n, n + k, k, k).diagonal() = -Eigen::VectorXd::Ones(k);
     A(n + k, n + k)                    = 1;
     if (k == 2) {
-      by_tilt = std::isnan(drive.load_offset);
+      by_tilt = std::isnan(loading.load_offset);
       if (by_tilt) {
         const Eigen::VectorXd slope       = pair.mean.col(1);
         const Eigen::RowVectorXd by_force = slope.transpose() * (pair.first.axis + pair.second.axis);
@@ -213,12 +213,12 @@ Eigen::VectorXd axis_motion(const FourierPair &pair, const Linear &x)
 }
 
 // Linear complementarity problem of one Newton step by exchange of stations.
-Linear solve_step(const FourierPair &pair, const FourierDrive &drive, const Linearised &linear,
+Linear solve_step(const FourierPair &pair, const FourierDrive &loading, const Linearised &linear,
                   const Eigen::VectorXd &at, const Eigen::VectorXd &imposed, std::vector<char> &touching)
 {
   const Eigen::VectorXd constant = linear.opened - linear.jacobian * at;
   for (int exchange = 0; exchange < 500; ++exchange) {
-    const Linear x            = Bordered(pair, drive, linear, touching).solve(-constant, imposed);
+    const Linear x            = Bordered(pair, loading, linear, touching).solve(-constant, imposed);
     const Eigen::VectorXd gap = gap_of(pair, constant + linear.jacobian * x.force, x);
     const double small        = 1e-13 * std::abs(x.motion[0]);
     std::vector<std::size_t> wrong;
@@ -278,7 +278,7 @@ FourierPair fourier_pair(const std::string &name, const FourierRoll &first, cons
   return pair;
 }
 
-FourierPoint solve_load(const FourierPair &pair, const double load, const FourierDrive &drive,
+FourierPoint solve_load(const FourierPair &pair, const double load, const FourierDrive &loading,
                         const Eigen::VectorXd &start)
 {
   if (!(load > 0))
@@ -288,7 +288,7 @@ FourierPoint solve_load(const FourierPair &pair, const double load, const Fourie
   Eigen::VectorXd imposed(k);
   imposed[0] = part * load;
   if (k == 2)
-    imposed[1] = std::isnan(drive.load_offset) ? drive.tilt : load * drive.load_offset;
+    imposed[1] = std::isnan(loading.load_offset) ? loading.tilt : load * loading.load_offset;
   Eigen::VectorXd force = start.size() == N ? Eigen::VectorXd(start.cwiseProduct(pair.length))
                                             : Eigen::VectorXd(part * load / pair.length.sum() * pair.length);
   std::vector<char> touching(std::size_t(N), 1);
@@ -301,7 +301,7 @@ FourierPoint solve_load(const FourierPair &pair, const double load, const Fourie
   double change = 1;
   for (point.iterations = 0; point.iterations < 40 && change > 1e-12; ++point.iterations) {
     linear = linearise(pair, force);
-    x      = solve_step(pair, drive, linear, force, imposed, touching);
+    x      = solve_step(pair, loading, linear, force, imposed, touching);
     change = (x.force - force).cwiseAbs().maxCoeff() / x.force.cwiseAbs().maxCoeff();
     force  = x.force;
   }
@@ -330,16 +330,16 @@ FourierPoint solve_load(const FourierPair &pair, const double load, const Fourie
   // Derivative with respect to the load, the set of touching stations held.
   Eigen::VectorXd unit = Eigen::VectorXd::Zero(k);
   unit[0]              = part;
-  if (k == 2 && !std::isnan(drive.load_offset))
-    unit[1] = drive.load_offset;
-  const Linear d                  = Bordered(pair, drive, linear, touching).solve(Eigen::VectorXd::Zero(N), unit);
+  if (k == 2 && !std::isnan(loading.load_offset))
+    unit[1] = loading.load_offset;
+  const Linear d = Bordered(pair, loading, linear, touching).solve(Eigen::VectorXd::Zero(N), unit);
   const Eigen::VectorXd d_closing = pair.closing * d.motion - axis_motion(pair, d);
   point.tangent                   = 1 / pair.mean.col(0).dot(d_closing);
   point.station_tangent           = d.force.cwiseQuotient(pair.length).cwiseQuotient(d_closing);
   return point;
 }
 
-ContactCurve sweep(const FourierPair &pair, const Eigen::VectorXd &loads, const FourierDrive &drive,
+ContactCurve sweep(const FourierPair &pair, const Eigen::VectorXd &loads, const FourierDrive &loading,
                    const Progress &progress)
 {
   const Eigen::Index n = loads.size();
@@ -353,7 +353,7 @@ ContactCurve sweep(const FourierPair &pair, const Eigen::VectorXd &loads, const 
   curve.iterations.resize(n);
   Eigen::VectorXd start;
   for (Eigen::Index i = 0; i < n; ++i) {
-    const FourierPoint point    = solve_load(pair, loads[i], drive, start);
+    const FourierPoint point    = solve_load(pair, loads[i], loading, start);
     const BarrelProfile profile = barrel_profile(pair, point);
     const Eigen::Index middle   = pair.whole ? pair.z.size() / 2 : 0;
     curve.approach[i]           = point.approach;

@@ -81,11 +81,11 @@ struct FourierPoint {
 /// @param start  line loads to begin with, empty: none known
 /// @throws SolverError  no convergence; @throws InputError  load not positive
 /// Cost: some ms per step for 50 stations.  theory.md 11
-FourierPoint solve_load(const FourierPair &pair, double load, const FourierDrive &drive = {},
+FourierPoint solve_load(const FourierPair &pair, double load, const FourierDrive &loading = {},
                         const Eigen::VectorXd &start = {});
 
 /// Load-approach curve, loads (n) N increasing; half width and peak pressure at mid-length.
-ContactCurve sweep(const FourierPair &pair, const Eigen::VectorXd &loads, const FourierDrive &drive = {},
+ContactCurve sweep(const FourierPair &pair, const Eigen::VectorXd &loads, const FourierDrive &loading = {},
                    const Progress &progress = {});
 
 /// Distribution along the stations.

@@ -100,8 +100,8 @@ std::vector<int> axis_nodes(const SectionBody &body)
 // What is zero: by the plane of mid-length, on the axis (for order 1: u_r + u_theta, which stands in the place of
 // u_theta there; the innermost line of a body that does not reach the axis is free), and one unknown per rigid
 // motion that remains.
-std::vector<char> held_unknowns(const SectionBody &body, const std::vector<int> &axis, const bool hollow,
-                                const int m, const bool odd, const bool slab)
+std::vector<char> constrained_unknowns(const SectionBody &body, const std::vector<int> &axis, const bool hollow,
+                                       const int m, const bool odd, const bool slab)
 {
   std::vector<char> held(3 * body.nodes().rows(), 0);
   const auto hold = [&](const std::vector<int> &nodes, const std::vector<Direction> &components) {
@@ -206,7 +206,7 @@ public:
     SymmetricSparse K = body.harmonic_stiffness(m);
     if (m == 1 && !hollow)
       K = with_sum_on_axis(K, axis);
-    const Free f = free_unknowns(K, held_unknowns(body, axis, hollow, m, odd, slab));
+    const Free f = free_unknowns(K, constrained_unknowns(body, axis, hollow, m, odd, slab));
     std::vector<int> retained;
     const Eigen::Index n = station_load.cols();
     // Rows of the loads: surface nodes, then (order 1) axis nodes.

@@ -6,10 +6,11 @@
 #include <vector>
 
 namespace mill::fem {
-/// Answer of a roll to radial loads on the stations of its contact line, harmonic by harmonic, for one parity
-/// about mid-length.  A load of 1 N spread over station l, of harmonic m, has the line density cos(m theta) / R
-/// around the roll; it moves the surface by  sum over l of surface[m](k, l) cos(m theta)  in the mean over station
-/// k.  Both counted towards the axis; the load stands on z > 0 and, with the sign of the parity, on z < 0.
+/// Answer of a roll to radial loads on the stations of its contact line, harmonic by harmonic, for one symmetry
+/// case about mid-length.  A load of 1 N spread over station l, of harmonic m, has the line density cos(m theta) /
+/// R around the roll; it moves the surface by  sum over l of surface[m](k, l) cos(m theta)  in the mean over
+/// station k.  Both counted towards the axis; the load stands on z > 0 and, with the sign of the symmetry case, on
+/// z < 0.
 struct HarmonicResponse {
   std::vector<Eigen::MatrixXd> surface;  ///< (n, n) m/N, one per computed order
   Eigen::MatrixXd axis;          ///< (n, n) m/N, order 1: displacement of the axis along the load at theta = 0
@@ -28,7 +29,7 @@ struct FourierRoll {
   HarmonicResponse odd;    ///< opposite loads; empty unless asked for
   double half_width = 0;   ///< m, contact that the series was made for
   double seat_lever = 0;   ///< m, from mid-length to the resultant of the load on the bearing seat
-  int n_unknowns    = 0;   ///< of one harmonic and parity
+  int n_unknowns    = 0;   ///< of one harmonic and symmetry case
   bool both_sides() const
   {
     return !odd.surface.empty();
@@ -39,11 +40,12 @@ struct FourierOptions {
   int all_orders    = 16;   ///< harmonics up to this one are computed each
   double ratio      = 1.5;  ///< -, of the orders that follow
   double half_width = 0;  ///< m, contact the series must resolve: the last order is at least 2 radius / half_width
-  bool both_sides   = false;  ///< the odd parity too, for loads that differ between the two sides
+  bool both_sides   = false;  ///< the odd symmetry case too, for loads that differ between the two sides
   bool slab         = false;  ///< plane strain: the end is held along z like the plane of symmetry
 };
 
-/// Condenses a roll.  Cost: one sparse factorisation of about 1e4 unknowns, some 10 ms, per harmonic and parity.
+/// Condenses a roll.  Cost: one sparse factorisation of about 1e4 unknowns, some 10 ms, per harmonic and symmetry
+/// case.
 /// @param body    quadratic or linear, axisymmetric, groups as mesh_meridian makes them
 /// @param edge    (n + 1) m, increasing from 0 to the end of the group contact
 /// @throws SolverError  matrix not positive definite

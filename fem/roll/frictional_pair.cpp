@@ -8,7 +8,7 @@ namespace mill::fem {
 FrictionPoint load_with_friction(const ContactPair &pair, const CondensedRoll &first, const CondensedRoll &second,
                                  const double friction, const double load, const int steps)
 {
-  const Eigen::MatrixXd &A = first.squeeze.traction, &B = second.squeeze.traction;
+  const Eigen::MatrixXd &A = first.symmetric.traction, &B = second.symmetric.traction;
   if (A.size() == 0 || B.size() != A.size() || pair.grid.whole)
     throw std::logic_error("friction needs both rolls condensed with tractions, and a quarter of the contact");
   const Eigen::Index n = A.rows() / 3;

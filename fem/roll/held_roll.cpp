@@ -4,7 +4,7 @@
 
 namespace mill::fem {
 namespace {
-// One parity about mid-length, on the quarter.  The resultant is the force (even) or the moment (odd).
+// One symmetry case about mid-length, on the quarter.  The resultant is the force (even) or the moment (odd).
 struct Part {
   Eigen::MatrixXd C, axis;
   Eigen::VectorXd support, axis_support, bend, axis_bend;
@@ -89,12 +89,12 @@ void require_both_sides(const CondensedRoll &roll, const Extent extent)
     throw std::logic_error("a load that differs between the sides needs a roll condensed for both");
 }
 
-// Contact on one generator: half of squeeze and half of translate.  theory.md (2.4)
-Part one_sided(const ParityFlexibility &squeeze, const ParityFlexibility &translate)
+// Contact on one generator: half of symmetric and half of antisymmetric.  theory.md (2.4)
+Part one_sided(const CaseFlexibility &symmetric, const CaseFlexibility &antisymmetric)
 {
   Part part;
-  part.C    = 0.5 * (squeeze.patch + translate.patch);
-  part.axis = 0.5 * translate.axis;
+  part.C    = 0.5 * (symmetric.patch + antisymmetric.patch);
+  part.axis = 0.5 * antisymmetric.axis;
   return part;
 }
 
@@ -121,23 +121,24 @@ Eigen::VectorXd strip_load(const PatchGrid &grid, const double strip_width, cons
 // Strip on a quarter: its middle is that of the roll.
 HeldRoll quarter_on_strip(const CondensedRoll &roll, const double strip_width)
 {
-  Part p                      = one_sided(roll.squeeze, roll.translate);
+  Part p                      = one_sided(roll.symmetric, roll.antisymmetric);
   const Eigen::VectorXd strip = strip_load(roll.grid, strip_width, 0, false);
-  p.support                   = 0.5 * (roll.squeeze.patch - roll.translate.patch) * strip;
-  p.axis_support              = -0.5 * roll.translate.axis * strip;
-  p.bend                      = -0.5 * roll.translate.seat_patch - p.support;  // the strip is relieved by as much
-  p.axis_bend                 = -0.5 * roll.translate.seat_axis - p.axis_support;
+  p.support                   = 0.5 * (roll.symmetric.patch - roll.antisymmetric.patch) * strip;
+  p.axis_support              = -0.5 * roll.antisymmetric.axis * strip;
+  p.bend      = -0.5 * roll.antisymmetric.seat_patch - p.support;  // the strip is relieved by as much
+  p.axis_bend = -0.5 * roll.antisymmetric.seat_axis - p.axis_support;
   return assemble(roll, Extent::quarter, p, {});
 }
 
 HeldRoll whole_on_strip(const CondensedRoll &roll, const double strip_width, const double centre)
 {
-  const Part even = one_sided(roll.squeeze, roll.translate), odd = one_sided(roll.squeeze_odd, roll.translate_odd);
+  const Part even  = one_sided(roll.symmetric, roll.antisymmetric),
+             odd   = one_sided(roll.symmetric_odd, roll.antisymmetric_odd);
   HeldRoll held    = assemble(roll, Extent::whole, even, odd);
   const auto patch = unfold(roll.grid.n_z, roll.grid.n_x), axis = unfold(int(roll.axis_z.size()), 1);
   const Eigen::MatrixXd opposite =
-      recombine(0.5 * (roll.squeeze.patch - roll.translate.patch),
-                0.5 * (roll.squeeze_odd.patch - roll.translate_odd.patch), patch, patch);
+      recombine(0.5 * (roll.symmetric.patch - roll.antisymmetric.patch),
+                0.5 * (roll.symmetric_odd.patch - roll.antisymmetric_odd.patch), patch, patch);
   Eigen::MatrixXd strip(held.grid.area.size(), 2);
   strip << strip_load(held.grid, strip_width, centre, false), strip_load(held.grid, strip_width, centre, true);
   // Resultants are the force and its moment about the roll's mid-length; the strip carries the rest about its own.
@@ -150,10 +151,12 @@ HeldRoll whole_on_strip(const CondensedRoll &roll, const double strip_width, con
   Eigen::Matrix2d sides, relief;
   sides << 1, 1, 1, -1;
   relief << 1, 1, roll.seat_lever - centre, -roll.seat_lever - centre;
-  held.bend = columns(-0.5 * roll.translate.seat_patch, -0.5 * roll.translate_odd.seat_patch, patch) * sides -
-              by_strip * relief;
-  held.axis_bend = columns(-0.5 * roll.translate.seat_axis, -0.5 * roll.translate_odd.seat_axis, axis) * sides -
-                   axis_by_strip * relief;
+  held.bend =
+      columns(-0.5 * roll.antisymmetric.seat_patch, -0.5 * roll.antisymmetric_odd.seat_patch, patch) * sides -
+      by_strip * relief;
+  held.axis_bend =
+      columns(-0.5 * roll.antisymmetric.seat_axis, -0.5 * roll.antisymmetric_odd.seat_axis, axis) * sides -
+      axis_by_strip * relief;
   return held;
 }
 }  // namespace
@@ -161,14 +164,16 @@ HeldRoll whole_on_strip(const CondensedRoll &roll, const double strip_width, con
 HeldRoll held_by_necks(const CondensedRoll &roll, const Extent extent)
 {
   require_both_sides(roll, extent);
-  const auto part = [&](const ParityFlexibility &squeeze, const ParityFlexibility &translate, const double lever) {
-    Part p         = one_sided(squeeze, translate);
-    p.support      = -0.5 / lever * translate.seat_patch;
-    p.axis_support = -0.5 / lever * translate.seat_axis;
+  const auto part = [&](const CaseFlexibility &symmetric, const CaseFlexibility &antisymmetric,
+                        const double lever) {
+    Part p         = one_sided(symmetric, antisymmetric);
+    p.support      = -0.5 / lever * antisymmetric.seat_patch;
+    p.axis_support = -0.5 / lever * antisymmetric.seat_axis;
     return p;
   };
-  return assemble(roll, extent, part(roll.squeeze, roll.translate, 1),
-                  extent == Extent::whole ? part(roll.squeeze_odd, roll.translate_odd, roll.seat_lever) : Part{});
+  return assemble(roll, extent, part(roll.symmetric, roll.antisymmetric, 1),
+                  extent == Extent::whole ? part(roll.symmetric_odd, roll.antisymmetric_odd, roll.seat_lever)
+                                          : Part{});
 }
 
 HeldRoll held_by_strip(const CondensedRoll &roll, const double strip_width, const Extent extent,
@@ -181,8 +186,8 @@ HeldRoll held_by_strip(const CondensedRoll &roll, const double strip_width, cons
 
 HeldRoll held_by_mirror(const CondensedRoll &roll, const Extent extent)
 {
-  if (extent == Extent::whole && roll.squeeze_odd.patch.size() == 0)
-    throw std::logic_error("both sides between mirrored contacts need the odd squeeze of the roll");
+  if (extent == Extent::whole && roll.symmetric_odd.patch.size() == 0)
+    throw std::logic_error("both sides between mirrored contacts need the odd symmetric of the roll");
   const auto part = [&](const Eigen::MatrixXd &C) {
     const auto n = C.rows(), n_axis = std::max<Eigen::Index>(1, roll.axis_z.size());
     Part p;
@@ -192,7 +197,7 @@ HeldRoll held_by_mirror(const CondensedRoll &roll, const Extent extent)
     p.axis_support = Eigen::VectorXd::Zero(n_axis);
     return p;
   };
-  return assemble(roll, extent, part(roll.squeeze.patch),
-                  extent == Extent::whole ? part(roll.squeeze_odd.patch) : Part{});
+  return assemble(roll, extent, part(roll.symmetric.patch),
+                  extent == Extent::whole ? part(roll.symmetric_odd.patch) : Part{});
 }
 }  // namespace mill::fem

@@ -8,7 +8,7 @@ constexpr char kind[] = "millstand condensed roll 2";
 
 // The same list of members is run through in both directions.  A structured binding takes apart the whole struct:
 // a member that is added to it does not compile until it is named here.
-template <class Archive> void members(Archive &a, ParityFlexibility &p)
+template <class Archive> void members(Archive &a, CaseFlexibility &p)
 {
   auto &[patch, traction, axis, seat_patch, seat_axis, field] = p;
   for (Eigen::MatrixXd *m : {&patch, &traction, &axis, &field})
@@ -30,8 +30,8 @@ template <class Archive> void members(Archive &a, std::vector<Eigen::MatrixXd> &
 
 template <class Archive> void members(Archive &a, CondensedRoll &r)
 {
-  auto &[geometry, grid, axis_z, squeeze, translate, squeeze_odd, translate_odd, seat_lever, n_unknowns,
-         field_mesh, factor_bytes, factor_flops] = r;
+  auto &[geometry, grid, axis_z, symmetric, antisymmetric, symmetric_odd, antisymmetric_odd, seat_lever,
+         n_unknowns, field_mesh, factor_bytes, factor_flops] = r;
   numbers(a, geometry);
   for (double *value : {&seat_lever, &factor_bytes, &factor_flops})
     a.number(*value);
@@ -40,7 +40,7 @@ template <class Archive> void members(Archive &a, CondensedRoll &r)
     a.count(*value);
   for (Eigen::VectorXd *v : {&x, &z, &area, &axis_z})
     a.array(*v);
-  for (ParityFlexibility *p : {&squeeze, &translate, &squeeze_odd, &translate_odd})
+  for (CaseFlexibility *p : {&symmetric, &antisymmetric, &symmetric_odd, &antisymmetric_odd})
     members(a, *p);
   a.text(field_mesh);
 }
@@ -97,12 +97,12 @@ template <class Archive> void members(Archive &a, RollerSetup &s)
 
 template <class Archive> void members(Archive &a, CondensedRoller &r)
 {
-  auto &[setup, grid, squeeze, translate, inner, outer, n_unknowns, factor_bytes] = r;
+  auto &[setup, grid, symmetric, antisymmetric, inner, outer, n_unknowns, factor_bytes] = r;
   members(a, setup);
   a.number(factor_bytes);
   members(a, grid);
   grid.whole = true;
-  for (CondensedRoller::Parities *p : {&squeeze, &translate, &inner, &outer})
+  for (CondensedRoller::Parities *p : {&symmetric, &antisymmetric, &inner, &outer})
     for (Eigen::MatrixXd *m : {&p->even, &p->odd})
       a.array(*m);
   a.count(n_unknowns);

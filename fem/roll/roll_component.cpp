@@ -56,7 +56,7 @@ std::vector<double> stations(const ElasticBody &body, const RollGeometry &g)
 PartSupport roll_support(const ElasticBody &body)
 {
   PartSupport s;
-  s.held             = held_unknowns(body, {false, false}, false);
+  s.held             = constrained_unknowns(body, {false, false}, false);
   const auto n_nodes = body.nodes().rows();
   s.rigid            = along(Eigen::VectorXd::Ones(n_nodes));
   s.rigid_names      = {"along y"};

@@ -172,10 +172,10 @@ int node_at(const SectionBody &body, const double x, const double y)
   return int(best);
 }
 
-// The quarter under one parity: even or odd in x (the field mirrored at the line of centres) and in y.
-class Parity {
+// The quarter under one symmetry case: even or odd in x (the field mirrored at the line of centres) and in y.
+class QuarterCase {
 public:
-  Parity(const SectionBody &body, const double radius, const bool even_x, const bool even_y)
+  QuarterCase(const SectionBody &body, const double radius, const bool even_x, const bool even_y)
       : free(held_out(body, radius, even_x, even_y)), factor(free.K, free.node, {})
   {
   }
@@ -343,7 +343,7 @@ private:
   SectionBody body;
   Rim rim;
   Spread spread;
-  Parity even_even, even_odd, odd_even, odd_odd;
+  QuarterCase even_even, even_odd, odd_even, odd_odd;
   Index half, n_half;         // points x < 0, points x >= 0
   std::vector<double> angle;  // of the points x >= 0
   VectorXd backup;            // of the contact with the back-up roll, mirrored to the top: unit vertical force

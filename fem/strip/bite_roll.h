@@ -22,10 +22,10 @@ struct BiteRollResult {
   /// (bite::BiteState::shear), so on the roll towards the entry; empty unless asked for
   Eigen::MatrixXd shear_influence;
   double error_estimate = 0;  ///< -, arc_difference() of two meshes; 0 without a second one
-  int n_unknowns        = 0;  ///< per parity
+  int n_unknowns        = 0;  ///< per symmetry case
 };
 
-/// What the surface of a work roll gives way in the bite, from its whole section in plane strain.  theory.md 20
+/// How far the surface of a work roll deflects in the bite, from its whole section in plane strain.  theory.md 20
 /// Quarter of the section, once for each of the four parities; both directions of the load follow from them.
 ///
 /// Pressure and displacement are radial: a rotation of the roll then neither is excited nor changes its shape.

@@ -14,7 +14,7 @@ struct HousingMeshSize {
 /// @throws InputError  with every dimension that is not positive or does not fit the others, named by its key
 void require_housing(const MillHousing &housing);
 
-/// Half the height of the band on the outside of each post that stands for its foot, m: a quarter of the post's
+/// Half the height of the band on the outside of each post that represents its foot, m: a quarter of the post's
 /// width, less where the straight part of the post leaves no room.  theory.md 23.1
 double foot_half_height(const MillHousing &housing);
 

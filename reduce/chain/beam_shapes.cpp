@@ -9,7 +9,7 @@ namespace mill::reduce {
 namespace {
 /// cosh cos, sinh sin, cosh sin, sinh cos of the argument u, and their derivatives over u.
 /// Each derivative is a pair of the four again, so the rows follow from one another: (4.9).
-Eigen::RowVector4d bed_functions(const double u, const int derivative)
+Eigen::RowVector4d foundation_functions(const double u, const int derivative)
 {
   const double C = std::cosh(u), S = std::sinh(u), c = std::cos(u), s = std::sin(u);
   const Eigen::RowVector4d f(C * c, S * s, C * s, S * c);
@@ -44,7 +44,7 @@ SteppedBeam backup_beam(const FourHigh &stand)
           beam_section(neck_section(roll), stand.steel)};
 }
 
-double drop(const SteppedBeam &beam, const double position)
+double deflection_from_middle(const SteppedBeam &beam, const double position)
 {
   const double a = beam.half_span, c = beam.half_load, h = beam.half_barrel;
   const double x = std::abs(position);
@@ -69,29 +69,29 @@ double drop(const SteppedBeam &beam, const double position)
 
 double deflection(const SteppedBeam &beam, const double x)
 {
-  return drop(beam, beam.half_span) - drop(beam, x);
+  return deflection_from_middle(beam, beam.half_span) - deflection_from_middle(beam, x);
 }
 
 double mid_flexibility(const SteppedBeam &beam)
 {
-  return drop(beam, beam.half_span);
+  return deflection_from_middle(beam, beam.half_span);
 }
 
 double mean_flexibility(const SteppedBeam &beam)
 {
-  // Under the load the drop is the polynomial (4.4); its mean is exact.
+  // Under the load that deflection is the polynomial (4.4); its mean is exact.
   const double a = beam.half_span, c = beam.half_load;
   const double bending = ((2 * a - c) * c * c / 24 - std::pow(c, 3) / 240) / beam.barrel.bending;
   const double shear   = c / (12 * beam.barrel.shear);
   return mid_flexibility(beam) - bending - shear;
 }
 
-BedShape bed_shape(const BarrelOnBed &roll)
+FoundationShape foundation_shape(const BarrelOnFoundation &roll)
 {
-  const double k = roll.bed_stiffness, h = roll.half_barrel, s = roll.half_strip;
+  const double k = roll.foundation_stiffness, h = roll.half_barrel, s = roll.half_strip;
   if (!(k > 0 && h > 0 && s > 0 && roll.bending > 0))
     throw InputError("work roll: barrel length, strip width, contact stiffness and diameter must be positive");
-  BedShape shape;
+  FoundationShape shape;
   shape.roll        = roll;
   shape.wave_number = std::pow(k / (4 * roll.bending), 0.25);
   if (s >= h) {
@@ -103,31 +103,31 @@ BedShape bed_shape(const BarrelOnBed &roll)
   Eigen::Matrix<double, 6, 6> condition = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> right     = Eigen::Matrix<double, 6, 1>::Zero();
   for (int order = 0; order < 4; ++order) {
-    const Eigen::RowVector4d at_strip = bed_functions(shape.wave_number * s, order);
+    const Eigen::RowVector4d at_strip = foundation_functions(shape.wave_number * s, order);
     condition.block<1, 2>(order, 0)   = at_strip.head<2>();
     condition.block<1, 4>(order, 2)   = -at_strip;
   }
-  condition.block<1, 4>(4, 2) = bed_functions(shape.wave_number * h, 2);
-  condition.block<1, 4>(5, 2) = bed_functions(shape.wave_number * h, 3);
+  condition.block<1, 4>(4, 2) = foundation_functions(shape.wave_number * h, 2);
+  condition.block<1, 4>(5, 2) = foundation_functions(shape.wave_number * h, 3);
   right[0]                    = -1 / (2 * s * k);
   shape.constant              = condition.fullPivLu().solve(right);
   const Eigen::Vector4d outer = shape.constant.tail<4>();
-  shape.end_deflection        = bed_functions(shape.wave_number * h, 0).dot(outer);
-  shape.end_slope             = shape.wave_number * bed_functions(shape.wave_number * h, 1).dot(outer);
+  shape.end_deflection        = foundation_functions(shape.wave_number * h, 0).dot(outer);
+  shape.end_slope             = shape.wave_number * foundation_functions(shape.wave_number * h, 1).dot(outer);
   return shape;
 }
 
-double deflection(const BedShape &shape, const double position)
+double deflection(const FoundationShape &shape, const double position)
 {
-  const BarrelOnBed &roll = shape.roll;
-  const double x          = std::abs(position);
+  const BarrelOnFoundation &roll = shape.roll;
+  const double x                 = std::abs(position);
   if (x > roll.half_barrel)
     return shape.end_deflection + (x - roll.half_barrel) * shape.end_slope;
   if (roll.half_strip >= roll.half_barrel)
     return shape.end_deflection;
-  const Eigen::RowVector4d f = bed_functions(shape.wave_number * x, 0);
+  const Eigen::RowVector4d f = foundation_functions(shape.wave_number * x, 0);
   if (x <= roll.half_strip)
-    return 1 / (2 * roll.half_strip * roll.bed_stiffness) + f.head<2>().dot(shape.constant.head<2>());
+    return 1 / (2 * roll.half_strip * roll.foundation_stiffness) + f.head<2>().dot(shape.constant.head<2>());
   return f.dot(shape.constant.tail<4>());
 }
 }  // namespace mill::reduce

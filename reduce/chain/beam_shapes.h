@@ -31,7 +31,7 @@ SteppedBeam backup_beam(const FourHigh &stand);
 
 /// How much less the point x (m from mid-span, |x| <= half_span) moves than mid-span under a total load of 1 N,
 /// m/N, (4.6).
-double drop(const SteppedBeam &beam, double x);
+double deflection_from_middle(const SteppedBeam &beam, double x);
 
 /// Deflection under a total load of 1 N, from the bearing centres, m/N, (4.7).
 double deflection(const SteppedBeam &beam, double x);
@@ -44,27 +44,27 @@ double mid_flexibility(const SteppedBeam &beam);
 double mean_flexibility(const SteppedBeam &beam);
 
 /// Work roll pressed by the strip against the contact line with the backup roll: Euler beam with free ends on a
-/// bed. theory.md 4.3
-struct BarrelOnBed {
-  double half_barrel   = 0;  ///< m, h
-  double half_strip    = 0;  ///< m, s; >= half_barrel: the roll sinks in evenly
-  double bed_stiffness = 0;  ///< N/m2, contact stiffness per length, K3 / barrel length
-  double bending       = 0;  ///< N m2, E I of the barrel
+/// foundation. theory.md 4.3
+struct BarrelOnFoundation {
+  double half_barrel          = 0;  ///< m, h
+  double half_strip           = 0;  ///< m, s; >= half_barrel: the roll sinks in evenly
+  double foundation_stiffness = 0;  ///< N/m2, contact stiffness per length, K3 / barrel length
+  double bending              = 0;  ///< N m2, E I of the barrel
 };
 
-/// Solution of BarrelOnBed: constants of (4.9) and what the necks continue with.
-struct BedShape {
-  BarrelOnBed roll;
+/// Solution of BarrelOnFoundation: constants of (4.9) and what the necks continue with.
+struct FoundationShape {
+  BarrelOnFoundation roll;
   double wave_number                   = 0;                                    ///< 1/m
   Eigen::Matrix<double, 6, 1> constant = Eigen::Matrix<double, 6, 1>::Zero();  ///< m/N
   double end_deflection                = 0;                                    ///< m/N, at the barrel end
   double end_slope                     = 0;                                    ///< 1/N, there
 };
 
-/// Solves the six conditions of (4.10).  @throws InputError  bed stiffness or a length not positive
-BedShape bed_shape(const BarrelOnBed &roll);
+/// Solves the six conditions of (4.10).  @throws InputError  foundation stiffness or a length not positive
+FoundationShape foundation_shape(const BarrelOnFoundation &roll);
 
 /// Deflection of the roll at x (m from mid-length) under a strip load of 1 N, m/N; straight beyond the barrel,
 /// (4.9).
-double deflection(const BedShape &shape, double x);
+double deflection(const FoundationShape &shape, double x);
 }  // namespace mill::reduce

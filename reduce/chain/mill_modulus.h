@@ -23,7 +23,7 @@ struct MillModulus {
   double secant  = 0;              ///< N/m, (30.2)
   double error   = 0;              ///< -, relative, of the tangent, (30.5); NaN: not known
   std::vector<std::string> lacks;  ///< why no error is known
-  std::string softest;             ///< the part that gives way most
+  std::string softest;             ///< the part that deflects most
 };
 
 /// @throws InputError  a part without positive stiffness, named

@@ -86,8 +86,9 @@ BentBackupRoll times(BentBackupRoll roll, const double factor)
   return roll;
 }
 
-BentWorkRoll::BentWorkRoll(const BedShape &bed)
-    : deflection([bed](const double x) { return reduce::deflection(bed, x); }), half_strip(bed.roll.half_strip)
+BentWorkRoll::BentWorkRoll(const FoundationShape &foundation)
+    : deflection([foundation](const double x) { return reduce::deflection(foundation, x); }),
+      half_strip(foundation.roll.half_strip)
 {
 }
 

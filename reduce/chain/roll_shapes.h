@@ -40,7 +40,7 @@ struct BentWorkRoll {
   Deflection deflection;
   double half_strip = 0;  ///< m, where the load ends: the deflection has a kink in its fourth derivative there
   BentWorkRoll()    = default;
-  BentWorkRoll(const BedShape &bed);  ///< (4.9)
+  BentWorkRoll(const FoundationShape &foundation);  ///< (4.9)
   /// (22.13a): the meshed roll on the same springs, ends and necks free.
   /// @param contact_stiffness  N/m, K3, spread evenly over the barrel
   BentWorkRoll(const Component &solid, double half_strip, double contact_stiffness);

@@ -33,7 +33,7 @@ std::vector<FrameValue> frame_values(const Frame &frame);
 SeriesSprings series_springs(const Frame &frame, const PathSprings &path);
 
 /// A frame whose posts and beams are reduced to screw and seat of a drawn housing, with their masses moved to the
-/// points of M1 and M6, which give way more: behind screw, piston and packing above, packing and load cell below.
+/// points of M1 and M6, which deflect more: behind screw, piston and packing above, packing and load cell below.
 /// The kinetic energy stays, (4.13a).
 /// @param K1, K7  N/m, of the chain, where given; NaN: the frame's own series
 Frame with_masses_at_the_chain(Frame frame, double K1 = not_given, double K7 = not_given);

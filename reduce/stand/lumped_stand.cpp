@@ -46,8 +46,8 @@ Rolls beams(const FourHigh &stand)
 {
   const Roll &roll = stand.work_roll;
   return {backup_beam(stand), [&roll, &stand](const double K) {
-            return bed_shape({roll.barrel_length / 2, stand.strip.width / 2, K / roll.barrel_length,
-                              beam_section(barrel_section(roll), stand.steel).bending});
+            return foundation_shape({roll.barrel_length / 2, stand.strip.width / 2, K / roll.barrel_length,
+                                     beam_section(barrel_section(roll), stand.steel).bending});
           }};
 }
 
@@ -221,10 +221,10 @@ Parameter bending_of(const FourHigh &stand, const ChainInputs &in, const Rolls &
     const double beam = 1 / BentBackupRoll(backup_beam(stand)).flexibility(reference);
     p.error_estimate  = solid ? mesh : std::abs(1 / (fine * beam) - 1) + mesh / (fine * beam);
     if (solid)
-      p.checks.push_back({"stepped Timoshenko beam (4.8)", beam, "its shoulder does not give way, a roll's does"});
+      p.checks.push_back({"stepped Timoshenko beam (4.8)", beam, "its shoulder does not deflect, a roll's does"});
     else
       p.checks.push_back(
-          {"solid roll by finite elements (22.13)", 1 / fine, "its shoulder gives way, a beam's does not"});
+          {"solid roll by finite elements (22.13)", 1 / fine, "its shoulder deflects, a beam's does not"});
   } else
     p.error_lacks = {"K_ZW"};
   return given_or(stand, "K_ZW", p);
@@ -280,7 +280,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
   uncertain.push_back(spring(&ChainNumbers::K_Zy_lower, "K_Zy_lower", result.K_Zy_lower));
   if (!inputs.solid || stand.given.count("K_ZW"))  // else by the change of all shapes together
     uncertain.push_back(spring(&ChainNumbers::K_ZW_factor, "K_ZW", result.K_ZW));
-  const auto fills = [&](const std::string &name) {  // a given spring that stands for parts nobody drew
+  const auto fills = [&](const std::string &name) {  // a given spring that represents parts nobody drew
     const Frame &f = stand.frame;
     return name == "K2" ? std::isnan(f.oil_column_stiffness) || std::isnan(f.cylinder_body_stiffness) ||
                               std::isnan(f.upper_chock_stiffness)

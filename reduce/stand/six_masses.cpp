@@ -19,7 +19,7 @@ void require_places(const StandModel &stand)
                        places[i]);
 }
 
-double stiffness_of_bed(const StandModel &stand, const std::string &name)
+double stiffness_of_foundation(const StandModel &stand, const std::string &name)
 {
   for (const Connection &c : stand.connections)
     if (c.name == name)
@@ -27,12 +27,13 @@ double stiffness_of_bed(const StandModel &stand, const std::string &name)
   return 0;
 }
 
-/// Displacement of a part weighted with the forces that a bed puts on it; `otherwise` without such a bed.
-double loaded_mean(const StandModel &stand, const std::string &bed, const std::string &part,
+/// Displacement of a part weighted with the forces that an elastic foundation puts on it; `otherwise` without such
+/// an elastic foundation.
+double loaded_mean(const StandModel &stand, const std::string &foundation, const std::string &part,
                    const Eigen::VectorXd &y, const double otherwise)
 {
   for (const Connection &c : stand.connections) {
-    if (c.name != bed)
+    if (c.name != foundation)
       continue;
     Eigen::VectorXd own = y;
     for (Eigen::Index i = 0; i < y.size(); ++i)
@@ -73,7 +74,8 @@ StandModel chain_stand(const LumpedModel &model, const std::string &frame)
   }
   const bool closed = frame == "closed";
   for (int j = 0; j < 7; ++j) {
-    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(6);  // above minus below, so that a bed's force is positive
+    Eigen::RowVectorXd row =
+        Eigen::RowVectorXd::Zero(6);  // above minus below, so that an elastic foundation's force is positive
     if (j > 0)
       row[j - 1] = 1;
     if (j < 6)
@@ -122,7 +124,7 @@ SixMasses six_masses(const StandModel &stand, const std::vector<Rider> &riders, 
     u[1] = loaded_mean(path, "K3", places[1], y, u[1]);
     u[4] = loaded_mean(path, "K5", places[4], y, u[4]);
   }
-  six.K = {1 / u[0],          1 / (u[1] - u[0]), 1 / (u[2] - u[1]), stiffness_of_bed(stand, "K4"),
+  six.K = {1 / u[0],          1 / (u[1] - u[0]), 1 / (u[2] - u[1]), stiffness_of_foundation(stand, "K4"),
            1 / (u[4] - u[3]), 1 / (u[5] - u[4]), -1 / u[5]};  // (22.10)
 
   const Eigen::VectorXd My = path.M * y;

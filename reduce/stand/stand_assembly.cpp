@@ -97,8 +97,8 @@ Placed place(Assembly &a, const RollBody &roll, const double seat_mass)
 }
 
 /// Springs between two barrels (or of the bite), evenly over 0..half_length of both sides.
-Connection bed(const Assembly &a, const std::string &name, const Placed &above, const Placed &below,
-               const double stiffness, const double half_length)
+Connection foundation(const Assembly &a, const std::string &name, const Placed &above, const Placed &below,
+                      const double stiffness, const double half_length)
 {
   const LinePoints points = line_points(*above.body, *below.body, half_length);
   Connection c{name, Eigen::MatrixXd::Zero(points.z.size(), a.s.M.rows()), stiffness * points.share};
@@ -311,12 +311,12 @@ StandModel assemble_stand(const std::string &name, const FourHigh &stand, const 
   add_path(a, upper, in_place(a, placed[upper_backup], rolls[upper_backup].seat), path, stops);
   const double half_work = rolls[upper_work].half_barrel, half_backup = rolls[upper_backup].half_barrel;
   const double line = std::min(half_work, half_backup), strip = std::min(stand.strip.width / 2, half_work);
-  a.s.connections.push_back(bed(a, "K3", placed[upper_backup], placed[upper_work], springs.K3, line));
-  Connection bite = bed(a, "K4", placed[upper_work], placed[lower_work], springs.K4, strip);
+  a.s.connections.push_back(foundation(a, "K3", placed[upper_backup], placed[upper_work], springs.K3, line));
+  Connection bite = foundation(a, "K4", placed[upper_work], placed[lower_work], springs.K4, strip);
   a.s.b           = bite.rows.transpose() * line_points(rolls[upper_work], rolls[lower_work], strip).share;
   if (springs.K4 > 0)
     a.s.connections.push_back(std::move(bite));
-  a.s.connections.push_back(bed(a, "K5", placed[lower_work], placed[lower_backup], springs.K5, line));
+  a.s.connections.push_back(foundation(a, "K5", placed[lower_work], placed[lower_backup], springs.K5, line));
   a.s.points.push_back({"lower backup chock", lower});
   a.add_spring("lower chock and K_Zy", series(f.lower_chock_stiffness, springs.K_Zy_lower),
                in_place(a, placed[lower_backup], rolls[lower_backup].seat) - lower);

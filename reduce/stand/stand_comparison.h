@@ -53,7 +53,7 @@ std::vector<ModePair> pair_modes(const Eigen::MatrixXd &mac, const Eigen::Vector
 /// What six masses show of a detailed stand below a frequency limit.
 struct ChainVerdict {
   std::vector<ModePair> pairs;  ///< one for each mode of the detailed stand below the limit: other = chain mode
-  std::vector<double> missing;  ///< Hz, modes below the limit that no mode of the chain stands for
+  std::vector<double> missing;  ///< Hz, modes below the limit that no mode of the chain represents
   std::vector<std::string> sentences;  ///< in words, with the numbers
 };
 

@@ -64,7 +64,7 @@ void stiffness(Page &page, const Run &run, const std::string &bearing)
         "One bearing (a roll has two) over its radial load. The <b>tangent</b> (solid) is what a vibrating "
         "mill feels, the <b>secant</b> (dashed) is load over displacement from the concentric position, "
         "clearance included. Between this run and the same with rigid rings lies what rings, neck and chock "
-        "give way; between that and the standard lies the law of one roller.");
+        "deflect; between that and the standard lies the law of one roller.");
   std::vector<std::string> drawings;
   if (!compared && curve)
     drawings.push_back(stiffness_over_load(*curve, marks));

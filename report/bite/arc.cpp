@@ -189,7 +189,7 @@ std::string bite_flattening(const Table &roll)
     return "";
   if ((surface - circle).cwiseAbs().maxCoeff() < 1e-3)
     return "";  // nanometres: a rigid roll
-  Plot plot = along_arc("What the roll gives way", "loaded roll over its circle", "\u00b5m", true);
+  Plot plot = along_arc("How far the roll deflects", "loaded roll over its circle", "\u00b5m", true);
   plot.lines.push_back({"", x, surface - circle, Pen::dark});
   return svg_plot(plot);
 }

@@ -16,7 +16,7 @@ struct BitePass {
 /// Passes with results bite.<pass>.force, in the order of the run.
 std::vector<BitePass> bite_passes(const Run &run);
 
-/// "karman" -> "Kármán, homogeneous"; a key that is not known stands for itself.
+/// "karman" -> "Kármán, homogeneous"; a key that is not known represents itself.
 std::string bite_model_name(const std::string &key);
 
 /// bite.<pass>.<quantity>, or bite.<pass>.<model>.<quantity> with a model, SI; NaN when not stored.

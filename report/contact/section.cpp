@@ -182,10 +182,9 @@ void one_contact(Page &page, const Run &run, const std::string &name, const std:
                             ? " Held as in the stand, the rolls also bend; squeezed evenly between two opposite "
                               "contacts, they do not."
                             : "") +
-            std::string(
-                second ? " The second engine, a Fourier series around the roll, shares neither mesh nor solver "
-                         "with the first: where the lines lie on one another, both are right."
-                       : ""));
+            std::string(second ? " The Fourier solver, a series around the roll, shares neither mesh nor solver "
+                                 "with the first: where the lines lie on one another, both are right."
+                               : ""));
   else if (name != "line" && name != "space")
     page.absent("The distribution along the barrel is", curve_path(curve::contact_barrel, name) + ".csv");
   if (const Table *map = stored_curve(run, curve::contact_pressure, name))

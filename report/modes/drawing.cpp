@@ -179,7 +179,7 @@ void Builder::ground(const double x, const double y, const bool above)
     });
 }
 
-// A bed of springs where two barrels meet.
+// An elastic foundation of springs where two barrels meet.
 void Builder::contact(const DrawnRoll &upper, const DrawnRoll &lower)
 {
   for (const int station : {0, barrel_stations / 2, barrel_stations})

@@ -8,7 +8,7 @@ namespace mill::report {
 /// the name is not one of the product's.
 std::string meaning_of(const std::string &name);
 
-/// The value that stands for K1..K7, Kzc1..Kzc4: the entry of that name, else its tangent, which is what a
+/// The value that represents K1..K7, Kzc1..Kzc4: the entry of that name, else its tangent, which is what a
 /// vibrating mill feels, else its combined value.  nullptr when the run has none.
 const Result *chain_value(const Run &run, const std::string &name);
 

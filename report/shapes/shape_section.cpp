@@ -218,7 +218,7 @@ void shape_section(Page &page, const Run &run)
                 "The same shapes counted from the roll's own bearings, so that only its bending, its shear and "
                 "the contact are left: <b>where solid and dashed lines part, the roll of the chain is not that of "
                 "the stand</b>: "
-                "a beam gives way too little at the step from barrel to neck, and the contact loads a barrel "
+                "a beam deflects too little at the step from barrel to neck, and the contact loads a barrel "
                 "unevenly." +
                     how_far_apart(run, rolls));
   if (!backup)

@@ -23,8 +23,8 @@ void draw_arrows(Svg &svg, const double left, const double right, const double f
   }
 }
 
-// A bed that holds: short strokes on the side away from the roll.
-void draw_bed(Svg &svg, const double left, const double right, const double y, const double away)
+// An elastic foundation that holds: short strokes on the side away from the roll.
+void draw_foundation(Svg &svg, const double left, const double right, const double y, const double away)
 {
   svg.line(left, y, right, y, "ground-line");
   for (double x = left; x + 8 <= right + 1; x += 8)
@@ -65,7 +65,7 @@ std::string roll_sketch(const RollSketch &s)
       svg.line(x - 14, y - 14, x + 14, y - 14, "ground-line");
     }
   if (contact && s.work) {
-    draw_bed(svg, to_x(-s.half_contact), to_x(s.half_contact), axis - radius, -8);
+    draw_foundation(svg, to_x(-s.half_contact), to_x(s.half_contact), axis - radius, -8);
     svg.text(to_x(0), axis - radius - 13, "contact line: springs of K3 or K5 over the barrel", "t halo",
              Anchor::middle);
   } else if (contact) {

@@ -263,7 +263,7 @@ void stand_section(Page &page, const Run &run)
   page.section("stand", "Stand and chain");
   page.figure(
       {stand_sketch(run)},
-      std::string(has_geometry(run) ? "The rolls to scale and the chain that stands for them. " : "The chain. ") +
+      std::string(has_geometry(run) ? "The rolls to scale and the chain that represents them. " : "The chain. ") +
           "Every mass moves vertically, every spring is that of both sides together; beside each number its "
           "source. Kzc is one bearing of each roll in kN/mm and acts horizontally." +
           how_the_bite_acts(run) +

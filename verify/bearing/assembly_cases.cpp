@@ -13,7 +13,7 @@ using bearing::AssemblyState;
 using bearing::BearingAssembly;
 using bearing::BearingModel;
 using bearing::Matrix5;
-using bearing::RingDrive;
+using bearing::RingLoading;
 using bearing::Vector5;
 
 Check exactly(const std::string &quantity, const double result, const double reference)
@@ -28,9 +28,9 @@ struct Stiffnesses {
 };
 Stiffnesses radial(const RollerBearing &b, const double load, const double tilt = 0)
 {
-  const RingDrive drive     = bearing::radial_drive(load, tilt);
-  const AssemblyState state = BearingAssembly(bearing::rigid_model(b)).solve(drive);
-  return {state, bearing::radial_secant(state) / kN_per_mm, bearing::radial_tangent(state, drive) / kN_per_mm};
+  const RingLoading loading = bearing::radial_drive(load, tilt);
+  const AssemblyState state = BearingAssembly(bearing::rigid_model(b)).solve(loading);
+  return {state, bearing::radial_secant(state) / kN_per_mm, bearing::radial_tangent(state, loading) / kN_per_mm};
 }
 
 std::vector<Check> stribeck_39()
@@ -118,12 +118,12 @@ std::vector<Check> interference()
   return checks;
 }
 
-RingDrive axial_drive(const double load)
+RingLoading axial_drive(const double load)
 {
-  RingDrive drive;
-  drive.value << 0, 0, load, 0, 0;
-  drive.by_motion = {true, true, false, true, true};
-  return drive;
+  RingLoading loading;
+  loading.value << 0, 0, load, 0, 0;
+  loading.prescribed = {true, true, false, true, true};
+  return loading;
 }
 
 std::vector<Check> axial_row()
@@ -191,10 +191,10 @@ std::vector<Check> tilt_rows()
 std::vector<Check> zhang_case_1()
 {
   BearingModel model = bearing_hh926700();
-  RingDrive drive;
-  drive.value << 1500, 0, 5000, 0, -20;
-  drive.by_motion  = {false, false, false, false, false};
-  const auto state = BearingAssembly(std::move(model)).solve(drive);
+  RingLoading loading;
+  loading.value << 1500, 0, 5000, 0, -20;
+  loading.prescribed = {false, false, false, false, false};
+  const auto state   = BearingAssembly(std::move(model)).solve(loading);
   return {
       {"greatest load on the cup",  "N", state.roller_load.maxCoeff(), 1304.8, 0.1, Judged::absolute},
       {"greatest load on the cone", "N", state.inner_load.maxCoeff(),  1119.3, 0.1, Judged::absolute},
@@ -240,18 +240,18 @@ struct DifferenceCheck {
 DifferenceCheck against_difference(const BearingModel &model, const AssemblyState &at)
 {
   BearingAssembly assembly(model);
-  RingDrive drive;
-  drive.by_motion = {true, true, true, true, true};
+  RingLoading loading;
+  loading.prescribed = {true, true, true, true, true};
   Matrix5 difference;
   Vector5 lever;
   lever << 1, 1, 1, 0.155, 0.155;
   for (int i = 0; i < 5; ++i) {
     const double step = 2e-10 / lever[i];
-    drive.value       = at.motion;
-    drive.value[i] += step;
-    const Vector5 up = assembly.solve(drive).load;
-    drive.value[i] -= 2 * step;
-    difference.col(i) = (up - assembly.solve(drive).load) / (2 * step);
+    loading.value     = at.motion;
+    loading.value[i] += step;
+    const Vector5 up = assembly.solve(loading).load;
+    loading.value[i] -= 2 * step;
+    difference.col(i) = (up - assembly.solve(loading).load) / (2 * step);
   }
   const auto size = [&](const Matrix5 &K) {
     return Matrix5(lever.cwiseInverse().asDiagonal() * K * lever.cwiseInverse().asDiagonal())
@@ -292,11 +292,11 @@ std::vector<Check> tangent_difference()
     BearingModel model = bearing::rigid_model(b);
     if (s.elastic)
       model.rings = synthetic_rings(4, 3);
-    RingDrive drive;
-    drive.value      = s.load;
-    drive.by_motion  = {false, false, false, false, false};
-    const auto state = BearingAssembly(model).solve(drive);
-    const auto found = against_difference(model, state);
+    RingLoading loading;
+    loading.value      = s.load;
+    loading.prescribed = {false, false, false, false, false};
+    const auto state   = BearingAssembly(model).solve(loading);
+    const auto found   = against_difference(model, state);
     checks.push_back(at_most(std::string("tangent against difference: ") + s.name, "-", found.error, 1e-6));
     checks.push_back(at_most(std::string("asymmetry of the difference: ") + s.name, "-", found.asymmetry, 1e-6));
   }
@@ -307,20 +307,20 @@ std::vector<Check> rigid_limit()
 {
   std::vector<Check> checks;
   for (const double tilt : {0.0, 0.3e-3}) {
-    RollerBearing b       = bearing_266();
-    b.profile             = "iso";
-    b.radial_clearance    = 50e-6;
-    const double load     = 1000 * kN;
-    const RingDrive drive = bearing::radial_drive(load, tilt);
-    const auto rigid      = bearing::solve_bearing(b, load, tilt);
-    BearingModel model    = bearing::rigid_model(b);
-    model.rings           = synthetic_rings(4, 3);
-    const auto soft       = BearingAssembly(model).solve(drive);
-    model.rings           = bearing::stiffer(model.rings, 1000);
-    const auto stiff      = BearingAssembly(model).solve(drive);
-    const auto where      = fmt::format(", tilt {:g} mrad", tilt * 1e3);
+    RollerBearing b           = bearing_266();
+    b.profile                 = "iso";
+    b.radial_clearance        = 50e-6;
+    const double load         = 1000 * kN;
+    const RingLoading loading = bearing::radial_drive(load, tilt);
+    const auto rigid          = bearing::solve_bearing(b, load, tilt);
+    BearingModel model        = bearing::rigid_model(b);
+    model.rings               = synthetic_rings(4, 3);
+    const auto soft           = BearingAssembly(model).solve(loading);
+    model.rings               = bearing::stiffer(model.rings, 1000);
+    const auto stiff          = BearingAssembly(model).solve(loading);
+    const auto where          = fmt::format(", tilt {:g} mrad", tilt * 1e3);
     checks.push_back(relative("displacement" + where, "um", stiff.motion[0] / um, rigid.displacement / um, 1e-3));
-    checks.push_back(relative("tangent" + where, "kN/mm", bearing::radial_tangent(stiff, drive) / kN_per_mm,
+    checks.push_back(relative("tangent" + where, "kN/mm", bearing::radial_tangent(stiff, loading) / kN_per_mm,
                               rigid.tangent / kN_per_mm, 1e-3));
     checks.push_back(
         relative("heaviest roller" + where, "kN", stiff.roller_load.maxCoeff() / kN, rigid.roller_max / kN, 1e-3));
@@ -331,7 +331,7 @@ std::vector<Check> rigid_limit()
                              (stiff.roller_load - rigid.roller_load).cwiseAbs().maxCoeff() / rigid.roller_max,
                              1e-3));
     checks.push_back(reported("tangent, modulus not raised" + where, "kN/mm",
-                              bearing::radial_tangent(soft, drive) / kN_per_mm, rigid.tangent / kN_per_mm));
+                              bearing::radial_tangent(soft, loading) / kN_per_mm, rigid.tangent / kN_per_mm));
   }
   return checks;
 }

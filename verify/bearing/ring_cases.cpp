@@ -209,11 +209,11 @@ std::vector<Check> ring_rigid_limit()
   auto model              = bearing::rigid_model(bearing);
   model.rings             = fem::ring_flexibility(sections, scratch.meshes, nullptr, options).flexibility;
   const double load       = 1e6;
-  const auto drive        = bearing::radial_drive(load);
-  const auto stiff        = bearing::BearingAssembly(model).solve(drive);
+  const auto loading      = bearing::radial_drive(load);
+  const auto stiff        = bearing::BearingAssembly(model).solve(loading);
   const auto rigid        = bearing::solve_bearing(bearing, load);
   return {relative("displacement", "um", stiff.motion[0] / 1e-6, rigid.displacement / 1e-6, 1e-3),
-          relative("tangent", "kN/mm", bearing::radial_tangent(stiff, drive) / 1e6, rigid.tangent / 1e6, 1e-3),
+          relative("tangent", "kN/mm", bearing::radial_tangent(stiff, loading) / 1e6, rigid.tangent / 1e6, 1e-3),
           relative("heaviest roller", "kN", stiff.roller_load.maxCoeff() / 1e3, rigid.roller_max / 1e3, 1e-3),
           at_most("largest difference of a roller load / heaviest", "-",
                   (stiff.roller_load - rigid.roller_load).cwiseAbs().maxCoeff() / rigid.roller_max, 1e-3)};
@@ -331,7 +331,7 @@ std::vector<Case> ring_cases()
   cases.push_back(
       {"chock-round", "verification",
        "Cup of the mill bearing in a round block held at a radius of 280 mm: a quarter in quadratic "
-       "hexahedra (25000 unknowns per parity) against the harmonics of its meridian section, rows with "
+       "hexahedra (25000 unknowns per symmetry) against the harmonics of its meridian section, rows with "
        "inclined raceways, three Legendre polynomials along the rollers.",
        product,
        "1 %: 13 degrees per element are 4 elements for the shortest of the eight waves; as in the "

@@ -89,7 +89,7 @@ std::vector<Case> roller_cases()
   cases.push_back(
       {"roller-on-ring", "verification",
        "A cup of 24 mm held on its outside: meshed as such behind one roller, and as the law of the roller "
-       "on a raceway of 12 mm with what the ring gives way beyond it, sum of the harmonics of its meridian "
+       "on a raceway of 12 mm with how far the ring deflects beyond it, sum of the harmonics of its meridian "
        "section. One element per half width of the finest load, 10 and 50 kN.",
        "Both in one model: contact elements with the thicker raceway, on the same mesh lines",
        "The two share the error of the contact mesh. What the ring adds is a tenth of the approach; its "

@@ -80,7 +80,7 @@ public:
   };
   Result at(const double approach)
   {
-    const auto state = solver->solve(by_motion(approach));
+    const auto state = solver->solve(prescribed(approach));
     return {2 * state.resultant[0], fitted_ellipse(pair, state).half_width};
   }
   double approach(const double q)
@@ -165,7 +165,7 @@ public:
     const auto roller  = roll_model("roller-slab", geometry, size, bearing_steel, options).roll;
     const auto surface = raceway(roller.grid, h, depth, thickness);
     contact::Problem p;
-    p.C = roller.squeeze.patch + surface;
+    p.C = roller.symmetric.patch + surface;
     p.G.setOnes(p.C.rows(), 1);
     p.initial_gap.resize(p.C.rows());
     for (Index i = 0; i < p.C.rows(); ++i)
@@ -175,7 +175,7 @@ public:
   }
   double line_load(const double approach)
   {
-    return to_line_load * solver->solve(by_motion(approach)).resultant[0];
+    return to_line_load * solver->solve(prescribed(approach)).resultant[0];
   }
 
 private:

@@ -183,7 +183,7 @@ std::vector<Check> published_rollers()
 }
 
 // The superposition of the assembled bearing on one roller: a cup of 24 mm held on its outside, once meshed as
-// such behind the roller, once as the law with 12 mm and what the ring gives way beyond.
+// such behind the roller, once as the law with 12 mm and how far the ring deflects beyond.
 std::vector<Check> roller_on_ring()
 {
   RollerSetup thin             = demo_roller();

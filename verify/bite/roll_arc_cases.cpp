@@ -10,7 +10,7 @@
 #include <functional>
 #include <utility>
 
-// What the surface of a work roll gives way in the bite: the section by finite elements against the half plane.
+// How far the surface of a work roll deflects in the bite: the section by finite elements against the half plane.
 namespace mill::verify {
 namespace {
 using Eigen::Index;

@@ -181,15 +181,15 @@ std::vector<Check> no_delay()
   DelaySystem system    = tandem_system(line, tandem_point(line, 16));
   const Roots known     = right_of(eigenvalues(without_delay(system)), -100);
   system.delay[0]       = 0;
-  const Roots nil       = DelaySpectrum(system).roots(-100, 1e5);
+  const Roots undelayed = DelaySpectrum(system).roots(-100, 1e5);
   const Complex fast    = DelaySpectrum(system).rightmost();
   system.delay[0]       = 1e-7;
   const Complex slow    = DelaySpectrum(system).rightmost();
   system.delay[0]       = 2e-7;
   const Complex slower  = DelaySpectrum(system).rightmost();
-  return {relative("roots", "-", double(nil.size()), double(known.size()), 0),
+  return {relative("roots", "-", double(undelayed.size()), double(known.size()), 0),
           at_most("largest distance to the eigenvalues of A + U W^T", "-",
-                  std::max(apart(nil, known), apart(known, nil)), 1e-10),
+                  std::max(apart(undelayed, known), apart(known, undelayed)), 1e-10),
           relative("shift by 0.2 us over that by 0.1 us", "-", std::abs(slower - fast) / std::abs(slow - fast), 2,
                    1e-3)};
 }
@@ -377,7 +377,7 @@ std::vector<Case> chatter_tandem_cases()
       "eigenvalues of the systems without delay",
       "1e-10: eigenvalues of the same matrices; numbers of roots exact.", no_feedback);
   add("chatter-tandem-no-delay", "unit",
-      two + "At 16 m/s with the transport time set to nil, and to 0.1 and 0.2 us.",
+      two + "At 16 m/s with the transport time set to zero, and to 0.1 and 0.2 us.",
       "eigenvalues of A + U W^T; for small delays a root moves in proportion to them",
       "1e-10: two roads to the same roots; 1e-3: curvature and rounding of a shift of 1e-6.", no_delay);
   add("chatter-tandem-collocation", "verification",

@@ -22,12 +22,12 @@ Check at_least(const std::string &quantity, const std::string &unit, const doubl
 
 // Tangential compliance of the state against the central difference of the curve itself, both steps from the same
 // normal load.
-double tangent_over_difference(const FrictionProblem &p, const Drive &normal, const Drive &end, const int mode)
+double tangent_over_difference(const FrictionProblem &p, const Loading &normal, const Loading &end, const int mode)
 {
   const auto after = [&](const double step) {
     FrictionSolver solver(p);
     solver.advance(normal);
-    Drive d = end;
+    Loading d = end;
     d.value[mode] *= 1 + step;
     return solver.advance(d);
   };
@@ -58,7 +58,7 @@ std::vector<Check> cattaneo()
   const auto contact = cylinder_on_flat(n, 0.80 * mm, 50 * mm, mu);
   FrictionSolver solver(contact.problem);
   std::vector<Check> checks;
-  const Drive normal{Eigen::Vector2d(P, 0), {}};
+  const Loading normal{Eigen::Vector2d(P, 0), {}};
   double residual = solver.advance(normal).residual, work = std::numeric_limits<double>::infinity();
   struct Row {
     double ratio;
@@ -69,8 +69,8 @@ std::vector<Check> cattaneo()
            Row{0.25, "Q/(mu P) 0.25: ", 0.866025, 34.448, 128.560},
            Row{0.5,  "Q/(mu P) 0.5: ",  0.707107, 75.309, 181.811}
   }) {
-    const Drive drive{Eigen::Vector2d(P, r.ratio * mu * P), {}};
-    const FrictionState &s      = solver.advance(drive);
+    const Loading loading{Eigen::Vector2d(P, r.ratio * mu * P), {}};
+    const FrictionState &s      = solver.advance(loading);
     const Eigen::VectorXd along = s.nodal.tail(n);
     const StickEdge slip        = stick_edge(s, contact.x.cwiseAbs(), along, mu, contact.width);
     const std::string name      = r.name;
@@ -81,7 +81,7 @@ std::vector<Check> cattaneo()
     residual = std::max(residual, s.residual);
     work     = std::min(work, s.dissipated);
   }
-  const Drive end{Eigen::Vector2d(P, 0.5 * mu * P), {}};
+  const Loading end{Eigen::Vector2d(P, 0.5 * mu * P), {}};
   checks.push_back(relative("tangent / central difference", "-",
                             tangent_over_difference(contact.problem, normal, end, 1), 1, 1e-6));
   checks.push_back(at_most("complementarity residual", "-", residual, 1e-12));
@@ -120,7 +120,7 @@ std::vector<Check> mindlin()
   const auto contact = sphere_on_flat(26, 0.430 * mm, 10 * mm, mu);
   FrictionSolver solver(contact.problem);
   std::vector<Check> checks;
-  const Drive normal{Eigen::Vector2d(P / 4, 0), {}};  // a quarter carries a quarter
+  const Loading normal{Eigen::Vector2d(P / 4, 0), {}};  // a quarter carries a quarter
   const FrictionState pressed = solver.advance(normal);
   double residual = pressed.residual, work = std::numeric_limits<double>::infinity();
   checks.push_back(relative("normal approach", "um", pressed.motion[0] / um, 16.1662, 0.005));
@@ -144,7 +144,7 @@ std::vector<Check> mindlin()
     residual = std::max(residual, s.residual);
     work     = std::min(work, s.dissipated);
   }
-  const Drive end{Eigen::Vector2d(P / 4, 0.5 * mu * P / 4), {}};
+  const Loading end{Eigen::Vector2d(P / 4, 0.5 * mu * P / 4), {}};
   checks.push_back(relative("tangent / central difference", "-",
                             tangent_over_difference(contact.problem, normal, end, 1), 1, 1e-6));
   checks.push_back(at_most("complementarity residual", "-", residual, 1e-12));

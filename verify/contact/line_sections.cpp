@@ -39,7 +39,7 @@ double line_load_at(const double R1, const double R2, const Material &material, 
                     const double approach)
 {
   contact::ActiveSet solver(two_discs(R1, R2, material, half_width, half_width).problem);
-  return 2 * solver.solve(by_motion(approach)).resultant[0];  // half of the width is meshed
+  return 2 * solver.solve(prescribed(approach)).resultant[0];  // half of the width is meshed
 }
 
 namespace {

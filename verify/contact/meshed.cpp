@@ -114,11 +114,11 @@ fem::DrivenMode master_moves_down()
   return mode;
 }
 
-contact::Drive by_resultant(const double value)
+contact::Loading by_resultant(const double value)
 {
   return {Eigen::VectorXd::Constant(1, value), {}};
 }
-contact::Drive by_motion(const double value)
+contact::Loading prescribed(const double value)
 {
   return {Eigen::VectorXd::Constant(1, value), {1}};
 }

@@ -54,7 +54,7 @@ std::vector<char> held_quarter(const fem::SectionBody &body);
 /// The second body of a pair, upside down, its contact point at the height `shift` (m) of its own coordinates.
 fem::PlacedBody upside_down(const fem::CondensedSurface &body, double shift = 0);
 fem::DrivenMode master_moves_down();
-contact::Drive by_resultant(double value);  ///< N (N/m in plane strain)
-contact::Drive by_motion(double value);     ///< m
+contact::Loading by_resultant(double value);  ///< N (N/m in plane strain)
+contact::Loading prescribed(double value);    ///< m
 Ellipse fitted_ellipse(const fem::BodyPair &pair, const contact::State &state);
 }  // namespace mill::verify

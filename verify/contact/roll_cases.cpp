@@ -30,7 +30,8 @@ meshes::RollMeshSize coarse_size(const RollGeometry &geometry, const double load
   return size;
 }
 
-// ---- parity-identity ------------------------------------------------------------------------------------------
+// ---- symmetry-identity
+// ------------------------------------------------------------------------------------------
 
 // The whole roll, assembled from the stiffness of the eighth and its seven mirror images.
 struct WholeBody {
@@ -90,7 +91,7 @@ WholeBody whole_body(const fem::ElasticBody &eighth)
 }
 
 // Loads on the contact line y > 0 that differ everywhere, carried by unequal loads on the two bearing seats.
-std::vector<Check> parity_identity()
+std::vector<Check> symmetry_identity()
 {
   fem::CondenseOptions options;
   options.both_sides = true;
@@ -387,11 +388,11 @@ std::vector<Case> roll_cases()
 {
   const std::string reduced = "rounding of two ways through the same equations, conditioning about 1e7";
   return {
-      {"parity-identity",    "verification",
+      {"symmetry-identity",  "verification",
        "Roll with necks, trilinear hexahedra: flexibility recombined from four parities of an eighth against one "
        "solve "
        "of the whole roll (assembled from the eight mirror images), unlike loads everywhere, unequal bearing "
-       "loads.",                                                                               "identity, theory.md 2.2",                                                 reduced,                                                         parity_identity      },
+       "loads.",                                                                               "identity, theory.md 2.2",                                                 reduced,                                                         symmetry_identity    },
       {"condensed-identity", "verification",
        "Two discs 400/1300 mm, 1000 N/mm: condensed contact against the contact solved on the full stiffness "
        "matrices, "
@@ -413,7 +414,7 @@ std::vector<Case> roll_cases()
        "around each "
        "roll with one unknown per station. Line loads are means over the stations, along the whole barrel; the "
        "program "
-       "has no third engine of coarse elements with a half-space correction.",                 "the second engine, theory.md 11",                                         "meshes of both engines; targets of two independent engines",
+       "has no third engine of coarse elements with a half-space correction.",                 "the Fourier solver, theory.md 11",                                        "meshes of both engines; targets of two independent engines",
        engine_agreement                                                                                                                                                                                                                                         },
       {"published-k",        "benchmark",
        "Rolls 420/1450 mm, barrel 1400 mm, 976.2 kN, E = 270 GPa: the ways of evaluating a contact stiffness "

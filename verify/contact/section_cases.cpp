@@ -53,7 +53,7 @@ std::vector<Check> conforming_cylinders()
   options.gap     = [](const VectorXd &) { return 0; };
   const auto pair = fem::pair_bodies({&slave}, {&master}, {factor}, options);
   contact::ActiveSet solver(pair.problem);
-  const contact::State state = solver.solve(by_motion(1));
+  const contact::State state = solver.solve(prescribed(1));
   const VectorXd field       = slave.displacement(pair.slave_forces(state.nodal), factor.slave_push);
   const auto radial          = [&](const std::string &group) {
     const auto &nodes = outer.group(group);
@@ -223,7 +223,7 @@ std::vector<Case> section_cases()
        "E*)",
        "The half space ends at 2000 radii, 0.03 %, and the first element at the singular edge, 0.002 a, "
        "makes the punch 0.05 % too stiff. In the middle elements are largest, 0.2 a, and a piecewise "
-       "linear pressure stands for the true one there.",
+       "linear pressure represents the true one there.",
        flat_punch});
   cases.push_back(
       {"scale-invariance-section", "verification",
@@ -234,18 +234,19 @@ std::vector<Case> section_cases()
        "Identity: linear elasticity has no length and no unit of its own",
        "Rounding times the condition of the bodies, about 1e4; every threshold of the chain is relative.",
        section_scale_invariance});
-  cases.push_back({"cattaneo-line-section", "verification",
-                   "Steel cylinder R 50 mm on a steel flat, q 1000 N/mm, pressed and then pushed sideways with "
-                   "0.25 and 0.5 of the "
-                   "sliding load, friction 0.3. Two half planes meshed over their whole width, grids that do not "
-                   "match, condensed "
-                   "with their tangents; stick and slip on the dense operator; second engine of cattaneo-line; 35 "
-                   "000 unknowns.",
-                   "Cattaneo and Mindlin; K. L. Johnson, Contact Mechanics (1985), 7.2",
-                   "0.5 %, a quarter of what is asked for: 30 elements on b leave (h/b)^2 = 1e-3 in nodal "
-                   "tractions, and the ellipses "
-                   "through them less.",
-                   cattaneo_line_section});
+  cases.push_back(
+      {"cattaneo-line-section", "verification",
+       "Steel cylinder R 50 mm on a steel flat, q 1000 N/mm, pressed and then pushed sideways with "
+       "0.25 and 0.5 of the "
+       "sliding load, friction 0.3. Two half planes meshed over their whole width, grids that do not "
+       "match, condensed "
+       "with their tangents; stick and slip on the dense operator; Fourier solver of cattaneo-line; 35 "
+       "000 unknowns.",
+       "Cattaneo and Mindlin; K. L. Johnson, Contact Mechanics (1985), 7.2",
+       "0.5 %, a quarter of what is asked for: 30 elements on b leave (h/b)^2 = 1e-3 in nodal "
+       "tractions, and the ellipses "
+       "through them less.",
+       cattaneo_line_section});
   return cases;
 }
 }  // namespace mill::verify

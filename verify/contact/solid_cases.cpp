@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-contact::Drive by_resultant(const double value)
+contact::Loading by_resultant(const double value)
 {
   return {VectorXd::Constant(1, value), {}};
 }

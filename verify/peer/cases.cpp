@@ -207,7 +207,7 @@ std::vector<Case> peer_cases()
       "peer's mesh, in ours in the gap. Elements of one half width at the contacts, growing by 2.9 and 1.7, 4 and "
       "8 "
       "layers along half of the roller. Contact face to face with a penalty of 5000 moduli per mm.",
-      "0.5 %: the peer is extrapolated by 0.1 % and gives way by 0.04 % in its penalty; ours steps by 0.3 % with "
+      "0.5 %: the peer is extrapolated by 0.1 % and deflects by 0.04 % in its penalty; ours steps by 0.3 % with "
       "nodes that join (fe-mesh-order).",
       peer_roller);
   return cases;

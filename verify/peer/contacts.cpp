@@ -51,7 +51,7 @@ Pressed press(const Cylinders &c, const double approach, const PeerSize &size)
       return std::abs(std::hypot(x[0], x[1] - middle) - radius) < 1e-9 && x[0] < 4 * c.half_width;
     });
   };
-  // A penalty of 500 moduli per mm gives way by 1e-4 of the approach.
+  // A penalty of 500 moduli per mm deflects by 1e-4 of the approach.
   deck.touch(surface(c.upper, distance), surface(c.lower, 0), 500 * steel.youngs_modulus / 1e-3);
   return {-deck.force_to_move(peer::plane(mesh, 1, distance), 2, -approach), int(mesh.nodes.size())};
 }
@@ -107,7 +107,7 @@ double force_of_pair(const int per_half_width)
   const auto pair = fem::make_pair("pair", lower, fem::held_by_mirror(lower), upper, fem::held_by_mirror(upper),
                                    Eigen::VectorXd::Zero(upper.grid.n_z));
   contact::ActiveSet solver(pair.problem);
-  return pair.multiplicity * solver.solve(by_motion(approach)).resultant[0];
+  return pair.multiplicity * solver.solve(prescribed(approach)).resultant[0];
 }
 }  // namespace
 

@@ -69,7 +69,7 @@ public:
       deck.hold(cone, direction);
     for (const int direction : {1, 3})
       deck.hold(cup, direction);
-    // The pressure of rollers is three times that of rolls, the approach a third: 5000 moduli per mm give way by
+    // The pressure of rollers is three times that of rolls, the approach a third: 5000 moduli per mm deflect by
     // 4e-4 of it.
     const double penalty = 5000 * s.material.youngs_modulus / 1e-3;
     deck.touch(faces[0].below, faces[1].below, penalty);

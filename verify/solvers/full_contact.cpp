@@ -16,7 +16,7 @@ FullContact solve_full_contact(const ElasticBody &first, const ElasticBody &seco
   std::vector<char> held(n_all, 0);
   std::vector<int> patch[2];
   for (int b = 0, offset = 0; b < 2; offset += int(bodies[b++]->stiffness().rows())) {
-    const auto h = held_unknowns(*bodies[b], {true, false}, slab);
+    const auto h = constrained_unknowns(*bodies[b], {true, false}, slab);
     std::copy(h.begin(), h.end(), held.begin() + offset);
     for (const int node : patch_in_grid_order(*bodies[b]))
       patch[b].push_back(offset + 3 * node + 1);

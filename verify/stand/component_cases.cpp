@@ -160,7 +160,7 @@ std::vector<Check> kept_modes()
 
 // ---- component-assembly ---------------------------------------------------------------------------------------
 
-// Work roll on a bed to the backup roll, its chock on a spring; backup roll on its bearings.
+// Work roll on an elastic foundation to the backup roll, its chock on a spring; backup roll on its bearings.
 struct TwoRolls {
   RollPart work   = roll_part("work roll", demo_work_roll);
   RollPart backup = roll_part("backup roll", demo_backup_roll);
@@ -168,18 +168,18 @@ struct TwoRolls {
   std::vector<Connection> connections() const
   {
     const int n_barrel = n_w - 1, n_y = n_w + n_b + 1;
-    Connection bed{"K3", Eigen::MatrixXd::Zero(n_barrel, n_y), Eigen::VectorXd::Zero(n_barrel)};
+    Connection foundation{"K3", Eigen::MatrixXd::Zero(n_barrel, n_y), Eigen::VectorXd::Zero(n_barrel)};
     for (int j = 0; j < n_barrel; ++j) {  // integral of P_2j^2 over the barrel, by its length: 1 / (4 j + 1)
-      bed.rows(j, j)       = 1;
-      bed.rows(j, n_w + j) = -1;
-      bed.stiffness[j]     = demo_contact / (4 * j + 1);
+      foundation.rows(j, j)       = 1;
+      foundation.rows(j, n_w + j) = -1;
+      foundation.stiffness[j]     = demo_contact / (4 * j + 1);
     }
     Connection bearings{"K_Zy", Eigen::MatrixXd::Zero(1, n_y), Eigen::VectorXd::Constant(1, demo_bearings)};
     bearings.rows(0, n_w + n_b - 1) = 1;
     Connection chock{"Kzc", Eigen::MatrixXd::Zero(1, n_y), Eigen::VectorXd::Constant(1, 2 * 2.01e10)};
     chock.rows(0, n_w - 1) = 1;
     chock.rows(0, n_y - 1) = -1;
-    return {bed, bearings, chock};
+    return {foundation, bearings, chock};
   }
   static constexpr double chock_mass = 2 * 880;  // kg, lower work-roll chocks (demo.inputs)
 };
@@ -244,7 +244,8 @@ Eigen::VectorXd on_bearings(const RollGeometry &g, const int elements_per_radius
 {
   const RollPart roll = roll_part("roll", g, elements_per_radius, n_barrel);
   Component c         = component_of(roll, 10);
-  // On a bed along the barrel and on springs at the seats: every function of the interface takes part.
+  // On an elastic foundation along the barrel and on springs at the seats: every function of the interface takes
+  // part.
   for (int j = 0; j < n_barrel; ++j)
     c.K(j, j) += demo_contact / (4 * j + 1);
   c.K(n_barrel, n_barrel) += demo_bearings;
@@ -372,7 +373,8 @@ std::vector<Case> component_cases()
        "estimate leaves out a factor 1 / (1 - w^2/w_j^2), at most 4/3 in the range where it is judged.",
        kept_modes});
   add({"component-assembly", "verification",
-       "Work roll, bed K3, backup roll on K_Zy and a work-roll chock on its bearing: two components against both "
+       "Work roll, foundation K3, backup roll on K_Zy and a work-roll chock on its bearing: two components "
+       "against both "
        "full "
        "meshes joined by the same springs.",
        lanczos,
@@ -380,7 +382,8 @@ std::vector<Case> component_cases()
        "frequency.",
        assembly});
   add({"component-mesh", "verification",
-       "Work roll and backup roll on a bed of K3 along the barrel and springs at the seats, modes below 1 kHz: "
+       "Work roll and backup roll on an elastic foundation of K3 along the barrel and springs at the seats, modes "
+       "below 1 kHz: "
        "the "
        "usual mesh of 3 elements per radius against 5, 6 Legendre functions of the barrel against 10.",
        "Convergence; a corner of 270 degrees lets energies converge as h^1.09 (M. L. Williams, J. Appl. Mech. 19 "

@@ -65,11 +65,12 @@ std::vector<Check> roll_shapes()
                     0.7896786807840221, 0.7024251444325678, 0.5739708246166906, 0.40510053369315785,
                     0.20928626203118816, 0.0});
   const auto add_work = [&](const double width, const std::array<double, 3> &reference) {
-    const BedShape bed = bed_shape({0.7, width / 2, 2.8708451127e10, round_section(0.42, stand.steel).bending});
+    const FoundationShape foundation =
+        foundation_shape({0.7, width / 2, 2.8708451127e10, round_section(0.42, stand.steel).bending});
     const std::array<double, 3> x{0, 0.7, 1};
     for (std::size_t i = 0; i < 3; ++i)
       checks.push_back(relative(fmt::format("work roll, strip {:.1f} m: w1 at {:.1f} m", width, x[i]), "m/N",
-                                deflection(bed, x[i]), reference[i], 1e-8));
+                                deflection(foundation, x[i]), reference[i], 1e-8));
   };
   add_work(0.3, {4.0041670647707874e-11, 2.769929987360806e-12, -1.7820046029435426e-11});
   add_work(1.0, {3.13127287410884e-11, 1.3814207085547785e-11, 2.545848975868458e-12});
@@ -185,9 +186,11 @@ std::array<double, 4> masses_without_shear()
   const SeriesSprings series = series_springs(stand.frame, path);
   const Flexibilities u      = flexibilities(stand.frame, path, series.K1, series.K7);
   const Roll &work           = stand.work_roll;
-  const BedShape bed = bed_shape({0.7, 0.5, 40191831577.696884 / 1.4, round_section(0.42, stand.steel).bending});
-  return {upper_backup_mass(stand, beam, u), work_roll_mass(stand, bed, beam, u.roll_upper, work.chock_mass_upper),
-          work_roll_mass(stand, bed, beam, u.roll_lower, work.chock_mass_lower),
+  const FoundationShape foundation =
+      foundation_shape({0.7, 0.5, 40191831577.696884 / 1.4, round_section(0.42, stand.steel).bending});
+  return {upper_backup_mass(stand, beam, u),
+          work_roll_mass(stand, foundation, beam, u.roll_upper, work.chock_mass_upper),
+          work_roll_mass(stand, foundation, beam, u.roll_lower, work.chock_mass_lower),
           lower_backup_mass(stand, beam, u)};
 }
 
@@ -271,7 +274,7 @@ std::vector<Case> mass_cases()
       "exact quadrature; the patch of the central load errs at second order of its width", uniform_beam);
   add("mass-roll-shapes", "regression",
       "Backup roll 1450/950 mm on bearing centres 2450 mm apart as a stepped beam with and without shear; work "
-      "roll 420 mm on a bed of 2.87e10 N/m2 under strips of 0.3, 1.0 and 1.4 m.",
+      "roll 420 mm on an elastic foundation of 2.87e10 N/m2 under strips of 0.3, 1.0 and 1.4 m.",
       document + "backup_shape.*, work_shape.*)", "closed forms on both sides", roll_shapes);
   add("mass-roll-frequency", "verification",
       "First frequency of the backup roll alone on rigid bearing centres: Timoshenko elements with lumped mass "

@@ -14,7 +14,8 @@ struct StripMaterial {
   const FlowStress *law = nullptr;  ///< plane strain, of the thickness strain ln(h0/h)
   double unit           = 1;        ///< Pa, of one unit of stress
   double compliance     = 0;        ///< -, 1/(2 G); 0: rigid-plastic
-  double least_rate     = 0;        ///< -, rate of shear below which the strip creeps; 0: a sharp yield limit
+  double cutoff_strain_rate =
+      0;  ///< -, rate of shear below which the strip flows like a viscous liquid; 0: a sharp yield limit
 };
 
 /// Flow stress at a strain, scaled.
@@ -64,15 +65,16 @@ constexpr std::array<double, 2> radau_point{1. / 3, 1}, radau_weight{3. / 4, 1. 
 /// @param guess  of gamma
 /// @return gamma; differentiated by the equation it solves and not through its iterations
 template <class T>
-T yield_point(const StripMaterial &m, const double c, const std::array<T, 3> &e, const T &time,
-              const T &strain_before, const double share, const T &factor, const double guess, T *stress,
-              bool &plastic)
+T return_mapping(const StripMaterial &m, const double c, const std::array<T, 3> &e, const T &time,
+                 const T &strain_before, const double share, const T &factor, const double guess, T *stress,
+                 bool &plastic)
 {
   using bite::value_of;
   using std::sqrt;
   const T zz     = -1.0 * (e[0] + e[1]);
   const T size   = sqrt(2.0 * (e[0] * e[0] + e[1] * e[1] + zz * zz) + 4.0 * e[2] * e[2] + 1e-300);
-  const double q = value_of(size), creep = m.least_rate * value_of(time), before = value_of(strain_before);
+  const double q = value_of(size), cutoff = m.cutoff_strain_rate * value_of(time),
+               before = value_of(strain_before);
   struct Yield {
     double value, slope;  ///< shear yield stress and its derivative by gamma
   };
@@ -83,13 +85,13 @@ T yield_point(const StripMaterial &m, const double c, const std::array<T, 3> &e,
   // Residual 2 c tau gamma/S + gamma - q of the plastic shear, monotone; its slope
   const auto residual = [&](const double g, double &slope) {
     const Yield y   = yield(g);
-    const double S  = std::hypot(g, creep);
-    const double on = creep == 0 ? 1 : g / S;
-    slope           = 1 + 2 * c * (y.slope * on + (creep == 0 ? 0 : y.value * creep * creep / (S * S * S)));
+    const double S  = std::hypot(g, cutoff);
+    const double on = cutoff == 0 ? 1 : g / S;
+    slope           = 1 + 2 * c * (y.slope * on + (cutoff == 0 ? 0 : y.value * cutoff * cutoff / (S * S * S)));
     return 2 * c * y.value * on + g - q;
   };
   double g = q;
-  plastic  = c == 0 || creep > 0 || q > 2 * c * yield(0).value;
+  plastic  = c == 0 || cutoff > 0 || q > 2 * c * yield(0).value;
   if (c > 0 && plastic) {
     // Concave: from the left Newton's method cannot overshoot; a guess to the right is brought there by its first
     // step.
@@ -99,23 +101,25 @@ T yield_point(const StripMaterial &m, const double c, const std::array<T, 3> &e,
       const double step = -residual(g, slope) / slope;
       g                 = std::max(g + step, 0.);
       if (std::abs(step) <=
-          1e-9 * std::min(q, creep > 0 ? std::max(g, 1e-6 * q) : q))  // the next one is its square
+          1e-9 * std::min(q, cutoff > 0 ? std::max(g, 1e-6 * q) : q))  // the next one is its square
         break;
     }
   }
   T gamma(0.), resistance(c);
   if (plastic) {
-    const T creeping       = m.least_rate * time;
-    const auto shear_yield = [&](const T &x) {
+    const T cutoff_increment = m.cutoff_strain_rate * time;
+    const auto shear_yield   = [&](const T &x) {
       return 0.5 * factor * material_flow_stress(m, T(strain_before + 0.5 * share * x));
     };
-    const auto norm = [&](const T &x) { return creep == 0 ? x : T(sqrt(x * x + creeping * creeping)); };
+    const auto norm = [&](const T &x) {
+      return cutoff == 0 ? x : T(sqrt(x * x + cutoff_increment * cutoff_increment));
+    };
     if (c == 0) {
       gamma = size;
     } else {
       double slope;
       residual(g, slope);
-      const T on = creep == 0 ? T(1.) : g / norm(T(g));
+      const T on = cutoff == 0 ? T(1.) : g / norm(T(g));
       gamma      = T(g) - (2.0 * c * shear_yield(T(g)) * on + g - size) / slope;
     }
     resistance = c + norm(gamma) / (2.0 * shear_yield(gamma));
@@ -142,14 +146,14 @@ void point_again(const StripMaterial &m, const int i, const T *in, const T *stat
                            0.5 * (a[gradient_xy] + a[gradient_yx]) -
                                c * (kept(stress_xy) - 0.5 * spin * (own[stress_xx] - own[stress_yy]))};
   const T before      = in[upstream_strain] + 0.5 * r.gathered_other * other[plastic_shear];
-  const T gamma       = yield_point(m, r.own * c, e, a[transit], before, r.gathered_own, in[stress_factor],
-                                    bite::value_of(own[plastic_shear]), next, plastic[i]);
+  const T gamma       = return_mapping(m, r.own * c, e, a[transit], before, r.gathered_own, in[stress_factor],
+                                       bite::value_of(own[plastic_shear]), next, plastic[i]);
   next[plastic_shear] = gamma;
 }
 
 /// Both points once more.
 template <class T>
-void row_again(const StripMaterial &m, const T *in, const T *state, T *next, std::array<bool, 2> &plastic)
+void stress_update(const StripMaterial &m, const T *in, const T *state, T *next, std::array<bool, 2> &plastic)
 {
   for (int i = 0; i < 2; ++i)
     point_again(m, i, in, state, next + n_row_state * i, plastic);
@@ -183,7 +187,7 @@ inline RowSolution solve_row(const StripMaterial &m, const std::array<double, n_
   }
   const auto mismatch = [&](const Vector &x) {
     Vector next;
-    row_again(m, in.data(), x.data(), next.data(), out.plastic);
+    stress_update(m, in.data(), x.data(), next.data(), out.plastic);
     return Vector(x - next);
   };
   const auto alternate = [&] {
@@ -205,7 +209,7 @@ inline RowSolution solve_row(const StripMaterial &m, const std::array<double, n_
       x[i] = bite::Dual<n>::variable(z[i], i);
     for (int i = 0; i < n_row_inputs; ++i)
       fixed[i] = bite::Dual<n>(in[i]);
-    row_again(m, fixed.data(), x.data(), next.data(), out.plastic);
+    stress_update(m, fixed.data(), x.data(), next.data(), out.plastic);
     Eigen::Matrix<double, n, n> K = Eigen::Matrix<double, n, n>::Identity();
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j)
@@ -231,7 +235,7 @@ inline RowSolution solve_row(const StripMaterial &m, const std::array<double, n_
     x[i] = bite::Dual<n + n_row_inputs>::variable(z[i], i);
   for (int i = 0; i < n_row_inputs; ++i)
     moving[i] = bite::Dual<n + n_row_inputs>::variable(in[i], n + i);
-  row_again(m, moving.data(), x.data(), next.data(), out.plastic);
+  stress_update(m, moving.data(), x.data(), next.data(), out.plastic);
   Eigen::Matrix<double, n, n> K = Eigen::Matrix<double, n, n>::Identity();
   Eigen::Matrix<double, n, n_row_inputs> right;
   for (int i = 0; i < n; ++i) {

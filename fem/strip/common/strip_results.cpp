@@ -57,7 +57,7 @@ void add_slip_notes(StripFlow &flow, const bool drawn)
     s.notes.push_back(sentence("the slip changes its sign ", flow.slip_changes,
                                " times along the arc: the neutral position is the middle of the zone"));
   if (s.sticking_length > 0.1 * on_arc)
-    s.remarks.push_back(sentence("the friction stress is at its limit, or slip nil, over ",
+    s.remarks.push_back(sentence("the friction stress is at its limit, or slip zero, over ",
                                  s.sticking_length * 1e3, " mm of an arc of ", on_arc * 1e3, " mm"));
 }
 }  // namespace mill::fem

@@ -9,14 +9,14 @@
 namespace mill::fem {
 /// One accepted step of the continuation.
 struct StripFlowLevel {
-  std::string stage;       ///< "Picard", "Newton, fixed surface", "Newton, free surface"
-  int n_unknowns     = 0;  ///< of its grid
-  double least_rate  = 0;  ///< -, g0 over the mean rate of shear
-  double least_slip  = 0;  ///< -, d0 over the roll's speed
-  double flexibility = 0;  ///< -, share of the roll's flattening
-  int iterations     = 0;
-  double residual    = 0;  ///< -, scaled, at the end of the level
-  double force       = 0;  ///< N
+  std::string stage;              ///< "Picard", "Newton, fixed surface", "Newton, free surface"
+  int n_unknowns            = 0;  ///< of its grid
+  double cutoff_strain_rate = 0;  ///< -, g0 over the mean rate of shear
+  double cutoff_slip        = 0;  ///< -, d0 over the roll's speed
+  double flexibility        = 0;  ///< -, share of the roll's flattening
+  int iterations            = 0;
+  double residual           = 0;  ///< -, scaled, at the end of the level
+  double force              = 0;  ///< N
 };
 
 /// How a solution was come to.

@@ -9,13 +9,14 @@ struct StripElasticModel {
   int elements_along   = 24;                ///< on the contact where it is long and smooth; its ends are finer
   int elements_through = 4;                 ///< through half the thickness
   double finest        = 0.125;             ///< -, element at the ends of the contact over the others
-  double outside       = 0;     ///< -, inlet and outlet over the entry thickness; 0: 1, or 1.5 for thick strip
-  double least_slip    = 2e-3;  ///< -, d0 over ln(h1/h2) of the roll's speed: the sign of slip is smeared over it
-  double least_rate    = 0;     ///< -, g0 over the mean rate of shear; 0: a sharp yield limit
-  double tolerance     = 1e-9;  ///< -, norm of the scaled residual of a converged state
-  double stiffness     = 1;     ///< -, factor on the strip's elastic moduli
-  bool derivatives     = true;  ///< by all inputs, two more factorisations
-  double work_limit    = INFINITY;  ///< unknowns times factorisations, after which a solution is given up
+  double outside       = 0;  ///< -, inlet and outlet over the entry thickness; 0: 1, or 1.5 for thick strip
+  double cutoff_slip =
+      2e-3;  ///< -, d0 over ln(h1/h2) of the roll's speed: the sign of slip is regularised over it
+  double cutoff_strain_rate = 0;         ///< -, g0 over the mean rate of shear; 0: a sharp yield limit
+  double tolerance          = 1e-9;      ///< -, norm of the scaled residual of a converged state
+  double stiffness          = 1;         ///< -, factor on the strip's elastic moduli
+  bool derivatives          = true;      ///< by all inputs, two more factorisations
+  double work_limit         = INFINITY;  ///< unknowns times factorisations, after which a solution is given up
 };
 
 /// State of the strip, its elastic zones and what stays in it.  Fields as in StripFlow; entry and exit are those

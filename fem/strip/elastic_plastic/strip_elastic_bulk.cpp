@@ -37,7 +37,8 @@ ElasticAssembly::ElasticAssembly(const ElasticPass &p, const ElasticGrid &g, con
                                  const bool with_tangent)
     : pass(p), grid(g), roll(r), stage(s), unknowns(u), memory(rows), tangent(with_tangent)
 {
-  material = {&p.bite->strip.flow_stress, p.stress, s.compliance * p.shear_compliance, s.least_rate * p.mean_rate};
+  material        = {&p.bite->strip.flow_stress, p.stress, s.compliance * p.shear_compliance,
+                     s.cutoff_strain_rate * p.mean_rate};
   bulk_compliance = s.compliance * p.bulk_compliance;
   out.residual.setZero(g.n_unknowns);
   out.force_by.setZero(g.n_unknowns);

@@ -44,7 +44,7 @@ ElasticRoll elastic_roll(const ElasticPass &pass, const ElasticGrid &grid, const
       first = std::min(first, i);
       last  = std::max(last, i);
     }
-  const int m           = last - first + 3;  // with one spine beyond each end, where the pressure is nil
+  const int m           = last - first + 3;  // with one spine beyond each end, where the pressure is zero
   const VectorXd x      = -pass.length * grid.x.segment(first - 1, m).reverse();
   const Material &steel = pass.bite->roll;
   MatrixXd influence    = bite::half_plane_flexibility(x, steel, pass.bite->roll_radius).influence;
@@ -138,13 +138,13 @@ void ElasticAssembly::spine_contact(const int i)
   } else {
     double by_gap = 0;
     if (grid.ends_of_contact) {
-      // At both ends of the contact pressure and gap are nil: the gap here, the pressure in bulk().
+      // At both ends of the contact pressure and gap are zero: the gap here, the pressure in bulk().
       const bool touches = i >= grid.entry_spine && i <= grid.exit_spine;
       out.residual[row] += touches ? gap : force;
       add(row, row, touches ? 0 : 1);
       by_gap = touches ? 1 : 0;
     } else {
-      // pressure >= 0, gap >= 0, one of them nil: Fischer and Burmeister's function, smoothed, (19.12)
+      // pressure >= 0, gap >= 0, one of them zero: Fischer and Burmeister's function, smoothed, (19.12)
       const double a = c.pressure, b = gap / gap_unit, S = std::sqrt(a * a + b * b + 2 * stage.softness);
       by_gap = -(1 - b / S);
       out.residual[row] -= gap_unit * (a + b - S);
@@ -170,7 +170,7 @@ void ElasticAssembly::spine_contact(const int i)
           e = D::variable(unknowns[strain], 5), k_factor = D::variable(unknowns[factor], 6),
           w    = D::variable(weight, 9);
   const D norm = 1.0 / sqrt(1.0 + m * m), slip = (u + v * m) * norm - 1.0;
-  const D d0              = stage.least_slip * log(D::variable(unknowns[h1], 7) / D::variable(unknowns[h2], 8));
+  const D d0              = stage.cutoff_slip * log(D::variable(unknowns[h1], 7) / D::variable(unknowns[h2], 8));
   const D sign            = slip / sqrt(slip * slip + d0 * d0),
           shear_yield     = 0.5 * k_factor * material_flow_stress(material, e);
   const Friction &law     = pass.bite->strip.friction;

@@ -19,7 +19,7 @@ constexpr double start_tolerance = 1e-7;
 bool ElasticContinuation::is_last(const ElasticStage &s) const
 {
   const ElasticStage last = last_stage(pass);
-  return !s.held_shape && s.least_rate == last.least_rate && s.least_slip == last.least_slip &&
+  return !s.held_shape && s.cutoff_strain_rate == last.cutoff_strain_rate && s.cutoff_slip == last.cutoff_slip &&
          s.softness == last.softness && s.compliance == last.compliance && s.flattening == last.flattening;
 }
 
@@ -61,7 +61,7 @@ bool ElasticContinuation::newton(ElasticStage stage, const char *what, const int
     residual = last_residual = e.residual.norm();
     if (residual < enough && !moved) {
       const double unit = pass.stress * pass.length * pass.bite->strip.width;
-      course.levels.push_back({what, grid.n_unknowns, stage.least_rate, stage.least_slip * pass.reduction,
+      course.levels.push_back({what, grid.n_unknowns, stage.cutoff_strain_rate, stage.cutoff_slip * pass.reduction,
                                stage.flattening, step, residual, e.force * unit});
       at = stage;
       return true;
@@ -80,12 +80,12 @@ bool ElasticContinuation::advance(const ElasticStage &target, const char *what, 
   const auto between = [](const double a, const double b, const double least) {
     return std::sqrt(std::max(a, least) * std::max(b, least));
   };
-  ElasticStage middle = target;
-  middle.least_rate   = between(at.least_rate, target.least_rate, 1e-7);
-  middle.least_slip   = between(at.least_slip, target.least_slip, 1e-7);
-  middle.softness     = between(at.softness, target.softness, 1e-15);
-  middle.compliance   = 0.5 * (at.compliance + target.compliance);
-  middle.flattening   = 0.5 * (at.flattening + target.flattening);
+  ElasticStage middle       = target;
+  middle.cutoff_strain_rate = between(at.cutoff_strain_rate, target.cutoff_strain_rate, 1e-7);
+  middle.cutoff_slip        = between(at.cutoff_slip, target.cutoff_slip, 1e-7);
+  middle.softness           = between(at.softness, target.softness, 1e-15);
+  middle.compliance         = 0.5 * (at.compliance + target.compliance);
+  middle.flattening         = 0.5 * (at.flattening + target.flattening);
   return advance(middle, what, depth + 1) && advance(target, what, depth + 1);
 }
 
@@ -121,12 +121,12 @@ double ElasticContinuation::largest_share(const VectorXd &d) const
 ElasticStage last_stage(const ElasticPass &pass)
 {
   ElasticStage s;
-  s.least_rate = pass.model.least_rate;
-  s.least_slip = pass.model.least_slip;
-  s.softness   = 1e-14;
-  s.compliance = 1;
-  s.flattening = pass.model.arc == bite::Arc::elastic ? 1 : 0;
-  s.held_shape = false;
+  s.cutoff_strain_rate = pass.model.cutoff_strain_rate;
+  s.cutoff_slip        = pass.model.cutoff_slip;
+  s.softness           = 1e-14;
+  s.compliance         = 1;
+  s.flattening         = pass.model.arc == bite::Arc::elastic ? 1 : 0;
+  s.held_shape         = false;
   return s;
 }
 
@@ -134,7 +134,7 @@ namespace {
 [[noreturn]] void refuse(const ElasticContinuation &c, const ElasticStage &wanted)
 {
   const auto stage = [](const ElasticStage &s) {
-    return sentence("g0 = ", s.least_rate, " of the mean rate of shear, elasticity of the strip ",
+    return sentence("g0 = ", s.cutoff_strain_rate, " of the mean rate of shear, elasticity of the strip ",
                     100 * s.compliance, " %, flattening of the roll ", 100 * s.flattening, " %");
   };
   const ElasticPass &pass = c.pass;
@@ -149,7 +149,7 @@ namespace {
                      "converged up to " + stage(c.at)});
 }
 
-// Moves the lines of the mesh so that two of them are the ends of the contact: pressure and gap nil there.  From
+// Moves the lines of the mesh so that two of them are the ends of the contact: pressure and gap zero there.  From
 // here on the state is a smooth function of what is given.
 bool fit(ElasticContinuation &c, const ElasticStage &stage)
 {
@@ -185,20 +185,20 @@ bool fit(ElasticContinuation &c, const ElasticStage &stage)
 
 }  // namespace
 
-// Down from a creeping strip at rate `from`, everything else as at the end.
+// Down from a regularised strip at rate `from`, everything else as at the end.
 void harden(ElasticContinuation &c, const double from, const double until)
 {
   const ElasticStage last = last_stage(c.pass);
   const char *what        = "Newton, free surface";
   for (const double rate : {0.1, 0.03, 0.01, 1e-3}) {
-    if (rate > 1.01 * from || rate <= last.least_rate || rate < until)
+    if (rate > 1.01 * from || rate <= last.cutoff_strain_rate || rate < until)
       continue;
-    ElasticStage s = last;
-    s.least_rate   = rate;
-    s.least_slip   = std::max(last.least_slip, std::min(0.2, 0.5 * rate));
-    s.softness     = 1e-2 * rate * rate;
+    ElasticStage s       = last;
+    s.cutoff_strain_rate = rate;
+    s.cutoff_slip        = std::max(last.cutoff_slip, std::min(0.2, 0.5 * rate));
+    s.softness           = 1e-2 * rate * rate;
     if (c.at.held_shape || c.at.flattening < s.flattening) {
-      s.least_slip      = std::max(s.least_slip, 0.05);
+      s.cutoff_slip     = std::max(s.cutoff_slip, 0.05);
       ElasticStage part = s;
       part.flattening   = 0;
       if (!c.advance(part, what))
@@ -224,15 +224,15 @@ void solve_cold(ElasticContinuation &c, const double until)
   ElasticStage s;
   const char *what = "Newton, fixed surface";
   for (const double rate : {1., 0.3, 0.1}) {
-    s.least_rate = s.least_slip = rate;
+    s.cutoff_strain_rate = s.cutoff_slip = rate;
     if (!c.advance(s, what))
       refuse(c, s);
-    s.compliance = 1;  // from the second level on: at the first the strip only creeps
+    s.compliance = 1;  // from the second level on: at the first the strip is only viscous
   }
   harden(c, 0.1, until);
 }
 
-// From a state of another mesh or pass: the last level at once, or from a creeping strip on.
+// From a state of another mesh or pass: the last level at once, or from a regularised strip on.
 void solve_warm(ElasticContinuation &c)
 {
   const ElasticStage last = last_stage(c.pass);
@@ -240,10 +240,10 @@ void solve_warm(ElasticContinuation &c)
   if (!c.fits && c.newton(last, what, 20))
     return;
   for (const double rate : {c.fits ? fit_rate : 1e-3, 1e-2, 0.1}) {
-    ElasticStage soft = last;
-    soft.least_rate   = rate;
-    soft.least_slip   = std::max(last.least_slip, 0.5 * rate);
-    soft.softness     = 1e-2 * rate * rate;
+    ElasticStage soft       = last;
+    soft.cutoff_strain_rate = rate;
+    soft.cutoff_slip        = std::max(last.cutoff_slip, 0.5 * rate);
+    soft.softness           = 1e-2 * rate * rate;
     if (c.newton(soft, what, 25)) {
       harden(c, c.fits ? rate : 0.9 * rate);
       return;

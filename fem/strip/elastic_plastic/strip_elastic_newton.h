@@ -32,16 +32,16 @@ private:
   StripCourse &course;
 };
 
-/// g0 at which the mesh is fitted to the contact: the strip still creeps, so no point changes between elastic and
-/// plastic when the mesh moves.
+/// g0 at which the mesh is fitted to the contact: the strip is still regularised, so no point changes between
+/// elastic and plastic when the mesh moves.
 constexpr double fit_rate = 0.01;
 
-/// Down from a creeping strip at rate `from`, everything else as at the end, to `until`; 0: to the last level.
+/// Down from a regularised strip at rate `from`, everything else as at the end, to `until`; 0: to the last level.
 /// @throws SolverError  no convergence
 void harden(ElasticContinuation &c, double from, double until = 0);
 /// From an even flow.  @throws SolverError  no convergence
 void solve_cold(ElasticContinuation &c, double until = 0);
-/// From a state of another mesh or pass: the last level at once, or from a creeping strip on.
+/// From a state of another mesh or pass: the last level at once, or from a regularised strip on.
 /// @throws SolverError  no convergence
 void solve_warm(ElasticContinuation &c);
 ElasticStage last_stage(const ElasticPass &pass);

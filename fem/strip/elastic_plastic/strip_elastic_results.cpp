@@ -99,7 +99,7 @@ void add_arc(StripElastic &out, const ElasticPass &pass, const ElasticGrid &grid
       exit  = i;
     }
   const int n    = entry < 0 ? 0 : exit - entry + 1;
-  const double L = pass.length, k = pass.stress, d0 = stage.least_slip * pass.reduction;
+  const double L = pass.length, k = pass.stress, d0 = stage.cutoff_slip * pass.reduction;
   for (VectorXd *v : {&s.position, &s.pressure, &s.shear, &s.slip, &s.thickness, &flow.nodal_force,
                       &flow.roll_surface, &flow.flattening})
     v->resize(n);

@@ -15,8 +15,8 @@ using Eigen::VectorXd;
 StripStage last_stage(const StripPass &pass)
 {
   const bool follows = pass.model.follow_surface;
-  return {pass.model.least_rate,
-          pass.model.least_slip,
+  return {pass.model.cutoff_strain_rate,
+          pass.model.cutoff_slip,
           false,
           follows,
           pass.model.release,
@@ -103,13 +103,13 @@ public:
       return true;
     if (depth == 5)
       return false;
-    StripStage middle   = target;
-    middle.least_rate   = std::sqrt(at.least_rate * target.least_rate);
-    middle.least_slip   = std::sqrt(at.least_slip * target.least_slip);
-    middle.flexibility  = 0.5 * (at.flexibility + target.flexibility);
-    middle.tension      = 0.5 * (at.tension + target.tension);
-    middle.end_pressure = 0.5 * (at.end_pressure + target.end_pressure);
-    middle.friction     = std::sqrt(at.friction * target.friction);
+    StripStage middle         = target;
+    middle.cutoff_strain_rate = std::sqrt(at.cutoff_strain_rate * target.cutoff_strain_rate);
+    middle.cutoff_slip        = std::sqrt(at.cutoff_slip * target.cutoff_slip);
+    middle.flexibility        = 0.5 * (at.flexibility + target.flexibility);
+    middle.tension            = 0.5 * (at.tension + target.tension);
+    middle.end_pressure       = 0.5 * (at.end_pressure + target.end_pressure);
+    middle.friction           = std::sqrt(at.friction * target.friction);
     return advance(middle, depth + 1) && advance(target, depth + 1);
   }
 
@@ -129,16 +129,17 @@ private:
             const double force)
   {
     const double width = pass.bite->strip.width;
-    course.levels.push_back({what, grid.n_unknowns, stage.least_rate, stage.least_slip, stage.flexibility,
+    course.levels.push_back({what, grid.n_unknowns, stage.cutoff_strain_rate, stage.cutoff_slip, stage.flexibility,
                              iterations, residual, force * pass.stress * pass.length * width});
   }
   bool ends_at(const StripStage &stage) const
   {
     const StripStage last = last_stage(pass);
-    return is_finest && stage.least_rate == last.least_rate && stage.least_slip == last.least_slip &&
-           stage.free_surface == last.free_surface && stage.release == last.release &&
-           stage.end_pressure == last.end_pressure && stage.flexibility == last.flexibility &&
-           stage.tension == last.tension && stage.friction == last.friction;
+    return is_finest && stage.cutoff_strain_rate == last.cutoff_strain_rate &&
+           stage.cutoff_slip == last.cutoff_slip && stage.free_surface == last.free_surface &&
+           stage.release == last.release && stage.end_pressure == last.end_pressure &&
+           stage.flexibility == last.flexibility && stage.tension == last.tension &&
+           stage.friction == last.friction;
   }
   UnsymmetricFactor factor;
   StripCourse &course;
@@ -160,14 +161,14 @@ private:
               short_number(-c.u[c.grid.whole(Whole::entry)] * pass.length * 1e3, 3) + " mm";
   }
   throw SolverError(
-      {"roll bite by finite elements: no convergence at g0 = " + short_number(wanted.least_rate, 3) +
-           " of the mean rate of shear, d0 = " + short_number(wanted.least_slip, 3) + " of the roll's speed" +
+      {"roll bite by finite elements: no convergence at g0 = " + short_number(wanted.cutoff_strain_rate, 3) +
+           " of the mean rate of shear, d0 = " + short_number(wanted.cutoff_slip, 3) + " of the roll's speed" +
            (wanted.flexibility > 0 ? ", roll flattening " + short_number(100 * wanted.flexibility, 3) + " %" : ""),
        "last residual " + short_number(c.last_residual, 3) + ", wanted " + short_number(m.tolerance, 3) + "; " +
            std::to_string(c.grid.n_unknowns) + " unknowns",
        "friction at its limit over most of the arc, or a mesh too coarse for the ends of the contact", remedy,
-       "converged up to g0 = " + short_number(c.at.least_rate, 3) + ", d0 = " + short_number(c.at.least_slip, 3) +
-           ", flattening " + short_number(100 * c.at.flexibility, 3) + " %"});
+       "converged up to g0 = " + short_number(c.at.cutoff_strain_rate, 3) + ", d0 = " +
+           short_number(c.at.cutoff_slip, 3) + ", flattening " + short_number(100 * c.at.flexibility, 3) + " %"});
 }
 
 // From an even flow to the last level, on one grid.
@@ -175,7 +176,7 @@ void solve_cold(Continuation &c)
 {
   const StripStage wanted = last_stage(c.pass);
   StripStage stage;
-  // A strip that creeps would be torn by the tensions that it carries once it is all but rigid.
+  // A regularised strip would be torn by the tensions that it carries once it is all but rigid.
   const Strip &strip   = c.pass.bite->strip;
   const double tension = std::max(std::abs(strip.entry_tension), std::abs(strip.exit_tension)) / c.pass.stress;
   stage.tension        = std::min(1., 0.3 / tension);
@@ -184,8 +185,8 @@ void solve_cold(Continuation &c)
     refuse(c.pass, c, stage);
   stage.picard = false;
   for (double rate = 1;; rate /= 10) {
-    stage.least_rate = std::max(rate, wanted.least_rate);
-    stage.least_slip = std::max(wanted.least_slip, std::min(0.3 * rate, 0.05));
+    stage.cutoff_strain_rate = std::max(rate, wanted.cutoff_strain_rate);
+    stage.cutoff_slip        = std::max(wanted.cutoff_slip, std::min(0.3 * rate, 0.05));
     if (!c.advance(stage))
       refuse(c.pass, c, stage);
     if (wanted.free_surface && !stage.free_surface && rate < 0.5) {
@@ -193,7 +194,7 @@ void solve_cold(Continuation &c)
       if (!c.advance(stage))
         refuse(c.pass, c, stage);
     }
-    if (stage.least_rate == wanted.least_rate && stage.least_slip == wanted.least_slip)
+    if (stage.cutoff_strain_rate == wanted.cutoff_strain_rate && stage.cutoff_slip == wanted.cutoff_slip)
       break;
   }
   if (wanted.release) {
@@ -219,15 +220,15 @@ void solve_cold(Continuation &c)
   }
 }
 
-// A state of another grid or pass as start: the last level at once, or from a creeping strip on.
+// A state of another grid or pass as start: the last level at once, or from a regularised strip on.
 bool solve_warm(Continuation &c)
 {
   const StripStage wanted = last_stage(c.pass);
   if (c.newton(wanted))
     return true;
-  StripStage soft = wanted;
-  soft.least_rate = std::max(wanted.least_rate, 0.03);
-  soft.least_slip = std::max(wanted.least_slip, 0.01);
+  StripStage soft         = wanted;
+  soft.cutoff_strain_rate = std::max(wanted.cutoff_strain_rate, 0.03);
+  soft.cutoff_slip        = std::max(wanted.cutoff_slip, 0.01);
   return c.newton(soft) && c.advance(wanted);
 }
 

@@ -5,11 +5,12 @@
 namespace mill::fem {
 /// Regularisations and what the computation holds.
 struct StripFlowModel {
-  bite::Arc arc     = bite::Arc::rigid;  ///< circle of the roll, Hitchcock's circle, or any shape
-  double least_rate = 1e-3;  ///< -, g0 over the mean rate of shear of the pass: below it the strip creeps
-  double least_slip = 1e-3;  ///< -, d0 over the roll's speed: the sign of slip is smeared over it
-  double tolerance  = 1e-9;  ///< -, norm of the scaled residual of a converged state; rounding stops it at 1e-10
-  double exit_speed = not_given;  ///< -, over the roll's; given: drawn at that speed, exit tension is a result
+  bite::Arc arc = bite::Arc::rigid;  ///< circle of the roll, Hitchcock's circle, or any shape
+  double cutoff_strain_rate =
+      1e-3;  ///< -, g0 over the mean rate of shear of the pass: below it the strip flows like a viscous liquid
+  double cutoff_slip = 1e-3;  ///< -, d0 over the roll's speed: the sign of slip is regularised over it
+  double tolerance   = 1e-9;  ///< -, norm of the scaled residual of a converged state; rounding stops it at 1e-10
+  double exit_speed  = not_given;  ///< -, over the roll's; given: drawn at that speed, exit tension is a result
   bool release = true;  ///< the contact ends where the pressure has fallen to zero; false: on the line of centres
   bool follow_surface = true;  ///< false: contact begins at the geometric entry, mesh lines stay where they are
   bool derivatives    = true;  ///< by all inputs, two more factorisations

@@ -18,8 +18,8 @@ enum Seen {
   half_height,
   strain,
   speed,
-  hardness,
-  creep
+  flow_stress_factor,
+  cutoff
 };
 constexpr int n_seen = 12;
 using Number         = Dual<n_seen>;
@@ -36,8 +36,8 @@ struct Point {
   Seeing seeing;
   Number of[n_seen];
   Number xx, yy, xy, shear_square;  // rate of deformation, 2 D:D
-  Number gain;                      // strain per unit of the path along the element
-  Local gain_by;
+  Number strain_increment;          // strain per unit of the path along the element
+  Local strain_increment_by;
 };
 
 struct Element {
@@ -78,7 +78,7 @@ struct Element {
       assembly.add(row, grid.whole(Whole::entry), by[abscissae + side] * grid.spine[I + side][0]);
       assembly.add(row, grid.whole(Whole::exit), by[abscissae + side] * grid.spine[I + side][1]);
     }
-    const double share = assembly.stage.least_rate * by[least];
+    const double share = assembly.stage.cutoff_strain_rate * by[least];
     assembly.add(row, grid.input(bite::Input::entry_thickness), share * assembly.pass.mean_rate_by[0]);
     assembly.add(row, grid.input(bite::Input::exit_thickness), share * assembly.pass.mean_rate_by[1]);
     assembly.add(row, grid.input(bite::Input::arc_radius), share * assembly.pass.mean_rate_by[2]);
@@ -107,8 +107,8 @@ Seeing seeing_of(const StripShapes &s, const int q)
     see(half_height, lower + a) = -0.5 * quadratic(t, a);
     see(half_height, upper + a) = 0.5 * quadratic(t, a);
   }
-  see(hardness, factor) = 1;
-  see(creep, least)     = 1;
+  see(flow_stress_factor, factor) = 1;
+  see(cutoff, least)              = 1;
   return see;
 }
 
@@ -125,12 +125,12 @@ void see_point(Point &p, const Seeing &seeing, const Local &local)
   p.xy = 0.5 * (p.of[x_through] / p.of[half_height] + (p.of[y_along] - p.of[y_through] * tilt) / p.of[half_width]);
   p.shear_square = 2.0 * (p.xx * p.xx + p.yy * p.yy + 2.0 * (p.xy * p.xy));
   // Strain by plastic work, (18.6): its rate vanishes where the strip is all but rigid.
-  p.gain =
-      p.shear_square * p.of[half_width] / (2.0 * sqrt(p.shear_square + p.of[creep] * p.of[creep]) * p.of[speed]);
-  p.gain_by.setZero();
+  p.strain_increment =
+      p.shear_square * p.of[half_width] / (2.0 * sqrt(p.shear_square + p.of[cutoff] * p.of[cutoff]) * p.of[speed]);
+  p.strain_increment_by.setZero();
   for (int m = 0; m < n_seen; ++m)
     if (m != strain)
-      p.gain_by += p.gain.by[m] * p.seeing.row(m).transpose();
+      p.strain_increment_by += p.strain_increment.by[m] * p.seeing.row(m).transpose();
 }
 
 // D/norm as the last Newton step predicted it from there, (18.14), cut to length one; kept for the next step.
@@ -202,7 +202,7 @@ void StripAssembly::add(const int row, const int column, const double derivative
 void StripAssembly::bulk()
 {
   const StripShapes &shapes               = strip_shapes();
-  const double g0                         = stage.least_rate * pass.mean_rate;
+  const double g0                         = stage.cutoff_strain_rate * pass.mean_rate;
   static const std::vector<Seeing> seeing = [&] {
     std::vector<Seeing> s;
     for (int q = 0; q < 9; ++q)
@@ -230,8 +230,8 @@ void StripAssembly::bulk()
         double strain_out   = local[strains + b];
         Local strain_out_by = Local::Unit(strains + b);
         for (int a = 0; a < 3; ++a) {
-          strain_out += shapes.weight[a] * points[a].gain.value;
-          strain_out_by += shapes.weight[a] * points[a].gain_by;
+          strain_out += shapes.weight[a] * points[a].strain_increment.value;
+          strain_out_by += shapes.weight[a] * points[a].strain_increment_by;
         }
         const int row = grid.strain(I + 1, J, b);
         element.add(*this, row, unknowns[row] - strain_out, -strain_out_by);
@@ -241,12 +241,12 @@ void StripAssembly::bulk()
           p.of[strain].value = local[strains + b];
           Local here         = Local::Unit(strains + b);
           for (int l = 0; l < 3; ++l) {
-            p.of[strain].value += shapes.gathered(a, l) * points[l].gain.value;
-            here += shapes.gathered(a, l) * points[l].gain_by;
+            p.of[strain].value += shapes.gathered(a, l) * points[l].strain_increment.value;
+            here += shapes.gathered(a, l) * points[l].strain_increment_by;
           }
           p.seeing.row(strain) = here.transpose();
-          Number viscosity     = 0.5 * p.of[hardness] * scaled_flow_stress(pass, p.of[strain]) /
-                             sqrt(p.shear_square + p.of[creep] * p.of[creep]);
+          Number viscosity     = 0.5 * p.of[flow_stress_factor] * scaled_flow_stress(pass, p.of[strain]) /
+                             sqrt(p.shear_square + p.of[cutoff] * p.of[cutoff]);
           if (stage.picard)
             viscosity = Number(viscosity.value);
           const int q                     = 3 * a + b;

@@ -79,17 +79,17 @@ void StripAssembly::contact()
     if (stage.picard)
       limit = traction_law.slides ? Node(std::min(1.2 * of[12].value * flow_stress.value, shear_yield.value))
                                   : Node(limit.value);
-    const Node smeared = sqrt(slip * slip + stage.least_slip * stage.least_slip);
-    double direction   = slip.value / smeared.value;
+    const Node regularised = sqrt(slip * slip + stage.cutoff_slip * stage.cutoff_slip);
+    double direction       = slip.value / regularised.value;
     if (before) {  // as in the bulk
       const auto old = before->slip.col(i - grid.first);
       direction      = slip.value / old[1] - old[2] * old[0] * (slip.value - old[0]) / (old[1] * old[1]);
       direction      = std::clamp(direction, -1., 1.);
     }
-    after.slip.col(i - grid.first) << slip.value, smeared.value, direction;
-    Node sense(slip.value / smeared.value);
+    after.slip.col(i - grid.first) << slip.value, regularised.value, direction;
+    Node sense(slip.value / regularised.value);
     for (int m = 0; m < 16; ++m)
-      sense.by[m] = (slip.by[m] - direction * smeared.by[m]) / smeared.value;
+      sense.by[m] = (slip.by[m] - direction * regularised.by[m]) / regularised.value;
     const Node traction = -(limit * sense);
     const Node fx = pressure * nx - traction * size * tx, fy = pressure * ny - traction * size * ty;
     add(columns[2], fx, columns);

@@ -30,16 +30,16 @@ StripPass strip_pass(const bite::RollBite &bite, const StripFlowModel &model,
 
 /// Where a continuation stands.
 struct StripStage {
-  double least_rate   = 1;      ///< -, g0 over the mean rate of shear
-  double least_slip   = 0.3;    ///< -, d0
-  bool picard         = true;   ///< viscosity and friction limit of the present state, not differentiated
-  bool free_surface   = false;  ///< heights and entry are unknowns
-  bool release        = false;  ///< exit is an unknown
-  double end_pressure = 0;      ///< -, of the roll at the exit where it is released
-  double flexibility  = 0;      ///< -, share of the roll's flexibility that acts
-  double tension      = 1;      ///< -, share of both tensions that acts
-  double friction     = 1;      ///< -, multiple of the friction that acts
-  bool arc_held       = false;  ///< the arc does not answer to pressure: for derivatives only
+  double cutoff_strain_rate = 1;      ///< -, g0 over the mean rate of shear
+  double cutoff_slip        = 0.3;    ///< -, d0
+  bool picard               = true;   ///< viscosity and friction limit of the present state, not differentiated
+  bool free_surface         = false;  ///< heights and entry are unknowns
+  bool release              = false;  ///< exit is an unknown
+  double end_pressure       = 0;      ///< -, of the roll at the exit where it is released
+  double flexibility        = 0;      ///< -, share of the roll's flexibility that acts
+  double tension            = 1;      ///< -, share of both tensions that acts
+  double friction           = 1;      ///< -, multiple of the friction that acts
+  bool arc_held             = false;  ///< the arc does not answer to pressure: for derivatives only
 };
 
 /// A sum over the contact with its derivatives by all columns.
@@ -61,10 +61,10 @@ struct StripEquations {
                               ///< over the limit
 };
 /// Directions of the rate of deformation and of the slip as Newton's method last predicted them, (18.14): with
-/// them in the tangent it converges where creep and slip are smeared over next to nothing.
+/// them in the tangent it converges where strain rate and slip are regularised over next to nothing.
 struct StripDirections {
-  Eigen::MatrixXd bulk;  ///< (7, points) rate xx, yy, xy, its smeared norm, directions xx, yy, xy
-  Eigen::MatrixXd slip;  ///< (3, contact spines) slip, its smeared norm, direction
+  Eigen::MatrixXd bulk;  ///< (7, points) rate xx, yy, xy, its regularised norm, directions xx, yy, xy
+  Eigen::MatrixXd slip;  ///< (3, contact spines) slip, its regularised norm, direction
 };
 
 /// All equations at given unknowns.

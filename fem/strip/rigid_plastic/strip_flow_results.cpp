@@ -48,7 +48,7 @@ void add_fields(StripFlow &flow, const StripPass &pass, const StripGrid &grid, c
                 const VectorXd &u)
 {
   const int columns = 2 * grid.n_along + 1, rows = 2 * grid.n_through + 1, last = columns - 1;
-  const double g0 = stage.least_rate * pass.mean_rate;
+  const double g0 = stage.cutoff_strain_rate * pass.mean_rate;
   size_fields(flow, columns, rows);
   MatrixXd xx = MatrixXd::Zero(columns, rows), yy = xx, xy = xx, count = xx;
   for (int I = 0; I < grid.n_along; ++I)
@@ -129,11 +129,11 @@ void add_arc(StripFlow &flow, const StripPass &pass, const StripGrid &grid, cons
     s.thickness[i] = 2 * flow.y(flow.first_contact + i, flow.y.cols() - 1);
   flow.roll_surface   = 0.5 * s.thickness;
   flow.nodal_force    = k * L * pass.bite->strip.width * node.col(1).cwiseProduct(node.col(4));
-  flow.slip_changes   = bite::find_neutral_point(s, 1e-3 * stage.least_slip);
+  flow.slip_changes   = bite::find_neutral_point(s, 1e-3 * stage.cutoff_slip);
   const Friction &law = pass.bite->strip.friction;
   for (int i = 0; i < n; ++i) {
     const bool limited = slides(law) && node(i, 5) > law.shear_limit;
-    if (limited || std::abs(node(i, 3)) < stage.least_slip)
+    if (limited || std::abs(node(i, 3)) < stage.cutoff_slip)
       s.sticking_length += L * node(i, 4);
     if (node(i, 1) < 0)
       flow.negative_length += L * node(i, 4);

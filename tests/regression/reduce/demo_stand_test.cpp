@@ -190,8 +190,8 @@ TEST(DemoStand, MovingMasses)
                       (std::pow(s.work_roll.barrel_diameter, 2) * s.work_roll.barrel_length +
                        2 * std::pow(s.work_roll.neck_diameter, 2) * s.work_roll.neck_length);
   EXPECT_TRUE(near(roll, expected.at("m_wr"), within(1e-12, "density times volume")));
-  // A roll on a very stiff bed under the whole barrel, on a backup roll that does not bend: every part moves
-  // alike.
+  // A roll on a very stiff elastic foundation under the whole barrel, on a backup roll that does not bend: every
+  // part moves alike.
   FourHigh stiff                    = s;
   stiff.strip.width                 = 2;
   stiff.backup_roll.barrel_diameter = 1e3;

@@ -3,10 +3,10 @@
 #include "app/stages/bite_stage.h"
 #include "app/stages/contact_stage.h"
 #include "app/stages/contact_store.h"
-#include "app/stages/second_engine.h"
+#include "app/stages/fourier_stage.h"
 #include "app/stages/stand_components.h"
 #include "app/stages/strip_flow_stage.h"
-#include "app/trace/quick_parts.h"
+#include "app/trace/closed_form_parts.h"
 #include "bite/members.h"
 #include "core/records/files.h"
 #include "core/records/provenance.h"
@@ -45,7 +45,7 @@ void add_contact(Texts &texts, const FourHigh &stand, const std::string &name, c
   options.half_width = range[1];  // whatever it is made of, the largest load is in it
   options.both_sides = plan.wanted.both_sides;
   for (const PlannedRoll *roll : {&plan.backup, &plan.work})
-    texts["second engine"] += fourier_inputs(roll->geometry, stand.steel, options, {});
+    texts["Fourier solver"] += fourier_inputs(roll->geometry, stand.steel, options, {});
   texts["contacts"] += contact_inputs(stand, name, settings, loads);
 }
 
@@ -326,7 +326,7 @@ TEST(CacheKeys, EveryRowOfAFourHighEntersOrIsKnownNotTo)
       vibration + std::vector<std::string>{"work_roll.*", "backup_roll.*"} + of("dynamics", "elements_per_radius");
   expect_followed(base, {
                             {"rolls",            roll_mesh                 },
-                            {"second engine",    second                    },
+                            {"Fourier solver",   second                    },
                             {"rollers",          bearing + of("bearing.trb", beside_a_roller)},
                             {"rings",                  bearing + of("bearing.trb",                                      beside_the_rings)},
                             {"bite", bite},

@@ -2,8 +2,8 @@
 #include "app/case_kinds.h"
 #include "app/completion.h"
 #include "app/review/case_review.h"
+#include "app/review/closed_form_modes.h"
 #include "app/review/estimate_review.h"
-#include "app/review/quick_modes.h"
 #include "app/review/record_review.h"
 #include "app/run_summary.h"
 #include "core/case/estimates.h"
@@ -183,10 +183,10 @@ TEST_F(Reviewed, AStandWithEverythingGivenHasItsModes)
   write_atomically(path, given_stand());
   const Case c       = read_case(path);
   const auto &stand  = std::get<FourHigh>(c.spec);
-  const auto results = quick_stand(stand, 976e3);
+  const auto results = closed_form_stand(stand, 976e3);
   const auto value   = [&](const std::string &name) {
     const auto found =
-        std::find_if(results.begin(), results.end(), [&](const QuickResult &r) { return r.name == name; });
+        std::find_if(results.begin(), results.end(), [&](const ClosedFormResult &r) { return r.name == name; });
     return found == results.end() ? std::nan("") : found->parameter.value;
   };
   EXPECT_EQ(value("M1"), 9320);

@@ -1,11 +1,12 @@
 #include "app/stages/result_inputs.h"
-#include "app/trace/quick_chain.h"
+#include "app/trace/closed_form_chain.h"
 #include "app/trace/trace.h"
 #include "core/model/case.h"
 #include "core/records/provenance.h"
 #include <gtest/gtest.h>
 
-// A run and a trace read the same lists: what a run writes as inputs of a spring are those of the quick chain.
+// A run and a trace read the same lists: what a run writes as inputs of a spring are those of the closed-form
+// model.
 namespace {
 using namespace mill;
 
@@ -32,13 +33,13 @@ bool traced(const std::vector<std::string> &sets, const std::string &key, const 
 TEST(ResultInputs, OfARunAreThoseOfATrace)
 {
   const Case the_case = read_case(demo);
-  QuickMemory memory;
-  const auto quick = quick_chain(the_case, memory);
+  ClosedFormMemory memory;
+  const auto closed = closed_form_chain(the_case, memory);
   for (const auto &[run, name] : {std::pair("K3.tangent", "K3"), std::pair("K5.in_stand_secant", "K5"),
                                   std::pair("pass 2.K3.tangent", "pass 2.K3"), std::pair("Kzc1.tangent", "Kzc1"),
                                   std::pair("Kzc3.secant", "Kzc3"), std::pair("K4.combined", "K4"),
                                   std::pair("bite.pass 2.force", "pass 2.K4")})
-    EXPECT_EQ(inputs_in_a_run(the_case, run), find(quick, name)->parameter.inputs) << run;
+    EXPECT_EQ(inputs_in_a_run(the_case, run), find(closed, name)->parameter.inputs) << run;
 }
 
 TEST(ResultInputs, ProfilesTiltAndOilStandBehindTheirSprings)

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 
-// Elasticities of the quick chain and what is said of them.
+// Elasticities of the closed-form model and what is said of them.
 namespace {
 using namespace mill;
 
@@ -19,7 +19,7 @@ const std::string demo = "cases/four-high-1400.toml", nowhere = "no such folder"
 // The forces of the demo stand are read once for all of these.
 Trace traced(const TraceOptions &options)
 {
-  static QuickMemory memory;
+  static ClosedFormMemory memory;
   return trace(options, memory);
 }
 
@@ -114,10 +114,10 @@ TEST(Trace, PowerLawsHaveTheirExponents)
 // The lower bearings carry the load of the lower half: an offset of its rolls moves K6 and leaves K2.
 TEST(Trace, LowerBearingsFollowTheLowerHalf)
 {
-  QuickMemory memory;
-  const auto even = quick_chain(read_case(demo), memory);
-  const auto bent = quick_chain(read_case(demo, {"contact.lower.axis_offset=400 mm"}), memory);
-  const auto at   = [](const std::vector<QuickResult> &all, const char *name) {
+  ClosedFormMemory memory;
+  const auto even = closed_form_chain(read_case(demo), memory);
+  const auto bent = closed_form_chain(read_case(demo, {"contact.lower.axis_offset=400 mm"}), memory);
+  const auto at   = [](const std::vector<ClosedFormResult> &all, const char *name) {
     return find(all, name)->parameter.value;
   };
   const double e = 0.4 / ((0.420 + 1.450) / 2);
@@ -132,9 +132,9 @@ TEST(Trace, ZerosWordsAndAbsentKeysHaveNoPercent)
   const Trace mass = traced({demo, "work_roll.chock_mass_upper", {}, nowhere});
   EXPECT_EQ(mass.per, "kg");
   EXPECT_EQ(mass.steps, "0 kg .. 0.01 kg");
-  QuickMemory memory;
-  const auto none = quick_chain(read_case(demo), memory);
-  const auto more = quick_chain(read_case(demo, {"work_roll.chock_mass_upper=1 kg"}), memory);
+  ClosedFormMemory memory;
+  const auto none = closed_form_chain(read_case(demo), memory);
+  const auto more = closed_form_chain(read_case(demo, {"work_roll.chock_mass_upper=1 kg"}), memory);
   const double M3 = find(none, "M3")->parameter.value;
   EXPECT_TRUE(near(line(mass, "M3").slope, 100 * (find(more, "M3")->parameter.value / M3 - 1),
                    within(1e-3, "logarithm against first order over 1 kg of 1875 kg")));
@@ -178,8 +178,8 @@ TEST(Trace, TwoPercentMoreDiameterTakesItsRoad)
   const auto tangent = [&](const char *diameter) {
     auto sets = pair;
     sets.push_back(std::string("lower.diameter=") + diameter);
-    QuickMemory memory;
-    const auto results = quick_chain(read_case("cases/two-cylinders.toml", sets), memory);
+    ClosedFormMemory memory;
+    const auto results = closed_form_chain(read_case("cases/two-cylinders.toml", sets), memory);
     return find(results, "contact.line.tangent")->parameter.value;
   };
   EXPECT_TRUE(near(1.4 * tangent("1450 mm"), 4.019e10, within(2e-4, "reference printed with four digits")));
@@ -188,8 +188,8 @@ TEST(Trace, TwoPercentMoreDiameterTakesItsRoad)
       << "lower.diameter: a radius taken for a diameter, or one roll for the other?";
 
   const Case thin = read_case(demo), thick = read_case(demo, {"backup_roll.barrel_diameter=1479 mm"});
-  QuickMemory memory;
-  const auto before = quick_chain(thin, memory), after = quick_chain(thick, memory);
+  ClosedFormMemory memory;
+  const auto before = closed_form_chain(thin, memory), after = closed_form_chain(thick, memory);
   EXPECT_TRUE(near(100 * (find(after, "K3")->parameter.value / find(before, "K3")->parameter.value - 1), -0.12,
                    within(0.03, "bound of the issue", 1)))
       << "backup_roll.barrel_diameter";

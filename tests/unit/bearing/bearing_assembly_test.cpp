@@ -16,12 +16,12 @@ namespace {
 constexpr double degree = M_PI / 180;
 const std::array<bool, 5> all_loads{false, false, false, false, false};
 
-RingDrive loads(const double x, const double y, const double z, const double mx, const double my)
+RingLoading loads(const double x, const double y, const double z, const double mx, const double my)
 {
-  RingDrive drive;
-  drive.value << x, y, z, mx, my;
-  drive.by_motion = all_loads;
-  return drive;
+  RingLoading loading;
+  loading.value << x, y, z, mx, my;
+  loading.prescribed = all_loads;
+  return loading;
 }
 
 BearingModel elastic_model(const int chock = 0, const std::string &law = "iso")
@@ -65,11 +65,11 @@ TEST(BearingAssembly, EqualsTheRigidRingSolver)
         b.profile           = "iso";
         b.radial_clearance  = clearance;
         const auto rigid    = solve_bearing(b, 7e5, tilt);
-        const auto drive    = radial_drive(7e5, tilt);
-        const auto assembly = BearingAssembly(rigid_model(b)).solve(drive);
+        const auto loading  = radial_drive(7e5, tilt);
+        const auto assembly = BearingAssembly(rigid_model(b)).solve(loading);
         const auto same     = within(1e-6, "two root finders; tan(tilt) against tilt in the slices");
         EXPECT_TRUE(near(assembly.motion[0], rigid.displacement, same));
-        EXPECT_TRUE(near(radial_tangent(assembly, drive), rigid.tangent, same));
+        EXPECT_TRUE(near(radial_tangent(assembly, loading), rigid.tangent, same));
         EXPECT_TRUE(near(radial_secant(assembly), rigid.secant, same));
         EXPECT_LT((assembly.roller_load - rigid.roller_load).cwiseAbs().maxCoeff(), 1e-6 * rigid.roller_max);
         EXPECT_LT((assembly.row_share - rigid.row_share).cwiseAbs().maxCoeff(), 1e-6);
@@ -84,11 +84,11 @@ TEST(BearingAssembly, SlicesBalanceTheLoad)
     model.bearing.radial_clearance = 40e-6;
     if (!elastic)
       model.rings = {};
-    const RingDrive drive = loads(8e5, -2e5, 1e5, 4e3, 9e3);
-    const auto state      = BearingAssembly(model).solve(drive);
-    const Vector5 sum     = resultant(model, state);
+    const RingLoading loading = loads(8e5, -2e5, 1e5, 4e3, 9e3);
+    const auto state          = BearingAssembly(model).solve(loading);
+    const Vector5 sum         = resultant(model, state);
     for (int i = 0; i < 5; ++i)
-      EXPECT_TRUE(near(sum[i], drive.value[i], within(1e-9, "equilibrium", i < 3 ? 1e6 : 1e5)));
+      EXPECT_TRUE(near(sum[i], loading.value[i], within(1e-9, "equilibrium", i < 3 ? 1e6 : 1e5)));
     EXPECT_TRUE(near(state.row_axial.sum(), 1e5, within(1e-9, "axial balance", 1e6)));
     EXPECT_TRUE(near(state.row_share.sum(), 1, within(1e-9, "shares of one load")));
     EXPECT_TRUE(near(state.row_radial.sum(), std::hypot(8e5, 2e5), within(1e-9, "radial balance")));
@@ -101,16 +101,16 @@ TEST(BearingAssembly, LoadAndMotionAreInverse)
 {
   const BearingModel model = elastic_model(4);
   BearingAssembly assembly(model);
-  const RingDrive drive = loads(8e5, 1e5, -1e5, 2e3, 9e3);
-  const auto by_load    = assembly.solve(drive);
+  const RingLoading loading = loads(8e5, 1e5, -1e5, 2e3, 9e3);
+  const auto by_load        = assembly.solve(loading);
   for (int component = 0; component < 5; ++component) {
-    RingDrive mixed                         = drive;
-    mixed.by_motion[std::size_t(component)] = true;
-    mixed.value[component]                  = by_load.motion[component];
+    RingLoading mixed                        = loading;
+    mixed.prescribed[std::size_t(component)] = true;
+    mixed.value[component]                   = by_load.motion[component];
     assembly.forget();
     const auto state = assembly.solve(mixed);
     for (int i = 0; i < 5; ++i)
-      EXPECT_TRUE(near(state.load[i], drive.value[i], within(1e-8, "two Newton iterations", i < 3 ? 1e6 : 1e5)));
+      EXPECT_TRUE(near(state.load[i], loading.value[i], within(1e-8, "two Newton iterations", i < 3 ? 1e6 : 1e5)));
   }
 }
 
@@ -125,7 +125,7 @@ TEST(BearingAssembly, StartDoesNotMatter)
   EXPECT_EQ(assembly.solve(radial_drive(1e6)).iterations, cold.iterations);
 }
 
-// The rings give way by flexibility times roller loads, and take that off the approach.
+// The rings deflect by flexibility times roller loads, and take that off the approach.
 TEST(BearingAssembly, RingMotionBelongsToTheRollerLoads)
 {
   const BearingModel model = elastic_model(4);
@@ -141,22 +141,22 @@ TEST(BearingAssembly, RingMotionBelongsToTheRollerLoads)
                        ca * std::sin(state.azimuth[3]) * state.motion[1] - sa * state.motion[2] -
                        state.ring_motion[(39 + 3) * 3],
                    within(1e-12, "definition")));
-  RingDrive drive = radial_drive(1e6);
-  EXPECT_LT(radial_tangent(state, drive),
-            0.9 * radial_tangent(BearingAssembly(rigid_model(model.bearing)).solve(drive), drive));
+  RingLoading loading = radial_drive(1e6);
+  EXPECT_LT(radial_tangent(state, loading),
+            0.9 * radial_tangent(BearingAssembly(rigid_model(model.bearing)).solve(loading), loading));
 }
 
 // Along the load with everything else following: the slope of the curve itself.
 TEST(BearingAssembly, RadialTangentIsTheSlopeOfTheCurve)
 {
   BearingAssembly assembly(elastic_model(4));
-  for (RingDrive drive : {radial_drive(6e5, 0.2e-3), loads(6e5, 0, 1e5, 0, 5e3)}) {
-    const auto state = assembly.solve(drive);
-    RingDrive more = drive, less = drive;
+  for (RingLoading loading : {radial_drive(6e5, 0.2e-3), loads(6e5, 0, 1e5, 0, 5e3)}) {
+    const auto state = assembly.solve(loading);
+    RingLoading more = loading, less = loading;
     more.value[0] += 10;
     less.value[0] -= 10;
     const double slope = 20 / (assembly.solve(more).motion[0] - assembly.solve(less).motion[0]);
-    EXPECT_TRUE(near(radial_tangent(state, drive), slope, within(1e-6, "central difference of the curve")));
+    EXPECT_TRUE(near(radial_tangent(state, loading), slope, within(1e-6, "central difference of the curve")));
   }
 }
 
@@ -167,9 +167,9 @@ TEST(BearingAssembly, TurnedLoadsGiveTurnedStates)
   const double pitch = 2 * M_PI / 39;
   const auto along   = assembly.solve(radial_drive(5e5));
   const auto turned  = assembly.solve([&] {
-    RingDrive drive;
-    drive.value << 5e5 * std::cos(pitch), 5e5 * std::sin(pitch), 0, 0, 0;
-    return drive;
+    RingLoading loading;
+    loading.value << 5e5 * std::cos(pitch), 5e5 * std::sin(pitch), 0, 0, 0;
+    return loading;
   }());
   EXPECT_TRUE(near(turned.motion.head<2>().norm(), along.motion[0], within(1e-10, "same bearing, turned")));
   EXPECT_TRUE(near(turned.roller_load(2, 1), along.roller_load(2, 0), within(1e-9, "next roller")));
@@ -183,16 +183,16 @@ TEST(BearingAssembly, PreloadIsTheAxialForceOfEachRow)
     b.preload          = 40e3;
     b.profile          = "iso";
     BearingModel model = rigid_model(b);
-    RingDrive rest;
-    rest.by_motion = {true, true, true, true, true};
-    auto state     = BearingAssembly(model).solve(rest);
+    RingLoading rest;
+    rest.prescribed = {true, true, true, true, true};
+    auto state      = BearingAssembly(model).solve(rest);
     for (int r = 0; r < 4; ++r)
       EXPECT_TRUE(near(std::abs(state.row_axial[r]), 40e3, within(1e-9, "axial law of a row inverted")));
     EXPECT_TRUE(near(state.load[2], 0, within(1e-9, "hands +-+- balance", 1e5)));
     model.rings = smooth_rings(4, 3, 1e-9);
     state       = BearingAssembly(model).solve(rest);
     for (int r = 0; r < 4; ++r)
-      EXPECT_TRUE(near(std::abs(state.row_axial[r]), 40e3, within(1e-9, "rows set against rings that give way")));
+      EXPECT_TRUE(near(std::abs(state.row_axial[r]), 40e3, within(1e-9, "rows set against rings that deflect")));
     // A preloaded bearing has a stiffness without load.
     EXPECT_GT(radial_tangent(BearingAssembly(model).solve(radial_drive(1.0)), radial_drive(1.0)), 1e9);
   }
@@ -221,9 +221,9 @@ TEST(BearingAssembly, EndPlayIsClearance)
              c            = BearingAssembly(rigid_model(radial)).solve(radial_drive(3e5));
   EXPECT_TRUE(near(a.motion[0], c.motion[0], within(1e-12, "one geometry")));
   // The ring moves by half the end play until the rows of one hand touch.
-  RingDrive axial;
+  RingLoading axial;
   axial.value << 0, 0, 1, 0, 0;
-  axial.by_motion = {true, true, false, true, true};
+  axial.prescribed = {true, true, false, true, true};
   EXPECT_NEAR(BearingAssembly(rigid_model(play)).solve(axial).motion[2], 0.1e-3, 1e-7);
 }
 
@@ -233,10 +233,10 @@ TEST(BearingAssembly, HandsDecideWhichRowsCarryAxially)
   for (const char *hands : {"+-+-", "++--", "+"}) {
     b.row_hands                = hands;
     const auto state           = BearingAssembly(rigid_model(b)).solve([] {
-      RingDrive drive;
-      drive.value << 0, 0, 2e5, 0, 0;
-      drive.by_motion = {true, true, false, true, true};
-      return drive;
+      RingLoading loading;
+      loading.value << 0, 0, 2e5, 0, 0;
+      loading.prescribed = {true, true, false, true, true};
+      return loading;
     }());
     const Eigen::VectorXd hand = row_hands(b);
     const double carrying      = (hand.array() > 0).count();
@@ -262,10 +262,10 @@ TEST(BearingAssembly, ARollerAtRightAnglesDoesNotCount)
 TEST(BearingAssembly, ATurnPressesByItsFullMoment)
 {
   const RollerBearing b = demo_bearing(20);
-  RingDrive drive;
-  drive.by_motion  = {true, true, true, true, true};
-  drive.value      = {0, 0, 0, 1e-4, 2e-4};
-  const auto state = BearingAssembly(rigid_model(b)).solve(drive);
+  RingLoading loading;
+  loading.prescribed = {true, true, true, true, true};
+  loading.value      = {0, 0, 0, 1e-4, 2e-4};
+  const auto state   = BearingAssembly(rigid_model(b)).solve(loading);
   const double a = b.cup_angle, R = 0.25 * (b.bore + b.outside_diameter);
   const double hand[] = {1, -1, 1, -1};
   for (int r = 0; r < 4; ++r)
@@ -310,11 +310,11 @@ TEST(BearingAssembly, SaysWhyThereIsNoState)
 {
   RollerBearing single = demo_bearing(20);
   single.rows          = 1;
-  RingDrive drive;
-  drive.value << 1e5, 0, 0, 0, 0;
-  drive.by_motion = {false, false, false, true, true};
+  RingLoading loading;
+  loading.value << 1e5, 0, 0, 0, 0;
+  loading.prescribed = {false, false, false, true, true};
   try {
-    BearingAssembly(rigid_model(single)).solve(drive);
+    BearingAssembly(rigid_model(single)).solve(loading);
     FAIL() << "a single row cannot carry a radial load alone";
   } catch (const SolverError &error) {
     EXPECT_EQ(error.report.what, "bearing trb: no equilibrium under F_x = 100 kN");
@@ -324,17 +324,17 @@ TEST(BearingAssembly, SaysWhyThereIsNoState)
   RollerBearing loose    = demo_bearing(20);
   loose.radial_clearance = 1e-4;
   EXPECT_THROW(BearingAssembly(rigid_model(loose)).solve(radial_drive(0)), SolverError);
-  RingDrive held;
-  held.by_motion  = {true, true, true, true, true};
+  RingLoading held;
+  held.prescribed = {true, true, true, true, true};
   const auto rest = BearingAssembly(rigid_model(loose)).solve(held);
   EXPECT_EQ(rest.tangent.cwiseAbs().maxCoeff(), 0) << "imposed and not touching is a state";
   RollerBearing cylindrical     = demo_bearing(0);
   cylindrical.roller_cone_angle = 0;
-  RingDrive axial               = radial_drive(1e5);
+  RingLoading axial             = radial_drive(1e5);
   axial.value[2]                = 1e3;
-  axial.by_motion[2]            = false;
+  axial.prescribed[2]           = false;
   EXPECT_THROW(BearingAssembly(rigid_model(cylindrical)).solve(axial), SolverError);
-  RingDrive nan = radial_drive(NAN);
+  RingLoading nan = radial_drive(NAN);
   EXPECT_THROW(BearingAssembly(rigid_model(loose)).solve(nan), InputError);
 }
 
@@ -343,10 +343,10 @@ TEST(BearingAssembly, CurveKeepsWhatConverged)
   RollerBearing single = demo_bearing(20);
   single.rows          = 1;
   const auto at        = [](double radial, double axial) {
-    RingDrive drive;
-    drive.value << radial, 0, axial, 0, 0;
-    drive.by_motion = {false, false, false, true, true};
-    return drive;
+    RingLoading loading;
+    loading.value << radial, 0, axial, 0, 0;
+    loading.prescribed = {false, false, false, true, true};
+    return loading;
   };
   const auto curve =
       BearingAssembly(rigid_model(single)).curve({at(1e5, 1e5), at(2e5, 1e5), at(2e5, 0), at(1e5, 1e5)});
@@ -370,12 +370,12 @@ TEST(BearingAssembly, AnyMixOfLoadsConverges)
           if (!elastic)
             model.rings = {};
           BearingAssembly assembly(model);
-          for (const RingDrive &drive :
+          for (const RingLoading &loading :
                {loads(1e6, 0, 0, 0, 0), loads(1e6, 3e5, 1e5, 1e3, -2e4), loads(0, 0, 1e5, 0, 0),
                 loads(0, 0, 0, 0, 1e4), loads(1e2, 0, -3e5, 0, 5e4), loads(1, 0, 0, 0, 0),
                 loads(5e6, -3e6, 1e6, 1e5, 1e5)}) {
             assembly.forget();
-            const auto state = assembly.solve(drive);
+            const auto state = assembly.solve(loading);
             EXPECT_LT(state.residual, 1e-7);
             most = std::max(most, state.iterations);
             ++solved;
@@ -405,10 +405,10 @@ TEST(BearingAssembly, RefusesContradictions)
 TEST(BearingAssembly, ACurveTakesFewSteps)
 {
   BearingAssembly assembly(elastic_model(20, "elastic"));
-  std::vector<RingDrive> drives;
+  std::vector<RingLoading> loadings;
   for (int i = 1; i <= 20; ++i)
-    drives.push_back(radial_drive(1e5 * i));
-  const auto curve = assembly.curve(drives);
+    loadings.push_back(radial_drive(1e5 * i));
+  const auto curve = assembly.curve(loadings);
   ASSERT_EQ(curve.states.size(), 20u);
   int steps = 0;
   for (const auto &state : curve.states)

@@ -317,9 +317,9 @@ TEST(OilFilm, LeastSpeedIsThatAtWhichAFilmCarries)
   const double least     = least_speed(b, five_meganewton);
   OilFilmLoad load       = five_meganewton;
   load.speed             = 1.01 * least;
-  EXPECT_TRUE(carries(b, quick_oil_film(b, load).at));
+  EXPECT_TRUE(carries(b, coarse_oil_film(b, load).at));
   load.speed = 0.98 * least;
-  EXPECT_FALSE(carries(b, quick_oil_film(b, load).at));
+  EXPECT_FALSE(carries(b, coarse_oil_film(b, load).at));
   EXPECT_TRUE(near(least_carrying_film(b), 8e-6, within(1e-12, "2 % of the clearance")));
   load.speed = 0;
   EXPECT_THROW(solve_oil_film(b, load), InputError);

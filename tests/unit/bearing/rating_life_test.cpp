@@ -83,8 +83,8 @@ TEST(RatingLife, GoesWithTheFourthPowerAndFallsWithTilt)
 TEST(RatingLife, AnUnloadedBearingLivesForEver)
 {
   RollerBearing b = demo_bearing();
-  RingDrive rest;
-  rest.by_motion     = {true, true, true, true, true};
+  RingLoading rest;
+  rest.prescribed    = {true, true, true, true, true};
   b.radial_clearance = 1e-4;
   EXPECT_TRUE(std::isinf(reference_life(b, BearingAssembly(rigid_model(b)).solve(rest), 1e6).life));
   b.roller_diameter = not_given;
@@ -121,7 +121,7 @@ TEST(RatingLife, StaticRatingIsAHertzPressure)
   for (const double angle : {0., 20.}) {
     const RollerBearing b = demo_bearing(angle);
     EXPECT_TRUE(near(radial_load_of_pressure(b, 4e9), ratings(b).static_rating,
-                     within(0.03, "44 stands for a modulus that the standard rounds")));
+                     within(0.03, "44 represents a modulus that the standard rounds")));
   }
 }
 
@@ -141,13 +141,13 @@ TEST(AnyLoad, AnImposedMotionGivesBackItsLoad)
 {
   const RollerBearing b = demo_bearing();
   BearingAssembly assembly(rigid_model(b));
-  RingDrive load;
+  RingLoading load;
   load.value << 0, 0, 2e5, 0, 3e3;
-  load.by_motion           = {false, false, false, true, false};
+  load.prescribed          = {false, false, false, true, false};
   const AssemblyState free = assembly.solve(load);
-  RingDrive motion;
+  RingLoading motion;
   motion.value << 0, 0, free.motion[2], 0, free.motion[4];
-  motion.by_motion         = {false, false, true, true, true};
+  motion.prescribed        = {false, false, true, true, true};
   const AssemblyState held = assembly.solve(motion);
   EXPECT_TRUE(near(held.load[2], 2e5, within(1e-8, "the same state")));
   EXPECT_TRUE(near(held.load[4], 3e3, within(1e-8, "the same state")));

@@ -63,7 +63,7 @@ void expect_end(const RollBite &bite, const SlabModel &model, const std::string 
 }
 }  // namespace
 
-// What hung: a branch whose pressure fell below nil, in steps of a millionth of the arc.
+// What hung: a branch whose pressure fell below zero, in steps of a millionth of the arc.
 TEST(BiteCorners, ThatOnceHung)
 {
   const FlowStress constant{FlowStressLaw::constant, 28 * MPa, 0, 0, 0, {}};

@@ -68,7 +68,7 @@ TEST(ElasticArc, HalfPlaneGivenAsAFlexibility)
   const Eigen::VectorXd x         = Eigen::VectorXd::LinSpaced(150, -8e-3, 16e-3);
   const ArcFlexibility half_plane = half_plane_flexibility(x, bite.roll, bite.roll_radius);
   EXPECT_TRUE(near(solve(bite, &half_plane).force, solve(bite).force,
-                   within(1e-5, "the difference that is interpolated is nil; "
+                   within(1e-5, "the difference that is interpolated is zero; "
                                 "the first look for the contact differs")));
 }
 

@@ -173,7 +173,7 @@ TEST(Fit, ACaseThatSkidsIsStartedWithMoreFriction)
   EXPECT_TRUE(near(0.01 * std::exp(answer.best.x[0]), 1.3 * 0.08, within(1e-6, "values without noise")));
 }
 
-// The neutral point cannot leave the arc: the least slip is next to nil, and the fit ends close to it.
+// The neutral point cannot leave the arc: the least slip is next to zero, and the fit ends close to it.
 TEST(Fit, ASlipBelowEveryPossibleOneEndsNextToSkidding)
 {
   bite::FitProblem problem;

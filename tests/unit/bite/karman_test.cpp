@@ -255,7 +255,7 @@ TEST(Karman, PowerOfTheRollsIsPlasticWorkAndFriction)
       return s.pressure[j] * sine / std::sqrt(1 - sine * sine) - shear;
     };
     const double dx = s.position[i + 1] - s.position[i];
-    // At the neutral point the shear jumps; the curve has nil there.
+    // At the neutral point the shear jumps; the curve has zero there.
     const double a = s.shear[i] == 0 ? s.shear[i + 1] : s.shear[i],
                  b = s.shear[i + 1] == 0 ? s.shear[i] : s.shear[i + 1];
     balance += 0.5 * dx * (at(i, a) + at(i + 1, b));

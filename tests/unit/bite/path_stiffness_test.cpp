@@ -8,7 +8,7 @@ using namespace mill;
 using Eigen::VectorXd;
 
 namespace {
-// n nodes over 0 .. 20 mm under 50 MPa that give way by 10 um, and one free node beyond each end.
+// n nodes over 0 .. 20 mm under 50 MPa that deflect by 10 um, and one free node beyond each end.
 bite::PathStiffness even_path(const int n, const double trim = 0.2)
 {
   const double s = 20e-3 / (n - 1);
@@ -52,5 +52,5 @@ TEST(PathStiffness, WhatIsRefused)
   EXPECT_EQ(with(x, p, d, 0.5), start + "a share of 0.5 cannot be left out at each end; between 0 and 0.5");
   EXPECT_EQ(with(falling, p, d, 0.2), start + "the nodes must rise, number 4 does not");
   EXPECT_EQ(with(x, 0 * p, d, 0.2), start + "0 nodes with pressure; at least three are needed");
-  EXPECT_EQ(with(x, p, none, 0.2), start + "the roll does not give way at x = 2 mm (-2 um) though it is pressed");
+  EXPECT_EQ(with(x, p, none, 0.2), start + "the roll does not deflect at x = 2 mm (-2 um) though it is pressed");
 }

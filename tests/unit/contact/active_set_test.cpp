@@ -12,7 +12,7 @@ using namespace contact_problems;
 
 namespace {
 // The four conditions, evaluated from the answer alone; relative to the closing and to the largest force.
-double violation(const Problem &p, const State &s, const Drive &drive)
+double violation(const Problem &p, const State &s, const Loading &loading)
 {
   Eigen::VectorXd gap = p.initial_gap + p.C * s.nodal - p.G * s.motion;
   if (p.W.size())
@@ -22,18 +22,18 @@ double violation(const Problem &p, const State &s, const Drive &drive)
   double worst        = std::max({-gap.minCoeff() / length, -s.nodal.minCoeff() / force,
                                   gap.cwiseProduct(s.nodal).cwiseAbs().maxCoeff() / (length * force)});
   for (Eigen::Index j = 0; j < p.G.cols(); ++j) {
-    const double made_of = p.G.col(j).cwiseAbs().dot(s.nodal) + 1e-300;
-    const bool by_motion = !drive.by_motion.empty() && drive.by_motion[j];
-    worst                = std::max(worst, std::abs(p.G.col(j).dot(s.nodal) - s.resultant[j]) / made_of);
-    worst                = std::max(worst, std::abs((by_motion ? s.motion[j] : s.resultant[j]) - drive.value[j]) /
-                                               (by_motion ? std::max(1e-300, std::abs(drive.value[j])) : made_of));
+    const double made_of  = p.G.col(j).cwiseAbs().dot(s.nodal) + 1e-300;
+    const bool prescribed = !loading.prescribed.empty() && loading.prescribed[j];
+    worst                 = std::max(worst, std::abs(p.G.col(j).dot(s.nodal) - s.resultant[j]) / made_of);
+    worst = std::max(worst, std::abs((prescribed ? s.motion[j] : s.resultant[j]) - loading.value[j]) /
+                                (prescribed ? std::max(1e-300, std::abs(loading.value[j])) : made_of));
   }
   return worst;
 }
 
-Drive force_and_moments(const Problem &p, const double force, const double share)
+Loading force_and_moments(const Problem &p, const double force, const double share)
 {
-  Drive d{Eigen::VectorXd::Zero(p.G.cols()), {}};
+  Loading d{Eigen::VectorXd::Zero(p.G.cols()), {}};
   d.value[0] = force;
   for (Eigen::Index j = 1; j < p.G.cols(); ++j)
     d.value[j] = share * force * p.G.col(j).maxCoeff();
@@ -48,14 +48,14 @@ TEST(ActiveSet, SatisfiesTheConditionsForAnyMixOfModes)
     std::uniform_real_distribution<double> u(-1, 1);
     const int k = 1 + int(seed % 3);
     auto p      = rough(10 + int(random() % 150), k, seed);
-    if (seed % 4 == 0)  // what balances gives way along the same modes
+    if (seed % 4 == 0)  // what balances deflects along the same modes
       p.W = 0.2 * p.G;
-    Drive d = force_and_moments(p, 0.5 + 5 * std::abs(u(random)), 0.3 * u(random));
-    d.by_motion.assign(k, 0);
+    Loading d = force_and_moments(p, 0.5 + 5 * std::abs(u(random)), 0.3 * u(random));
+    d.prescribed.assign(k, 0);
     for (int j = 0; j < k; ++j)
       if (random() % 2) {
-        d.by_motion[j] = 1;
-        d.value[j]     = j == 0 ? 0.5 + std::abs(u(random)) : 0.3 * u(random);
+        d.prescribed[j] = 1;
+        d.value[j]      = j == 0 ? 0.5 + std::abs(u(random)) : 0.3 * u(random);
       }
     ActiveSet solver(p);
     const State s = solver.solve(d);
@@ -87,7 +87,7 @@ TEST(ActiveSet, AnswerDoesNotDependOnTheStart)
 
 TEST(ActiveSet, FewIterationsColdAndWarmOnHertzContacts)
 {
-  const auto count = [](Problem p, const std::vector<Drive> &sweep, const char *name) {
+  const auto count = [](Problem p, const std::vector<Loading> &sweep, const char *name) {
     ActiveSet solver(std::move(p));
     int warmest = 0;
     for (const bool up : {true, false}) {
@@ -103,7 +103,7 @@ TEST(ActiveSet, FewIterationsColdAndWarmOnHertzContacts)
     }
     EXPECT_LE(warmest, 3) << name;
   };
-  std::vector<Drive> even, geometric, tilted;
+  std::vector<Loading> even, geometric, tilted;
   for (int i = 1; i <= 20; ++i) {
     even.push_back({one(50. * i), {}});
     geometric.push_back({one(1000 * std::pow(25., (i - 20) / 19.)), {}});
@@ -134,7 +134,7 @@ TEST(ActiveSet, TangentIsTheDerivative)
     const auto d  = force_and_moments(p, 3., 0.1);
     const State s = solver.solve(d);
     for (int j = 0; j < 3; ++j) {
-      Drive more = d, less = d;
+      Loading more = d, less = d;
       const double step = 1e-6;
       more.value[j] += step;
       less.value[j] -= step;
@@ -159,7 +159,7 @@ TEST(ActiveSet, UnitsDoNotMatter)
   q.initial_gap *= 1e3;
   q.G.rightCols(2) *= 1e3 * 1e-3;
   q.G.col(2) *= 1e5;  // and a tilt whose unit is absurd
-  Drive e = d;
+  Loading e = d;
   e.value *= 1e6;
   e.value[2] *= 1e5;
   const State a = ActiveSet(p).solve(d), b = ActiveSet(q).solve(e);
@@ -201,8 +201,8 @@ TEST(ActiveSet, OneNode)
   const State s = ActiveSet(p).solve({one(3.), {}});
   EXPECT_TRUE(near(s.motion[0], 6.5, within(1e-15, "0.5 + 2 times 3")));
   EXPECT_TRUE(near(s.compliance(0, 0), 2., within(1e-15, "one spring")));
-  const State by_motion = ActiveSet(p).solve({one(2.5), {1}});
-  EXPECT_TRUE(near(by_motion.resultant[0], 1., within(1e-15, "(2.5 - 0.5) / 2")));
+  const State prescribed = ActiveSet(p).solve({one(2.5), {1}});
+  EXPECT_TRUE(near(prescribed.resultant[0], 1., within(1e-15, "(2.5 - 0.5) / 2")));
 }
 
 TEST(ActiveSet, OpenGapIsAState)

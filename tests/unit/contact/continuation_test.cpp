@@ -8,10 +8,10 @@ using namespace mill::contact;
 using namespace contact_problems;
 
 namespace {
-Drive between(const Drive &a, const Drive &b, const double at)
+Loading between(const Loading &a, const Loading &b, const double at)
 {
-  Drive out = a;
-  out.value = (1 - at) * a.value + at * b.value;
+  Loading out = a;
+  out.value   = (1 - at) * a.value + at * b.value;
   return out;
 }
 }  // namespace
@@ -22,9 +22,9 @@ TEST(Continuation, AgreesWithTheActiveSetAtEverySample)
     auto p = rough(70, 2, seed);
     if (seed % 3 == 0)
       p.W = 0.1 * p.G;
-    const bool by_motion = seed % 2;
-    Drive from{Eigen::Vector2d(0.4, -0.05), {}}, to{Eigen::Vector2d(4., 0.8), {}};
-    if (by_motion) {
+    const bool prescribed = seed % 2;
+    Loading from{Eigen::Vector2d(0.4, -0.05), {}}, to{Eigen::Vector2d(4., 0.8), {}};
+    if (prescribed) {
       from = {
           Eigen::Vector2d(0.1, 0.2), {1, 1}
       };
@@ -69,7 +69,7 @@ TEST(Continuation, ThereAndBackIsTheSameCurve)
 {
   const auto p = rough(60, 1, 9);
   ActiveSet solver(p);
-  const Drive low{one(0.1), {}}, high{one(5.), {}};
+  const Loading low{one(0.1), {}}, high{one(5.), {}};
   const Path up = follow(solver, low, high), down = follow(solver, high, low);
   for (const double at : {0.05, 0.21, 0.5, 0.87})
     EXPECT_TRUE(
@@ -121,13 +121,13 @@ TEST(Continuation, FindsTheSetWithoutExchange)
     const auto p      = rough(60, 3, seed);
     const double far  = p.G.rightCols(2).cwiseAbs().maxCoeff();
     const double side = seed % 2 ? 0.6 : -0.3;
-    Drive drive{
+    Loading loading{
         Eigen::Vector3d(2, 2 * side * far, 0.2), {0, 0, char(seed % 3 == 0)}
     };
     ActiveSet solver(p);
-    const State exact = solver.solve(drive);
+    const State exact = solver.solve(loading);
     std::vector<char> set(60, 0);
-    for (const int i : set_by_continuation(p, solver.modes(), scaled(drive, solver.modes())))
+    for (const int i : set_by_continuation(p, solver.modes(), scaled(loading, solver.modes())))
       set[i] = 1;
     EXPECT_EQ(set, exact.active) << "seed " << seed;
   }

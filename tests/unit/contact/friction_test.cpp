@@ -87,9 +87,9 @@ TEST(Friction, WithMuchFrictionItIsBonded)
   for (const int d : {1, 2}) {
     const auto p = coupled(15, d, 100, 4);
     FrictionSolver solver(p);
-    Drive drive{Eigen::VectorXd::Constant(1 + d, 0.2), std::vector<char>(1 + d, 1)};
-    drive.value[0] = 3;
-    const auto s   = solver.advance(drive);
+    Loading loading{Eigen::VectorXd::Constant(1 + d, 0.2), std::vector<char>(1 + d, 1)};
+    loading.value[0] = 3;
+    const auto s     = solver.advance(loading);
     ASSERT_EQ(count(s, Status::slip), 0);
     ASSERT_GE(count(s, Status::stick), 8);
     std::vector<int> held;  // components of the nodes that touch
@@ -100,7 +100,7 @@ TEST(Friction, WithMuchFrictionItIsBonded)
     Eigen::VectorXd gap     = Eigen::VectorXd::Zero(p.C.rows());
     gap.head(15)            = p.initial_gap;
     const Eigen::MatrixXd C = p.C(held, held), G = p.G(held, Eigen::all);
-    const Eigen::VectorXd exact = C.partialPivLu().solve(Eigen::VectorXd(G * drive.value - gap(held)));
+    const Eigen::VectorXd exact = C.partialPivLu().solve(Eigen::VectorXd(G * loading.value - gap(held)));
     const auto reason           = within(1e-10, "condition of C about 1e3", exact.cwiseAbs().maxCoeff());
     EXPECT_TRUE(near(Eigen::VectorXd(s.nodal(held)), exact, reason));
     const Eigen::MatrixXd stiffness = G.transpose() * C.partialPivLu().solve(G);
@@ -158,12 +158,12 @@ TEST(Friction, ConditionsHoldAndNoWorkIsGained)
     const auto p = coupled(n, d, 0.05 + 0.4 * std::abs(u(random)), seed);
     FrictionSolver solver(p);
     for (int step = 0; step < 5; ++step) {
-      Drive drive{Eigen::VectorXd(1 + d), std::vector<char>(1 + d, 1)};
-      drive.value[0] = 0.8 + 0.4 * u(random);
+      Loading loading{Eigen::VectorXd(1 + d), std::vector<char>(1 + d, 1)};
+      loading.value[0] = 0.8 + 0.4 * u(random);
       for (int c = 1; c <= d; ++c)
-        drive.value[c] = 0.5 * u(random);
+        loading.value[c] = 0.5 * u(random);
       const auto before = solver.state();
-      const auto s      = solver.advance(drive);
+      const auto s      = solver.advance(loading);
       EXPECT_LE(s.residual, 1e-11) << "seed " << seed << " step " << step;
       EXPECT_GE(s.dissipated, 0) << "seed " << seed << " step " << step;
       // The conditions from the answer alone.
@@ -199,11 +199,11 @@ TEST(Friction, ConditionsHoldAndNoWorkIsGained)
 TEST(Friction, SwitchedOffItChangesTheAnswer)
 {
   const auto with = coupled(20, 1, 0.3, 7), without = coupled(20, 1, 0, 7);
-  const Drive drive{
+  const Loading loading{
       Eigen::Vector2d(1., 0.4), {1, 1}
   };
   FrictionSolver a(with), b(without);
-  const auto rough_one = a.advance(drive), smooth = b.advance(drive);
+  const auto rough_one = a.advance(loading), smooth = b.advance(loading);
   EXPECT_GT(std::abs(rough_one.resultant[1]), 0.05 * rough_one.resultant[0]);
   EXPECT_EQ(smooth.resultant[1], 0);
   EXPECT_GT(std::abs(rough_one.resultant[0] / smooth.resultant[0] - 1),
@@ -218,10 +218,10 @@ TEST(Friction, TheLoadPathMatters)
   FrictionSolver solver(cylinder(n, 0.3));
   const double P = 1e6, Q = 0.5 * 0.3 * P;
   solver.advance({Eigen::Vector2d(P, 0), {}});
-  const auto at  = solver.advance({Eigen::Vector2d(P, Q), {}});
-  const auto nil = solver.advance({Eigen::Vector2d(P, 0), {}});
-  EXPECT_GT(nil.nodal.tail(n).cwiseAbs().maxCoeff(), 0.05 * at.nodal.tail(n).maxCoeff());
-  EXPECT_GT(nil.motion[1], 0);
+  const auto at      = solver.advance({Eigen::Vector2d(P, Q), {}});
+  const auto at_zero = solver.advance({Eigen::Vector2d(P, 0), {}});
+  EXPECT_GT(at_zero.nodal.tail(n).cwiseAbs().maxCoeff(), 0.05 * at.nodal.tail(n).maxCoeff());
+  EXPECT_GT(at_zero.motion[1], 0);
   const auto reversed = solver.advance({Eigen::Vector2d(P, -Q), {}});
   EXPECT_TRUE(near(reversed.nodal.tail(n), -at.nodal.tail(n),
                    within(1e-10, "exact in the closed form and on the grid: the middle that stuck sticks",
@@ -236,9 +236,9 @@ TEST(Friction, TangentIsTheDerivativeOfTheStep)
     const int d  = 1 + int(seed % 2);
     const auto p = coupled(14, d, 0.4, seed);
     FrictionSolver first(p);
-    Drive start{Eigen::VectorXd::Zero(1 + d), std::vector<char>(1 + d, 1)};
+    Loading start{Eigen::VectorXd::Zero(1 + d), std::vector<char>(1 + d, 1)};
     start.value[0] = 1;
-    Drive end      = start;
+    Loading end    = start;
     for (int c = 1; c <= d; ++c)
       end.value[c] = 0.1 * c;
     first.advance(start);
@@ -251,7 +251,7 @@ TEST(Friction, TangentIsTheDerivativeOfTheStep)
       Eigen::VectorXd moved[2];
       for (const int side : {0, 1}) {
         FrictionSolver again(p);
-        Drive other = end;
+        Loading other = end;
         other.value[j] += side ? step : -step;
         again.advance(start);
         const auto near_by = again.advance(other);

@@ -17,7 +17,7 @@ constexpr double mu = 0.3, P = 1000;
 struct Driven {
   FrictionState pressed, pushed;
 };
-Driven drive(const RectangleContact &contact, const double Q, const int steps = 1)
+Driven loading(const RectangleContact &contact, const double Q, const int steps = 1)
 {
   FrictionSolver solver(contact.problem);
   Driven out;
@@ -55,7 +55,7 @@ TEST(EllipticSlip, StiffnessBeforeSlipIsThatOfTheHalfSpace)
   for (const bool along : {false, true}) {
     const RectangleGrid grid{1.05 * contact.semi_x, 1.05 * contact.semi_y, 14, 14, true, true, along};
     const auto rectangles = rectangle_contact(bodies, ellipse(0.01, 0.04), grid, mu);
-    const auto s          = drive(rectangles, 150);
+    const auto s          = loading(rectangles, 150);
     const double stiff    = 4 * s.pressed.stiffness(1, 1);
     const auto closed     = mindlin_ellipse(contact, bodies, mu, 0.5, along);
     EXPECT_TRUE(near(stiff, closed.stiffness, within(0.015, "13 rectangles on each semi-axis, singular rim")));
@@ -77,8 +77,8 @@ TEST(RectangleContact, MirrorsAreTheWholeContact)
       part.mirror_z        = !coupled || !along;
       part.n_x             = part.mirror_x ? 5 : 10;
       part.n_z             = part.mirror_z ? 5 : 10;
-      const auto all       = drive(rectangle_contact(bodies, ellipse(0.01, 0.02), whole, mu), 120, 2);
-      const auto kept      = drive(rectangle_contact(bodies, ellipse(0.01, 0.02), part, mu), 120, 2);
+      const auto all       = loading(rectangle_contact(bodies, ellipse(0.01, 0.02), whole, mu), 120, 2);
+      const auto kept      = loading(rectangle_contact(bodies, ellipse(0.01, 0.02), part, mu), 120, 2);
       const Tolerance same = within(1e-8, "the same equations in fewer unknowns, directions of slip iterated");
       EXPECT_TRUE(near(kept.pushed.motion[0], all.pushed.motion[0], same)) << along << coupled;
       EXPECT_TRUE(near(kept.pushed.motion[1], all.pushed.motion[1], same)) << along << coupled;

@@ -1,4 +1,4 @@
-// One typo, one error: what a mistyped name stands for is read on and checked.
+// One typo, one error: what a mistyped name represents is read on and checked.
 #include "core/case/input_reference.h"
 #include "core/model/case.h"
 #include "core/records/files.h"

@@ -32,7 +32,7 @@ TEST(Checks, AreFoundByTheirId)
   EXPECT_EQ(find_published(checks)->value, 4);
   std::set<std::string> names;
   for (int id = 0; id <= int(CheckId::stepped_beams); ++id)
-    EXPECT_TRUE(names.insert(name_of(CheckId(id))).second) << name_of(CheckId(id)) << " stands for two checks";
+    EXPECT_TRUE(names.insert(name_of(CheckId(id))).second) << name_of(CheckId(id)) << " represents two checks";
 }
 
 TEST(Curves, EveryKindIsToldByTheNameOfItsFile)

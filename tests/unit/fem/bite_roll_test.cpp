@@ -84,7 +84,7 @@ TEST(BiteRoll, MeshIsSoundForLongAndShortArcs)
   }
 }
 
-// Mirror image of load and shape; pressure at every point pushes itself in; the far side of the arc gives way
+// Mirror image of load and shape; pressure at every point pushes itself in; the far side of the arc deflects
 // less.
 TEST(BiteRoll, InfluenceIsMirroredAndPositive)
 {

@@ -19,10 +19,10 @@ fem::CondensedRoll some_roll(const double number)
   fem::CondensedRoll roll;
   roll.geometry.radius = number;
   roll.grid.n_x = 2, roll.grid.n_z = 3, roll.n_unknowns = 12345;
-  roll.grid.x          = Eigen::VectorXd::LinSpaced(2, 0, number);
-  roll.squeeze.patch   = Eigen::MatrixXd::Constant(6, 6, number);
-  roll.translate.patch = Eigen::MatrixXd::Identity(6, 6);
-  roll.field_mesh      = "$MeshFormat";
+  roll.grid.x              = Eigen::VectorXd::LinSpaced(2, 0, number);
+  roll.symmetric.patch     = Eigen::MatrixXd::Constant(6, 6, number);
+  roll.antisymmetric.patch = Eigen::MatrixXd::Identity(6, 6);
+  roll.field_mesh          = "$MeshFormat";
   return roll;
 }
 }  // namespace
@@ -44,8 +44,8 @@ TEST_F(RollCache, GivesBackEveryBit)
   fem::save_roll(folder + "/a", "key", roll);
   const auto back = fem::load_roll(folder + "/a", "key");
   ASSERT_TRUE(back);
-  EXPECT_EQ(back->squeeze.patch, roll.squeeze.patch);
-  EXPECT_EQ(back->translate.patch, roll.translate.patch);
+  EXPECT_EQ(back->symmetric.patch, roll.symmetric.patch);
+  EXPECT_EQ(back->antisymmetric.patch, roll.antisymmetric.patch);
   EXPECT_EQ(back->grid.x, roll.grid.x);
   EXPECT_EQ(back->geometry.radius, roll.geometry.radius);
   EXPECT_EQ(back->n_unknowns, 12345);
@@ -90,7 +90,8 @@ TEST_F(RollCache, TwoWritersLeaveAWholeFile)
   EXPECT_TRUE(fem::load_roll(folder + "/a", "key"));
 }
 
-// Every kind of entry goes through core/records/cache_entry.h: what cannot be read is made again, and nothing waits.
+// Every kind of entry goes through core/records/cache_entry.h: what cannot be read is made again, and nothing
+// waits.
 TEST_F(RollCache, NoKindOfEntryStumblesOverAnObstacle)
 {
   const std::string path = folder + "/entry";

@@ -268,7 +268,7 @@ TEST(StripFlow, FilmFrictionIsThatOfItsOwnSpeeds)
   const fem::StripFlow flow = fem::solve_strip_flow(lines_of(b), b, quick());
   EXPECT_GT(flow.state.film_thickness, 0);
   EXPECT_NEAR(flow.state.friction, bite::film_friction(f, flow.state.film_thickness),
-              1e-6);  // the rigid ends creep: speed of the mid plane there, mean speed here
+              1e-6);  // the regularised ends still deform: speed of the mid plane there, mean speed here
 }
 
 TEST(StripFlow, ARollThatDoesNotYieldIsARigidOne)
@@ -331,7 +331,7 @@ TEST(StripFlow, OneLawForSlabAndBothStrips)
   model.elements_through          = 2;
   model.derivatives               = false;
   const fem::StripElastic elastic = fem::solve_elastic_strip(b, model);
-  const double entry              = 900e6 * std::pow(0.5e-4, 0.3);  // theory.md (8.1a) at nil
+  const double entry              = 900e6 * std::pow(0.5e-4, 0.3);  // theory.md (8.1a) at zero
   for (const double stress :
        {slab.entry_flow_stress, rigid.state.entry_flow_stress, elastic.flow.state.entry_flow_stress})
     EXPECT_NEAR(stress / entry, 1, 1e-12);

@@ -155,16 +155,16 @@ TEST(StripMaterial, DerivativesAreThoseOfTheSolution)
   struct Kind {
     const char *name;
     FlowStress law;
-    double compliance, least_rate, size;
+    double compliance, cutoff_strain_rate, size;
   };
   for (const Kind &kind : {
-           Kind{"elastic",   constant(1), 2e-3, 0,    2e-4 },
-           Kind{"plastic",   constant(1), 2e-3, 0,    0.02 },
-           Kind{"hardening", swift(),     2e-3, 0,    0.02 },
-           Kind{"creeping",  swift(),     2e-3, 1e-3, 0.002},
-           Kind{"rigid",     swift(),     0,    1e-3, 0.02 }
+           Kind{"elastic",     constant(1), 2e-3, 0,    2e-4 },
+           Kind{"plastic",     constant(1), 2e-3, 0,    0.02 },
+           Kind{"hardening",   swift(),     2e-3, 0,    0.02 },
+           Kind{"regularised", swift(),     2e-3, 1e-3, 0.002},
+           Kind{"rigid",       swift(),     0,    1e-3, 0.02 }
   }) {
-    const StripMaterial m{&kind.law, 1, kind.compliance, kind.least_rate};
+    const StripMaterial m{&kind.law, 1, kind.compliance, kind.cutoff_strain_rate};
     Inputs in = even(kind.size, 0.3 * kind.size, 0.6 * kind.size, -0.9 * kind.size, {0.1, -0.08, 0.05, 0.02});
     in[n_at_point + gradient_xy] *= 1.5;
     in[n_at_point + transit] = 1.2;
@@ -300,7 +300,7 @@ TEST(StripElastic, TakesAnyFlexibilityAndAnyLawOfFriction)
   slower.strip.friction.per_log_speed = -0.01;
   const StripElastic table            = solve_elastic_strip(slower, model, &surface);
   EXPECT_TRUE(near(table.flow.state.force, plane.flow.state.force,
-                   within(1e-7, "the difference from the half plane is nil and only interpolated; Newton 1e-9")));
+                   within(1e-7, "the difference from the half plane is zero and only interpolated; Newton 1e-9")));
   EXPECT_TRUE(near(bite::by(table.flow.state.force_by, bite::Input::roll_speed),
                    bite::by(table.flow.state.force_by, bite::Input::friction) * -0.01 / 10,
                    within(1e-12, "chain rule: d mu/d v = -0.01/v")));

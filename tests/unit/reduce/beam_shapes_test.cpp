@@ -39,9 +39,9 @@ double mass_ratio(const SteppedBeam &beam)
                          {}, deflection(beam, 0));  // half beam of mass 1
 }
 
-BedShape work_roll(const double strip_width)
+FoundationShape work_roll(const double strip_width)
 {
-  return bed_shape({0.7, strip_width / 2, 2.8708451127e10, round_section(0.420, steel).bending});
+  return foundation_shape({0.7, strip_width / 2, 2.8708451127e10, round_section(0.420, steel).bending});
 }
 }  // namespace
 
@@ -111,7 +111,7 @@ TEST(WorkShape, MeetsTheReference)
            std::pair{1.0, "work_shape.B_1"  },
            std::pair{1.4, "work_shape.B_1.4"}
   }) {
-    const BedShape shape           = work_roll(width);
+    const FoundationShape shape    = work_roll(width);
     const Eigen::VectorXd expected = reference_vector(name);
     const auto closed              = within(1e-8, "closed form, six linear equations");
     EXPECT_TRUE(near(deflection(shape, 0), expected[0], closed));
@@ -120,13 +120,13 @@ TEST(WorkShape, MeetsTheReference)
   }
 }
 
-// The bed must carry the strip load: k times the integral of w over the barrel is one.
+// The foundation must carry the strip load: k times the integral of w over the barrel is one.
 TEST(WorkShape, BedCarriesTheLoad)
 {
   for (const double width : {0.05, 0.3, 1.0, 1.39, 1.4, 2.0}) {
-    const BedShape shape = work_roll(width);
-    double sum           = 0;
-    const int n          = 4000;
+    const FoundationShape shape = work_roll(width);
+    double sum                  = 0;
+    const int n                 = 4000;
     for (int i = 0; i < n; ++i)
       sum += 2 * deflection(shape, (i + 0.5) / n * 0.7) * 0.7 / n;
     EXPECT_TRUE(near(sum * 2.8708451127e10, 1, within(1e-6, "midpoint rule with 4000 points")));
@@ -145,6 +145,6 @@ TEST(WorkShape, EulerAssumptionStaysWithinItsKnownBound)
 
 TEST(WorkShape, RefusesABedWithoutStiffness)
 {
-  EXPECT_THROW(bed_shape({0.7, 0.5, 0, 1e8}), InputError);
-  EXPECT_THROW(bed_shape({0.7, 0, 1e10, 1e8}), InputError);
+  EXPECT_THROW(foundation_shape({0.7, 0.5, 0, 1e8}), InputError);
+  EXPECT_THROW(foundation_shape({0.7, 0, 1e10, 1e8}), InputError);
 }

@@ -103,7 +103,7 @@ TEST(WorkRollBending, VanishesUnderAStripAsWideAsTheBarrel)
 {
   const double K = 4e10, L = 1.4;
   const auto roll = [&](const double strip) {
-    return BentWorkRoll(bed_shape({L / 2, strip / 2, K / L, 2.1e11 * M_PI * std::pow(0.42, 4) / 64}));
+    return BentWorkRoll(foundation_shape({L / 2, strip / 2, K / L, 2.1e11 * M_PI * std::pow(0.42, 4) / 64}));
   };
   for (const char *reference : {"mid", "mean"}) {
     EXPECT_NEAR(work_roll_bending(roll(1.4), K, L / 2, reference) * K, 0, 1e-9);

@@ -228,7 +228,7 @@ TEST(BiteReport, SectionShowsWhatIsStored)
   EXPECT_TRUE(says(page, "Bite of pass 1"));
   for (const char *title :
        {"Pressure on the roll", "Friction stress on the strip", "Slip of the strip on the roll",
-        "What the roll gives way", "Roll and strip", "Plastic strain", "Strain rate", "K4 over reduction",
+        "How far the roll deflects", "Roll and strip", "Plastic strain", "Strain rate", "K4 over reduction",
         "K4 over tension", "K4 over friction", "Force over reduction",
         "Force of the finite elements over that of the slab theories"})
     EXPECT_TRUE(says(page, title)) << title;

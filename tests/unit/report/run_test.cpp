@@ -43,7 +43,7 @@ TEST(Run, ReadsWhatARunLeaves)
   ASSERT_TRUE(K3);
   EXPECT_EQ(K3->checks.size(), 2u);
   EXPECT_TRUE(near(K3->checks[1].value, 7.53399e11, within(0, "read back from 17 digits")));
-  EXPECT_TRUE(std::isnan(run.find("K1")->error_estimate)) << "null stands for no estimate";
+  EXPECT_TRUE(std::isnan(run.find("K1")->error_estimate)) << "null represents no estimate";
   EXPECT_TRUE(near(run.manifest.geometry.at("backup_diameter"), 1.45, within(0, "read back")));
   EXPECT_EQ(run.manifest.passes.at(1).slug, "pass-2");
   ASSERT_TRUE(run.table("response/pass-1"));

@@ -4,7 +4,7 @@
 #include "app/stages/contact_stage.h"
 #include "app/stages/dynamics_stage.h"
 #include "app/stages/strip_flow_stage.h"
-#include "app/trace/quick_chain.h"
+#include "app/trace/closed_form_chain.h"
 #include "core/case/units.h"
 #include "core/records/files.h"
 #include "core/records/record_text.h"
@@ -20,7 +20,7 @@
 // kept under.
 namespace {
 using namespace mill;
-using Results = std::vector<QuickResult>;
+using Results = std::vector<ClosedFormResult>;
 
 // Eigenvalues of an unchanged block round differently.
 constexpr double rounding = 1e-11;
@@ -64,7 +64,7 @@ std::string text_of(const FourHigh &stand, const std::string &name)
     // The mesh of the roller is made for the heaviest load of all passes and both seats, in steps of two.
     std::string text = roller_inputs(bearing, 1e5) + ring_inputs(bearing);
     for (std::size_t p = 0; p < stand.passes.size(); ++p)
-      for (const QuickResult &seat : quick_bearings(stand, load_of(stand.passes[p]), p))
+      for (const ClosedFormResult &seat : closed_form_bearings(stand, load_of(stand.passes[p]), p))
         if (seat.name.size() == 4 && seat.name != "K_Zy" && (seat.name == "Kzc1" || seat.name == "Kzc4") == backup)
           text += number_text(seat.load);
     return text;
@@ -105,10 +105,10 @@ struct Exceptions {
   std::vector<std::string> kept_apart;  // enter a text without moving the result
 };
 
-bool has_moved(const QuickResult &r, const std::vector<std::pair<Case, Results>> &others)
+bool has_moved(const ClosedFormResult &r, const std::vector<std::pair<Case, Results>> &others)
 {
   return std::any_of(others.begin(), others.end(), [&](const auto &other) {
-    const QuickResult *same = find(other.second, r.name);
+    const ClosedFormResult *same = find(other.second, r.name);
     return same && differs(same->parameter.value, r.parameter.value);
   });
 }
@@ -116,15 +116,15 @@ bool has_moved(const QuickResult &r, const std::vector<std::pair<Case, Results>>
 bool all_moved(const Results &before, const std::vector<std::pair<Case, Results>> &others, const std::string &key)
 {
   return std::all_of(before.begin(), before.end(),
-                     [&](const QuickResult &r) { return !holds(r.closed, key) || has_moved(r, others); });
+                     [&](const ClosedFormResult &r) { return !holds(r.closed, key) || has_moved(r, others); });
 }
 
 // Both ways: no key that moves a result is missing from its list, and none stands in it that cannot move it.
 void expect_complete(const BaseCase &base, const Exceptions &known)
 {
   const Case the_case = read(base);
-  QuickMemory memory;
-  const Results before = quick_chain(the_case, memory);
+  ClosedFormMemory memory;
+  const Results before = closed_form_chain(the_case, memory);
   std::set<std::string> names;
   for (const TraceKey &key : keys_of(the_case)) {
     names.insert(key.name);
@@ -134,14 +134,14 @@ void expect_complete(const BaseCase &base, const Exceptions &known)
       if (others.size() > 1 && all_moved(before, others, key.name))
         break;
       try {
-        Results results = quick_chain(other, memory);
+        Results results = closed_form_chain(other, memory);
         others.emplace_back(std::move(other), std::move(results));
       } catch (const InputError &) {
         // The closed forms refuse it.
       } catch (const SolverError &) {
       }
     }
-    for (const QuickResult &r : before) {
+    for (const ClosedFormResult &r : before) {
       if (r.name.rfind("pass 2.", 0) == 0)
         continue;  // as the first
       const bool moved       = has_moved(r, others);
@@ -160,7 +160,7 @@ void expect_complete(const BaseCase &base, const Exceptions &known)
             << key.name << (declared ? " is idle in" : " is missing from") << " the inputs of " << r.name;
     }
   }
-  for (const QuickResult &r : before)
+  for (const ClosedFormResult &r : before)
     for (const std::string &key : r.parameter.inputs)
       EXPECT_TRUE(names.count(key)) << r.name << " states an unknown key " << key;
 }
@@ -282,7 +282,7 @@ TEST(Provenance, OfTheOtherKinds)
 TEST(Provenance, OfBearings)
 {
   // [model] says law, rings and slices of the one bearing again; neither end play nor preload stand beside a
-  // clearance; the example of a pitch diameter is the mean that stands for it where it is not given.
+  // clearance; the example of a pitch diameter is the mean that represents it where it is not given.
   const std::vector<std::string> known{
       "bearing.trb.type",     "bearing.trb.roller_law", "bearing.trb.rings",
       "bearing.trb.slices",   "model.slices",           "load.bearing",

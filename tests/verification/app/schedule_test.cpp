@@ -111,7 +111,7 @@ TEST(Schedule, TheSameCaseAgainIsTakenFromTheCacheAndSaysTheSame)
         EXPECT_TRUE(stage.at("cached").get<bool>()) << name;
   }
   EXPECT_EQ(stages_that_begin(again, "Fourier"), "")
-      << "the second engine's curve is kept, its rolls are not asked for";
+      << "the Fourier solver's curve is kept, its rolls are not asked for";
 }
 
 // One run says both: with --fresh nothing is taken from the cache, and one thread computes what two did.

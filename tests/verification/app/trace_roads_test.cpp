@@ -19,7 +19,7 @@ const TraceLine *line(const Trace &trace, const std::string &result)
 // first.
 void compare_with_lists(const Trace &t)
 {
-  for (const QuickResult &r : t.base) {
+  for (const ClosedFormResult &r : t.base) {
     if (r.name.rfind("pass 2.", 0) == 0)
       continue;
     const TraceLine *reached = line(t, r.name);
@@ -37,7 +37,7 @@ TEST(TraceRoads, EveryKeyOfTheDemoStandIsTraced)
   const std::string file = "cases/four-high-1400.toml";
   const auto keys        = keys_of(read_case(file));
   EXPECT_GT(keys.size(), 200u);
-  QuickMemory memory;
+  ClosedFormMemory memory;
   int sizes = 0;
   for (const TraceKey &key : keys) {
     SCOPED_TRACE(key.name);
@@ -56,7 +56,7 @@ TEST(TraceRoads, EveryKeyOfTheDemoStandIsTraced)
 TEST(TraceRoads, AGivenValueMovesWithItselfAndWithWhatIsMadeOfIt)
 {
   const std::string file = "cases/four-high-1400.toml";
-  QuickMemory memory;
+  ClosedFormMemory memory;
   for (const char *name : {"M1", "M2", "M3", "M4", "M5", "M6", "K1", "K2", "K3", "K4", "K5", "K6", "K7", "K_Zy",
                            "K_ZW", "Kzc1", "Kzc2", "Kzc3", "Kzc4"}) {
     const Trace t = trace({file, std::string("given.") + name, {}, "no such folder"}, memory);
@@ -74,7 +74,7 @@ TEST(TraceRoads, EveryKeyOfTheOtherKindsIsTraced)
 {
   for (const char *file : {"cases/published-1400.toml", "cases/two-cylinders.toml", "cases/bearing-266.toml",
                            "cases/cold-strip.toml"}) {
-    QuickMemory memory;
+    ClosedFormMemory memory;
     int reached = 0;
     for (const TraceKey &key : keys_of(read_case(file))) {
       SCOPED_TRACE(std::string(file) + " " + key.name);
@@ -94,7 +94,7 @@ TEST(TraceRoads, FrequenciesFollowStiffnessAndMassByHalf)
 {
   // Sum over all springs of d ln f / d ln K is 1/2, over all masses -1/2: Rayleigh's quotient is of degree one.
   const std::string file = "cases/published-1400.toml";
-  QuickMemory memory;
+  ClosedFormMemory memory;
   double springs = 0, masses = 0;
   for (int i = 1; i <= 7; ++i)
     if (const Trace t = trace({file, "given.K" + std::to_string(i), {}, "no such folder"}, memory); line(t, "f3"))
@@ -110,7 +110,7 @@ TEST(TraceRoads, ADrawnFrameIsFollowed)
   // Oil column 2 E A/h: one for one with its inverse height, two for one with its diameter; K1 and K2 carry on.
   const std::string file = "cases/four-high-1400.toml";
   const std::vector<std::string> drawn{"screwdown.piston_diameter=800 mm", "screwdown.stroke=40 mm"};
-  QuickMemory memory;
+  ClosedFormMemory memory;
   const Trace stroke = trace({file, "screwdown.stroke", drawn, "no such folder"}, memory);
   const Trace piston = trace({file, "screwdown.piston_diameter", drawn, "no such folder"}, memory);
   ASSERT_TRUE(line(stroke, "K2") && line(piston, "K2"));

@@ -349,7 +349,7 @@ TEST(NonlinearRun, SlackStripPullsNothingAndComesBack)
   EXPECT_EQ(run.events[0].time, 0);
   EXPECT_EQ(run.events[0].change, ChatterChange::entry_slack);
   EXPECT_EQ(run.events[1].change, ChatterChange::entry_taut);
-  EXPECT_TRUE(near(run.history.entry_tension[0], -110e6, within(1e-12, "total tension is nil")));
+  EXPECT_TRUE(near(run.history.entry_tension[0], -110e6, within(1e-12, "total tension is zero")));
   EXPECT_GE(run.history.entry_tension.minCoeff(), -110e6 * (1 + 1e-12));
 }
 

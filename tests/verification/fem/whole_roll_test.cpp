@@ -5,7 +5,7 @@
 #include "tests/support/roll_pair.h"
 
 // Loads that differ between the two sides of a roll: tilt, shift, bending.  Coarse meshes, since symmetry and
-// direction hold on any; the identity with the whole model is the manual's case parity-identity.
+// direction hold on any; the identity with the whole model is the manual's case symmetry-identity.
 using namespace mill;
 using fem::Extent;
 

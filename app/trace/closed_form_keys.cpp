@@ -1,4 +1,4 @@
-#include "app/trace/quick_keys.h"
+#include "app/trace/closed_form_keys.h"
 
 namespace mill {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/trace/quick_stand.h"
+#include "app/trace/closed_form_stand.h"
 #include "app/stages/gauge_results.h"
 #include "app/stages/mode_results.h"
 #include "app/stages/modulus_stage.h"
@@ -10,10 +10,10 @@
 
 namespace mill {
 namespace {
-QuickResult made(const std::string &name, const char *unit, const double value, const char *method,
-                 const std::string &at)
+ClosedFormResult made(const std::string &name, const char *unit, const double value, const char *method,
+                      const std::string &at)
 {
-  QuickResult r;
+  ClosedFormResult r;
   r.name             = name;
   r.parameter.unit   = unit;
   r.parameter.value  = value;
@@ -23,8 +23,8 @@ QuickResult made(const std::string &name, const char *unit, const double value, 
 }
 
 // The first pass on its way into the list.
-struct QuickModulus {
-  std::vector<QuickResult> &all;
+struct ClosedFormModulus {
+  std::vector<ClosedFormResult> &all;
   const FourHigh &stand;
   const SpringFactors &factors;
   std::string at;
@@ -38,11 +38,11 @@ struct QuickModulus {
   {
     return find(all, name)->parameter.value;
   }
-  void add(QuickResult r, const std::vector<std::string> &from, const KeyList &keys, const char *file,
+  void add(ClosedFormResult r, const std::vector<std::string> &from, const KeyList &keys, const char *file,
            const char *equation) const
   {
     r.from     = from;
-    r.road     = "mill modulus";
+    r.relation = "mill modulus";
     r.file     = file;
     r.equation = equation;
     inherit(r, all, keys);
@@ -67,7 +67,7 @@ struct QuickModulus {
   void add_with_strip() const;
 };
 
-void QuickModulus::add_kissing() const
+void ClosedFormModulus::add_kissing() const
 {
   const std::string touching = own("K_ww", "tangent");
   add(made(touching, "N/m", reduce::line_contact(work_roll_pair(stand), load).tangent,
@@ -92,18 +92,18 @@ KeyList without(const KeyList &keys, const KeyList &others)
 }
 
 // Flattening and plastic slope by the slab theory that gives K4; false where it has no answer or K4 is given.
-bool QuickModulus::add_bite() const
+bool ClosedFormModulus::add_bite() const
 {
-  const QuickResult *K4 = find(all, "K4");
-  const auto stiffness  = stand.given.count("K4") ? std::nullopt : quick_bite_stiffness(stand, 0);
+  const ClosedFormResult *K4 = find(all, "K4");
+  const auto stiffness       = stand.given.count("K4") ? std::nullopt : closed_form_bite_stiffness(stand, 0);
   if (!K4 || !stiffness || !(stiffness->flattening > 0))
     return false;
-  const bool rigid      = stand.bite.arc == "rigid";
-  const KeyList elastic = keys_in("steel", "youngs_modulus poisson_ratio"),
-                arc     = joined(keys_in("strip", "width entry_thickness exit_thickness"),
-                                 keys_in("pass.0", "entry_thickness exit_thickness"),
-                                 KeyList{"work_roll.barrel_diameter", "bite.arc"}, elastic);
-  QuickResult slope = *K4, flattening = *K4;
+  const bool rigid       = stand.bite.arc == "rigid";
+  const KeyList elastic  = keys_in("steel", "youngs_modulus poisson_ratio"),
+                arc      = joined(keys_in("strip", "width entry_thickness exit_thickness"),
+                                  keys_in("pass.0", "entry_thickness exit_thickness"),
+                                  KeyList{"work_roll.barrel_diameter", "bite.arc"}, elastic);
+  ClosedFormResult slope = *K4, flattening = *K4;
   slope.name                 = "K4.plastic_slope";
   slope.parameter.value      = stiffness->plastic_slope * factor(factors, slope.name);
   flattening.name            = "K4.flattening";
@@ -117,13 +117,13 @@ bool QuickModulus::add_bite() const
   return true;
 }
 
-void QuickModulus::add_with_strip() const
+void ClosedFormModulus::add_with_strip() const
 {
   const double K3 = value("K3"), K5 = value("K5");
   const double bend = work_rolls_bending(stand, nullptr, stand.strip.width, K3, K5);
   std::vector<std::string> more{"K4.flattening"};
   if (bend * K3 > least_bending) {
-    QuickResult r =
+    ClosedFormResult r =
         made(own("K_bend"), "N/m", factor(factors, own("K_bend")) / bend, "Euler beam on its contact line", at);
     if (stand.backup_roll.bending_model == "solid")
       r.stands_for = "the work rolls by finite elements, backup_roll.bending_model = \"solid\"";
@@ -148,29 +148,29 @@ void QuickModulus::add_with_strip() const
 }
 }  // namespace
 
-void add_quick_modulus(std::vector<QuickResult> &all, const FourHigh &stand, const double load,
+void add_quick_modulus(std::vector<ClosedFormResult> &all, const FourHigh &stand, const double load,
                        const SpringFactors &factors)
 {
-  const QuickModulus modulus{all, stand, factors, fmt::format("{:.1f} kN", load / 1e3), load};
+  const ClosedFormModulus modulus{all, stand, factors, fmt::format("{:.1f} kN", load / 1e3), load};
   modulus.add_kissing();
   if (modulus.add_bite())
     modulus.add_with_strip();
 }
 
-void add_named_modes_of_chain(std::vector<QuickResult> &all, const LumpedModel &model,
+void add_named_modes_of_chain(std::vector<ClosedFormResult> &all, const LumpedModel &model,
                               const DynamicsSettings &settings, const std::string &stands_for)
 {
   const auto names = chain_with_modes(model, settings).names;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const QuickResult *f = find(all, fmt::format("f{}", i + 1));
+    const ClosedFormResult *f = find(all, fmt::format("f{}", i + 1));
     if (!f || names[i].key == "mixed")
       continue;
-    QuickResult r      = *f;
+    ClosedFormResult r = *f;
     r.name             = result_name({family::mode, names[i].key, "frequency"});
     r.parameter.method = "six-mass chain, " + names[i].name;
     r.from             = {f->name};
     r.own              = {};
-    r.road             = "modes by name";
+    r.relation         = "modes by name";
     r.file             = "reduce/stand/mode_names";
     r.equation         = "(22.23)";
     r.stands_for       = stands_for;

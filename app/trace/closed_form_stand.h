@@ -1,5 +1,5 @@
 #pragma once
-#include "app/trace/quick_chain.h"
+#include "app/trace/closed_form_chain.h"
 #include "core/model/dynamics_settings.h"
 #include "core/records/lumped_model.h"
 
@@ -9,11 +9,11 @@ namespace mill {
 /// K4.plastic_slope, stand.K_bend, stand.modulus.tangent, stand.screw_sensitivity and stand.force_by.screw of the
 /// first pass, from its springs in `all`.
 /// @param load  N
-void add_quick_modulus(std::vector<QuickResult> &all, const FourHigh &stand, double load,
+void add_quick_modulus(std::vector<ClosedFormResult> &all, const FourHigh &stand, double load,
                        const SpringFactors &factors);
 
 /// mode.<name>.frequency of the six masses, from f1.. in `all`.
 /// @param stands_for  what a run takes instead; empty: the same
-void add_named_modes_of_chain(std::vector<QuickResult> &all, const LumpedModel &model,
+void add_named_modes_of_chain(std::vector<ClosedFormResult> &all, const LumpedModel &model,
                               const DynamicsSettings &settings, const std::string &stands_for);
 }  // namespace mill

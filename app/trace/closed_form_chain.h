@@ -1,5 +1,5 @@
 #pragma once
-#include "app/trace/quick_parts.h"
+#include "app/trace/closed_form_parts.h"
 #include "core/records/records.h"
 #include <array>
 #include <map>
@@ -13,38 +13,40 @@ struct FourHigh;
 struct Case;
 
 /// What evaluations of neighbouring cases share: forces that are read once, responses of a chain already driven.
-struct QuickMemory {
+struct ClosedFormMemory {
   std::map<std::string, ForceRecord> forces;           ///< by file, or by the numbers of a made record
   std::map<std::string, std::array<double, 2>> white;  ///< N2/Hz and Hz: white force of the same rms
   /// g: upper peak, upper rms, lower peak, lower rms, by force and numbers of the chain
   std::map<std::pair<std::string, std::vector<double>>, std::array<double, 4>> driven;
 };
 
-/// Factors on the springs that finite elements would give, by result name: a run's value over the quick one.  K_ZW
+/// Factors on the springs that finite elements would give, by result name: a run's value over the closed one. K_ZW
 /// has one for all passes.
 using SpringFactors = std::map<std::string, double>;
 
 /// Every result that a case leads to, by closed forms and two cheap stages: chain and response.  theory.md 24
-/// The same functions as a run from the springs on; K3, K4, K5 and Kzc by quick_parts.h.  The order is that of the
-/// roads: contacts, bearings, bite, beam, springs, masses, modes, responses.
+/// The same functions as a run from the springs on; K3, K4, K5 and Kzc by closed_form_parts.h.  The order is that
+/// of the relations: contacts, bearings, bite, beam, springs, masses, modes, responses.
 ///
 /// @throws InputError   what the closed forms refuse
 /// @throws SolverError  a bearing without equilibrium; a chain that is not held
 /// Cost: below 10 ms without responses, 20 ms for each pass of 200 000 output times.
-std::vector<QuickResult> quick_chain(const Case &the_case, QuickMemory &memory, const SpringFactors &factors = {});
+std::vector<ClosedFormResult> closed_form_chain(const Case &the_case, ClosedFormMemory &memory,
+                                                const SpringFactors &factors = {});
 
 /// N/m, K_ZW of the backup roll as a stepped beam, by the mass reference of the case, whatever bending_model says.
 double beam_stiffness(const FourHigh &stand);
 /// Of kind "four-high" and of kind "lumped".
-std::vector<QuickResult> quick_four_high(const FourHigh &drawn, QuickMemory &memory, const SpringFactors &factors);
-std::vector<QuickResult> quick_lumped(const Case &the_case, QuickMemory &memory);
+std::vector<ClosedFormResult> closed_form_four_high(const FourHigh &drawn, ClosedFormMemory &memory,
+                                                    const SpringFactors &factors);
+std::vector<ClosedFormResult> closed_form_lumped(const Case &the_case, ClosedFormMemory &memory);
 
 /// 1 for a spring that has none.
 double factor(const SpringFactors &factors, const std::string &name);
 
-/// Lists of a result that is made of others (QuickResult::from), and of keys of its own.
-void inherit(QuickResult &result, const std::vector<QuickResult> &all, const KeyList &own);
+/// Lists of a result that is made of others (ClosedFormResult::from), and of keys of its own.
+void inherit(ClosedFormResult &result, const std::vector<ClosedFormResult> &all, const KeyList &own);
 
 /// nullptr when absent.
-const QuickResult *find(const std::vector<QuickResult> &results, const std::string &name);
+const ClosedFormResult *find(const std::vector<ClosedFormResult> &results, const std::string &name);
 }  // namespace mill

@@ -1,14 +1,14 @@
 #include "app/stages/bearing_model.h"
 #include "app/stages/bearing_study.h"
 #include "app/stages/contact_stage.h"
-#include "app/trace/quick_parts.h"
+#include "app/trace/closed_form_parts.h"
 #include "bearing/assembly.h"
 #include "bearing/oil_film/oil_film_state.h"
 #include "core/model/case.h"
 #include <cmath>
 #include <fmt/format.h>
 
-// Bearings between rigid rings, for the quick chain.
+// Bearings between rigid rings, for the closed-form model.
 namespace mill {
 namespace {
 // The bearing that has a closed form: laminae between rigid rings.
@@ -59,13 +59,13 @@ KeyList closed_bearing_keys(const RollerBearing &b, const bool loaded_askew)
   return keys;
 }
 
-bearing::AssemblyState solved(const RollerBearing &b, const bearing::RingDrive &drive, const double cage_angle = 0,
-                              const double centrifugal = 0)
+bearing::AssemblyState solved(const RollerBearing &b, const bearing::RingLoading &loading,
+                              const double cage_angle = 0, const double centrifugal = 0)
 {
   auto model              = bearing::rigid_model(closed_bearing(b));
   model.cage_angle        = cage_angle;
   model.centrifugal_force = centrifugal;
-  return bearing::BearingAssembly(model).solve(drive);
+  return bearing::BearingAssembly(model).solve(loading);
 }
 
 // Radial load of one bearing: as the bearing stage of a run puts it on.
@@ -82,17 +82,17 @@ double bearing_load(const FourHigh &stand, const bool backup, const ContactSetti
   return std::hypot(bending > 0 ? bending : F / 20, across);
 }
 // An oil film on the coarser of its two grids.
-QuickResult quick_film(const char *name, const OilFilmBearing &film, const bearing::OilFilmLoad &load,
-                       const KeyList &keys, const bool across)
+ClosedFormResult closed_form_film(const char *name, const OilFilmBearing &film, const bearing::OilFilmLoad &load,
+                                  const KeyList &keys, const bool across)
 {
-  QuickResult r;
+  ClosedFormResult r;
   r.name             = name;
-  r.parameter.value  = bearing::quick_oil_film(film, load).at.stiffness(across, across);
+  r.parameter.value  = bearing::coarse_oil_film(film, load).at.stiffness(across, across);
   r.parameter.unit   = "N/m";
   r.parameter.method = across ? "oil film on one grid, across the load" : "oil film on one grid";
   r.parameter.at     = in_kN(load.load) + " on one bearing";
   r.closed           = keys;
-  r.road             = "oil film";
+  r.relation         = "oil film";
   r.file             = "bearing/oil_film/film_reactions";
   r.equation         = "(29.7)";
   r.stands_for       = "the same on two grids";
@@ -107,12 +107,12 @@ bearing::OilFilmLoad film_load(const BearingCase &spec)
 }
 }  // namespace
 
-std::vector<QuickResult> quick_bearings(const FourHigh &stand, const double F, const std::size_t pass)
+std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const double F, const std::size_t pass)
 {
-  std::vector<QuickResult> all;
-  const auto add_both = [&](const QuickResult &one, const char *name) {
-    QuickResult r = one;
-    r.name        = name;
+  std::vector<ClosedFormResult> all;
+  const auto add_both = [&](const ClosedFormResult &one, const char *name) {
+    ClosedFormResult r = one;
+    r.name             = name;
     r.parameter.value *= 2;
     all.push_back(r);
   };
@@ -122,7 +122,7 @@ std::vector<QuickResult> quick_bearings(const FourHigh &stand, const double F, c
     const Roll &roll    = backup ? stand.backup_roll : stand.work_roll;
     const double load   = bearing_load(stand, backup, contact, F);
     if (roll.bearing.empty()) {  // not drawn, since all of its stiffnesses are given
-      QuickResult r;
+      ClosedFormResult r;
       r.name      = fmt::format("Kzc{}", i + 1);
       r.parameter = stand.given.at(r.name).parameter;
       r.load      = load;
@@ -137,26 +137,26 @@ std::vector<QuickResult> quick_bearings(const FourHigh &stand, const double F, c
       };
       const std::string name = fmt::format("Kzc{}", i + 1);
       const KeyList keys     = seat_keys(stand, std::size_t(i), pass);
-      QuickResult r          = quick_film(name.c_str(), *film, on, keys, false);
+      ClosedFormResult r     = closed_form_film(name.c_str(), *film, on, keys, false);
       r.load                 = load;
       all.push_back(r);
       add_both(r, i == 0 ? "K_Zy" : "K_Zy_lower");
-      all.push_back(quick_film((name + "_across").c_str(), *film, on, keys, true));
+      all.push_back(closed_form_film((name + "_across").c_str(), *film, on, keys, true));
       continue;
     }
-    const auto &b    = bearing_of(stand.bearings, roll.bearing);
-    const auto drive = bearing::radial_drive(load);
-    const auto state = solved(b, drive);
-    QuickResult r;
+    const auto &b      = bearing_of(stand.bearings, roll.bearing);
+    const auto loading = bearing::radial_drive(load);
+    const auto state   = solved(b, loading);
+    ClosedFormResult r;
     r.name             = fmt::format("Kzc{}", i + 1);
-    r.parameter.value  = bearing::radial_tangent(state, drive);
+    r.parameter.value  = bearing::radial_tangent(state, loading);
     r.parameter.unit   = "N/m";
     r.parameter.method = closed_method(b);
     r.parameter.at     = in_kN(load) + " on one bearing";
     r.load             = load;
     r.closed =
         joined(seat_load_keys(stand, backup, i < 2 ? "upper" : "lower", pass), closed_bearing_keys(b, false));
-    r.road       = backup ? "bearings of the backup rolls" : "bearings of the work rolls";
+    r.relation   = backup ? "bearings of the backup rolls" : "bearings of the work rolls";
     r.file       = "bearing/assembly";
     r.equation   = "(5.23)";
     r.stands_for = by_elements(b) ? model_name(b) : "";
@@ -165,7 +165,7 @@ std::vector<QuickResult> quick_bearings(const FourHigh &stand, const double F, c
       add_both(r, i == 0 ? "K_Zy" : "K_Zy_lower");
     r.name += "_across";
     r.closed          = joined(r.closed, keys_in("bearing." + b.name, "slices"));
-    r.parameter.value = stiffness_along(state, drive, 1);
+    r.parameter.value = stiffness_along(state, loading, 1);
     r.parameter.method += ", across the load";
     r.file       = "app/stages/bearing_across";
     r.stands_for = by_elements(b) ? model_name(b) + ", a block chock on its liner" : "";
@@ -174,24 +174,24 @@ std::vector<QuickResult> quick_bearings(const FourHigh &stand, const double F, c
   return all;
 }
 
-std::vector<QuickResult> quick_bearing_case(const BearingCase &spec)
+std::vector<ClosedFormResult> closed_form_bearing_case(const BearingCase &spec)
 {
   if (const OilFilmBearing *film = oil_film_of(spec.oil_films, spec.load.bearing)) {
-    std::vector<QuickResult> both;
+    std::vector<ClosedFormResult> both;
     for (const bool across : {false, true}) {
-      both.push_back(quick_film(across ? "Kzc.tangent_across" : "Kzc.tangent", *film, film_load(spec),
-                                bearing_case_keys(spec), across));
+      both.push_back(closed_form_film(across ? "Kzc.tangent_across" : "Kzc.tangent", *film, film_load(spec),
+                                      bearing_case_keys(spec), across));
       both.back().parameter.inputs = bearing_case_keys(spec);
     }
     return both;
   }
   const RollerBearing &b         = bearing_of(spec.bearings, spec.load.bearing);
   const BearingQuestion question = question_of(spec);
-  const auto drive               = drive_of(question, spec.load.radial);
-  const auto state               = solved(b, drive, spec.load.cage_angle, question.centrifugal);
-  std::vector<QuickResult> all;
+  const auto loading             = drive_of(question, spec.load.radial);
+  const auto state               = solved(b, loading, spec.load.cage_angle, question.centrifugal);
+  std::vector<ClosedFormResult> all;
   const auto add = [&](const char *name, const char *unit, const double value, const char *equation) {
-    QuickResult r;
+    ClosedFormResult r;
     r.name             = name;
     r.parameter.value  = value;
     r.parameter.unit   = unit;
@@ -202,16 +202,16 @@ std::vector<QuickResult> quick_bearing_case(const BearingCase &spec)
     for (const std::string &key : r.parameter.inputs)  // [model] says again what the bearing says
       if (key.rfind("model.", 0) == 0 && holds(r.closed, "bearing." + b.name + key.substr(5)))
         r.closed.push_back(key);
-    r.road       = "equilibrium of all rollers";
+    r.relation   = "equilibrium of all rollers";
     r.file       = "bearing/assembly";
     r.equation   = equation;
     r.stands_for = by_elements(b) ? model_name(b) : "";
     all.push_back(r);
   };
-  add("Kzc.tangent", "N/m", bearing::radial_tangent(state, drive), "(5.23)");
+  add("Kzc.tangent", "N/m", bearing::radial_tangent(state, loading), "(5.23)");
   if (spec.load.radial > 0)
     add("Kzc.secant", "N/m", bearing::radial_secant(state), "(5.22)");
-  add("Kzc.tangent_across", "N/m", bearing::stiffness_along(state, drive, 1), "(5.23)");
+  add("Kzc.tangent_across", "N/m", bearing::stiffness_along(state, loading, 1), "(5.23)");
   add("Kzc.axial", "N/m", state.tangent(2, 2), "(5.23)");
   add("Kzc.roller_max", "N", state.roller_load.maxCoeff(), "(5.22)");
   return all;

@@ -1,10 +1,10 @@
-#include "app/trace/quick_chain.h"
+#include "app/trace/closed_form_chain.h"
 #include "app/case_kinds.h"
 #include "app/stages/detailed_model_stage.h"
 #include "app/stages/dynamics_stage.h"
 #include "app/stages/fit_stage.h"
-#include "app/trace/quick_response.h"
-#include "app/trace/quick_stand.h"
+#include "app/trace/closed_form_response.h"
+#include "app/trace/closed_form_stand.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
 #include "core/numerics/require.h"
@@ -19,7 +19,7 @@
 
 namespace mill {
 namespace {
-using QuickResults = std::vector<QuickResult>;
+using ClosedFormResults = std::vector<ClosedFormResult>;
 
 // A given value replaces the computed one; its only input is its own key.
 bool is_given(const GivenValues &given, const std::string &name)
@@ -27,13 +27,13 @@ bool is_given(const GivenValues &given, const std::string &name)
   return given.count(name) > 0;
 }
 
-QuickResult given_result(const std::string &name, const Parameter &parameter)
+ClosedFormResult given_result(const std::string &name, const Parameter &parameter)
 {
-  QuickResult r;
+  ClosedFormResult r;
   r.name             = name;
   r.parameter        = parameter;
   r.parameter.inputs = r.closed = {"given." + name};
-  r.road                        = "given, nothing is computed";
+  r.relation                    = "given, nothing is computed";
   r.file                        = "core/case/given";
   return r;
 }
@@ -52,17 +52,17 @@ bool of_the_chain(const std::string &name)
   return name.size() == 2 && (name[0] == 'M' || name[0] == 'K');
 }
 
-void add_vertical_modes(QuickResults &all, const LumpedModel &model, const DynamicsSettings &settings)
+void add_vertical_modes(ClosedFormResults &all, const LumpedModel &model, const DynamicsSettings &settings)
 {
   const ChainModes chain = chain_modes(model, settings);
   for (std::size_t i = 0; i < chain.half.size(); ++i) {
-    QuickResult r;
+    ClosedFormResult r;
     r.name             = fmt::format("f{}", i + 1);
     r.parameter.value  = chain.modes.frequency[Eigen::Index(i)];
     r.parameter.unit   = "Hz";
     r.parameter.method = "six-mass chain";
     r.from             = chain_parts(settings, chain.half[i]);
-    r.road             = "modes of the chain";
+    r.relation         = "modes of the chain";
     r.file             = "dynamics/response/modes";
     r.equation         = "(6.11)";
     inherit(r, all, {"dynamics.force_meaning", "dynamics.frame"});
@@ -71,26 +71,26 @@ void add_vertical_modes(QuickResults &all, const LumpedModel &model, const Dynam
 }
 
 // What a roll feels along the pass line; a lumped model may know one stiffness only.
-std::string bearing_across(const QuickResults &all, const int roll)
+std::string bearing_across(const ClosedFormResults &all, const int roll)
 {
   const std::string along = fmt::format("Kzc{}", roll + 1);
   return find(all, along + "_across") ? along + "_across" : along;
 }
 
-void add_horizontal_modes(QuickResults &all, const LumpedModel &model, const double chock_seat,
+void add_horizontal_modes(ClosedFormResults &all, const LumpedModel &model, const double chock_seat,
                           const std::array<double, 2> chock_mass)
 {
   const HorizontalModes rolls = horizontal_modes(model, chock_seat, chock_mass);
   for (std::size_t i = 0; i < rolls.mover.size(); ++i) {
     const std::string &label = rolls.mover[i];
-    QuickResult r;
+    ClosedFormResult r;
     r.name             = fmt::format("fh{}", i + 1);
     r.parameter.value  = rolls.modes.frequency[Eigen::Index(i)];
     r.parameter.unit   = "Hz";
     r.parameter.method = label + " on its bearings";
     for (const std::size_t roll : rolls_in(label))
       r.from = {fmt::format("M{}", roll + 2), bearing_across(all, int(roll))};
-    r.road     = "horizontal motion on the bearings";
+    r.relation = "horizontal motion on the bearings";
     r.file     = "dynamics/response/mill_model";
     r.equation = "(6.9)";
     inherit(r, all, chock_seat_keys(label, !std::isnan(chock_seat)));
@@ -98,8 +98,8 @@ void add_horizontal_modes(QuickResults &all, const LumpedModel &model, const dou
   }
 }
 
-void add_response(QuickResults &all, const LumpedModel &model, const DynamicsSettings &settings, const Pass &pass,
-                  const std::size_t p, const std::string &prefix, QuickMemory &memory)
+void add_response(ClosedFormResults &all, const LumpedModel &model, const DynamicsSettings &settings,
+                  const Pass &pass, const std::size_t p, const std::string &prefix, ClosedFormMemory &memory)
 {
   // The six masses are driven here whatever dynamics.model says, and white force has no samples.
   const KeyList all_own = response_keys(settings, pass, p);
@@ -109,15 +109,15 @@ void add_response(QuickResults &all, const LumpedModel &model, const DynamicsSet
       own.push_back(key);
   const bool other_model = settings.model != "six-mass";
   const auto add         = [&](const char *name, const double value, const Half half, const bool white) {
-    QuickResult r;
+    ClosedFormResult r;
     r.name            = pass.name + "." + name;
     r.parameter.value = value;
     r.parameter.unit  = "g";
     r.parameter.method =
         white ? "six-mass chain under white force of the same rms" : "six-mass chain, exact first-order hold";
     r.from       = with_prefix(chain_parts(settings, half), prefix);
-    r.road       = white ? "response to white force of the same size" : "response to the force of " + pass.name;
-    r.file       = white ? "app/trace/quick_response" : "dynamics/response/response";
+    r.relation   = white ? "response to white force of the same size" : "response to the force of " + pass.name;
+    r.file       = white ? "app/trace/closed_form_response" : "dynamics/response/response";
     r.equation   = white ? "(24.3)" : "(7.2)";
     r.stands_for = other_model && !white ? "dynamics.model = \"" + settings.model + "\"" : "";
     inherit(r, all, white ? own : joined(own, keys_in("dynamics", "output_rate")));
@@ -144,7 +144,7 @@ bool is_across_given_bearing(const std::string &name, const GivenValues &given)
 }
 
 // Both bearings of a backup roll are twice the given one.
-void follow_given_bearing(QuickResult &r, const FourHigh &stand)
+void follow_given_bearing(ClosedFormResult &r, const FourHigh &stand)
 {
   const std::string seat = r.name == "K_Zy" ? "Kzc1" : r.name == "K_Zy_lower" ? "Kzc4" : r.name.substr(0, 4);
   if (seat == r.name || seat.substr(0, 3) != "Kzc" || !is_given(stand.given, seat))
@@ -158,17 +158,18 @@ void follow_given_bearing(QuickResult &r, const FourHigh &stand)
 }
 
 // Springs that finite elements would give, in closed form or given.
-void add_springs(QuickResults &all, const FourHigh &stand, const std::size_t p, const std::string &prefix,
+void add_springs(ClosedFormResults &all, const FourHigh &stand, const std::size_t p, const std::string &prefix,
                  const double load, const SpringFactors &factors)
 {
-  const auto bearings = quick_bearings(stand, load, p);
-  std::vector<QuickResult> made{quick_contact(stand, "upper", load, p), quick_contact(stand, "lower", load, p)};
+  const auto bearings = closed_form_bearings(stand, load, p);
+  std::vector<ClosedFormResult> made{closed_form_contact(stand, "upper", load, p),
+                                     closed_form_contact(stand, "lower", load, p)};
   made.insert(made.end(), bearings.begin(), bearings.end());
   if (is_given(stand.given, "K4"))  // the strip may be unknown
     made.push_back(given_result("K4", stand.given.at("K4").parameter));
   else
-    made.push_back(quick_bite(stand, int(p)));
-  for (QuickResult &r : made) {
+    made.push_back(closed_form_bite(stand, int(p)));
+  for (ClosedFormResult &r : made) {
     if (is_across_given_bearing(r.name, stand.given))
       continue;  // nobody knows it, as in a run
     r.parameter.inputs = spring_keys(stand, r.name, p);
@@ -203,11 +204,11 @@ Parameter bent_beam(const FourHigh &stand, const SpringFactors &factors)
 }
 
 // The chain twice: with the keys that closed forms follow, whose numbers count, and with all keys of a run.
-reduce::LumpedStand add_chain(QuickResults &all, const FourHigh &stand, const std::string &prefix,
+reduce::LumpedStand add_chain(ClosedFormResults &all, const FourHigh &stand, const std::string &prefix,
                               const std::string &at, const SpringFactors &factors)
 {
   const auto made = [&](const std::string &name) {
-    const QuickResult *spring = find(all, prefix + name);
+    const ClosedFormResult *spring = find(all, prefix + name);
     require(spring, "no closed form gives the spring " + name);
     return *spring;
   };
@@ -243,13 +244,13 @@ reduce::LumpedStand add_chain(QuickResults &all, const FourHigh &stand, const st
       all.push_back(given_result(name, p));
     } else {
       const Station place = station_of(name, stand.dynamics.mass_reference);
-      QuickResult r;
+      ClosedFormResult r;
       r.parameter        = p;
       r.parameter.inputs = joined(inputs, p.inputs);
       for (const std::string &key : p.inputs)
         if (!holds(meshed, key))
           r.closed.push_back(key);
-      r.road     = place.road;
+      r.relation = place.relation;
       r.file     = place.file;
       r.equation = place.equation;
       r.own      = place.own;
@@ -266,7 +267,7 @@ reduce::LumpedStand add_chain(QuickResults &all, const FourHigh &stand, const st
   add("K_ZW", chain.K_ZW, reduce::backup_roll_keys(solid));
   if (solid && !is_given(stand.given, "K_ZW"))
     all.back().stands_for = "the roll by finite elements, backup_roll.bending_model = \"solid\"";
-  // The numbers that nobody above has brought along, in the order of the roads: springs, then masses.
+  // The numbers that nobody above has brought along, in the order of the relations: springs, then masses.
   for (const char letter : {'K', 'M'}) {
     std::size_t place = 0;  // in `full`
     reduce::each_number(
@@ -284,14 +285,15 @@ reduce::LumpedStand add_chain(QuickResults &all, const FourHigh &stand, const st
 
 }  // namespace
 
-QuickResults quick_four_high(const FourHigh &drawn, QuickMemory &memory, const SpringFactors &factors)
+ClosedFormResults closed_form_four_high(const FourHigh &drawn, ClosedFormMemory &memory,
+                                        const SpringFactors &factors)
 {
   FourHigh stand = with_drawn_frame(drawn);
   std::vector<double> loads;
   for (const Pass &pass : stand.passes)
     loads.push_back(std::isnan(pass.load) ? remembered_force(pass, memory).force.mean() : pass.load);
   stand.strip = quickly_fitted_strip(fit_question(stand, loads));
-  QuickResults all;
+  ClosedFormResults all;
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
     const Pass &pass         = stand.passes[p];
     const std::string prefix = p == 0 ? "" : pass.name + ".";
@@ -314,18 +316,18 @@ QuickResults quick_four_high(const FourHigh &drawn, QuickMemory &memory, const S
 
 namespace {
 // Modes of given matrices: nothing but the files stands behind them.
-QuickResults quick_model_in_files(const ModelFiles &files)
+ClosedFormResults closed_form_model_in_files(const ModelFiles &files)
 {
   const reduce::StandWithModes s = model_from_files(files);
-  QuickResults all;
+  ClosedFormResults all;
   for (Eigen::Index i = 0; i < s.modes.frequency.size() && s.modes.frequency[i] <= files.frequency_limit; ++i) {
-    QuickResult r;
+    ClosedFormResult r;
     r.name             = fmt::format("f{}", i + 1);
     r.parameter.value  = s.modes.frequency[i];
     r.parameter.unit   = "Hz";
     r.parameter.method = "matrices of model " + files.name;
     r.parameter.inputs = r.closed = r.own = keys_in("model", "mass stiffness");
-    r.road                                = "modes of the matrices";
+    r.relation                            = "modes of the matrices";
     r.file                                = "reduce/stand/stand_modes";
     r.equation                            = "(6.11)";
     all.push_back(r);
@@ -334,12 +336,12 @@ QuickResults quick_model_in_files(const ModelFiles &files)
 }
 }  // namespace
 
-QuickResults quick_lumped(const Case &the_case, QuickMemory &memory)
+ClosedFormResults closed_form_lumped(const Case &the_case, ClosedFormMemory &memory)
 {
   const auto &spec = std::get<Lumped>(the_case.spec);
-  QuickResults all;
+  ClosedFormResults all;
   if (spec.detailed)
-    return quick_model_in_files(spec.model);
+    return closed_form_model_in_files(spec.model);
   const LumpedModel model = lumped_model_of(the_case);
   reduce::each_number(
       [&](const std::string &name, const Parameter &number) {
@@ -353,7 +355,7 @@ QuickResults quick_lumped(const Case &the_case, QuickMemory &memory)
   for (std::size_t p = 0; p < spec.passes.size(); ++p)
     if (has_force(spec.passes[p]))
       add_response(all, model, spec.dynamics, spec.passes[p], p, "", memory);
-  for (QuickResult &r : all)
+  for (ClosedFormResult &r : all)
     for (KeyList *list : {&r.parameter.inputs, &r.closed, &r.own})
       *list = of_kind(*list, the_case.kind);
   return all;
@@ -365,11 +367,11 @@ double factor(const SpringFactors &factors, const std::string &name)
   return known == factors.end() ? 1 : known->second;
 }
 
-void inherit(QuickResult &r, const std::vector<QuickResult> &all, const KeyList &own)
+void inherit(ClosedFormResult &r, const std::vector<ClosedFormResult> &all, const KeyList &own)
 {
   KeyList closed = own, inputs = own;
   for (const std::string &part : r.from)
-    if (const QuickResult *made = find(all, part)) {
+    if (const ClosedFormResult *made = find(all, part)) {
       closed = joined(closed, made->closed);
       inputs = joined(inputs, made->parameter.inputs);
     }
@@ -378,10 +380,10 @@ void inherit(QuickResult &r, const std::vector<QuickResult> &all, const KeyList 
   r.parameter.inputs = joined(inputs, closed);
 }
 
-const QuickResult *find(const std::vector<QuickResult> &results, const std::string &name)
+const ClosedFormResult *find(const std::vector<ClosedFormResult> &results, const std::string &name)
 {
   const auto found =
-      std::find_if(results.begin(), results.end(), [&](const QuickResult &r) { return r.name == name; });
+      std::find_if(results.begin(), results.end(), [&](const ClosedFormResult &r) { return r.name == name; });
   return found == results.end() ? nullptr : &*found;
 }
 
@@ -390,7 +392,8 @@ double beam_stiffness(const FourHigh &stand)
   return 1 / reduce::BentBackupRoll(reduce::backup_beam(stand)).flexibility(stand.dynamics.mass_reference);
 }
 
-std::vector<QuickResult> quick_chain(const Case &the_case, QuickMemory &memory, const SpringFactors &factors)
+std::vector<ClosedFormResult> closed_form_chain(const Case &the_case, ClosedFormMemory &memory,
+                                                const SpringFactors &factors)
 {
   return run_kind(the_case).trace(the_case, memory, factors);
 }

@@ -1,4 +1,4 @@
-#include "app/trace/quick_parts.h"
+#include "app/trace/closed_form_parts.h"
 #include "app/stages/body_pair.h"
 #include "app/stages/contact_stage.h"
 #include "contact/hertz.h"
@@ -22,12 +22,12 @@ double facing_length(const FourHigh &stand)
 
 }  // namespace
 
-QuickResult quick_contact(const FourHigh &stand, const std::string &name, const double load,
-                          const std::size_t pass)
+ClosedFormResult closed_form_contact(const FourHigh &stand, const std::string &name, const double load,
+                                     const std::size_t pass)
 {
   const reduce::CylinderPair pair{stand.work_roll.barrel_diameter, stand.backup_roll.barrel_diameter,
                                   facing_length(stand), stand.steel};
-  QuickResult r;
+  ClosedFormResult r;
   r.name             = name == "upper" ? "K3" : "K5";
   r.parameter.value  = reduce::line_contact(pair, load).tangent;
   r.parameter.unit   = "N/m";
@@ -37,7 +37,7 @@ QuickResult quick_contact(const FourHigh &stand, const std::string &name, const 
   r.closed           = joined(keys_in("steel", "youngs_modulus poisson_ratio"),
                               keys_in("work_roll", "barrel_diameter barrel_length axial_shift"),
                               keys_in("backup_roll", "barrel_diameter barrel_length"), load_keys(stand.passes[pass], pass));
-  r.road             = "contact of the rolls, by the mesh of both";
+  r.relation         = "contact of the rolls, by the mesh of both";
   r.file             = "reduce/chain/contact_stiffness";
   r.equation         = "(3.7)";
   r.stands_for       = "contact finite elements, fem/roll/contact_study";
@@ -86,14 +86,14 @@ KeyList closed_keys(const TwoCylinders &pair)
   return joined(keys, keys_in("steel", "youngs_modulus poisson_ratio"));
 }
 
-struct QuickContact {
+struct ClosedFormContact {
   const TwoCylinders &pair;
   KeyList closed;
   std::string prefix, at, method, file;
-  std::vector<QuickResult> all = {};
+  std::vector<ClosedFormResult> all = {};
   void add(const char *name, const char *unit, const double value, const char *equation)
   {
-    QuickResult r;
+    ClosedFormResult r;
     r.name             = prefix + name;
     r.parameter.value  = value;
     r.parameter.unit   = unit;
@@ -101,7 +101,7 @@ struct QuickContact {
     r.parameter.at     = at;
     r.closed           = closed;
     r.parameter.inputs = cylinder_keys(pair, r.name);
-    r.road             = "contact of the two cylinders";
+    r.relation         = "contact of the two cylinders";
     r.file             = file;
     r.equation         = equation;
     r.stands_for       = pair.in_space ? "half spaces, contact/half_space_contact"
@@ -111,12 +111,12 @@ struct QuickContact {
 };
 
 // Hertz' ellipse, or the line of Hertz and Lundberg where the contact is as long as the faces.
-std::vector<QuickResult> quick_space(const TwoCylinders &pair)
+std::vector<ClosedFormResult> closed_form_space(const TwoCylinders &pair)
 {
   const SpaceShape shape = space_shape(pair);
   const double load      = pair.space.at;
-  QuickContact c{pair, closed_keys(pair),         "contact.space.", fmt::format("{:.6g} N", load),
-                 "",   "app/stages/space_contact"};
+  ClosedFormContact c{pair, closed_keys(pair),         "contact.space.", fmt::format("{:.6g} N", load),
+                      "",   "app/stages/space_contact"};
   c.closed = joined(c.closed, keys_in("contact.space", "at"));
   if (shape.is_point(load, pair.space.tilt)) {
     const auto e = contact::hertz_point(load, shape.radius, 1 / shape.curvature, shape.modulus);
@@ -148,18 +148,18 @@ std::vector<QuickResult> quick_space(const TwoCylinders &pair)
 }
 }  // namespace
 
-std::vector<QuickResult> quick_cylinders(const TwoCylinders &pair)
+std::vector<ClosedFormResult> closed_form_cylinders(const TwoCylinders &pair)
 {
   if (pair.in_space)
-    return quick_space(pair);
+    return closed_form_space(pair);
   const double q  = pair.contact.at;
   const auto line = contact::line_bodies(line_bodies_of(pair), q);
-  QuickContact c{pair,
-                 joined(closed_keys(pair), keys_in("contact.line", "at")),
-                 "contact.line.",
-                 fmt::format("{:.6g} N/mm", q / 1e3),
-                 "Hertz and Johnson, contact/line_bodies (3.2) to (3.5b)",
-                 "fem/roll/contact_study"};
+  ClosedFormContact c{pair,
+                      joined(closed_keys(pair), keys_in("contact.line", "at")),
+                      "contact.line.",
+                      fmt::format("{:.6g} N/mm", q / 1e3),
+                      "Hertz and Johnson, contact/line_bodies (3.2) to (3.5b)",
+                      "fem/roll/contact_study"};
   c.add("half_width", "m", line.half_width, "(3.2)");
   c.add("peak_pressure", "Pa", line.peak_pressure, "(3.3)");
   if (holds(cylinder_keys(pair, "contact.line.approach"), "contact.line.plane_depth"))

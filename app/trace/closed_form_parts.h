@@ -1,5 +1,5 @@
 #pragma once
-#include "app/trace/quick_keys.h"
+#include "app/trace/closed_form_keys.h"
 #include "bite/bite.h"
 #include "core/model/material.h"
 #include "core/records/parameter.h"
@@ -18,14 +18,14 @@ struct ChatterCase;
 struct TwoCylinders;
 
 /// A result by a closed form, and how it hangs on the case.
-struct QuickResult {
+struct ClosedFormResult {
   std::string name;               ///< as in results.json: "K3", "pass 1.rms_g.upper_work_roll"
   Parameter parameter;            ///< inputs: keys behind the same result of a run, of a spring by spring_keys()
   KeyList closed;                 ///< those of the inputs that the closed form follows; the others only a run does
   std::vector<std::string> from;  ///< results it is made of
   KeyList own;                    ///< keys that enter beside what those bring along
   double load = not_given;        ///< N, that a contact or a bearing is computed for
-  std::string road;               ///< "springs in series": what joins inputs and result
+  std::string relation;           ///< "springs in series": what joins inputs and result
   std::string file;               ///< that computes it in a run, "reduce/chain/spring_chain"
   std::string equation;           ///< of docs/theory.md, "(4.1b)"
   std::string stands_for;         ///< what a run does instead of parameter.method; empty: the same
@@ -33,26 +33,27 @@ struct QuickResult {
 
 /// K3 ("upper") or K5 ("lower"): Hertz line contact over the length on which the barrels face each other.  (3.5b)
 /// @param load  N, of the pass
-QuickResult quick_contact(const FourHigh &stand, const std::string &name, double load, std::size_t pass);
+ClosedFormResult closed_form_contact(const FourHigh &stand, const std::string &name, double load,
+                                     std::size_t pass);
 
 /// Kzc1..Kzc4, along and across the load, K_Zy and K_Zy_lower: laminae between rigid rings at the load of each
 /// bearing. (5.2), (5.23)
-std::vector<QuickResult> quick_bearings(const FourHigh &stand, double rolling_force, std::size_t pass);
+std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, double rolling_force, std::size_t pass);
 
 /// K4 of one pass by the slab theory of [bite] on Hitchcock's or a rigid arc.  (8.13)
 /// The value is NaN where the theory has no answer; the method then says why.
-QuickResult quick_bite(const FourHigh &stand, int pass);
+ClosedFormResult closed_form_bite(const FourHigh &stand, int pass);
 
 /// K4.plastic_slope, K4.flattening and their series by the same theory; nothing where it has no answer.
-std::optional<bite::BiteStiffness> quick_bite_stiffness(const FourHigh &stand, int pass);
+std::optional<bite::BiteStiffness> closed_form_bite_stiffness(const FourHigh &stand, int pass);
 
 /// The stand with what [housing] and [screwdown] give in its frame: the housing as a frame of beams, the springs
 /// of the screw-down by formula as in a run.  theory.md 23.4, 23.6
 FourHigh with_drawn_frame(FourHigh stand);
 
 /// Results of each kind of case.
-std::vector<QuickResult> quick_cylinders(const TwoCylinders &pair);
-std::vector<QuickResult> quick_bearing_case(const BearingCase &spec);
-std::vector<QuickResult> quick_bite_case(const BiteCase &spec);
-std::vector<QuickResult> quick_chatter(const ChatterCase &spec);
+std::vector<ClosedFormResult> closed_form_cylinders(const TwoCylinders &pair);
+std::vector<ClosedFormResult> closed_form_bearing_case(const BearingCase &spec);
+std::vector<ClosedFormResult> closed_form_bite_case(const BiteCase &spec);
+std::vector<ClosedFormResult> closed_form_chatter(const ChatterCase &spec);
 }  // namespace mill

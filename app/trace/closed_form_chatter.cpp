@@ -1,13 +1,13 @@
 #include "app/stages/chatter_question.h"
-#include "app/trace/quick_parts.h"
+#include "app/trace/closed_form_parts.h"
 #include "core/case/fields.h"
 #include <fmt/format.h>
 
 // Bite and critical speed of every condition: the same functions as a run, without curves and maps.
 namespace mill {
-std::vector<QuickResult> quick_chatter(const ChatterCase &spec)
+std::vector<ClosedFormResult> closed_form_chatter(const ChatterCase &spec)
 {
-  std::vector<QuickResult> all;
+  std::vector<ClosedFormResult> all;
   for (std::size_t i = 0; i < spec.conditions.size(); ++i) {
     const ChatterQuestion q = chatter_question(spec, i);
     const std::string name  = q.condition.name;
@@ -16,15 +16,15 @@ std::vector<QuickResult> quick_chatter(const ChatterCase &spec)
     const KeyList stand     = chatter_stand_keys(spec);
     const KeyList range     = {"analysis.speeds"};
     const auto add = [&](const std::string &result, const char *unit, const double value, const KeyList &keys,
-                         const char *road, const char *file, const char *equation) {
-      QuickResult r;
+                         const char *relation, const char *file, const char *equation) {
+      ClosedFormResult r;
       r.name             = result;
       r.parameter.unit   = unit;
       r.parameter.value  = value;
       r.parameter.method = std::string(file) + " " + equation;
       r.parameter.inputs = keys;
       r.closed           = keys;
-      r.road             = road;
+      r.relation         = relation;
       r.file             = file;
       r.equation         = equation;
       all.push_back(r);

@@ -1,4 +1,4 @@
-#include "app/trace/quick_response.h"
+#include "app/trace/closed_form_response.h"
 #include "app/stages/dynamics_stage.h"
 #include "core/numerics/gauss.h"
 #include "dynamics/response/frequency_response.h"
@@ -44,7 +44,7 @@ struct WhiteForce {
   double reach;    // Hz
 };
 
-WhiteForce white_force(const Pass &pass, QuickMemory &memory)
+WhiteForce white_force(const Pass &pass, ClosedFormMemory &memory)
 {
   const std::string name = name_of_force(pass);
   const auto known       = memory.white.find(name);
@@ -80,7 +80,7 @@ double white_level(const dynamics::MillModel &chain, const int mass, const White
 }
 }  // namespace
 
-const ForceRecord &remembered_force(const Pass &pass, QuickMemory &memory)
+const ForceRecord &remembered_force(const Pass &pass, ClosedFormMemory &memory)
 {
   const std::string name = name_of_force(pass);
   const auto known       = memory.forces.find(name);
@@ -88,7 +88,7 @@ const ForceRecord &remembered_force(const Pass &pass, QuickMemory &memory)
 }
 
 std::array<double, 4> driven_levels(const LumpedModel &model, const DynamicsSettings &settings, const Pass &pass,
-                                    QuickMemory &memory)
+                                    ClosedFormMemory &memory)
 {
   const auto key   = std::pair(name_of_force(pass), chain_numbers(model, settings));
   const auto known = memory.driven.find(key);
@@ -102,7 +102,7 @@ std::array<double, 4> driven_levels(const LumpedModel &model, const DynamicsSett
 }
 
 std::array<double, 2> white_levels(const LumpedModel &model, const DynamicsSettings &settings, const Pass &pass,
-                                   QuickMemory &memory)
+                                   ClosedFormMemory &memory)
 {
   const WhiteForce force = white_force(pass, memory);
   const auto chain       = dynamics::mill_model(model, settings);

@@ -1,22 +1,22 @@
 #include "app/stages/bite_stage.h"
 #include "app/stages/bite_study.h"
 #include "app/stages/fit_stage.h"
-#include "app/trace/quick_parts.h"
+#include "app/trace/closed_form_parts.h"
 #include "core/model/bite_case.h"
 #include <algorithm>
 #include <fmt/format.h>
 
-// The bite by a slab theory, for the quick chain.
+// The bite by a slab theory, for the closed-form model.
 namespace mill {
 namespace {
 // One number of the bite with what is known before it is solved.
-QuickResult bite_result(const std::string &name, const Strip &strip, const BiteSetup &setup,
-                        const std::vector<Pass> &passes, const int pass, const std::string &roll_key)
+ClosedFormResult bite_result(const std::string &name, const Strip &strip, const BiteSetup &setup,
+                             const std::vector<Pass> &passes, const int pass, const std::string &roll_key)
 {
   const bool elements = setup.method == "fe";
   const bool wide     = name.rfind("K4", 0) == 0 || follows_width(name.substr(name.rfind('.') + 1));
   const BiteRun run{strip, setup, std::size_t(pass), roll_key, wide, &passes};
-  QuickResult r;
+  ClosedFormResult r;
   r.name             = name;
   r.parameter.inputs = bite_keys(run);
   // An arc of any shape is Hitchcock's here, without the elastic zones that make it one.
@@ -24,7 +24,7 @@ QuickResult bite_result(const std::string &name, const Strip &strip, const BiteS
   closed.arc       = setup.arc == "rigid" ? "rigid" : "hitchcock";
   r.closed         = joined(slab_keys({strip, closed, run.pass, roll_key, wide, &passes}),
                     elements ? KeyList{} : keys_in("bite", "theory"));
-  r.road           = "roll bite";
+  r.relation       = "roll bite";
   r.file           = elements ? "fem/strip/rigid_plastic/strip_flow" : "bite/slab/slab_bite";
   r.equation       = "(8.13)";
   r.stands_for     = elements ? "finite elements of the strip, fem/strip/rigid_plastic/strip_flow" : "";
@@ -38,7 +38,7 @@ struct SlabAnswer {
 };
 
 // The slab theory of [bite], or Karman's for finite elements, which know no theory; an arc of any shape needs the
-// section of the roll, so Hitchcock's stands for it.
+// section of the roll, so Hitchcock's represents it.
 SlabAnswer solve_bite(const bite::RollBite &bite, const BiteSetup &setup)
 {
   bite::SlabModel model = slab_model(setup);
@@ -55,12 +55,12 @@ SlabAnswer solve_bite(const bite::RollBite &bite, const BiteSetup &setup)
 }
 }  // namespace
 
-QuickResult quick_bite(const FourHigh &stand, const int pass)
+ClosedFormResult closed_form_bite(const FourHigh &stand, const int pass)
 {
   const auto bite =
       bite_of(stand.strip, stand.passes[std::size_t(pass)], stand.work_roll.barrel_diameter, stand.steel);
-  QuickResult r    = bite_result("K4", bite.strip, stand.bite, stand.passes, pass, "work_roll.barrel_diameter");
-  r.parameter.unit = "N/m";
+  ClosedFormResult r = bite_result("K4", bite.strip, stand.bite, stand.passes, pass, "work_roll.barrel_diameter");
+  r.parameter.unit   = "N/m";
   try {
     const SlabAnswer answer = solve_bite(bite, stand.bite);
     r.parameter.value       = answer.stiffness.combined;
@@ -73,7 +73,7 @@ QuickResult quick_bite(const FourHigh &stand, const int pass)
   return r;
 }
 
-std::optional<bite::BiteStiffness> quick_bite_stiffness(const FourHigh &stand, const int pass)
+std::optional<bite::BiteStiffness> closed_form_bite_stiffness(const FourHigh &stand, const int pass)
 {
   try {
     return solve_bite(
@@ -86,15 +86,15 @@ std::optional<bite::BiteStiffness> quick_bite_stiffness(const FourHigh &stand, c
   return {};
 }
 
-std::vector<QuickResult> quick_bite_case(const BiteCase &spec)
+std::vector<ClosedFormResult> closed_form_bite_case(const BiteCase &spec)
 {
-  std::vector<QuickResult> all;
+  std::vector<ClosedFormResult> all;
   const Strip strip = quickly_fitted_strip(fit_question(spec));
   for (std::size_t p = 0; p < spec.passes.size(); ++p) {
     const auto bite         = bite_of(strip, spec.passes[p], spec.roll_diameter, spec.steel);
     const SlabAnswer answer = solve_bite(bite, spec.bite);
     const auto add = [&](const std::string &name, const char *unit, const double value, const char *equation) {
-      QuickResult r      = bite_result(name, bite.strip, spec.bite, spec.passes, int(p), "work_roll.diameter");
+      ClosedFormResult r = bite_result(name, bite.strip, spec.bite, spec.passes, int(p), "work_roll.diameter");
       r.parameter.unit   = unit;
       r.parameter.value  = value;
       r.parameter.method = answer.method;

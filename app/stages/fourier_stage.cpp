@@ -1,4 +1,4 @@
-#include "app/stages/second_engine.h"
+#include "app/stages/fourier_stage.h"
 #include "app/stages/contact_stage.h"
 #include "app/stages/kept_part.h"
 #include "core/model/four_high.h"
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
-// Raised by hand when the second engine changes what it computes.
+// Raised by hand when the Fourier solver changes what it computes.
 constexpr const char *fourier_stage_version = "fourier 2";
 
 fem::FourierRoll fourier_roll(RunContext &run, const std::string &name, const RollGeometry &g, const Material &m,
@@ -42,18 +42,18 @@ fem::FourierRoll fourier_roll(RunContext &run, const std::string &name, const Ro
 }
 
 // The approach as the first engine counts it: from the first touch, and under a force off the middle at the force.
-ContactCurve counted_from_touch(const fem::FourierPair &pair, ContactCurve curve, const fem::FourierDrive &drive)
+ContactCurve counted_from_touch(const fem::FourierPair &pair, ContactCurve curve, const fem::FourierDrive &loading)
 {
   if (!pair.whole)
     return curve;
-  const double touch  = fem::touching_approach(pair.z, pair.drop, drive.tilt, drive.load_offset);
+  const double touch  = fem::touching_approach(pair.z, pair.drop, loading.tilt, loading.load_offset);
   const auto at_force = [&](const double load) {
-    const auto point = fem::solve_load(pair, load, drive);
-    return point.approach + drive.load_offset * point.tilt;
+    const auto point = fem::solve_load(pair, load, loading);
+    return point.approach + loading.load_offset * point.tilt;
   };
   for (Eigen::Index i = 0; i < curve.load.size(); ++i) {
     const double F = curve.load[i];
-    if (!std::isnan(drive.load_offset)) {
+    if (!std::isnan(loading.load_offset)) {
       constexpr double step = 1e-3;
       curve.approach[i]     = at_force(F);
       curve.tangent[i]      = 2 * step * F / (at_force(F * (1 + step)) - at_force(F * (1 - step)));
@@ -78,7 +78,7 @@ bool second_engine_knows(RunContext &run, const FourHigh &stand, const std::stri
   if (stand.work_roll.axial_shift == 0 && bending[0] == 0 && bending[1] == 0)
     return true;
   run.assume(
-      fmt::format("contact {}: the second engine does not know {}; the error estimates come from two meshes "
+      fmt::format("contact {}: the Fourier solver does not know {}; the error estimates come from two meshes "
                   "of the first one only",
                   name, stand.work_roll.axial_shift != 0 ? "shifted rolls" : "roll bending forces"));
   return false;
@@ -105,7 +105,7 @@ SecondEngine solve_again(RunContext &run, const FourHigh &stand, const FourierRo
 {
   const bool whole           = is_one_sided(stand, settings);
   const auto &[backup, work] = rolls;
-  StageTimer timer(run, "contact " + name + ", second engine");
+  StageTimer timer(run, "contact " + name + ", Fourier solver");
   const Eigen::VectorXd side = fem::station_centres(backup.edge);
   Eigen::VectorXd z          = side;
   if (whole) {
@@ -113,17 +113,17 @@ SecondEngine solve_again(RunContext &run, const FourHigh &stand, const FourierRo
     z << -side.reverse(), side;
   }
   const Eigen::VectorXd drop = profile_drop(stand, settings, name == "lower" ? -1 : 1, z);
-  fem::FourierDrive drive;
-  drive.tilt          = std::isnan(settings.tilt) ? 0 : settings.tilt;
-  drive.load_offset   = settings.load_offset;
+  fem::FourierDrive loading;
+  loading.tilt        = std::isnan(settings.tilt) ? 0 : settings.tilt;
+  loading.load_offset = settings.load_offset;
   const auto mirrored = fem::fourier_pair(name, backup, {}, work, {}, drop);
   const auto in_stand = fem::fourier_pair(name, backup, {fem::RollSupport::necks, 0}, work,
                                           {fem::RollSupport::strip, stand.strip.width}, drop);
   SecondEngine second;
-  second.mirrored    = counted_from_touch(mirrored, fem::sweep(mirrored, loads, drive, run.progress), drive);
-  second.in_stand    = counted_from_touch(in_stand, fem::sweep(in_stand, loads, drive, run.progress), drive);
-  second.mirrored_at = fem::barrel_profile(mirrored, fem::solve_load(mirrored, working_load, drive));
-  second.in_stand_at = fem::barrel_profile(in_stand, fem::solve_load(in_stand, working_load, drive));
+  second.mirrored    = counted_from_touch(mirrored, fem::sweep(mirrored, loads, loading, run.progress), loading);
+  second.in_stand    = counted_from_touch(in_stand, fem::sweep(in_stand, loads, loading, run.progress), loading);
+  second.mirrored_at = fem::barrel_profile(mirrored, fem::solve_load(mirrored, working_load, loading));
+  second.in_stand_at = fem::barrel_profile(in_stand, fem::solve_load(in_stand, working_load, loading));
   return second;
 }
 

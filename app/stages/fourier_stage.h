@@ -18,7 +18,7 @@ struct SecondEngine {
 std::string fourier_inputs(const RollGeometry &geometry, const Material &steel, const fem::FourierOptions &options,
                            const Eigen::VectorXd &edge);
 
-/// Both rolls as the second engine has them.
+/// Both rolls as the Fourier solver has them.
 struct FourierRolls {
   fem::FourierRoll backup, work;
 };

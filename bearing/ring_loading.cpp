@@ -14,25 +14,25 @@ BearingModel rigid_model(const RollerBearing &bearing)
   return model;
 }
 
-RingDrive radial_drive(const double load, const double tilt)
+RingLoading radial_drive(const double load, const double tilt)
 {
-  RingDrive drive;
-  drive.value << load, 0, 0, 0, tilt;
-  return drive;
+  RingLoading loading;
+  loading.value << load, 0, 0, 0, tilt;
+  return loading;
 }
 
-std::string drive_text(const RingDrive &drive)
+std::string loading_text(const RingLoading &loading)
 {
   static const char *load[5]   = {"F_x", "F_y", "F_z", "M_x", "M_y"};
   static const char *motion[5] = {"x", "y", "z", "tilt about x", "tilt about y"};
   std::ostringstream text;
   const char *between = "";
   for (std::size_t i = 0; i < 5; ++i) {
-    const double value = drive.value[Eigen::Index(i)];
+    const double value = loading.value[Eigen::Index(i)];
     if (value == 0)
       continue;
     text << between;
-    if (drive.by_motion[i])
+    if (loading.prescribed[i])
       text << motion[i] << " = " << (i < 3 ? value * 1e6 : value * 1e3) << (i < 3 ? " um" : " mrad");
     else
       text << load[i] << " = " << value / 1e3 << (i < 3 ? " kN" : " kN m");
@@ -41,13 +41,13 @@ std::string drive_text(const RingDrive &drive)
   return *between ? text.str() : "no load";
 }
 
-double radial_tangent(const AssemblyState &state, const RingDrive &drive)
+double radial_tangent(const AssemblyState &state, const RingLoading &loading)
 {
   const double radial = state.load.head<2>().norm();
-  // x and y always follow the load; with them the components that a load drives.
+  // x and y always follow the load; with them the components that a load loadings.
   std::vector<Eigen::Index> follow{0, 1};
   for (std::size_t i = 2; i < 5; ++i)
-    if (!drive.by_motion[i])
+    if (!loading.prescribed[i])
       follow.push_back(Eigen::Index(i));
   Eigen::VectorXd towards = Eigen::VectorXd::Zero(Eigen::Index(follow.size()));
   // The rounding of rollers that balance each other has no direction.
@@ -58,12 +58,12 @@ double radial_tangent(const AssemblyState &state, const RingDrive &drive)
   return 1 / towards.dot(K.fullPivLu().solve(towards));
 }
 
-double stiffness_along(const AssemblyState &state, const RingDrive &drive, const int axis)
+double stiffness_along(const AssemblyState &state, const RingLoading &loading, const int axis)
 {
   std::vector<Eigen::Index> free;
   Eigen::Index place = 0;
   for (int i = 0; i < 5; ++i)
-    if (!drive.by_motion[std::size_t(i)] || i == axis) {
+    if (!loading.prescribed[std::size_t(i)] || i == axis) {
       if (i == axis)
         place = Eigen::Index(free.size());
       free.push_back(i);
@@ -79,7 +79,7 @@ double radial_secant(const AssemblyState &state)
   return radial > 0 ? radial * radial / state.load.head<2>().dot(state.motion.head<2>()) : 0;
 }
 
-CageVariation cage_variation(const BearingModel &model, const RingDrive &drive, const int n)
+CageVariation cage_variation(const BearingModel &model, const RingLoading &loading, const int n)
 {
   if (n < 1)
     throw InputError("bearing." + model.bearing.name + ": the variation over a pitch needs at least one angle");
@@ -88,8 +88,8 @@ CageVariation cage_variation(const BearingModel &model, const RingDrive &drive, 
   BearingAssembly assembly(model);
   for (int i = 0; i < n; ++i) {
     assembly.turn_cage(model.cage_angle + out.angle[i]);
-    const AssemblyState state = assembly.solve(drive);
-    out.tangent[i]            = radial_tangent(state, drive);
+    const AssemblyState state = assembly.solve(loading);
+    out.tangent[i]            = radial_tangent(state, loading);
     out.secant[i]             = radial_secant(state);
   }
   return out;

@@ -6,7 +6,7 @@
 namespace mill {
 /// Where a number of the chain comes from.
 struct Station {
-  std::string road;               ///< "springs in series"
+  std::string relation;           ///< "springs in series"
   std::string file;               ///< that computes it
   std::string equation;           ///< of docs/theory.md
   std::vector<std::string> from;  ///< numbers of the chain it is made of
