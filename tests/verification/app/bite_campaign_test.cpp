@@ -43,8 +43,8 @@ BiteQuestion question_of(const int i)
   q.pass   = "pass " + std::to_string(i);
   q.curves = false;
   if (!std::getenv("MILLSTAND_PASSES_MESH")) {  // which way a pass takes is asked, not digits
-    q.setup.elements_along   = 16;
-    q.setup.elements_through = 6;
+    q.setup.elements_along   = 12;
+    q.setup.elements_through = 4;
     if (!std::getenv("MILLSTAND_PASSES") &&
         i % 12 != 2)  // an elastic-plastic strip takes 8 s; the others come to it when the rigid-plastic one fails
       q.setup.strip = "rigid-plastic";

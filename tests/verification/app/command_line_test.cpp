@@ -36,7 +36,7 @@ double by_beams(const nlohmann::json &results, const std::string &name)
 const std::string coarse =
     " --set bearing.trb.roller_law=iso --set bearing.trb.rings=rigid"
     " --set contact.upper.elements_per_half_width=2 --set contact.lower.elements_per_half_width=2"
-    " --set dynamics.output_rate='5 kHz' --cache " +
+    " --set bite.elements_along=16 --set bite.elements_through=4 --set dynamics.output_rate='5 kHz' --cache " +
     scratch("cache");
 
 std::string run_demo(const std::string &out, const std::string &more = "")
