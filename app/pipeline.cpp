@@ -5,6 +5,7 @@
 #include "app/stages/bite_stage.h"
 #include "app/stages/campbell_stage.h"
 #include "app/stages/chatter_stage.h"
+#include "app/stages/contact_curves.h"
 #include "app/stages/contact_stage.h"
 #include "app/stages/curve_files.h"
 #include "app/stages/detailed_model_stage.h"
@@ -17,8 +18,11 @@
 #include "app/stages/model_stage.h"
 #include "app/stages/modulus_stage.h"
 #include "app/stages/result_inputs.h"
+#include "core/case/chain_curves.h"
 #include "core/case/given_instead.h"
 #include "core/case/stand_rows.h"
+#include "core/model/case.h"
+#include "core/model/four_high.h"
 #include "core/model/lumped.h"
 #include "core/records/csv.h"
 #include "core/records/lumped_model.h"
@@ -28,6 +32,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -178,27 +183,34 @@ reduce::ChainInputs chain_inputs(const FourHigh &stand, const StandParts &parts,
   return in;
 }
 
-// The mill modulus of a pass, from the results of all stages.
-void add_modulus(RunContext &run, const FourHigh &stand, const StandParts &parts, const double load,
-                 const std::size_t p, const std::vector<Check> &gaps)
+// The curves of a pass, as far as its parts have them.
+StandCurves curves_of(const FourHigh &stand, const StandParts &parts, const std::size_t p)
 {
   const auto curve = [&](const char *contact) {
     const auto found = parts.contacts.find(contact);
     return found == parts.contacts.end() ? nullptr : &found->second.curve;
   };
-  ModulusParts of;
-  of.pass  = p;
-  of.load  = load;
-  of.upper = curve("upper");
-  of.lower = curve("lower");
-  of.K4    = parts.K4[p];
-  of.K_Zy  = {parts.bearings[p].K_Zy_upper, parts.bearings[p].K_Zy_lower};
   // A roller bearing has one curve whatever the pass; an oil film has one for each speed.
-  const Pass &pass = stand.passes[p];
-  if (!oil_film_of(stand.oil_films, stand.backup_roll.bearing) || pass.speed == stand.passes.front().speed)
-    of.backup_deflection = &parts.bearings.front().backup_deflection;
-  of.solid = solid_rolls(parts.components);
-  of.gap   = gaps;
+  const bool same = !oil_film_of(stand.oil_films, stand.backup_roll.bearing) ||
+                    stand.passes[p].speed == stand.passes.front().speed;
+  return {curve("upper"), curve("lower"), same ? &parts.bearings.front().backup_deflection : nullptr};
+}
+
+// The mill modulus of a pass, from the results of all stages.
+void add_modulus(RunContext &run, const FourHigh &stand, const StandParts &parts, const double load,
+                 const std::size_t p, const std::vector<Check> &gaps)
+{
+  const StandCurves curves = curves_of(stand, parts, p);
+  ModulusParts of;
+  of.pass              = p;
+  of.load              = load;
+  of.upper             = curves.upper;
+  of.lower             = curves.lower;
+  of.K4                = parts.K4[p];
+  of.K_Zy              = {parts.bearings[p].K_Zy_upper, parts.bearings[p].K_Zy_lower};
+  of.backup_deflection = curves.bearings;
+  of.solid             = solid_rolls(parts.components);
+  of.gap               = gaps;
   add_stand_modulus(run, stand, of);
 }
 
@@ -269,7 +281,10 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
     run.results.add("K_Zy", chain.K_Zy_upper);
     run.results.add("K_Zy_lower", chain.K_Zy_lower);
     write_shapes(run, chain);
-    run.out.write("lumped_model.toml", lumped_model_toml(chain.model, run.the_case, run.out.path()));
+    std::string curves;
+    if (stand.dynamics.contact == "curve")
+      curves = chain_curves_toml(chain_curves_of(curves_of(stand, parts, p), chain, forces.loads[p]));
+    run.out.write("lumped_model.toml", lumped_model_toml(chain.model, run.the_case, run.out.path()) + curves);
   }
   if (goal >= Goal::modes && first)
     add_modes(run, chain.model, stand.dynamics, stand.frame.chock_to_housing_stiffness,
@@ -288,9 +303,14 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
   if (goal == Goal::chatter)
     solve_stand_chatter(run, stand, pass, chain, models);
   if (goal >= Goal::simulate) {
-    if (has_force(pass))
-      simulate_pass(run, model_of_pass(stand, chain, models), stand.dynamics, pass, forces.records[p]);
-    else
+    if (has_force(pass)) {
+      PassModel model = model_of_pass(stand, chain, models);
+      if (stand.dynamics.contact == "curve")
+        model.curves = std::make_shared<CurveDrive>(curve_drive(run, curves_of(stand, parts, p), chain,
+                                                                driven(models, stand.dynamics), stand.dynamics,
+                                                                pass, forces.loads[p]));
+      simulate_pass(run, model, stand.dynamics, pass, forces.records[p]);
+    } else
       run.warn(pass.name + " has a load but no force record: nothing was simulated for it");
   }
   run.progress.at("passes", double(p + 1) / double(stand.passes.size()));
@@ -374,6 +394,21 @@ void add_turning_and_response(RunContext &run, const Lumped &lumped, const Lumpe
 }
 }  // namespace
 
+namespace {
+// The chain as it is given, or at the load of the pass on its curves.
+void simulate_lumped_pass(RunContext &run, const LumpedModel &given, const Lumped &lumped, const Pass &pass,
+                          const ForceRecord &force)
+{
+  if (lumped.dynamics.contact != "curve")
+    return simulate_pass(run, pass_model(given, lumped.dynamics), lumped.dynamics, pass, force);
+  const double load       = working_load(pass, force);
+  const LumpedModel model = at_load(run, given, lumped.curves, lumped.dynamics, pass, load);
+  PassModel driven        = pass_model(model, lumped.dynamics);
+  driven.curves = std::make_shared<CurveDrive>(curve_drive(lumped.curves, lumped.dynamics, given, model, load));
+  simulate_pass(run, driven, lumped.dynamics, pass, force);
+}
+}  // namespace
+
 void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::string &force_file)
 {
   if (lumped.detailed)
@@ -381,7 +416,8 @@ void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::stri
   LumpedModel model = lumped_model_of(run.the_case);
   set_given_inputs(model);
   add_model(run, model, "");
-  run.out.write("lumped_model.toml", lumped_model_toml(model, run.the_case, run.out.path()));
+  run.out.write("lumped_model.toml",
+                lumped_model_toml(model, run.the_case, run.out.path()) + chain_curves_toml(lumped.curves));
   if (goal >= Goal::modes)
     add_modes(run, model, lumped.dynamics, not_given, {0, 0});
   if (goal >= Goal::modes) {
@@ -396,7 +432,7 @@ void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::stri
     if (!force_file.empty())
       pass.force_file = force_file;
     if (has_force(pass))
-      simulate_pass(run, pass_model(model, lumped.dynamics), lumped.dynamics, pass, force_of(pass));
+      simulate_lumped_pass(run, model, lumped, pass, force_of(pass));
     run.progress.at("passes", double(p + 1) / double(lumped.passes.size()));
   }
 }
@@ -417,6 +453,7 @@ std::size_t place_of(const std::vector<Pass> &passes, const std::string &wanted)
 
 DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string &pass)
 {
+  warn_of_slopes(run, stand.dynamics);
   const std::size_t p     = place_of(stand.passes, pass);
   const PassForces forces = forces_of(run, stand, "");
   set_given_inputs(stand.given);
@@ -443,6 +480,7 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
 
 DrivenStand driven_lumped(RunContext &run, const Lumped &lumped, const std::string &pass)
 {
+  warn_of_slopes(run, lumped.dynamics);
   DrivenStand driven_stand;
   driven_stand.chain    = lumped_model_of(run.the_case);
   driven_stand.dynamics = lumped.dynamics;

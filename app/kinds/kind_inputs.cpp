@@ -36,7 +36,8 @@ std::optional<KeyList> bite_inputs(const BiteRun &bite, const std::string &name,
 std::optional<KeyList> response_inputs(const Results &results, const DynamicsSettings &dynamics, const Pass &pass,
                                        const std::size_t p, const std::string &name)
 {
-  if (!begins(name, pass.name + ".peak_g.") && !begins(name, pass.name + ".rms_g."))
+  const bool on_curves = is_of(name, result_name({family::nonlinear, pass.name}));
+  if (!on_curves && !begins(name, pass.name + ".peak_g.") && !begins(name, pass.name + ".rms_g."))
     return {};
   KeyList keys;
   const auto follow = [&](const Half half) {
@@ -46,7 +47,7 @@ std::optional<KeyList> response_inputs(const Results &results, const DynamicsSet
         keys = joined(keys, (own ? own : first)->inputs);
     }
   };
-  const bool upper = ends(name, ".upper_work_roll"), one_chain = dynamics.model == "six-mass";
+  const bool upper = ends(name, ".upper_work_roll"), one_chain = dynamics.model == "six-mass" && !on_curves;
   if (upper || !one_chain)
     follow(Half::upper);
   if (!upper || !one_chain)

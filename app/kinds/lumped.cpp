@@ -16,13 +16,19 @@ KeyList model_file_keys()
   return keys_in("model", "mass stiffness force readings gap_damper frequency_limit");
 }
 
+// Of a response on curves.
+KeyList curve_keys(const Lumped &lumped)
+{
+  return lumped.dynamics.contact == "curve" ? keys_in("curve", "K2 K3 K4 K5 K6") : KeyList{};
+}
+
 std::optional<KeyList> inputs_of(const Lumped &lumped, const Results &results, const std::string &name)
 {
   if (const auto keys = turning_inputs(results, lumped.drive.size(), name))
     return of_kind(*keys, "lumped");
   for (std::size_t p = 0; p < lumped.passes.size(); ++p)
     if (const auto keys = response_inputs(results, lumped.dynamics, lumped.passes[p], p, name))
-      return of_kind(lumped.detailed ? joined(*keys, model_file_keys()) : *keys, "lumped");
+      return of_kind(joined(*keys, lumped.detailed ? model_file_keys() : KeyList{}, curve_keys(lumped)), "lumped");
   const Parameter *made = results.find(name);
   return made ? std::optional<KeyList>(of_kind(made->inputs, "lumped")) : std::nullopt;
 }

@@ -2,6 +2,7 @@
 #include "app/stages/contact_stage.h"
 #include "app/stages/curve_files.h"
 #include "app/stages/mode_results.h"
+#include "app/stages/nonlinear_stage.h"
 #include "core/records/csv.h"
 #include "core/records/provenance.h"
 #include "core/records/result_names.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
 namespace mill {
 namespace {
@@ -267,6 +269,15 @@ void warn_of_missing_modes(RunContext &run, const PassModel &model, const Pass &
 }
 }  // namespace
 
+namespace {
+// What half the output rate would show of it.
+Eigen::MatrixXd every_other(const Eigen::MatrixXd &samples)
+{
+  return Eigen::Map<const Eigen::MatrixXd, 0, Eigen::Stride<Eigen::Dynamic, 2>>(
+      samples.data(), (samples.rows() + 1) / 2, samples.cols(), {samples.rows(), 2});
+}
+}  // namespace
+
 void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettings &settings, const Pass &pass,
                    const ForceRecord &force)
 {
@@ -282,20 +293,28 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
                ? ""
                : pass.name + ": " + dynamics::bandwidth_warning(statistics, highest));
   run.warn(dynamics::output_rate_warning(settings.output_rate, highest));
-  const auto response = dynamics::mill_response(model.driven, force, settings.output_rate);
+  std::optional<CurveRuns> curves;
+  if (model.curves)
+    curves = run_on_curves(*model.curves, model.driven, force, settings.output_rate);
+  const auto response =
+      curves ? curves->curve.response : dynamics::mill_response(model.driven, force, settings.output_rate);
   if (!response.note.empty())
     run.warn(pass.name + ": " + response.note);
 
   const Eigen::VectorXd upper = response.acceleration.col(dynamics::upper_work_roll);
   const Eigen::VectorXd lower = response.acceleration.col(dynamics::lower_work_roll);
   // Half the output rate shows what the sampling does; the rest of what a level is unsure of nobody knows.
-  const auto coarse = dynamics::mill_response(model.driven, force, 0.5 * settings.output_rate);
+  const Eigen::MatrixXd coarse =
+      curves ? every_other(response.acceleration)
+             : dynamics::mill_response(model.driven, force, 0.5 * settings.output_rate).acceleration;
   const auto add = [&](const std::string &what, const std::string &roll, const double value, const double second,
                        std::vector<Check> checks) {
     Parameter p;
-    p.value       = value;
-    p.unit        = "g";
-    p.method      = model.method + ", exact first-order hold, force " + settings.force_meaning;
+    p.value  = value;
+    p.unit   = "g";
+    p.method = model.method +
+               (curves ? ", curves of the contacts, Runge-Kutta of order 8" : ", exact first-order hold") +
+               ", force " + settings.force_meaning;
     p.at          = fmt::format("{:.1f} kN mean, {:.3f} kN peak to peak", statistics.mean / 1e3,
                                 (statistics.largest - statistics.smallest) / 1e3);
     p.error_lacks = {"dynamics.modal_damping", "spectrum of pass.force", "dynamics.model: modes that it lacks"};
@@ -326,14 +345,20 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
   const int columns[]            = {dynamics::upper_work_roll, dynamics::lower_work_roll};
   const char *names[]            = {"upper_work_roll", "lower_work_roll"};
   for (int r = 0; r < 2; ++r) {
-    const auto fine = dynamics::level(*rolls[r]), half = dynamics::level(coarse.acceleration.col(columns[r]));
+    const auto fine = dynamics::level(*rolls[r]), half = dynamics::level(coarse.col(columns[r]));
+    const auto with_runs = [&](std::vector<Check> checks, const bool peak) {
+      if (curves)
+        for (Check &beside : checks_of_level(*curves, columns[r], peak))
+          checks.push_back(std::move(beside));
+      return checks;
+    };
     if (!std::isnan(pass.published_peak_g[r]))
       measured_peak[r].insert(measured_peak[r].begin(), check(CheckId::published_model, pass.published_peak_g[r]));
     if (!std::isnan(pass.measured_peak_g[r]))
       measured_peak[r].push_back(
           check(CheckId::measured, pass.measured_peak_g[r], "peak of a record that is not at hand"));
-    add("peak_g", names[r], in_g(fine.peak), in_g(half.peak), measured_peak[r]);
-    add("rms_g", names[r], in_g(fine.rms), in_g(half.rms), measured_rms[r]);
+    add("peak_g", names[r], in_g(fine.peak), in_g(half.peak), with_runs(measured_peak[r], true));
+    add("rms_g", names[r], in_g(fine.rms), in_g(half.rms), with_runs(measured_rms[r], false));
   }
 
   run.out.write_table(file, dynamics::response_table(response));
@@ -350,5 +375,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
                                 spectrum_f.n_segments, spectrum_f.segment_length, spectrum_f.window));
   if (pass.synthetic || pass.force_file.empty())
     run.assume(pass.name + ": the force record is synthetic, noise in the stated range; its spectrum is assumed");
+  if (curves)
+    add_nonlinear(run, *model.curves, *curves, settings, pass, force, model.method);
 }
 }  // namespace mill

@@ -8,6 +8,7 @@
 #include "dynamics/response/modes.h"
 #include "dynamics/response/response.h"
 #include "reduce/stand/stand_comparison.h"
+#include <memory>
 #include <vector>
 
 namespace mill {
@@ -43,6 +44,8 @@ HorizontalModes horizontal_modes(const LumpedModel &model, double chock_seat,
 void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings, double chock_seat,
                std::array<double, 2> chock_mass);
 
+struct CurveDrive;
+
 /// A model as a pass drives it, with what is known of it.
 struct PassModel {
   dynamics::DrivenModel driven;
@@ -51,6 +54,7 @@ struct PassModel {
   std::vector<std::string> inputs;  ///< keys behind it
   std::vector<double> missing;      ///< Hz, modes of the stand that it cannot show
   double limit = not_given;         ///< Hz, above which its modes are not trusted; NaN: not known
+  std::shared_ptr<const CurveDrive> curves = nullptr;  ///< of its contacts; null: the linear model alone
 };
 PassModel pass_model(const LumpedModel &model, const DynamicsSettings &settings);
 /// @param chain  the lumped model of the same stand
@@ -61,8 +65,8 @@ PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &cha
 dynamics::ModalModel driven_modes(const reduce::StandWithModes &stand, const LumpedModel &chain,
                                   const DynamicsSettings &settings);
 
-/// Drives the model with the force of a pass: response/<pass>*.csv, peaks and rms beside published and measured
-/// ones.
+/// Drives the model with the force of a pass, on the curves of its contacts where it has them:
+/// response/<pass>*.csv, peaks and rms beside published and measured ones.
 void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettings &settings, const Pass &pass,
                    const ForceRecord &force);
 }  // namespace mill

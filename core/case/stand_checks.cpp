@@ -1,3 +1,4 @@
+#include "core/case/chain_curves.h"
 #include "core/case/kinds.h"
 #include "core/case/stand_reader.h"
 #include "core/case/units.h"
@@ -219,6 +220,7 @@ void check_four_high(const FourHigh &stand, Reading &reading)
         contradict(reading, fmt::format("pass.{}.load", i),
                    fmt::format("is outside the swept range of [{}]", name), {std::string(name) + ".loads"});
   check_published_force(stand.dynamics, stand.given, reading);
+  check_contact_curves(stand, reading);
   check_consistency(stand, reading);
 }
 }  // namespace mill

@@ -341,6 +341,9 @@ const std::vector<Field<DynamicsSettings>> &dynamics_rows()
       {"output_rate",         &T::output_rate,    "kHz",                                {0.1, 10000}, 20,            "20 kHz",      "samples of the response per second"       },
       {"frame",               &T::frame,          "open | closed",                      any,          "open",        "open",
        "open: K1 and K7 end at the ground; closed: K1 joins M1 to M6"                                                                                                          },
+      {"contact",             &T::contact,        "linear | curve",                     any,          "linear",      "linear",
+       "springs of roll contacts and bearings under the rolling force: linear: their slopes at the working load; "
+       "curve: their computed force over compression, which parts at zero force"                                                                                               },
       {"mass_reference",      &T::mass_reference, "mid | mean",                         any,          "mid",         "mid",
        "displacement the equivalent masses refer to: mid-span or load-weighted mean"                                                                                           },
       {"mass_source",         &T::mass_source,    "closed-form | fe",                   any,          "closed-form", "closed-form",
@@ -371,7 +374,7 @@ const std::vector<Field<DynamicsSettings>> &dynamics_rows()
 const std::vector<Field<DynamicsSettings>> &chain_dynamics_rows()
 {
   // A chain of given masses has no shapes and no rolls: what concerns them comes last in the rows above.
-  static const std::vector<Field<DynamicsSettings>> rows(dynamics_rows().begin(), dynamics_rows().begin() + 5);
+  static const std::vector<Field<DynamicsSettings>> rows(dynamics_rows().begin(), dynamics_rows().begin() + 6);
   return rows;
 }
 }  // namespace mill

@@ -9,6 +9,7 @@ struct DynamicsSettings {
   std::string force_meaning  = "measured";     ///< measured | disturbance | published
   double output_rate         = 20e3;           ///< Hz
   std::string frame          = "open";         ///< open | closed
+  std::string contact        = "linear";       ///< linear | curve: springs of roll contacts and bearings
   std::string mass_reference = "mid";          ///< mid | mean: reference displacement of M2..M5
   std::string mass_source    = "closed-form";  ///< closed-form | fe: shapes behind M2..M5
   std::string model          = "six-mass";     ///< six-mass | beam | craig-bampton: what is driven

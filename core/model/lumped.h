@@ -1,5 +1,6 @@
 #pragma once
 #include "core/model/campbell.h"
+#include "core/model/chain_curves.h"
 #include "core/model/dynamics_settings.h"
 #include "core/model/frequency_response.h"
 #include "core/model/given.h"
@@ -26,6 +27,7 @@ struct ModelFiles {
 /// kind = "lumped": starts at the lumped model.
 struct Lumped {
   GivenValues given;      ///< masses and springs of the chain; empty where there is a model in files
+  ChainCurves curves;     ///< of springs of the chain, for dynamics.contact = "curve"
   bool detailed = false;  ///< `model` is there, not the chain
   ModelFiles model;
   std::vector<Pass> passes;

@@ -435,9 +435,9 @@ KeyList of_kind(const KeyList &keys, const std::string &kind)
 
 KeyList response_keys(const DynamicsSettings &dynamics, const Pass &pass, const std::size_t p)
 {
-  const KeyList keys =
-      joined(force_keys(pass, p), keys_in("dynamics", "modal_damping force_meaning frame output_rate model"),
-             dynamics.model != "six-mass" ? detailed_model_keys() : KeyList{});
+  const KeyList keys = joined(force_keys(pass, p),
+                              keys_in("dynamics", "modal_damping force_meaning frame output_rate contact model"),
+                              dynamics.model != "six-mass" ? detailed_model_keys() : KeyList{});
   return dynamics.force_meaning == "measured" ? keys : joined(keys, KeyList{"given.C"});
 }
 

@@ -15,7 +15,8 @@ namespace mill {
 /// First part of the names of results of one subject: "contact.upper.half_width", "bite.pass 1.force".
 namespace family {
 constexpr const char *contact = "contact", *bite = "bite", *chatter = "chatter", *bearing = "Kzc",
-                     *bite_spring = "K4", *stand = "stand", *mode = "mode", *frf = "frf", *campbell = "campbell";
+                     *bite_spring = "K4", *stand = "stand", *mode = "mode", *frf = "frf", *campbell = "campbell",
+                     *nonlinear = "nonlinear";
 }
 
 /// Second part of the names of what a fit of the bite finds, "bite.fit.friction"; no pass has this name beside it.
@@ -250,6 +251,18 @@ inline constexpr CurveKind frf{"frf", true, "", "accelerance", Figure::section, 
 /// Magnitudes between which 95 of 100 stands lie.
 inline constexpr CurveKind frf_band{
     "frf", true, "band", "band of the accelerance", Figure::section, {{{"frequency", "Hz"}}}, true};
+/// Of a pass, its modes one below the other.
+inline constexpr CurveKind backbone{
+    "backbone",
+    true,
+    "",
+    "frequency over amplitude",
+    Figure::section,
+    {{{"mode", ""}, {"amplitude", "m"}, {"frequency", "Hz"}, {"least_force", ""}}}};
+/// Of a pass: on the curves of the contacts and on their slopes.
+inline constexpr CurveKind nonlinear_spectrum{
+    "nonlinear", true, "spectrum", "spectra on curves and on slopes", Figure::section, {{{"frequency", "Hz"}}},
+    true};
 inline constexpr CurveKind poles{"poles",
                                  false,
                                  "",

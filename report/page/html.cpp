@@ -70,6 +70,7 @@ std::string html_page(const Run &run)
   mode_section(page, run);
   frequency_section(page, run);
   response_section(page, run);
+  nonlinear_section(page, run);
   limits_section(page, run);
   full_results_section(page, run);
   record_section(page, run);

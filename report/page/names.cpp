@@ -41,6 +41,7 @@ const Words quantities[] = {
     {"mode",        "natural frequency by name"                            },
     {"frf",         "accelerance"                                          },
     {"campbell",    "resonance with what turns"                            },
+    {"nonlinear",   "contacts and bearings on their curves"                },
 };
 const Words aspects[] = {
     {"tangent",                  "tangent dF/d\u03b4"                                      },
@@ -127,6 +128,12 @@ const Words aspects[] = {
     {"roller_tangent",           "one roller, tangent"                                     },
     {"roller_max",               "most loaded roller"                                      },
     {"loaded_rollers",           "rollers that carry load"                                 },
+    {"level",                    "rms over that of the linear run"                         },
+    {"least_force",              "smallest force over that at rest"                        },
+    {"scale_to_part",            "multiple of the record at which a contact parts"         },
+    {"parting_force",            "amplitude of a harmonic force that parts a contact"      },
+    {"parting_frequency",        "frequency of that force"                                 },
+    {"bend",                     "change of a frequency until a contact parts"             },
     {"half_width",               "half width of the contact at mid-length"                 },
     {"peak_pressure",            "largest contact pressure at mid-length"                  },
     {"approach",                 "approach of the two roll axes"                           },
@@ -273,6 +280,8 @@ std::string meaning_of(const std::string &name)
     if (i == 0 && words.empty() && parts.size() > 1 && parts[0] != "contact")
       words = parts[0];  // the name of a pass
     const bool of_fit = i > 0 && parts[0] == "bite" && parts[1] == bite_fit;
+    if (parts[0] == family::nonlinear && (i == 1 || (words.empty() && !number_after("f", parts[i]).empty())))
+      words = i == 1 ? parts[1] : "mode " + number_after("f", parts[i]);
     if (i == 1 && (parts[0] == "bite" || (parts[0] == "stand" && words.empty())))
       words = of_fit ? "fit to measured values" : parts[1];
     if (i > 2 && of_fit && words.empty())

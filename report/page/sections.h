@@ -30,7 +30,9 @@ void model_section(Page &page, const Run &run, const ModelData &data);
 /// Accelerance of rolls and chocks, Campbell diagram; nothing when the run stored neither.
 void frequency_section(Page &page, const Run &run);
 void response_section(Page &page, const Run &run);  ///< peaks, histories, spectra
-void limits_section(Page &page, const Run &run);    ///< what is assumed, what was not stored
+/// Passes driven on the curves of contacts and bearings; nothing when the run stored none.
+void nonlinear_section(Page &page, const Run &run);
+void limits_section(Page &page, const Run &run);  ///< what is assumed, what was not stored
 void full_results_section(Page &page, const Run &run);
 void record_section(Page &page, const Run &run);  ///< program, versions, timings
 

@@ -1,3 +1,4 @@
+#include "core/case/chain_curves.h"
 #include "core/case/kinds.h"
 #include "core/case/stand_reader.h"
 #include "core/case/stand_sections.h"
@@ -63,6 +64,7 @@ Lumped read_lumped(const Node &root, Reading &reading)
                   {model.node->place});
   } else
     lumped.given = read_given(root, "given", "lumped", reading);
+  lumped.curves = read_chain_curves(root, reading);
   lumped.passes = read_passes(root, pass_rows(), reading);
   check_passes(lumped.passes, reading);
   lumped.dynamics           = read_dynamics(root, chain_dynamics_rows(), reading);
@@ -72,6 +74,7 @@ Lumped read_lumped(const Node &root, Reading &reading)
   check_turning_shafts(lumped.campbell, lumped.drive, reading);
   if (!lumped.detailed)
     check_published_force(lumped.dynamics, lumped.given, reading);
+  check_contact_curves(lumped, reading);
   return lumped;
 }
 
@@ -86,7 +89,10 @@ const CaseKind &case_kind(const Lumped *)
         head_section(),
         given_section(lumped_given_rows(), false),
         {"model", SectionRows::Repeat::once, false,
-                                      "a stand of any number of unknowns in files, in place of [given]", rows_of(model_file_rows())},
+                                      "a stand of any number of unknowns in files, in place of [given]",                  rows_of(model_file_rows())},
+        {"curve", SectionRows::Repeat::once, false,
+                                      "force over compression of springs of the chain, for dynamics.contact = \"curve\"",
+                                      rows_of(chain_curve_rows())                                                                                   },
         pass_section(false),
         dynamics_section(chain_dynamics_rows()),
         frequency_response_section(),
@@ -95,14 +101,15 @@ const CaseKind &case_kind(const Lumped *)
     };
     k.notes = {
         drive_order_note(),
-        {"model", "", {},    {},                         true}, // [given] says it
-        {"pass",       "",    {{"synthetic", "true"}}, {"synthetic_range"}},
+        {"model",              "", {},     {},                true}, // [given] says it
+        {"curve",                    "",                {}, {}, true}, // numbers say it
+        {"pass",                "",                  {{"synthetic", "true"}},                   {"synthetic_range"}                  },
         {"pass",
-            "",    {{"name", "\"pass 2\""},
+            "",   {{"name", "\"pass 2\""},
           {"synthetic", "true"},
           {"synthetic_range", "[\"733.705 kN\", \"742.280 kN\"]"},
           {"synthetic_seed", "2"}},
-            {}         }
+            {}                                                 }
     };
     k.given = k.published = lumped_given_rows();
     k.repeated            = [](const CaseSpec &spec, const std::string &section) {
