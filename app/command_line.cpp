@@ -39,6 +39,15 @@ void add_common(CLI::App *verb, CommandLine &c)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void add_simulate(CLI::App *verb, CommandLine &c)
+{
+  verb->add_option("--force", c.force, "force record that replaces those of the passes (CSV)");
+  verb->add_flag(
+      "--stream", c.stream,
+      "read the record of --force in blocks, for one of any length: rows, spectrum and levels, no report");
+  verb->add_option("--pass", c.pass, "with --stream: pass whose stand is driven (default: the first)");
+}
+
 // "--output" of "--output=DIR"
 std::string option_name(const std::string &argument)
 {
@@ -86,6 +95,12 @@ std::map<std::string, std::vector<std::string>> words_to_complete(const CLI::App
 }
 }  // namespace
 
+const std::vector<std::string> &export_formats()
+{
+  static const std::vector<std::string> formats{"fmu", "modelica", "matlab", "statespace"};
+  return formats;
+}
+
 std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &exit_code)
 {
   CommandLine c;
@@ -118,18 +133,24 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
     command->add_option("CASE", c.target, "case file")->required();
     add_common(command, c);
     if (std::string(verb) == "simulate")
-      command->add_option("--force", c.force, "force record that replaces those of the passes (CSV)");
+      add_simulate(command, c);
   }
 
-  auto *unit = app.add_subcommand("export", "the driven model as a unit that other programs step (FMI 2 or 3)");
-  unit->add_option("FORMAT", c.format, "fmu")->required()->check(CLI::IsMember({"fmu"}));
-  unit->add_option("CASE", c.target, "case file of kind four-high or lumped")->required();
-  unit->add_option("--fmi", c.fmi, "version of the FMI standard, 2 or 3")
+  auto *unit =
+      app.add_subcommand("export", "the driven model for other programs: as a unit (FMI 2 or 3), in Modelica, "
+                                   "MATLAB, or as state-space matrices");
+  unit->add_option("FORMAT", c.format, "fmu, modelica, matlab or statespace")
+      ->required()
+      ->check(CLI::IsMember(export_formats()));
+  unit->add_option("CASE", c.target, "case file of kind four-high or lumped; chatter for fmu")->required();
+  unit->add_option("--fmi", c.fmi, "fmu: version of the FMI standard, 2 or 3")
       ->check(CLI::IsMember({2, 3}))
       ->capture_default_str();
-  unit->add_option("--pass", c.pass, "pass whose load and force it belongs to (default: the first)");
+  unit->add_option("--pass", c.pass,
+                   "pass whose load and force it belongs to, condition of a chatter case (default: the first)");
   add_common(unit, c);
-  unit->get_option("--output")->description("archive to write (default out/<case name>.fmu)");
+  unit->get_option("--output")
+      ->description("file to write, a folder for statespace (default out/<case name>.fmu, .mo, .m, -statespace)");
 
   auto *trace =
       app.add_subcommand("trace", "which results one input reaches, through which relation, with elasticities");

@@ -13,8 +13,8 @@ struct CommandLine {
   std::string force;               ///< simulate --force
   std::string from;                ///< new --from: sheet of keys and values
   std::string key;                 ///< trace: input that is followed
-  std::string format;              ///< export: "fmu"
-  std::string pass;                ///< export --pass; empty: the first
+  std::string format;              ///< export: one of export_formats()
+  std::string pass;                ///< export --pass, simulate --pass; empty: the first
   int fmi = 2;                     ///< export --fmi: version of the standard
   std::string log;                 ///< --log
   std::string cache;               ///< --cache; empty: the user's cache folder
@@ -24,9 +24,13 @@ struct CommandLine {
   std::map<std::string, std::vector<std::string>> words;  ///< completion: options by verb
   bool list            = false;                           ///< verify --list
   bool full            = false;                           ///< trace --full
+  bool stream          = false;                           ///< simulate --stream
   bool force_overwrite = false, fresh = false, quiet = false, verbose = false;
   int threads = 0;  ///< 0: all
 };
+
+/// What `millstand export` writes: "fmu", "modelica", ...
+const std::vector<std::string> &export_formats();
 
 /// Parses the command line.  Nothing is returned when it was --help or --version; `exit_code` is then what main
 /// returns (2 for a wrong command line, whose message has been printed).

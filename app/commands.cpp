@@ -11,6 +11,7 @@
 #include "app/run_summary.h"
 #include "app/stages/bearing_model.h"
 #include "app/stages/mass_table.h"
+#include "app/stream_command.h"
 #include "app/trace/trace_text.h"
 #include "app/verify_command.h"
 #include "core/case/case_sheet.h"
@@ -254,6 +255,11 @@ int carry_out(const CommandLine &command)
   }
   if (command.verb == "export")
     return export_command(command, checked_case(command).the_case);
+  if (is_streamed(command)) {
+    CommandLine without_record = command;  // which is too long to be looked at before
+    without_record.force.clear();
+    return stream_command(command, checked_case(without_record).the_case);
+  }
   if (command.verb == "report")
     return command.names.empty() ? write_report(command.target) : write_comparison(command);
   return run_chain(command);

@@ -1,4 +1,5 @@
 #include "app/completion.h"
+#include "app/command_line.h"
 #include "core/case/fields.h"
 #include "core/case/stand_rows.h"
 #include <fmt/format.h>
@@ -44,7 +45,12 @@ std::string completion_script(const std::string &shell,
     COMPREPLY=($(compgen -W "{}" -- "$word"))
   elif [ "$COMP_CWORD" -eq 2 ] && [ "${{COMP_WORDS[1]}}" = completion ]; then
     COMPREPLY=($(compgen -W "{}" -- "$word"))
-  elif [ "$COMP_CWORD" -eq 2 ] && [ "${{COMP_WORDS[1]}}" != report ]; then
+  elif [ "$COMP_CWORD" -eq 2 ] && [ "${{COMP_WORDS[1]}}" = export ]; then
+    COMPREPLY=($(compgen -W "{}" -- "$word"))
+  elif [ "$before" = --force ]; then
+    COMPREPLY=($(compgen -f -X '!*.csv' -- "$word") $(compgen -d -- "$word"))
+  elif {{ [ "$COMP_CWORD" -eq 2 ] && [ "${{COMP_WORDS[1]}}" != report ]; }} ||
+       {{ [ "$COMP_CWORD" -eq 3 ] && [ "${{COMP_WORDS[1]}}" = export ]; }}; then
     COMPREPLY=($(compgen -f -X '!*.toml' -- "$word") $(compgen -d -- "$word"))
   else
     COMPREPLY=($(compgen -f -- "$word"))
@@ -52,6 +58,7 @@ std::string completion_script(const std::string &shell,
 }}
 complete -o filenames -F _millstand millstand
 )",
-                            listed_words(verbs), cases, listed_words(case_kinds()), listed_words(shells));
+                            listed_words(verbs), cases, listed_words(case_kinds()), listed_words(shells),
+                            listed_words(export_formats()));
 }
 }  // namespace mill

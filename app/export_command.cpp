@@ -1,10 +1,11 @@
 #include "app/export_command.h"
 #include "app/case_kinds.h"
 #include "app/console.h"
-#include "app/run_log.h"
-#include "app/run_setup.h"
+#include "app/driven_case.h"
+#include "app/exported_files.h"
+#include "app/stages/exchanged_stand.h"
+#include "app/stages/exported_chatter.h"
 #include "app/stages/exported_stand.h"
-#include "core/case/visible_text.h"
 #include "core/model/case.h"
 #include "core/records/files.h"
 #include "fmu/archive.h"
@@ -17,24 +18,6 @@ namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
-// Folder for what the stages write and nobody keeps.
-class ScratchFolder {
-public:
-  ScratchFolder() : path_((fs::temp_directory_path() / ("millstand-export-" + random_name())).string()) {}
-  ~ScratchFolder()
-  {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  const std::string &path() const
-  {
-    return path_;
-  }
-
-private:
-  std::string path_;
-};
-
 // Is it the archive of an earlier export of the same model?
 bool is_earlier_export(const std::string &path, const std::string &identifier)
 {
@@ -66,25 +49,6 @@ void require_output(const std::string &path, const std::string &identifier, cons
                      "give --force-overwrite");
 }
 
-DrivenStand driven_stand(const CommandLine &command, const Case &the_case)
-{
-  const ScratchFolder scratch;
-  const OutputDir out(scratch.path(), the_case, true, run_id_of(the_case, "export", ""));
-  const RunLog log(out, command.log, command.verbose);
-  RunContext run{the_case, out, cache_folder(command, scratch.path() + "/cache"), command.fresh};
-  open_cache(run, out.staging());
-  set_up_threads(run, command);
-  run.started = local_time();
-  console::ProgressBar bar(run_kind(the_case).stages(the_case), command.quiet);
-  run.progress.step  = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
-  run.progress.log   = [&](const std::string &line) { log.line(line); };
-  DrivenStand driven = run_kind(the_case).driven(run, command.pass);
-  bar.finish();
-  for (const std::string &warning : run.results.warnings)
-    console::say("warning: " + visible(warning, true) + "\n");
-  return driven;
-}
-
 std::string platforms()
 {
   return fmu::named_file("win64").empty()
@@ -94,14 +58,14 @@ std::string platforms()
 }
 }  // namespace
 
-int export_command(const CommandLine &command, const Case &the_case)
+namespace {
+void export_unit(const CommandLine &command, const Case &the_case)
 {
-  if (!run_kind(the_case).driven)
-    throw InputError("millstand export fmu: kind = \"" + the_case.kind + "\" has no stand that vibrates (" +
-                     the_case.path + "); it exports cases of kind four-high and lumped");
   const std::string path = command.output.empty() ? "out/" + the_case.name + ".fmu" : command.output;
   require_output(path, fmu::identifier_of(the_case.name), command.force_overwrite);
-  const fmu::ExportedModel model = exported_model(driven_stand(command, the_case), the_case);
+  const auto *chatter            = std::get_if<ChatterCase>(&the_case.spec);
+  const fmu::ExportedModel model = chatter ? exported_chatter(*chatter, command.pass, the_case)
+                                           : exported_model(driven_case(command, the_case), the_case);
   const std::string archive      = fmu::unit_archive(model, command.fmi);
   fmu::check_unit(archive, model, command.fmi);
   if (command.output.empty())
@@ -110,6 +74,44 @@ int export_command(const CommandLine &command, const Case &the_case)
   if (!command.quiet)
     console::print(
         fmt::format("{}: {}, FMI {}.0 co-simulation, {}\n", path, model.method, command.fmi, platforms()));
+}
+
+void export_matrices(const CommandLine &command, const Case &the_case)
+{
+  const std::string &format = command.format;
+  const std::string path    = command.output.empty() ? usual_output(format, the_case.name) : command.output;
+  const std::string name    = exchange_name(format, path);
+  if (!command.force_overwrite)
+    require_own(format, path, the_case.name);
+  const DrivenStand driven       = driven_case(command, the_case);
+  dynamics::ExchangedStand stand = exchanged_stand(driven, exported_model(driven, the_case));
+  stand.name                     = name;
+  const auto files               = exchange_files(format, stand, path);
+  if (command.output.empty())
+    fs::create_directories("out");
+  if (format == "statespace")
+    fs::create_directories(path);
+  std::string names;
+  for (const ExportedFile &file : files) {
+    write_atomically(file.path, file.text);
+    names += (names.empty() ? "" : ", ") + file.path;
+  }
+  if (!command.quiet)
+    console::print(fmt::format("{}: {}, {}\n", format == "statespace" ? path : names, stand.method, stand.origin));
+}
+}  // namespace
+
+int export_command(const CommandLine &command, const Case &the_case)
+{
+  const bool unit = !is_exchange_format(command.format);
+  if (!run_kind(the_case).driven && !(unit && std::holds_alternative<ChatterCase>(the_case.spec)))
+    throw InputError("millstand export " + command.format + ": kind = \"" + the_case.kind +
+                     "\" has no stand that vibrates by itself (" + the_case.path + "); it exports cases of kind " +
+                     (unit ? "four-high, lumped and chatter" : "four-high and lumped"));
+  if (unit)
+    export_unit(command, the_case);
+  else
+    export_matrices(command, the_case);
   return 0;
 }
 }  // namespace mill

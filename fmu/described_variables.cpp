@@ -13,6 +13,8 @@ std::string spoken(std::string label)
   return label;
 }
 
+}  // namespace
+
 std::string force_text(const ExportedModel &model)
 {
   const char *meaning = model.force_meaning == "measured"
@@ -23,6 +25,7 @@ std::string force_text(const ExportedModel &model)
   return fmt::format("rolling force, positive pushes the work rolls apart: {}", meaning);
 }
 
+namespace {
 std::string spring_text(const ExportedModel &model, const Variable &v)
 {
   const SpringData &spring = model.data.springs[std::size_t(v.index)];
@@ -32,14 +35,74 @@ std::string spring_text(const ExportedModel &model, const Variable &v)
   return fmt::format("stiffness between {} and {}", end(spring.from), end(spring.to));
 }
 
+std::string bite_number_text(const Variable &v)
+{
+  switch (BiteNumber(v.index)) {
+  case BiteNumber::roll_speed:
+    return "speed of the rolls' surface; the working point follows";
+  case BiteNumber::reduction:
+    return "thickness taken off over that of the entry; the working point follows";
+  case BiteNumber::entry_thickness:
+    return "thickness of the strip at the entry; the working point follows";
+  case BiteNumber::entry_tension:
+    return "steady back tension; the working point follows";
+  case BiteNumber::exit_tension:
+    return "steady front tension; the working point follows";
+  case BiteNumber::viscosity:
+    return "viscosity of the oil at the inlet of the bite; the working point follows";
+  case BiteNumber::friction:
+    return v.name == "friction" ? "friction coefficient; the working point follows"
+                                : "factor on the friction by speed; the working point follows";
+  case BiteNumber::entry_thickness_change:
+    return "thickness of the entering strip beside entry_thickness, held over each step; the working point stays";
+  case BiteNumber::start:
+    break;
+  }
+  return "displacement of both work rolls away from the strip at the start, all else at rest";
+}
+
+std::string bite_reading_text(const Variable &v)
+{
+  switch (BiteReadingKind(v.index)) {
+  case BiteReadingKind::gap_change:
+    return "change of the roll gap, open positive";
+  case BiteReadingKind::exit_thickness:
+    return "thickness of the strip where it leaves the rolls";
+  case BiteReadingKind::force:
+    return "rolling force, positive pushes the work rolls apart; zero where the strip is free";
+  case BiteReadingKind::force_change:
+    return "rolling force beside that of the working point";
+  case BiteReadingKind::entry_tension:
+    return "back tension; zero where the strip is slack";
+  case BiteReadingKind::exit_tension:
+    return "front tension; zero where the strip is slack";
+  case BiteReadingKind::friction:
+    return "friction coefficient in the bite";
+  case BiteReadingKind::events:
+    break;
+  }
+  return "strip that goes slack or taut, skids, leaves the rolls or is gripped, and rolls that part or meet, so "
+         "far";
+}
+
 std::string text_of(const ExportedModel &model, const Variable &v)
 {
-  const auto point = [&] { return spoken(model.data.points[std::size_t(v.index)]); };
+  const auto point   = [&] { return spoken(model.data.points[std::size_t(v.index)]); };
+  const bool chatter = model.data.kind == "chatter";
   switch (v.role) {
   case Role::time:
     return "time";
   case Role::bite_force:
-    return force_text(model);
+    return model.data.kind == "chatter" ? "force beside that of the bite, positive pushes the work rolls apart"
+                                        : force_text(model);
+  case Role::bite_number:
+    return bite_number_text(v);
+  case Role::bite_reading:
+    return bite_reading_text(v);
+  case Role::steady_number:
+    return v.name == "F_steady"    ? "rolling force of the working point"
+           : v.name == "mu_steady" ? "friction coefficient of the working point"
+                                   : "radius of the flattened rolls, which the vibration does not change";
   case Role::mean_force:
     return "mean rolling force: displacements count from the state of rest under it";
   case Role::stored_force:
@@ -53,9 +116,11 @@ std::string text_of(const ExportedModel &model, const Variable &v)
   case Role::modal_damping:
     return "damping of every mode, ratio of critical, follows the modes when stiffnesses change";
   case Role::acceleration:
-    return "acceleration of the " + point() + ", up positive";
+    return "acceleration of the " + point() + (chatter ? ", away from the strip" : ", up positive");
   case Role::displacement:
-    return "displacement of the " + point() + ", up positive, from the state of rest under F_mean";
+    return "displacement of the " + point() +
+           (chatter ? ", away from the strip, from the working point"
+                    : ", up positive, from the state of rest under F_mean");
   case Role::cell_force:
     return "force on the load cell, compression positive, with its share of F_mean";
   case Role::frequency:
@@ -146,15 +211,18 @@ std::string initial_of(const Variable &variable)
 const std::vector<UnitRow> &unit_rows()
 {
   static const std::vector<UnitRow> rows{
-      {"kg",    1, 0, 0,  {}                  },
-      {"m",     0, 1, 0,  {{"um", 1e6}}       },
-      {"s",     0, 0, 1,  {}                  },
-      {"N",     1, 1, -2, {{"kN", 1e-3}}      },
-      {"N/m",   1, 0, -2, {{"kN/mm", 1e-6}}   },
-      {"N.s/m", 1, 0, -1, {}                  },
-      {"m/s2",  0, 1, -2, {{"g", 1 / 9.80665}}},
-      {"Hz",    0, 0, -1, {}                  },
-      {"1",     0, 0, 0,  {{"%", 100}}        }
+      {"kg",    1, 0,  0,  {}                        },
+      {"m",     0, 1,  0,  {{"um", 1e6}, {"mm", 1e3}}},
+      {"s",     0, 0,  1,  {}                        },
+      {"N",     1, 1,  -2, {{"kN", 1e-3}}            },
+      {"N/m",   1, 0,  -2, {{"kN/mm", 1e-6}}         },
+      {"N.s/m", 1, 0,  -1, {}                        },
+      {"m/s2",  0, 1,  -2, {{"g", 1 / 9.80665}}      },
+      {"Hz",    0, 0,  -1, {}                        },
+      {"m/s",   0, 1,  -1, {}                        },
+      {"Pa",    1, -1, -2, {{"MPa", 1e-6}}           },
+      {"Pa.s",  1, -1, -1, {}                        },
+      {"1",     0, 0,  0,  {{"%", 100}}              }
   };
   return rows;
 }

@@ -1,7 +1,9 @@
 #include "fmu/description.h"
+#include "core/records/xml_text.h"
 #include "fmu/embedded.h"
 #include "fmu/model_text.h"
 #include "fmu/runtime/log.h"
+#include <algorithm>
 #include <fmt/format.h>
 #include <set>
 
@@ -52,15 +54,17 @@ std::string root_of(const ExportedModel &model, const bool three)
 
 std::string capabilities(const ExportedModel &model, const bool three)
 {
+  const bool linear  = model.data.kind != "chatter";
+  const char *derive = linear ? "true" : "false";
   Attributes a;
   a.add("modelIdentifier", model.identifier).add("canHandleVariableCommunicationStepSize", "true");
-  a.add("maxOutputDerivativeOrder", "1").add("canBeInstantiatedOnlyOncePerProcess", "false");
+  a.add("maxOutputDerivativeOrder", linear ? "1" : "0").add("canBeInstantiatedOnlyOncePerProcess", "false");
   a.add(three ? "canGetAndSetFMUState" : "canGetAndSetFMUstate", "true");
   a.add(three ? "canSerializeFMUState" : "canSerializeFMUstate", "true");
-  a.add(three ? "providesDirectionalDerivatives" : "providesDirectionalDerivative", "true");
+  a.add(three ? "providesDirectionalDerivatives" : "providesDirectionalDerivative", derive);
   a.add("needsExecutionTool", "false");
   if (three) {
-    a.add("providesAdjointDerivatives", "true").add("providesIntermediateUpdate", "true");
+    a.add("providesAdjointDerivatives", derive).add("providesIntermediateUpdate", "true");
     a.add("mightReturnEarlyFromDoStep", "false").add("canReturnEarlyAfterIntermediateUpdate", "false");
     a.add("hasEventMode", "false");
     return "  " + a.element("CoSimulation") + "\n";
@@ -216,25 +220,10 @@ std::string structure_3(const std::vector<DescribedVariable> &variables)
 
 std::string escaped(const std::string &text)
 {
-  std::string out;
-  for (const char c : text)
-    switch (c) {
-    case '&':
-      out += "&amp;";
-      break;
-    case '<':
-      out += "&lt;";
-      break;
-    case '>':
-      out += "&gt;";
-      break;
-    case '"':
-      out += "&quot;";
-      break;
-    default:
-      out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  return out;
+  std::string plain = text;
+  std::replace_if(
+      plain.begin(), plain.end(), [](const char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  return xml_text(plain);
 }
 
 std::string model_description(const ExportedModel &model, const int fmi_version)

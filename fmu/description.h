@@ -15,6 +15,9 @@ struct DescribedVariable {
 /// The variables that a version of the standard shows: FMI 2 without the time.
 std::vector<DescribedVariable> described_variables(const ExportedModel &model, int fmi_version);
 
+/// What the input is, its sign, and what it contains: "rolling force, positive pushes the work rolls apart: ...".
+std::string force_text(const ExportedModel &model);
+
 /// Words of the standard.
 const char *name_of(Causality causality);
 const char *name_of(Variability variability);

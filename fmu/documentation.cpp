@@ -20,13 +20,65 @@ std::string table_of(const std::vector<DescribedVariable> &variables)
   }
   return rows;
 }
+
+std::string equations_of(const ExportedModel &model)
+{
+  if (model.data.kind == "chatter")
+    return "M x'' + C x' + K x = b (F - F_steady + F_disturbance), F the force of the roll bite by Bland and "
+           "Ford's "
+           "theory at the present gap, gap rate, tensions and entry thickness; the stress of the strip before and "
+           "behind the bite grows with the difference of the speeds at its two ends. Slack strip pulls nothing, a "
+           "strip "
+           "thinner than the gap feels no force, work and backup rolls may part.";
+  if (model.data.kind == "chain")
+    return "M y'' + (2 zeta modal damping + C b b<sup>T</sup>) y' + K y = b (F - F_mean): masses M, springs K in "
+           "a "
+           "chain, b = +1 at the upper and -1 at the lower work roll.";
+  return "q'' + (2 zeta w + C b b<sup>T</sup>) q' + w<sup>2</sup> q = b (F - F_mean) in the modes of the stand, "
+         "y = P q at its points.";
+}
+
+// Signs, start, steps, changes between them.
+std::string behaviour_of(const ExportedModel &model, const int fmi_version)
+{
+  const std::string slope =
+      fmi_version == 2 ? "fmi2SetRealInputDerivatives, order 1"
+                       : "by the intermediate update, for a client that lists the force among the required "
+                         "intermediate variables: the force then runs along a straight line";
+  if (model.data.kind == "chatter")
+    return fmt::format(
+        R"(<p>Displacements are positive away from the strip and count from the working point. The run begins with both
+work rolls displaced by start_displacement, all else at rest.</p>
+<h2>Steps and input</h2>
+<p>Inside a communication step the equations are integrated with error control (relative 1e-8 per step of its own), and
+every edge (slack, skidding, strip that leaves the rolls, rolls that part) is located to 1e-11 s; the result depends on
+the communication step only by what the force does between the points: it is held unless its first derivative is set
+({0}).</p>
+<p>Speed, reduction, thickness, tensions and lubrication may be changed between steps. The steady bite is solved again;
+displacements and stresses count from the new working point, to which screws and neighbouring stands are taken to have
+moved, and the vibration goes on. A working point without a steady bite is refused. A strip that tears and rolls that meet
+end the run: fmi{1}DoStep returns Error and says why.</p>)",
+        slope, fmi_version);
+  const auto &last = model.data.frequency;
+  const double f   = model.data.kind == "chain" || last.empty() ? 0 : last.back();
+  return fmt::format(
+      R"(<p>Displacements are up positive and count from the state of rest under F_mean; a positive F_roll pushes the work rolls
+apart. The run begins at rest in the equilibrium under the first force.</p>
+<h2>Steps and input</h2>
+<p>Between communication points the equations are solved exactly for the force received, so that no step size limits
+stability or accuracy. What remains is the force between the points: held at its last value unless its first
+derivative is set ({0}). A held force asks for steps of at most 1/(20 f), f the highest frequency of interest{1}.</p>
+<p>Stiffnesses and damping may be changed between steps: displacements and velocities stay as they are, the
+equilibrium under F_mean stays the datum.{2}</p>)",
+      slope, f > 0 ? fmt::format("; the highest mode here has {:.0f} Hz", f) : "",
+      model.data.has_series ? " With use_stored_force the recorded force of resources/force.csv is played, linear "
+                              "between its samples and held before and after; F_roll is then not used."
+                            : "");
+}
 }  // namespace
 
 std::string documentation_page(const ExportedModel &model, const int fmi_version)
 {
-  const bool chain    = model.data.kind == "chain";
-  const auto &last    = model.data.frequency;
-  const double f      = chain || last.empty() ? 0 : last.back();
   std::string windows = named_file("win64").empty()
                             ? "It was exported without a library for Windows: build the files of sources/ there "
                               "(C++17, no other library; sources/buildDescription.xml)."
@@ -40,36 +92,16 @@ std::string documentation_page(const ExportedModel &model, const int fmi_version
 <p>{1}; {2}. Co-simulation by FMI {3}.0, written by {4}.</p>
 <h2>Equations</h2>
 <p>{5}</p>
-<p>Displacements are up positive and count from the state of rest under F_mean; a positive F_roll pushes the work rolls
-apart. The run begins at rest in the equilibrium under the first force.</p>
-<h2>Steps and input</h2>
-<p>Between communication points the equations are solved exactly for the force received, so that no step size limits
-stability or accuracy. What remains is the force between the points: held at its last value unless its first
-derivative is set ({6}). A held force asks for steps of at most 1/(20 f), f the highest frequency of interest{7}.</p>
-<p>Stiffnesses and damping may be changed between steps: displacements and velocities stay as they are, the
-equilibrium under F_mean stays the datum.{8}</p>
+{6}
 <h2>Variables</h2>
 <table><tr><th>name</th><th>reference</th><th>kind</th><th>unit</th><th>range</th><th>meaning</th></tr>
-{9}</table>
+{7}</table>
 <h2>Platforms</h2>
-<p>{10} {11}</p>
+<p>{8} {9}</p>
 </body></html>
 )",
       escaped(model.title), escaped(model.method), escaped(model.origin), fmi_version, escaped(model.program),
-      chain ? "M y'' + (2 zeta modal damping + C b b<sup>T</sup>) y' + K y = b (F - F_mean): masses M, springs K "
-              "in a "
-              "chain, b = +1 at the upper and -1 at the lower work roll."
-            : "q'' + (2 zeta w + C b b<sup>T</sup>) q' + w<sup>2</sup> q = b (F - F_mean) in the modes of the "
-              "stand, "
-              "y = P q at its points.",
-      fmi_version == 2 ? "fmi2SetRealInputDerivatives, order 1"
-                       : "by the intermediate update, for a client that lists F_roll among the required "
-                         "intermediate variables: the force then runs along a straight line",
-      f > 0 ? fmt::format("; the highest mode here has {:.0f} Hz", f) : "",
-      model.data.has_series ? " With use_stored_force the recorded force of resources/force.csv is played, linear "
-                              "between its samples and held before and after; F_roll is then not used."
-                            : "",
-      table_of(described_variables(model, fmi_version)),
+      equations_of(model), behaviour_of(model, fmi_version), table_of(described_variables(model, fmi_version)),
       "The library for Linux (x86-64) needs glibc " + named_file("glibc") + " or newer and nothing else.",
       windows);
 }

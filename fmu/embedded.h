@@ -13,7 +13,9 @@ struct EmbeddedFile {
     return std::string(begin, end);
   }
 };
-/// "linux64", "win64": libraries, empty where none was built; "glibc": the version the first one asks for.
+/// "linux64", "win64": libraries, empty where none was built; "glibc": the version the first one asks for;
+/// "licence": of the runtime, which links nothing of what makes the program GPL, since a unit is made to be handed
+/// on.
 const std::vector<EmbeddedFile> &named_files();
 /// Sources and headers of fmu/runtime.
 const std::vector<EmbeddedFile> &source_files();

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace mill::fmu {
 /// Rows of a run that the unit must reproduce before it is handed out: equal steps of linearly running force from
@@ -13,6 +14,11 @@ struct CheckRun {
   Eigen::VectorXd force;         ///< (k) N
   Eigen::MatrixXd acceleration;  ///< (k, points) m/s2
   Eigen::VectorXd load_cell;     ///< (k) N
+  /// Kind "chatter" has these in the place of the two: outputs of the unit by name, each over its own largest
+  /// value.
+  std::vector<std::string> names;  ///< (r)
+  Eigen::MatrixXd values;          ///< (k, r)
+  double agreement = 1e-9;         ///< -, that is asked for
 };
 
 /// What an exported unit is made of.

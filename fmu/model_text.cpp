@@ -49,6 +49,13 @@ public:
     };
     add(name, values.empty() ? "[]" : "[\n" + joined(values, one, ",\n") + "\n  ]");
   }
+  template <class Part>
+  auto operator()(const char *name, const Part &part) -> decltype(each_member(*this, part, &part))
+  {
+    JsonWriter inside("\n    ");
+    each_member(inside, part, &part);
+    add(name, "{\n    " + inside.members_ + "\n  }");
+  }
   const std::string &members() const
   {
     return members_;

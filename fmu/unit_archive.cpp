@@ -19,31 +19,6 @@ void require_rules(const ExportedModel &model, const int fmi_version)
   if (!all.empty())
     throw InputError("the model cannot be exported as a functional mock-up unit: " + all);
 }
-
-// The runtime links nothing of what makes the program GPL, and a unit is made to be handed on.
-constexpr const char *licence =
-    "The runtime (binaries and sources) is part of millstand and under the MIT licence:\n\n"
-    "Copyright (c) 2026 the authors of millstand\n\n"
-    "Permission is hereby granted, free of charge, to any person obtaining a copy of this software and "
-    "associated\n"
-    "documentation files (the \"Software\"), to deal in the Software without restriction, including without "
-    "limitation\n"
-    "the rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, "
-    "and\n"
-    "to permit persons to whom the Software is furnished to do so, subject to the following conditions:\n\n"
-    "The above copyright notice and this permission notice shall be included in all copies or substantial "
-    "portions of\n"
-    "the Software.\n\n"
-    "THE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT "
-    "LIMITED TO\n"
-    "THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL "
-    "THE\n"
-    "AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF\n"
-    "CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER\n"
-    "DEALINGS IN THE SOFTWARE.\n\n"
-    "The library for Linux contains parts of libstdc++ and libgcc, that for Windows also of mingw-w64, under "
-    "their own\n"
-    "licences with the GCC Runtime Library Exception.\n";
 }  // namespace
 
 std::string identifier_of(const std::string &name)
@@ -70,9 +45,9 @@ std::string unit_archive(const ExportedModel &model, const int fmi_version)
   std::vector<ArchiveEntry> entries{
       {"modelDescription.xml",   model_description(model, fmi_version)},
       {"documentation/index.html",                        documentation_page(model,                      fmi_version)},
-      {"documentation/licenses/license.txt",            licence             },
-      {"documentation/externalDependencies.txt",      external_dependencies()               },
-      {"resources/model.json",model_json(model.data)   }
+      {"documentation/licenses/license.txt",            named_file("licence")             },
+      {"documentation/externalDependencies.txt",external_dependencies() },
+      {"resources/model.json",          model_json(model.data)                               }
   };
   entries.push_back({(three ? "binaries/x86_64-linux/" : "binaries/linux64/") + model.identifier + ".so",
                      named_file("linux64"), true});
@@ -95,10 +70,10 @@ void check_unit(const std::string &archive, const ExportedModel &model, const in
   } catch (const std::exception &e) {
     throw std::logic_error(std::string("the exported unit does not run: ") + e.what());
   }
-  if (!(difference <= required_agreement))
+  if (!(difference <= model.check.agreement))
     throw std::logic_error(
         fmt::format("the exported unit differs by {:.2g} from the integrator of this program, {:g} "
                     "is allowed; no file was written",
-                    difference, required_agreement));
+                    difference, model.check.agreement));
 }
 }  // namespace mill::fmu

@@ -93,11 +93,17 @@ void require_ok(const int status, const char *function, const Told &told)
     throw std::runtime_error(std::string(function) + " returns " + std::to_string(status) + ": " + told.messages);
 }
 
-// References of the accelerations, then of the load cell.
-std::vector<unsigned> compared(const ModelData &model)
+// References of the accelerations, then of the load cell; or of the outputs that are named.
+std::vector<unsigned> compared(const ModelData &model, const CheckRun &run)
 {
   std::vector<unsigned> references;
   const auto all = variables_of(model);
+  for (const std::string &name : run.names)
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].name == name)
+        references.push_back(unsigned(i));
+  if (!run.names.empty())
+    return references;
   for (const Role role : {Role::acceleration, Role::cell_force})
     for (std::size_t i = 0; i < all.size(); ++i)
       if (all[i].role == role)
@@ -179,13 +185,21 @@ double difference_from(const CheckRun &run, const std::string &archive, const Ex
                        const int fmi_version)
 {
   const UnpackedUnit unit(archive, model.identifier, fmi_version);
-  const auto outputs         = compared(model.data);
+  const auto outputs         = compared(model.data, run);
   const Eigen::MatrixXd made = (fmi_version == 3 ? run_3 : run_2)(unit, run, model, outputs);
   const Eigen::Index m       = run.acceleration.cols();
   const auto relative        = [](const Eigen::MatrixXd &difference, const Eigen::MatrixXd &to) {
     const double largest = to.cwiseAbs().maxCoeff();
     return difference.cwiseAbs().maxCoeff() / (largest > 0 ? largest : 1);
   };
+  if (!run.names.empty()) {
+    double worst = made.cols() == run.values.cols() ? 0 : INFINITY;
+    for (Eigen::Index c = 0; c < made.cols() && std::isfinite(worst); ++c) {
+      const double one = relative(made.col(c) - run.values.col(c), run.values.col(c));
+      worst            = std::isnan(one) ? INFINITY : std::max(worst, one);
+    }
+    return worst;
+  }
   const double accelerations = relative(made.leftCols(m) - run.acceleration, run.acceleration);
   const double cell          = relative(made.col(m) - run.load_cell, run.load_cell);
   return std::isnan(accelerations) || std::isnan(cell) ? INFINITY : std::max(accelerations, cell);

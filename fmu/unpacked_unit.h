@@ -29,7 +29,9 @@ private:
 
 /// Lets the unit of an archive reproduce a run through its C interface: the straight lines of force by input
 /// derivatives (FMI 2) or the intermediate update (FMI 3).
-/// @return  the largest difference of an acceleration or of the load cell, relative to the largest of its kind
+/// @return  the largest difference of an acceleration or of the load cell, relative to the largest of its kind; of
+/// named
+///          outputs relative to the largest of each
 /// @throws std::runtime_error  a call fails: what the unit logs
 double difference_from(const CheckRun &run, const std::string &archive, const ExportedModel &model,
                        int fmi_version);

@@ -206,7 +206,8 @@ void require_sensible_length(const Pass &pass, const ForceRecord &force, const d
   if (samples < 16)
     refuse("at least 16 are needed, give a longer record or a higher rate");
   if (samples > 5e6)
-    refuse("at most 5e6 are kept, cut the record or lower the rate");
+    refuse(
+        "at most 5e6 are kept; stream it (millstand simulate --stream --force FILE), cut it, or lower the rate");
 }
 }  // namespace
 

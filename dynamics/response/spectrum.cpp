@@ -1,5 +1,6 @@
 #include "dynamics/response/spectrum.h"
 #include "core/numerics/require.h"
+#include "dynamics/response/running_spectrum.h"
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -16,18 +17,13 @@ Eigen::Index power_of_two_within(const Eigen::Index n)
   return power;
 }
 
-Eigen::Index chosen_length(const Eigen::Index n)
-{
-  return std::max(power_of_two_within(std::max<Eigen::Index>(n / 8, 1)),
-                  std::min<Eigen::Index>(256, power_of_two_within(n)));
-}
 }  // namespace
 
 Spectrum amplitude_spectral_density(const Eigen::VectorXd &signal, const double rate, Eigen::Index segment_length)
 {
   const Eigen::Index n = signal.size();
   if (segment_length == 0)
-    segment_length = chosen_length(n);
+    segment_length = segment_length_for(n, n);
   const Eigen::Index L = segment_length, hop = std::max<Eigen::Index>(L / 2, 1), lines = L / 2 + 1;
   require(L >= 2 && L <= n && power_of_two_within(L) == L,
           "a segment of a spectrum is a power of two and no longer than the record");

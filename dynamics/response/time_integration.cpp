@@ -1,5 +1,6 @@
 #include "dynamics/response/time_integration.h"
 #include "core/numerics/require.h"
+#include "dynamics/response/hold_stepper.h"
 #include "dynamics/response/matrix_exponential.h"
 #include "dynamics/response/time_walk.h"
 #include <Eigen/Eigenvalues>
@@ -195,6 +196,16 @@ private:
   const typename Form::Over *last_ = nullptr;
 };
 
+// Poles where the modal form is wanted and possible.
+std::optional<Diagonal> poles_for(const StateSpace &system, const HoldForm wanted)
+{
+  auto poles = wanted == HoldForm::modal ? diagonal(system) : std::nullopt;
+  return poles && (poles->lambda.array().abs() > 0).all() ? poles : std::nullopt;
+}
+
+constexpr const char *not_by_modes =
+    "repeated poles without independent shapes: integrated with the matrix exponential, not by modes";
+
 template <class Form> void march(Form form, const ForceRecord &force, const OutputGrid &grid, HoldResult &result)
 {
   PreparedSteps<Form> over(form);
@@ -208,6 +219,14 @@ template <class Form> void march(Form form, const ForceRecord &force, const Outp
   });
   result.n_prepared = over.n_prepared;
 }
+// Form and prepared steps side by side: the latter look into the former.
+template <class Form> struct Stepping {
+  explicit Stepping(Form its_form) : form(std::move(its_form)), over(form) {}
+  Stepping(const Stepping &)            = delete;
+  Stepping &operator=(const Stepping &) = delete;
+  Form form;
+  PreparedSteps<Form> over;
+};
 }  // namespace
 
 HoldResult first_order_hold(const StateSpace &system, const ForceRecord &force, const double output_rate,
@@ -221,16 +240,67 @@ HoldResult first_order_hold(const StateSpace &system, const ForceRecord &force, 
   result.time      = grid.begin + Eigen::ArrayXd::LinSpaced(grid.n, 0, double(grid.n - 1)) * grid.step;
   result.force     = Eigen::VectorXd::Constant(grid.n, force.force[0]);
   result.output    = Eigen::MatrixXd::Zero(system.C.rows(), grid.n);
-  const auto poles = wanted == HoldForm::modal ? diagonal(system) : std::nullopt;
-  if (poles && (poles->lambda.array().abs() > 0).all()) {
+  const auto poles = poles_for(system, wanted);
+  if (poles) {
     march(ModalForm(*poles, system.D, force.force[0]), force, grid, result);
     return result;
   }
   if (wanted == HoldForm::modal)
-    result.note =
-        "repeated poles without independent shapes: integrated with the matrix exponential, not by modes";
+    result.note = not_by_modes;
   result.form = HoldForm::matrix_exponential;
   march(ExponentialForm(system, force.force[0]), force, grid, result);
   return result;
+}
+
+struct HoldStepper::State {
+  StateSpace system;
+  std::optional<Diagonal> poles;
+  std::optional<Stepping<ModalForm>> modal;
+  std::optional<Stepping<ExponentialForm>> exponential;
+  std::string note;
+};
+
+HoldStepper::HoldStepper(const StateSpace &system, const double first_force, const HoldForm wanted)
+    : state_(std::make_unique<State>())
+{
+  State &s = *state_;
+  s.system = system;
+  s.poles  = poles_for(s.system, wanted);
+  if (s.poles) {
+    s.modal.emplace(ModalForm(*s.poles, s.system.D, first_force));
+    return;
+  }
+  if (wanted == HoldForm::modal)
+    s.note = not_by_modes;
+  s.exponential.emplace(ExponentialForm(s.system, first_force));
+}
+
+HoldStepper::~HoldStepper() = default;
+
+void HoldStepper::advance(const double length, const double F0, const double F1)
+{
+  State &s = *state_;
+  if (s.modal)
+    s.modal->form.advance(s.modal->over(length), F0, F1);
+  else
+    s.exponential->form.advance(s.exponential->over(length), F0, F1);
+}
+
+void HoldStepper::output(const double force, Eigen::Ref<Eigen::VectorXd> column) const
+{
+  if (state_->modal)
+    state_->modal->form.output(force, column);
+  else
+    state_->exponential->form.output(force, column);
+}
+
+HoldForm HoldStepper::form() const
+{
+  return state_->modal ? HoldForm::modal : HoldForm::matrix_exponential;
+}
+
+const std::string &HoldStepper::note() const
+{
+  return state_->note;
 }
 }  // namespace mill::dynamics

@@ -3,10 +3,6 @@
 
 namespace mill::dynamics {
 namespace {
-// Times written with few digits are even to about a millionth of their spacing; the force read there is that much
-// of one sample's change beside the straight line.
-constexpr double evenness = 1e-6;
-
 bool evenly_spaced(const Eigen::VectorXd &time, const double spacing)
 {
   const auto n = time.size();
@@ -17,17 +13,23 @@ bool evenly_spaced(const Eigen::VectorXd &time, const double spacing)
 
 OutputGrid output_grid(const ForceRecord &force, const double output_rate)
 {
-  const double duration = force.time[force.time.size() - 1] - force.time[0];
-  const double last     = std::floor(duration * output_rate + evenness);
-  return {force.time[0], 1 / output_rate, Eigen::Index(last) + 1};
+  return output_grid(force.time[0], force.time[force.time.size() - 1], output_rate);
+}
+
+OutputGrid output_grid(const double first, const double last, const double output_rate)
+{
+  return {first, 1 / output_rate, Eigen::Index(std::floor((last - first) * output_rate + evenness)) + 1};
 }
 
 CommonGrid common_grid(const ForceRecord &force, const OutputGrid &grid)
 {
   const Eigen::Index n_lines = force.time.size() - 1;
   const double spacing       = (force.time[n_lines] - force.time[0]) / double(n_lines);
-  if (!evenly_spaced(force.time, spacing))
-    return {};
+  return evenly_spaced(force.time, spacing) ? common_grid(n_lines, spacing, grid) : CommonGrid{};
+}
+
+CommonGrid common_grid(const Eigen::Index n_lines, const double spacing, const OutputGrid &grid)
+{
   // A grid finer than 16 times what samples and outputs need costs more than steps of changing length.
   const double finest = 16 * (1 + grid.step / spacing);
   for (Eigen::Index per_sample = 1; double(per_sample) * grid.step / spacing < finest + 0.5; ++per_sample) {

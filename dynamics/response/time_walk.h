@@ -11,8 +11,13 @@ struct OutputGrid {
   Eigen::Index n;  ///< -
 };
 
+/// Times written with few digits are even to about a millionth of their spacing; the force read there is that much
+/// of one sample's change beside the straight line.
+constexpr double evenness = 1e-6;
+
 /// Times of the outputs: from the first sample of the force to its last, both included when they fall on the grid.
 OutputGrid output_grid(const ForceRecord &force, double output_rate);
+OutputGrid output_grid(double first, double last, double output_rate);
 
 /// One stretch of time over which the force is one straight line.
 struct Step {
@@ -31,6 +36,8 @@ struct CommonGrid {
 /// Finds the common grid when the samples are evenly spaced and spacing / step is a ratio of small numbers: one
 /// that needs at most 16 times as many steps as there are samples and outputs.
 CommonGrid common_grid(const ForceRecord &force, const OutputGrid &grid);
+/// The same of n_lines + 1 evenly spaced samples.
+CommonGrid common_grid(Eigen::Index n_lines, double spacing, const OutputGrid &grid);
 
 /// Calls visit(const Step &) for every stretch in order; all steps of a common grid have exactly one length.
 /// theory.md (7.6)

@@ -114,7 +114,8 @@ Status Instance::exit_initialization(const char *function)
     return Status::error;
   bring_up_to_date();
   now_.phase = Phase::step;
-  log_->event("at rest under " + number_text(now_.force) + " N at " + number_text(now_.time) + " s");
+  log_->event((chatter_ ? "vibrates from " : "at rest under " + number_text(now_.force) + " N at ") +
+              number_text(now_.time) + " s");
   return Status::ok;
 }
 
@@ -158,6 +159,12 @@ void Instance::load_series()
 // Rest in the equilibrium under the force that acts now.
 void Instance::settle()
 {
+  if (chatter_) {
+    now_.force      = now_.values[bite_force];
+    now_.vibration  = chatter_->displaced(bite_number(BiteNumber::start));
+    now_.last_slope = 0;
+    return;
+  }
   if (now_.stored) {
     load_series();
     now_.place = series_.before(now_.time, 0);
@@ -174,7 +181,10 @@ void Instance::bring_up_to_date()
     return;
   if (now_.phase == Phase::initialization)
     settle();
-  evaluate(system_, *motion_, now_.modes, now_.force, now_.values);
+  if (chatter_)
+    evaluate_vibration();
+  else
+    evaluate(system_, *motion_, now_.modes, now_.force, now_.values);
   now_.outputs_stale = false;
 }
 
@@ -198,6 +208,8 @@ Tuning Instance::tuning_of(const std::vector<double> &values) const
 // The modes of the present parameters; displacements and velocities of the points stay what they are.  (35.7)
 void Instance::use_parameters()
 {
+  if (model_.kind == "chatter")
+    return use_pass();
   const Tuning tuning = tuning_of(now_.values);
   if (motion_ && same_tuning(tuning, built_))
     return;
@@ -283,7 +295,9 @@ bool Instance::may_step(const char *function, const double from, const double le
 void Instance::do_step(const double from, const double length)
 {
   const double end = from + length;
-  if (now_.stored)
+  if (chatter_)
+    vibrate(end);
+  else if (now_.stored)
     play_series(end);
   else {
     const double begin = now_.values[bite_force];

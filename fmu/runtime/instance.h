@@ -1,4 +1,5 @@
 #pragma once
+#include "chatter_motion.h"
 #include "force_series.h"
 #include "log.h"
 #include "motion.h"
@@ -20,6 +21,7 @@ using Reference = std::uint32_t;  ///< value reference: place in the table of va
 struct Snapshot {
   std::vector<double> values;  ///< of every real variable, by reference, SI
   ModalState modes;
+  ChatterState vibration;                ///< of kind "chatter" alone
   double force      = 0;                 ///< N, at the present time
   double slope      = 0;                 ///< N/s, of the input over the coming step
   double last_slope = 0;                 ///< N/s, of the force at the end of the last step
@@ -96,6 +98,7 @@ public:
   /// Is a step from `from` over `length` (s) in order?  Otherwise it is told.
   bool may_step(const char *function, double from, double length) const;
   /// Carries out a step that may_step().  Exact for the force received.
+  /// @throws std::runtime_error  kind "chatter": the strip tears or the rolls meet
   void do_step(double from, double length);
   /// In the middle of a step: the client sets the force that acts at its end.
   void enter_intermediate();
@@ -130,6 +133,14 @@ private:
   std::vector<double> unknowns_at(std::vector<double> values, const Direction &asked);
   std::vector<double> by_known(const Direction &asked, Reference known);
   bool is_copy(const char *function, const void *state) const;
+  // Kind "chatter".
+  PassData pass_of(const std::vector<double> &values) const;
+  double bite_number(BiteNumber number) const;
+  void use_pass();
+  bool has_steady_bite(const char *function, const std::vector<double> &values) const;
+  ChatterInput input_now() const;
+  void evaluate_vibration();
+  void vibrate(double end);
 
   std::string folder_;
   std::unique_ptr<Log> log_;
@@ -145,6 +156,8 @@ private:
   Tuning built_;  // what system_ and motion_ were made for
   ModalSystem system_;
   std::unique_ptr<Motion> motion_;
+  std::unique_ptr<ChatterMotion> chatter_;  // of kind "chatter" in their place
+  std::vector<double> built_pass_;          // parameters that it was made for
   std::vector<double> scratch_, row_;
 };
 

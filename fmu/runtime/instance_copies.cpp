@@ -4,11 +4,11 @@
 #include <memory>
 #include <string>
 
-// Copies of the state in memory, and their serialised form: "MSTDFMU1", the mark of the model, the number of bytes
+// Copies of the state in memory, and their serialised form: "MSTDFMU2", the mark of the model, the number of bytes
 // that follow, their FNV-1a hash, then the members in a fixed order, numbers as the machine has them.
 namespace mill::fmu {
 namespace {
-constexpr char magic[8]           = {'M', 'S', 'T', 'D', 'F', 'M', 'U', '1'};
+constexpr char magic[8]           = {'M', 'S', 'T', 'D', 'F', 'M', 'U', '2'};
 constexpr std::size_t header_size = sizeof magic + 3 * sizeof(std::uint64_t);
 
 /// What a client holds behind its pointer.
@@ -31,9 +31,11 @@ template <class IO> void each_number(IO &io, Snapshot &s)
   s.modes.z.resize(z.size() / 2);
   for (std::size_t k = 0; k < s.modes.z.size(); ++k)
     s.modes.z[k] = {z[2 * k], z[2 * k + 1]};
-  for (double *number : {&s.force, &s.slope, &s.last_slope, &s.time, &s.start, &s.stop})
+  io.list(s.vibration.z);
+  for (double *number : {&s.vibration.next_step, &s.vibration.events, &s.force, &s.slope, &s.last_slope, &s.time,
+                         &s.start, &s.stop})
     io.one(*number);
-  for (bool *truth : {&s.has_stop, &s.stored, &s.outputs_stale}) {
+  for (bool *truth : {&s.has_stop, &s.stored, &s.outputs_stale, &s.vibration.strip_held}) {
     std::uint64_t number = *truth ? 1 : 0;
     io.one(number);
     *truth = number != 0;
@@ -211,7 +213,8 @@ Status Instance::deserialize(const char *function, const char *bytes, const std:
   each_number(reader, made->state);
   const std::size_t modes = made->state.modes.q.size();
   if (!reader.at_end() || made->state.values.size() != variables_.size() || made->state.modes.p.size() != modes ||
-      (modes != 0 && modes != model_.n_modes()))
+      (modes != 0 && modes != model_.n_modes()) ||
+      (!made->state.vibration.z.empty() && made->state.vibration.z.size() != 2 * model_.n_modes() + 2))
     return log_->refuse(Status::error, who + "the bytes are no serialised state, or they are damaged");
   if (*state) {
     if (!is_copy(function, *state))

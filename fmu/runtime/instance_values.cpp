@@ -124,6 +124,8 @@ Status Instance::set(const char *function, const Reference *references, const st
     std::vector<double> wanted = now_.values;
     for (std::size_t i = 0; i < n; ++i)
       wanted[references[i]] = values[i];
+    if (chatter_ && !has_steady_bite(function, wanted))
+      return Status::discard;
     const Tuning tuning = tuning_of(wanted);
     if (model_.kind == "chain" && !is_held(modal_system(model_, tuning)))
       return log_->refuse(Status::discard,
@@ -185,7 +187,7 @@ Status Instance::set_input_derivatives(const char *function, const Reference *re
     if (variable->causality != Causality::input)
       return log_->refuse(Status::error, std::string(function) + ": " + variable->name + " is no input");
     if (!(std::abs(values[i]) <= steepest))
-      return log_->refuse(Status::discard, std::string(function) + ": the derivative of F_roll, " +
+      return log_->refuse(Status::discard, std::string(function) + ": the derivative of " + variable->name + ", " +
                                                number_text(values[i]) + " N/s, is out of range (" +
                                                number_text(-steepest) + " .. " + number_text(steepest) +
                                                " N/s); it stays " + number_text(now_.slope) + " N/s");
@@ -210,6 +212,8 @@ Status Instance::get_output_derivatives(const char *function, const Reference *r
     if (variable->causality != Causality::output)
       return log_->refuse(Status::error, std::string(function) + ": " + variable->name + " is no output");
   }
+  if (chatter_)
+    return log_->refuse(Status::error, std::string(function) + ": outputs of this model have no derivatives");
   ModalState rates{now_.modes.p, {}, {}};
   motion_->acceleration(now_.modes, now_.force - mean(), rates.p);
   std::vector<double> derived = now_.values;
@@ -311,6 +315,8 @@ std::vector<double> Instance::by_known(const Direction &asked, const Reference r
 
 Status Instance::derivative(const char *function, const Direction &asked)
 {
+  if (chatter_)
+    return log_->refuse(Status::error, std::string(function) + ": this model has no partial derivatives");
   if (!may_derive(function, asked))
     return Status::error;
   bring_up_to_date();

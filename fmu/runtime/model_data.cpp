@@ -48,6 +48,12 @@ public:
     }
   }
 
+  template <class Part> auto operator()(const char *name, Part &part) -> decltype(each_member(*this, part, &part))
+  {
+    MemberReader inside(member(name, Json::Kind::object));
+    each_member(inside, part, &part);
+  }
+
 private:
   static const Json &checked(const char *name, const Json &value, const Json::Kind kind)
   {
@@ -95,6 +101,28 @@ void require_modal(const ModelData &model)
     if (!(f > 0))
       throw std::runtime_error("a frequency is not above zero");
 }
+
+void require_chatter(const ModelData &model)
+{
+  const ChatterData &c = model.chatter;
+  const std::size_t n = c.gap_row.size(), contacts = c.contact_stiffness.size();
+  require_size("stiffness", c.stiffness.size(), n * n);
+  require_size("damping", c.damping.size(), n * n);
+  require_size("force_row", c.force_row.size(), n);
+  require_size("displaced", c.displaced.size(), n);
+  require_size("point", c.point.size(), n * model.points.size());
+  require_size("contact_row", c.contact_row.size(), n * contacts);
+  require_size("contact_force_row", c.contact_force_row.size(), n * contacts);
+  require_size("magnitude", c.magnitude.size(), 2 * n + 2);
+  require_size("stress", c.pass.stress.size(), c.pass.strain.size());
+  for (const double motion : c.magnitude)
+    if (!(motion > 0))
+      throw std::runtime_error("a magnitude is not above zero");
+  if (c.pass.flow_law == "table" && c.pass.strain.size() < 2)
+    throw std::runtime_error("a table of the flow stress needs two rows");
+  if (!(c.longest_step > 0 && c.entry_distance > 0 && c.exit_distance > 0))
+    throw std::runtime_error("a length or a step is not above zero");
+}
 }  // namespace
 
 ModelData read_model(const std::string &json)
@@ -112,6 +140,8 @@ ModelData read_model(const std::string &json)
     require_chain(model);
   else if (model.kind == "modal")
     require_modal(model);
+  else if (model.kind == "chatter")
+    require_chatter(model);
   else
     throw std::runtime_error("kind " + model.kind + " is unknown");
   return model;

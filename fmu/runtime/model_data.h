@@ -1,4 +1,5 @@
 #pragma once
+#include "chatter_data.h"
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -6,7 +7,7 @@
 // What resources/model.json holds.
 namespace mill::fmu {
 /// Version of the runtime and of the layout of its files; part of every identity (theory.md 35.6).
-constexpr const char *runtime_version = "1";
+constexpr const char *runtime_version = "2";
 
 constexpr int fixed_end = -1;  ///< the end of a spring that stands on the ground
 
@@ -20,11 +21,11 @@ struct SpringData {
 };
 
 /// A linear stand driven by its bite force, as a chain of masses whose springs may be tuned or in modes that are
-/// kept as they are.
+/// kept as they are; or a stand whose bite is part of the model.
 struct ModelData {
   std::string runtime;              ///< runtime_version of the program that wrote it
   std::string guid;                 ///< identity of model, variables and runtime
-  std::string kind;                 ///< "chain" or "modal"
+  std::string kind;                 ///< "chain", "modal" or "chatter"
   std::vector<std::string> points;  ///< (m) what moves, "upper_work_roll"
   double modal_damping    = 0;      ///< -, ratio of critical of every mode
   double gap_damper       = 0;      ///< N s/m, between the work rolls
@@ -45,9 +46,11 @@ struct ModelData {
   std::vector<double> bite_mode;       ///< (n) kg^-1/2, bite force on each mode
   std::vector<double> load_cell_mode;  ///< (n) N/m kg^-1/2
 
+  ChatterData chatter;  ///< kind "chatter" alone; what stands above but for the points is empty then
+
   std::size_t n_modes() const
   {
-    return kind == "chain" ? mass.size() : frequency.size();
+    return kind == "chain" ? mass.size() : kind == "chatter" ? chatter.gap_row.size() : frequency.size();
   }
 };
 
@@ -81,6 +84,8 @@ template <class IO, class M> void each_member(IO &io, M &model, const ModelData 
   io("shape", model.shape);
   io("bite_mode", model.bite_mode);
   io("load_cell_mode", model.load_cell_mode);
+  if (model.kind == "chatter")
+    io("chatter", model.chatter);
 }
 
 /// @throws std::runtime_error  no model of this runtime: what is missing or of the wrong size

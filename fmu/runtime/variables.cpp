@@ -61,8 +61,78 @@ void add_parameters(const ModelData &model, std::vector<Variable> &all)
 }
 }  // namespace
 
+namespace {
+void add_bite_numbers(const ModelData &model, std::vector<Variable> &all)
+{
+  const PassData &p = model.chatter.pass;
+  const auto add    = [&](const char *name, const BiteNumber number, const char *unit, const char *display,
+                       const double low, const double high, const double start) {
+    Variable v     = parameter(name, Role::bite_number, int(number), Variability::tunable, unit, low, high, start);
+    v.display_unit = display;
+    all.push_back(v);
+  };
+  add("roll_speed", BiteNumber::roll_speed, "m/s", "", 1e-3, 100, p.roll_speed);
+  add("reduction", BiteNumber::reduction, "1", "%", 1e-4, 0.9, 1 - p.exit_thickness / p.entry_thickness);
+  add("entry_thickness", BiteNumber::entry_thickness, "m", "mm", 1e-5, 1, p.entry_thickness);
+  add("entry_tension", BiteNumber::entry_tension, "Pa", "MPa", 0, 2e9, p.entry_tension);
+  add("exit_tension", BiteNumber::exit_tension, "Pa", "MPa", 0, 2e9, p.exit_tension);
+  if (p.friction_law == "film")
+    add("viscosity", BiteNumber::viscosity, "Pa.s", "", 1e-9, 100, p.viscosity);
+  else if (p.friction_law == "coulomb")
+    add("friction", BiteNumber::friction, "1", "", 1e-4, 1, p.coefficient);
+  else
+    add("friction_scale", BiteNumber::friction, "1", "", 1e-4, 100, p.scale);
+  add("dh_entry", BiteNumber::entry_thickness_change, "m", "um", -1e-2, 1e-2, 0);
+  Variable start = parameter("start_displacement", Role::bite_number, int(BiteNumber::start), Variability::fixed,
+                             "m", -1e-3, 1e-3, model.chatter.start);
+  start.display_unit = "um";
+  all.push_back(start);
+}
+
+void add_bite_readings(std::vector<Variable> &all)
+{
+  const auto add = [&](const char *name, const BiteReadingKind kind, const char *unit, const char *display,
+                       const double nominal) {
+    all.push_back(output(name, Role::bite_reading, int(kind), unit, display, nominal));
+  };
+  add("dh", BiteReadingKind::gap_change, "m", "um", 1e-6);
+  add("exit_thickness", BiteReadingKind::exit_thickness, "m", "mm", 1e-3);
+  add("F", BiteReadingKind::force, "N", "kN", 1e6);
+  add("dF", BiteReadingKind::force_change, "N", "kN", 1e3);
+  add("sigma_entry", BiteReadingKind::entry_tension, "Pa", "MPa", 1e8);
+  add("sigma_exit", BiteReadingKind::exit_tension, "Pa", "MPa", 1e8);
+  add("mu", BiteReadingKind::friction, "1", "", 0.01);
+  add("events", BiteReadingKind::events, "1", "", 1);
+  const auto steady = [&](const char *name, const SteadyNumber number, const char *unit, const char *display) {
+    all.push_back({name, Role::steady_number, int(number), Type::real, Causality::calculated_parameter,
+                   Variability::tunable, unit, display, 0, -1, 0, 0});
+  };
+  steady("F_steady", SteadyNumber::force, "N", "kN");
+  steady("mu_steady", SteadyNumber::friction, "1", "");
+  steady("R_flattened", SteadyNumber::flattened_radius, "m", "mm");
+}
+
+std::vector<Variable> chatter_variables(const ModelData &model)
+{
+  std::vector<Variable> all;
+  all.push_back(
+      {"time", Role::time, 0, Type::real, Causality::independent, Variability::continuous, "s", "", 0, -1, 0, 0});
+  all.push_back({"F_disturbance", Role::bite_force, 0, Type::real, Causality::input, Variability::continuous, "N",
+                 "kN", -largest_force, largest_force, 0, 1e3});
+  add_bite_numbers(model, all);
+  for (std::size_t j = 0; j < model.points.size(); ++j)
+    all.push_back(output("a_" + model.points[j], Role::acceleration, int(j), "m/s2", "g", 1));
+  for (std::size_t j = 0; j < model.points.size(); ++j)
+    all.push_back(output("y" + std::to_string(j + 1), Role::displacement, int(j), "m", "um", 1e-6));
+  add_bite_readings(all);
+  return all;
+}
+}  // namespace
+
 std::vector<Variable> variables_of(const ModelData &model)
 {
+  if (model.kind == "chatter")
+    return chatter_variables(model);
   std::vector<Variable> all;
   all.push_back(
       {"time", Role::time, 0, Type::real, Causality::independent, Variability::continuous, "s", "", 0, -1, 0, 0});

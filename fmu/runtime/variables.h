@@ -23,8 +23,38 @@ enum class Role {
   acceleration,
   displacement,
   cell_force,
-  frequency
+  frequency,
+  // of a stand whose bite is part of the model
+  bite_number,   ///< what the working point is made of; index: BiteNumber
+  bite_reading,  ///< what the bite answers; index: BiteReadingKind
+  steady_number  ///< of the working point; index: SteadyNumber
 };
+
+/// Parameters of kind "chatter".
+enum class BiteNumber {
+  roll_speed,
+  reduction,
+  entry_thickness,
+  entry_tension,
+  exit_tension,
+  viscosity,  ///< of the oil, law film
+  friction,   ///< Coulomb's mu, law coulomb; factor on the law speed
+  entry_thickness_change,
+  start
+};
+/// Outputs of kind "chatter" beside accelerations and displacements.
+enum class BiteReadingKind {
+  gap_change,
+  exit_thickness,
+  force,
+  force_change,
+  entry_tension,
+  exit_tension,
+  friction,
+  events
+};
+/// Calculated parameters of kind "chatter".
+enum class SteadyNumber { force, friction, flattened_radius };
 
 /// One variable; its value reference is its place in the table, in FMI 2 and FMI 3 alike.
 struct Variable {

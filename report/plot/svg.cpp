@@ -1,4 +1,5 @@
 #include "report/plot/svg.h"
+#include "core/records/xml_text.h"
 #include "report/page/number.h"
 #include <cstring>
 
@@ -22,30 +23,7 @@ const char *name_of(const Anchor anchor)
 
 std::string escaped(const std::string &text)
 {
-  std::string out;
-  out.reserve(text.size());
-  for (const char c : text) {
-    switch (c) {
-    case '&':
-      out += "&amp;";
-      break;
-    case '<':
-      out += "&lt;";
-      break;
-    case '>':
-      out += "&gt;";
-      break;
-    case '"':
-      out += "&quot;";
-      break;
-    case '\'':
-      out += "&#39;";
-      break;
-    default:
-      out += c;
-    }
-  }
-  return out;
+  return xml_text(text);
 }
 
 double text_width(const std::string &utf8, const double font_size)

@@ -115,14 +115,14 @@ TEST(ExportCommand, SaysWhatItCannotExport)
 {
   const auto bearing = millstand("export fmu cases/bearing-266.toml -o /nowhere/b.fmu");
   EXPECT_EQ(bearing.exit_code, 2);
-  EXPECT_EQ(bearing.err, "error: millstand export fmu: kind = \"bearing\" has no stand that vibrates "
-                         "(cases/bearing-266.toml); it exports cases of kind four-high and lumped\n");
+  EXPECT_EQ(bearing.err, "error: millstand export fmu: kind = \"bearing\" has no stand that vibrates by itself "
+                         "(cases/bearing-266.toml); it exports cases of kind four-high, lumped and chatter\n");
   const auto pass = exported("--pass 'pass 7' -o p.fmu");
   EXPECT_EQ(pass.exit_code, 2);
   EXPECT_EQ(pass.err,
             "error: --pass \"pass 7\": the case has no pass of this name; it has \"pass 1\", \"pass 2\"\n");
   EXPECT_EQ(exported("--fmi 4 -o p.fmu").exit_code, 2);
-  EXPECT_EQ(millstand("export modelica stand.toml", folder()).exit_code, 2);
+  EXPECT_EQ(millstand("export simulink stand.toml", folder()).exit_code, 2);
   EXPECT_FALSE(fs::exists(folder() + "/p.fmu"));
 }
 

@@ -1,0 +1,52 @@
+#include "app/driven_case.h"
+#include "app/case_kinds.h"
+#include "app/console.h"
+#include "app/run_log.h"
+#include "app/run_setup.h"
+#include "core/case/visible_text.h"
+#include "core/model/case.h"
+#include "core/records/files.h"
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+namespace {
+// Folder for what the stages write and nobody keeps.
+class ScratchFolder {
+public:
+  ScratchFolder() : path_((fs::temp_directory_path() / ("millstand-export-" + random_name())).string()) {}
+  ~ScratchFolder()
+  {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  const std::string &path() const
+  {
+    return path_;
+  }
+
+private:
+  std::string path_;
+};
+}  // namespace
+
+DrivenStand driven_case(const CommandLine &command, const Case &the_case)
+{
+  const ScratchFolder scratch;
+  const OutputDir out(scratch.path(), the_case, true, run_id_of(the_case, command.verb, ""));
+  const RunLog log(out, command.log, command.verbose);
+  RunContext run{the_case, out, cache_folder(command, scratch.path() + "/cache"), command.fresh};
+  open_cache(run, out.staging());
+  set_up_threads(run, command);
+  run.started = local_time();
+  console::ProgressBar bar(run_kind(the_case).stages(the_case), command.quiet);
+  run.progress.step  = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
+  run.progress.log   = [&](const std::string &line) { log.line(line); };
+  DrivenStand driven = run_kind(the_case).driven(run, command.pass);
+  bar.finish();
+  for (const std::string &warning : run.results.warnings)
+    console::say("warning: " + visible(warning, true) + "\n");
+  return driven;
+}
+}  // namespace mill

@@ -1,0 +1,12 @@
+#pragma once
+#include "app/command_line.h"
+#include "app/pipeline.h"
+
+namespace mill {
+struct Case;
+
+/// What a pass of a case drives, by the stages that are needed for it, with progress and warnings on the console
+/// and no run folder.
+/// @throws InputError, SolverError as the stages; no pass of that name
+DrivenStand driven_case(const CommandLine &command, const Case &the_case);
+}  // namespace mill

@@ -1,0 +1,163 @@
+#include "instance.h"
+#include <cmath>
+#include <stdexcept>
+
+// What an instance of kind "chatter" does in its own way.  theory.md 37
+namespace mill::fmu {
+namespace {
+// The numbers of a pass that a client can change.
+std::vector<double> key_of(const PassData &pass)
+{
+  return {pass.roll_speed,   pass.exit_thickness, pass.entry_thickness, pass.entry_tension,
+          pass.exit_tension, pass.viscosity,      pass.coefficient,     pass.scale};
+}
+}  // namespace
+
+PassData Instance::pass_of(const std::vector<double> &values) const
+{
+  PassData pass    = model_.chatter.pass;
+  double reduction = 0;
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    if (variables_[i].role != Role::bite_number)
+      continue;
+    switch (BiteNumber(variables_[i].index)) {
+    case BiteNumber::roll_speed:
+      pass.roll_speed = values[i];
+      break;
+    case BiteNumber::reduction:
+      reduction = values[i];
+      break;
+    case BiteNumber::entry_thickness:
+      pass.entry_thickness = values[i];
+      break;
+    case BiteNumber::entry_tension:
+      pass.entry_tension = values[i];
+      break;
+    case BiteNumber::exit_tension:
+      pass.exit_tension = values[i];
+      break;
+    case BiteNumber::viscosity:
+      pass.viscosity = values[i];
+      break;
+    case BiteNumber::friction:
+      (pass.friction_law == "coulomb" ? pass.coefficient : pass.scale) = values[i];
+      break;
+    case BiteNumber::entry_thickness_change:
+    case BiteNumber::start:
+      break;
+    }
+  }
+  // The exit thickness of the case itself comes back to its last digit.
+  const PassData &own = model_.chatter.pass;
+  const bool same =
+      pass.entry_thickness == own.entry_thickness && reduction == 1 - own.exit_thickness / own.entry_thickness;
+  pass.exit_thickness = same ? own.exit_thickness : pass.entry_thickness * (1 - reduction);
+  return pass;
+}
+
+double Instance::bite_number(const BiteNumber number) const
+{
+  for (std::size_t i = 0; i < variables_.size(); ++i)
+    if (variables_[i].role == Role::bite_number && variables_[i].index == int(number))
+      return now_.values[i];
+  return 0;
+}
+
+bool Instance::has_steady_bite(const char *function, const std::vector<double> &values) const
+{
+  const PassData pass = pass_of(values);
+  if (key_of(pass) == built_pass_)
+    return true;
+  try {
+    const RollBite bite(pass);
+    return true;
+  } catch (const std::runtime_error &e) {
+    log_->refuse(Status::discard, std::string(function) + ": " + e.what() + "; all values stay as they were");
+    return false;
+  }
+}
+
+// The working point of the present parameters.  Gap, thickness and tensions count from it: what holds them in the
+// mill (screws, speeds of the neighbours) has followed, the vibration about it goes on.
+void Instance::use_pass()
+{
+  const PassData pass     = pass_of(now_.values);
+  std::vector<double> key = key_of(pass);
+  if (!chatter_ || key != built_pass_) {
+    chatter_    = std::make_unique<ChatterMotion>(model_.chatter, pass);
+    built_pass_ = key;
+  }
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    if (variables_[i].role != Role::steady_number)
+      continue;
+    const BiteReading &steady = chatter_->bite().steady();
+    const auto number         = SteadyNumber(variables_[i].index);
+    now_.values[i]            = number == SteadyNumber::force      ? steady.force
+                                : number == SteadyNumber::friction ? steady.friction
+                                                                   : chatter_->bite().flattened_radius();
+  }
+}
+
+ChatterInput Instance::input_now() const
+{
+  return {now_.force, 0, bite_number(BiteNumber::entry_thickness_change)};
+}
+
+void Instance::evaluate_vibration()
+{
+  const auto r        = chatter_->read(now_.vibration, input_now());
+  const double steady = chatter_->bite().steady().force;
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    const Variable &v = variables_[i];
+    double &value     = now_.values[i];
+    if (v.role == Role::acceleration)
+      value = r.acceleration[std::size_t(v.index)];
+    else if (v.role == Role::displacement)
+      value = r.displacement[std::size_t(v.index)];
+    else if (v.role == Role::bite_reading)
+      switch (BiteReadingKind(v.index)) {
+      case BiteReadingKind::gap_change:
+        value = r.gap;
+        break;
+      case BiteReadingKind::exit_thickness:
+        value = r.bite.exit_thickness;
+        break;
+      case BiteReadingKind::force:
+        value = r.bite.force;
+        break;
+      case BiteReadingKind::force_change:
+        value = r.bite.force - steady;
+        break;
+      case BiteReadingKind::entry_tension:
+        value = r.entry_tension;
+        break;
+      case BiteReadingKind::exit_tension:
+        value = r.exit_tension;
+        break;
+      case BiteReadingKind::friction:
+        value = r.bite.friction;
+        break;
+      case BiteReadingKind::events:
+        value = now_.vibration.events;
+        break;
+      }
+  }
+}
+
+void Instance::vibrate(const double end)
+{
+  const double begin  = now_.values[bite_force];
+  ChatterInput input  = input_now();
+  input.force         = begin;
+  input.slope         = now_.slope;
+  double length       = end - now_.time;
+  const double wanted = length, from = now_.time;
+  const std::string why = chatter_->advance(now_.vibration, length, input);
+  now_.force            = end_is_said_ ? force_at_end_ : begin + now_.slope * wanted;
+  now_.last_slope       = now_.slope;
+  if (end_is_said_)
+    now_.values[bite_force] = force_at_end_;
+  if (!why.empty())
+    throw std::runtime_error("at " + number_text(from + length) + " s " + why);
+}
+}  // namespace mill::fmu

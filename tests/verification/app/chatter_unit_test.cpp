@@ -1,0 +1,354 @@
+// The chatter unit: its bite and its motion against those of the program, and what clients do with it.
+#include "app/stages/exported_chatter.h"
+#include "core/model/case.h"
+#include "dynamics/chatter/chatter.h"
+#include "dynamics/chatter/history.h"
+#include "dynamics/chatter/run.h"
+#include "dynamics/response/matrix_exponential.h"
+#include "fmu/model_text.h"
+#include "fmu/runtime/chatter_motion.h"
+#include "fmu/unit_archive.h"
+#include "tests/support/near.h"
+#include "tests/support/program.h"
+#include "tests/support/unit_client.h"
+#include <chrono>
+#include <cmath>
+#include <random>
+
+using namespace mill;
+using bite::Linearisation;
+
+namespace {
+const Case &tandem()
+{
+  static const Case read = read_case(MILLSTAND_SOURCE_DIR "/cases/chatter-tandem.toml");
+  return read;
+}
+
+fmu::ExportedModel unit_of(const std::string &condition)
+{
+  return exported_chatter(std::get<ChatterCase>(tandem().spec), condition, tandem());
+}
+
+const fmu::ExportedModel &unit_2()
+{
+  static const fmu::ExportedModel made = unit_of("2");
+  return made;
+}
+
+// Strips, laws and speeds of a bite.
+std::vector<bite::RollBite> bites()
+{
+  bite::RollBite film;
+  film.strip                 = std::get<ChatterCase>(tandem().spec).strip;
+  film.strip.width           = 1.206;
+  film.strip.entry_thickness = 0.789e-3, film.strip.exit_thickness = 0.577e-3;
+  film.strip.entry_tension = 180e6, film.strip.exit_tension = 189e6;
+  film.roll        = std::get<ChatterCase>(tandem().spec).steel;
+  film.roll_radius = 0.3;
+  film.roll_speed  = 18.2;
+  std::vector<bite::RollBite> all{film};
+  for (const FlowStressLaw law : flow_stress_laws()) {
+    bite::RollBite one             = film;
+    one.strip.friction.law         = FrictionLaw::coulomb;
+    one.strip.friction.coefficient = 0.05;
+    one.strip.flow_stress          = {};
+    one.strip.flow_stress.law      = law;
+    one.strip.flow_stress.k        = 600e6;
+    one.strip.flow_stress.n        = law == FlowStressLaw::voce ? 3 : 0.25;
+    one.strip.flow_stress.eps0     = 0.01;
+    one.strip.flow_stress.k0       = 300e6;
+    one.strip.flow_stress.table    = {
+           {0,   400e6},
+           {0.5, 600e6},
+           {1.5, 750e6},
+           {1.6, 760e6},
+           {3,   800e6}
+    };
+    all.push_back(one);
+  }
+  bite::RollBite by_speed               = all[1];
+  by_speed.strip.initial_thickness      = not_given;
+  by_speed.strip.entry_tension          = 30e6;
+  by_speed.strip.flow_stress.law        = FlowStressLaw::swift;
+  by_speed.strip.friction.law           = FrictionLaw::speed;
+  by_speed.strip.friction.at_unit_speed = 0.08;
+  by_speed.strip.friction.per_log_speed = -0.008;
+  all.push_back(by_speed);
+  return all;
+}
+
+int begin(Client2 &client, const double start_time = 0)
+{
+  const unsigned force = 1;
+  const double zero    = 0;
+  return FMI2(client, SetupExperiment)(client.c, 0, 0, start_time, 0, 0) +
+         FMI2(client, EnterInitializationMode)(client.c) + FMI2(client, SetReal)(client.c, &force, 1, &zero) +
+         FMI2(client, ExitInitializationMode)(client.c);
+}
+
+struct Vibrating {
+  dynamics::ChatterStandModel stand;
+  dynamics::WorkingPoint point;
+  dynamics::ChatterRunOptions options;
+  fmu::ChatterData data;
+};
+
+Vibrating vibrating(const double speed, const Linearisation scheme = Linearisation::sequential)
+{
+  const auto &spec = std::get<ChatterCase>(tandem().spec);
+  Vibrating v;
+  v.stand.structure = dynamics::six_mass_structure(spec.stand.masses, spec.stand.stiffnesses, spec.stand.dampings);
+  v.stand.entry_distance = v.stand.exit_distance = 4.95;
+  v.point                                        = dynamics::working_point(bites()[0], speed, scheme);
+  v.options.contacts                             = dynamics::roll_contacts(v.stand.structure, v.point.state.force);
+  v.data                                         = chatter_data(v.stand, v.point, scheme, v.options, 1e-7);
+  return v;
+}
+}  // namespace
+
+TEST(ChatterUnit, ItsBiteIsThatOfTheProgram)
+{
+  std::mt19937 engine(11);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (const bite::RollBite &b : bites())
+    for (const Linearisation scheme :
+         {Linearisation::sequential, Linearisation::implicit, Linearisation::frozen_friction}) {
+      SCOPED_TRACE(name_of(b.strip.flow_stress.law) + " " + name_of(b.strip.friction.law) +
+                   std::to_string(int(scheme)));
+      const auto point = dynamics::working_point(b, b.roll_speed, scheme);
+      Vibrating v      = vibrating(18.2, scheme);
+      v.point          = point;
+      const auto own   = chatter_data(v.stand, point, scheme, v.options, 0);
+      const fmu::RollBite theirs(own.pass);
+      const auto u = bite::unsteady_bite(point.bite, point.state, scheme);
+      EXPECT_TRUE(near(theirs.flattened_radius(), point.state.flattened_radius, within(1e-12, "two iterations")));
+      EXPECT_TRUE(near(theirs.steady().force, point.state.force, within(1e-11, "two iterations")));
+      const auto steady = bite::steady_moment(u);
+      int touching      = 0;
+      for (int i = 0; i < 60; ++i) {
+        bite::Moment m = steady;
+        m[0] += 0.1e-3 * any(engine);
+        m[1] += 0.05 * any(engine);
+        m[2] *= 1 + 0.6 * any(engine);
+        m[3] *= 1 + 0.6 * any(engine);
+        m[4] += 0.05e-3 * any(engine);
+        const auto wanted = bite::bite_at(u, m);
+        const auto found  = theirs.at(m);
+        ASSERT_EQ(found.contact, wanted.contact);
+        EXPECT_NEAR(theirs.contact_reserve(m), bite::contact_reserve(u, m), 1e-15);
+        if (!wanted.contact)
+          continue;
+        ++touching;
+        EXPECT_TRUE(near(found.force, wanted.force, within(1e-10, "sums in another order", point.state.force)));
+        EXPECT_TRUE(near(found.entry_speed, wanted.entry_speed, within(1e-10, "rounding")));
+        EXPECT_TRUE(near(found.exit_speed, wanted.exit_speed, within(1e-10, "rounding")));
+        EXPECT_TRUE(near(found.friction, wanted.friction, within(1e-10, "rounding")));
+        EXPECT_NEAR(found.from_exit, wanted.from_exit, 1e-9);
+        EXPECT_NEAR(found.from_entry, wanted.from_entry, 1e-9);
+        const auto whole = theirs.yield_reserve(m), limit = bite::yield_reserve(u, m);
+        EXPECT_NEAR(whole[0], limit[0], 1e-11);
+        EXPECT_NEAR(whole[1], limit[1], 1e-11);
+      }
+      EXPECT_GT(touching, 20);
+    }
+}
+
+// Growing vibration up to slack strip and skidding: CVODE in the program, Runge and Kutta in the unit.
+TEST(ChatterUnit, ItsMotionIsThatOfTheProgramThroughTheEdges)
+{
+  const double speed = 22;
+  const Vibrating v  = vibrating(speed);
+  auto options       = v.options;
+  options.duration   = 0.06;
+  options.rate       = 2000;
+  const auto run     = dynamics::nonlinear_run(v.stand, v.point, Linearisation::sequential,
+                                               dynamics::displaced_rolls(v.stand.structure, 300e-6), options);
+  ASSERT_EQ(run.stopped, "");
+  EXPECT_GT(run.events.size(), 4u);
+  const fmu::ChatterMotion motion(v.data, v.data.pass);
+  fmu::ChatterState state = motion.displaced(300e-6);
+  const double largest    = run.history.gap.cwiseAbs().maxCoeff();
+  double worst            = 0;
+  for (Eigen::Index k = 0; k < run.history.time.size(); ++k) {
+    if (k > 0) {
+      double length = 1 / options.rate;
+      ASSERT_EQ(motion.advance(state, length, {}), "");
+    }
+    worst = std::max(worst, std::abs(motion.read(state, {}).gap - run.history.gap[k]) / largest);
+  }
+  EXPECT_LT(worst, 1e-5) << "two integrators at a tolerance of 1e-8";
+  std::printf("  differs by %.2g of the largest gap change, %d events, %zu in the program\n", worst,
+              int(state.events), run.events.size());
+  EXPECT_GE(state.events, double(run.events.size()) / 2) << "edges crossed together count once";
+  EXPECT_LE(state.events, double(run.events.size()));
+}
+
+// Small motion under a force that grows: the linear equations with the force as one more state.
+TEST(ChatterUnit, SmallMotionUnderAForceIsLinear)
+{
+  const Vibrating v       = vibrating(18);
+  const Eigen::MatrixXd A = dynamics::chatter_matrix(v.stand, v.point.by);
+  const Eigen::Index s = A.rows(), n = v.stand.structure.n();
+  Eigen::MatrixXd G      = Eigen::MatrixXd::Zero(s + 2, s + 2);
+  G.topLeftCorner(s, s)  = A;
+  G.col(s).segment(n, n) = v.stand.structure.M.inverse() * v.stand.structure.b;
+  G(s, s + 1)            = 1;
+  const double force = 20, slope = 5e3, h = 1e-3;
+  const Eigen::VectorXd unit = Eigen::Map<const Eigen::VectorXd>(v.data.magnitude.data(), s);
+  Eigen::VectorXd scale(s + 2);
+  scale << unit, 1e12, 1e15;
+  const Eigen::MatrixXd E =
+      dynamics::matrix_exponential(h * scale.cwiseInverse().asDiagonal() * G * scale.asDiagonal());
+  Eigen::VectorXd z = Eigen::VectorXd::Zero(s + 2);
+  const fmu::ChatterMotion motion(v.data, v.data.pass);
+  fmu::ChatterState state = motion.displaced(0);
+  double worst = 0, largest = 0;
+  for (int k = 0; k < 20; ++k) {
+    z[s]          = force / scale[s];
+    z[s + 1]      = slope / scale[s + 1];
+    z             = E * z;
+    double length = h;
+    fmu::ChatterInput input;
+    input.force = force, input.slope = slope;
+    ASSERT_EQ(motion.advance(state, length, input), "");
+    const double gap = v.stand.structure.b.dot(z.head(n).cwiseProduct(unit.head(n)));
+    largest          = std::max(largest, std::abs(gap));
+    worst            = std::max(worst, std::abs(motion.read(state, {}).gap - gap));
+  }
+  EXPECT_LT(worst, 1e-4 * largest) << "what bends at an amplitude of " << largest << " m";
+  EXPECT_GT(largest, 1e-10);
+}
+
+TEST(ChatterUnit, TheUnitPassesTheCheckInBothVersions)
+{
+  for (const int version : {2, 3}) {
+    const std::string archive = fmu::unit_archive(unit_2(), version);
+    EXPECT_EQ(archive, fmu::unit_archive(unit_of("2"), version)) << "the same bytes";
+    EXPECT_NO_THROW(fmu::check_unit(archive, unit_2(), version));
+  }
+  fmu::ExportedModel wrong = unit_2();
+  wrong.check.values.col(1) *= 1.01;
+  EXPECT_THROW(fmu::check_unit(fmu::unit_archive(wrong, 2), wrong, 2), std::logic_error);
+}
+
+TEST(ChatterUnit, TheWorkingPointFollowsItsParameters)
+{
+  Client2 client(unit_2());
+  ASSERT_TRUE(client.c) << client.told();
+  ASSERT_EQ(begin(client), 0) << client.told();
+  const auto steady = [](const double speed) {
+    return dynamics::working_point(bites()[0], speed, Linearisation::sequential).state;
+  };
+  EXPECT_TRUE(near(client.get("F_steady"), steady(18.2).force, within(1e-10, "the case")));
+  EXPECT_EQ(client.step(0, 1e-2), fmi2OK) << client.told();
+  const double gap = client.get("dh");
+  EXPECT_EQ(client.set("roll_speed", 12), fmi2OK) << client.told();
+  EXPECT_TRUE(near(client.get("F_steady"), steady(12).force, within(1e-10, "solved anew")));
+  EXPECT_TRUE(near(client.get("mu_steady"), steady(12).friction, within(1e-10, "solved anew")));
+  EXPECT_EQ(client.get("dh"), gap) << "what is read before the next step belongs to the last one";
+  EXPECT_EQ(client.step(1e-2, 1e-2), fmi2OK) << client.told();
+  EXPECT_EQ(client.set("reduction", 0.8999), fmi2Discard);
+  EXPECT_NE(client.told().find("; all values stay as they were\n"), std::string::npos);
+  EXPECT_EQ(client.set("exit_tension", 1.9e9), fmi2Discard);
+  client.told();
+  EXPECT_NEAR(client.get("reduction"), 1 - 0.577e-3 / 0.789e-3, 1e-15);
+  EXPECT_EQ(client.set("viscosity", NAN), fmi2Discard);
+  EXPECT_EQ(client.told(),
+            "fmi2SetReal: viscosity = nan Pa.s is out of range (1e-09 .. 100 Pa.s); it stays 0.005 Pa.s\n");
+  EXPECT_EQ(client.set("start_displacement", 0), fmi2Error);
+  EXPECT_EQ(client.told(), "fmi2SetReal: start_displacement is fixed: it can only be set before the first step\n");
+  double value[2];
+  const unsigned outputs[] = {client.at("dh"), client.at("a_upper_work_roll")};
+  const int orders[]       = {1, 1};
+  EXPECT_EQ(FMI2(client, GetRealOutputDerivatives)(client.c, outputs, 2, orders, value), fmi2Error);
+  EXPECT_EQ(client.told(), "fmi2GetRealOutputDerivatives: outputs of this model have no derivatives\n");
+  EXPECT_EQ(client.step(2e-2, 1e-3), fmi2OK) << "and the run goes on";
+}
+
+TEST(ChatterUnit, CopiesStepsAndResetGiveTheSameRun)
+{
+  const auto run = [](Client2 &client, const double from, const double h, const int n) {
+    for (int i = 0; i < n; ++i)
+      EXPECT_EQ(client.step(from + i * h, h), fmi2OK) << client.told();
+    return client.get("dh");
+  };
+  Client2 fine(unit_2()), coarse(fine.unit, unit_2(), unit_2().data.guid, "");
+  for (Client2 *client : {&fine, &coarse}) {
+    client->set("start_displacement", 300e-6);
+    client->set("roll_speed", 22);
+    ASSERT_EQ(begin(*client), 0) << client->told();
+  }
+  const double whole = run(coarse, 0, 0.05, 1), small = run(fine, 0, 1e-4, 500);
+  EXPECT_GT(coarse.get("events"), 0) << "through edges";
+  EXPECT_NEAR(small, whole, 1e-5 * 300e-6) << "whatever the communication step";
+  fmi2FMUstate state = nullptr;
+  ASSERT_EQ(FMI2(fine, GetFMUstate)(fine.c, &state), fmi2OK);
+  std::size_t size = 0;
+  ASSERT_EQ(FMI2(fine, SerializedFMUstateSize)(fine.c, state, &size), fmi2OK);
+  std::vector<char> bytes(size);
+  ASSERT_EQ(FMI2(fine, SerializeFMUstate)(fine.c, state, bytes.data(), size), fmi2OK);
+  const double on = run(fine, 0.05, 1e-3, 20);
+  ASSERT_EQ(FMI2(fine, SetFMUstate)(fine.c, state), fmi2OK);
+  EXPECT_EQ(run(fine, 0.05, 1e-3, 20), on) << "to the last digit";
+  Client2 fresh(fine.unit, unit_2(), unit_2().data.guid, "");
+  fmi2FMUstate second = nullptr;
+  ASSERT_EQ(FMI2(fresh, DeSerializeFMUstate)(fresh.c, bytes.data(), size, &second), fmi2OK) << fresh.told();
+  ASSERT_EQ(FMI2(fresh, SetFMUstate)(fresh.c, second), fmi2OK);
+  EXPECT_EQ(run(fresh, 0.05, 1e-3, 20), on) << "in another instance";
+  FMI2(fresh, FreeFMUstate)(fresh.c, &second);
+  FMI2(fine, FreeFMUstate)(fine.c, &state);
+  ASSERT_EQ(FMI2(fine, Reset)(fine.c), fmi2OK);
+  ASSERT_EQ(begin(fine), 0);
+  EXPECT_NEAR(fine.get("dh"), 2e-7, 1e-12) << "start of the case, both rolls by 0.1 um";
+}
+
+TEST(ChatterUnit, AMotionThatCannotGoOnEndsTheRunWithAReason)
+{
+  Client2 client(unit_2());
+  client.set("start_displacement", -250e-6);
+  client.set("entry_tension", 150e6);
+  ASSERT_EQ(begin(client), 0) << client.told();
+  client.set("dh_entry", 1e-2);  // strip that no roll of this mill can take
+  EXPECT_EQ(client.step(0, 0.01), fmi2Error);
+  const std::string told = client.told();
+  EXPECT_EQ(told.find("fmi2DoStep: at "), 0u) << told;
+  EXPECT_EQ(client.step(0.01, 1e-3), fmi2Error);
+  EXPECT_EQ(client.told(), "fmi2DoStep is not allowed after a failure\n");
+  ASSERT_EQ(FMI2(client, Reset)(client.c), fmi2OK);
+  ASSERT_EQ(begin(client), 0);
+  EXPECT_EQ(client.step(0, 1e-3), fmi2OK) << client.told();
+  Client2 closed(client.unit, unit_2(), unit_2().data.guid, "");
+  closed.set("start_displacement", -0.284e-3);
+  ASSERT_EQ(begin(closed), 0);
+  EXPECT_EQ(closed.step(0, 1e-3), fmi2Error);
+  EXPECT_EQ(closed.told(), "fmi2DoStep: at 0 s the gap closes: the rolls would meet\n");
+}
+
+TEST(ChatterUnit, ASecondOfVibrationCosts)
+{
+  Client2 client(unit_2());
+  client.set("roll_speed", 19);
+  client.set("start_displacement", 20e-6);
+  ASSERT_EQ(begin(client), 0);
+  const std::clock_t before = std::clock();
+  for (int i = 0; i < 1000; ++i)
+    ASSERT_EQ(client.step(i * 1e-3, 1e-3), fmi2OK) << client.told();
+  const double seconds = double(std::clock() - before) / CLOCKS_PER_SEC;
+  std::printf("  1 s of motion with %g events: %.3f s\n", client.get("events"), seconds);
+  EXPECT_LT(seconds, 3);
+}
+
+TEST(ChatterUnit, TheProgramWritesIt)
+{
+  const std::string folder = scratch("chatter-unit");
+  const auto made          = millstand("export fmu cases/chatter-tandem.toml --pass 3 -o " + folder + "/c.fmu");
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(
+      made.out.find(folder + "/c.fmu: stand, bite and strip, six masses as given, FMI 2.0 co-simulation, Linux"),
+      0u)
+      << made.out;
+  const auto wrong = millstand("export fmu cases/chatter-tandem.toml --pass 9 -o " + folder + "/d.fmu");
+  EXPECT_EQ(wrong.err,
+            "error: --pass \"9\": the case has no condition of this name; it has \"1\", \"2\", \"3\"\n");
+}
