@@ -15,6 +15,7 @@ namespace mill {
 struct BearingCase;
 struct Case;
 struct ChatterCase;
+struct ClusterCase;
 struct FourHigh;
 
 struct BiteCase;
@@ -66,4 +67,5 @@ const RunKind &run_kind(const TwoCylinders &);
 const RunKind &run_kind(const BearingCase &);
 const RunKind &run_kind(const BiteCase &);
 const RunKind &run_kind(const ChatterCase &);
+const RunKind &run_kind(const ClusterCase &);
 }  // namespace mill
