@@ -18,8 +18,17 @@ std::optional<Equilibrium> at_factor(Stack stack, const double factor)
   }
 }
 
+// A contact or a roller that carried force and carries none.
 std::string lost_contact(const Stack &stack, const Equilibrium &before, const Equilibrium &now)
 {
+  for (const Support &s : stack.supports)
+    if (s.type == Support::Type::rollers) {
+      const auto f = roller_forces(s, before.u.segment<2>(2 * s.roll)), g = roller_forces(s, now.u.segment<2>(2 * s.roll));
+      const auto t = roller_directions(s);
+      for (std::size_t k = 0; k < 2; ++k)
+        if (f[k] > 0 && g[k] <= 0)
+          return s.name + (t[k].y() > t[1 - k].y() ? ", upper roller" : ", lower roller");
+    }
   for (std::size_t i = 0; i < stack.contacts.size(); ++i)
     if (before.contact_loads[i] > 0 && now.contact_loads[i] <= 0)
       return stack.contacts[i].name;

@@ -16,10 +16,10 @@ std::optional<BucklingLoad> buckling_load(Stack stack, double largest = 100);
 /// no stiffness of this guide makes it stable.
 std::optional<double> least_guide(Stack stack, std::size_t support);
 
-/// A load at which a contact that carries force at rest lets go.
+/// A load at which a contact, or a roller behind a roll, that carries force at rest lets go: the roll leaves its nest.
 struct LostContact {
   double load = 0;      ///< N
-  std::string contact;  ///< "W-L"
+  std::string contact;  ///< "W-L", "L, upper roller"
 };
 /// A force on one roll, beside the loads of the pass, from 0 up along a direction.
 /// @param largest  N, where the search ends

@@ -65,29 +65,6 @@ Eigen::Matrix2d support_tangent(const Support &s, const Eigen::Vector2d &u)
   return Eigen::Matrix2d::Zero();
 }
 
-Eigen::Vector2d support_force(const Support &s, const Eigen::Vector2d &u)
-{
-  const Eigen::Vector2d d = u - s.anchor;
-  switch (s.type) {
-  case Support::Type::radial: {
-    const double r = d.norm();
-    return r > 0 ? Eigen::Vector2d(-bearing_force(s.law, r) / r * d) : Eigen::Vector2d(0, 0);
-  }
-  case Support::Type::isotropic:
-    return {-s.across * d.x(), -bearing_force(s.law, d.y())};
-  case Support::Type::guide: {
-    const Eigen::Vector2d t(std::cos(s.direction), std::sin(s.direction));
-    return -bearing_force(s.law, t.dot(d)) * t;
-  }
-  case Support::Type::rollers: {
-    const auto t     = roller_directions(s);
-    const auto force = roller_forces(s, u);
-    return -force[0] * t[0] - force[1] * t[1] - s.guard * d;
-  }
-  }
-  return {0, 0};
-}
-
 double support_energy(const Support &s, const Eigen::Vector2d &u)
 {
   const Eigen::Vector2d d = u - s.anchor;
@@ -208,6 +185,29 @@ std::array<double, 2> roller_forces(const Support &s, const Eigen::Vector2d &u)
     if (const double d = t[std::size_t(k)].dot(u - s.anchor) + d0; d > 0)
       force[std::size_t(k)] = bearing_force(s.law, d);
   return force;
+}
+
+Eigen::Vector2d support_force(const Support &s, const Eigen::Vector2d &u)
+{
+  const Eigen::Vector2d d = u - s.anchor;
+  switch (s.type) {
+  case Support::Type::radial: {
+    const double r = d.norm();
+    return r > 0 ? Eigen::Vector2d(-bearing_force(s.law, r) / r * d) : Eigen::Vector2d(0, 0);
+  }
+  case Support::Type::isotropic:
+    return {-s.across * d.x(), -bearing_force(s.law, d.y())};
+  case Support::Type::guide: {
+    const Eigen::Vector2d t(std::cos(s.direction), std::sin(s.direction));
+    return -bearing_force(s.law, t.dot(d)) * t;
+  }
+  case Support::Type::rollers: {
+    const auto t     = roller_directions(s);
+    const auto force = roller_forces(s, u);
+    return -force[0] * t[0] - force[1] * t[1] - s.guard * d;
+  }
+  }
+  return {0, 0};
 }
 
 Forces forces(const Stack &stack, const Motion &u)

@@ -115,6 +115,9 @@ std::array<Eigen::Vector2d, 2> roller_directions(const Support &support);
 /// N, of either roller at a displacement of its roll.
 std::array<double, 2> roller_forces(const Support &support, const Eigen::Vector2d &u);
 
+/// N, of a support on its roll at a displacement of that.
+Eigen::Vector2d support_force(const Support &support, const Eigen::Vector2d &u);
+
 /// Forces at rest; one sum of each, so that balances can be checked.
 struct Forces {
   Eigen::VectorXd total;                      ///< N, on every unknown: all of the below

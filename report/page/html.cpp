@@ -1,4 +1,5 @@
 #include "report/page/html.h"
+#include "report/cluster/figures.h"
 #include "report/models/data.h"
 #include "report/page/curves.h"
 #include "report/page/embedded.h"
@@ -60,6 +61,7 @@ std::string html_page(const Run &run)
   const ModelData models = read_models(run.directory);
   summary_section(page, run, models);
   stand_section(page, run);
+  cluster_section(page, run);
   contact_section(page, run);
   bite_section(page, run);
   chatter_section(page, run, read_chatter(run));

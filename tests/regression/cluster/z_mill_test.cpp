@@ -62,8 +62,6 @@ Stack of_column(const std::string &what, const int column, const double loss_sup
                 double &force, Motion &rest)
 {
   const auto input = reference_vector("response.input.column_" + std::to_string(column), "cluster");
-  const auto ps    = reference("input.forces", "cluster");
-  (void)ps;
   ZMill z = variant_C(what == "own_load" && input[0] == 5 ? 1302e3 : 1148e3);
   if (what == "beta8.linear") {
     z           = ZMill();
@@ -139,16 +137,14 @@ TEST(ZMillStack, VerticalChainPredictsModesFiveAndSix)
   const auto all     = modes(stack, settle(stack).u);
   const auto fixed   = reference_vector("chain.fixed", "cluster");
   const auto printed = reference_vector("published.frequencies", "cluster");
-  const int which[]  = {1, 4, 5};  // beside them I and E move along x
   for (int i = 0; i < 3; ++i) {
     double nearest = 1e9;
     for (const Mode &m : all)
       if (std::abs(m.frequency - fixed[i]) < std::abs(nearest - fixed[i]))
         nearest = m.frequency;
     EXPECT_TRUE(near(nearest, fixed[i], within(1e-6, "3 x 3 eigenvalues")));
-    EXPECT_TRUE(near(nearest, printed[i == 0 ? 0 : 3 + i], within(1e-3, "print, no tuning but the bearing of mode 1")));
+    EXPECT_TRUE(near(nearest, printed[i == 0 ? 0 : 3 + i], within(1e-3 + 0.5 / printed[i == 0 ? 0 : 3 + i], "0.1 % and half a digit of print; no tuning but the bearing of mode 1")));
   }
-  (void)which;
 }
 
 TEST(ZMillStack, WithoutAGuideTheIntermediateRollBuckles)
@@ -161,7 +157,7 @@ TEST(ZMillStack, WithoutAGuideTheIntermediateRollBuckles)
     double lateral      = 0;
     for (const Mode &m : modes(stack, e.u))
       for (const Share &s : m.kinetic)
-        if (s.name == "I x" && s.value > 0.9)
+        if (s.name == "I x" && s.value > 0.5)
           lateral = m.frequency;
     EXPECT_TRUE(near(lateral, row[1], within(1e-4, "one model"))) << z.guide;
     EXPECT_EQ(e.stable(), z.guide > 1.5e7) << z.guide;
@@ -179,10 +175,15 @@ TEST(ZMillStack, SurvivesALateralForceUpToTheLossOfAContact)
     EXPECT_TRUE(near(e.contact_loads[3], row[2], within(1e-5, "one model"))) << z.horizontal;
     EXPECT_TRUE(near(e.u[0], row[3], within(1e-5, "one model", 1e-6))) << z.horizontal;
   }
+  // Its upper roller free, the left control roll lies between W and the lower one: what is left carries its weight.
   for (const double beyond : {21e3, 30e3, 60e3}) {
-    ZMill z      = variant_N();
-    z.horizontal = beyond;
-    Stack stack  = stack_of(z);
+    ZMill z               = variant_N();
+    z.horizontal          = beyond;
+    Stack stack           = stack_of(z);
+    const Equilibrium e   = settle(stack);
+    const double weight   = stack.rolls[3].mass * free_fall;
+    EXPECT_TRUE(near(e.contact_loads[2], weight / std::tan(z.theta), within(0.05, "W has moved by 0.1 mm"))) << beyond;
+    stack.gravity         = false;
     EXPECT_EQ(settle(stack).contact_loads[2], 0) << beyond;
   }
 }
