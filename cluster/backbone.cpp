@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mill::cluster {
 namespace {
@@ -71,6 +72,10 @@ struct Balance {
     p.frequency  = std::sqrt(q[n * (options.harmonics + 1)]) / (2 * M_PI);
     p.mean_shift = q[largest];
     p.second     = q[2 * n + largest] / p.amplitude;
+    for (int k = 0; k <= options.harmonics; ++k) {
+      p.highest += q[n * k + largest];
+      p.lowest += (k % 2 ? -1 : 1) * q[n * k + largest];
+    }
     p.least_approach = std::numeric_limits<double>::infinity();
     for (int t = 0; t < options.samples; ++t)
       for (const Contact &c : stack.contacts)
@@ -93,7 +98,10 @@ bool solve_balance(const Balance &balance, const double amplitude, Eigen::Vector
       return false;
     q -= dq;
     const double moved = dq.head(q.size() - 1).cwiseAbs().maxCoeff();
-    if (moved < 1e-12 * amplitude + 1e-18 && std::abs(dq[q.size() - 1]) < 1e-11 * std::abs(q[q.size() - 1]))
+    // Forces are sums of numbers up to 1e6 N over 1e10 N/m: displacements have 1e-15 m.
+    const double noise = 1e-15;
+    if (moved < 1e-10 * amplitude + noise &&
+        std::abs(dq[q.size() - 1]) < (1e-10 + noise / amplitude) * std::abs(q[q.size() - 1]))
       return q[q.size() - 1] > 0;
   }
   return false;

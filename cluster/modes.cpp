@@ -23,22 +23,24 @@ Eigen::MatrixXd mass_scaled(const Stack &stack, const Eigen::MatrixXd &K)
 }
 
 // The rolls that move, largest share of kinetic energy first, and what they move against.
-std::string label_of(const Stack &stack, const Mode &mode)
+std::string label_of(const Mode &mode)
 {
+  constexpr std::size_t most = 3;
   std::vector<Share> moving = mode.kinetic;
   std::stable_sort(moving.begin(), moving.end(), [](const Share &a, const Share &b) { return a.value > b.value; });
   std::string rolls;
+  std::size_t named = 0;
   for (const Share &s : moving)
-    if (s.value > 0.2 || (rolls.empty() && s.value > 0))
+    if ((s.value > 0.2 && named++ < most) || (rolls.empty() && s.value > 0))
       rolls += (rolls.empty() ? "" : ", ") + s.name;
   std::vector<Share> springs = mode.elastic;
   std::stable_sort(springs.begin(), springs.end(),
                    [](const Share &a, const Share &b) { return a.value > b.value; });
   std::string where;
+  named = 0;
   for (const Share &s : springs)
-    if (s.value > 0.2)
+    if (s.value > 0.2 && named++ < most)
       where += (where.empty() ? "" : ", ") + s.name;
-  (void)stack;
   return where.empty() ? rolls : rolls + " on " + where;
 }
 }  // namespace
@@ -75,7 +77,7 @@ std::vector<Mode> modes(const Stack &stack, const Motion &u)
       mode.kinetic.push_back({stack.rolls[std::size_t(k / stack.per_roll())].name + " " +
                                   direction_names[k % stack.per_roll()],
                               m[k] * mode.shape[k] * mode.shape[k] / mode.modal_mass});
-    mode.label = label_of(stack, mode);
+    mode.label = label_of(mode);
     all.push_back(std::move(mode));
   }
   return all;

@@ -146,7 +146,7 @@ void write_backbones(RunContext &run, const ClusterStand &stand, const ClusterPa
   if (least == 0)
     return;
   std::vector<double> amplitudes;
-  for (double a = 0.01 * least; a < 200 * least && amplitudes.size() < 24; a *= 1.5)
+  for (double a = 0.05 * least; amplitudes.size() < 20; a *= 1.5)
     amplitudes.push_back(a);
   for (std::size_t k = 0; k < pass.state.modes.size(); ++k) {
     const auto points = cluster::backbone(pass.state.stack, pass.state.rest.u, int(k), amplitudes, {5, 32});

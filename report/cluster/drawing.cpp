@@ -40,7 +40,7 @@ StackView view_of(const ClusterRecord &record, const double largest, const doubl
 
 std::string in_kilonewton(const double newton)
 {
-  return significant(1e-3 * newton, 4) + " kN";
+  return std::abs(newton) < 1e-3 ? "0 kN" : significant(1e-3 * newton, 4) + " kN";
 }
 
 // Where two rolls touch.
@@ -59,6 +59,28 @@ bool complete(const ClusterRecord &record, const ClusterPassRecord &pass)
                      [&](const ClusterContactRecord &c) { return known(c.a) && known(c.b); }) &&
          std::all_of(record.supports.begin(), record.supports.end(),
                      [&](const ClusterSupportRecord &s) { return known(s.roll); });
+}
+
+// What is written beside the drawing about a point of it.
+struct Label {
+  double x, y;  // px
+  std::string text, classes;
+  bool to_left;
+};
+
+// From the top down on either side, a line apart at least.
+void write_labels(Svg &svg, std::vector<Label> labels, const double left, const double right)
+{
+  std::stable_sort(labels.begin(), labels.end(), [](const Label &a, const Label &b) { return a.y < b.y; });
+  double lines[] = {0, 0};
+  for (const Label &label : labels) {
+    double &line      = lines[label.to_left];
+    line              = std::max(line + 15, label.y + 4);
+    const double edge = label.to_left ? left : right;
+    svg.line(label.x, label.y, edge, line - 4, "leader");
+    svg.text(edge + (label.to_left ? -3 : 3), line, label.text, label.classes,
+             label.to_left ? Anchor::end : Anchor::start);
+  }
 }
 
 // One mode in small: rolls at rest as outlines, and moving by the shape.
@@ -112,33 +134,24 @@ std::string stack_drawing(const ClusterRecord &record, const ClusterPassRecord &
   double largest = 1;
   for (const ClusterLoadRecord &load : pass.contacts)
     largest = std::max(largest, load.force);
-  double right = 14, left = 14;  // px, next line of either column of labels
+  std::vector<Label> labels;
   for (std::size_t i = 0; i < record.contacts.size(); ++i) {
     const Eigen::Vector2d at = touching_point(record, record.contacts[i]);
     const double force       = pass.contacts[i].force;
     svg.circle(x(at.x()), v.y(at.y()), 2 + 5 * std::sqrt(std::max(0., force) / largest),
                force > 0 ? "dot warm" : "point");
-    const bool to_left = at.x() < record.rolls[0].x - 1e-9;
-    double &line       = to_left ? left : right;
-    line               = std::max(line + 15, v.y(at.y()) + 4);
-    const double edge  = to_left ? aside - 8 : aside + v.width + 8;
-    svg.line(x(at.x()), v.y(at.y()), edge, line - 4, "leader");
-    svg.text(edge + (to_left ? -3 : 3), line,
-             record.contacts[i].name + "  " + (force > 0 ? in_kilonewton(force) : "open"), "t",
-             to_left ? Anchor::end : Anchor::start);
+    labels.push_back({x(at.x()), v.y(at.y()),
+                      record.contacts[i].name + "  " + (force > 0 ? in_kilonewton(force) : "open"), "t",
+                      at.x() < record.rolls[0].x - 1e-9});
   }
   for (std::size_t i = 0; i < record.supports.size() && i < pass.supports.size(); ++i) {
     const ClusterRollRecord &r = record.rolls[std::size_t(record.supports[i].roll)];
-    const bool to_left         = r.x < record.rolls[0].x + 1e-9;
-    double &line               = to_left ? left : right;
-    line                       = std::max(line + 15, v.y(r.y) + 4);
-    const double edge          = to_left ? aside - 8 : aside + v.width + 8;
-    svg.line(x(r.x), v.y(r.y), edge, line - 4, "leader");
-    svg.text(edge + (to_left ? -3 : 3), line,
-             record.supports[i].type + " " + record.supports[i].name + "  " + in_kilonewton(pass.supports[i].force) +
-                 (record.supports[i].fitted ? ", fitted" : ""),
-             "small", to_left ? Anchor::end : Anchor::start);
+    labels.push_back({x(r.x), v.y(r.y),
+                      record.supports[i].type + " " + record.supports[i].name + "  " +
+                          in_kilonewton(pass.supports[i].force) + (record.supports[i].fitted ? ", fitted" : ""),
+                      "small", r.x < record.rolls[0].x + 1e-9});
   }
+  write_labels(svg, std::move(labels), aside - 8, aside + v.width + 8);
   const std::string strip = record.strip.substr(0, record.strip.find('-'));
   for (const ClusterRollRecord &r : record.rolls)
     if (r.name == strip) {

@@ -259,8 +259,29 @@ std::string contact_cards(const Run &run)
   return all;
 }
 
+// Force, named modes and limits of the first pass.
+std::string cluster_cards(const Run &run)
+{
+  std::string all;
+  const auto groups = short_groups(run);
+  if (groups.empty())
+    return all;
+  const auto &first = groups.front().results;
+  for (std::size_t i = 0; i < first.size() && i < 8; ++i) {
+    const auto parts        = parts_of(first[i]->name);
+    const std::string &what = parts.back();
+    const bool mode         = parts.size() == 4;
+    std::string label       = what;
+    std::replace(label.begin(), label.end(), mode ? '-' : '_', ' ');
+    all += card(first[i], mode ? label : label + ", " + parts[1]);
+  }
+  return all;
+}
+
 std::string cards(const Run &run)
 {
+  if (run.manifest.kind == "cluster")
+    return cluster_cards(run);
   if (has_chain(run))
     return chain_cards(run);
   if (run.manifest.kind == "bearing")
@@ -296,6 +317,8 @@ std::string sentence(const Run &run)
     return chain_sentence(run);
   if (run.manifest.kind == "chatter")
     return conditions(run).empty() ? "" : chatter_sentence(conditions(run).front());
+  if (run.manifest.kind == "cluster")
+    return "";
   if (run.manifest.kind == "bearing" && has_value(run.find("Kzc.tangent")))
     return "The bearing is a spring of " + shown(*run.find("Kzc.tangent")) +
            (run.find("Kzc.tangent")->at.empty() ? "" : " at " + escaped(run.find("Kzc.tangent")->at));
