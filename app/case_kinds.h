@@ -28,6 +28,10 @@ struct TwoCylinders;
 
 struct CaseReview;
 
+namespace dynamics {
+struct MarkSources;
+}
+
 struct RunKind {
   std::vector<std::string> verbs;  ///< it serves, of run, stiffness, masses, modes, chatter and simulate
   /// A sentence for a verb that is refused, where more is to be said than that there is nothing to compute; or
@@ -43,6 +47,8 @@ struct RunKind {
   void (*run)(RunContext &run, Goal goal, const std::string &force_file)      = nullptr;
   /// What a pass drives, for export; nullptr: nothing of this kind vibrates by itself.
   DrivenStand (*driven)(RunContext &run, const std::string &pass) = nullptr;
+  /// What turns in it, for marks; its modes are those of a run or of the trace.  nullptr: nothing turns.
+  dynamics::MarkSources (*mark_sources)(const Case &the_case) = nullptr;
   /// Geometry, bearings and passes in run.json.
   void (*describe)(const Case &the_case, nlohmann::ordered_json &manifest) = nullptr;
   /// Files beside the case that a run reads, but for the records of its passes.

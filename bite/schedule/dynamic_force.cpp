@@ -73,6 +73,7 @@ DynamicForces dynamic_forces(const std::vector<DynamicPass> &passes, const std::
     check(p);
     DynamicForce f;
     f.name             = p.name;
+    f.printed          = p.printed;
     f.per_displacement = force_per_displacement(p);
     if (p.printed > 0) {
       f.displacement = displacement_of_force(p, p.printed);

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/model/material.h"
+#include "core/records/schedule_record.h"
 #include <string>
 #include <vector>
 
@@ -35,23 +36,6 @@ struct VibratingStrip {
 double strip_constant(const VibratingStrip &strip, double omega);
 /// Natural circular frequency of the strip under a tension stress (Pa), rad/s.  @param density kg/m3
 double strip_frequency(const VibratingStrip &strip, double tension, double density);
-
-/// One pass of a schedule with its own constant and with the common one.
-struct DynamicForce {
-  std::string name;
-  double per_displacement = 0;          ///< N/m
-  double displacement     = not_given;  ///< m, of the printed force; fitted
-  double constant         = not_given;  ///< m2/s, G that returns the printed force; fitted
-  double with_common      = not_given;  ///< N, by the common constant
-  double common_error     = not_given;  ///< -, over the printed force, less one
-  bool in_fit             = false;      ///< its printed force is one that the common constant was made from
-};
-
-struct DynamicForces {
-  std::vector<DynamicForce> passes;
-  double common = not_given;  ///< m2/s, geometric mean of the constants in the fit
-  int data      = 0;          ///< forces that it was made from; the unknown is one
-};
 
 /// Constants and forces of a schedule.
 /// @param in_fit  (passes) whose printed force the common constant is made from; the others are a blind test

@@ -9,6 +9,9 @@
 // Marks on a strip at equal distances, and what in a stand makes them: curves/marks.json.  dynamics/ and app/ fill
 // the record, report/ draws it.  A number that is not known is NaN.  theory.md 40
 namespace mill {
+/// First part of the names of its results: "marks.work_roll.per_turn".
+constexpr const char *marks_family = "marks";
+
 /// What was measured, and how.
 struct MarksQuestion {
   double spacing      = not_given;  ///< m, of the marks along the strip

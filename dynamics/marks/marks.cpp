@@ -148,15 +148,24 @@ MarksRecord marks_of(const MarksQuestion &question, const MarkSources &sources)
   return record;
 }
 
-MapAxes map_axes(const MarksQuestion &question, const double diameter, const int columns, const int rows)
+MapAxes map_axes(const MarksQuestion &question, const double diameter, const std::vector<CampbellMode> &modes,
+                 const int columns, const int rows)
 {
   require_input(columns > 1 && rows > 1, "a map of marks needs two speeds and two numbers of waves");
-  const double asked = marks_per_turn(question.spacing, diameter, question.forward_slip);
-  const double first = std::max(1.0, std::round(asked) - rows / 2);
-  // Where few waves are asked for, twice as many are enough; no fewer than a map needs.
-  const double last = first > 1 ? first + rows - 1 : std::min(double(rows), std::max(20.0, 2 * std::ceil(asked)));
+  const double least = 0.5 * question.speed, most = 1.5 * question.speed;
+  const double asked  = marks_per_turn(question.spacing, diameter, question.forward_slip);
+  const double length = asked * question.spacing;  // m of strip per turn
+  const double around = std::round(asked) - rows / 2;
+  double highest      = 0;
+  bool met            = false;
+  for (const CampbellMode &mode : modes) {
+    highest = std::max(highest, length * mode.frequency / least);
+    met = met || (length * mode.frequency / least >= around && length * mode.frequency / most <= around + rows);
+  }
+  const double first = around > 1 && met ? around : 1;
+  const double last  = std::min(first + rows - 1, std::max({20.0, std::ceil(2 * asked), std::ceil(highest)}));
   MapAxes axes;
-  axes.speed = Eigen::VectorXd::LinSpaced(columns, 0.5 * question.speed, 1.5 * question.speed);
+  axes.speed = Eigen::VectorXd::LinSpaced(columns, least, most);
   axes.waves = Eigen::VectorXd::LinSpaced(Eigen::Index(last - first) + 1, first, last);
   return axes;
 }

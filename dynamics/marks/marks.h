@@ -20,6 +20,7 @@ double marks_per_turn(double spacing, double diameter, double forward_slip = 0);
 struct MarkRoll {
   std::string name;             ///< "control roll"
   double diameter = not_given;  ///< m
+  std::string diameter_key;     ///< of the case, "work_roll.barrel_diameter"
 };
 
 /// What in a stand could make marks; a roll without a diameter is left out with a note.
@@ -37,13 +38,15 @@ struct MarkSources {
 /// Cost: microseconds.
 MarksRecord marks_of(const MarksQuestion &question, const MarkSources &sources);
 
-/// Axes of a map around what is asked: speeds from half to one and a half times the strip's, waves from one up, or
-/// around the asked ones where these are many.
+/// Axes of a map: speeds from half to one and a half times the strip's; waves from one up to twice the asked ones
+/// and beyond the highest mode, at most `rows` of them.  Where more are asked for, those around them if a mode is
+/// met there, else the first ones.
 struct MapAxes {
   Eigen::VectorXd speed;  ///< (n) m/s
   Eigen::VectorXd waves;  ///< (m)
 };
-MapAxes map_axes(const MarksQuestion &question, double diameter, int columns = 400, int rows = 400);
+MapAxes map_axes(const MarksQuestion &question, double diameter, const std::vector<CampbellMode> &modes,
+                 int columns = 400, int rows = 400);
 
 /// Magnification of the waves of a roll by the modes.  (40.5)
 /// Cost: modes x columns x rows, 10 ms for six modes and 400 x 400.

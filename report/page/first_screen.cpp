@@ -1,6 +1,8 @@
 // What the page says before anybody scrolls: a verdict, the numbers that a mill is judged by, the stand to scale,
 // and what one has to know about them.
+#include "core/records/marks_record.h"
 #include "core/records/result_names.h"
+#include "report/marks/figures.h"
 #include "report/modes/names.h"
 #include "report/page/curves.h"
 #include "report/page/names.h"
@@ -278,8 +280,20 @@ std::string cluster_cards(const Run &run)
   return all;
 }
 
+std::string marks_cards(const Run &run)
+{
+  std::string all = card(run.find(result_name({marks_family, "frequency"})), "frequency of the marks");
+  for (const Result &result : run.results)
+    if (const auto parts = parts_of(result.name);
+        parts.size() == 3 && parts[0] == marks_family && parts[2] == "per_turn")
+      all += card(&result, meaning_of(result.name));
+  return all;
+}
+
 std::string cards(const Run &run)
 {
+  if (holds_marks(run))
+    return marks_cards(run);
   if (run.manifest.kind == "cluster")
     return cluster_cards(run);
   if (has_chain(run))
@@ -313,6 +327,8 @@ std::string chain_sentence(const Run &run)
 
 std::string sentence(const Run &run)
 {
+  if (holds_marks(run))
+    return marks_sentence(read_marks(run.directory));
   if (has_chain(run))
     return chain_sentence(run);
   if (run.manifest.kind == "chatter")

@@ -261,6 +261,8 @@ std::string meaning_of(const std::string &name)
     return words;
   if (const std::string words = cluster_meaning(name); !words.empty())
     return words;
+  if (const std::string words = marks_meaning(name); !words.empty())
+    return words;
   if (const std::string number = number_after("fh", name); !number.empty())
     return "natural frequency " + number + ", horizontal";
   if (const std::string number = number_after("f", name); !number.empty())

@@ -8,10 +8,12 @@
 #include "bite/schedule/hardening_fit.h"
 #include "bite/schedule/large_flattening.h"
 #include "bite/schedule/rising_root.h"
+#include "bite/schedule/schedule.h"
 #include "bite/slab/flattening.h"
 #include "bite/slab/hu_ehmann.h"
 #include "bite/slab/sentence.h"
 #include "core/case/errors.h"
+#include "core/records/json_archive.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include "tests/support/refusal.h"
@@ -383,4 +385,97 @@ TEST(LargeFlattening, MeetsHitchcockAndStaysBelowIt)
   const double x8 = 8 * (five.strip.entry_thickness - five.strip.exit_thickness) / flattening_compliance(five);
   EXPECT_TRUE(near(flattened_radius_under(five, x8) / five.roll_radius, 8, within(1e-12, "by hand")));
   EXPECT_TRUE(near(flattened_radius_under(five, x8 / 8) / five.roll_radius, 2, within(1e-12, "by hand")));
+}
+
+namespace {
+// The five passes as a case has them, passes 2 and 4 a blind test.
+std::vector<ScheduledPass> schedule()
+{
+  std::vector<ScheduledPass> passes;
+  for (int pass = 1; pass <= 5; ++pass) {
+    ScheduledPass p;
+    p.name                         = std::to_string(pass);
+    p.bite                         = pass_of(pass, 0);
+    p.bite.strip.initial_thickness = pass_of(1).strip.entry_thickness;
+    p.published                    = printed_force(pass);
+    p.dynamic                      = cluster("input.forces")[std::size_t(pass - 1)][3];
+    p.in_common_fit                = pass % 2 == 1;
+    passes.push_back(p);
+  }
+  return passes;
+}
+}  // namespace
+
+TEST(Schedule, PutsThePassesTogether)
+{
+  const ScheduleRecord record = schedule_of(schedule());
+  ASSERT_EQ(record.passes.size(), 5u);
+  EXPECT_TRUE(record.notes.empty()) << record.notes.front();
+  const Tolerance roots = within(1e-7, root_finding);
+  for (const int pass : printed_passes) {
+    const PassForce &p = record.passes[std::size_t(pass - 1)];
+    const auto entry   = cluster("tuned_k.pass_" + std::to_string(pass));
+    EXPECT_TRUE(near(p.rigid.flow_stress, entry["unflattened"]["k"], roots));
+    EXPECT_TRUE(near(p.flat.flow_stress, entry["flattened"]["k"], roots));
+    EXPECT_TRUE(near(p.rigid.mean_pressure, entry["unflattened"]["mean_pressure"], roots));
+    EXPECT_TRUE(near(p.flat.mean_pressure, entry["flattened"]["mean_pressure"], roots));
+    EXPECT_TRUE(near(p.friction, cluster("friction")[std::size_t(pass - 1)][0], roots));
+    EXPECT_TRUE(near(p.power, entry["power"]["P_w"], roots));
+    EXPECT_TRUE(near(p.torque, entry["power"]["torque"], roots));
+    EXPECT_TRUE(near(p.factor_published, entry["friction_factor_equal_to_bland_ford"]["m"], roots));
+    EXPECT_TRUE(near(p.factor_of_mean, entry["friction_factor_equal_to_bland_ford"]["two_mu_p_over_k"], roots));
+  }
+  ASSERT_EQ(record.laws.size(), 2u);
+  for (const ScheduleLaw &law : record.laws) {
+    const auto expected = cluster(law.flattened ? "hardening.flattened" : "hardening.unflattened");
+    EXPECT_TRUE(near(law.Y, expected["Y"], roots));
+    EXPECT_TRUE(near(law.n, expected["n"], roots));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const LawPass &p = law.passes[2 * i];
+      EXPECT_TRUE(near(p.force, expected["P"][i], roots));
+      EXPECT_TRUE(near(p.friction, expected["mu_needed"][i], roots));
+      EXPECT_GT(p.blind_force, 0) << "a law of the two others exists";
+    }
+    EXPECT_TRUE(std::isnan(law.passes[1].blind_force)) << "pass 2 is no part of the fit";
+  }
+  ASSERT_EQ(record.dynamics.size(), 2u);
+  EXPECT_TRUE(near(record.dynamics[0].common, cluster("P_d.unflattened.common_G"), roots));
+  EXPECT_TRUE(near(record.dynamics[1].common, cluster("P_d.flattened.common_G"), roots));
+  EXPECT_FALSE(record.dynamics[1].passes[3].in_fit);
+  EXPECT_EQ(json_of_record(record), json_of_record(record_of_json<ScheduleRecord>(json_of_record(record))));
+}
+
+TEST(Schedule, TheLawOfTheCaseStandsBesideTheFits)
+{
+  auto passes = schedule();
+  for (ScheduledPass &pass : passes) {  // k/2 = Y ln(h0/h)^n as a power law
+    pass.bite.strip.flow_stress.law = FlowStressLaw::power;
+    pass.bite.strip.flow_stress.k   = 2 * double(cluster("hardening.flattened")["Y"]);
+    pass.bite.strip.flow_stress.n   = cluster("hardening.flattened")["n"];
+  }
+  const ScheduleRecord record = schedule_of(passes);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const PassForce &p = record.passes[2 * i];
+    EXPECT_TRUE(near(p.law_stress, cluster("hardening.flattened")["k"][i], within(1e-12, "closed form")));
+    EXPECT_TRUE(near(p.law_force, cluster("hardening.flattened")["P"][i], within(1e-8, root_finding)));
+  }
+}
+
+TEST(Schedule, SaysWhatCannotBeFitted)
+{
+  auto passes = schedule();
+  passes.resize(1);
+  const ScheduleRecord one = schedule_of(passes);
+  EXPECT_TRUE(one.laws.empty());
+  ASSERT_EQ(one.notes.size(), 1u);
+  EXPECT_NE(one.notes[0].find("more unknowns than data"), std::string::npos) << one.notes[0];
+  EXPECT_EQ(one.dynamics.size(), 2u) << "one unknown, one force";
+
+  passes                                    = schedule();
+  passes[0].bite.strip.friction             = {};
+  passes[0].bite.strip.friction.coefficient = 0.0;
+  const ScheduleRecord dry                  = schedule_of(passes);
+  EXPECT_NE(dry.passes[0].flat.refused.find("strip.friction must be positive"), std::string::npos);
+  EXPECT_EQ(dry.notes.size(), 2u);
+  EXPECT_EQ(dry.laws[1].data, 2);
 }

@@ -149,18 +149,30 @@ TEST(Marks, MapPeaksWhereAModeIsMet)
   EXPECT_TRUE(near(at.gain(0, 0), 20 * std::log10(50), within(1e-10, "damping of 1 %")));
 }
 
-TEST(Marks, AxesHoldWhatIsAsked)
+TEST(Marks, AxesHoldWhatIsAskedOrTheModes)
 {
-  for (const double diameter : {0.02, 0.051, 1.45}) {
-    const MarksQuestion q = question();
-    const MapAxes axes    = map_axes(q, diameter);
-    const double n        = marks_per_turn(q.spacing, diameter);
+  const MarksQuestion q = question();
+  const auto modes      = z_mill().modes;
+  const auto none       = std::vector<CampbellMode>();
+  const auto holds      = [](const MapAxes &axes, const double n) {
+    return axes.waves[0] <= n && axes.waves[axes.waves.size() - 1] >= n;
+  };
+  for (const double diameter : {0.02, 0.051, 0.25, 1.45}) {
+    const double n     = marks_per_turn(q.spacing, diameter);
+    const MapAxes axes = map_axes(q, diameter, modes);
     EXPECT_LE(axes.waves.size(), 400);
     EXPECT_EQ(axes.speed.size(), 400);
-    EXPECT_LE(axes.waves[0], n);
-    EXPECT_GE(axes.waves[axes.waves.size() - 1], n);
+    EXPECT_TRUE(holds(axes, n)) << "the modes reach to 10 kHz";
     EXPECT_GE(axes.waves[0], 1);
+    EXPECT_TRUE(holds(map_axes(q, diameter, none), std::min(n, 400.0)));
   }
+  // 2278 waves at 4.2 kHz, the only mode at 100 Hz: the map shows where that one is met.
+  const MapAxes low = map_axes(q, 1.45,
+                               {
+                                   {"a", "a", 100, 0.01}
+  });
+  EXPECT_EQ(low.waves[0], 1);
+  EXPECT_TRUE(holds(low, M_PI * 1.45 * 100 / q.speed));
 }
 
 TEST(Marks, RefusalsAndNotes)
@@ -183,6 +195,6 @@ TEST(Marks, RecordGoesThroughJson)
 {
   MarkSources s      = z_mill();
   MarksRecord record = marks_of(question(), s);
-  record.maps.push_back(mark_map(question(), s.rolls[0], s, map_axes(question(), 0.0696, 5, 6)));
+  record.maps.push_back(mark_map(question(), s.rolls[0], s, map_axes(question(), 0.0696, s.modes, 5, 6)));
   EXPECT_EQ(json_of_record(record), json_of_record(record_of_json<MarksRecord>(json_of_record(record))));
 }
