@@ -15,6 +15,7 @@ namespace mill {
 struct BearingCase;
 struct Case;
 struct ChatterCase;
+struct ClusterCase;
 struct FourHigh;
 
 struct BiteCase;
@@ -26,6 +27,10 @@ struct TraceKey;
 struct TwoCylinders;
 
 struct CaseReview;
+
+namespace dynamics {
+struct MarkSources;
+}
 
 struct RunKind {
   std::vector<std::string> verbs;  ///< it serves, of run, stiffness, masses, modes, chatter and simulate
@@ -42,6 +47,8 @@ struct RunKind {
   void (*run)(RunContext &run, Goal goal, const std::string &force_file)      = nullptr;
   /// What a pass drives, for export; nullptr: nothing of this kind vibrates by itself.
   DrivenStand (*driven)(RunContext &run, const std::string &pass) = nullptr;
+  /// What turns in it, for marks; its modes are those of a run or of the trace.  nullptr: nothing turns.
+  dynamics::MarkSources (*mark_sources)(const Case &the_case) = nullptr;
   /// Geometry, bearings and passes in run.json.
   void (*describe)(const Case &the_case, nlohmann::ordered_json &manifest) = nullptr;
   /// Files beside the case that a run reads, but for the records of its passes.
@@ -66,4 +73,5 @@ const RunKind &run_kind(const TwoCylinders &);
 const RunKind &run_kind(const BearingCase &);
 const RunKind &run_kind(const BiteCase &);
 const RunKind &run_kind(const ChatterCase &);
+const RunKind &run_kind(const ClusterCase &);
 }  // namespace mill

@@ -152,6 +152,22 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   unit->get_option("--output")
       ->description("file to write, a folder for statespace (default out/<case name>.fmu, .mo, .m, -statespace)");
 
+  auto *marks = app.add_subcommand("marks", "marks at equal distances: which roll, which bearing, which mode");
+  marks->add_option("CASE", c.target, "case file")->required();
+  marks->add_option("--spacing", c.marks.spacing, "distance of the marks along the strip, \"2 mm\"")->required();
+  marks->add_option("--speed", c.marks.speed, "speed of the strip behind the stand, \"500 m/min\"")->required();
+  marks->add_option("--forward-slip", c.marks.forward_slip, "of the strip over the rolls (default 0 %)");
+  marks->add_option("--accuracy", c.marks.accuracy,
+                    "of spacing and diameters together (default 1 %): a whole number of marks within it is one");
+  marks->add_option("--side-bands", c.marks.side_bands, "distance of side bands in a spectrum, \"49 Hz\"");
+  marks->add_option("--run", c.marks.run, "folder of a run whose modes are taken (default out/<case name>)");
+  add_output(marks, c, "folder of the results (default out/<case name>-marks)");
+  marks->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
+  marks->add_flag("-q,--quiet", c.quiet, "no table");
+  marks->add_option("--set", c.sets, "override section.key=value, repeatable")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+
   auto *trace =
       app.add_subcommand("trace", "which results one input reaches, through which relation, with elasticities");
   trace->add_option("CASE", c.target, "case file")->required();

@@ -1,4 +1,5 @@
 #pragma once
+#include "app/marks_options.h"
 #include <map>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@ struct CommandLine {
   std::vector<std::string> sets;   ///< --set section.key=value
   std::vector<std::string> names;  ///< verify: cases of the manual, empty: all; report: further folders
   std::string markdown;            ///< verify --markdown
+  MarksOptions marks;              ///< marks
   std::map<std::string, std::vector<std::string>> words;  ///< completion: options by verb
   bool list            = false;                           ///< verify --list
   bool full            = false;                           ///< trace --full

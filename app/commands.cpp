@@ -3,6 +3,7 @@
 #include "app/completion.h"
 #include "app/console.h"
 #include "app/export_command.h"
+#include "app/marks_command.h"
 #include "app/out_of_memory.h"
 #include "app/pipeline.h"
 #include "app/review/case_review.h"
@@ -260,6 +261,8 @@ int carry_out(const CommandLine &command)
     without_record.force.clear();
     return stream_command(command, checked_case(without_record).the_case);
   }
+  if (command.verb == "marks")
+    return marks_command(command, checked_case(command).the_case);
   if (command.verb == "report")
     return command.names.empty() ? write_report(command.target) : write_comparison(command);
   return run_chain(command);

@@ -19,6 +19,7 @@
 #include "app/stages/modulus_stage.h"
 #include "app/stages/result_inputs.h"
 #include "core/case/chain_curves.h"
+#include "app/stages/turning_rolls.h"
 #include "core/case/given_instead.h"
 #include "core/case/stand_rows.h"
 #include "core/model/case.h"
@@ -214,12 +215,6 @@ void add_modulus(RunContext &run, const FourHigh &stand, const StandParts &parts
   add_stand_modulus(run, stand, of);
 }
 
-// The bearing of a roll, when it has rollers.
-const RollerBearing *rollers_of(const FourHigh &stand, const Roll &roll)
-{
-  return oil_film_of(stand.oil_films, roll.bearing) ? nullptr : &bearing_of(stand.bearings, roll.bearing);
-}
-
 // Frequency response and Campbell diagram of the best model.
 void add_turning_and_response(RunContext &run, const FourHigh &stand, const reduce::LumpedStand &chain,
                               const StandModels &models, const ComponentSets &components)
@@ -234,16 +229,7 @@ void add_turning_and_response(RunContext &run, const FourHigh &stand, const redu
   // The work-roll chocks of the components stand on their bearings.
   responding.inputs = joined(keys_of_models(chain), chain.model.Kzc[1].inputs, chain.model.Kzc[2].inputs);
   add_frequency_responses(run, stand.frequency_response, stand.dynamics, responding);
-  add_campbell(run, stand.campbell,
-               {
-                   &models.craig_bampton,
-                   {{"work roll", stand.work_roll.barrel_diameter, "work_roll.barrel_diameter",
-                     rollers_of(stand, stand.work_roll)},
-                                         {"backup roll", stand.backup_roll.barrel_diameter, "backup_roll.barrel_diameter",
-                     rollers_of(stand, stand.backup_roll)}},
-                   stand.passes,
-                   stand.drive
-  });
+  add_campbell(run, stand.campbell, {&models.craig_bampton, turning_rolls(stand), stand.passes, stand.drive});
 }
 
 // The frame of the chain; parts that a given K2 or K6 represents are as sure as that.
@@ -383,14 +369,7 @@ void add_turning_and_response(RunContext &run, const Lumped &lumped, const Lumpe
   responding.inputs     = joined(chain_mode_keys(model, lumped.dynamics, Half::upper),
                                  chain_mode_keys(model, lumped.dynamics, Half::lower));
   add_frequency_responses(run, lumped.frequency_response, lumped.dynamics, responding);
-  add_campbell(run, lumped.campbell,
-               {
-                   &chain,
-                   {{"work roll", lumped.campbell.work_roll_diameter, "campbell.work_roll_diameter"},
-                          {"backup roll", lumped.campbell.backup_roll_diameter, "campbell.backup_roll_diameter"}},
-                   lumped.passes,
-                   lumped.drive
-  });
+  add_campbell(run, lumped.campbell, {&chain, turning_rolls(lumped), lumped.passes, lumped.drive});
 }
 }  // namespace
 

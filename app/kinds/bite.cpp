@@ -1,5 +1,6 @@
 #include "app/case_kinds.h"
 #include "app/kinds/kind_inputs.h"
+#include "app/kinds/mark_sources.h"
 #include "app/stages/bite_stage.h"
 #include "app/trace/closed_form_parts.h"
 #include "app/trace/trace_key.h"
@@ -40,7 +41,8 @@ const RunKind &run_kind(const BiteCase &)
     k.run = [](RunContext &run, Goal, const std::string &) {
       solve_bite_case(run, std::get<BiteCase>(run.the_case.spec));
     };
-    k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
+    k.mark_sources = [](const Case &the_case) { return mark_sources(std::get<BiteCase>(the_case.spec)); };
+    k.describe     = [](const Case &the_case, nlohmann::ordered_json &manifest) {
       manifest["geometry"]["work_roll_diameter"] = std::get<BiteCase>(the_case.spec).roll_diameter;
     };
     k.inputs = [](const Case &the_case, const Results &results, const std::string &name) {

@@ -1,5 +1,6 @@
 #include "app/case_kinds.h"
 #include "app/kinds/kind_inputs.h"
+#include "app/kinds/mark_sources.h"
 #include "app/stages/chatter_stage.h"
 #include "app/trace/closed_form_parts.h"
 #include "core/model/case.h"
@@ -38,7 +39,8 @@ const RunKind &run_kind(const ChatterCase &)
     k.run = [](RunContext &run, Goal, const std::string &) {
       solve_chatter_case(run, std::get<ChatterCase>(run.the_case.spec));
     };
-    k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
+    k.mark_sources = [](const Case &the_case) { return mark_sources(std::get<ChatterCase>(the_case.spec)); };
+    k.describe     = [](const Case &the_case, nlohmann::ordered_json &manifest) {
       manifest["geometry"]["work_roll_diameter"] = std::get<ChatterCase>(the_case.spec).roll_diameter;
     };
     k.files = [](const Case &the_case) {

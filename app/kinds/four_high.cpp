@@ -1,6 +1,7 @@
 #include "app/case_kinds.h"
 #include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
+#include "app/kinds/mark_sources.h"
 #include "app/review/case_review.h"
 #include "app/stages/bite_stage.h"
 #include "app/trace/closed_form_chain.h"
@@ -212,7 +213,8 @@ const RunKind &run_kind(const FourHigh &)
     k.driven = [](RunContext &run, const std::string &pass) {
       return driven_four_high(run, std::get<FourHigh>(run.the_case.spec), pass);
     };
-    k.describe = [](const Case &the_case, json &manifest) {
+    k.mark_sources = [](const Case &the_case) { return mark_sources(std::get<FourHigh>(the_case.spec)); };
+    k.describe     = [](const Case &the_case, json &manifest) {
       const auto &stand    = std::get<FourHigh>(the_case.spec);
       manifest["geometry"] = geometry_of(stand);
       add_bearings(manifest, stand.bearings);

@@ -2,6 +2,7 @@
 #include "app/case_kinds.h"
 #include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
+#include "app/kinds/mark_sources.h"
 #include "app/review/case_review.h"
 #include "app/trace/closed_form_chain.h"
 #include "core/model/case.h"
@@ -65,7 +66,8 @@ const RunKind &run_kind(const Lumped &)
     k.driven = [](RunContext &run, const std::string &pass) {
       return driven_lumped(run, std::get<Lumped>(run.the_case.spec), pass);
     };
-    k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
+    k.mark_sources = [](const Case &the_case) { return mark_sources(std::get<Lumped>(the_case.spec)); };
+    k.describe     = [](const Case &the_case, nlohmann::ordered_json &manifest) {
       const auto &lumped = std::get<Lumped>(the_case.spec);
       add_passes(manifest, lumped.passes, lumped.dynamics.force_meaning);
     };

@@ -167,6 +167,15 @@ void add_results(RunContext &run, const CampbellRecord &record, const TurningSta
 }
 }  // namespace
 
+CampbellRecord turning_lines(const CampbellSettings &settings, const TurningStand &stand)
+{
+  CampbellRecord record;
+  for (const TurningRoll &roll : stand.rolls)
+    add_roll_lines(record, roll, settings);
+  add_drive_lines(record, stand);
+  return record;
+}
+
 void add_campbell(RunContext &run, const CampbellSettings &settings, const TurningStand &stand)
 {
   CampbellRecord record;
@@ -177,10 +186,10 @@ void add_campbell(RunContext &run, const CampbellSettings &settings, const Turni
     record.speeds = {0, 1.5 * record.working[1]};
   if (std::isnan(record.speeds[1]))
     return;
-  record.modes = named_modes(run, *stand.model);
-  for (const TurningRoll &roll : stand.rolls)
-    add_roll_lines(record, roll, settings);
-  add_drive_lines(record, stand);
+  record.modes           = named_modes(run, *stand.model);
+  CampbellRecord turning = turning_lines(settings, stand);
+  record.lines           = std::move(turning.lines);
+  record.notes           = std::move(turning.notes);
   if (record.modes.empty() || record.lines.empty())
     return;
   record.crossings = dynamics::crossings(record.modes, record.lines, record.speeds, record.working);

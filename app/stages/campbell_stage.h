@@ -3,6 +3,7 @@
 #include "core/model/campbell.h"
 #include "core/model/pass.h"
 #include "core/model/roller_bearing.h"
+#include "core/records/campbell_record.h"
 #include "core/records/provenance.h"
 #include "reduce/stand/stand_comparison.h"
 #include <vector>
@@ -23,6 +24,10 @@ struct TurningStand {
   const std::vector<Pass> &passes;
   const std::vector<DriveOrder> &drive;
 };
+
+/// Lines of what turns in a stand: orders of its rolls, events of their bearings, orders of the drive; notes where
+/// one is left out.  Nothing else of the record is filled.
+CampbellRecord turning_lines(const CampbellSettings &settings, const TurningStand &stand);
 
 /// Named modes over the rolling speed with the orders of what turns: curves/campbell.json, campbell.csv,
 /// campbell.<mode>.speed and .distance of the crossing nearest to the working range.  Nothing without a speed and

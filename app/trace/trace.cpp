@@ -1,5 +1,6 @@
 #include "app/trace/trace.h"
 #include "app/stages/result_inputs.h"
+#include "app/trace/stored_run.h"
 #include "core/case/errors.h"
 #include "core/case/kinds.h"
 #include "core/case/units.h"
@@ -199,49 +200,6 @@ std::string without_elasticity(const TraceKey &key)
   }
 }
 
-struct StoredRun {
-  std::string folder;
-  bool same_inputs = true;
-  std::map<std::string, double> values;
-};
-
-// The same value of every key that both know: a later version may know more keys.
-bool same_values(const std::string &a, const std::string &b)
-{
-  const auto one = resolved_values(a), other = resolved_values(b);
-  return std::all_of(one.begin(), one.end(), [&](const auto &entry) {
-    const auto found = other.find(entry.first);
-    return found == other.end() || found->second == entry.second;
-  });
-}
-
-std::optional<StoredRun> stored_run(const TraceOptions &options, const Case &the_case)
-{
-  StoredRun run;
-  run.folder             = options.folder.empty() ? "out/" + the_case.name : options.folder;
-  const std::string file = run.folder + "/results.json";
-  require_published(run.folder);
-  if (!std::filesystem::exists(file))
-    return {};
-  const auto json = nlohmann::json::parse(read_text(file), nullptr, false);
-  if (!json.is_object() || !json.contains("values") || !json["values"].is_object())
-    return {};
-  for (const auto &[name, entry] : json["values"].items())
-    if (entry.is_object() && entry.contains("value") && entry["value"].is_number())
-      run.values[name] = entry["value"].get<double>();
-  const std::string resolved = run.folder + "/resolved.toml";
-  if (!std::filesystem::exists(resolved)) {
-    run.same_inputs = false;
-    return run;
-  }
-  const std::string inputs = read_text(resolved);
-  const auto run_id        = json.find("run_id");
-  if (run_id != json.end() && run_id->is_string())
-    require_one_run(file, run_id->get<std::string>(), resolved, run_id_of_toml(inputs));
-  run.same_inputs = same_values(inputs, the_case.resolved);
-  return run;
-}
-
 // What the run found for the springs over what closed forms give.
 SpringFactors run_factors(const StoredRun &run, const ClosedFormResults &base)
 {
@@ -287,15 +245,14 @@ Trace trace(const TraceOptions &options, ClosedFormMemory &memory)
   const Case the_case = read_case(options.case_file, options.sets);
   Trace trace;
   trace.base            = closed_form_chain(the_case, memory);
-  const auto run        = stored_run(options, the_case);
+  const auto run        = stored_run(folder_of_run(options.folder, the_case), the_case);
   trace.key             = find_key(the_case, options.sets, options.key, trace.base);
   SpringFactors factors = run ? bending_factor(*run) : SpringFactors{};
   if (options.from_run) {
     if (!run)
       throw InputError(fmt::format("--full takes the springs of the last run, and there is none in {}; run "
                                    "millstand run {} first, or leave --full out",
-                                   options.folder.empty() ? "out/" + the_case.name : options.folder,
-                                   options.case_file));
+                                   folder_of_run(options.folder, the_case), options.case_file));
     factors.merge(run_factors(*run, trace.base));
     trace.from_run = true;
   }

@@ -75,6 +75,13 @@ ordered_json type_of(const Row &row)
   case Kind::six:
     return list_of(row.form, 6);
   case Kind::words:
+    if (row.form == "text")
+      return {
+          {"type",        "array"             },
+          {"items",       {{"type", "string"}}},
+          {"minItems",    1                   },
+          {"uniqueItems", true                }
+      };
     return {
         {"type",        "array"                           },
         {"items",       {{"enum", split(row.form, " | ")}}},

@@ -144,7 +144,7 @@ std::optional<Value> table(const Item &item)
   return pairs;
 }
 
-// Words out of those of the row, each once.
+// Words out of those of the row, or any texts, each once.
 std::optional<Value> word_list(const Item &item)
 {
   if (item.node.kind != Node::Kind::array || item.node.items.empty())
@@ -156,7 +156,8 @@ std::optional<Value> word_list(const Item &item)
     const Item one{item.row, node, fmt::format("{}[{}]", item.key, i), item.reading};
     if (node.kind != Node::Kind::text)
       return one.refuse(fmt::format("is not a text; {}", needed(item.row)));
-    if (std::find(known.begin(), known.end(), node.text) == known.end())
+    const bool free = item.row.form == "text";
+    if (!free && std::find(known.begin(), known.end(), node.text) == known.end())
       return one.refuse("is unknown" + suggestion(node.text, known));
     if (std::find(list.begin(), list.end(), node.text) != list.end())
       return one.refuse("stands there twice");

@@ -207,7 +207,8 @@ std::string needed(const Row &row)
   case Kind::six:
     return fmt::format("a list of six such as {} is needed", example);
   case Kind::words:
-    return fmt::format("a list such as {} of {} is needed", example, row.form);
+    return row.form == "text" ? fmt::format("a list of texts such as {} is needed", example)
+                              : fmt::format("a list such as {} of {} is needed", example, row.form);
   }
   return "";
 }

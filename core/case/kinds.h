@@ -53,6 +53,7 @@ const CaseKind &case_kind(const TwoCylinders *);
 const CaseKind &case_kind(const BearingCase *);
 const CaseKind &case_kind(const BiteCase *);
 const CaseKind &case_kind(const ChatterCase *);
+const CaseKind &case_kind(const ClusterCase *);
 
 const std::vector<const CaseKind *> &all_kinds();     ///< those this version reads
 const CaseKind &kind_named(const std::string &name);  ///< one of them

@@ -11,7 +11,7 @@
 namespace mill {
 namespace {
 // Kinds of the file format that later versions will read.
-const std::vector<std::string> later_kinds{"cluster"};
+const std::vector<std::string> later_kinds{"stack"};
 
 std::string listed(const std::vector<std::string> &words)
 {

@@ -3,6 +3,7 @@
 #include "core/model/bearing_case.h"
 #include "core/model/bite_case.h"
 #include "core/model/chatter.h"
+#include "core/model/cluster_case.h"
 #include "core/model/four_high.h"
 #include "core/model/lumped.h"
 #include "core/model/two_cylinders.h"
@@ -16,9 +17,9 @@ namespace mill {
 struct Case {
   std::string path;  ///< of the file as given by the user
   std::string name;  ///< stem of the file name
-  std::string kind;  ///< four-high | lumped | two-cylinders | bearing | bite | chatter
+  std::string kind;  ///< four-high | lumped | two-cylinders | bearing | bite | chatter | cluster
   std::string title;
-  std::variant<FourHigh, Lumped, TwoCylinders, BearingCase, BiteCase, ChatterCase> spec;
+  std::variant<FourHigh, Lumped, TwoCylinders, BearingCase, BiteCase, ChatterCase, ClusterCase> spec;
   std::vector<std::string> left_at_template;  ///< keys whose values are still those of the template
   std::vector<Problem> warnings;              ///< what is unlikely but not refused, by place
   std::string resolved;                       ///< text of resolved.toml

@@ -1,6 +1,8 @@
 // What the page says before anybody scrolls: a verdict, the numbers that a mill is judged by, the stand to scale,
 // and what one has to know about them.
+#include "core/records/marks_record.h"
 #include "core/records/result_names.h"
+#include "report/marks/figures.h"
 #include "report/modes/names.h"
 #include "report/page/curves.h"
 #include "report/page/names.h"
@@ -259,8 +261,41 @@ std::string contact_cards(const Run &run)
   return all;
 }
 
+// Force, named modes and limits of the first pass.
+std::string cluster_cards(const Run &run)
+{
+  std::string all;
+  const auto groups = short_groups(run);
+  if (groups.empty())
+    return all;
+  const auto &first = groups.front().results;
+  for (std::size_t i = 0; i < first.size() && i < 8; ++i) {
+    const auto parts        = parts_of(first[i]->name);
+    const std::string &what = parts.back();
+    const bool mode         = parts.size() == 4;
+    std::string label       = what;
+    std::replace(label.begin(), label.end(), mode ? '-' : '_', ' ');
+    all += card(first[i], mode ? label : label + ", " + parts[1]);
+  }
+  return all;
+}
+
+std::string marks_cards(const Run &run)
+{
+  std::string all = card(run.find(result_name({marks_family, "frequency"})), "frequency of the marks");
+  for (const Result &result : run.results)
+    if (const auto parts = parts_of(result.name);
+        parts.size() == 3 && parts[0] == marks_family && parts[2] == "per_turn")
+      all += card(&result, meaning_of(result.name));
+  return all;
+}
+
 std::string cards(const Run &run)
 {
+  if (holds_marks(run))
+    return marks_cards(run);
+  if (run.manifest.kind == "cluster")
+    return cluster_cards(run);
   if (has_chain(run))
     return chain_cards(run);
   if (run.manifest.kind == "bearing")
@@ -292,10 +327,14 @@ std::string chain_sentence(const Run &run)
 
 std::string sentence(const Run &run)
 {
+  if (holds_marks(run))
+    return marks_sentence(read_marks(run.directory));
   if (has_chain(run))
     return chain_sentence(run);
   if (run.manifest.kind == "chatter")
     return conditions(run).empty() ? "" : chatter_sentence(conditions(run).front());
+  if (run.manifest.kind == "cluster")
+    return "";
   if (run.manifest.kind == "bearing" && has_value(run.find("Kzc.tangent")))
     return "The bearing is a spring of " + shown(*run.find("Kzc.tangent")) +
            (run.find("Kzc.tangent")->at.empty() ? "" : " at " + escaped(run.find("Kzc.tangent")->at));

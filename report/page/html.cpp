@@ -1,4 +1,6 @@
 #include "report/page/html.h"
+#include "report/cluster/figures.h"
+#include "report/marks/figures.h"
 #include "report/models/data.h"
 #include "report/page/curves.h"
 #include "report/page/embedded.h"
@@ -57,9 +59,16 @@ std::string html_document(const std::string &title, const Run &run, const Page &
 std::string html_page(const Run &run)
 {
   Page page(run);
+  if (holds_marks(run)) {
+    marks_section(page, run);
+    full_results_section(page, run);
+    record_section(page, run);
+    return html_document(run.case_name, run, page, first_screen(run));
+  }
   const ModelData models = read_models(run.directory);
   summary_section(page, run, models);
   stand_section(page, run);
+  cluster_section(page, run);
   contact_section(page, run);
   bite_section(page, run);
   chatter_section(page, run, read_chatter(run));

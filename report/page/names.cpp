@@ -1,4 +1,5 @@
 #include "report/page/names.h"
+#include "report/cluster/figures.h"
 #include "core/records/result_names.h"
 #include "report/modes/names.h"
 #include <algorithm>
@@ -265,6 +266,10 @@ std::string meaning_of(const std::string &name)
 {
   if (const std::string words = chatter_meaning(name); !words.empty())
     return words;
+  if (const std::string words = cluster_meaning(name); !words.empty())
+    return words;
+  if (const std::string words = marks_meaning(name); !words.empty())
+    return words;
   if (const std::string number = number_after("fh", name); !number.empty())
     return "natural frequency " + number + ", horizontal";
   if (const std::string number = number_after("f", name); !number.empty())
@@ -318,6 +323,8 @@ std::vector<Group> short_groups(const Run &run)
     return bite_groups(run);
   if (run.manifest.kind == "chatter")
     return chatter_groups(run);
+  if (run.manifest.kind == "cluster")
+    return cluster_groups(run);
   Group contact{"Contact", {}}, stiffness{"Stiffness", {}}, mass{"Equivalent mass", {}}, named{"", {}},
       chain{"", {}}, fit{"Fit to measured values", {}};
   if (run.manifest.kind == "two-cylinders" || !chain_value(run, "K1"))

@@ -29,6 +29,8 @@ std::vector<Group> bite_groups(const Run &run);
 std::vector<Group> chatter_groups(const Run &run);
 /// Meaning of "chatter.2.growth_rate" and of the derivatives "bite.2.F.gap"; empty: another name.
 std::string chatter_meaning(const std::string &name);
+/// Meaning of "marks.work_roll.per_turn"; empty: another name.
+std::string marks_meaning(const std::string &name);
 /// chatter.CONDITION.speed_slope.KEY and friction_slope, which the charts of the section show side by side.
 bool is_slope_by_one_input(const std::string &name);
 /// bite.PASS.MODEL.*, which the table of models shows side by side.

@@ -1,0 +1,70 @@
+#include "app/cluster/cluster_stage.h"
+#include "app/stages/bite_stage.h"
+#include "app/stages/bite_study.h"
+#include "bite/slab/slab_bite.h"
+#include "core/model/case.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+void check_free_motions(const ClusterStand &stand, const cluster::Stack &stack, std::vector<Problem> &problems)
+{
+  for (const std::string &motion : cluster::free_motions(stack)) {
+    const std::string roll = motion.substr(0, motion.find(' '));
+    Place place;
+    for (const ClusterRoll &r : stand.rolls)
+      if (r.name == roll)
+        place = r.place;
+    problems.push_back({place,
+                        fmt::format("nothing holds roll {}; add a [[support]] of it, for example type = \"guide\", or a "
+                                    "[[contact]] that acts in this direction",
+                                    motion),
+                        {}});
+  }
+}
+
+void check_shapes(const ClusterStand &stand, const cluster::Stack &stack, std::vector<Problem> &problems)
+{
+  for (const ClusterMode &mode : stand.modes)
+    try {
+      cluster::parsed_shape(stack, mode.shape);
+    } catch (const InputError &e) {
+      problems.push_back(
+          {mode.place, fmt::format("the shape of mode \"{}\": {}", mode.name, e.problems.front().message), {}});
+    }
+}
+}  // namespace
+
+void check_cluster(const Case &the_case)
+{
+  const ClusterStand &stand  = *std::get<ClusterCase>(the_case.spec).stand;
+  const cluster::Stack stack = cluster::stack_of(stand, stand.schedule.front(), 1e6);
+  std::vector<Problem> problems;
+  check_free_motions(stand, stack, problems);
+  check_shapes(stand, stack, problems);
+  if (!problems.empty())
+    throw InputError(std::move(problems));
+}
+
+ClusterForce cluster_force(const ClusterStand &stand, const ClusterPass &pass)
+{
+  if (!std::isnan(pass.load))
+    return {pass.load, true, ""};
+  const ClusterRoll &roll = stand.rolls[std::size_t(cluster::strip_roll(stand))];
+  Material material       = stand.steel;
+  if (!std::isnan(roll.youngs_modulus))
+    material.youngs_modulus = roll.youngs_modulus;
+  if (!std::isnan(roll.poisson_ratio))
+    material.poisson_ratio = roll.poisson_ratio;
+  bite::RollBite bite = bite_of(stand.strip, pass, roll.barrel_diameter, material);
+  if (std::isnan(bite.strip.initial_thickness))
+    bite.strip.initial_thickness = stand.schedule.front().entry_thickness;
+  bite::SlabModel model = slab_model(stand.bite);
+  model.curve_points    = 0;
+  if (model.arc == bite::Arc::elastic)
+    model.arc = bite::Arc::hitchcock;
+  return {bite::solve_slab(bite, model).force, false, bite::model_name(model)};
+}
+}  // namespace mill

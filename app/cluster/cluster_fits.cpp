@@ -1,0 +1,68 @@
+#include "app/cluster/cluster_results.h"
+#include "core/records/cluster_names.h"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+const char *unit_of(const std::string &key)
+{
+  const std::string last = key.substr(key.rfind('.') + 1);
+  if (last == "stiffness" || last == "guard" || last == "strip_stiffness")
+    return "N/m";
+  if (last == "load" || last == "preload")
+    return "N";
+  if (last == "direction" || last == "half_angle")
+    return "rad";
+  if (last == "mass")
+    return "kg";
+  if (last == "density")
+    return "kg/m3";
+  if (last == "youngs_modulus")
+    return "Pa";
+  return last == "barrel_diameter" || last == "barrel_length" || last == "length" ? "m" : "1";
+}
+}  // namespace
+
+ClusterFitRecord fit_record(const ClusterStand &, const ClusterVariant &variant, const cluster::StackFit &fit)
+{
+  ClusterFitRecord r;
+  r.variant = fit.variant;
+  r.pass    = fit.pass;
+  for (const std::string &set : variant.set)
+    r.set += (r.set.empty() ? "" : "; ") + set;
+  for (const cluster::FittedNumber &n : fit.numbers)
+    r.numbers.push_back({n.key, n.start, n.value, n.interval});
+  for (const cluster::MatchedFrequency &f : fit.frequencies)
+    r.frequencies.push_back({f.mode, f.wanted, f.computed, f.fitted});
+  r.correlation   = fit.correlation;
+  r.rms_fitted    = fit.rms_fitted;
+  r.rms_predicted = fit.rms_predicted;
+  r.converged     = fit.converged;
+  r.undetermined  = fit.undetermined;
+  r.refused       = fit.refused;
+  return r;
+}
+
+void add_fit_results(RunContext &run, const cluster::StackFit &fit, const KeyList &keys)
+{
+  int matched = 0;
+  for (const cluster::MatchedFrequency &f : fit.frequencies)
+    matched += f.fitted;
+  for (const cluster::FittedNumber &n : fit.numbers) {
+    Parameter p;
+    p.value  = n.value;
+    p.unit   = unit_of(n.key);
+    p.method = fmt::format("fit of {} number{} to {} frequencies (38.25)", fit.numbers.size(),
+                           fit.numbers.size() == 1 ? "" : "s", matched);
+    p.at     = fit.pass;
+    p.inputs = keys;
+    if (std::isnan(n.interval))
+      p.error_lacks = {"variant.modes"};
+    else
+      p.error_estimate = n.interval / std::abs(n.value);
+    p.checks.push_back({"start of the fit", n.start, "the value of the case"});
+    run.results.add(result_name({family::cluster, cluster_fit, fit.variant, n.key}), p);
+  }
+}
+}  // namespace mill

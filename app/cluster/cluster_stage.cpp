@@ -1,0 +1,202 @@
+#include "app/cluster/cluster_stage.h"
+#include "app/cluster/cluster_results.h"
+#include "app/stages/curve_files.h"
+#include "core/model/case.h"
+#include "core/records/cluster_names.h"
+#include "core/records/json_archive.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+ClusterRecord stack_record(const ClusterStand &written, const cluster::Stack &stack)
+{
+  const ClusterStand stand = cluster::written_out(written);
+  ClusterRecord r;
+  r.strip = stand.stack.strip;
+  for (const cluster::Roll &roll : stack.rolls)
+    r.rolls.push_back({roll.name, roll.centre.x(), roll.centre.y(), roll.radius, roll.mass});
+  for (std::size_t i = 0; i < stack.contacts.size(); ++i)
+    r.contacts.push_back({stack.contacts[i].name, stack.contacts[i].a, stack.contacts[i].b,
+                          i < stand.contacts.size() ? stand.contacts[i].law : "spring"});
+  for (std::size_t i = 0; i < stack.supports.size(); ++i)
+    r.supports.push_back({stack.supports[i].name, stand.supports[i].type, stack.supports[i].roll,
+                          stand.supports[i].fitted});
+  for (const ClusterMode &mode : stand.modes)
+    r.published.push_back({mode.name, mode.shape, mode.frequency});
+  return r;
+}
+
+std::string first_guide(const ClusterPassRecord &record)
+{
+  for (const ClusterShare &guide : record.least_guides)
+    if (!std::isnan(guide.value))
+      return fmt::format("; with guide {} of at least {:.3g} N/m the stack is stable", guide.name, guide.value);
+  return "";
+}
+
+// A stack that buckles has no vibration: its numbers so far are kept, and the run ends there.
+void refuse_buckled(const ClusterPassRun &pass, const ClusterPassRecord &record)
+{
+  if (pass.state.rest.stable())
+    return;
+  const cluster::Mode &worst = pass.state.modes.front();
+  throw SolverError({fmt::format("pass \"{}\": the stack buckles under {:.5g} kN", pass.pass->name,
+                                 1e-3 * pass.force.value),
+                     fmt::format("{} grows: its eigenvalue is {:.4g} 1/s2{}", worst.label, pass.state.rest.least_root,
+                                 first_guide(record)),
+                     "contacts push a roll out of the line of forces, and nothing stiff enough holds it",
+                     "stiffer guides or supports of that roll, or a smaller force", ""});
+}
+
+void warn_of_preload(RunContext &run, const ClusterPassRun &pass)
+{
+  for (const cluster::Support &s : pass.state.stack.supports) {
+    if (s.type != cluster::Support::Type::rollers)
+      continue;
+    const auto f = cluster::roller_forces(s, pass.state.rest.u.segment<2>(2 * s.roll));
+    if (f[0] <= 0 || f[1] <= 0)
+      run.warn(fmt::format("pass \"{}\": the preload of support {} is lost, its rollers carry {:.4g} and {:.4g} N; the "
+                           "roll lies loose in its nest",
+                           pass.pass->name, s.name, f[0], f[1]));
+  }
+  for (std::size_t i = 0; i < pass.state.stack.contacts.size(); ++i)
+    if (pass.state.stack.contacts[i].one_sided && pass.state.rest.contact_loads[i] <= 0)
+      run.warn(fmt::format("pass \"{}\": contact {} is open, its rolls stand {:.3g} um apart", pass.pass->name,
+                           pass.state.stack.contacts[i].name,
+                           -1e6 * cluster::contact_state(pass.state.stack, pass.state.stack.contacts[i],
+                                                         pass.state.rest.u)
+                                      .approach));
+}
+
+// Every frequency over the rolling force, from a quarter of the smallest to twice the largest of the passes.
+void write_load_curve(RunContext &run, const ClusterStand &stand, const std::vector<ClusterPassRun> &passes,
+                      const cluster::ComputedLaws &computed)
+{
+  double least = passes[0].force.value, most = least;
+  for (const ClusterPassRun &pass : passes) {
+    least = std::min(least, pass.force.value);
+    most  = std::max(most, pass.force.value);
+  }
+  constexpr int samples = 25;
+  const Eigen::Index n  = Eigen::Index(passes[0].state.modes.size());
+  std::vector<double> forces;
+  std::vector<Eigen::VectorXd> rows;
+  for (int i = 0; i < samples; ++i) {
+    const double force = 0.25 * least * std::pow(8 * most / least, i / double(samples - 1));
+    try {
+      const auto state = cluster::pass_state(stand, *passes[0].pass, force, computed);
+      Eigen::VectorXd f(n);
+      for (Eigen::Index k = 0; k < n; ++k)
+        f[k] = state.modes[std::size_t(k)].frequency;
+      forces.push_back(force);
+      rows.push_back(f);
+    } catch (const SolverError &) {  // beyond buckling
+    }
+  }
+  Table t;
+  t.add("force", "N", Eigen::Map<const Eigen::VectorXd>(forces.data(), Eigen::Index(forces.size())));
+  for (Eigen::Index k = 0; k < n; ++k) {
+    Eigen::VectorXd column(Eigen::Index(rows.size()));
+    for (Eigen::Index i = 0; i < column.size(); ++i)
+      column[i] = rows[std::size_t(i)][k];
+    t.add(fmt::format("f{}", k + 1), "Hz", column);
+  }
+  write_curve(run, curve::cluster_load, "", t);
+}
+
+void solve_fits(RunContext &run, const ClusterStand &stand, const std::vector<ClusterPassRun> &passes,
+                const cluster::ComputedLaws &computed, ClusterRecord &record)
+{
+  for (std::size_t i = 0; i < stand.variants.size(); ++i) {
+    const ClusterVariant &variant = stand.variants[i];
+    const ClusterPassRun *at      = &passes.front();
+    for (const ClusterPassRun &pass : passes)
+      if (pass.pass->name == variant.pass)
+        at = &pass;
+    const auto fit = cluster::fit_variant(stand, variant, *at->pass, at->force.value, computed);
+    if (!fit.refused.empty())
+      run.warn(fmt::format("variant \"{}\" has no fit: {}", variant.name, fit.refused));
+    else if (!fit.converged)
+      run.warn(fmt::format("variant \"{}\": the fit has not settled after {} steps", variant.name, fit.steps));
+    else if (!fit.undetermined.empty())
+      run.warn(fmt::format("variant \"{}\": the frequencies do not tell {}", variant.name, fit.undetermined));
+    KeyList keys = at->keys;
+    for (const auto &[key, place] : run.the_case.places)
+      if (key.rfind("mode.", 0) == 0 || key.rfind(fmt::format("variant.{}.", i), 0) == 0)
+        keys.push_back(key);
+    add_fit_results(run, fit, keys);
+    record.fits.push_back(fit_record(stand, variant, fit));
+  }
+}
+
+void say_what_is_assumed(RunContext &run, const ClusterStand &stand)
+{
+  for (const ClusterSupport &s : stand.supports)
+    if (s.fitted && s.like.empty())
+      run.assume(fmt::format("the stiffness of support {} follows only from a fit to frequencies; what agrees with them "
+                             "by it is no evidence",
+                             s.own_name()));
+  if (stand.stack.spin == "free")
+    run.assume("contacts of the stack are frictionless; rolls turn freely in every vibration (stack.spin = \"coupled\" "
+               "has the other limit)");
+  if (stand.stack.strip.find('-') == std::string::npos || std::isnan(stand.stack.strip_stiffness))
+    run.assume("the strip is a force on the stack and no spring");
+}
+}  // namespace
+
+KeyList cluster_keys(const Case &the_case, const std::size_t p, const bool driven)
+{
+  KeyList keys;
+  const std::string pass = fmt::format("pass.{}.", p);
+  for (const auto &[key, place] : the_case.places) {
+    const auto of = [&](const std::string &section) { return key.rfind(section, 0) == 0; };
+    const bool dynamic = key == pass + "dynamic_force" || key == pass + "dynamic_frequency" || key == pass + "loss_factor";
+    if (of("steel.") || of("stack.") || of("roll.") || of("contact.") || of("support.") || key == pass + "load" ||
+        key == pass + "horizontal_force" || (driven && (of("response.") || dynamic)))
+      keys.push_back(key);
+    const bool strip = of("strip.") || key == pass + "entry_thickness" || key == pass + "exit_thickness" ||
+                       key == pass + "entry_pull" || key == pass + "exit_pull" || key == pass + "speed";
+    if (strip && !the_case.places.count(pass + "load"))
+      keys.push_back(key);
+  }
+  return keys;
+}
+
+void solve_cluster(RunContext &run, const ClusterStand &stand, const Goal goal)
+{
+  const cluster::ComputedLaws computed = computed_laws(run, stand);
+  StageTimer timer(run, "stack");
+  std::vector<ClusterPassRun> passes;
+  for (std::size_t p = 0; p < stand.schedule.size(); ++p) {
+    ClusterPassRun pass;
+    pass.p           = p;
+    pass.pass        = &stand.schedule[p];
+    pass.force       = cluster_force(stand, *pass.pass);
+    pass.state       = cluster::pass_state(stand, *pass.pass, pass.force.value, computed);
+    pass.keys        = cluster_keys(run.the_case, p, false);
+    pass.driven_keys = cluster_keys(run.the_case, p, true);
+    passes.push_back(std::move(pass));
+  }
+  ClusterRecord record = stack_record(stand, passes.front().state.stack);
+  for (const ClusterPassRun &pass : passes) {
+    record.passes.push_back(pass_record(stand, pass));
+    add_state_results(run, stand, pass);
+    warn_of_preload(run, pass);
+    if (goal != Goal::stiffness) {
+      add_mode_results(run, stand, pass);
+      add_stability(run, stand, pass, record.passes.back());
+      refuse_buckled(pass, record.passes.back());
+    }
+    if (goal == Goal::simulate)
+      add_vibration(run, stand, pass, record.passes.back());
+  }
+  say_what_is_assumed(run, stand);
+  if (goal != Goal::stiffness) {
+    write_load_curve(run, stand, passes, computed);
+    solve_fits(run, stand, passes, computed, record);
+  }
+  run.out.write(cluster_file, json_of_record(record));
+}
+}  // namespace mill

@@ -1,0 +1,62 @@
+#include "core/model/cluster.h"
+#include "app/case_kinds.h"
+#include "app/cluster/cluster_stage.h"
+#include "app/trace/closed_form_parts.h"
+#include "core/model/case.h"
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace mill {
+namespace {
+const ClusterStand &stand_of(const Case &the_case)
+{
+  return *std::get<ClusterCase>(the_case.spec).stand;
+}
+
+std::string cluster_refusal(const Case &the_case, const std::string &verb)
+{
+  if (verb != "chatter")
+    return "";
+  return "the stack of " + the_case.path +
+         " has an imposed rolling force and no bite that answers its motion; 'chatter' needs a four-high or a case of kind "
+         "= \"chatter\"";
+}
+}  // namespace
+
+const RunKind &run_kind(const ClusterCase &)
+{
+  static const RunKind kind = [] {
+    RunKind k;
+    k.verbs   = {"run", "stiffness", "modes", "simulate"};
+    k.refusal = cluster_refusal;
+    k.check   = check_cluster;
+    k.stages  = [](const Case &the_case) -> std::vector<std::pair<std::string, double>> {
+      std::vector<std::pair<std::string, double>> stages;
+      for (const ClusterContact &c : stand_of(the_case).contacts)
+        if (c.law == "computed" && c.like.empty()) {
+          stages.emplace_back("condensation", 5);
+          stages.emplace_back("contact " + c.pair, 1);
+        }
+      stages.emplace_back("stack", 2);
+      return stages;
+    };
+    k.run = [](RunContext &run, const Goal goal, const std::string &) {
+      solve_cluster(run, stand_of(run.the_case), goal);
+    };
+    k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
+      manifest["geometry"] = nlohmann::ordered_json::object();
+      for (const ClusterRoll &roll : stand_of(the_case).rolls)
+        manifest["geometry"]["roll_" + roll.name + "_diameter"] = roll.barrel_diameter;
+    };
+    k.inputs = [](const Case &, const Results &results, const std::string &name) -> std::optional<KeyList> {
+      const Parameter *made = results.find(name);
+      return made ? std::optional<KeyList>(made->inputs) : std::nullopt;
+    };
+    k.trace = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
+      return closed_form_cluster(the_case);
+    };
+    return k;
+  }();
+  return kind;
+}
+}  // namespace mill

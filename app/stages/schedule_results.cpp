@@ -1,0 +1,178 @@
+#include "app/stages/schedule_results.h"
+#include "app/stages/contact_stage.h"
+#include "core/records/result_names.h"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+constexpr const char *common = "fit";  // second part of the names of what all passes have in common
+
+std::string fit_text(const std::string &what, const PassForce &pass, const std::string &arc)
+{
+  return fmt::format("fit of one unknown: {} that returns the {} of {} on {}, met by construction", what,
+                     pass.fitted_to_what, in_kN(pass.fitted_to), arc);
+}
+
+std::string pass_at(const PassForce &pass)
+{
+  return fmt::format("{:.4g} -> {:.4g} mm", 1e3 * pass.entry_thickness, 1e3 * pass.exit_thickness);
+}
+
+/// Adds results of one pass, or of all of them.
+class ScheduleAdder {
+public:
+  ScheduleAdder(RunContext &run_, const ScheduleQuestion &question_, std::string subject_, std::string at_)
+      : run(run_), question(question_), subject(std::move(subject_)), at(std::move(at_))
+  {
+  }
+  void operator()(const std::string &name, const double value, const char *unit, const std::string &method,
+                  std::vector<Check> checks = {}, const std::string &lacks = "friction and flow stress",
+                  const Source source = Source::computed) const
+  {
+    if (std::isnan(value))
+      return;
+    Parameter p;
+    p.value                = value;
+    p.unit                 = unit;
+    p.source               = source;
+    p.method               = method;
+    p.at                   = at;
+    p.checks               = std::move(checks);
+    p.error_lacks          = {lacks};
+    const std::string full = result_name({question.family, subject, name});
+    if (const auto keys = schedule_inputs(question, full))
+      p.inputs = *keys;
+    run.results.add(full, p);
+  }
+
+private:
+  RunContext &run;
+  const ScheduleQuestion &question;
+  std::string subject, at;
+};
+
+std::vector<Check> beside_force(const PassForce &pass)
+{
+  std::vector<Check> checks;
+  const auto add = [&](const std::string &name, const double value, const std::string &note = "") {
+    if (!std::isnan(value))
+      checks.push_back({name, value, note});
+  };
+  if (pass.published > 0)
+    checks.push_back(check(CheckId::published, pass.published));
+  add("measured, lower end of the range", pass.measured[0]);
+  add("measured, upper end of the range", pass.measured[1]);
+  if (pass.given > 0)
+    add("Bland-Ford on Hitchcock's arc with the flow stress law of the case", pass.law_force);
+  for (const TheoryForce &theory : pass.theories)
+    if (theory.refused.empty())
+      add(theory.name, theory.force,
+          std::isnan(pass.flat.flow_stress) ? "" : "with the flow stress that was fitted by the closed theory");
+  return checks;
+}
+
+void add_pass(RunContext &run, const ScheduleQuestion &q, const PassForce &pass)
+{
+  const std::string subject = q.passes.size() == 1 && pass.name.empty() ? "" : pass.name;
+  const ScheduleAdder add(run, q, subject, pass_at(pass));
+  if (pass.given > 0)
+    add("force", pass.given, "N", "load of the pass", beside_force(pass), "accuracy of the given load",
+        Source::given);
+  else
+    add("force", pass.law_force, "N", "closed slab theory on Hitchcock's arc, stress of the law at the exit",
+        beside_force(pass));
+  const bool fitted = !std::isnan(pass.flat.flow_stress);
+  if (fitted) {
+    std::vector<Check> beside{
+        {"on the roll's own radius, without flattening", pass.rigid.flow_stress, "also fitted"}
+    };
+    if (!std::isnan(pass.law_stress))
+      beside.push_back({"flow stress law of the case at the exit", pass.law_stress, ""});
+    add("flow_stress", pass.flat.flow_stress, "Pa", fit_text("flow stress", pass, "Hitchcock's arc"), beside,
+        "one equation for two unknowns, friction is taken as it is");
+    add("flow_stress_unflattened", pass.rigid.flow_stress, "Pa",
+        fit_text("flow stress", pass, "the roll's own radius"), {},
+        "one equation for two unknowns, friction is taken as it is");
+    std::vector<Check> radii;
+    if (pass.radius_beyond != pass.flat.radius)
+      radii.push_back({"power 2/3 beyond R'/R = 5.235 (39.1)", pass.radius_beyond, ""});
+    add("flattened_radius", pass.flat.radius, "m", "Hitchcock (8.9) under the " + pass.fitted_to_what, radii,
+        "that the arc stays a circle");
+  } else {
+    add("flow_stress", pass.law_stress, "Pa", "flow stress law of the case at the exit");
+  }
+  add("friction", pass.friction, "1", "friction law of the strip at the speed of the pass", {},
+      "the friction law");
+  const std::string work =
+      fitted ? "homogeneous deformation (39.6) with the fitted flow stress" : "homogeneous deformation (39.6)";
+  add("deformation_power", pass.power, "W", work, {}, "a lower bound: friction and redundant work come on top");
+  add("deformation_torque", pass.torque, "N m", work + ", one roll", {},
+      "a lower bound: friction and redundant work come on top");
+}
+
+void add_common(RunContext &run, const ScheduleQuestion &q, const ScheduleRecord &record)
+{
+  for (const ScheduleLaw &law : record.laws) {
+    if (!law.flattened)
+      continue;
+    const ScheduleAdder add(run, q, common, fmt::format("{} passes", law.data));
+    const std::string how = fmt::format("fit of {} unknowns to {} passes, flow stress on Hitchcock's arc (39.4)",
+                                        law.unknowns, law.data);
+    add("hardening_stress", law.Y, "Pa", how, {}, "what the fitted stresses lack");
+    add("hardening_exponent", law.n, "1", how, {}, "what the fitted stresses lack");
+  }
+  for (const DynamicForces &dynamics : record.dynamics) {
+    if (!dynamics.flattened)
+      continue;
+    const ScheduleAdder add(run, q, common, fmt::format("{} passes", dynamics.data));
+    add("dynamic_constant", dynamics.common, "m2/s",
+        fmt::format("fit of one unknown to {} dynamic forces, geometric mean (39.8)", dynamics.data), {},
+        "span, amplitude and mode of the strip are not known");
+  }
+}
+
+void add_dynamic(RunContext &run, const ScheduleQuestion &q, const ScheduleRecord &record)
+{
+  for (const DynamicForces &dynamics : record.dynamics)
+    for (const DynamicForce &force : dynamics.passes) {
+      if (!dynamics.flattened)
+        continue;
+      const ScheduleAdder add(run, q, force.name, "");
+      std::vector<Check> beside;
+      if (force.printed > 0)
+        beside.push_back(check(CheckId::published, force.printed, force.in_fit ? "in the fit" : "blind test"));
+      add("dynamic_force", force.with_common, "N", "one constant for all passes (39.8), (39.9)", beside,
+          "span, amplitude and mode of the strip are not known");
+      add("force_per_displacement", force.per_displacement, "N/m", "slope of (39.9), with the fitted flow stress");
+    }
+}
+}  // namespace
+
+void add_schedule_results(RunContext &run, const ScheduleQuestion &question, const ScheduleRecord &record)
+{
+  for (const PassForce &pass : record.passes)
+    add_pass(run, question, pass);
+  add_common(run, question, record);
+  add_dynamic(run, question, record);
+}
+
+std::optional<KeyList> schedule_inputs(const ScheduleQuestion &question, const std::string &name)
+{
+  const auto keys_of_pass = [&](const std::size_t p) {
+    const std::string row = fmt::format("pass.{}", p);
+    KeyList keys = joined(bite_keys({question.passes[p].bite.strip, question.setup, p, question.roll_key, true}),
+                          keys_in(row, "load speed published_force measured_force"));
+    return keys;
+  };
+  for (std::size_t p = 0; p < question.passes.size(); ++p)
+    if (is_of(name, result_name({question.family, question.passes[p].name})))
+      return keys_of_pass(p);
+  if (!is_of(name, result_name({question.family, common})))
+    return {};
+  KeyList all;
+  for (std::size_t p = 0; p < question.passes.size(); ++p)
+    all = joined(all, keys_of_pass(p), keys_in(fmt::format("pass.{}", p), "published_dynamic common_fit"));
+  return all;
+}
+}  // namespace mill

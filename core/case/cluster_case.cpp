@@ -1,0 +1,289 @@
+#include "core/case/cluster_rows.h"
+#include "core/case/cluster_variants.h"
+#include "core/case/stand_reader.h"
+#include "core/model/cluster_case.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+namespace mill {
+namespace {
+bool is_given(const Reading &reading, const std::string &key)
+{
+  return reading.places.count(key) > 0;
+}
+
+// [[roll]], [[contact]] ..: every table of the list.
+template <class T>
+std::vector<T> read_list(const Node &root, const std::string &name, const std::vector<Field<T>> &rows,
+                         const bool needed, Reading &reading)
+{
+  std::vector<T> all;
+  const Node::Entry *entry = root.find(name);
+  if (!entry) {
+    if (needed)
+      reading.add(Place{reading.file}, fmt::format("there is no [[{}]]; give at least one", name));
+    return all;
+  }
+  if (entry->value.kind != Node::Kind::array) {
+    reading.bad.insert(name);
+    reading.add(entry->key_place,
+                fmt::format("a {0} stands under [[{0}]], in double brackets, one for each", name));
+    return all;
+  }
+  for (std::size_t i = 0; i < entry->value.items.size(); ++i) {
+    const Node &node      = entry->value.items[i];
+    const std::string key = fmt::format("{}.{}", name, i);
+    if (node.kind != Node::Kind::table) {
+      reading.add(node.place, fmt::format("{} = {} is a value; a section [[{}]] is needed", key, shown(node), name));
+      continue;
+    }
+    T one;
+    read_and_echo(Section{&node, key}, "[[" + name + "]]", rows, one, reading);
+    one.place = node.place;
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+std::string numbered(const char *list, const std::size_t i, const char *key)
+{
+  return fmt::format("{}.{}.{}", list, i, key);
+}
+
+void check_word(const std::string &key, const std::string &name, Reading &reading)
+{
+  const bool good = !name.empty() && std::all_of(name.begin(), name.end(), [](const unsigned char c) {
+    return std::isalnum(c) || c == '_';
+  });
+  if (!good && reading.usable({key}))
+    contradict(reading, key, "is no name; letters, digits and _ make one", {});
+}
+
+template <class List, class NameOf>
+void check_unique(const char *list, const char *key, const List &all, const NameOf &name_of, Reading &reading)
+{
+  std::map<std::string, std::size_t> first;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (const auto [other, is_new] = first.emplace(name_of(all[i]), i); !is_new)
+      contradict(reading, numbered(list, i, key), "stands there twice", {numbered(list, other->second, key)});
+}
+
+std::vector<std::string> roll_names(const ClusterStand &stand)
+{
+  std::vector<std::string> names;
+  for (const ClusterRoll &roll : stand.rolls)
+    names.push_back(roll.name);
+  return names;
+}
+
+void check_known(const std::string &key, const std::string &name, const char *what,
+                 const std::vector<std::string> &known, Reading &reading)
+{
+  if (reading.usable({key}) && std::find(known.begin(), known.end(), name) == known.end())
+    contradict(reading, key, fmt::format("names no {}{}", what, suggestion(name, known)), {});
+}
+
+void check_rolls(const ClusterStand &stand, Reading &reading)
+{
+  for (std::size_t i = 0; i < stand.rolls.size(); ++i)
+    check_word(numbered("roll", i, "name"), stand.rolls[i].name, reading);
+  check_unique("roll", "name", stand.rolls, [](const ClusterRoll &r) { return r.name; }, reading);
+  const auto names = roll_names(stand);
+  const auto strip = split(stand.stack.strip, "-");
+  if (!reading.usable({"stack.strip"}))
+    return;
+  if (strip.size() > 2)
+    contradict(reading, "stack.strip", "names more than two rolls; the strip lies below one, or between two", {});
+  for (const std::string &name : strip)
+    check_known("stack.strip", name, "roll", names, reading);
+  if (is_given(reading, "stack.strip_stiffness") && strip.size() != 2)
+    contradict(reading, "stack.strip_stiffness", "needs a roll on either side of the strip, strip = \"S-T\"",
+               {"stack.strip"});
+}
+
+// What stands beside `like`: nothing, since all of it is taken from there.
+template <class Rows>
+void check_like(const char *list, const std::size_t i, const Rows &rows, const std::set<std::string> &own,
+                const std::string &like, const std::vector<std::string> &known, Reading &reading)
+{
+  const std::string key = numbered(list, i, "like");
+  check_known(key, like, list, known, reading);
+  for (const auto &row : rows)
+    if (!own.count(row.key) && is_given(reading, numbered(list, i, row.key)))
+      contradict(reading, numbered(list, i, row.key), "is taken from the one that this is like; leave one of both out",
+                 {key});
+}
+
+void check_contacts(const ClusterStand &stand, Reading &reading)
+{
+  const auto names = roll_names(stand);
+  std::vector<std::string> originals;
+  for (const ClusterContact &c : stand.contacts)
+    if (c.like.empty())
+      originals.push_back(c.pair);
+  check_unique("contact", "pair", stand.contacts, [](const ClusterContact &c) { return c.pair; }, reading);
+  for (std::size_t i = 0; i < stand.contacts.size(); ++i) {
+    const ClusterContact &c = stand.contacts[i];
+    const std::string pair  = numbered("contact", i, "pair");
+    const auto rolls        = split(c.pair, "-");
+    if (reading.usable({pair}) && (rolls.size() != 2 || rolls[0] == rolls[1])) {
+      contradict(reading, pair, "is no pair of two rolls, \"W-I\"", {});
+      continue;
+    }
+    for (const std::string &name : rolls)
+      check_known(pair, name, "roll", names, reading);
+    if (!c.like.empty()) {
+      check_like("contact", i, cluster_contact_rows(), {"pair", "like"}, c.like, originals, reading);
+      continue;
+    }
+    const std::string law = numbered("contact", i, "law"), stiffness = numbered("contact", i, "stiffness");
+    if (c.law == "spring" && std::isnan(c.stiffness) && reading.usable({law, stiffness}))
+      contradict(reading, law, "needs a stiffness, for example stiffness = \"1.5e10 N/m\"", {});
+    if (c.law == "spring" && c.exponent != 1 && std::isnan(c.load) &&
+        reading.usable({numbered("contact", i, "load"), numbered("contact", i, "exponent")}))
+      contradict(reading, numbered("contact", i, "exponent"), "bends the spring; give the load where its stiffness belongs",
+                 {});
+    for (const char *key : {"stiffness", "load", "exponent"})
+      if (c.law != "spring" && is_given(reading, numbered("contact", i, key)))
+        contradict(reading, numbered("contact", i, key), "belongs to law = \"spring\"; leave one of the two out", {law});
+  }
+}
+
+void check_supports(const ClusterStand &stand, Reading &reading)
+{
+  const auto names = roll_names(stand);
+  std::vector<std::string> originals;
+  for (const ClusterSupport &s : stand.supports)
+    if (s.like.empty())
+      originals.push_back(s.own_name());
+  check_unique("support", "roll", stand.supports, [](const ClusterSupport &s) { return s.own_name(); }, reading);
+  for (std::size_t i = 0; i < stand.supports.size(); ++i) {
+    const ClusterSupport &s = stand.supports[i];
+    const auto key          = [&](const char *k) { return numbered("support", i, k); };
+    check_known(key("roll"), s.roll, "roll", names, reading);
+    if (!s.like.empty()) {
+      check_like("support", i, cluster_support_rows(), {"roll", "name", "like", "against"}, s.like, originals, reading);
+      continue;
+    }
+    const auto needs = [&](const char *k, const bool missing, const char *example) {
+      if (missing && reading.usable({key(k), key("type")}))
+        reading.add(s.place, fmt::format("support.{} of type {} has no '{}'; add for example {} = \"{}\"", i, s.type, k,
+                                         k, example));
+    };
+    needs("stiffness", std::isnan(s.stiffness), "1.08e10 N/m");
+    const bool curved = s.exponent != 1 && (s.type == "radial" || s.type == "isotropic");
+    needs("load", curved && std::isnan(s.load), "1148 kN");
+    if (s.type == "rollers") {
+      needs("half_angle", std::isnan(s.half_angle), "36 deg");
+      needs("preload", std::isnan(s.preload), "4.5 kN");
+      needs("against", s.against.empty(), "W");
+      if (!s.against.empty())
+        check_known(key("against"), s.against, "roll", names, reading);
+    }
+  }
+}
+
+void check_schedule(ClusterStand &stand, Reading &reading)
+{
+  std::vector<Pass> names;
+  for (std::size_t i = 0; i < stand.schedule.size(); ++i) {
+    ClusterPass &pass = stand.schedule[i];
+    const auto key    = [&](const char *k) { return numbered("pass", i, k); };
+    names.push_back(pass);
+    if (std::isnan(pass.load) && reading.usable({key("load")}))
+      for (const char *k : {"entry_thickness", "exit_thickness"})
+        if (!is_given(reading, key(k)) && reading.usable({key(k)}))
+          reading.add(pass.place, fmt::format("pass.{} has neither 'load' nor '{}'; a force is given, or computed from "
+                                              "the thicknesses of the strip",
+                                              i, k));
+    if (reading.usable({key("entry_thickness"), key("exit_thickness")}) && pass.exit_thickness >= pass.entry_thickness)
+      contradict(reading, key("exit_thickness"), "is not smaller than the entry thickness", {key("entry_thickness")});
+    if (is_given(reading, key("dynamic_force")) != is_given(reading, key("dynamic_frequency")) &&
+        reading.usable({key("dynamic_force"), key("dynamic_frequency")}))
+      reading.add(pass.place, fmt::format("pass.{}: dynamic_force and dynamic_frequency belong together; give both or "
+                                          "none",
+                                          i));
+    // Whole tension forces over the section of the strip.
+    pass.entry_tension = pass.entry_pull / (stand.strip.width * pass.entry_thickness);
+    pass.exit_tension  = pass.exit_pull / (stand.strip.width * pass.exit_thickness);
+  }
+  check_pass_names(names, reading);
+}
+
+Strip read_cluster_strip(const Node &root, Reading &reading)
+{
+  StripInput strip;
+  const Section section    = section_at(root, "strip", reading);
+  const Node::Entry *entry = section.node ? section.node->find("friction") : nullptr;
+  const bool has_law       = entry && entry->value.kind == Node::Kind::table;
+  auto rows                = cluster_strip_rows();
+  if (has_law)
+    rows.pop_back();
+  read_and_echo(section, section.header(), rows, strip, reading,
+                has_law ? std::vector<std::string>{"flow_stress", "friction"}
+                        : std::vector<std::string>{"flow_stress"});
+  if (section.node && section.node->find("flow_stress"))
+    strip.flow_stress = read_flow_stress(root, reading);
+  else
+    strip.flow_stress.k = not_given;
+  strip.friction.coefficient = strip.coulomb;
+  if (has_law)
+    strip.friction = read_friction_law({&entry->value, "strip.friction"}, reading);
+  return strip;
+}
+
+// Laws of the strip, where a pass leaves its force to them.
+void check_strip_laws(const ClusterStand &stand, Reading &reading)
+{
+  const auto computed = std::find_if(stand.schedule.begin(), stand.schedule.end(),
+                                     [](const ClusterPass &pass) { return std::isnan(pass.load); });
+  if (computed == stand.schedule.end())
+    return;
+  if (std::isnan(stand.strip.flow_stress.k) && reading.usable({"strip.flow_stress.law", "strip.width"}))
+    reading.add(computed->place, fmt::format("pass \"{}\" has no 'load', and [strip.flow_stress] that a force could be "
+                                             "computed from is missing; give one of the two",
+                                             computed->name));
+}
+
+void check_modes(const ClusterStand &stand, Reading &reading)
+{
+  check_unique("mode", "name", stand.modes, [](const ClusterMode &m) { return m.name; }, reading);
+  for (std::size_t i = 0; i < stand.modes.size(); ++i)
+    check_names_a_file(numbered("mode", i, "name"), stand.modes[i].name, reading);
+}
+
+std::shared_ptr<const ClusterStand> read_stand_of(const Node &root, Reading &reading)
+{
+  auto stand          = std::make_shared<ClusterStand>();
+  const Section steel = section_at(root, "steel", reading), stack = section_at(root, "stack", reading),
+                response = section_at(root, "response", reading);
+  read_and_echo(steel, steel.header(), steel_rows(), stand->steel, reading);
+  read_and_echo(stack, stack.header(), cluster_stack_rows(), stand->stack, reading);
+  stand->rolls    = read_list(root, "roll", cluster_roll_rows(), true, reading);
+  stand->contacts = read_list(root, "contact", cluster_contact_rows(), false, reading);
+  stand->supports = read_list(root, "support", cluster_support_rows(), true, reading);
+  stand->strip    = read_cluster_strip(root, reading);
+  stand->schedule = read_list(root, "pass", cluster_pass_rows(), true, reading);
+  read_and_echo(response, response.header(), cluster_response_rows(), stand->response, reading);
+  stand->modes    = read_list(root, "mode", cluster_mode_rows(), false, reading);
+  stand->bite     = read_bite_setup(root, reading);
+  check_rolls(*stand, reading);
+  check_contacts(*stand, reading);
+  check_supports(*stand, reading);
+  check_schedule(*stand, reading);
+  check_strip_laws(*stand, reading);
+  check_modes(*stand, reading);
+  stand->variants = read_list(root, "variant", cluster_variant_rows(), false, reading);
+  check_variants(*stand, reading);
+  return stand;
+}
+}  // namespace
+
+ClusterCase read_cluster(const Node &root, Reading &reading)
+{
+  return {read_stand_of(root, reading)};
+}
+}  // namespace mill
