@@ -1,0 +1,111 @@
+// Growth of a mode before it becomes chatter, and the alarm: TW-10, TW-11.
+#include "tests/support/near.h"
+#include "tests/support/reference.h"
+#include "tests/support/synthetic_record.h"
+#include "twin/onset/growth.h"
+#include <cmath>
+
+using namespace mill;
+using namespace mill::twin;
+
+namespace {
+constexpr double rate = 1000;  // Hz; the reference has 5000, the band is 40 Hz wide
+
+ComplexEnvelope envelope_of(const Eigen::VectorXd &x, const double frequency)
+{
+  return complex_envelope(x,
+                          {
+                              {0, x.size()}
+  },
+                          rate, frequency);
+}
+}  // namespace
+
+TEST(Onset, EnvelopeOfALine)
+{
+  Eigen::VectorXd x(10000);
+  for (int k = 0; k < 10000; ++k)
+    x[k] = 3 * std::cos(2 * M_PI * 131 * k / rate + 0.4) + 5 * std::cos(2 * M_PI * 190 * k / rate);
+  const ComplexEnvelope e = envelope_of(x, 128);
+  ASSERT_EQ(e.z.size(), 1u);
+  EXPECT_DOUBLE_EQ(e.rate, 50);
+  for (const auto &z : e.z[0])
+    EXPECT_NEAR(std::abs(z), 3, 0.03) << "a line 62 Hz away is 50 dB down";
+  const double t = e.start[0] + 7 / e.rate;
+  EXPECT_NEAR(std::remainder(std::arg(e.z[0][7]) - 2 * M_PI * 3 * t - 0.4, 2 * M_PI), 0, 0.02);
+}
+
+TEST(Onset, GrowthRateOfStationaryNoise)
+{
+  const auto known   = reference("onset.stationary", "twin");
+  const auto in      = reference("onset.inputs", "twin");
+  constexpr int runs = 30;  // the reference has 60
+  for (const auto &entry : known) {
+    const double sigma = entry["sigma"], T = entry["T"];
+    double sum = 0, squares = 0, law = 0;
+    for (int seed = 1; seed <= runs; ++seed) {
+      const auto record = synthetic::onset(std::uint64_t(1000 * seed), Eigen::Index(T * rate), rate, in["f0"],
+                                           in["rms0"], in["density"], {sigma});
+      const GrowthRate growth = growth_rate(envelope_of(record.signal, in["f0"]));
+      sum += growth.sigma;
+      squares += growth.sigma * growth.sigma;
+      law += growth.law;
+    }
+    const double mean = sum / runs, scatter = std::sqrt(squares / runs - mean * mean);
+    EXPECT_NEAR(mean, sigma, 0.15) << "asked for";
+    EXPECT_LE(scatter, 1.6 * entry["law"].get<double>()) << "sigma " << sigma;
+    EXPECT_NEAR(law / runs, entry["law"].get<double>(), 0.1 * entry["law"].get<double>());
+  }
+}
+
+TEST(Onset, AlarmLeadsTheLimit)
+{
+  const auto in      = reference("onset.inputs", "twin");
+  const double limit = in["limit"], T = in["T"], start = in["ramp"][0], ramp = in["ramp"][1], s0 = in["sigma0"],
+               s1 = in["sigma1"];
+  const auto n    = Eigen::Index(T * rate);
+  std::vector<double> sigma;
+  for (Eigen::Index k = 0; k < n; ++k)
+    sigma.push_back(s0 + (s1 - s0) * std::clamp((double(k) / rate - start) / ramp, 0.0, 1.0));
+  std::vector<double> leads;
+  int reached = 0;
+  for (int seed = 1; seed <= 20; ++seed) {
+    const auto record =
+        synthetic::onset(std::uint64_t(7000 + 10 * seed), n, rate, in["f0"], in["rms0"], in["density"], sigma);
+    Eigen::Index over = 0;
+    while (over < n && record.amplitude[over] < limit)
+      ++over;
+    if (over == n)
+      continue;  // not unstable for long enough
+    ++reached;
+    AlarmSettings settings;
+    settings.limit   = limit;
+    const auto found = alarms(envelope_of(record.signal, in["f0"]), settings);
+    ASSERT_FALSE(found.empty()) << "seed " << seed;
+    EXPECT_GT(found[0].time, start) << "calm before the ramp, seed " << seed;
+    leads.push_back(double(over) / rate - found[0].time);
+  }
+  ASSERT_GE(reached, 15);
+  std::sort(leads.begin(), leads.end());
+  EXPECT_NEAR(leads[leads.size() / 2], 0.7155, 0.1) << "asked for";
+  EXPECT_GT(leads.front(), 0.4) << "asked for";
+  EXPECT_NEAR(longest_lead(2, 0.5, 4), std::log(4) / 4, 1e-15);
+}
+
+TEST(Onset, NoAlarmInACalmHour)
+{
+  const auto in = reference("onset.inputs", "twin");
+  int n_alarms  = 0;
+  for (int part = 0; part < 6; ++part) {
+    const auto record = synthetic::onset(std::uint64_t(90000 + 10 * part), Eigen::Index(600 * 320), 320, in["f0"],
+                                         in["rms0"], in["density"], {in["sigma0"].get<double>()});
+    n_alarms += int(alarms(complex_envelope(record.signal,
+                                            {
+                                                {0, record.signal.size()}
+    },
+                                            320, in["f0"]),
+                           {})
+                        .size());
+  }
+  EXPECT_EQ(n_alarms, 0);
+}

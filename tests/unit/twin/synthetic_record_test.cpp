@@ -1,0 +1,61 @@
+// The generator of the records that other tests analyse: TW-01.
+#include "tests/support/near.h"
+#include "tests/support/reference.h"
+#include "tests/support/synthetic_record.h"
+#include <array>
+
+using namespace synthetic;
+
+namespace {
+const Tolerance digits = within(1e-12, "same arithmetic", 1e-3);
+}
+
+TEST(SyntheticRecord, NumbersOfTheGenerator)
+{
+  EXPECT_NEAR(uniforms(1, 2)[0], 0.56656158, 5e-9);
+  EXPECT_NEAR(uniforms(1, 2)[1], 0.74578176, 5e-9);
+  EXPECT_NEAR(normals(1, 2)[0], -0.03426732, 5e-9);
+  EXPECT_NEAR(normals(1, 2)[1], -1.29260853, 5e-9);
+}
+
+TEST(SyntheticRecord, LinesAndNoise)
+{
+  const auto in    = reference("lines.inputs", "twin");
+  const auto lines = in["lines"].get<std::vector<std::array<double, 3>>>();
+  const auto n     = Eigen::Index(in["n"].get<int>());
+  const auto record =
+      lines_record(lines, in["offset"], in["drift"], in["density"], in["seed"].get<int>(), n, in["fs"]);
+  const auto known = reference("lines.samples", "twin");
+  for (int i = 0; i < 3; ++i)
+    EXPECT_TRUE(near(record[i], known["x"][std::size_t(i)], digits));
+  EXPECT_TRUE(near(record[n - 1], known["x"][3], within(1e-9, "angles of 1e5 turns")));
+  EXPECT_TRUE(near(std::sqrt(record.squaredNorm() / double(n)), known["rms"], digits));
+}
+
+TEST(SyntheticRecord, ResponseOfTheChain)
+{
+  const auto in = reference("calibrate.two.inputs", "twin");
+  auto M = in["M"].get<std::vector<double>>(), K = in["K"].get<std::vector<double>>();
+  for (const auto &[name, change] : in["truth"].items())
+    if (name != "zeta")
+      K[std::size_t(name[1] - '1')] *= std::exp(change.get<double>());
+  const double rate = in["fs"];
+  const auto n      = Eigen::Index(in["T"].get<double>() * rate);
+  const auto truth  = chain(Eigen::Map<Eigen::VectorXd>(M.data(), 6), Eigen::Map<Eigen::VectorXd>(K.data(), 7),
+                            in["zeta"].get<double>() * std::exp(in["truth"]["zeta"].get<double>()));
+  const int seed    = in["seed"];
+  const auto band   = band_force(std::uint64_t(seed), n, rate, in["force_rms"], 0, 1500);
+  const auto known  = reference("calibrate.two.record", "twin");
+  const Eigen::Index shown[] = {0, 1, n - 1};
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_TRUE(
+        near(in["F0"].get<double>() + band.force[shown[i]], known["F"][i], within(1e-12, "same arithmetic")));
+  const Eigen::MatrixXd all = response(truth, band.drive, rate);
+  for (int j = 0; j < 2; ++j) {
+    const Eigen::VectorXd x = all.col(2 + j) + white(std::uint64_t(seed + 1000 + j), n, rate, in["density"]);
+    for (int i = 0; i < 3; ++i)
+      EXPECT_TRUE(near(x[i], known["first"][std::size_t(j)][std::size_t(i)], within(1e-9, "response", 1)));
+    const double rms = std::sqrt((x.array() - x.mean()).square().mean());
+    EXPECT_TRUE(near(rms, known["rms"][std::size_t(j)], within(1e-9, "response")));
+  }
+}

@@ -1,0 +1,224 @@
+#include "twin/cleaning/clean_record.h"
+#include "twin/cleaning/channel_faults.h"
+#include "twin/cleaning/spline.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill::twin {
+namespace {
+constexpr Eigen::Index longest_filled = 2;    // samples
+constexpr std::size_t most_listed     = 200;  // events of one channel
+
+double nan()
+{
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+// Runs of NaN: short ones between numbers are filled, all are listed but those of rows that are missing for all.
+void fill_short_gaps(CleanChannel &channel, const double rate, const std::vector<CleaningEvent> &of_all,
+                     std::vector<CleaningEvent> &events)
+{
+  const auto is_listed = [&](const Eigen::Index first, const Eigen::Index n) {
+    return std::any_of(of_all.begin(), of_all.end(), [&](const CleaningEvent &e) {
+      return e.fault == "gap" && e.count == n && std::llround(e.from * rate) == first;
+    });
+  };
+  Eigen::VectorXd &x = channel.value;
+  for (Eigen::Index i = 0; i < x.size();) {
+    if (!std::isnan(x[i])) {
+      ++i;
+      continue;
+    }
+    Eigen::Index end = i;
+    while (end < x.size() && std::isnan(x[end]))
+      ++end;
+    const Eigen::Index n = end - i;
+    const bool fills     = n <= longest_filled && i > 0 && end < x.size();
+    if (fills) {
+      for (Eigen::Index k = i; k < end; ++k)
+        x[k] = x[i - 1] + (x[end] - x[i - 1]) * double(k - i + 1) / double(n + 1);
+      channel.filled += n;
+    }
+    if (!is_listed(i, n))
+      events.push_back({channel.name, n > longest_filled ? "gap" : "missing", double(i) / rate,
+                        double(end - 1) / rate, n, fills ? "filled linearly" : "record cut here"});
+    i = end;
+  }
+}
+
+void find_pieces(CleanChannel &channel)
+{
+  const Eigen::VectorXd &x = channel.value;
+  for (Eigen::Index i = 0; i < x.size();) {
+    if (std::isnan(x[i])) {
+      ++i;
+      continue;
+    }
+    Eigen::Index end = i;
+    while (end < x.size() && !std::isnan(x[end]))
+      ++end;
+    channel.pieces.push_back({i, end});
+    i = end;
+  }
+}
+
+// Values at their places on the grid; NaN where nothing was recorded.
+Eigen::VectorXd placed(const Eigen::VectorXd &value, const TimeGrid &grid)
+{
+  Eigen::VectorXd on_grid = Eigen::VectorXd::Constant(grid.n, nan());
+  for (Eigen::Index i = 0; i < value.size(); ++i)
+    if (const Eigen::Index k = grid.position[std::size_t(i)]; k >= 0)
+      on_grid[k] = value[i];
+  return on_grid;
+}
+
+// The same by a cubic spline between long gaps, through the samples where they really stand.
+Eigen::VectorXd interpolated(const Eigen::VectorXd &value, const Eigen::VectorXd &time, const TimeGrid &grid)
+{
+  Eigen::VectorXd on_grid = Eigen::VectorXd::Constant(grid.n, nan());
+  std::vector<double> x, y;
+  Eigen::Index first = 0, last = -1;
+  const auto flush = [&] {
+    if (x.size() >= 2) {
+      const auto m = Eigen::Index(x.size()), n = last - first + 1;
+      on_grid.segment(first, n) =
+          spline_on_grid(Eigen::Map<const Eigen::VectorXd>(x.data(), m),
+                         Eigen::Map<const Eigen::VectorXd>(y.data(), m), double(first), 1, n);
+    }
+    x.clear();
+    y.clear();
+  };
+  for (Eigen::Index i = 0; i < value.size(); ++i) {
+    const Eigen::Index k = grid.position[std::size_t(i)];
+    if (k < 0 || std::isnan(value[i]))
+      continue;
+    if (x.empty() || k - last > longest_filled + 1) {
+      flush();
+      first = k;
+    }
+    x.push_back((time[i] - grid.offset) * grid.rate);
+    y.push_back(value[i]);
+    last = k;
+  }
+  flush();
+  return on_grid;
+}
+
+// Rows that are not there, for all channels at once.
+void list_row_gaps(CleanRecord &record, const TimeGrid &grid)
+{
+  Eigen::Index before = 0;
+  for (const Eigen::Index k : grid.position) {
+    if (k > before + 1)
+      record.events.push_back({"", "gap", double(before + 1) / grid.rate, double(k - 1) / grid.rate,
+                               k - before - 1,
+                               k - before - 1 <= longest_filled ? "filled linearly" : "record cut here"});
+    before = std::max(before, k);
+  }
+}
+
+CleanChannel clean_channel(RawChannel &&raw, const RawRecord &record, const TimeGrid &grid,
+                           const std::vector<CleaningEvent> &of_all, std::vector<CleaningEvent> &events)
+{
+  CleanChannel channel;
+  channel.name              = raw.name;
+  channel.column            = raw.column;
+  channel.unit              = raw.unit;
+  channel.quantity          = raw.quantity;
+  channel.missing           = raw.value.array().isNaN().count();
+  const bool steady_allowed = raw.quantity == Quantity::speed;  // a mill that runs at one speed is no fault
+  if (!steady_allowed)
+    find_clipping(channel, raw.value, grid.rate, events);
+  if (grid.position.empty())
+    channel.value = std::move(raw.value);
+  else if (!grid.uneven)
+    channel.value = placed(raw.value, grid);
+  else {
+    for (Eigen::Index i = 0; i < raw.value.size(); ++i)  // listed here, since the spline fills them
+      if (std::isnan(raw.value[i]))
+        events.push_back(
+            {channel.name, "missing", record.time[i], record.time[i], 1, "filled by the cubic spline"});
+    channel.value = interpolated(raw.value, record.time, grid);
+  }
+  raw.value.resize(0);
+  if (!grid.uneven && channel.value.array().isNaN().any())
+    fill_short_gaps(channel, grid.rate, of_all, events);
+  find_pieces(channel);
+  if (!steady_allowed) {
+    cut_stuck(channel, grid.rate, events);
+    take_off_drift(channel, grid.rate);
+  }
+  return channel;
+}
+
+void limit_events(CleanRecord &record, std::vector<CleaningEvent> &&events, const std::string &name)
+{
+  if (events.size() > most_listed)
+    record.notes.push_back(
+        fmt::format("{}: {} faults were found, the first {} are listed", name, events.size(), most_listed));
+  events.resize(std::min(events.size(), most_listed), {});
+  std::move(events.begin(), events.end(), std::back_inserter(record.events));
+}
+}  // namespace
+
+Eigen::Index CleanChannel::n_used() const
+{
+  Eigen::Index n = 0;
+  for (const Span &piece : pieces)
+    n += piece.size();
+  return n;
+}
+
+const CleanChannel *CleanRecord::find(const std::string &name) const
+{
+  for (const CleanChannel &channel : channels)
+    if (channel.name == name)
+      return &channel;
+  return nullptr;
+}
+
+double CleanRecord::duration() const
+{
+  return double(n) / rate;
+}
+
+CleanRecord clean_record(RawRecord &&raw)
+{
+  const TimeGrid grid = time_grid(raw);
+  CleanRecord record;
+  record.file         = raw.file;
+  record.format       = raw.format;
+  record.rate         = grid.rate;
+  record.jitter       = grid.jitter;
+  record.interpolated = grid.uneven;
+  record.n            = grid.n;
+  record.start        = raw.start;
+  record.notes        = raw.notes;
+  list_row_gaps(record, grid);
+  if (grid.doubled > 0)
+    record.events.push_back({"", "doubled", 0, double(grid.n - 1) / grid.rate, grid.doubled,
+                             "samples with the time of their neighbour were left out"});
+  if (grid.uneven)
+    record.events.push_back(
+        {"", "jitter", 0, double(grid.n - 1) / grid.rate, raw.n_samples(),
+         fmt::format("times lie {:.3g} samples (rms) beside an even grid; put onto it by a cubic spline",
+                     grid.jitter * grid.rate)});
+  const std::vector<CleaningEvent> of_all = record.events;
+  for (RawChannel &channel : raw.channels) {
+    std::vector<CleaningEvent> events;
+    const std::string name = channel.name;
+    const Place place      = channel.place;
+    record.channels.push_back(clean_channel(std::move(channel), raw, grid, of_all, events));
+    limit_events(record, std::move(events), name);
+  }
+  const bool any = std::any_of(record.channels.begin(), record.channels.end(), [](const CleanChannel &c) {
+    return c.quantity != Quantity::speed && c.n_used() > 0;
+  });
+  if (!any)
+    throw InputError(
+        raw.channels.front().place,
+        "every channel stands still or is empty; check cables and amplifiers, or choose another record");
+  return record;
+}
+}  // namespace mill::twin

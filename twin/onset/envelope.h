@@ -1,0 +1,20 @@
+#pragma once
+#include "twin/cleaning/clean_record.h"
+#include <Eigen/Core>
+#include <complex>
+#include <vector>
+
+namespace mill::twin {
+/// Complex envelope of a band, 0-peak: x(t) = Re[z(t) exp(i w0 t)].  theory.md (41.12)
+struct ComplexEnvelope {
+  double frequency = 0;             ///< Hz, w0 / 2 pi
+  double rate      = 0;             ///< 1/s, about 50
+  std::vector<Eigen::VectorXcd> z;  ///< one per piece, in the unit of the channel
+  std::vector<double> start;        ///< s, of the first value of each
+};
+
+/// Mixed with exp(-i w0 t), low-pass of +-20 Hz (windowed sinc, 0.3 s long), 50 values per second.
+/// Cost O(n) times 15.
+ComplexEnvelope complex_envelope(const Eigen::VectorXd &value, const std::vector<Span> &pieces, double rate,
+                                 double frequency);
+}  // namespace mill::twin

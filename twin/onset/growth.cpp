@@ -1,0 +1,129 @@
+#include "twin/onset/growth.h"
+#include <algorithm>
+#include <cmath>
+
+namespace mill::twin {
+namespace {
+using Complex = std::complex<double>;
+
+constexpr int first_lag = 2;                                       // below: noise and filter
+constexpr double reach = 0.7, longest = 2, shortest_sigma = 0.35;  // -, s, 1/s
+constexpr double warned_from = -0.5, scatter_over_law = 1.6;       // 1/s, -
+
+Complex correlation(const ComplexEnvelope &envelope, const Eigen::Index lag)
+{
+  Complex sum = 0;
+  double n    = 0;
+  for (const auto &z : envelope.z)
+    if (z.size() > lag) {
+      sum += z.head(z.size() - lag).dot(z.tail(z.size() - lag));  // the first factor is conjugated
+      n += double(z.size() - lag);
+    }
+  return n > 0 ? sum / n : 0;
+}
+
+// lambda of one step from lags 2 .. m2.
+Complex step_factor(const std::vector<Complex> &R, const int last)
+{
+  Complex sum   = 0;
+  double weight = 0;
+  for (int m = first_lag; m <= last && m + 1 < int(R.size()); ++m) {
+    sum += R[std::size_t(m + 1)] * std::conj(R[std::size_t(m)]);
+    weight += std::norm(R[std::size_t(m)]);
+  }
+  return weight > 0 ? sum / weight : 0;
+}
+
+// Slope of ln |z| over the last `n` values.
+double slope_of_log(const Eigen::VectorXcd &z, const Eigen::Index at, const Eigen::Index n, const double rate)
+{
+  double tt = 0, ty = 0;
+  const double middle = double(n - 1) / 2;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double t = double(i) - middle;
+    tt += t * t;
+    ty += t * std::log(std::abs(z[at - n + 1 + i]) + 1e-300);
+  }
+  return ty / tt * rate;
+}
+}  // namespace
+
+bool GrowthRate::near_instability() const
+{
+  return upper() > warned_from;
+}
+
+double GrowthRate::upper() const
+{
+  return sigma + 1.96 * scatter_over_law * law;
+}
+
+GrowthRate growth_rate(const ComplexEnvelope &envelope)
+{
+  GrowthRate growth;
+  for (const auto &z : envelope.z)
+    growth.duration += double(z.size()) / envelope.rate;
+  const int most = int(longest * envelope.rate);
+  std::vector<Complex> R;
+  for (int m = 0; m <= most + 1; ++m)
+    R.push_back(correlation(envelope, m));
+  if (!(std::abs(R[0]) > 0) || growth.duration < 4 * longest)
+    return growth;
+  growth.kept  = std::abs(R[2]) / std::abs(R[0]);
+  double sigma = -1 / longest;
+  for (int i = 0; i < 8; ++i) {  // the reach of the lags follows the rate they tell
+    const int last =
+        std::clamp(int(reach / std::max(std::abs(sigma), shortest_sigma) * envelope.rate), first_lag + 1, most);
+    const Complex lambda = step_factor(R, last);
+    if (!(std::abs(lambda) > 0))
+      return growth;
+    sigma            = envelope.rate * std::log(std::abs(lambda));
+    growth.frequency = envelope.frequency + std::arg(lambda) * envelope.rate / (2 * M_PI);
+  }
+  growth.sigma = sigma;
+  growth.law   = std::sqrt(std::abs(sigma) / growth.duration);
+  return growth;
+}
+
+std::vector<Alarm> alarms(const ComplexEnvelope &envelope, const AlarmSettings &settings)
+{
+  std::vector<Alarm> found;
+  const auto values = [&](const double seconds) { return Eigen::Index(std::lround(seconds * envelope.rate)); };
+  const Eigen::Index before = values(settings.before), out = values(settings.left_out),
+                     least = values(settings.least), slope = std::max<Eigen::Index>(3, values(0.2));
+  std::vector<double> squares;
+  for (std::size_t p = 0; p < envelope.z.size(); ++p) {
+    const Eigen::VectorXcd &z = envelope.z[p];
+    bool armed = true, above_before = false;
+    double baseline = 0;
+    for (Eigen::Index k = out + least; k < z.size(); ++k) {
+      if ((k - out - least) % 5 == 0) {  // ten times a second
+        squares.clear();
+        for (Eigen::Index i = std::max<Eigen::Index>(0, k - before); i < k - out; ++i)
+          squares.push_back(std::norm(z[i]));
+        const auto middle = squares.begin() + std::ptrdiff_t(squares.size() / 2);
+        std::nth_element(squares.begin(), middle, squares.end());
+        baseline = std::sqrt(*middle / std::log(2.0));  // (41.14)
+      }
+      const double level = std::abs(z[k]);
+      const bool above   = level > settings.threshold * baseline;
+      if (armed && above && above_before) {
+        const double sigma = slope_of_log(z, k, slope, envelope.rate);
+        double to_limit    = std::numeric_limits<double>::quiet_NaN();
+        if (settings.limit && sigma > 0)
+          to_limit = std::max(0.0, std::log(*settings.limit / level) / sigma);
+        found.push_back({envelope.start[p] + double(k) / envelope.rate, level, baseline, sigma, to_limit});
+        armed = false;
+      }
+      armed        = armed || level < 0.5 * settings.threshold * baseline;
+      above_before = above;
+    }
+  }
+  return found;
+}
+
+double longest_lead(const double limit, const double threshold_level, const double sigma)
+{
+  return std::log(limit / threshold_level) / sigma;
+}
+}  // namespace mill::twin

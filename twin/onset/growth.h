@@ -1,0 +1,42 @@
+#pragma once
+#include "twin/onset/envelope.h"
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace mill::twin {
+/// Growth rate of a mode from the correlation of its envelope: while a mill is calm, its distance to instability.
+/// theory.md (41.13)
+struct GrowthRate {
+  double sigma = std::numeric_limits<double>::quiet_NaN();  ///< 1/s, negative: decays
+  double law =
+      std::numeric_limits<double>::quiet_NaN();  ///< 1/s, standard deviation, sqrt(|sigma|/T): a lower bound
+  double duration  = 0;                          ///< s, T
+  double frequency = 0;                          ///< Hz, of the mode, the turn of the envelope counted
+  double kept = 0;  ///< -, correlation left at the second lag; below 0.3 the mode decays faster than can be told
+  bool near_instability() const;  ///< upper end of 95 % above -0.5 1/s
+  double upper() const;           ///< 1/s, of the 95 % interval, by 1.6 times the law
+};
+GrowthRate growth_rate(const ComplexEnvelope &envelope);
+
+/// Onset of chatter: the amplitude above five baselines twice running.  theory.md (41.14)
+struct Alarm {
+  double time;      ///< s
+  double level;     ///< 0-peak, unit of the channel
+  double baseline;  ///< the same, of the 30 s before less the last one
+  double sigma;     ///< 1/s, over the last 0.2 s
+  double to_limit;  ///< s until the limit at this growth; NaN: no limit given, or it decays
+};
+struct AlarmSettings {
+  double threshold = 5;         ///< -, baselines
+  double before    = 30;        ///< s, of the baseline
+  double left_out  = 1;         ///< s, the last of them
+  double least     = 5;         ///< s, of baseline before the first alarm
+  std::optional<double> limit;  ///< unit of the channel, 0-peak
+};
+/// First values of each time that the level is exceeded; the next alarm needs it to fall below half first.
+std::vector<Alarm> alarms(const ComplexEnvelope &envelope, const AlarmSettings &settings);
+
+/// s, no such alarm leads the limit by more: ln(limit / threshold level) / sigma.
+double longest_lead(double limit, double threshold_level, double sigma);
+}  // namespace mill::twin

@@ -1,0 +1,221 @@
+#include "twin/records/time_zone.h"
+#include "core/case/errors.h"
+#include "core/records/files.h"
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+
+namespace mill::twin {
+namespace {
+std::int64_t big_endian(const std::string &bytes, const std::size_t at, const int n)
+{
+  std::uint64_t value = 0;
+  for (int i = 0; i < n; ++i)
+    value = value << 8 | std::uint8_t(bytes[at + std::size_t(i)]);
+  return n == 4 ? std::int64_t(std::int32_t(std::uint32_t(value))) : std::int64_t(value);
+}
+
+struct Counts {
+  std::size_t utc_flags, standard_flags, leaps, changes, types, characters;
+};
+
+// Counts of the header at `at`, and the length of what follows it.
+Counts counts_at(const std::string &bytes, const std::size_t at)
+{
+  const auto count = [&](const int i) { return std::size_t(big_endian(bytes, at + 20 + 4 * std::size_t(i), 4)); };
+  return {count(0), count(1), count(2), count(3), count(4), count(5)};
+}
+
+std::size_t length_of(const Counts &c, const std::size_t time_size)
+{
+  return c.changes * (time_size + 1) + c.types * 6 + c.characters + c.leaps * (time_size + 4) + c.standard_flags +
+         c.utc_flags;
+}
+
+bool is_plain_name(const std::string &name)
+{
+  return !name.empty() && name.front() != '/' && name.find("..") == std::string::npos &&
+         std::all_of(name.begin(), name.end(), [](const char c) {
+           return std::isalnum(static_cast<unsigned char>(c)) || c == '/' || c == '_' || c == '-' || c == '+';
+         });
+}
+
+// Days since 1970-01-01 of the Gregorian calendar.  Source: H. Hinnant, chrono-compatible low-level date
+// algorithms.
+std::int64_t days_of(std::int64_t year, const int month, const int day)
+{
+  year -= month <= 2;
+  const std::int64_t era = (year >= 0 ? year : year - 399) / 400, of_era = year - era * 400;
+  const std::int64_t of_year = (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
+  return era * 146097 + of_era * 365 + of_era / 4 - of_era / 100 + of_year - 719468;
+}
+
+// Reads a text from the left, digit group by digit group.
+class TextReader {
+public:
+  explicit TextReader(const std::string_view text) : rest(text) {}
+  bool number(const std::size_t least, const std::size_t most, int &value)
+  {
+    std::size_t n = 0;
+    value         = 0;
+    while (n < most && n < rest.size() && rest[n] >= '0' && rest[n] <= '9')
+      value = 10 * value + (rest[n++] - '0');
+    rest.remove_prefix(n);
+    return n >= least;
+  }
+  bool one_of(const std::string_view set, char &found)
+  {
+    if (rest.empty() || set.find(rest.front()) == std::string_view::npos)
+      return false;
+    found = rest.front();
+    rest.remove_prefix(1);
+    return true;
+  }
+  bool one_of(const std::string_view set)
+  {
+    char ignored;
+    return one_of(set, ignored);
+  }
+  std::int64_t fraction()
+  {
+    std::int64_t value = 0;
+    int n              = 0;
+    for (; !rest.empty() && rest.front() >= '0' && rest.front() <= '9'; rest.remove_prefix(1))
+      if (n < 9) {
+        value = 10 * value + (rest.front() - '0');
+        ++n;
+      }
+    for (; n < 9; ++n)
+      value *= 10;
+    return value;
+  }
+  bool done() const
+  {
+    return rest.empty();
+  }
+  std::string_view left() const
+  {
+    return rest;
+  }
+
+private:
+  std::string_view rest;
+};
+
+bool is_date(const int year, const int month, const int day)
+{
+  static const int days[] = {31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+  const bool leap         = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+  return month >= 1 && month <= 12 && day >= 1 && day <= days[month - 1] && (month != 2 || day < 29 || leap);
+}
+
+// The date in front of a time of day; false where something else stands there.
+bool read_date(TextReader &text, std::int64_t &days)
+{
+  int first = 0, second = 0, third = 0;
+  char mark = 0;
+  if (!text.number(1, 4, first) || !text.one_of("-/.", mark) || !text.number(1, 2, second) ||
+      !text.one_of({&mark, 1}) || !text.number(1, 4, third))
+    return false;
+  const bool german = mark == '.';
+  if (mark == '/' && first < 1000)
+    return false;  // 01/05/2026: May or January
+  const int year = german ? third : first, day = german ? first : third;
+  if (year < 1000 || !is_date(year, second, day))
+    return false;
+  days = days_of(year, second, day);
+  return true;
+}
+
+// "Z", "+01:00", "+0100", "+01"; false where it is wrong.
+bool read_offset(TextReader &text, std::optional<std::int32_t> &offset)
+{
+  char sign = 0;
+  if (text.one_of("Zz")) {
+    offset = 0;
+    return text.done();
+  }
+  int hours = 0, minutes = 0;
+  if (!text.one_of("+-", sign) || !text.number(2, 2, hours))
+    return false;
+  text.one_of(":");
+  text.number(0, 2, minutes);
+  offset = (sign == '-' ? -1 : 1) * (hours * 3600 + minutes * 60);
+  return text.done() && hours < 24 && minutes < 60;
+}
+}  // namespace
+
+TimeZone::TimeZone(const std::string &name, const std::string &folder) : name_(name)
+{
+  const std::string refusal = "there is no time zone '" + name + "'; name one such as Europe/Berlin or UTC";
+  if (!is_plain_name(name))
+    throw InputError(refusal);
+  const auto read = text_if_readable(folder + "/" + name);
+  if (!read || read->size() < 44 || read->compare(0, 4, "TZif") != 0 || (*read)[4] < '2')
+    throw InputError(refusal);
+  const std::string &bytes = *read;
+  const std::size_t second = 44 + length_of(counts_at(bytes, 0), 4);  // the block with times of 64 bits
+  if (bytes.size() < second + 44)
+    throw InputError(refusal);
+  const Counts c       = counts_at(bytes, second);
+  const std::size_t at = second + 44;
+  if (c.types == 0 || bytes.size() < at + length_of(c, 8))
+    throw InputError(refusal);
+  const auto offset_of_type = [&](const std::size_t type) {
+    return std::int32_t(big_endian(bytes, at + c.changes * 9 + 6 * std::min(type, c.types - 1), 4));
+  };
+  offset_.push_back(offset_of_type(0));
+  for (std::size_t i = 0; i < c.changes; ++i) {
+    change_.push_back(big_endian(bytes, at + 8 * i, 8));
+    offset_.push_back(offset_of_type(std::uint8_t(bytes[at + 8 * c.changes + i])));
+  }
+  goes_on_ = bytes.find(',', at + length_of(c, 8)) != std::string::npos;  // the rule as POSIX writes it
+}
+
+std::vector<std::int64_t> TimeZone::utc_of(const std::int64_t local_seconds) const
+{
+  constexpr std::int64_t year = 366 * 86400;
+  if (goes_on_ && !change_.empty() && local_seconds > change_.back() + year)
+    throw InputError("this system knows the zone " + name_ +
+                     " not as far as this time; write the times with their offset from UTC");
+  std::vector<std::int64_t> found;
+  for (std::size_t i = 0; i < offset_.size(); ++i) {
+    const std::int64_t utc = local_seconds - offset_[i];
+    const bool after       = i == 0 || utc >= change_[i - 1];
+    const bool before      = i == change_.size() || utc < change_[i];
+    if (after && before && std::find(found.begin(), found.end(), utc) == found.end())
+      found.push_back(utc);
+  }
+  return found;
+}
+
+const std::string &TimeZone::name() const
+{
+  return name_;
+}
+
+std::optional<TimeText> time_of_text(const std::string_view text)
+{
+  TextReader reader(text);
+  std::int64_t days = 0;
+  const bool dated  = text.find_first_of("-/") == 4 || text.find('.') <= 2;
+  if (dated && (!read_date(reader, days) || !reader.one_of("T t_")))
+    return {};
+  int hours = 0, minutes = 0, seconds = 0;
+  if (!reader.number(1, 2, hours) || !reader.one_of(":") || !reader.number(2, 2, minutes))
+    return {};
+  std::int64_t nanoseconds = 0;
+  if (reader.one_of(":")) {
+    if (!reader.number(2, 2, seconds))
+      return {};
+    if (reader.one_of(".,:"))
+      nanoseconds = reader.fraction();
+  }
+  if (hours > 23 || minutes > 59 || seconds > 60)
+    return {};
+  TimeText time{days * 86400 + hours * 3600 + minutes * 60 + seconds, nanoseconds, {}, dated};
+  if (!reader.done() && !read_offset(reader, time.offset))
+    return {};
+  return time;
+}
+}  // namespace mill::twin
