@@ -7,6 +7,7 @@
 #include "core/records/matrix_market.h"
 #include "dynamics/response/modal_model.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -100,20 +101,121 @@ Drawing drawing_of(const FourHigh &stand, const StandModel &model)
   return d;
 }
 
+std::string mode_title(const reduce::StandWithModes &s, const Eigen::Index mode)
+{
+  const std::string name = std::size_t(mode) < s.names.size() ? ", " + s.names[std::size_t(mode)].name : "";
+  return fmt::format("mode {:02}, {:.2f} Hz{}", mode + 1, s.modes.frequency[mode], name);
+}
+
 void write_shapes_of(RunContext &run, const FourHigh &stand, const reduce::StandWithModes &s)
 {
   Drawing d = drawing_of(stand, s.model);
   for (Eigen::Index mode = 0; mode < s.modes.frequency.size() && below_limit(s, mode, stand.dynamics); ++mode) {
     LineField::Vectors shape;
-    const std::string name = std::size_t(mode) < s.names.size() ? ", " + s.names[std::size_t(mode)].name : "";
-    shape.name             = fmt::format("mode {:02}, {:.2f} Hz{}", mode + 1, s.modes.frequency[mode], name);
-    shape.unit             = "kg^-0.5";
-    shape.value            = Eigen::MatrixXd::Zero(d.count(), 3);
+    shape.name  = mode_title(s, mode);
+    shape.unit  = "kg^-0.5";
+    shape.value = Eigen::MatrixXd::Zero(d.count(), 3);
     for (Eigen::Index i = 0; i < d.count(); ++i)
       shape.value(i, 1) = d.rows[std::size_t(i)].dot(s.modes.shape.col(mode));
     d.field.vectors.push_back(std::move(shape));
   }
   run.out.write("fields/modes-" + s.model.name + ".vtu", line_vtu(d.field));
+}
+
+// First unknown of a part; the coordinates of its component follow in their order.
+Eigen::Index first_unknown(const StandModel &model, const std::string &part)
+{
+  const auto i    = std::find(model.parts.begin(), model.parts.end(), part) - model.parts.begin();
+  const auto &all = model.part_of;
+  return std::find(all.begin(), all.end(), int(i)) - all.begin();
+}
+
+struct RollInPlace {
+  std::string name;       // "upper work roll"
+  const Component *body;  // with its surface
+  double height;          // m, of its axis
+};
+
+std::array<RollInPlace, 4> rolls_in_place(const FourHigh &stand, const Component &work, const Component &backup)
+{
+  std::array<RollInPlace, 4> rolls{
+      RollInPlace{"upper backup roll", &backup, 0},
+      {"upper work roll",   &work,   0},
+      {"lower work roll",   &work,   0},
+      {"lower backup roll", &backup, 0}
+  };
+  for (RollInPlace &roll : rolls)
+    roll.height = height_of(stand, roll.name);
+  return rolls;
+}
+
+// Points and faces of both halves about y = 0 of each roll; x and z >= 0 are drawn.
+LineField drawn_surfaces(const std::array<RollInPlace, 4> &rolls)
+{
+  LineField field;
+  field.filled   = true;
+  field.digits   = 5;  // of a picture
+  Eigen::Index n = 0;
+  for (const RollInPlace &roll : rolls)
+    n += 2 * roll.body->surface.position.rows();
+  field.position.resize(n, 3);
+  Eigen::Index first = 0;
+  for (const RollInPlace &roll : rolls)
+    for (const double side : {1., -1.}) {
+      const ComponentSurface &s = roll.body->surface;
+      for (Eigen::Index i = 0; i < s.position.rows(); ++i)
+        field.position.row(first + i) << s.position(i, 0), roll.height + side * s.position(i, 1), s.position(i, 2);
+      for (Eigen::Index f = 0; f < s.faces.rows(); ++f) {
+        std::vector<Eigen::Index> cell;
+        for (int c = 0; c < 4; ++c)
+          cell.push_back(first + Eigen::Index(s.faces(f, c)));
+        field.cells.push_back(cell);
+      }
+      first += s.position.rows();
+    }
+  return field;
+}
+
+// Displacement (n, 3) and stress (n, 9) of one half of a roll by the coordinates of its component.
+std::pair<Eigen::MatrixXd, Eigen::MatrixXd> half_of(const ComponentSurface &surface, const Eigen::VectorXd &moved,
+                                                    const double side)
+{
+  const Eigen::Index n    = surface.position.rows();
+  const Eigen::VectorXd u = surface.displacement * moved, s = surface.stress * moved;
+  Eigen::MatrixXd displacement(n, 3), stress(n, 9);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    displacement.row(i) << side * u[3 * i], u[3 * i + 1], side * u[3 * i + 2];
+    const auto six  = s.segment<6>(6 * i);
+    const double xx = side * six[0], yy = side * six[1], zz = side * six[2], xy = six[3], xz = side * six[4],
+                 yz = six[5];
+    stress.row(i) << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  }
+  return {displacement, stress};
+}
+
+LineField roll_surfaces(const FourHigh &stand, const reduce::StandWithModes &s, const Component &work,
+                        const Component &backup)
+{
+  const auto rolls     = rolls_in_place(stand, work, backup);
+  LineField field      = drawn_surfaces(rolls);
+  const Eigen::Index n = field.position.rows();
+  for (Eigen::Index mode = 0; mode < s.modes.frequency.size() && below_limit(s, mode, stand.dynamics); ++mode) {
+    Eigen::MatrixXd displacement(n, 3), stress(n, 9);
+    Eigen::Index first = 0;
+    for (const RollInPlace &roll : rolls) {
+      const Eigen::VectorXd moved =
+          s.modes.shape.col(mode).segment(first_unknown(s.model, roll.name), roll.body->M.rows());
+      for (const double side : {1., -1.}) {
+        const auto half                                   = half_of(roll.body->surface, moved, side);
+        displacement.middleRows(first, half.first.rows()) = half.first;
+        stress.middleRows(first, half.second.rows())      = half.second;
+        first += half.first.rows();
+      }
+    }
+    field.vectors.push_back({mode_title(s, mode) + ", displacement", "kg^-0.5", std::move(displacement)});
+    field.vectors.push_back({mode_title(s, mode) + ", stress", "Pa/(kg^0.5 m)", std::move(stress)});
+  }
+  return field;
 }
 
 std::vector<std::string> names_of(const StandModel &model)
@@ -209,5 +311,12 @@ void write_model_files(RunContext &run, const FourHigh &stand, const reduce::Sta
     write_shapes_of(run, stand, s);
   if (name != "six-mass")
     run.out.write("lumped_model-" + name + ".toml", detailed_model_toml(files, run.the_case, run.out.path()));
+}
+
+void write_roll_shapes(RunContext &run, const FourHigh &stand, const reduce::StandWithModes &s,
+                       const Component &work_roll, const Component &backup_roll)
+{
+  run.out.write("fields/modes-" + s.model.name + "-rolls.vtu",
+                line_vtu(roll_surfaces(stand, s, work_roll, backup_roll)));
 }
 }  // namespace mill

@@ -12,4 +12,10 @@ struct FourHigh;
 ///   lumped_model-<name>.toml                       the case that reads it back; not of the six masses
 void write_model_files(RunContext &run, const FourHigh &stand, const reduce::StandWithModes &model,
                        const LumpedModel &chain);
+
+/// fields/modes-<name>-rolls.vtu: displacement vector and stress tensor of each mode below the limit on the
+/// outside of the rolls by finite elements, both halves about y = 0 of the quarter x, z >= 0, about 1 MB a mode at
+/// most.
+void write_roll_shapes(RunContext &run, const FourHigh &stand, const reduce::StandWithModes &model,
+                       const Component &work_roll, const Component &backup_roll);
 }  // namespace mill

@@ -299,6 +299,7 @@ void compare_models(RunContext &run, const FourHigh &stand, const reduce::Lumped
   write_mode_table(run, models.craig_bampton);
   for (const auto *model : {&models.chain, &models.beam, &models.craig_bampton})
     write_model_files(run, stand, *model, chain.model);
+  write_roll_shapes(run, stand, models.craig_bampton, components.fine.work_roll, components.fine.backup_roll);
   const Eigen::MatrixXd mac = reduce::mac_between(models.craig_bampton, models.beam);
   const auto springs = reduce::stand_springs(stand, chain), on_bearing = reduce::stand_springs(stand, chain, true);
   const auto beams = [](const FourHigh &s, const reduce::StandSprings &k) {

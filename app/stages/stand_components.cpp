@@ -120,6 +120,7 @@ ReducedRoll roll(RunContext &run, const std::string &name, const Roll &drawn, co
     const int coarser   = reduced.fine.elements_per_radius - 1;
     const RollMesh mesh = mesh_of(run, name, g, stand.steel, coarser);
     // It only shows what the mesh moves: as many modes, whether or not it follows them as well.
+    options.surface         = false;
     options.n_modes         = int(reduced.fine.fixed_frequency.size());
     options.frequency_limit = std::min(limit, mesh.reach);
     return made(mesh, coarser);
@@ -157,6 +158,7 @@ std::string roll_component_inputs(const Roll &drawn, const FourHigh &stand, cons
 {
   fem::RollComponentOptions options;
   options.frequency_limit = stand.dynamics.frequency_limit;
+  options.surface         = !coarse;
   return record_text(roll_geometry(drawn), stand.steel, stand.dynamics.elements_per_radius, coarse, options);
 }
 

@@ -4,6 +4,15 @@
 #include <vector>
 
 namespace mill {
+/// Outside of an eighth of a meshed roll (x, y, z >= 0), with what each coordinate of its component does there.
+/// Moved along y the displacement along y is even about all three planes; about y = 0 those along x and z are odd.
+struct ComponentSurface {
+  Eigen::MatrixXd position;      ///< (s, 3) m
+  Eigen::MatrixXd faces;         ///< (f, 4) numbers of points, corners in turn
+  Eigen::MatrixXd displacement;  ///< (3 s, n) x, y, z of each point in turn
+  Eigen::MatrixXd stress;        ///< (6 s, n) Pa per unit: xx yy zz xy xz yz of each point in turn
+};
+
 /// A body reduced to its interface and to its modes with that interface held (Craig and Bampton 1968).
 /// Coordinates, in this order: n_i interface displacements, then n_m modal amplitudes.  theory.md 21
 ///
@@ -28,6 +37,7 @@ struct Component {
   double reach = 0;        ///< Hz, up to which the mesh can follow a wave (theory.md 21)
   /// Elements per radius of the mesh it was made from, which may be more than asked for; 0: not a meshed roll.
   int elements_per_radius = 0;
+  ComponentSurface surface;  ///< empty but for a roll by finite elements
   Eigen::Index n_interface() const
   {
     return Eigen::Index(interface.size());

@@ -3,7 +3,7 @@
 
 namespace mill {
 namespace {
-constexpr int vertex = 1, poly_line = 4;  // cell types of VTK
+constexpr int vertex = 1, poly_line = 4, polygon = 7;  // cell types of VTK
 
 std::string xml_text(const std::string &text)
 {
@@ -13,14 +13,14 @@ std::string xml_text(const std::string &text)
   return out;
 }
 
-std::string array(const std::string &name, const Eigen::MatrixXd &rows)
+std::string array(const std::string &name, const Eigen::MatrixXd &rows, const int digits)
 {
   std::string out =
       fmt::format("<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n",
                   xml_text(name), rows.cols());
   for (Eigen::Index i = 0; i < rows.rows(); ++i)
     for (Eigen::Index j = 0; j < rows.cols(); ++j)
-      out += fmt::format("{:.9g}{}", rows(i, j), j + 1 < rows.cols() ? ' ' : '\n');
+      out += fmt::format("{:.{}g}{}", rows(i, j), digits, j + 1 < rows.cols() ? ' ' : '\n');
   return out + "</DataArray>\n";
 }
 
@@ -36,11 +36,11 @@ std::string line_vtu(const LineField &field)
                                 "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" "
                                 "NumberOfCells=\"{}\">\n<Points>\n",
                                 field.position.rows(), field.cells.size());
-  out += array("points", field.position) + "</Points>\n<PointData>\n";
+  out += array("points", field.position, field.digits) + "</Points>\n<PointData>\n";
   for (const auto &v : field.vectors)
-    out += array(with_unit(v.name, v.unit), v.value);
+    out += array(with_unit(v.name, v.unit), v.value, field.digits);
   for (const auto &s : field.scalars)
-    out += array(with_unit(s.name, s.unit), s.value);
+    out += array(with_unit(s.name, s.unit), s.value, field.digits);
   std::string connectivity, offsets, types;
   std::size_t end = 0;
   for (const auto &cell : field.cells) {
@@ -48,7 +48,9 @@ std::string line_vtu(const LineField &field)
       connectivity += fmt::format("{} ", i);
     connectivity += "\n";
     offsets += fmt::format("{}\n", end += cell.size());
-    types += fmt::format("{}\n", cell.size() == 1 ? vertex : poly_line);
+    types += fmt::format("{}\n", cell.size() == 1                  ? vertex
+                                 : field.filled && cell.size() > 2 ? polygon
+                                                                   : poly_line);
   }
   return out + "</PointData>\n<Cells>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n" +
          connectivity + "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n" + offsets +

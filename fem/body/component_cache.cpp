@@ -4,13 +4,13 @@
 
 namespace mill::fem {
 namespace {
-constexpr char kind[] = "millstand component 2";
+constexpr char kind[] = "millstand component 3";
 
 // The same list of members is run through in both directions; one that is missing does not compile.
 template <class Archive> void members(Archive &a, Component &c)
 {
   auto &[name, source, interface, n_barrel, half_barrel, M, K, fixed_frequency, residual, axis_z, axis, mass,
-         reach, elements_per_radius] = c;
+         reach, elements_per_radius, surface] = c;
   a.text(name);
   a.text(source);
   a.texts(interface);
@@ -18,7 +18,8 @@ template <class Archive> void members(Archive &a, Component &c)
   a.count(elements_per_radius);
   for (double *value : {&half_barrel, &mass, &reach})
     a.number(*value);
-  for (Eigen::MatrixXd *m : {&M, &K, &residual, &axis})
+  auto &[position, faces, displacement, stress] = surface;
+  for (Eigen::MatrixXd *m : {&M, &K, &residual, &axis, &position, &faces, &displacement, &stress})
     a.array(*m);
   for (Eigen::VectorXd *v : {&fixed_frequency, &axis_z})
     a.array(*v);

@@ -435,38 +435,55 @@ private:
 };
 }  // namespace
 
-void ElasticBody::write_vtu(const std::string &path, const Eigen::VectorXd &displacement,
-                            const Eigen::VectorXd &pressure) const
+Eigen::MatrixXd ElasticBody::nodal_stress(const Eigen::MatrixXd &displacement) const
 {
   const double E = self->material.youngs_modulus, nu = self->material.poisson_ratio;
   const double lambda = E * nu / ((1 + nu) * (1 - 2 * nu)), mu = E / (2 * (1 + nu));
-  const int n_nodes = int(self->dofs.n_dofs());
-
-  // Stress at the nodes: average over the cells around, each evaluated at its own support points.
+  const int n_nodes = int(self->dofs.n_dofs()), k = int(displacement.cols());
+  // Each cell is evaluated at its own support points.
   const Quadrature<3> points(self->fe.get_unit_support_points());
   FEValues<3> v(self->mapping, self->fe, points, update_gradients);
   std::vector<types::global_dof_index> index(self->fe.n_dofs_per_cell());
-  std::vector<Eigen::Matrix3d> sum(n_nodes, Eigen::Matrix3d::Zero());
-  std::vector<int> count(n_nodes, 0);
+  Eigen::MatrixXd stress = Eigen::MatrixXd::Zero(6 * Eigen::Index(n_nodes), k);
+  std::vector<int> count(std::size_t(n_nodes), 0);
+  Eigen::MatrixXd moved(index.size(), 3), by(3, index.size());
   for (const auto &cell : self->dofs.active_cell_iterators()) {
     v.reinit(cell);
     cell->get_dof_indices(index);
-    for (unsigned q = 0; q < index.size(); ++q) {
-      Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
-      for (unsigned a = 0; a < index.size(); ++a)
-        for (int c = 0; c < 3; ++c)
-          for (int d = 0; d < 3; ++d)
-            gradient(c, d) +=
-                displacement[3 * Eigen::Index(index[a]) + c] * v.shape_grad(a, q)[d] / self->mesh.unit;
-      const Eigen::Matrix3d strain = 0.5 * (gradient + gradient.transpose());
-      sum[index[q]] += lambda * strain.trace() * Eigen::Matrix3d::Identity() + 2 * mu * strain;
+    for (unsigned q = 0; q < index.size(); ++q)
       ++count[index[q]];
+    for (int j = 0; j < k; ++j) {
+      for (unsigned a = 0; a < index.size(); ++a)
+        moved.row(a) = displacement.col(j).segment<3>(3 * Eigen::Index(index[a])).transpose();
+      for (unsigned q = 0; q < index.size(); ++q) {
+        for (unsigned a = 0; a < index.size(); ++a)
+          for (int d = 0; d < 3; ++d)
+            by(d, a) = v.shape_grad(a, q)[d] / self->mesh.unit;
+        const Eigen::Matrix3d gradient = by * moved;
+        const Eigen::Matrix3d strain   = 0.5 * (gradient + gradient.transpose());
+        const Eigen::Matrix3d s        = lambda * strain.trace() * Eigen::Matrix3d::Identity() + 2 * mu * strain;
+        Eigen::Matrix<double, 6, 1> six;
+        six << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(0, 2), s(1, 2);
+        stress.col(j).segment<6>(6 * Eigen::Index(index[q])) += six;
+      }
     }
   }
+  for (int i = 0; i < n_nodes; ++i)
+    stress.middleRows(6 * Eigen::Index(i), 6) /= std::max(1, count[std::size_t(i)]);
+  return stress;
+}
+
+void ElasticBody::write_vtu(const std::string &path, const Eigen::VectorXd &displacement,
+                            const Eigen::VectorXd &pressure) const
+{
+  const int n_nodes            = int(self->dofs.n_dofs());
+  const Eigen::MatrixXd stress = nodal_stress(displacement);
   Eigen::MatrixXd vector(n_nodes, 3), tensor(n_nodes, 9);
   Vector<double> von_mises(n_nodes), contact(n_nodes);
   for (int i = 0; i < n_nodes; ++i) {
-    const Eigen::Matrix3d s = sum[i] / std::max(1, count[i]);
+    const auto six = stress.col(0).segment<6>(6 * Eigen::Index(i));
+    Eigen::Matrix3d s;
+    s << six[0], six[3], six[4], six[3], six[1], six[5], six[4], six[5], six[2];
     const Eigen::Matrix3d d = s - s.trace() / 3 * Eigen::Matrix3d::Identity();
     vector.row(i)           = displacement.segment<3>(3 * i).transpose();
     tensor.row(i)           = Eigen::Map<const Eigen::RowVectorXd>(s.data(), 9);  // symmetric: either order

@@ -58,6 +58,8 @@ public:
                      &visit) const;
   double volume() const;  ///< m3, by the quadrature of the assembly
 
+  /// (6N, k) Pa: stress xx yy zz xy xz yz at the nodes, mean of the cells around, by displacements (3N, k) m.
+  Eigen::MatrixXd nodal_stress(const Eigen::MatrixXd &displacement) const;
   /// Displacement, stress (xx yy zz xy xz yz, von Mises) and a nodal scalar as VTU for ParaView.
   /// @param displacement (3N) m
   /// @param pressure     (N) Pa, contact pressure, zero off the contact

@@ -28,9 +28,10 @@ template <class Io> void each_member(Io &&io, const FourierOptions &record)
 
 template <class Io> void each_member(Io &&io, const RollComponentOptions &record)
 {
-  const auto &[n_barrel, frequency_limit, n_modes] = record;
+  const auto &[n_barrel, frequency_limit, n_modes, surface] = record;
   io("n_barrel", n_barrel);
   io("frequency_limit", frequency_limit);
   io("n_modes", n_modes);
+  io("surface", surface);
 }
 }  // namespace mill::fem

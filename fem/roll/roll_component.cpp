@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 
 namespace mill::fem {
 namespace {
@@ -134,6 +135,53 @@ double roll_reach(const ElasticBody &body, const RollGeometry &g, const Material
   return std::min(reach, mesh_reach(widest, 1e3 * widest, material));
 }
 
+namespace {
+// The outside of the eighth: corners of the faces of every group that is no plane of symmetry.
+ComponentSurface outside(const ElasticBody &body, const bool neck, const ComponentBasis &basis)
+{
+  ComponentSurface out;
+  std::map<int, int> number;  // of a node among the points
+  std::vector<int> nodes;
+  std::vector<std::array<int, 4>> faces;
+  for (const std::string &group : neck ? std::vector<std::string>{"contact", "barrel", "shoulder", "neck", "end"}
+                                       : std::vector<std::string>{"contact", "barrel", "end"}) {
+    const Surface s  = body.surface(group);
+    const auto &f    = s.faces;
+    const int across = f.cols() == 9 ? 3 : 2;  // nodes along a side, first parameter fastest
+    for (Eigen::Index i = 0; i < f.rows(); ++i) {
+      std::array<int, 4> face{};
+      int c = 0;
+      for (const int corner : {0, across - 1, across * across - 1, across * (across - 1)}) {
+        const int node         = s.node[std::size_t(f(i, corner))];
+        const auto [at, fresh] = number.try_emplace(node, int(nodes.size()));
+        if (fresh)
+          nodes.push_back(node);
+        face[std::size_t(c++)] = at->second;
+      }
+      faces.push_back(face);
+    }
+  }
+  Eigen::MatrixXd coordinates(basis.constraint.rows(), basis.constraint.cols() + basis.modes.cols());
+  coordinates << basis.constraint, basis.modes;
+  const Eigen::MatrixXd stress = body.nodal_stress(coordinates);
+  const Eigen::Index n = Eigen::Index(nodes.size()), k = coordinates.cols();
+  out.position.resize(n, 3);
+  out.displacement.resize(3 * n, k);
+  out.stress.resize(6 * n, k);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index node               = nodes[std::size_t(i)];
+    out.position.row(i)                   = body.nodes().row(node);
+    out.displacement.middleRows(3 * i, 3) = coordinates.middleRows(3 * node, 3);
+    out.stress.middleRows(6 * i, 6)       = stress.middleRows(6 * node, 6);
+  }
+  out.faces.resize(Eigen::Index(faces.size()), 4);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    for (int c = 0; c < 4; ++c)
+      out.faces(Eigen::Index(i), c) = faces[i][std::size_t(c)];
+  return out;
+}
+}  // namespace
+
 RollComponent roll_component(const std::string &name, const ElasticBody &body, const RollGeometry &g,
                              const Material &material, const RollComponentOptions &options, ComponentBasis *basis)
 {
@@ -153,6 +201,8 @@ RollComponent roll_component(const std::string &name, const ElasticBody &body, c
   c.axis_z                     = means.z;
   c.axis.resize(means.z.size(), c.M.rows());
   c.axis << means.rows.transpose() * fields.constraint, means.rows.transpose() * fields.modes;
+  if (options.surface)
+    c.surface = outside(body, g.neck_length > 0, fields);
   out.mesh_mass = c.mass;
   c.mass        = 2 * M_PI * material.density *
            (g.half_length * g.radius * g.radius + g.neck_length * g.neck_radius * g.neck_radius);

@@ -11,6 +11,7 @@ struct RollComponentOptions {
   int n_barrel           = 6;     ///< Legendre functions of the barrel's mean section displacement: P0, P2, ..
   double frequency_limit = 1000;  ///< Hz
   int n_modes            = -1;    ///< fixed-interface modes; -1: by the limit
+  bool surface           = true;  ///< with displacement and stress on the outside
 };
 
 /// A roll as a component, and what it came from.
