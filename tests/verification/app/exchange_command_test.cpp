@@ -88,6 +88,12 @@ TEST(ExchangeCommand, SaysWhatItCannotWrite)
             "give --force-overwrite\n");
   EXPECT_EQ(written("mine.mo"), "package mine end mine;\n");
   EXPECT_EQ(exchanged_as("modelica", "-q -o mine.mo --force-overwrite").exit_code, 0);
+  std::ofstream(exchange_folder() + "/own.mat") << "numbers of mine";
+  EXPECT_EQ(
+      exchanged_as("matlab", "-o own.m").err,
+      "error: the file own.mat, which belongs beside it, exists and is no earlier export; choose another with -o, "
+      "or give --force-overwrite\n");
+  EXPECT_FALSE(fs::exists(exchange_folder() + "/own.m"));
   fs::create_directories(exchange_folder() + "/letters");
   std::ofstream(exchange_folder() + "/letters/a") << "a letter";
   EXPECT_EQ(exchanged_as("statespace", "-o letters").err,
