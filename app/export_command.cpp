@@ -87,6 +87,8 @@ void export_matrices(const CommandLine &command, const Case &the_case)
   dynamics::ExchangedStand stand = exchanged_stand(driven, exported_model(driven, the_case));
   stand.name                     = name;
   const auto files               = exchange_files(format, stand, path);
+  if (!command.force_overwrite)
+    require_own_companions(format, files);
   if (command.output.empty())
     fs::create_directories("out");
   if (format == "statespace")

@@ -103,12 +103,26 @@ std::vector<ExportedFile> exchange_files(const std::string &format, const dynami
   return files;
 }
 
+void require_own_companions(const std::string &format, const std::vector<ExportedFile> &files)
+{
+  const std::string mark =
+      format == "matlab" ? "MATLAB 5.0 MAT-file, written by millstand" : "#1\n# time in s, rolling force in N";
+  std::error_code error;
+  for (std::size_t i = 1; i < files.size() && format != "statespace"; ++i)
+    if (fs::exists(files[i].path, error)) {
+      const auto text = text_if_readable(files[i].path);
+      if (!text || text->rfind(mark, 0) != 0)
+        throw InputError("the file " + files[i].path +
+                         ", which belongs beside it, exists and is no earlier export; choose another with -o, or "
+                         "give --force-overwrite");
+    }
+}
+
 void require_own(const std::string &format, const std::string &output, const std::string &case_name)
 {
   std::error_code error;
   if (!fs::exists(output, error))
     return;
-  // What stands beside the file or about.txt belongs to it.
   const bool folder = format == "statespace";
   if (folder && fs::is_directory(output, error) && fs::is_empty(output, error))
     return;

@@ -27,6 +27,10 @@ std::string exchange_name(const std::string &format, const std::string &output);
 std::vector<ExportedFile> exchange_files(const std::string &format, const dynamics::ExchangedStand &stand,
                                          const std::string &output);
 
+/// @throws InputError  a file that would be written beside the first one is there and was never written by an
+/// export
+void require_own_companions(const std::string &format, const std::vector<ExportedFile> &files);
+
 /// @throws InputError  the output is there and is no earlier export of this case
 void require_own(const std::string &format, const std::string &output, const std::string &case_name);
 }  // namespace mill

@@ -1,18 +1,21 @@
 // The chatter unit: its bite and its motion against those of the program, and what clients do with it.
 #include "app/stages/exported_chatter.h"
 #include "core/model/case.h"
+#include "core/records/files.h"
 #include "dynamics/chatter/chatter.h"
 #include "dynamics/chatter/history.h"
 #include "dynamics/chatter/run.h"
 #include "dynamics/response/matrix_exponential.h"
+#include "fmu/archive.h"
 #include "fmu/model_text.h"
 #include "fmu/runtime/chatter_motion.h"
 #include "fmu/unit_archive.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
 #include "tests/support/unit_client.h"
-#include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <random>
 
 using namespace mill;
@@ -339,15 +342,34 @@ TEST(ChatterUnit, ASecondOfVibrationCosts)
   EXPECT_LT(seconds, 3);
 }
 
-TEST(ChatterUnit, TheProgramWritesIt)
+// docs/examples/chatter_step.c as a reader would use it.
+TEST(ChatterUnit, TheProgramWritesItAndTheExampleInCRuns)
 {
   const std::string folder = scratch("chatter-unit");
-  const auto made          = millstand("export fmu cases/chatter-tandem.toml --pass 3 -o " + folder + "/c.fmu");
+  const auto made          = millstand("export fmu cases/chatter-tandem.toml --pass 2 -o " + folder + "/c.fmu");
   EXPECT_EQ(made.exit_code, 0) << made.err;
   EXPECT_EQ(
       made.out.find(folder + "/c.fmu: stand, bite and strip, six masses as given, FMI 2.0 co-simulation, Linux"),
       0u)
       << made.out;
+  for (const auto &file : fmu::entries_of(read_text(folder + "/c.fmu"))) {
+    const std::filesystem::path path = std::filesystem::path(folder) / "unit" / file.name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << file.bytes;
+  }
+  const std::string build = "cd '" + folder +
+                            "' && cc -o chatter_step '" MILLSTAND_SOURCE_DIR
+                            "/docs/examples/chatter_step.c' -ldl -lm && ./chatter_step unit >example.txt";
+  ASSERT_EQ(std::system(build.c_str()), 0);
+  const std::string text = read_text(folder + "/example.txt");
+  const Vibrating v      = vibrating(22);
+  double growth          = 0;
+  ASSERT_NE(text.find("22 m/s"), std::string::npos) << text;
+  ASSERT_EQ(
+      std::sscanf(text.c_str() + text.find("22 m/s"), "22 m/s: swings of %*f m, then %*f m: growth %lf", &growth),
+      1);
+  EXPECT_TRUE(near(growth, dynamics::growth_rate(dynamics::chatter_matrix(v.stand, v.point.by)),
+                   within(0.05, "largest swings of 0.15 s, one digit behind the point")));
   const auto wrong = millstand("export fmu cases/chatter-tandem.toml --pass 9 -o " + folder + "/d.fmu");
   EXPECT_EQ(wrong.err,
             "error: --pass \"9\": the case has no condition of this name; it has \"1\", \"2\", \"3\"\n");

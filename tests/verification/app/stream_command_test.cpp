@@ -1,8 +1,12 @@
 // millstand simulate --stream: any length of record, cut at a signal.
+#include "app/stream_command.h"
+#include "core/case/errors.h"
+#include "core/model/case.h"
 #include "core/records/csv.h"
 #include "core/records/files.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
+#include "tests/support/refusal.h"
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -46,7 +50,7 @@ nlohmann::json summary_in(const std::string &folder)
 TEST(StreamCommand, GivesTheRowsLevelsAndSpectraOfSimulate)
 {
   for (const bool gaps : {false, true}) {
-    write_record("force.csv", 20000, gaps);
+    write_record("force.csv", 6000, gaps);
     const auto whole = millstand("simulate stand.toml -q --force force.csv -o whole", stream_folder());
     ASSERT_EQ(whole.exit_code, 0) << whole.err;
     const auto streamed =
@@ -128,20 +132,35 @@ TEST(StreamCommand, ASignalLeavesAWholeShorterRecord)
 
 TEST(StreamCommand, SaysWhatItCannotDo)
 {
-  EXPECT_EQ(millstand("simulate stand.toml --stream", stream_folder()).err,
-            "error: millstand simulate --stream needs the record: --force FILE\n");
-  std::ofstream(stream_folder() + "/bad.csv") << "time [s],force [kN]\n0,976\n1,nothing\n2,976\n";
-  const auto bad = millstand("simulate stand.toml --stream -q --force bad.csv -o bad", stream_folder());
-  EXPECT_EQ(bad.exit_code, 2);
-  EXPECT_EQ(bad.err.find("bad.csv:3:3: error: "), 0u) << bad.err;
-  EXPECT_FALSE(fs::exists(stream_folder() + "/bad")) << "nothing is left";
+  const std::string folder = stream_folder() + "/";
+  const Case the_case      = read_case(folder + "stand.toml");
+  CommandLine command;
+  command.verb       = "simulate";
+  command.quiet      = true;
+  command.output     = folder + "refused";
+  const auto refused = [&] { return refusal([&] { stream_command(command, the_case); }); };
+  EXPECT_FALSE(is_streamed(command));
+  command.stream = true;
+  EXPECT_TRUE(is_streamed(command));
+  EXPECT_EQ(refused(), "millstand simulate --stream needs the record: --force FILE");
+  std::ofstream(folder + "bad.csv") << "time [s],force [kN]\n0,976\n1,nothing\n2,976\n";
+  command.force = folder + "bad.csv";
+  try {
+    stream_command(command, the_case);
+    ADD_FAILURE();
+  } catch (const InputError &e) {
+    EXPECT_EQ(e.problems.front().place.line, 3);
+    EXPECT_EQ(e.problems.front().place.column, 3);
+  }
+  EXPECT_FALSE(fs::exists(command.output)) << "nothing is left";
   write_record("short.csv", 100, false);
-  fs::create_directories(stream_folder() + "/mine");
-  std::ofstream(stream_folder() + "/mine/letter") << "a";
-  EXPECT_EQ(millstand("simulate stand.toml --stream -q --force short.csv -o mine", stream_folder()).err,
-            "error: mine exists and holds no streamed response of this case; choose another with -o, or give "
-            "--force-overwrite\n");
-  EXPECT_EQ(
-      millstand("simulate stand.toml --stream -q --force short.csv --pass 'pass 9' -o p", stream_folder()).err,
-      "error: --pass \"pass 9\": the case has no pass of this name; it has \"pass 1\", \"pass 2\"\n");
+  command.force = folder + "short.csv";
+  command.pass  = "pass 9";
+  EXPECT_EQ(refused(), "--pass \"pass 9\": the case has no pass of this name; it has \"pass 1\", \"pass 2\"");
+  fs::create_directories(folder + "mine");
+  std::ofstream(folder + "mine/letter") << "a";
+  command.output = folder + "mine";
+  EXPECT_EQ(refused(), folder +
+                           "mine exists and holds no streamed response of this case; choose another with -o, or "
+                           "give --force-overwrite");
 }
