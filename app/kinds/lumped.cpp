@@ -20,7 +20,11 @@ KeyList model_file_keys()
 // Of a response on curves.
 KeyList curve_keys(const Lumped &lumped)
 {
-  return lumped.dynamics.contact == "curve" ? keys_in("curve", "K2 K3 K4 K5 K6") : KeyList{};
+  KeyList keys;
+  for (int i = 2; lumped.dynamics.contact == "curve" && i <= 6; ++i)
+    if (!lumped.curves.of(i).empty())
+      keys.push_back("curve.K" + std::to_string(i));
+  return keys;
 }
 
 std::optional<KeyList> inputs_of(const Lumped &lumped, const Results &results, const std::string &name)

@@ -3,6 +3,7 @@
 #include "app/stages/dynamics_stage.h"
 #include "app/stages/mode_results.h"
 #include "core/model/pass.h"
+#include "dynamics/nonlinear/contact_law.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -17,9 +18,9 @@ using dynamics::SpringLaw;
 constexpr double most_correction =
     0.05;  // of a slope, beyond which the curve and the number are not one contact's
 
-SpringLaw law_of(const Eigen::VectorXd &load, const Eigen::VectorXd &compression, const std::string &what)
+SpringLaw law_of(const std::vector<double> &load, const std::vector<double> &compression, const std::string &what)
 {
-  const SpringLaw law({load.begin(), load.end()}, {compression.begin(), compression.end()});
+  const SpringLaw law(load, compression);
   if (!law.usable())
     throw InputError(
         fmt::format("dynamics.contact = \"curve\": the computed curve of {} does not rise from sample "
@@ -47,6 +48,7 @@ double slope_at(const SpringLaw &law, const double load)
 struct Fitted {
   SpringLaw law;
   double corrected = 0;  // -, slope of the linear model over that of the samples, less 1
+  double smoothed  = 0;  // -, largest deviation of the curve from the samples
 };
 
 Fitted with_slope(const SpringLaw &law, const double load, const double stiffness, const std::string &what)
@@ -71,13 +73,14 @@ void require_load(const Pass &pass, const double load)
                     pass.name, in_kN(load)));
 }
 
-NonlinearSpring spring_record(const ConnectionCurve &curve, const double corrected, const double stiffness)
+NonlinearSpring spring_record(const ConnectionCurve &curve, const Fitted &fitted, const double stiffness)
 {
   NonlinearSpring spring;
   spring.name      = curve.name;
   spring.rest      = curve.load;
   spring.stiffness = stiffness;
-  spring.corrected = corrected;
+  spring.corrected = fitted.corrected;
+  spring.smoothed  = fitted.smoothed;
   spring.low       = curve.law.least_load();
   spring.high      = curve.law.largest_load();
   return spring;
@@ -101,6 +104,18 @@ std::vector<std::string> names_of(const reduce::StandWithModes &stand)
   return names;
 }
 
+// A roll contact, with the slope that the chain has for it.
+Fitted contact_law(const ContactCurve &contact, const reduce::LumpedStand &chain, const bool upper,
+                   const double load)
+{
+  const char *name   = upper ? "K3" : "K5";
+  const auto samples = dynamics::smooth_contact(contact.load, contact.approach);
+  Fitted fitted =
+      with_slope(law_of(samples.load, samples.compression, name), load, chain.model.K[upper ? 2 : 4].value, name);
+  fitted.smoothed = samples.deviation;
+  return fitted;
+}
+
 // Both bearings of a roll, with the slope that the chain has for them.
 std::optional<Fitted> bearing_law(const StandCurves &curves, const reduce::LumpedStand &chain, const bool upper,
                                   const double load)
@@ -109,8 +124,9 @@ std::optional<Fitted> bearing_law(const StandCurves &curves, const reduce::Lumpe
     return std::nullopt;
   const reduce::LoadDeflection &samples = (*curves.bearings)[upper ? 0 : 1];
   const std::string what = upper ? "the upper backup-roll bearings" : "the lower backup-roll bearings";
-  return with_slope(law_of(samples.load, samples.deflection, what), load,
-                    (upper ? chain.K_Zy_upper : chain.K_Zy_lower).value, what);
+  return with_slope(law_of({samples.load.begin(), samples.load.end()},
+                           {samples.deflection.begin(), samples.deflection.end()}, what),
+                    load, (upper ? chain.K_Zy_upper : chain.K_Zy_lower).value, what);
 }
 
 // The stand on its curves, in the modes in which it is driven: all six of a chain.
@@ -136,35 +152,39 @@ CurveDrive curve_drive(RunContext &run, const StandCurves &curves, const reduce:
   const reduce::StandWithModes &driven = detailed ? *detailed : six;
   CurveDrive made;
   std::vector<ConnectionCurve> all;
-  const auto add = [&](const std::string &connection, const char *name, const Fitted &fitted,
-                       const double stiffness) {
+  const auto add = [&](const std::string &connection, const char *name, const Fitted &fitted, const double K) {
     all.push_back({connection, name, fitted.law, load});
-    made.springs.push_back(spring_record(all.back(), fitted.corrected, stiffness));
+    made.springs.push_back(spring_record(all.back(), fitted, K));
     if (std::abs(fitted.corrected) > most_correction)
       run.warn(
           fmt::format("{}: {} has a slope {:+.1f} % off that of its curve at {}; the response on the curve takes "
                       "the curve's shape and the slope of {}",
                       pass.name, name, 100 * fitted.corrected, in_kN(load), name));
   };
-  for (const bool upper : {true, false}) {
-    if (const auto bearing = bearing_law(curves, chain, upper, load)) {
-      const Connection *line = bearing_connection(driven.model, upper);
-      const double whole = line->stiffness.sum(), K_Zy = (upper ? chain.K_Zy_upper : chain.K_Zy_lower).value;
-      add(line->name, upper ? "K2" : "K6", {bearing->law.in_series_with(1 / whole - 1 / K_Zy), bearing->corrected},
-          whole);
-    } else
-      run.assume(
-          fmt::format("{}: the bearings of the {} backup roll stay linear, no curve of them is computed for "
-                      "this pass",
+  const auto add_bearings = [&](const bool upper) {
+    const auto bearing     = bearing_law(curves, chain, upper, load);
+    const Connection *line = bearing_connection(driven.model, upper);
+    if (!bearing || !line)
+      return run.assume(
+          fmt::format("{}: the bearings of the {} backup roll stay linear, no curve of them is computed "
+                      "for this pass",
                       pass.name, upper ? "upper" : "lower"));
+    const double whole = line->stiffness.sum(), K_Zy = (upper ? chain.K_Zy_upper : chain.K_Zy_lower).value;
+    add(line->name, upper ? "K2" : "K6",
+        {bearing->law.in_series_with(1 / whole - 1 / K_Zy), bearing->corrected, bearing->smoothed}, whole);
+  };
+  const auto add_contact = [&](const bool upper) {
     const ContactCurve *contact = upper ? curves.upper : curves.lower;
     const char *name            = upper ? "K3" : "K5";
     if (!contact)
       throw InputError(
           fmt::format("dynamics.contact = \"curve\": no curve of {} is computed; leave given.{} out", name, name));
-    const double stiffness = chain.model.K[upper ? 2 : 4].value;
-    add(name, name, with_slope(law_of(contact->load, contact->approach, name), load, stiffness, name), stiffness);
-  }
+    add(name, name, contact_law(*contact, chain, upper, load), chain.model.K[upper ? 2 : 4].value);
+  };
+  add_bearings(true);
+  add_contact(true);
+  add_contact(false);
+  add_bearings(false);
   finish(made, all, driven, chain.model, settings, detailed != nullptr);
   made.load = load;
   return made;
@@ -207,7 +227,8 @@ CurveDrive curve_drive(const ChainCurves &curves, const DynamicsSettings &settin
     const std::string name = fmt::format("K{}", i);
     all.push_back({name, name, law_of(curves.of(i)), load});
     const double slope = slope_at(all.back().law, load);
-    made.springs.push_back(spring_record(all.back(), given.K[std::size_t(i - 1)].value / slope - 1, slope));
+    made.springs.push_back(
+        spring_record(all.back(), {all.back().law, given.K[std::size_t(i - 1)].value / slope - 1, 0}, slope));
   }
   finish(made, all, chain_with_modes(model, settings), model, settings, false);
   made.load = load;
@@ -236,13 +257,8 @@ ChainCurves chain_curves_of(const StandCurves &curves, const reduce::LumpedStand
       add(upper ? made.K2 : made.K6, (*curves.bearings)[upper ? 0 : 1].load,
           bearing->law.in_series_with(1 / whole - 1 / K_Zy));
     }
-    if (const ContactCurve *contact = upper ? curves.upper : curves.lower) {
-      const char *name = upper ? "K3" : "K5";
-      add(upper ? made.K3 : made.K5, contact->load,
-          with_slope(law_of(contact->load, contact->approach, name), load, chain.model.K[upper ? 2 : 4].value,
-                     name)
-              .law);
-    }
+    if (const ContactCurve *contact = upper ? curves.upper : curves.lower)
+      add(upper ? made.K3 : made.K5, contact->load, contact_law(*contact, chain, upper, load).law);
   }
   return made;
 }

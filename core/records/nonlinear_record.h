@@ -13,6 +13,7 @@ struct NonlinearSpring {
   double rest      = not_given;  ///< N, at rest
   double stiffness = not_given;  ///< N/m, slope at rest: that of the linear run
   double corrected = not_given;  ///< -, what was added to the slope of the samples so that it is that one
+  double smoothed  = not_given;  ///< -, largest deviation of the curve from the computed samples
   double low       = not_given;  ///< N, least load of the samples
   double high      = not_given;  ///< N, largest
   double least     = not_given;  ///< -, smallest force in the run over that at rest
@@ -68,11 +69,12 @@ struct NonlinearRecord {
 
 template <class Io, class R, if_record<R, NonlinearSpring> = 0> void each_member(Io &&io, R &record)
 {
-  auto &[name, rest, stiffness, corrected, low, high, least, least_at, largest, parted] = record;
+  auto &[name, rest, stiffness, corrected, smoothed, low, high, least, least_at, largest, parted] = record;
   io("name", name);
   io("rest", rest);
   io("stiffness", stiffness);
   io("corrected", corrected);
+  io("smoothed", smoothed);
   io("low", low);
   io("high", high);
   io("least", least);

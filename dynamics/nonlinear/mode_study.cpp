@@ -120,9 +120,10 @@ double parting_force(const CurveStand &stand, const double frequency)
   std::optional<PeriodicMotion> near;
   for (int round = 0; round < 40; ++round) {
     const PeriodicMotion next = forced_motion(stand, frequency, force, harmonics_kept, near ? &*near : nullptr);
-    if (!next.found)
+    // Deep in separation the series may not settle: the force is too large then.
+    if (!next.found && !(low > 0))
       return not_given;
-    const double gap = least_compression(stand, next);
+    const double gap = next.found ? least_compression(stand, next) : -gap_low;
     if (std::abs(gap) < 1e-6)
       return force;
     if (gap > 0) {

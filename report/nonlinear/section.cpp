@@ -53,12 +53,12 @@ std::string springs_table(const NonlinearData &data)
   std::string rows;
   for (const NonlinearSpring &s : data.springs)
     rows += "<tr><th scope=\"row\">" + escaped(s.name) + "</th>" + cell(significant(s.rest / 1e3, 4)) +
-            cell(significant(s.stiffness / 1e6, 4)) + cell(percent(s.corrected)) +
+            cell(significant(s.stiffness / 1e6, 4)) + cell(percent(s.corrected)) + cell(percent(s.smoothed)) +
             cell("<b>" + fixed(100 * s.least, 1) + " %</b>") + cell(fixed(s.least_at, 4)) +
             cell(fixed(100 * s.largest, 1) + " %") + cell(s.parted > 0 ? std::to_string(s.parted) : "never") +
             "</tr>\n";
-  return head({"spring", "at rest [kN]", "slope there [kN/mm]", "slope over that of the samples", "smallest force",
-               "at [s]", "largest force", "parts"}) +
+  return head({"spring", "at rest [kN]", "slope there [kN/mm]", "slope over that of the curve",
+               "curve off samples", "smallest force", "at [s]", "largest force", "parts"}) +
          rows + "</tbody></table>\n";
 }
 
@@ -149,10 +149,11 @@ void pass_part(Page &page, const Run &run, const PassInfo &pass, const Nonlinear
              "Levels on the curves of the contacts beside the linear run. The adaptive run holds "
              "every step's error to 1e-10 of the motion; energy that is missing at its end: " +
                  significant(std::abs(data.balance), 2) + " of the work of the force.");
-  page.table(springs_table(data),
-             "Springs that follow curves, forces over those at rest. The column before the forces "
-             "says how far the samples' own slope was off the one of the linear model, which the "
-             "curve was given.");
+  page.table(
+      springs_table(data),
+      "Springs that follow curves, forces over those at rest. A linear spring in series gives each curve the "
+      "slope of the linear model at its load; contacts are smoothed by the form of a line contact, since the "
+      "nodes of a mesh step the slope of the samples.");
   if (const Table *table = stored_curve(run, curve::nonlinear_spectrum, pass.slug))
     page.figure(
         {spectra(*table, "upper_work_roll", "Upper work roll"),

@@ -11,6 +11,10 @@
 
 // Contacts on their curves as a user of a lumped model meets them.
 namespace {
+// Short records: a second holds a hundred periods of the roll contacts.
+const std::string on_curves = " --set dynamics.contact=curve --set pass.0.synthetic_duration='1 s'"
+                              " --set pass.1.synthetic_duration='1 s'";
+
 // A chain whose roll contacts are line contacts, F (a - b ln F), with the slopes of its K3 and K5 at `load` (N).
 std::string case_with_curves(const std::string &name, const double load)
 {
@@ -46,7 +50,7 @@ nlohmann::json json_of(const std::string &path)
 TEST(CurveCommand, DrivesALumpedModelOnItsCurves)
 {
   const std::string chain = case_with_curves("curves", 976e3), out = scratch("curves") + "/out";
-  const auto outcome = millstand("simulate " + chain + " -q -o " + out + " --set dynamics.contact=curve");
+  const auto outcome = millstand("simulate " + chain + " -q -o " + out + on_curves);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto values = json_of(out + "/results.json").at("values");
   int seen          = 0;
@@ -87,10 +91,8 @@ TEST(CurveCommand, DrivesALumpedModelOnItsCurves)
 TEST(CurveCommand, SaysWhatPartsUnderALargeForce)
 {
   const std::string chain = case_with_curves("parting", 976e3), out = scratch("parting") + "/out";
-  const auto outcome =
-      millstand("simulate " + chain + " -q -o " + out +
-                " --set dynamics.contact=curve --set pass.0.synthetic_range='[\"500 kN\", \"1450 kN\"]'"
-                " --set pass.0.synthetic_duration='1 s' --set pass.1.synthetic_duration='1 s'");
+  const auto outcome = millstand("simulate " + chain + " -q -o " + out + on_curves +
+                                 " --set pass.0.synthetic_range='[\"500 kN\", \"1450 kN\"]'");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto record = json_of(out + "/curves/nonlinear-pass-1.json");
   EXPECT_FALSE(record.at("linear_enough").get<bool>());

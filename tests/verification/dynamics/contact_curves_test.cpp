@@ -101,7 +101,7 @@ TEST(ContactCurves, FrequencyOfTwoHertzianMassesIsThatOfTheQuadrature)
 TEST(ContactCurves, KeepTheEnergyOfAnUndampedRun)
 {
   const ChainOnCurves chain = chain_on_curves(load, 0);
-  const CurveRun run        = curve_response(chain.stand, chain.modal, noise(2e4, 1), 20e3, 1e-12);
+  const CurveRun run        = curve_response(chain.stand, chain.modal, noise(2e4, 0.5), 20e3, 1e-12);
   EXPECT_GT(run.work, 1);  // J: the force did something
   EXPECT_LT(std::abs(run.balance), 1e-8);
   for (const SpringReach &spring : run.springs)
@@ -114,7 +114,7 @@ TEST(ContactCurves, KeepTheEnergyThroughSeparation)
 {
   const ChainOnCurves chain = chain_on_curves(load, 0);
   const CurveRun run        = curve_response(chain.stand, chain.modal, noise(1e5, 0.15), 400e3, 1e-12);
-  EXPECT_GT(run.events.size(), 20u);
+  EXPECT_GT(run.events.size(), 10u);
   EXPECT_LT(std::abs(run.balance), 1e-8);
   for (std::size_t i = 1; i < run.events.size(); ++i)
     EXPECT_LE(run.events[i - 1].time, run.events[i].time);
@@ -123,7 +123,7 @@ TEST(ContactCurves, KeepTheEnergyThroughSeparation)
 TEST(ContactCurves, AreTheLinearModelAtSmallAmplitude)
 {
   const ChainOnCurves chain = chain_on_curves(load, 0.01, 2e5);
-  const ForceRecord force   = noise(1e-3 * load, 2);
+  const ForceRecord force   = noise(1e-3 * load, 0.5);
   const Response linear     = mill_response(driven_model(chain.modal), force, 20e3);
   const CurveRun run        = curve_response(chain.stand, chain.modal, force, 20e3);
   for (const int roll : {int(upper_work_roll), int(lower_work_roll)}) {
@@ -134,7 +134,7 @@ TEST(ContactCurves, AreTheLinearModelAtSmallAmplitude)
         near(of_curve.peak, of_line.peak, within(2e-4, "one sample, and the contact swings ten times as far")));
   }
   // What is left goes with the amplitude.
-  const ForceRecord tenth = noise(1e-4 * load, 2);
+  const ForceRecord tenth = noise(1e-4 * load, 0.5);
   EXPECT_TRUE(near(furthest(curve_response(chain.stand, chain.modal, tenth, 20e3).response.acceleration,
                             mill_response(driven_model(chain.modal), tenth, 20e3).acceleration),
                    0.1 * furthest(run.response.acceleration, linear.acceleration), within(0.05, "second order")));
@@ -187,7 +187,7 @@ TEST(ContactCurves, HarmonicBalanceIsTheSteadyStateOfFixedSteps)
     CurveState state;
     ASSERT_TRUE(rest_under(chain.stand, force, state));
     Eigen::MatrixXcd series = Eigen::MatrixXcd::Zero(6, 4);
-    const int settle        = 600;  // periods; the slowest mode has lost e^-30 by then
+    const int settle        = 400;  // periods; the slowest mode has lost e^-20 by then
     for (int i = 0; i < n * (settle + 1); ++i) {
       if (i >= n * settle)
         for (int h = 0; h <= 3; ++h)
