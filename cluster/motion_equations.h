@@ -21,6 +21,10 @@ public:
   {
     return int(contacts_.size());
   }
+  bool one_sided(int contact) const
+  {
+    return contacts_[std::size_t(contact)].one_sided;
+  }
   void slope(double time, const double *state, double *slope) const;
   void approaches(const double *state, double *approach) const;    ///< m, of every contact
   void contact_forces(const double *state, double *forces) const;  ///< N, damping included
@@ -58,13 +62,13 @@ private:
   static double pushing(const OneContact &c, const Now &s);
   static void support_force(const OneSupport &s, double dx, double dy, double *force);
 
+  static double stored(const OneSupport &s, double x, double y);
+
   int n_;
   Eigen::VectorXd mass_, constant_;  // loads and weight
   std::vector<OneContact> contacts_;
   std::vector<OneSupport> supports_;
   std::vector<OneDrive> drives_;
   Stack stack_;
-  Motion rest_;
-  double rest_energy_;
 };
 }  // namespace mill::cluster

@@ -98,11 +98,15 @@ std::optional<LostContact> leaving_load(const Stack &stack, const int roll, cons
   Motion from       = start.u;
   const auto lost   = [&](const double load) {
     pushed.side_loads.back().force = load * direction;
-    const Equilibrium e            = equilibrium(pushed, {}, from);
-    const std::string contact      = lost_contact(pushed, start, e);
-    if (contact.empty())
-      from = e.u;
-    return contact;
+    try {
+      const Equilibrium e       = equilibrium(pushed, {}, from);
+      const std::string contact = lost_contact(pushed, start, e);
+      if (contact.empty())
+        from = e.u;
+      return contact;
+    } catch (const SolverError &) {
+      return std::string("no state at rest beyond");
+    }
   };
   constexpr int steps = 40;
   for (int i = 1; i <= steps; ++i) {

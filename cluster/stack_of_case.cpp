@@ -198,6 +198,9 @@ std::vector<std::string> free_motions(const Stack &stack)
     if (s.type == Support::Type::guide) {
       const Eigen::Vector2d t(std::cos(s.direction), std::sin(s.direction));
       K.block<2, 2>(i, i) += t * t.transpose();
+    } else if (s.type == Support::Type::rollers) {
+      for (const Eigen::Vector2d &t : roller_directions(s))
+        K.block<2, 2>(i, i) += t * t.transpose();
     } else {
       K.block<2, 2>(i, i) += Eigen::Matrix2d::Identity();
     }

@@ -75,7 +75,8 @@ std::vector<std::string> roll_names(const ClusterStand &stand)
 {
   std::vector<std::string> names;
   for (const ClusterRoll &roll : stand.rolls)
-    names.push_back(roll.name);
+    if (std::find(names.begin(), names.end(), roll.name) == names.end())
+      names.push_back(roll.name);
   return names;
 }
 
@@ -245,6 +246,11 @@ void check_strip_laws(const ClusterStand &stand, Reading &reading)
   if (std::isnan(stand.strip.flow_stress.k) && reading.usable({"strip.flow_stress.law", "strip.width"}))
     reading.add(computed->place, fmt::format("pass \"{}\" has no 'load', and [strip.flow_stress] that a force could be "
                                              "computed from is missing; give one of the two",
+                                             computed->name));
+  if (stand.strip.friction.law == FrictionLaw::coulomb && std::isnan(stand.strip.friction.coefficient) &&
+      reading.usable({"strip.friction"}))
+    reading.add(computed->place, fmt::format("pass \"{}\" has no 'load', and nothing says the friction in its bite; add "
+                                             "friction = 0.05 to [strip], or a section [strip.friction]",
                                              computed->name));
 }
 
