@@ -24,8 +24,8 @@ Collocation::Collocation()
   for (int i = 0; i < s; ++i) {
     double t = -std::cos(M_PI * (i + 0.75) / (s + 0.5)), slope = 0;
     for (int k = 0; k < 50; ++k) {  // Newton on P_s
-      const auto P = legendre(0.5 * (t + 1));
-      slope        = s * (t * P[s] - P[s - 1]) / (t * t - 1);
+      const auto P        = legendre(0.5 * (t + 1));
+      slope               = s * (t * P[s] - P[s - 1]) / (t * t - 1);
       const double change = P[s] / slope;
       t -= change;
       if (std::abs(change) < 1e-16)

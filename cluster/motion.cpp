@@ -14,7 +14,7 @@ double length_of(const Stack &stack, const Motion &rest, const std::vector<Drive
                  const Eigen::VectorXd &start, const Eigen::VectorXd &speed)
 {
   const double highest = 2 * M_PI * modes(stack, rest).back().frequency;
-  double length = std::max(start.cwiseAbs().maxCoeff(), speed.cwiseAbs().maxCoeff() / highest);
+  double length        = std::max(start.cwiseAbs().maxCoeff(), speed.cwiseAbs().maxCoeff() / highest);
   for (const Drive &d : drives)
     length = std::max(length, d.force.norm() / (stack.rolls[std::size_t(d.roll)].mass * highest * highest));
   return length > 0 ? length : 1e-12;
@@ -35,8 +35,8 @@ public:
 
   void record(const Eigen::Index row, const double time, const double *state)
   {
-    const int n        = equations_.unknowns();
-    h.time[row]        = time;
+    const int n             = equations_.unknowns();
+    h.time[row]             = time;
     h.displacement.col(row) = Eigen::Map<const Eigen::VectorXd>(state, n);
     h.velocity.col(row)     = Eigen::Map<const Eigen::VectorXd>(state + n, n);
     equations_.contact_forces(state, h.contact_force.col(row).data());
@@ -76,8 +76,8 @@ MotionHistory move(const Stack &stack, const Motion &rest, const std::vector<Dri
   Stack flat   = stack;
   flat.coupled = false;
   MotionEquations equations(flat, rest, drives);
-  const int n             = equations.unknowns();
-  Eigen::VectorXd state   = Eigen::VectorXd::Zero(equations.size());
+  const int n           = equations.unknowns();
+  Eigen::VectorXd state = Eigen::VectorXd::Zero(equations.size());
   if (start.size() == n)
     state.head(n) = start;
   if (speed.size() == n)

@@ -29,14 +29,14 @@ struct MotionOptions {
 
 /// What a run was, per row of `time`.
 struct MotionHistory {
-  Eigen::VectorXd time;           ///< s
-  Eigen::MatrixXd displacement;   ///< m, from the state at rest, unknowns x rows
-  Eigen::MatrixXd velocity;       ///< m/s
-  Eigen::MatrixXd contact_force;  ///< N, contacts x rows
-  Eigen::VectorXd energy;         ///< J, kinetic and potential, zero at rest
+  Eigen::VectorXd time;            ///< s
+  Eigen::MatrixXd displacement;    ///< m, from the state at rest, unknowns x rows
+  Eigen::MatrixXd velocity;        ///< m/s
+  Eigen::MatrixXd contact_force;   ///< N, contacts x rows
+  Eigen::VectorXd energy;          ///< J, kinetic and potential, zero at rest
   Eigen::VectorXd energy_balance;  ///< J, energy less start less work of drive and damping
-  double momentum_balance = 0;    ///< N s, largest |change of momentum less impulse of all outer forces|
-  double largest_momentum = 0;    ///< N s
+  double momentum_balance = 0;     ///< N s, largest |change of momentum less impulse of all outer forces|
+  double largest_momentum = 0;     ///< N s
   std::vector<ContactEvent> events;
   long steps = 0, evaluations = 0;
   bool stopped_by_events = false;
@@ -57,7 +57,7 @@ MotionHistory move(const Stack &stack, const Motion &rest, const std::vector<Dri
 /// history, m/s.
 Eigen::VectorXd velocity_amplitudes(const MotionHistory &history, double frequency, double share = 0.5);
 
-/// The viscous damping of each contact that equals its loss factor at one frequency, in full at `depth_share` of the
-/// approach at rest.  theory.md (38.22)
+/// The viscous damping of each contact that equals its loss factor at one frequency, in full at `depth_share` of
+/// the approach at rest.  theory.md (38.22)
 void add_viscous_damping(Stack &stack, const Motion &rest, double frequency, double depth_share);
 }  // namespace mill::cluster

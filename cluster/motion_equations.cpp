@@ -24,17 +24,19 @@ MotionEquations::MotionEquations(const Stack &stack, const Motion &rest, const s
                          s.approach, c.damping, c.depth, c.one_sided});
   }
   for (const Support &s : stack_.supports) {
-    OneSupport own{s.roll,
-                   s.type,
-                   s.law.kappa,
-                   1 / s.law.q,
-                   rest[2 * s.roll] - s.anchor.x(),
-                   rest[2 * s.roll + 1] - s.anchor.y(),
-                   {std::cos(s.direction), 0},
-                   {std::sin(s.direction), 0},
-                   s.preload > 0 ? s.law.kappa * std::pow(s.preload, s.law.q) : 0,
-                   s.across,
-                   s.guard};
+    OneSupport own{
+        s.roll,
+        s.type,
+        s.law.kappa,
+        1 / s.law.q,
+        rest[2 * s.roll] - s.anchor.x(),
+        rest[2 * s.roll + 1] - s.anchor.y(),
+        {std::cos(s.direction), 0},
+        {std::sin(s.direction), 0},
+        s.preload > 0 ? s.law.kappa * std::pow(s.preload, s.law.q) : 0,
+        s.across,
+        s.guard
+    };
     if (s.type == Support::Type::rollers) {
       const auto t = roller_directions(s);
       for (std::size_t k = 0; k < 2; ++k) {
@@ -180,7 +182,7 @@ double MotionEquations::stored(const OneSupport &s, const double x, const double
 double MotionEquations::energy(const double *state) const
 {
   const Eigen::Map<const Eigen::VectorXd> u(state, n_), v(state + n_, n_);
-  double sum = 0.5 * v.dot(mass_.cwiseProduct(v)) - constant_.dot(u);
+  double sum           = 0.5 * v.dot(mass_.cwiseProduct(v)) - constant_.dot(u);
   const auto stored_in = [](const OneContact &c, const double d) {
     return !c.one_sided && d < 0 ? 0.5 * c.law.k * d * d : mill::cluster::energy(c.law, d);
   };

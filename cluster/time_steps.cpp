@@ -16,9 +16,9 @@ Eigen::MatrixXd damping_at_rest(const Stack &stack, const Motion &rest)
 {
   Eigen::MatrixXd C = Eigen::MatrixXd::Zero(stack.size(), stack.size());
   for (const Contact &c : stack.contacts) {
-    const ContactState s = contact_state(stack, c, rest);
-    const double share   = s.approach <= 0 ? 0 : c.depth > 0 ? step(s.approach, 0, 0, c.depth, 1) : 1;
-    Eigen::VectorXd row  = Eigen::VectorXd::Zero(stack.size());
+    const ContactState s    = contact_state(stack, c, rest);
+    const double share      = s.approach <= 0 ? 0 : c.depth > 0 ? step(s.approach, 0, 0, c.depth, 1) : 1;
+    Eigen::VectorXd row     = Eigen::VectorXd::Zero(stack.size());
     row.segment<2>(2 * c.a) = -s.normal;
     row.segment<2>(2 * c.b) = s.normal;
     C += share * c.damping * row * row.transpose();
@@ -34,9 +34,9 @@ TimeSteps::TimeSteps(const MotionEquations &equations, const Stack &stack, const
   const Eigen::VectorXd m = masses(stack), w = m.cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = w.asDiagonal() * total_tangent(stack, rest) * w.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-  V_     = w.asDiagonal() * eigen.eigenvectors();
-  VtM_   = V_.transpose() * m.asDiagonal();
-  roots_ = eigen.eigenvalues().cwiseMax(0);
+  V_                   = w.asDiagonal() * eigen.eigenvectors();
+  VtM_                 = V_.transpose() * m.asDiagonal();
+  roots_               = eigen.eigenvalues().cwiseMax(0);
   const Eigen::Index n = m.size();
   dampings_            = (V_.transpose() * damping_at_rest(stack, rest) * V_).diagonal();
   q_                   = VtM_ * state_.head(n);
@@ -78,8 +78,8 @@ void TimeSteps::start_from_modes(const double h, Stages &acceleration) const
 
 Eigen::VectorXd TimeSteps::physical(const Eigen::VectorXd &q, const Eigen::VectorXd &p) const
 {
-  const Eigen::Index n = q.size();
-  Eigen::VectorXd y    = Eigen::VectorXd::Zero(2 * n + 3);
+  const Eigen::Index n      = q.size();
+  Eigen::VectorXd y         = Eigen::VectorXd::Zero(2 * n + 3);
   y.head(n).noalias()       = V_ * q;
   y.segment(n, n).noalias() = V_ * p;
   return y;
@@ -109,7 +109,8 @@ TimeSteps::Result TimeSteps::solve(const double h)
     }
     double largest = 0;
     for (Eigen::Index k = 0; k < n; ++k) {
-      const Collocation::Row change = (inverse[std::size_t(k)] * (found.row(k) - r.acceleration.row(k)).transpose()).transpose();
+      const Collocation::Row change =
+          (inverse[std::size_t(k)] * (found.row(k) - r.acceleration.row(k)).transpose()).transpose();
       r.acceleration.row(k) += change;
       largest = std::max(largest, change.cwiseAbs().maxCoeff() * V_.col(k).cwiseAbs().maxCoeff());
     }
@@ -155,8 +156,8 @@ double TimeSteps::first_crossing(const Result &r, const double h, int &contact) 
     for (const int c : which) {
       double low = i > 0 ? rule_.c[i - 1] : 0, high = x;
       for (int k = 0; k < 60 && high - low > 1e-15; ++k) {
-        const double middle = 0.5 * (low + high);
-        const auto now      = changed(at(middle));
+        const double middle                                              = 0.5 * (low + high);
+        const auto now                                                   = changed(at(middle));
         (std::find(now.begin(), now.end(), c) != now.end() ? high : low) = middle;
       }
       if (high < first || contact < 0) {
@@ -174,9 +175,11 @@ void TimeSteps::accept(const Result &r, const double h)
   const Eigen::Index n = q_.size();
   q_ += h * p_ + h * h * (r.acceleration * rule_.bA.transpose());
   p_ += h * (r.acceleration * rule_.b.transpose());
-  const Eigen::Vector3d sums = state_.tail(3) + h * (r.sums * rule_.b.transpose());
-  state_                     = physical(q_, p_);
-  state_.tail(3)             = sums;
+  Eigen::Vector3d sums = state_.tail<3>();
+  for (int i = 0; i < Collocation::stages; ++i)
+    sums += h * rule_.b[i] * r.sums.col(i);
+  state_           = physical(q_, p_);
+  state_.tail<3>() = sums;
   time_ += h;
   length_ = std::max(length_, state_.head(n).cwiseAbs().maxCoeff());
   ++steps;
@@ -221,7 +224,9 @@ std::vector<TimeSteps::Crossing> TimeSteps::advance(const double end)
     }
     accept(r, h);
     closed_[std::size_t(contact)] = !closed_[std::size_t(contact)];
-    return {{contact, !closed_[std::size_t(contact)]}};
+    return {
+        {contact, !closed_[std::size_t(contact)]}
+    };
   }
   time_ = end;
   return {};

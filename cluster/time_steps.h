@@ -6,8 +6,8 @@
 #include <vector>
 
 namespace mill::cluster {
-/// Steps of the equations of motion by collocation, solved in the modes of the state at rest, about which the motion is
-/// nearly linear: some three evaluations a point.  A contact that opens or closes ends a step.
+/// Steps of the equations of motion by collocation, solved in the modes of the state at rest, about which the
+/// motion is nearly linear: some three evaluations a point.  A contact that opens or closes ends a step.
 class TimeSteps {
 public:
   /// @param tolerance  -, of the largest displacement so far
@@ -55,13 +55,13 @@ private:
 
   const MotionEquations &equations_;
   Collocation rule_;
-  Eigen::MatrixXd V_, VtM_;       // mass-normalised modes
-  Eigen::VectorXd roots_;         // 1/s2
-  Eigen::VectorXd dampings_;      // 1/s, of every mode by itself
-  Eigen::VectorXd q_, p_;         // modal state
-  Eigen::VectorXd state_;         // physical, with sums
-  std::vector<char> closed_;      // of every contact
-  std::vector<char> watched_;     // one-sided
+  Eigen::MatrixXd V_, VtM_;    // mass-normalised modes
+  Eigen::VectorXd roots_;      // 1/s2
+  Eigen::VectorXd dampings_;   // 1/s, of every mode by itself
+  Eigen::VectorXd q_, p_;      // modal state
+  Eigen::VectorXd state_;      // physical, with sums
+  std::vector<char> closed_;   // of every contact
+  std::vector<char> watched_;  // one-sided
   std::map<double, std::vector<Collocation::Square>> kept_;
   double time_ = 0, longest_ = 0, step_ = 0, tolerance_, length_;
 };

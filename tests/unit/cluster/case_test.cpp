@@ -33,10 +33,12 @@ TEST(ClusterCaseFile, LeadsToVariantN)
   const auto state         = cluster::pass_state(stand, stand.schedule[0], stand.schedule[0].load);
   const auto wanted        = reference("stack.N", "cluster")["by_identity"].get<std::vector<double>>();
   for (std::size_t i = 0; i < wanted.size(); ++i)
-    EXPECT_TRUE(near(state.modes[std::size_t(state.identity[i])].frequency, wanted[i], within(1e-6, "supports of the reference")))
+    EXPECT_TRUE(near(state.modes[std::size_t(state.identity[i])].frequency, wanted[i],
+                     within(1e-6, "supports of the reference")))
         << stand.modes[i].name;
   const auto stress = reference("tension_stress", "cluster");
-  EXPECT_TRUE(near(stand.schedule[0].entry_tension, 38e3 / (0.505 * 0.26e-3), within(1e-12, "force over section")));
+  EXPECT_TRUE(
+      near(stand.schedule[0].entry_tension, 38e3 / (0.505 * 0.26e-3), within(1e-12, "force over section")));
   EXPECT_FALSE(stress.empty());
 }
 
@@ -54,7 +56,8 @@ TEST(ClusterCaseFile, FitsOfTheVariantsMeetTheReference)
     const auto ref = reference(std::string("stack.") + name, "cluster");
     ASSERT_TRUE(fit.converged) << fit.refused;
     EXPECT_TRUE(near(fit.numbers[0].value, double(ref["k_b"]), within(1e-5, "least squares")));
-    EXPECT_TRUE(near(fit.numbers[1].value, double(ref["k_r"]), within(1e-5, "least squares of 647 and 648 for 647.5")));
+    EXPECT_TRUE(
+        near(fit.numbers[1].value, double(ref["k_r"]), within(1e-5, "least squares of 647 and 648 for 647.5")));
     const auto wanted = ref["by_identity"].get<std::vector<double>>();
     for (std::size_t i = 3; i < wanted.size(); ++i) {
       EXPECT_TRUE(near(fit.frequencies[i].computed, wanted[i], within(1e-5, "least squares")));
@@ -77,11 +80,13 @@ TEST(ClusterCaseFile, AFitWithoutSpareFrequenciesStatesNoInterval)
 
 TEST(ClusterCaseFile, TellsWhatDoesNotClose)
 {
-  EXPECT_EQ(refusal_of_placement({"roll.1.position=[\"0 mm\", \"139.6 mm\"]"}),
-            "contact W-I does not close: the axes are 104.8000 mm apart, the radii make 104.7750 mm; the rolls stand "
-            "apart by 0.0250 mm; move one of them, or leave its position to the contacts");
-  EXPECT_EQ(refusal_of_placement({"contact.3.direction=100 deg"}),
-            "rolls I and L overlap by 84.9703 mm and have no [[contact]]; move one of them, or say that they touch");
+  EXPECT_EQ(
+      refusal_of_placement({"roll.1.position=[\"0 mm\", \"139.6 mm\"]"}),
+      "contact W-I does not close: the axes are 104.8000 mm apart, the radii make 104.7750 mm; the rolls stand "
+      "apart by 0.0250 mm; move one of them, or leave its position to the contacts");
+  EXPECT_EQ(
+      refusal_of_placement({"contact.3.direction=100 deg"}),
+      "rolls I and L overlap by 84.9703 mm and have no [[contact]]; move one of them, or say that they touch");
   EXPECT_EQ(refusal_of_placement({"roll.0.position=[\"0 mm\", \"34.8 mm\"]", "contact.0.direction=\"90 deg\"",
                                   "contact.1.pair=W-E", "contact.1.direction=\"-90 deg\""})
                 .substr(0, 26),
@@ -107,16 +112,18 @@ TEST(ClusterCaseFile, RefusesVariantsThatCannotBe)
     return "";
   };
   EXPECT_EQ(refusal("variant.0.unknowns=[\"contact.W-R.stiffness\"]"),
-            "variant.0.unknowns = [\"contact.W-R.stiffness\"] names 'contact.W-R.stiffness', which is no given number of "
+            "variant.0.unknowns = [\"contact.W-R.stiffness\"] names 'contact.W-R.stiffness', which is no given "
+            "number of "
             "the stack; for example support.E.stiffness, contact.W-I.stiffness of a spring");
-  EXPECT_EQ(refusal("variant.0.modes=[\"E vertical\"]"),
-            "variant.0.unknowns = [...] are 2 numbers for 1 frequencies; a fit needs at least as many frequencies as "
-            "unknowns");
+  EXPECT_EQ(
+      refusal("variant.0.modes=[\"E vertical\"]"),
+      "variant.0.unknowns = [...] are 2 numbers for 1 frequencies; a fit needs at least as many frequencies as "
+      "unknowns");
   EXPECT_EQ(refusal("variant.0.set=[\"contact.W-Q.law = spring\"]"),
-            "variant.0.set = [\"contact.W-Q.law = spring\"] cannot be set: 'contact.W-Q.law' names no part of the stack; "
+            "variant.0.set = [\"contact.W-Q.law = spring\"] cannot be set: 'contact.W-Q.law' names no part of the "
+            "stack; "
             "contact.PAIR.KEY, support.NAME.KEY, roll.NAME.KEY and stack.KEY do");
   EXPECT_EQ(refusal("contact.0.law=spring"),
             "contact.0.law = \"spring\" needs a stiffness, for example stiffness = \"1.5e10 N/m\"");
-  EXPECT_EQ(refusal("contact.0.pair=W-Q"),
-            "contact.0.pair = \"W-Q\" names no roll; known: W, I, E, L, R");
+  EXPECT_EQ(refusal("contact.0.pair=W-Q"), "contact.0.pair = \"W-Q\" names no roll; known: W, I, E, L, R");
 }

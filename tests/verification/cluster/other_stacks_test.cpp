@@ -10,8 +10,8 @@
 using namespace mill;
 
 namespace {
-// The six masses of a stand one above the other, each a roll of the mass of its body; the bite is the spring of the
-// strip, which carries nothing at rest.
+// The six masses of a stand one above the other, each a roll of the mass of its body; the bite is the spring of
+// the strip, which carries nothing at rest.
 ClusterStand six_masses_as_rolls(const LumpedModel &chain)
 {
   ClusterStand stand;
@@ -46,7 +46,10 @@ ClusterStand six_masses_as_rolls(const LumpedModel &chain)
   spring("M2-M3", chain.K[2].value);
   spring("M4-M5", chain.K[4].value);
   spring("M5-M6", chain.K[5].value);
-  for (const auto &[roll, k] : {std::pair{"M1", chain.K[0].value}, std::pair{"M6", chain.K[6].value}}) {
+  for (const auto &[roll, k] : {
+           std::pair{"M1", chain.K[0].value},
+           std::pair{"M6", chain.K[6].value}
+  }) {
     ClusterSupport ground;
     ground.roll      = roll;
     ground.type      = "guide";
@@ -87,11 +90,18 @@ TEST(OtherStacks, ATwentyHighCarriesByItsAngles)
   const auto state          = cluster::pass_state(weightless, stand.schedule[0], force);
   // Resultants from angles alone, force over rolling force.
   const std::map<std::string, double> statics{
-      {"S-O", 0.684501}, {"O-I", 0.624983}, {"O-J", 0.260558}, {"I-A", 0.585182}, {"I-B", 0.152394}, {"J-B", 0.340871}};
+      {"S-O", 0.684501},
+      {"O-I", 0.624983},
+      {"O-J", 0.260558},
+      {"I-A", 0.585182},
+      {"I-B", 0.152394},
+      {"J-B", 0.340871}
+  };
   for (std::size_t i = 0; i < state.stack.contacts.size(); ++i)
     if (const auto found = statics.find(state.stack.contacts[i].name); found != statics.end())
-      EXPECT_TRUE(near(state.rest.contact_loads[i] / force, found->second,
-                       within(2e-5, "six digits, places of the backing shafts rounded to 0.1 mm, approaches of 0.1 um")))
+      EXPECT_TRUE(
+          near(state.rest.contact_loads[i] / force, found->second,
+               within(2e-5, "six digits, places of the backing shafts rounded to 0.1 mm, approaches of 0.1 um")))
           << found->first;
   EXPECT_TRUE(state.rest.stable());
   EXPECT_TRUE(cluster::free_motions(state.stack).empty());
@@ -113,16 +123,17 @@ TEST(OtherStacks, TwentyRollsTakeMilliseconds)
 
 TEST(OtherStacks, CoupledSpinLeavesTheTrainFreeToRoll)
 {
-  const Case the_case    = read_case("cases/z-mill.toml");
-  ClusterStand stand     = *std::get<ClusterCase>(the_case.spec).stand;
-  const auto free        = cluster::pass_state(stand, stand.schedule[0], 1148e3);
-  stand.stack.spin       = "coupled";
-  const auto coupled     = cluster::pass_state(stand, stand.schedule[0], 1148e3);
+  const Case the_case = read_case("cases/z-mill.toml");
+  ClusterStand stand  = *std::get<ClusterCase>(the_case.spec).stand;
+  const auto free     = cluster::pass_state(stand, stand.schedule[0], 1148e3);
+  stand.stack.spin    = "coupled";
+  const auto coupled  = cluster::pass_state(stand, stand.schedule[0], 1148e3);
   ASSERT_EQ(coupled.modes.size(), 15u);
   // Four contacts without a ring join five spins: one is left free.
   EXPECT_LT(std::abs(coupled.modes[0].frequency), 1e-2);
   EXPECT_GT(coupled.modes[1].frequency, 100);
-  // On the vertical line no contact slips in a vertical motion: those modes stay, but for the control rolls beside it.
+  // On the vertical line no contact slips in a vertical motion: those modes stay, but for the control rolls beside
+  // it.
   const auto vertical = [&](const cluster::PassState &s, const std::size_t i) {
     return s.modes[std::size_t(s.identity[i])].frequency;
   };
