@@ -1,6 +1,7 @@
 #include "app/cluster/cluster_stage.h"
 #include "app/stages/condensed_rolls.h"
 #include "app/stages/contact_model.h"
+#include "core/case/cluster_variants.h"
 #include "core/model/two_cylinders.h"
 #include "fem/roll/contact_study.h"
 #include <algorithm>
@@ -64,24 +65,29 @@ cluster::ContactLaw computed_law(RunContext &run, const ClusterStand &stand, con
 }
 }  // namespace
 
-cluster::ComputedLaws computed_laws(RunContext &run, const ClusterStand &written)
+cluster::ComputedLaws computed_laws(RunContext &run, const ClusterStand &stand)
 {
-  const ClusterStand stand = cluster::written_out(written);
-  double largest           = 0;
+  double largest = 0;
   for (const ClusterPass &pass : stand.schedule)
     largest = std::max(largest, cluster_force(stand, pass).value);
   cluster::ComputedLaws laws;
-  for (std::size_t i = 0; i < stand.contacts.size(); ++i) {
-    const ClusterContact &contact = stand.contacts[i];
-    if (contact.law != "computed")
-      continue;
-    // A mirror image is the same pair of diameters.
-    const std::string &like = written.contacts[i].like;
-    if (const auto original = laws.find(like); !like.empty() && original != laws.end())
-      laws[contact.pair] = original->second;
-    else
-      laws[contact.pair] = computed_law(run, stand, contact, largest);
-  }
+  const auto add = [&](const ClusterStand &written) {
+    const ClusterStand out = cluster::written_out(written);
+    for (std::size_t i = 0; i < out.contacts.size(); ++i) {
+      const ClusterContact &contact = out.contacts[i];
+      if (contact.law != "computed" || laws.count(contact.pair))
+        continue;
+      // A mirror image is the same pair of diameters.
+      const std::string &like = written.contacts[i].like;
+      if (const auto original = laws.find(like); !like.empty() && original != laws.end())
+        laws[contact.pair] = original->second;
+      else
+        laws[contact.pair] = computed_law(run, out, contact, largest);
+    }
+  };
+  add(stand);
+  for (const ClusterVariant &variant : stand.variants)
+    add(with_variant(stand, variant));
   return laws;
 }
 }  // namespace mill

@@ -70,7 +70,7 @@ TEST(ClusterCaseFile, FitsOfTheVariantsMeetTheReference)
 TEST(ClusterCaseFile, AFitWithoutSpareFrequenciesStatesNoInterval)
 {
   const ClusterStand stand = z_mill();
-  const auto fit           = cluster::fit_variant(stand, stand.variants[3], stand.schedule[0], 1148e3);
+  const auto fit           = cluster::fit_variant(stand, stand.variants.back(), stand.schedule[0], 1148e3);
   ASSERT_TRUE(fit.converged) << fit.refused;
   for (const cluster::FittedNumber &n : fit.numbers)
     EXPECT_TRUE(std::isnan(n.interval)) << n.key;
