@@ -109,7 +109,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   app.require_subcommand(1);
 
   auto *fresh = app.add_subcommand("new", "write a commented case file that runs as it is");
-  fresh->add_option("KIND", c.target, "four-high, two-cylinders, bearing, bite, chatter or lumped")->required();
+  fresh->add_option("KIND", c.target, "four-high, two-cylinders, bearing, bite, chatter, cluster or lumped")->required();
   add_output(fresh, c, "file (default: standard output)");
   fresh->add_flag("--force-overwrite", c.force_overwrite, "replace an existing file");
   fresh->add_option("--from", c.from, "sheet (CSV) of rows key, value[, unit] that fills the template");

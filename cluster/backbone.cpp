@@ -41,10 +41,10 @@ struct Balance {
   // (38.19): the last equation fixes the amplitude.
   void assemble(const Eigen::VectorXd &q, const double amplitude, Eigen::VectorXd &r, Eigen::MatrixXd &J) const
   {
-    const int H        = options.harmonics;
-    const double root  = q[n * (H + 1)];
-    r                  = Eigen::VectorXd::Zero(q.size());
-    J                  = Eigen::MatrixXd::Zero(q.size(), q.size());
+    const int H       = options.harmonics;
+    const double root = q[n * (H + 1)];
+    r                 = Eigen::VectorXd::Zero(q.size());
+    J                 = Eigen::MatrixXd::Zero(q.size(), q.size());
     for (int t = 0; t < options.samples; ++t) {
       const Motion u          = state(q, t);
       const Eigen::VectorXd f = forces(stack, u).total;
@@ -61,8 +61,8 @@ struct Balance {
       J.block(n * k, n * k, n, n).diagonal() -= root * k * k * m;
       J.block(n * k, n * (H + 1), n, 1) = -inertia;
     }
-    r[n * (H + 1)]                  = q[n + largest] - amplitude;
-    J(n * (H + 1), n + largest)     = 1;
+    r[n * (H + 1)]              = q[n + largest] - amplitude;
+    J(n * (H + 1), n + largest) = 1;
   }
 
   BackbonePoint point(const Eigen::VectorXd &q) const
@@ -111,9 +111,9 @@ bool solve_balance(const Balance &balance, const double amplitude, Eigen::Vector
 std::vector<BackbonePoint> backbone(const Stack &stack, const Motion &u, const int mode,
                                     const std::vector<double> &amplitudes, const BackboneOptions &options)
 {
-  Stack flat         = stack;
-  flat.coupled       = false;
-  const Mode linear  = modes(flat, u)[std::size_t(mode)];
+  Stack flat        = stack;
+  flat.coupled      = false;
+  const Mode linear = modes(flat, u)[std::size_t(mode)];
   Eigen::Index largest;
   linear.shape.cwiseAbs().maxCoeff(&largest);
   const Balance balance(flat, u, options, largest);

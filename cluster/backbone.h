@@ -4,12 +4,12 @@
 // Free vibration of one mode at finite amplitude by harmonic balance.  theory.md 38.6
 namespace mill::cluster {
 struct BackbonePoint {
-  double amplitude = 0;    ///< m, first harmonic of the unknown that moves most
-  double frequency = 0;    ///< Hz
-  double mean_shift = 0;   ///< m, of the same unknown
-  double second    = 0;    ///< -, its second harmonic over the first
-  double highest   = 0;    ///< m, of the same unknown from rest, at one turning point
-  double lowest    = 0;    ///< m, at the other
+  double amplitude      = 0;  ///< m, first harmonic of the unknown that moves most
+  double frequency      = 0;  ///< Hz
+  double mean_shift     = 0;  ///< m, of the same unknown
+  double second         = 0;  ///< -, its second harmonic over the first
+  double highest        = 0;  ///< m, of the same unknown from rest, at one turning point
+  double lowest         = 0;  ///< m, at the other
   double least_approach = 0;  ///< m, smallest of all contacts over a period; negative: one lets go
   std::string lets_go;        ///< that contact; empty: none
 };

@@ -12,9 +12,8 @@ namespace mill::cluster {
 namespace {
 bool behind_rollers(const Stack &stack, const int roll)
 {
-  return std::any_of(stack.supports.begin(), stack.supports.end(), [&](const Support &s) {
-    return s.roll == roll && s.type == Support::Type::rollers;
-  });
+  return std::any_of(stack.supports.begin(), stack.supports.end(),
+                     [&](const Support &s) { return s.roll == roll && s.type == Support::Type::rollers; });
 }
 
 // A secant at the force it carries, or the one at the force of the pass before that is known.
@@ -182,7 +181,7 @@ Equilibrium equilibrium(const Stack &stack, const EquilibriumOptions &options, c
     const Eigen::VectorXd dx = total_tangent(flat, e.u).partialPivLu().solve(r);
     if (!dx.allFinite())
       break;
-    double share = std::min(1., options.step_cap / std::max(dx.cwiseAbs().maxCoeff(), 1e-300));
+    double share        = std::min(1., options.step_cap / std::max(dx.cwiseAbs().maxCoeff(), 1e-300));
     const double before = r.norm();
     for (int halving = 0; halving < 8; ++halving, share /= 2) {
       const Motion tried          = e.u + share * dx;

@@ -9,9 +9,9 @@ struct EquilibriumOptions {
 };
 
 struct Equilibrium {
-  Motion u;                          ///< m, from the unloaded centres
+  Motion u;                           ///< m, from the unloaded centres
   std::vector<double> contact_loads;  ///< N, of every contact; zero: open
-  double residual   = 0;             ///< N, largest on any roll
+  double residual   = 0;              ///< N, largest on any roll
   int steps         = 0;
   double least_root = 0;  ///< 1/s2, smallest eigenvalue of M^-1 K; negative: the stack buckles
   bool stable() const
@@ -20,16 +20,16 @@ struct Equilibrium {
   }
 };
 
-/// Displacements under the rolling force alone, from the approaches that belong to the forces in every contact on the
-/// unloaded geometry; rolls behind rollers are left where they are.  Exact for a column.
+/// Displacements under the rolling force alone, from the approaches that belong to the forces in every contact on
+/// the unloaded geometry; rolls behind rollers are left where they are.  Exact for a column.
 /// @throws SolverError  a load that nothing takes up
 Motion closed_form_approaches(const Stack &stack);
 
 /// Rollers are set under load: their anchors follow the roll they press theirs against.  theory.md (38.10)
 void set_rollers(Stack &stack, const Motion &start);
 
-/// Damped Newton from closed-form approaches, or from `start` where that has the size of the stack.  A stack that is
-/// coupled rolls without tangential force.
+/// Damped Newton from closed-form approaches, or from `start` where that has the size of the stack.  A stack that
+/// is coupled rolls without tangential force.
 /// @param stack  anchors of its rollers are set
 /// @throws SolverError  no convergence; names the roll with the largest residual force
 /// Cost: some ten factorisations of the size of the stack.

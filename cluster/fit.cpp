@@ -67,7 +67,7 @@ struct Model {
   {
     Eigen::MatrixXd J(Eigen::Index(modes.size()), p.size());
     for (Eigen::Index k = 0; k < p.size(); ++k) {
-      const double h = 1e-5;
+      const double h       = 1e-5;
       Eigen::VectorXd plus = p, minus = p;
       plus[k] += h;
       minus[k] -= h;
@@ -81,9 +81,8 @@ std::vector<std::size_t> fitted_indices(const ClusterStand &stand, const Cluster
 {
   std::vector<std::size_t> which;
   for (std::size_t i = 0; i < stand.modes.size(); ++i) {
-    const bool named =
-        variant.modes.empty() ||
-        std::find(variant.modes.begin(), variant.modes.end(), stand.modes[i].name) != variant.modes.end();
+    const bool named = variant.modes.empty() || std::find(variant.modes.begin(), variant.modes.end(),
+                                                          stand.modes[i].name) != variant.modes.end();
     if (named && !std::isnan(stand.modes[i].frequency))
       which.push_back(i);
   }
@@ -100,8 +99,8 @@ Eigen::VectorXd search(Model &model, Eigen::VectorXd p, StackFit &fit)
     for (int tries = 0; tries < 12; ++tries) {
       Eigen::MatrixXd damped = A;
       damped.diagonal() += damping * (A.diagonal().array() + 1e-12 * A.trace()).matrix();
-      const Eigen::VectorXd change  = damped.ldlt().solve(J.transpose() * r);
-      const Eigen::VectorXd tried   = p - change.cwiseMax(-0.5).cwiseMin(0.5);
+      const Eigen::VectorXd change = damped.ldlt().solve(J.transpose() * r);
+      const Eigen::VectorXd tried  = p - change.cwiseMax(-0.5).cwiseMin(0.5);
       Eigen::VectorXd after;
       try {
         after = model.errors(model.frequencies(tried));
@@ -129,7 +128,7 @@ Eigen::VectorXd search(Model &model, Eigen::VectorXd p, StackFit &fit)
 void add_intervals(Model &model, const Eigen::VectorXd &p, const Eigen::VectorXd &r, StackFit &fit)
 {
   const Eigen::MatrixXd J = model.slopes(p), A = J.transpose() * J;
-  const int spare         = int(J.rows() - J.cols());
+  const int spare = int(J.rows() - J.cols());
   for (Eigen::Index k = 0; k < p.size(); ++k)
     if (A(k, k) < 1e-14)
       fit.undetermined = model.keys[std::size_t(k)];
@@ -138,7 +137,7 @@ void add_intervals(Model &model, const Eigen::VectorXd &p, const Eigen::VectorXd
     fit.undetermined = model.keys.back();
   if (!fit.undetermined.empty())
     return;
-  const Eigen::MatrixXd inverse = lu.inverse();
+  const Eigen::MatrixXd inverse   = lu.inverse();
   const Eigen::VectorXd deviation = inverse.diagonal().cwiseSqrt();
   fit.correlation = deviation.cwiseInverse().asDiagonal() * inverse * deviation.cwiseInverse().asDiagonal();
   if (spare < 1)
@@ -175,7 +174,8 @@ double student_95(const int n)
 StackFit fit_variant(const ClusterStand &stand, const ClusterVariant &variant, const ClusterPass &pass,
                      const double force, const ComputedLaws &computed)
 {
-  Model model{with_variant(stand, variant), pass, force, computed, variant.unknowns, fitted_indices(stand, variant)};
+  Model model{with_variant(stand, variant),  pass, force, computed, variant.unknowns,
+              fitted_indices(stand, variant)};
   StackFit fit;
   fit.variant = variant.name;
   fit.pass    = pass.name;
@@ -190,8 +190,9 @@ StackFit fit_variant(const ClusterStand &stand, const ClusterVariant &variant, c
     const Eigen::VectorXd f = model.frequencies(p);
     for (std::size_t i = 0; i < model.stand.modes.size(); ++i)
       if (const ClusterMode &mode = model.stand.modes[i]; !std::isnan(mode.frequency))
-        fit.frequencies.push_back({mode.name, mode.frequency, f[Eigen::Index(i)],
-                                   !model.keys.empty() && std::count(model.modes.begin(), model.modes.end(), i) > 0});
+        fit.frequencies.push_back(
+            {mode.name, mode.frequency, f[Eigen::Index(i)],
+             !model.keys.empty() && std::count(model.modes.begin(), model.modes.end(), i) > 0});
     fit.rms_fitted    = rms_of(fit.frequencies, true);
     fit.rms_predicted = rms_of(fit.frequencies, false);
     if (!model.keys.empty())

@@ -5,16 +5,17 @@
 // Numbers of a stack from frequencies, and how well they are known.  theory.md 38.8
 namespace mill::cluster {
 struct FittedNumber {
-  std::string key;      ///< "support.E.stiffness"
-  double start    = 0;  ///< SI
-  double value    = 0;  ///< SI
-  double interval = 0;  ///< SI, half of the 95 % interval; NaN: as many numbers as frequencies, nothing left to judge
+  std::string key;   ///< "support.E.stiffness"
+  double start = 0;  ///< SI
+  double value = 0;  ///< SI
+  double interval =
+      0;  ///< SI, half of the 95 % interval; NaN: as many numbers as frequencies, nothing left to judge
 };
 
 struct MatchedFrequency {
   std::string mode;
-  double wanted   = 0;     ///< Hz
-  double computed = 0;     ///< Hz
+  double wanted   = 0;      ///< Hz
+  double computed = 0;      ///< Hz
   bool fitted     = false;  ///< the numbers were chosen for it; else it is a prediction
 };
 
@@ -32,12 +33,12 @@ struct StackFit {
   std::string refused;       ///< why there is no fit: an equilibrium that does not exist on the way
 };
 
-/// Levenberg-Marquardt on relative errors of frequencies; stiffnesses and loads by their logarithm.  Modes are recognised
-/// by their shape in every step.
+/// Levenberg-Marquardt on relative errors of frequencies; stiffnesses and loads by their logarithm.  Modes are
+/// recognised by their shape in every step.
 /// @param force     N, of the pass
 /// Cost: (unknowns + 1) equilibria and eigenvalue problems a step, some tens of steps.
-StackFit fit_variant(const ClusterStand &stand, const ClusterVariant &variant, const ClusterPass &pass, double force,
-                     const ComputedLaws &computed = {});
+StackFit fit_variant(const ClusterStand &stand, const ClusterVariant &variant, const ClusterPass &pass,
+                     double force, const ComputedLaws &computed = {});
 
 /// Two-sided 95 % quantile of Student's distribution.
 double student_95(int degrees_of_freedom);

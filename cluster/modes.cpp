@@ -26,7 +26,7 @@ Eigen::MatrixXd mass_scaled(const Stack &stack, const Eigen::MatrixXd &K)
 std::string label_of(const Mode &mode)
 {
   constexpr std::size_t most = 3;
-  std::vector<Share> moving = mode.kinetic;
+  std::vector<Share> moving  = mode.kinetic;
   std::stable_sort(moving.begin(), moving.end(), [](const Share &a, const Share &b) { return a.value > b.value; });
   std::string rolls;
   std::size_t named = 0;
@@ -74,9 +74,9 @@ std::vector<Mode> modes(const Stack &stack, const Motion &u)
     for (std::size_t s = 0; s < K.supports.size(); ++s)
       mode.elastic.push_back({stack.supports[s].name, mode.shape.dot(K.supports[s] * mode.shape) / work});
     for (Eigen::Index k = 0; k < m.size(); ++k)
-      mode.kinetic.push_back({stack.rolls[std::size_t(k / stack.per_roll())].name + " " +
-                                  direction_names[k % stack.per_roll()],
-                              m[k] * mode.shape[k] * mode.shape[k] / mode.modal_mass});
+      mode.kinetic.push_back(
+          {stack.rolls[std::size_t(k / stack.per_roll())].name + " " + direction_names[k % stack.per_roll()],
+           m[k] * mode.shape[k] * mode.shape[k] / mode.modal_mass});
     mode.label = label_of(mode);
     all.push_back(std::move(mode));
   }
@@ -132,12 +132,13 @@ Eigen::VectorXd parsed_shape(const Stack &stack, const std::string &text)
       if (!(number >> weight) || !number.eof())
         throw InputError(fmt::format("'{}' is no number", rest));
     }
-    const auto found = std::find_if(stack.rolls.begin(), stack.rolls.end(),
-                                    [&](const Roll &r) { return r.name == roll; });
+    const auto found =
+        std::find_if(stack.rolls.begin(), stack.rolls.end(), [&](const Roll &r) { return r.name == roll; });
     if (found == stack.rolls.end())
       throw InputError(fmt::format("there is no roll '{}'", roll));
     if (direction != "x" && direction != "y")
-      throw InputError(fmt::format("'{}' is no direction; x or y is needed, for example \"{} y 0.8\"", direction, roll));
+      throw InputError(
+          fmt::format("'{}' is no direction; x or y is needed, for example \"{} y 0.8\"", direction, roll));
     shape[stack.per_roll() * (found - stack.rolls.begin()) + (direction == "y")] = weight;
   }
   if (shape.isZero())

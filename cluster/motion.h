@@ -29,26 +29,26 @@ struct MotionOptions {
 
 /// What a run was, per row of `time`.
 struct MotionHistory {
-  Eigen::VectorXd time;           ///< s
-  Eigen::MatrixXd displacement;   ///< m, from the state at rest, unknowns x rows
-  Eigen::MatrixXd velocity;       ///< m/s
-  Eigen::MatrixXd contact_force;  ///< N, contacts x rows
-  Eigen::VectorXd energy;         ///< J, kinetic and potential, zero at rest
+  Eigen::VectorXd time;            ///< s
+  Eigen::MatrixXd displacement;    ///< m, from the state at rest, unknowns x rows
+  Eigen::MatrixXd velocity;        ///< m/s
+  Eigen::MatrixXd contact_force;   ///< N, contacts x rows
+  Eigen::VectorXd energy;          ///< J, kinetic and potential, zero at rest
   Eigen::VectorXd energy_balance;  ///< J, energy less start less work of drive and damping
-  double momentum_balance = 0;    ///< N s, largest |change of momentum less impulse of all outer forces|
-  double largest_momentum = 0;    ///< N s
+  double momentum_balance = 0;     ///< N s, largest |change of momentum less impulse of all outer forces|
+  double largest_momentum = 0;     ///< N s
   std::vector<ContactEvent> events;
   long steps = 0, evaluations = 0;
   bool stopped_by_events = false;
 };
 
-/// Integrates from a displacement and velocity beside the state at rest, by an explicit Runge-Kutta method of order 8
-/// with error control; contacts that open or close are located as roots.
+/// Integrates from a displacement and velocity beside the state at rest, by collocation of order 12
+/// with error control; contacts that open or close end a step.
 /// @param stack  anchors set; damping and depth of its contacts as they are; never coupled
 /// @param rest   state at rest
 /// @param start, speed  m and m/s; empty: at rest
 /// @throws SolverError  the integrator gives up
-/// Cost: about 60 evaluations of all contacts per period of the highest mode.
+/// Cost: some 130 evaluations of all contacts per period of the highest mode.
 MotionHistory move(const Stack &stack, const Motion &rest, const std::vector<Drive> &drives,
                    const MotionOptions &options, const Eigen::VectorXd &start = {},
                    const Eigen::VectorXd &speed = {});
@@ -57,7 +57,7 @@ MotionHistory move(const Stack &stack, const Motion &rest, const std::vector<Dri
 /// history, m/s.
 Eigen::VectorXd velocity_amplitudes(const MotionHistory &history, double frequency, double share = 0.5);
 
-/// The viscous damping of each contact that equals its loss factor at one frequency, in full at `depth_share` of the
-/// approach at rest.  theory.md (38.22)
+/// The viscous damping of each contact that equals its loss factor at one frequency, in full at `depth_share` of
+/// the approach at rest.  theory.md (38.22)
 void add_viscous_damping(Stack &stack, const Motion &rest, double frequency, double depth_share);
 }  // namespace mill::cluster

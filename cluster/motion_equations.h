@@ -2,9 +2,9 @@
 #include "cluster/motion.h"
 
 namespace mill::cluster {
-/// The equations of motion in flat arrays, without allocation.  State: displacement from rest, velocity, work of drive
-/// and damping, impulse of the outer forces along x and y.  Approaches are counted from rest, so that a small
-/// vibration keeps its digits beside the diameters.  theory.md (38.20)
+/// The equations of motion in flat arrays, without allocation.  State: displacement from rest, velocity, work of
+/// drive and damping, impulse of the outer forces along x and y.  Approaches are counted from rest, so that a
+/// small vibration keeps its digits beside the diameters.  theory.md (38.20)
 class MotionEquations {
 public:
   MotionEquations(const Stack &stack, const Motion &rest, const std::vector<Drive> &drives);
@@ -20,6 +20,10 @@ public:
   int contacts() const
   {
     return int(contacts_.size());
+  }
+  bool one_sided(int contact) const
+  {
+    return contacts_[std::size_t(contact)].one_sided;
   }
   void slope(double time, const double *state, double *slope) const;
   void approaches(const double *state, double *approach) const;    ///< m, of every contact
@@ -58,13 +62,13 @@ private:
   static double pushing(const OneContact &c, const Now &s);
   static void support_force(const OneSupport &s, double dx, double dy, double *force);
 
+  static double stored(const OneSupport &s, double x, double y);
+
   int n_;
   Eigen::VectorXd mass_, constant_;  // loads and weight
   std::vector<OneContact> contacts_;
   std::vector<OneSupport> supports_;
   std::vector<OneDrive> drives_;
   Stack stack_;
-  Motion rest_;
-  double rest_energy_;
 };
 }  // namespace mill::cluster

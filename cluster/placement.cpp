@@ -18,9 +18,9 @@ std::pair<std::string, std::string> rolls_of(const ClusterContact &contact)
 
 std::size_t index_of(const ClusterStand &stand, const std::string &name)
 {
-  return std::size_t(std::find_if(stand.rolls.begin(), stand.rolls.end(),
-                                  [&](const ClusterRoll &r) { return r.name == name; }) -
-                     stand.rolls.begin());
+  return std::size_t(
+      std::find_if(stand.rolls.begin(), stand.rolls.end(), [&](const ClusterRoll &r) { return r.name == name; }) -
+      stand.rolls.begin());
 }
 
 // What is known of a roll from its contact with another one that has its place.
@@ -86,12 +86,14 @@ void check_contact(const ClusterStand &stand, const ClusterContact &c, const std
   const double distance = (places[b] - places[a]).norm(),
                wanted   = 0.5 * (stand.rolls[a].barrel_diameter + stand.rolls[b].barrel_diameter);
   if (std::abs(distance - wanted) > closed)
-    problems.push_back({c.place,
-                        fmt::format("contact {} does not close: the axes are {:.4f} mm apart, the radii make {:.4f} mm; "
-                                    "the rolls {} by {:.4f} mm; move one of them, or leave its position to the contacts",
-                                    c.pair, in_mm(distance), in_mm(wanted),
-                                    distance > wanted ? "stand apart" : "overlap", in_mm(std::abs(distance - wanted))),
-                        {stand.rolls[a].place, stand.rolls[b].place}});
+    problems.push_back({
+        c.place,
+        fmt::format("contact {} does not close: the axes are {:.4f} mm apart, the radii make {:.4f} mm; "
+                    "the rolls {} by {:.4f} mm; move one of them, or leave its position to the contacts",
+                    c.pair, in_mm(distance), in_mm(wanted), distance > wanted ? "stand apart" : "overlap",
+                    in_mm(std::abs(distance - wanted))),
+        {stand.rolls[a].place, stand.rolls[b].place}
+    });
 }
 
 void check_overlaps(const ClusterStand &stand, const std::vector<Point> &places, std::vector<Problem> &problems)
@@ -107,11 +109,12 @@ void check_overlaps(const ClusterStand &stand, const std::vector<Point> &places,
       const double distance = (places[b] - places[a]).norm(),
                    radii    = 0.5 * (stand.rolls[a].barrel_diameter + stand.rolls[b].barrel_diameter);
       if (!touching && distance < radii - closed)
-        problems.push_back({stand.rolls[b].place,
-                            fmt::format("rolls {} and {} overlap by {:.4f} mm and have no [[contact]]; move one of them, "
-                                        "or say that they touch",
-                                        stand.rolls[a].name, stand.rolls[b].name, in_mm(radii - distance)),
-                            {stand.rolls[a].place}});
+        problems.push_back(
+            {stand.rolls[b].place,
+             fmt::format("rolls {} and {} overlap by {:.4f} mm and have no [[contact]]; move one of them, "
+                         "or say that they touch",
+                         stand.rolls[a].name, stand.rolls[b].name, in_mm(radii - distance)),
+             {stand.rolls[a].place}});
     }
 }
 }  // namespace
@@ -127,8 +130,7 @@ std::vector<Eigen::Vector2d> placed_rolls(const ClusterStand &written)
     found = false;
     for (std::size_t i = 0; i < places.size(); ++i)
       if (!places[i])
-        if (const auto place =
-                place_from(neighbours_of(stand, i, places), stand.rolls[i].side == "below")) {
+        if (const auto place = place_from(neighbours_of(stand, i, places), stand.rolls[i].side == "below")) {
           places[i] = place;
           found     = true;
         }
@@ -141,13 +143,15 @@ std::vector<Eigen::Vector2d> placed_rolls(const ClusterStand &written)
       problems.push_back(
           {stand.rolls[i].place,
            near.size() >= 2
-               ? fmt::format("roll {} cannot touch both rolls it leans on: their axes are {:.4f} mm apart, it reaches "
-                             "{:.4f} mm",
-                             stand.rolls[i].name, in_mm((near[1].centre - near[0].centre).norm()),
-                             in_mm(near[0].distance + near[1].distance))
-               : fmt::format("roll {} has no place; give its position, a contact with a direction, or contacts with two "
-                             "rolls that have their place",
-                             stand.rolls[i].name),
+               ? fmt::format(
+                     "roll {} cannot touch both rolls it leans on: their axes are {:.4f} mm apart, it reaches "
+                     "{:.4f} mm",
+                     stand.rolls[i].name, in_mm((near[1].centre - near[0].centre).norm()),
+                     in_mm(near[0].distance + near[1].distance))
+               : fmt::format(
+                     "roll {} has no place; give its position, a contact with a direction, or contacts with two "
+                     "rolls that have their place",
+                     stand.rolls[i].name),
            {}});
     } else {
       all.push_back(*places[i]);

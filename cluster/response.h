@@ -4,8 +4,8 @@
 
 // Steady vibration under a harmonic force, linear about the state at rest.  theory.md 38.5
 namespace mill::cluster {
-/// Complex amplitudes of all unknowns, m: (K + i (eta_c K_c + eta_s K_s) - omega^2 M) u = F with the loss factors of
-/// the contacts and supports of the stack.  theory.md (38.16)
+/// Complex amplitudes of all unknowns, m: (K + i (eta_c K_c + eta_s K_s) - omega^2 M) u = F with the loss factors
+/// of the contacts and supports of the stack.  theory.md (38.16)
 /// @param u          state at rest
 /// @param force      N, amplitude of every unknown
 /// @param frequency  Hz

@@ -23,7 +23,8 @@ std::string lost_contact(const Stack &stack, const Equilibrium &before, const Eq
 {
   for (const Support &s : stack.supports)
     if (s.type == Support::Type::rollers) {
-      const auto f = roller_forces(s, before.u.segment<2>(2 * s.roll)), g = roller_forces(s, now.u.segment<2>(2 * s.roll));
+      const auto f = roller_forces(s, before.u.segment<2>(2 * s.roll)),
+                 g = roller_forces(s, now.u.segment<2>(2 * s.roll));
       const auto t = roller_directions(s);
       for (std::size_t k = 0; k < 2; ++k)
         if (f[k] > 0 && g[k] <= 0)
@@ -39,7 +40,7 @@ std::string lost_contact(const Stack &stack, const Equilibrium &before, const Eq
 template <class Good> double edge_of(double good, double bad, const Good &is_good)
 {
   for (int i = 0; i < 60 && std::abs(bad - good) > 1e-10 * std::abs(bad); ++i) {
-    const double middle = 0.5 * (good + bad);
+    const double middle            = 0.5 * (good + bad);
     (is_good(middle) ? good : bad) = middle;
   }
   return good;
@@ -94,15 +95,21 @@ std::optional<LostContact> leaving_load(const Stack &stack, const int roll, cons
   Stack pushed = stack;
   set_rollers(pushed, closed_form_approaches(pushed));
   const Equilibrium start = equilibrium(pushed);
-  pushed.side_loads.push_back({roll, {0, 0}});
-  Motion from       = start.u;
-  const auto lost   = [&](const double load) {
+  pushed.side_loads.push_back({
+      roll, {0, 0}
+  });
+  Motion from     = start.u;
+  const auto lost = [&](const double load) {
     pushed.side_loads.back().force = load * direction;
-    const Equilibrium e            = equilibrium(pushed, {}, from);
-    const std::string contact      = lost_contact(pushed, start, e);
-    if (contact.empty())
-      from = e.u;
-    return contact;
+    try {
+      const Equilibrium e       = equilibrium(pushed, {}, from);
+      const std::string contact = lost_contact(pushed, start, e);
+      if (contact.empty())
+        from = e.u;
+      return contact;
+    } catch (const SolverError &) {
+      return std::string("no state at rest beyond");
+    }
   };
   constexpr int steps = 40;
   for (int i = 1; i <= steps; ++i) {

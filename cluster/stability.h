@@ -16,7 +16,8 @@ std::optional<BucklingLoad> buckling_load(Stack stack, double largest = 100);
 /// no stiffness of this guide makes it stable.
 std::optional<double> least_guide(Stack stack, std::size_t support);
 
-/// A load at which a contact, or a roller behind a roll, that carries force at rest lets go: the roll leaves its nest.
+/// A load at which a contact, or a roller behind a roll, that carries force at rest lets go: the roll leaves its
+/// nest.
 struct LostContact {
   double load = 0;      ///< N
   std::string contact;  ///< "W-L", "L, upper roller"

@@ -160,7 +160,8 @@ Eigen::VectorXd slip_row(const Stack &stack, const Contact &c, const Eigen::Vect
   const Eigen::Vector2d along(-normal.y(), normal.x());
   Eigen::VectorXd row = Eigen::VectorXd::Zero(stack.size());
   const int a = stack.per_roll() * c.a, b = stack.per_roll() * c.b;
-  // Surface of a at its contact: u_a + R_a theta_a t; of b: u_b - R_b theta_b t, t = the normal turned by 90 degrees.
+  // Surface of a at its contact: u_a + R_a theta_a t; of b: u_b - R_b theta_b t, t = the normal turned by 90
+  // degrees.
   row.segment<2>(a) = -along;
   row.segment<2>(b) = along;
   if (stack.coupled) {
@@ -221,7 +222,7 @@ Forces forces(const Stack &stack, const Motion &u)
     for (std::size_t i = 0; i < stack.rolls.size(); ++i)
       f.loads[stack.per_roll() * int(i) + 1] -= stack.rolls[i].mass * free_fall;
   for (const Contact &c : stack.contacts) {
-    const ContactState s = contact_state(stack, c, u);
+    const ContactState s      = contact_state(stack, c, u);
     const Eigen::Vector2d own = contact_force(c, s.approach) * s.normal;
     f.contacts.segment<2>(stack.per_roll() * c.a) -= own;
     f.contacts.segment<2>(stack.per_roll() * c.b) += own;
@@ -246,7 +247,7 @@ Tangent tangent(const Stack &stack, const Motion &u)
   }
   for (const Support &s : stack.supports) {
     K.supports.push_back(zero);
-    const int i                              = stack.per_roll() * s.roll;
+    const int i                         = stack.per_roll() * s.roll;
     K.supports.back().block<2, 2>(i, i) = support_tangent(s, at(u, stack, s.roll));
     K.total += K.supports.back();
   }

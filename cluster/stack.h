@@ -9,10 +9,10 @@
 namespace mill::cluster {
 struct Roll {
   std::string name;
-  double radius  = 0;                                ///< m
-  double length  = 0;                                ///< m
-  double mass    = 0;                                ///< kg
-  double inertia = 0;                                ///< kg m2, about its axis
+  double radius          = 0;                        ///< m
+  double length          = 0;                        ///< m
+  double mass            = 0;                        ///< kg
+  double inertia         = 0;                        ///< kg m2, about its axis
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< m, unloaded
 };
 
@@ -21,11 +21,11 @@ struct Contact {
   std::string name;  ///< "W-I"
   int a = 0, b = 0;  ///< index of the rolls
   ContactLaw law;
-  double free_length = 0;   ///< m, distance of the axes at first touch
-  double loss_factor = 0;   ///< -, of complex stiffness
-  double damping     = 0;   ///< N s/m, of impact_force
-  double depth       = 0;   ///< m, of impact_force
-  double tangential  = 0;   ///< tangential over normal stiffness; 0: the contact is frictionless
+  double free_length = 0;      ///< m, distance of the axes at first touch
+  double loss_factor = 0;      ///< -, of complex stiffness
+  double damping     = 0;      ///< N s/m, of impact_force
+  double depth       = 0;      ///< m, of impact_force
+  double tangential  = 0;      ///< tangential over normal stiffness; 0: the contact is frictionless
   bool one_sided     = true;   ///< false: a spring that also pulls, of a straight law
   bool relaxed       = false;  ///< carries nothing at rest: settle() sets its free length; 0: not yet, no force
 };
@@ -53,13 +53,13 @@ struct Support {
   int roll  = 0;
   Type type = Type::radial;
   BearingLaw law;
-  double across      = 0;  ///< N/m, isotropic: in x
-  double direction   = 0;  ///< rad, guide; rollers: outward normal of the contact they press together
-  double half_angle  = 0;  ///< rad, rollers: either side of the normal
-  double preload     = 0;  ///< N, of each roller
-  double guard       = 0;  ///< N/m, rollers: holds a roll that has left its contact
-  int against        = -1;  ///< rollers: roll that theirs presses
-  double loss_factor = 0;   ///< -
+  double across          = 0;   ///< N/m, isotropic: in x
+  double direction       = 0;   ///< rad, guide; rollers: outward normal of the contact they press together
+  double half_angle      = 0;   ///< rad, rollers: either side of the normal
+  double preload         = 0;   ///< N, of each roller
+  double guard           = 0;   ///< N/m, rollers: holds a roll that has left its contact
+  int against            = -1;  ///< rollers: roll that theirs presses
+  double loss_factor     = 0;   ///< -
   Eigen::Vector2d anchor = Eigen::Vector2d::Zero();  ///< m, where the law has its zero (rollers: its preload)
 };
 
@@ -73,7 +73,7 @@ struct Stack {
   std::vector<Roll> rolls;
   std::vector<Contact> contacts;
   std::vector<Support> supports;
-  std::vector<Load> loads;      ///< rolling force: rollers are set under it
+  std::vector<Load> loads;       ///< rolling force: rollers are set under it
   std::vector<Load> side_loads;  ///< come on top of it
   bool gravity = true;
   /// Rolls have a third unknown each, their rotation times their radius, and contacts are tangential springs about
@@ -99,8 +99,8 @@ Eigen::VectorXd masses(const Stack &stack);  ///< kg, of every unknown
 
 /// Where a contact stands at a displacement.
 struct ContactState {
-  double distance        = 0;                        ///< m, of the axes
-  double approach        = 0;                        ///< m, negative: open
+  double distance        = 0;                         ///< m, of the axes
+  double approach        = 0;                         ///< m, negative: open
   Eigen::Vector2d normal = Eigen::Vector2d::UnitY();  ///< from a to b
 };
 ContactState contact_state(const Stack &stack, const Contact &contact, const Motion &u);

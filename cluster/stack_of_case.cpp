@@ -39,7 +39,7 @@ ContactLaw law_of(const ClusterStand &stand, const ClusterContact &c, const Comp
 {
   const auto [a, b]      = rolls_of_pair(stand, c.pair);
   const ClusterRoll &one = stand.rolls[std::size_t(a)], &other = stand.rolls[std::size_t(b)];
-  const double length    = or_else(c.length, std::min(one.barrel_length, other.barrel_length));
+  const double length = or_else(c.length, std::min(one.barrel_length, other.barrel_length));
   if (c.law == "power")
     return palmgren_law(length, c.coefficient);
   if (c.law == "spring")
@@ -75,15 +75,14 @@ Support support_of(const ClusterStand &stand, const ClusterSupport &in, const st
     s.type = Support::Type::guide;
     s.law  = {1 / in.stiffness, 1};
   } else if (in.type == "rollers") {
-    s.type       = Support::Type::rollers;
-    s.law        = bearing_through(in.stiffness, in.preload, in.exponent);
-    s.preload    = in.preload;
-    s.half_angle = in.half_angle;
-    s.guard      = in.guard;
-    s.against    = roll_named(stand.rolls, in.against);
-    const Eigen::Vector2d out =
-        rolls[std::size_t(s.roll)].centre - rolls[std::size_t(s.against)].centre;
-    s.direction = std::atan2(out.y(), out.x());
+    s.type                    = Support::Type::rollers;
+    s.law                     = bearing_through(in.stiffness, in.preload, in.exponent);
+    s.preload                 = in.preload;
+    s.half_angle              = in.half_angle;
+    s.guard                   = in.guard;
+    s.against                 = roll_named(stand.rolls, in.against);
+    const Eigen::Vector2d out = rolls[std::size_t(s.roll)].centre - rolls[std::size_t(s.against)].centre;
+    s.direction               = std::atan2(out.y(), out.x());
   } else {
     s.type   = in.type == "radial" ? Support::Type::radial : Support::Type::isotropic;
     s.law    = bearing_through(in.stiffness, in.load, in.exponent);
@@ -96,13 +95,19 @@ void add_loads(Stack &stack, const ClusterStand &stand, const ClusterPass &pass,
 {
   const auto dash = stand.stack.strip.find('-');
   const int upper = strip_roll(stand);
-  stack.loads.push_back({upper, {0, force}});
+  stack.loads.push_back({
+      upper, {0, force}
+  });
   if (pass.horizontal_force != 0)
-    stack.side_loads.push_back({upper, {pass.horizontal_force, 0}});
+    stack.side_loads.push_back({
+        upper, {pass.horizontal_force, 0}
+    });
   if (dash == std::string::npos)
     return;
   const int lower = roll_named(stand.rolls, stand.stack.strip.substr(dash + 1));
-  stack.loads.push_back({lower, {0, -force}});
+  stack.loads.push_back({
+      lower, {0, -force}
+  });
   if (std::isnan(stand.stack.strip_stiffness))
     return;
   Contact strip;
@@ -123,22 +128,22 @@ ClusterStand written_out(ClusterStand stand)
       continue;
     const auto original = std::find_if(stand.contacts.begin(), stand.contacts.end(),
                                        [&](const ClusterContact &o) { return o.pair == c.like; });
-    ClusterContact own = *original;
-    own.pair           = c.pair;
-    own.place          = c.place;
-    own.direction      = M_PI - original->direction;
-    c                  = own;
+    ClusterContact own  = *original;
+    own.pair            = c.pair;
+    own.place           = c.place;
+    own.direction       = M_PI - original->direction;
+    c                   = own;
   }
   for (ClusterSupport &s : stand.supports) {
     if (s.like.empty())
       continue;
     const auto original = std::find_if(stand.supports.begin(), stand.supports.end(),
                                        [&](const ClusterSupport &o) { return o.own_name() == s.like; });
-    ClusterSupport own = *original;
-    own.roll           = s.roll;
-    own.name           = s.name;
-    own.place          = s.place;
-    own.direction      = M_PI - original->direction;
+    ClusterSupport own  = *original;
+    own.roll            = s.roll;
+    own.name            = s.name;
+    own.place           = s.place;
+    own.direction       = M_PI - original->direction;
     if (!s.against.empty())
       own.against = s.against;
     s = own;
@@ -151,7 +156,8 @@ int strip_roll(const ClusterStand &stand)
   return roll_named(stand.rolls, stand.stack.strip.substr(0, stand.stack.strip.find('-')));
 }
 
-Stack stack_of(const ClusterStand &written, const ClusterPass &pass, const double force, const ComputedLaws &computed)
+Stack stack_of(const ClusterStand &written, const ClusterPass &pass, const double force,
+               const ComputedLaws &computed)
 {
   const ClusterStand stand = written_out(written);
   const auto places        = placed_rolls(stand);
@@ -162,14 +168,14 @@ Stack stack_of(const ClusterStand &written, const ClusterPass &pass, const doubl
     stack.rolls.push_back(roll_of(stand.rolls[i], stand.steel, places[i]));
   for (const ClusterContact &in : stand.contacts) {
     Contact c;
-    c.name               = in.pair;
-    std::tie(c.a, c.b)   = rolls_of_pair(stand, in.pair);
-    c.law                = law_of(stand, in, computed);
-    c.free_length        = (places[std::size_t(c.b)] - places[std::size_t(c.a)]).norm();
-    c.loss_factor        = or_else(in.loss_factor, or_else(pass.loss_factor, stand.response.loss_factor));
-    c.damping            = in.damping;
-    c.depth              = in.damping_depth;
-    c.tangential         = stack.coupled ? stand.stack.tangential_ratio : 0;
+    c.name             = in.pair;
+    std::tie(c.a, c.b) = rolls_of_pair(stand, in.pair);
+    c.law              = law_of(stand, in, computed);
+    c.free_length      = (places[std::size_t(c.b)] - places[std::size_t(c.a)]).norm();
+    c.loss_factor      = or_else(in.loss_factor, or_else(pass.loss_factor, stand.response.loss_factor));
+    c.damping          = in.damping;
+    c.depth            = in.damping_depth;
+    c.tangential       = stack.coupled ? stand.stack.tangential_ratio : 0;
     stack.contacts.push_back(c);
   }
   for (const ClusterSupport &in : stand.supports)
@@ -182,10 +188,10 @@ Stack stack_of(const ClusterStand &written, const ClusterPass &pass, const doubl
 std::vector<std::string> free_motions(const Stack &stack)
 {
   // Every contact closed and every support at a stiffness of one: only directions count.
-  Stack flat             = stack;
-  flat.coupled           = false;
-  Eigen::MatrixXd K      = Eigen::MatrixXd::Zero(flat.size(), flat.size());
-  const Motion unloaded  = Motion::Zero(flat.size());
+  Stack flat            = stack;
+  flat.coupled          = false;
+  Eigen::MatrixXd K     = Eigen::MatrixXd::Zero(flat.size(), flat.size());
+  const Motion unloaded = Motion::Zero(flat.size());
   for (const Contact &c : flat.contacts) {
     const Eigen::Vector2d n = contact_state(flat, c, unloaded).normal;
     Eigen::VectorXd row     = Eigen::VectorXd::Zero(flat.size());
@@ -198,6 +204,9 @@ std::vector<std::string> free_motions(const Stack &stack)
     if (s.type == Support::Type::guide) {
       const Eigen::Vector2d t(std::cos(s.direction), std::sin(s.direction));
       K.block<2, 2>(i, i) += t * t.transpose();
+    } else if (s.type == Support::Type::rollers) {
+      for (const Eigen::Vector2d &t : roller_directions(s))
+        K.block<2, 2>(i, i) += t * t.transpose();
     } else {
       K.block<2, 2>(i, i) += Eigen::Matrix2d::Identity();
     }
@@ -208,7 +217,8 @@ std::vector<std::string> free_motions(const Stack &stack)
     if (eigen.eigenvalues()[k] < 1e-10) {
       Eigen::Index largest = 0;
       eigen.eigenvectors().col(k).cwiseAbs().maxCoeff(&largest);
-      motions.push_back(fmt::format("{} along {}", flat.rolls[std::size_t(largest / 2)].name, largest % 2 ? "y" : "x"));
+      motions.push_back(
+          fmt::format("{} along {}", flat.rolls[std::size_t(largest / 2)].name, largest % 2 ? "y" : "x"));
     }
   return motions;
 }

@@ -17,11 +17,12 @@ void check_free_motions(const ClusterStand &stand, const cluster::Stack &stack, 
     for (const ClusterRoll &r : stand.rolls)
       if (r.name == roll)
         place = r.place;
-    problems.push_back({place,
-                        fmt::format("nothing holds roll {}; add a [[support]] of it, for example type = \"guide\", or a "
-                                    "[[contact]] that acts in this direction",
-                                    motion),
-                        {}});
+    problems.push_back(
+        {place,
+         fmt::format("nothing holds roll {}; add a [[support]] of it, for example type = \"guide\", or a "
+                     "[[contact]] that acts in this direction",
+                     motion),
+         {}});
   }
 }
 

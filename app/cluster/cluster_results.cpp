@@ -39,9 +39,9 @@ double displacement(const ClusterPassRun &pass, const std::size_t roll, const in
 void add_contact(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass, const std::size_t i)
 {
   const cluster::Contact &c = pass.state.stack.contacts[i];
-  const double f = pass.state.rest.contact_loads[i],
-               d = cluster::contact_state(pass.state.stack, c, pass.state.rest.u).approach;
-  const auto name = [&](const char *what) {
+  const double f            = pass.state.rest.contact_loads[i],
+               d            = cluster::contact_state(pass.state.stack, c, pass.state.rest.u).approach;
+  const auto name           = [&](const char *what) {
     return result_name({family::cluster, pass.pass->name, c.name, what});
   };
   Parameter force      = parameter(pass, f, "N", static_method);
@@ -51,8 +51,8 @@ void add_contact(RunContext &run, const ClusterStand &stand, const ClusterPassRu
     return;
   const double length = c.law.length > 0 ? c.law.length : 0;
   Parameter approach  = parameter(pass, d, "m", "law of the contact (38.3)-(38.5)"),
-            tangent   = parameter(pass, cluster::contact_tangent(c, d), "N/m", "law of the contact, dF/d(approach)"),
-            secant    = parameter(pass, f / d, "N/m", "law of the contact, F/approach");
+            tangent = parameter(pass, cluster::contact_tangent(c, d), "N/m", "law of the contact, dF/d(approach)"),
+            secant  = parameter(pass, f / d, "N/m", "law of the contact, F/approach");
   (void)length;
   // The other laws of a line contact under the same force.
   for (const char *law : {"power", "foeppl", "johnson"}) {
@@ -60,10 +60,11 @@ void add_contact(RunContext &run, const ClusterStand &stand, const ClusterPassRu
     for (ClusterContact &own : beside.contacts)
       if (own.like.empty())
         own.law = law;
-    const auto other   = cluster::stack_of(beside, *pass.pass, pass.force.value).contacts[i].law;
-    const double depth = cluster::approach(other, f);
-    const std::string named =
-        std::string(law) == "power" ? "Palmgren (38.4)" : std::string(law) == "foeppl" ? "Foeppl (38.5)" : "Johnson (38.5)";
+    const auto other        = cluster::stack_of(beside, *pass.pass, pass.force.value).contacts[i].law;
+    const double depth      = cluster::approach(other, f);
+    const std::string named = std::string(law) == "power"    ? "Palmgren (38.4)"
+                              : std::string(law) == "foeppl" ? "Foeppl (38.5)"
+                                                             : "Johnson (38.5)";
     approach.checks.push_back({named, depth, ""});
     tangent.checks.push_back({named, cluster::tangent(other, depth), ""});
     secant.checks.push_back({named, f / depth, ""});
@@ -107,20 +108,20 @@ ClusterPassRecord pass_record(const ClusterStand &stand, const ClusterPassRun &p
   r.least_root   = state.rest.least_root;
   for (std::size_t i = 0; i < state.stack.contacts.size(); ++i) {
     const cluster::Contact &c = state.stack.contacts[i];
-    const double f = state.rest.contact_loads[i], d = cluster::contact_state(state.stack, c, state.rest.u).approach;
+    const double f            = state.rest.contact_loads[i],
+                 d            = cluster::contact_state(state.stack, c, state.rest.u).approach;
     r.contacts.push_back({c.name, f, d, cluster::contact_tangent(c, d), d > 0 ? f / d : not_given});
   }
-  const cluster::Tangent K = cluster::tangent(state.stack, state.stack.coupled ? cluster::with_rotation(state.rest.u)
-                                                                               : state.rest.u);
+  const cluster::Tangent K =
+      cluster::tangent(state.stack, state.stack.coupled ? cluster::with_rotation(state.rest.u) : state.rest.u);
   for (std::size_t i = 0; i < state.stack.supports.size(); ++i) {
     const cluster::Support &s = state.stack.supports[i];
     const Eigen::Vector2d u   = state.rest.u.segment<2>(2 * s.roll);
     const auto f              = cluster::support_force(s, u);
     r.supports.push_back({s.name, f.norm(), (u - s.anchor).norm(), not_given, not_given});
     if (f.norm() > 0) {
-      const Eigen::Index at = state.stack.per_roll() * s.roll;
-      r.supports.back().tangent =
-          f.normalized().dot(K.supports[i].block<2, 2>(at, at) * f.normalized());
+      const Eigen::Index at     = state.stack.per_roll() * s.roll;
+      r.supports.back().tangent = f.normalized().dot(K.supports[i].block<2, 2>(at, at) * f.normalized());
     }
   }
   for (std::size_t k = 0; k < state.modes.size(); ++k)
@@ -136,7 +137,8 @@ void add_state_results(RunContext &run, const ClusterStand &stand, const Cluster
   if (!std::isnan(pass.pass->published_force))
     force.checks.push_back(check(CheckId::published, pass.pass->published_force));
   if (!std::isnan(pass.pass->measured_force[0]))
-    force.checks.push_back(check(CheckId::measured, 0.5 * (pass.pass->measured_force[0] + pass.pass->measured_force[1]),
+    force.checks.push_back(check(CheckId::measured,
+                                 0.5 * (pass.pass->measured_force[0] + pass.pass->measured_force[1]),
                                  fmt::format("middle of {:.4g} .. {:.4g} kN", 1e-3 * pass.pass->measured_force[0],
                                              1e-3 * pass.pass->measured_force[1])));
   run.results.add(result_name({family::cluster, pass.pass->name, "force"}), force);
@@ -150,8 +152,8 @@ void add_state_results(RunContext &run, const ClusterStand &stand, const Cluster
       if (direction == 1 && int(i) == cluster::strip_roll(stand))
         u.checks.push_back({"sum of approaches at the rolling force (38.10)", start[2 * Eigen::Index(i) + 1],
                             "without weight and what stands beside the column"});
-      run.results.add(
-          result_name({family::cluster, pass.pass->name, stand.rolls[i].name, direction ? "y" : "x"}), u);
+      run.results.add(result_name({family::cluster, pass.pass->name, stand.rolls[i].name, direction ? "y" : "x"}),
+                      u);
     }
 }
 
@@ -159,15 +161,15 @@ void add_mode_results(RunContext &run, const ClusterStand &stand, const ClusterP
 {
   for (std::size_t k = 0; k < pass.state.modes.size(); ++k) {
     const cluster::Mode &mode = pass.state.modes[k];
-    Parameter f               = parameter(pass, mode.frequency, "Hz", "tangent of the stack, " + mode.label + " (38.13)");
+    Parameter f = parameter(pass, mode.frequency, "Hz", "tangent of the stack, " + mode.label + " (38.13)");
     lacks_error(f, stand);
     for (std::size_t i = 0; i < pass.state.identity.size(); ++i)
       if (pass.state.identity[i] == int(k) && !std::isnan(stand.modes[i].frequency))
-        f.checks.push_back(check(CheckId::published, stand.modes[i].frequency,
-                                 fmt::format("\"{}\", recognised by its shape with {:.2f}", stand.modes[i].name,
-                                             cluster::assurance(pass.state.stack,
-                                                                cluster::parsed_shape(pass.state.stack, stand.modes[i].shape),
-                                                                mode))));
+        f.checks.push_back(check(
+            CheckId::published, stand.modes[i].frequency,
+            fmt::format("\"{}\", recognised by its shape with {:.2f}", stand.modes[i].name,
+                        cluster::assurance(pass.state.stack,
+                                           cluster::parsed_shape(pass.state.stack, stand.modes[i].shape), mode))));
     run.results.add(result_name({family::cluster, pass.pass->name, fmt::format("f{}", k + 1)}), f);
   }
   for (std::size_t i = 0; i < pass.state.identity.size(); ++i) {
@@ -182,14 +184,16 @@ void add_mode_results(RunContext &run, const ClusterStand &stand, const ClusterP
   }
 }
 
-void add_stability(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass, ClusterPassRecord &record)
+void add_stability(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass,
+                   ClusterPassRecord &record)
 {
   const cluster::Stack &stack = pass.state.stack;
   const std::string &name     = pass.pass->name;
   if (const auto buckling = cluster::buckling_load(stack)) {
     record.buckling_factor = buckling->factor;
     record.buckling_motion = buckling->motion;
-    Parameter p            = parameter(pass, buckling->factor, "1", "smallest eigenvalue zero, " + buckling->motion + " (38.24)");
+    Parameter p =
+        parameter(pass, buckling->factor, "1", "smallest eigenvalue zero, " + buckling->motion + " (38.24)");
     lacks_error(p, stand);
     run.results.add(result_name({family::cluster, name, "buckling_factor"}), p);
   }
@@ -207,8 +211,9 @@ void add_stability(RunContext &run, const ClusterStand &stand, const ClusterPass
   if (const auto lost = cluster::leaving_load(stack, roll, {1, 0}, pass.force.value)) {
     record.leaving_force   = lost->load;
     record.leaving_contact = lost->contact;
-    Parameter p = parameter(pass, lost->load, "N", "horizontal force on " + stand.rolls[std::size_t(roll)].name +
-                                                       " at which contact " + lost->contact + " opens");
+    Parameter p            = parameter(pass, lost->load, "N",
+                                       "horizontal force on " + stand.rolls[std::size_t(roll)].name + " at which contact " +
+                                           lost->contact + " opens");
     lacks_error(p, stand);
     run.results.add(result_name({family::cluster, name, "leaving_force"}), p);
   }

@@ -20,11 +20,14 @@ void add_state_results(RunContext &run, const ClusterStand &stand, const Cluster
 void add_mode_results(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass);
 
 /// Buckling and loss of a contact: into record and results.
-void add_stability(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass, ClusterPassRecord &record);
+void add_stability(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass,
+                   ClusterPassRecord &record);
 
 /// Response over frequency, and the history under the dynamic force, where the pass has one.
-void add_vibration(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass, ClusterPassRecord &record);
+void add_vibration(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass,
+                   ClusterPassRecord &record);
 
-ClusterFitRecord fit_record(const ClusterStand &stand, const ClusterVariant &variant, const cluster::StackFit &fit);
+ClusterFitRecord fit_record(const ClusterStand &stand, const ClusterVariant &variant,
+                            const cluster::StackFit &fit);
 void add_fit_results(RunContext &run, const cluster::StackFit &fit, const KeyList &keys);
 }  // namespace mill

@@ -21,8 +21,8 @@ ClusterRecord stack_record(const ClusterStand &written, const cluster::Stack &st
     r.contacts.push_back({stack.contacts[i].name, stack.contacts[i].a, stack.contacts[i].b,
                           i < stand.contacts.size() ? stand.contacts[i].law : "spring"});
   for (std::size_t i = 0; i < stack.supports.size(); ++i)
-    r.supports.push_back({stack.supports[i].name, stand.supports[i].type, stack.supports[i].roll,
-                          stand.supports[i].fitted});
+    r.supports.push_back(
+        {stack.supports[i].name, stand.supports[i].type, stack.supports[i].roll, stand.supports[i].fitted});
   for (const ClusterMode &mode : stand.modes)
     r.published.push_back({mode.name, mode.shape, mode.frequency});
   return r;
@@ -42,12 +42,12 @@ void refuse_buckled(const ClusterPassRun &pass, const ClusterPassRecord &record)
   if (pass.state.rest.stable())
     return;
   const cluster::Mode &worst = pass.state.modes.front();
-  throw SolverError({fmt::format("pass \"{}\": the stack buckles under {:.5g} kN", pass.pass->name,
-                                 1e-3 * pass.force.value),
-                     fmt::format("{} grows: its eigenvalue is {:.4g} 1/s2{}", worst.label, pass.state.rest.least_root,
-                                 first_guide(record)),
-                     "contacts push a roll out of the line of forces, and nothing stiff enough holds it",
-                     "stiffer guides or supports of that roll, or a smaller force", ""});
+  throw SolverError(
+      {fmt::format("pass \"{}\": the stack buckles under {:.5g} kN", pass.pass->name, 1e-3 * pass.force.value),
+       fmt::format("{} grows: its eigenvalue is {:.4g} 1/s2{}", worst.label, pass.state.rest.least_root,
+                   first_guide(record)),
+       "contacts push a roll out of the line of forces, and nothing stiff enough holds it",
+       "stiffer guides or supports of that roll, or a smaller force", ""});
 }
 
 void warn_of_preload(RunContext &run, const ClusterPassRun &pass)
@@ -57,17 +57,18 @@ void warn_of_preload(RunContext &run, const ClusterPassRun &pass)
       continue;
     const auto f = cluster::roller_forces(s, pass.state.rest.u.segment<2>(2 * s.roll));
     if (f[0] <= 0 || f[1] <= 0)
-      run.warn(fmt::format("pass \"{}\": the preload of support {} is lost, its rollers carry {:.4g} and {:.4g} N; the "
-                           "roll lies loose in its nest",
-                           pass.pass->name, s.name, f[0], f[1]));
+      run.warn(
+          fmt::format("pass \"{}\": the preload of support {} is lost, its rollers carry {:.4g} and {:.4g} N; the "
+                      "roll lies loose in its nest",
+                      pass.pass->name, s.name, f[0], f[1]));
   }
   for (std::size_t i = 0; i < pass.state.stack.contacts.size(); ++i)
     if (pass.state.stack.contacts[i].one_sided && pass.state.rest.contact_loads[i] <= 0)
-      run.warn(fmt::format("pass \"{}\": contact {} is open, its rolls stand {:.3g} um apart", pass.pass->name,
-                           pass.state.stack.contacts[i].name,
-                           -1e6 * cluster::contact_state(pass.state.stack, pass.state.stack.contacts[i],
-                                                         pass.state.rest.u)
-                                      .approach));
+      run.warn(fmt::format(
+          "pass \"{}\": contact {} is open, its rolls stand {:.3g} um apart", pass.pass->name,
+          pass.state.stack.contacts[i].name,
+          -1e6 *
+              cluster::contact_state(pass.state.stack, pass.state.stack.contacts[i], pass.state.rest.u).approach));
 }
 
 // Every frequency over the rolling force, from a quarter of the smallest to twice the largest of the passes.
@@ -135,12 +136,14 @@ void say_what_is_assumed(RunContext &run, const ClusterStand &stand)
 {
   for (const ClusterSupport &s : stand.supports)
     if (s.fitted && s.like.empty())
-      run.assume(fmt::format("the stiffness of support {} follows only from a fit to frequencies; what agrees with them "
-                             "by it is no evidence",
-                             s.own_name()));
+      run.assume(
+          fmt::format("the stiffness of support {} follows only from a fit to frequencies; what agrees with them "
+                      "by it is no evidence",
+                      s.own_name()));
   if (stand.stack.spin == "free")
-    run.assume("contacts of the stack are frictionless; rolls turn freely in every vibration (stack.spin = \"coupled\" "
-               "has the other limit)");
+    run.assume(
+        "contacts of the stack are frictionless; rolls turn freely in every vibration (stack.spin = \"coupled\" "
+        "has the other limit)");
   if (stand.stack.strip.find('-') == std::string::npos || std::isnan(stand.stack.strip_stiffness))
     run.assume("the strip is a force on the stack and no spring");
 }
@@ -152,7 +155,8 @@ KeyList cluster_keys(const Case &the_case, const std::size_t p, const bool drive
   const std::string pass = fmt::format("pass.{}.", p);
   for (const auto &[key, place] : the_case.places) {
     const auto of = [&](const std::string &section) { return key.rfind(section, 0) == 0; };
-    const bool dynamic = key == pass + "dynamic_force" || key == pass + "dynamic_frequency" || key == pass + "loss_factor";
+    const bool dynamic =
+        key == pass + "dynamic_force" || key == pass + "dynamic_frequency" || key == pass + "loss_factor";
     if (of("steel.") || of("stack.") || of("roll.") || of("contact.") || of("support.") || key == pass + "load" ||
         key == pass + "horizontal_force" || (driven && (of("response.") || dynamic)))
       keys.push_back(key);

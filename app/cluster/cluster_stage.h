@@ -27,7 +27,8 @@ ClusterForce cluster_force(const ClusterStand &stand, const ClusterPass &pass);
 /// Laws of contacts with law = "computed", by condensed slabs of their pair.
 cluster::ComputedLaws computed_laws(RunContext &run, const ClusterStand &stand);
 
-/// All of a run: equilibrium, stiffnesses, modes; response and histories with Goal::simulate; fits with Goal::modes.
+/// All of a run: equilibrium, stiffnesses, modes; response and histories with Goal::simulate; fits with
+/// Goal::modes.
 void solve_cluster(RunContext &run, const ClusterStand &stand, Goal goal);
 
 /// Keys that a result of a pass follows.  @param p  the pass; @param driven  dynamic force and damping too

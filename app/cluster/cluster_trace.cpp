@@ -40,8 +40,8 @@ std::vector<ClosedFormResult> closed_form_cluster(const Case &the_case)
     add("force", "", force, "N");
     for (std::size_t i = 0; i < state.stack.contacts.size(); ++i) {
       const cluster::Contact &c = state.stack.contacts[i];
-      const double f = state.rest.contact_loads[i],
-                   d = cluster::contact_state(state.stack, c, state.rest.u).approach;
+      const double f            = state.rest.contact_loads[i],
+                   d            = cluster::contact_state(state.stack, c, state.rest.u).approach;
       add(c.name, "force", f, "N");
       if (!c.one_sided || f <= 0)
         continue;

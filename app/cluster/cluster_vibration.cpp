@@ -48,9 +48,8 @@ Eigen::VectorXd response_frequencies(const ClusterStand &stand, const ClusterPas
 void write_response(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass)
 {
   const Eigen::VectorXd frequencies = response_frequencies(stand, pass);
-  const Eigen::MatrixXcd u          = cluster::harmonic_responses(pass.state.stack, pass.state.rest.u,
-                                                                  dynamic_load(stand, pass, pass.pass->dynamic_force),
-                                                                  frequencies);
+  const Eigen::MatrixXcd u          = cluster::harmonic_responses(
+               pass.state.stack, pass.state.rest.u, dynamic_load(stand, pass, pass.pass->dynamic_force), frequencies);
   Table t;
   t.add("frequency", "Hz", frequencies);
   const int per_roll = pass.state.stack.per_roll();
@@ -74,15 +73,15 @@ void add_velocities(RunContext &run, const ClusterStand &stand, const ClusterPas
       record.linear.push_back({name + " " + directions[k], steady});
       record.nonlinear.push_back({name + " " + directions[k], moved});
       Parameter p;
-      p.value       = steady;
-      p.unit        = "m/s";
-      p.method      = "harmonic response with complex stiffness (38.16)";
-      p.at          = fmt::format("{:.5g} kN, {:.4g} N at {:.5g} Hz", 1e-3 * pass.force.value, record.force,
-                                  record.frequency);
+      p.value  = steady;
+      p.unit   = "m/s";
+      p.method = "harmonic response with complex stiffness (38.16)";
+      p.at =
+          fmt::format("{:.5g} kN, {:.4g} N at {:.5g} Hz", 1e-3 * pass.force.value, record.force, record.frequency);
       p.inputs      = pass.driven_keys;
       p.error_lacks = {"response.loss_factor"};
-      p.checks.push_back({"history with one-sided contacts and viscous damping (38.20), over its second half", moved,
-                          "viscous damping and what the start has left"});
+      p.checks.push_back({"history with one-sided contacts and viscous damping (38.20), over its second half",
+                          moved, "viscous damping and what the start has left"});
       run.results.add(result_name({family::cluster, pass.pass->name, "velocity", name, directions[k]}), p);
     }
 }
@@ -113,11 +112,13 @@ std::string verdict_of(const ClusterHistoryRecord &r)
     return fmt::format("contacts open ({} events, first after {:.4g} ms): linearising is not enough at this force",
                        r.events, 1e3 * r.first_opening);
   if (std::abs(r.difference) > 0.05)
-    return fmt::format("no contact opens, the velocity of the roll at the strip differs by {:.2g} % from the linear one: "
-                       "the start has not died away, or the stiffness changes with the force",
-                       100 * r.difference);
-  return fmt::format("linearising is enough: no contact opens, the velocity of the roll at the strip differs by {:.2g} %",
-                     100 * r.difference);
+    return fmt::format(
+        "no contact opens, the velocity of the roll at the strip differs by {:.2g} % from the linear one: "
+        "the start has not died away, or the stiffness changes with the force",
+        100 * r.difference);
+  return fmt::format(
+      "linearising is enough: no contact opens, the velocity of the roll at the strip differs by {:.2g} %",
+      100 * r.difference);
 }
 
 void write_history(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass,
@@ -164,15 +165,18 @@ void write_backbones(RunContext &run, const ClusterStand &stand, const ClusterPa
     if (std::abs(bend) < 1e-3 && pass.state.modes.size() > 4)
       continue;  // straight
     Table t;
-    t.add("amplitude", "m", a).add("frequency", "Hz", f).add("second_harmonic", "", second).add("least_approach", "m",
-                                                                                               open);
+    t.add("amplitude", "m", a)
+        .add("frequency", "Hz", f)
+        .add("second_harmonic", "", second)
+        .add("least_approach", "m", open);
     write_curve(run, curve::cluster_backbone, fmt::format("{}-f{}", slug(pass.pass->name), k + 1), t);
   }
   (void)stand;
 }
 }  // namespace
 
-void add_vibration(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass, ClusterPassRecord &record)
+void add_vibration(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass,
+                   ClusterPassRecord &record)
 {
   if (pass.p == 0)
     write_backbones(run, stand, pass);
@@ -180,10 +184,10 @@ void add_vibration(RunContext &run, const ClusterStand &stand, const ClusterPass
     return;
   write_response(run, stand, pass);
   ClusterHistoryRecord h;
-  h.force     = stand.response.force_factor * pass.pass->dynamic_force;
-  h.frequency = pass.pass->dynamic_frequency;
-  const auto linear = cluster::harmonic_response(pass.state.stack, pass.state.rest.u, dynamic_load(stand, pass, h.force),
-                                                 h.frequency);
+  h.force               = stand.response.force_factor * pass.pass->dynamic_force;
+  h.frequency           = pass.pass->dynamic_frequency;
+  const auto linear     = cluster::harmonic_response(pass.state.stack, pass.state.rest.u,
+                                                     dynamic_load(stand, pass, h.force), h.frequency);
   cluster::Stack moving = pass.state.stack;
   moving.coupled        = false;
   cluster::add_viscous_damping(moving, pass.state.rest.u, h.frequency, stand.response.depth_share);
@@ -191,8 +195,8 @@ void add_vibration(RunContext &run, const ClusterStand &stand, const ClusterPass
   for (const cluster::Load &load : moving.loads)
     drives.push_back({load.roll, h.force / pass.force.value * load.force, h.frequency});
   cluster::MotionOptions options;
-  options.duration = stand.response.duration;
-  options.interval = std::min(0.05 / h.frequency, stand.response.duration / 200);
+  options.duration   = stand.response.duration;
+  options.interval   = std::min(0.05 / h.frequency, stand.response.duration / 200);
   const auto history = cluster::move(moving, pass.state.rest.u, drives, options);
   const auto moved   = cluster::velocity_amplitudes(history, h.frequency);
   add_velocities(run, stand, pass, linear, moved, h);

@@ -18,7 +18,8 @@ std::string cluster_refusal(const Case &the_case, const std::string &verb)
   if (verb != "chatter")
     return "";
   return "the stack of " + the_case.path +
-         " has an imposed rolling force and no bite that answers its motion; 'chatter' needs a four-high or a case of kind "
+         " has an imposed rolling force and no bite that answers its motion; 'chatter' needs a four-high or a "
+         "case of kind "
          "= \"chatter\"";
 }
 }  // namespace

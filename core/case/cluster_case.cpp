@@ -1,7 +1,7 @@
+#include "core/model/cluster_case.h"
 #include "core/case/cluster_rows.h"
 #include "core/case/cluster_variants.h"
 #include "core/case/stand_reader.h"
-#include "core/model/cluster_case.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -37,7 +37,8 @@ std::vector<T> read_list(const Node &root, const std::string &name, const std::v
     const Node &node      = entry->value.items[i];
     const std::string key = fmt::format("{}.{}", name, i);
     if (node.kind != Node::Kind::table) {
-      reading.add(node.place, fmt::format("{} = {} is a value; a section [[{}]] is needed", key, shown(node), name));
+      reading.add(node.place,
+                  fmt::format("{} = {} is a value; a section [[{}]] is needed", key, shown(node), name));
       continue;
     }
     T one;
@@ -75,7 +76,8 @@ std::vector<std::string> roll_names(const ClusterStand &stand)
 {
   std::vector<std::string> names;
   for (const ClusterRoll &roll : stand.rolls)
-    names.push_back(roll.name);
+    if (std::find(names.begin(), names.end(), roll.name) == names.end())
+      names.push_back(roll.name);
   return names;
 }
 
@@ -90,7 +92,8 @@ void check_rolls(const ClusterStand &stand, Reading &reading)
 {
   for (std::size_t i = 0; i < stand.rolls.size(); ++i)
     check_word(numbered("roll", i, "name"), stand.rolls[i].name, reading);
-  check_unique("roll", "name", stand.rolls, [](const ClusterRoll &r) { return r.name; }, reading);
+  check_unique(
+      "roll", "name", stand.rolls, [](const ClusterRoll &r) { return r.name; }, reading);
   const auto names = roll_names(stand);
   const auto strip = split(stand.stack.strip, "-");
   if (!reading.usable({"stack.strip"}))
@@ -113,8 +116,8 @@ void check_like(const char *list, const std::size_t i, const Rows &rows, const s
   check_known(key, like, list, known, reading);
   for (const auto &row : rows)
     if (!own.count(row.key) && is_given(reading, numbered(list, i, row.key)))
-      contradict(reading, numbered(list, i, row.key), "is taken from the one that this is like; leave one of both out",
-                 {key});
+      contradict(reading, numbered(list, i, row.key),
+                 "is taken from the one that this is like; leave one of both out", {key});
 }
 
 void check_contacts(const ClusterStand &stand, Reading &reading)
@@ -124,7 +127,8 @@ void check_contacts(const ClusterStand &stand, Reading &reading)
   for (const ClusterContact &c : stand.contacts)
     if (c.like.empty())
       originals.push_back(c.pair);
-  check_unique("contact", "pair", stand.contacts, [](const ClusterContact &c) { return c.pair; }, reading);
+  check_unique(
+      "contact", "pair", stand.contacts, [](const ClusterContact &c) { return c.pair; }, reading);
   for (std::size_t i = 0; i < stand.contacts.size(); ++i) {
     const ClusterContact &c = stand.contacts[i];
     const std::string pair  = numbered("contact", i, "pair");
@@ -144,11 +148,12 @@ void check_contacts(const ClusterStand &stand, Reading &reading)
       contradict(reading, law, "needs a stiffness, for example stiffness = \"1.5e10 N/m\"", {});
     if (c.law == "spring" && c.exponent != 1 && std::isnan(c.load) &&
         reading.usable({numbered("contact", i, "load"), numbered("contact", i, "exponent")}))
-      contradict(reading, numbered("contact", i, "exponent"), "bends the spring; give the load where its stiffness belongs",
-                 {});
+      contradict(reading, numbered("contact", i, "exponent"),
+                 "bends the spring; give the load where its stiffness belongs", {});
     for (const char *key : {"stiffness", "load", "exponent"})
       if (c.law != "spring" && is_given(reading, numbered("contact", i, key)))
-        contradict(reading, numbered("contact", i, key), "belongs to law = \"spring\"; leave one of the two out", {law});
+        contradict(reading, numbered("contact", i, key), "belongs to law = \"spring\"; leave one of the two out",
+                   {law});
   }
 }
 
@@ -159,19 +164,21 @@ void check_supports(const ClusterStand &stand, Reading &reading)
   for (const ClusterSupport &s : stand.supports)
     if (s.like.empty())
       originals.push_back(s.own_name());
-  check_unique("support", "roll", stand.supports, [](const ClusterSupport &s) { return s.own_name(); }, reading);
+  check_unique(
+      "support", "roll", stand.supports, [](const ClusterSupport &s) { return s.own_name(); }, reading);
   for (std::size_t i = 0; i < stand.supports.size(); ++i) {
     const ClusterSupport &s = stand.supports[i];
     const auto key          = [&](const char *k) { return numbered("support", i, k); };
     check_known(key("roll"), s.roll, "roll", names, reading);
     if (!s.like.empty()) {
-      check_like("support", i, cluster_support_rows(), {"roll", "name", "like", "against"}, s.like, originals, reading);
+      check_like("support", i, cluster_support_rows(), {"roll", "name", "like", "against"}, s.like, originals,
+                 reading);
       continue;
     }
     const auto needs = [&](const char *k, const bool missing, const char *example) {
       if (missing && reading.usable({key(k), key("type")}))
-        reading.add(s.place, fmt::format("support.{} of type {} has no '{}'; add for example {} = \"{}\"", i, s.type, k,
-                                         k, example));
+        reading.add(s.place, fmt::format("support.{} of type {} has no '{}'; add for example {} = \"{}\"", i,
+                                         s.type, k, k, example));
     };
     needs("stiffness", std::isnan(s.stiffness), "1.08e10 N/m");
     const bool curved = s.exponent != 1 && (s.type == "radial" || s.type == "isotropic");
@@ -196,16 +203,20 @@ void check_schedule(ClusterStand &stand, Reading &reading)
     if (std::isnan(pass.load) && reading.usable({key("load")}))
       for (const char *k : {"entry_thickness", "exit_thickness"})
         if (!is_given(reading, key(k)) && reading.usable({key(k)}))
-          reading.add(pass.place, fmt::format("pass.{} has neither 'load' nor '{}'; a force is given, or computed from "
-                                              "the thicknesses of the strip",
-                                              i, k));
-    if (reading.usable({key("entry_thickness"), key("exit_thickness")}) && pass.exit_thickness >= pass.entry_thickness)
-      contradict(reading, key("exit_thickness"), "is not smaller than the entry thickness", {key("entry_thickness")});
+          reading.add(pass.place,
+                      fmt::format("pass.{} has neither 'load' nor '{}'; a force is given, or computed from "
+                                  "the thicknesses of the strip",
+                                  i, k));
+    if (reading.usable({key("entry_thickness"), key("exit_thickness")}) &&
+        pass.exit_thickness >= pass.entry_thickness)
+      contradict(reading, key("exit_thickness"), "is not smaller than the entry thickness",
+                 {key("entry_thickness")});
     if (is_given(reading, key("dynamic_force")) != is_given(reading, key("dynamic_frequency")) &&
         reading.usable({key("dynamic_force"), key("dynamic_frequency")}))
-      reading.add(pass.place, fmt::format("pass.{}: dynamic_force and dynamic_frequency belong together; give both or "
-                                          "none",
-                                          i));
+      reading.add(pass.place,
+                  fmt::format("pass.{}: dynamic_force and dynamic_frequency belong together; give both or "
+                              "none",
+                              i));
     // Whole tension forces over the section of the strip.
     pass.entry_tension = pass.entry_pull / (stand.strip.width * pass.entry_thickness);
     pass.exit_tension  = pass.exit_pull / (stand.strip.width * pass.exit_thickness);
@@ -243,14 +254,22 @@ void check_strip_laws(const ClusterStand &stand, Reading &reading)
   if (computed == stand.schedule.end())
     return;
   if (std::isnan(stand.strip.flow_stress.k) && reading.usable({"strip.flow_stress.law", "strip.width"}))
-    reading.add(computed->place, fmt::format("pass \"{}\" has no 'load', and [strip.flow_stress] that a force could be "
-                                             "computed from is missing; give one of the two",
-                                             computed->name));
+    reading.add(computed->place,
+                fmt::format("pass \"{}\" has no 'load', and [strip.flow_stress] that a force could be "
+                            "computed from is missing; give one of the two",
+                            computed->name));
+  if (stand.strip.friction.law == FrictionLaw::coulomb && std::isnan(stand.strip.friction.coefficient) &&
+      reading.usable({"strip.friction"}))
+    reading.add(computed->place,
+                fmt::format("pass \"{}\" has no 'load', and nothing says the friction in its bite; add "
+                            "friction = 0.05 to [strip], or a section [strip.friction]",
+                            computed->name));
 }
 
 void check_modes(const ClusterStand &stand, Reading &reading)
 {
-  check_unique("mode", "name", stand.modes, [](const ClusterMode &m) { return m.name; }, reading);
+  check_unique(
+      "mode", "name", stand.modes, [](const ClusterMode &m) { return m.name; }, reading);
   for (std::size_t i = 0; i < stand.modes.size(); ++i)
     check_names_a_file(numbered("mode", i, "name"), stand.modes[i].name, reading);
 }
@@ -268,8 +287,8 @@ std::shared_ptr<const ClusterStand> read_stand_of(const Node &root, Reading &rea
   stand->strip    = read_cluster_strip(root, reading);
   stand->schedule = read_list(root, "pass", cluster_pass_rows(), true, reading);
   read_and_echo(response, response.header(), cluster_response_rows(), stand->response, reading);
-  stand->modes    = read_list(root, "mode", cluster_mode_rows(), false, reading);
-  stand->bite     = read_bite_setup(root, reading);
+  stand->modes = read_list(root, "mode", cluster_mode_rows(), false, reading);
+  stand->bite  = read_bite_setup(root, reading);
   check_rolls(*stand, reading);
   check_contacts(*stand, reading);
   check_supports(*stand, reading);

@@ -23,11 +23,11 @@ KeyParts parts_of_key(const std::string &text)
   const auto first = text.find('.'), last = text.rfind('.');
   if (first == std::string::npos)
     return {"", "", text};
-  return {text.substr(0, first), first == last ? "" : text.substr(first + 1, last - first - 1), text.substr(last + 1)};
+  return {text.substr(0, first), first == last ? "" : text.substr(first + 1, last - first - 1),
+          text.substr(last + 1)};
 }
 
-template <class T, class NameOf>
-T *member_of(std::vector<T> &list, const std::string &name, const NameOf &name_of)
+template <class T, class NameOf> T *member_of(std::vector<T> &list, const std::string &name, const NameOf &name_of)
 {
   const auto found = std::find_if(list.begin(), list.end(), [&](const T &one) { return name_of(one) == name; });
   return found == list.end() ? nullptr : &*found;
@@ -48,7 +48,8 @@ template <class Work> bool visit_part(ClusterStand &stand, const KeyParts &key, 
     return part != nullptr;
   };
   if (key.list == "roll")
-    return with(member_of(stand.rolls, key.name, [](const ClusterRoll &r) { return r.name; }), cluster_roll_rows());
+    return with(member_of(stand.rolls, key.name, [](const ClusterRoll &r) { return r.name; }),
+                cluster_roll_rows());
   if (key.list == "contact")
     return with(member_of(stand.contacts, key.name, [](const ClusterContact &c) { return c.pair; }),
                 cluster_contact_rows());
@@ -101,8 +102,8 @@ std::vector<std::string> fitted_modes(const ClusterStand &stand, const ClusterVa
   return all;
 }
 
-void check_fit_of(const ClusterStand &stand, ClusterStand &changed, const ClusterVariant &variant, const std::size_t i,
-                  Reading &reading)
+void check_fit_of(const ClusterStand &stand, ClusterStand &changed, const ClusterVariant &variant,
+                  const std::size_t i, Reading &reading)
 {
   const auto key = [&](const char *k) { return fmt::format("variant.{}.{}", i, k); };
   for (const std::string &unknown : variant.unknowns)
@@ -113,18 +114,20 @@ void check_fit_of(const ClusterStand &stand, ClusterStand &changed, const Cluste
                              unknown),
                  {});
   for (const std::string &name : variant.modes) {
-    const auto mode = std::find_if(stand.modes.begin(), stand.modes.end(),
-                                   [&](const ClusterMode &m) { return m.name == name; });
+    const auto mode =
+        std::find_if(stand.modes.begin(), stand.modes.end(), [&](const ClusterMode &m) { return m.name == name; });
     if (mode == stand.modes.end())
       contradict(reading, key("modes"), fmt::format("names '{}', which is no [[mode]]", name), {});
     else if (std::isnan(mode->frequency))
-      contradict(reading, key("modes"), fmt::format("names '{}', which has no frequency to be fitted to", name), {});
+      contradict(reading, key("modes"), fmt::format("names '{}', which has no frequency to be fitted to", name),
+                 {});
   }
   if (const std::size_t data = fitted_modes(stand, variant).size(); variant.unknowns.size() > data)
-    contradict(reading, key("unknowns"),
-               fmt::format("are {} numbers for {} frequencies; a fit needs at least as many frequencies as unknowns",
-                           variant.unknowns.size(), data),
-               {});
+    contradict(
+        reading, key("unknowns"),
+        fmt::format("are {} numbers for {} frequencies; a fit needs at least as many frequencies as unknowns",
+                    variant.unknowns.size(), data),
+        {});
 }
 }  // namespace
 
@@ -154,9 +157,10 @@ void set_value(ClusterStand &stand, const std::string &set)
     }
   });
   if (!part_is)
-    throw InputError(fmt::format("'{}' names no part of the stack; contact.PAIR.KEY, support.NAME.KEY, roll.NAME.KEY "
-                                 "and stack.KEY do",
-                                 without_blanks(set.substr(0, equals))));
+    throw InputError(
+        fmt::format("'{}' names no part of the stack; contact.PAIR.KEY, support.NAME.KEY, roll.NAME.KEY "
+                    "and stack.KEY do",
+                    without_blanks(set.substr(0, equals))));
   if (!known)
     throw InputError(fmt::format("'{}' is no key of [[{}]]", parts.key, parts.list));
 }

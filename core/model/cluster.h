@@ -21,15 +21,15 @@ struct ClusterRoll {
   double youngs_modulus          = not_given;               ///< Pa; absent: [steel]
   double poisson_ratio           = not_given;               ///< -; absent: [steel]
   std::array<double, 2> position = {not_given, not_given};  ///< m, of the unloaded axis; absent: from contacts
-  std::string side               = "below";  ///< below | above: of the two rolls it is found from
-  Place place;                               ///< of the [[roll]] header
+  std::string side               = "below";                 ///< below | above: of the two rolls it is found from
+  Place place;                                              ///< of the [[roll]] header
 };
 
 /// [[contact]] of two rolls.
 struct ClusterContact {
-  std::string pair;              ///< "W-I"
-  double direction = not_given;  ///< rad, from the first axis to the second, counted from +x to +y
-  std::string like;              ///< pair of which this one is the mirror image; empty: none
+  std::string pair;                  ///< "W-I"
+  double direction = not_given;      ///< rad, from the first axis to the second, counted from +x to +y
+  std::string like;                  ///< pair of which this one is the mirror image; empty: none
   std::string law      = "power";    ///< power | foeppl | johnson | computed | spring
   double coefficient   = 3.84e-5;    ///< of the power law, mm and N
   double length        = not_given;  ///< m; absent: the shorter barrel
@@ -45,17 +45,17 @@ struct ClusterContact {
 /// [[support]] of one roll on the ground.
 struct ClusterSupport {
   std::string roll;
-  std::string name;              ///< absent: the roll's
-  std::string type = "radial";   ///< radial | isotropic | guide | rollers
-  std::string like;              ///< support of which this one is the mirror image; empty: none
-  double stiffness  = not_given; ///< N/m, tangent at `load`
-  double load       = not_given; ///< N
-  double exponent   = 0.9;       ///< -, q of d = kappa F^q; 1: a straight spring
-  double direction  = 0;         ///< rad, of a guide
-  double half_angle = not_given; ///< rad, between the outward normal and either roller
-  double preload    = not_given; ///< N, of each roller
-  std::string against;           ///< roll that the rollers press theirs against
-  double guard       = 1e4;      ///< N/m, across and along, that holds a roll out of contact
+  std::string name;                ///< absent: the roll's
+  std::string type = "radial";     ///< radial | isotropic | guide | rollers
+  std::string like;                ///< support of which this one is the mirror image; empty: none
+  double stiffness  = not_given;   ///< N/m, tangent at `load`
+  double load       = not_given;   ///< N
+  double exponent   = 0.9;         ///< -, q of d = kappa F^q; 1: a straight spring
+  double direction  = 0;           ///< rad, of a guide
+  double half_angle = not_given;   ///< rad, between the outward normal and either roller
+  double preload    = not_given;   ///< N, of each roller
+  std::string against;             ///< roll that the rollers press theirs against
+  double guard       = 1e4;        ///< N/m, across and along, that holds a roll out of contact
   double loss_factor = not_given;  ///< -; absent: that of [response]
   bool fitted        = false;      ///< follows only from a fit, said wherever it appears
   Place place;
@@ -68,14 +68,14 @@ struct ClusterSupport {
 
 /// [[pass]]; entry_tension and exit_tension of Pass follow from the pulls where those are given.
 struct ClusterPass : Pass {
-  double entry_pull             = not_given;  ///< N, whole tension force of the strip before the bite
-  double exit_pull              = not_given;  ///< N
-  double horizontal_force       = 0;          ///< N, on the roll at the strip, along +x
-  double dynamic_force          = not_given;  ///< N, amplitude
-  double dynamic_frequency      = not_given;  ///< Hz
-  double loss_factor            = not_given;  ///< -, of the contacts in this pass; absent: that of [response]
-  double published_force        = not_given;  ///< N, of a published model
-  double published_dynamic      = not_given;  ///< N
+  double entry_pull        = not_given;  ///< N, whole tension force of the strip before the bite
+  double exit_pull         = not_given;  ///< N
+  double horizontal_force  = 0;          ///< N, on the roll at the strip, along +x
+  double dynamic_force     = not_given;  ///< N, amplitude
+  double dynamic_frequency = not_given;  ///< Hz
+  double loss_factor       = not_given;  ///< -, of the contacts in this pass; absent: that of [response]
+  double published_force   = not_given;  ///< N, of a published model
+  double published_dynamic = not_given;  ///< N
   std::array<double, 2> measured_force = {not_given, not_given};  ///< N, range
 };
 
@@ -99,22 +99,22 @@ struct ClusterVariant {
 
 /// [stack]
 struct ClusterSettings {
-  std::string strip;                 ///< roll at the strip, or "S-T": upper and lower one
-  double strip_stiffness = not_given;  ///< N/m, between those two; absent: the force is imposed
-  bool gravity           = true;
-  std::string spin       = "free";  ///< free | coupled: tangential springs in the contacts
-  double tangential_ratio = 1;      ///< -, tangential over normal stiffness of a contact
+  std::string strip;                    ///< roll at the strip, or "S-T": upper and lower one
+  double strip_stiffness  = not_given;  ///< N/m, between those two; absent: the force is imposed
+  bool gravity            = true;
+  std::string spin        = "free";  ///< free | coupled: tangential springs in the contacts
+  double tangential_ratio = 1;       ///< -, tangential over normal stiffness of a contact
 };
 
 /// [response]
 struct ClusterResponse {
-  double loss_factor         = 0;  ///< -, of contacts
-  double support_loss_factor = 0;  ///< -
+  double loss_factor                = 0;                       ///< -, of contacts
+  double support_loss_factor        = 0;                       ///< -
   std::array<double, 2> frequencies = {not_given, not_given};  ///< Hz
-  int points                 = 600;
-  double duration            = 0.02;       ///< s, of a history
-  double force_factor        = 1;          ///< -, on the dynamic force of a history
-  double depth_share         = 0.2;        ///< -, depth of the damping over the approach at rest
+  int points                        = 600;
+  double duration                   = 0.02;  ///< s, of a history
+  double force_factor               = 1;     ///< -, on the dynamic force of a history
+  double depth_share                = 0.2;   ///< -, depth of the damping over the approach at rest
 };
 
 /// All of a case of kind "cluster".
@@ -124,7 +124,7 @@ struct ClusterStand {
   std::vector<ClusterRoll> rolls;
   std::vector<ClusterContact> contacts;
   std::vector<ClusterSupport> supports;
-  Strip strip;                       ///< width, laws; thicknesses are those of the passes
+  Strip strip;  ///< width, laws; thicknesses are those of the passes
   std::vector<ClusterPass> schedule;
   BiteSetup bite;
   ClusterResponse response;

@@ -6,16 +6,16 @@ namespace mill {
 namespace family {
 /// cluster.PASS.f1, cluster.PASS.W-I.force, cluster.fit.VARIANT.KEY
 constexpr const char *cluster = "cluster";
-}
+}  // namespace family
 /// Second part of the names of what a fit of the stack finds.
-constexpr const char *cluster_fit = "fit";
+constexpr const char *cluster_fit  = "fit";
 constexpr const char *cluster_file = "curves/cluster.json";
 
 namespace curve {
 /// Of a pass: velocity amplitude of every roll and direction.
 inline constexpr CurveKind cluster_response{
-    "cluster", true, "response", "velocity under the dynamic force", Figure::section, {{{"frequency", "Hz"}}}, true,
-    '.'};
+    "cluster", true, "response", "velocity under the dynamic force", Figure::section, {{{"frequency", "Hz"}}},
+    true,      '.'};
 inline constexpr CurveKind cluster_history{
     "cluster", true, "history", "contact forces in time", Figure::section, {{{"time", "s"}}}, true, '.'};
 /// Of a mode of the first pass.

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-// A planar stack of rolls as a run found it: curves/cluster.json.  cluster/ and app/ fill the record, report/ draws it.
-// SI; a number that is not known is NaN.
+// A planar stack of rolls as a run found it: curves/cluster.json.  cluster/ and app/ fill the record, report/
+// draws it. SI; a number that is not known is NaN.
 namespace mill {
 struct ClusterRollRecord {
   std::string name;
@@ -33,12 +33,12 @@ struct ClusterShare {
 };
 
 struct ClusterModeRecord {
-  double frequency = not_given;        ///< Hz; negative: grows
-  std::string label;                   ///< "E y on E"
-  std::string identity;                ///< name of the [[mode]] that it is; empty: none
-  Eigen::VectorXd shape;               ///< x and y of every roll, largest 1
-  std::vector<ClusterShare> elastic;   ///< contacts and supports
-  std::vector<ClusterShare> kinetic;   ///< rolls and directions
+  double frequency = not_given;       ///< Hz; negative: grows
+  std::string label;                  ///< "E y on E"
+  std::string identity;               ///< name of the [[mode]] that it is; empty: none
+  Eigen::VectorXd shape;              ///< x and y of every roll, largest 1
+  std::vector<ClusterShare> elastic;  ///< contacts and supports
+  std::vector<ClusterShare> kinetic;  ///< rolls and directions
 };
 
 /// One contact or support under one pass.
@@ -51,29 +51,29 @@ struct ClusterLoadRecord {
 };
 
 struct ClusterHistoryRecord {
-  double force     = not_given;  ///< N, amplitude of the drive
-  double frequency = not_given;  ///< Hz
+  double force     = not_given;                 ///< N, amplitude of the drive
+  double frequency = not_given;                 ///< Hz
   std::vector<ClusterShare> nonlinear, linear;  ///< m/s, velocity amplitude of every roll and direction
-  double difference     = not_given;  ///< -, of the roll at the strip
-  double least_force    = not_given;  ///< -, smallest force of a contact over its force at rest
+  double difference  = not_given;               ///< -, of the roll at the strip
+  double least_force = not_given;               ///< -, smallest force of a contact over its force at rest
   std::string least_contact;
-  int events            = 0;  ///< contacts that opened or closed
-  double first_opening  = not_given;  ///< s
+  int events           = 0;          ///< contacts that opened or closed
+  double first_opening = not_given;  ///< s
   std::string verdict;
 };
 
 struct ClusterPassRecord {
   std::string name;
-  double force = not_given;       ///< N
-  std::string force_source;       ///< "given"
-  Eigen::VectorXd displacement;   ///< m, x and y of every roll
+  double force = not_given;      ///< N
+  std::string force_source;      ///< "given"
+  Eigen::VectorXd displacement;  ///< m, x and y of every roll
   std::vector<ClusterLoadRecord> contacts, supports;
   std::vector<ClusterModeRecord> modes;
-  double least_root          = not_given;  ///< 1/s2
-  double buckling_factor     = not_given;  ///< -, on the force; NaN: beyond the range searched
+  double least_root      = not_given;  ///< 1/s2
+  double buckling_factor = not_given;  ///< -, on the force; NaN: beyond the range searched
   std::string buckling_motion;
   std::vector<ClusterShare> least_guides;  ///< N/m, of every guide; NaN: none helps
-  double leaving_force       = not_given;  ///< N, horizontal on the roll at the strip
+  double leaving_force = not_given;        ///< N, horizontal on the roll at the strip
   std::string leaving_contact;
   std::vector<ClusterHistoryRecord> histories;
 };

@@ -86,18 +86,20 @@ void write_labels(Svg &svg, std::vector<Label> labels, const double left, const 
 // One mode in small: rolls at rest as outlines, and moving by the shape.
 std::string moving_mode(const ClusterRecord &record, const ClusterModeRecord &mode)
 {
-  const StackView v   = view_of(record, 190, 16);
-  const double reach  = 11;  // px, of the largest component
-  const auto number   = [](const double value) { return pixel(value); };
+  const StackView v  = view_of(record, 190, 16);
+  const double reach = 11;  // px, of the largest component
+  const auto number  = [](const double value) { return pixel(value); };
   std::string body;
   for (std::size_t i = 0; i < record.rolls.size(); ++i) {
     const ClusterRollRecord &r = record.rolls[i];
     const double x = v.x(r.x), y = v.y(r.y), radius = v.scale * r.radius;
     const double dx = reach * mode.shape[2 * Eigen::Index(i)], dy = -reach * mode.shape[2 * Eigen::Index(i) + 1];
-    const std::string circle = "<circle cx=\"" + number(x) + "\" cy=\"" + number(y) + "\" r=\"" + number(radius) + "\"";
+    const std::string circle =
+        "<circle cx=\"" + number(x) + "\" cy=\"" + number(y) + "\" r=\"" + number(radius) + "\"";
     const std::string there = number(dx) + " " + number(dy), back = number(-dx) + " " + number(-dy);
     body += circle + " class=\"ring\"/>";
-    body += "<g>" + circle + " class=\"pen dark\"/><animateTransform attributeName=\"transform\" type=\"translate\" values=\"" +
+    body += "<g>" + circle +
+            " class=\"pen dark\"/><animateTransform attributeName=\"transform\" type=\"translate\" values=\"" +
             there + ";" + back + ";" + there +
             "\" dur=\"1.6s\" calcMode=\"spline\" keyTimes=\"0;0.5;1\" keySplines=\"0.36 0 0.64 1;0.36 0 0.64 1\" "
             "repeatCount=\"indefinite\"/></g>";
@@ -105,16 +107,16 @@ std::string moving_mode(const ClusterRecord &record, const ClusterModeRecord &mo
       body += "<line x1=\"" + number(x) + "\" y1=\"" + number(y) + "\" x2=\"" + number(x + dx) + "\" y2=\"" +
               number(y + dy) + "\" class=\"pen warm\"/>";
   }
-  const double foot = 34;
+  const double foot       = 34;
   const std::string title = (mode.frequency < 0 ? "grows, " : "") + fixed(std::abs(mode.frequency), 1) + " Hz",
                     name  = mode.identity.empty() ? mode.label : mode.identity;
-  const double width = std::max(v.width, 200.);
+  const double width      = std::max(v.width, 200.);
   return "<svg class=\"drawing\" width=\"" + number(width) + "\" height=\"" + number(v.height + foot) +
-         "\" viewBox=\"0 0 " + number(width) + " " + number(v.height + foot) + "\" role=\"img\" aria-label=\"mode at " +
-         escaped(title + ", " + name) + "\"><g transform=\"translate(" + number(0.5 * (width - v.width)) + " 0)\">" +
-         body + "</g><text class=\"title\" x=\"4\" y=\"" + number(v.height + 12) + "\">" + escaped(title) +
-         "</text><text class=\"small\" x=\"4\" y=\"" + number(v.height + 27) + "\">" +
-         escaped(shortened(name, width - 8, 11)) + "</text></svg>\n";
+         "\" viewBox=\"0 0 " + number(width) + " " + number(v.height + foot) +
+         "\" role=\"img\" aria-label=\"mode at " + escaped(title + ", " + name) + "\"><g transform=\"translate(" +
+         number(0.5 * (width - v.width)) + " 0)\">" + body + "</g><text class=\"title\" x=\"4\" y=\"" +
+         number(v.height + 12) + "\">" + escaped(title) + "</text><text class=\"small\" x=\"4\" y=\"" +
+         number(v.height + 27) + "\">" + escaped(shortened(name, width - 8, 11)) + "</text></svg>\n";
 }
 }  // namespace
 

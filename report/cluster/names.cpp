@@ -6,17 +6,17 @@
 namespace mill::report {
 namespace {
 const std::map<std::string, std::string> words{
-    {"force",           "force"                                           },
-    {"approach",        "approach of the axes"                            },
-    {"tangent",         "tangent dF/d\u03b4"                              },
-    {"secant",          "secant F/\u03b4"                                 },
-    {"x",               "displacement along the rolling direction"        },
-    {"y",               "displacement upwards"                            },
-    {"buckling_factor", "factor on the force at which the stack buckles"  },
-    {"leaving_force",   "force across at which a roll leaves its nest"    },
-    {"least_guide",     "smallest stiffness of the guide"                 },
-    {"velocity",        "velocity amplitude under the dynamic force"      },
-    {"mode",            "natural frequency"                               }
+    {"force",           "force"                                         },
+    {"approach",        "approach of the axes"                          },
+    {"tangent",         "tangent dF/d\u03b4"                            },
+    {"secant",          "secant F/\u03b4"                               },
+    {"x",               "displacement along the rolling direction"      },
+    {"y",               "displacement upwards"                          },
+    {"buckling_factor", "factor on the force at which the stack buckles"},
+    {"leaving_force",   "force across at which a roll leaves its nest"  },
+    {"least_guide",     "smallest stiffness of the guide"               },
+    {"velocity",        "velocity amplitude under the dynamic force"    },
+    {"mode",            "natural frequency"                             }
 };
 
 bool leads(const std::vector<std::string> &parts)

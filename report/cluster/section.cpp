@@ -17,7 +17,8 @@ namespace {
 const Pen pens[] = {Pen::dark, Pen::warm, Pen::dashed, Pen::dotted, Pen::chained, Pen::pale, Pen::dark_dashed};
 
 // The largest columns of a table as lines, in the unit of the plot.
-void add_largest(Plot &plot, const Table &table, const std::string &unit, const double factor, const std::size_t most)
+void add_largest(Plot &plot, const Table &table, const std::string &unit, const double factor,
+                 const std::size_t most)
 {
   std::vector<std::size_t> order;
   for (std::size_t i = 1; i < table.columns.size(); ++i)
@@ -29,8 +30,8 @@ void add_largest(Plot &plot, const Table &table, const std::string &unit, const 
   if (order.size() > most)
     order.resize(most);
   for (std::size_t k = 0; k < order.size(); ++k)
-    plot.lines.push_back({table.names[order[k]], table.columns[0], factor * table.columns[order[k]],
-                          pens[k % std::size(pens)]});
+    plot.lines.push_back(
+        {table.names[order[k]], table.columns[0], factor * table.columns[order[k]], pens[k % std::size(pens)]});
 }
 
 std::string response_drawing(const Table &table, const ClusterPassRecord &pass)
@@ -54,16 +55,17 @@ std::string response_drawing(const Table &table, const ClusterPassRecord &pass)
 std::string history_drawing(const Table &table, const ClusterPassRecord &pass)
 {
   Plot plot;
-  plot.title  = "Contact forces, " + pass.name;
-  plot.x      = {"time", "ms"};
-  plot.y      = {"force over its mean", "%"};
-  plot.width  = 760;
-  plot.height = 300;
+  plot.title      = "Contact forces, " + pass.name;
+  plot.x          = {"time", "ms"};
+  plot.y          = {"force over its mean", "%"};
+  plot.width      = 760;
+  plot.height     = 300;
   std::size_t pen = 0;
   for (std::size_t i = 1; i < table.columns.size(); ++i)
     if (table.units[i] == "N" && table.columns[i].size() > 0)
       plot.lines.push_back({table.names[i], 1e3 * table.columns[0],
-                            100 * table.columns[i] / std::max(table.columns[i].mean(), 1e-9), pens[pen++ % std::size(pens)]});
+                            100 * table.columns[i] / std::max(table.columns[i].mean(), 1e-9),
+                            pens[pen++ % std::size(pens)]});
   return svg_plot(plot);
 }
 
@@ -83,11 +85,11 @@ std::string load_drawing(const Table &table)
 std::string backbone_drawing(const Table &table, const std::string &title)
 {
   Plot plot;
-  plot.title                     = title;
-  plot.x                         = {"amplitude", "\u00b5m", Scale::logarithmic};
-  plot.y                         = {"frequency", "Hz"};
-  plot.width                     = 360;
-  plot.height                    = 260;
+  plot.title               = title;
+  plot.x                   = {"amplitude", "\u00b5m", Scale::logarithmic};
+  plot.y                   = {"frequency", "Hz"};
+  plot.width               = 360;
+  plot.height              = 260;
   const Eigen::VectorXd *a = table.column("amplitude"), *f = table.column("frequency");
   if (a && f)
     plot.lines.push_back({"", 1e6 * *a, *f, Pen::dark, true});
@@ -98,25 +100,30 @@ void modes_part(Page &page, const Run &run, const ClusterRecord &record)
 {
   page.heading("Natural frequencies");
   if (const std::string table = frequency_table(record); !table.empty())
-    page.table(table, "Published and computed frequencies. A motion is recognised by its shape, not by its number; the "
-                      "publication has one list for all passes. What follows from a fitted support agrees by construction.");
+    page.table(
+        table,
+        "Published and computed frequencies. A motion is recognised by its shape, not by its number; the "
+        "publication has one list for all passes. What follows from a fitted support agrees by construction.");
   if (const std::string modes = moving_modes(record, record.passes[0]); !modes.empty())
-    page.figure({modes}, "Modes under " + escaped(record.passes[0].name) +
-                             ", moving in the plane. Outlines are the rolls at rest; each mode is scaled to its largest "
-                             "roll, and a red stroke is the way to one extreme.");
-  page.table(share_table(record.passes[0]), "Where the energy of every mode is, " + escaped(record.passes[0].name) +
+    page.figure({modes},
+                "Modes under " + escaped(record.passes[0].name) +
+                    ", moving in the plane. Outlines are the rolls at rest; each mode is scaled to its largest "
+                    "roll, and a red stroke is the way to one extreme.");
+  page.table(share_table(record.passes[0]), "Where the energy of every mode is, " +
+                                                escaped(record.passes[0].name) +
                                                 ". The geometric term of a contact takes off from its share.");
   if (const Table *table = stored_curve(run, curve::cluster_load))
-    page.figure({load_drawing(*table)}, "Frequencies over the rolling force, modes by number. Contacts stiffen with the "
-                                        "force, guides do not.");
+    page.figure({load_drawing(*table)},
+                "Frequencies over the rolling force, modes by number. Contacts stiffen with the "
+                "force, guides do not.");
 }
 
 void vibration_part(Page &page, const Run &run, const ClusterRecord &record)
 {
   std::vector<std::string> backbones;
   for (std::size_t k = 1; k <= record.passes[0].modes.size(); ++k)
-    if (const Table *table = stored_curve(run, curve::cluster_backbone,
-                                          slug(record.passes[0].name) + "-f" + std::to_string(k)))
+    if (const Table *table =
+            stored_curve(run, curve::cluster_backbone, slug(record.passes[0].name) + "-f" + std::to_string(k)))
       backbones.push_back(backbone_drawing(*table, "f" + std::to_string(k)));
   bool headed = false;
   for (const ClusterPassRecord &pass : record.passes) {
@@ -129,17 +136,21 @@ void vibration_part(Page &page, const Run &run, const ClusterRecord &record)
     headed = true;
     if (response)
       page.figure({response_drawing(*response, pass)},
-                  "Velocity of the rolls under the dynamic force at every frequency, linear, " + escaped(pass.name) + ".");
+                  "Velocity of the rolls under the dynamic force at every frequency, linear, " +
+                      escaped(pass.name) + ".");
     if (history)
       page.figure({history_drawing(*history, pass)},
                   "Contact forces in time, one-sided contacts, from rest, " + escaped(pass.name) + ".");
     for (const ClusterHistoryRecord &h : pass.histories)
-      page.paragraph("<b>" + escaped(pass.name) + "</b>: " + escaped(h.verdict) + ". The contact that comes nearest to "
-                     "opening is " + escaped(h.least_contact) + ", which keeps " + percent(h.least_force) +
+      page.paragraph("<b>" + escaped(pass.name) + "</b>: " + escaped(h.verdict) +
+                     ". The contact that comes nearest to "
+                     "opening is " +
+                     escaped(h.least_contact) + ", which keeps " + percent(h.least_force) +
                      " of its force at rest.");
   }
   if (const std::string table = history_table(record); !table.empty())
-    page.table(table, "Velocity amplitudes at the frequency of the dynamic force, linear response beside the history.");
+    page.table(table,
+               "Velocity amplitudes at the frequency of the dynamic force, linear response beside the history.");
   if (!backbones.empty())
     page.figure(backbones, "Frequency over amplitude of the modes that bend, free and undamped, " +
                                escaped(record.passes[0].name) + ". A drop begins where a contact lets go.");
@@ -159,8 +170,9 @@ ClusterData read_cluster_record(const std::string &run_directory)
   }
   if (!data.record || data.record->passes.empty()) {
     data.record.reset();
-    data.problem = std::string(cluster_file) + " is not what this program writes, so the stack is not shown; run the "
-                                               "case again";
+    data.problem = std::string(cluster_file) +
+                   " is not what this program writes, so the stack is not shown; run the "
+                   "case again";
   }
   return data;
 }
@@ -183,14 +195,16 @@ void cluster_section(Page &page, const Run &run)
   page.table(contact_table(record), "Contacts under every pass. The tangent is what a vibration feels.");
   if (!record.passes[0].modes.empty() && !std::isnan(record.passes[0].least_root)) {
     modes_part(page, run, record);
-    page.table(stability_table(record), "How far the stack is from buckling, and from a roll that leaves its nest. "
-                                        "The force across acts on the roll at the strip.");
+    page.table(stability_table(record),
+               "How far the stack is from buckling, and from a roll that leaves its nest. "
+               "The force across acts on the roll at the strip.");
     vibration_part(page, run, record);
   }
   if (const std::string fits = cluster_fit_table(record); !fits.empty()) {
     page.heading("Explanations of the frequencies");
-    page.table(fits, "Variants of the stack fitted to the published frequencies. Of each, how many numbers were chosen "
-                     "and for how many frequencies; only the others test it.");
+    page.table(fits,
+               "Variants of the stack fitted to the published frequencies. Of each, how many numbers were chosen "
+               "and for how many frequencies; only the others test it.");
   }
 }
 }  // namespace mill::report

@@ -82,10 +82,12 @@ std::string contact_table(const ClusterRecord &record)
   for (const ClusterPassRecord &pass : record.passes)
     for (const ClusterLoadRecord &c : pass.contacts)
       rows += row_head(pass.name) + "<td>" + escaped(c.name) + "</td>" + number_cell(1e-3 * c.force, 5) +
-              number_cell(1e6 * c.approach) + number_cell(1e-6 * c.tangent) + number_cell(1e-6 * c.secant) + "</tr>\n";
-  return table_of("<th>pass</th><th>contact</th><th>force, kN</th><th>approach, \u00b5m</th><th>tangent, kN/mm</th>"
-                  "<th>secant, kN/mm</th>",
-                  rows);
+              number_cell(1e6 * c.approach) + number_cell(1e-6 * c.tangent) + number_cell(1e-6 * c.secant) +
+              "</tr>\n";
+  return table_of(
+      "<th>pass</th><th>contact</th><th>force, kN</th><th>approach, \u00b5m</th><th>tangent, kN/mm</th>"
+      "<th>secant, kN/mm</th>",
+      rows);
 }
 
 std::string frequency_table(const ClusterRecord &record)
@@ -146,8 +148,8 @@ std::string history_table(const ClusterRecord &record)
         if (h.linear[i].value > 1e-6 || h.nonlinear[i].value > 1e-6)
           rows += row_head(pass.name) + number_cell(h.force) + number_cell(h.frequency, 5) + "<td>" +
                   escaped(h.linear[i].name) + "</td>" + number_cell(1e3 * h.linear[i].value) +
-                  number_cell(1e3 * h.nonlinear[i].value) + cell(deviation(h.nonlinear[i].value, h.linear[i].value)) +
-                  "</tr>\n";
+                  number_cell(1e3 * h.nonlinear[i].value) +
+                  cell(deviation(h.nonlinear[i].value, h.linear[i].value)) + "</tr>\n";
   return table_of("<th>pass</th><th>force, N</th><th>Hz</th><th>roll</th><th>linear, mm/s</th>"
                   "<th>in time, mm/s</th><th>difference</th>",
                   rows);
@@ -171,13 +173,14 @@ std::string cluster_fit_table(const ClusterRecord &record)
                                       [](const ClusterFitFrequency &f) { return f.fitted; });
     rows += row_head(fit.variant) + "<td>" + (fit.set.empty() ? "nothing" : escaped(fit.set)) + "</td><td>" +
             fitted_numbers(fit) + (fit.undetermined.empty() ? "" : "not told: " + escaped(fit.undetermined)) +
-            escaped(fit.refused) + "</td>" + cell(std::to_string(fit.numbers.size()) + " / " + std::to_string(fitted));
+            escaped(fit.refused) + "</td>" +
+            cell(std::to_string(fit.numbers.size()) + " / " + std::to_string(fitted));
     for (const std::string &name : names) {
       const auto f = std::find_if(fit.frequencies.begin(), fit.frequencies.end(),
                                   [&](const ClusterFitFrequency &one) { return one.mode == name; });
-      rows += f == fit.frequencies.end()
-                  ? cell("-")
-                  : cell(fixed(f->computed, 1) + " (" + deviation(f->computed, f->wanted) + (f->fitted ? ", fitted)" : ")"));
+      rows += f == fit.frequencies.end() ? cell("-")
+                                         : cell(fixed(f->computed, 1) + " (" + deviation(f->computed, f->wanted) +
+                                                (f->fitted ? ", fitted)" : ")"));
     }
     rows += cell(std::isnan(fit.rms_fitted) ? "-" : percent(fit.rms_fitted)) +
             cell(std::isnan(fit.rms_predicted) ? "-" : percent(fit.rms_predicted)) + "</tr>\n";

@@ -3,17 +3,17 @@
 #include "cluster/modes.h"
 #include <cmath>
 
-/// The compact cluster mill of tests/reference/cluster.json: work roll W, intermediate I, external E, control rolls L
-/// and R on two rollers each.  SI.
+/// The compact cluster mill of tests/reference/cluster.json: work roll W, intermediate I, external E, control
+/// rolls L and R on two rollers each.  SI.
 struct ZMill {
-  double beta   = 0;                ///< rad, of the control rolls above the horizontal
-  double theta  = 36 * M_PI / 180;  ///< rad, half angle of their rollers
-  double force  = 1148e3;           ///< N
-  double kap_b  = 0;                ///< m/N^0.9; 0: from k_b
-  double kap_r  = 0;                ///< m/N^0.9; 0: from k_r
-  double k_b    = 1.0797e10;        ///< N/m at 1148 kN
-  double k_r    = 1.9293e8;         ///< N/m at 4.5 kN
-  double guide  = 5e8;              ///< N/m, of I along x
+  double beta  = 0;                     ///< rad, of the control rolls above the horizontal
+  double theta = 36 * M_PI / 180;       ///< rad, half angle of their rollers
+  double force = 1148e3;                ///< N
+  double kap_b = 0;                     ///< m/N^0.9; 0: from k_b
+  double kap_r = 0;                     ///< m/N^0.9; 0: from k_r
+  double k_b   = 1.0797e10;             ///< N/m at 1148 kN
+  double k_r   = 1.9293e8;              ///< N/m at 4.5 kN
+  double guide = 5e8;                   ///< N/m, of I along x
   double k_WI = 0, k_IE = 0, k_WC = 0;  ///< N/m, straight laws; 0: power law
   bool isotropic    = false;
   double horizontal = 0;  ///< N, on W
@@ -35,12 +35,13 @@ inline mill::cluster::Stack stack_of(const ZMill &z)
     roll.inertia = 0.5 * roll.mass * radius[i] * radius[i];
     stack.rolls.push_back(roll);
   }
-  auto &r = stack.rolls;
+  auto &r         = stack.rolls;
   r[0].centre.y() = radius[0];
   r[1].centre.y() = r[0].centre.y() + radius[0] + radius[1];
   r[2].centre.y() = r[1].centre.y() + radius[1] + radius[2];
   for (std::size_t i = 3; i < 5; ++i)
-    r[i].centre = r[0].centre + (radius[0] + radius[i]) * Eigen::Vector2d((i == 3 ? -1 : 1) * std::cos(z.beta), std::sin(z.beta));
+    r[i].centre = r[0].centre + (radius[0] + radius[i]) *
+                                    Eigen::Vector2d((i == 3 ? -1 : 1) * std::cos(z.beta), std::sin(z.beta));
   const auto touch = [&](const int a, const int b, const double straight) {
     Contact c;
     c.name        = r[std::size_t(a)].name + "-" + r[std::size_t(b)].name;
@@ -81,9 +82,13 @@ inline mill::cluster::Stack stack_of(const ZMill &z)
     rollers.against    = 0;
     stack.supports.push_back(rollers);
   }
-  stack.loads.push_back({0, {0, z.force}});
+  stack.loads.push_back({
+      0, {0, z.force}
+  });
   if (z.horizontal != 0)
-    stack.side_loads.push_back({0, {z.horizontal, 0}});
+    stack.side_loads.push_back({
+        0, {z.horizontal, 0}
+    });
   return stack;
 }
 

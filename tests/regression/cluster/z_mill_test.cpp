@@ -1,8 +1,8 @@
-#include "tests/support/z_mill.h"
 #include "cluster/response.h"
 #include "cluster/stability.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
+#include "tests/support/z_mill.h"
 #include <gtest/gtest.h>
 
 // The compact cluster mill against numbers computed outside this program (tests/reference/cluster.json).
@@ -10,8 +10,8 @@ using namespace mill::cluster;
 
 namespace {
 // Modes that the printed list names, "identity_order" of the reference.
-const std::vector<const char *> identities{"E y, I y, W y", "L y, R y",      "L y, R y -1",
-                                           "E x",           "W y, I y 0.79", "W y, I y -0.31",
+const std::vector<const char *> identities{"E y, I y, W y", "L y, R y",           "L y, R y -1",
+                                           "E x",           "W y, I y 0.79",      "W y, I y -0.31",
                                            "L x, R x -1",   "W x, L x -1, R x -1"};
 
 Eigen::VectorXd by_identity(const Stack &stack, const std::vector<Mode> &all)
@@ -37,7 +37,8 @@ void expect_state(const ZMill &z, const std::string &entry, const double toleran
   Stack stack              = stack_of(z);
   const Equilibrium e      = settle(stack);
   const nlohmann::json ref = reference(entry, "cluster");
-  EXPECT_TRUE(near(frequencies_of(modes(stack, e.u)), list(ref["frequencies"]), within(tolerance, "eigenvalues of one model")))
+  EXPECT_TRUE(near(frequencies_of(modes(stack, e.u)), list(ref["frequencies"]),
+                   within(tolerance, "eigenvalues of one model")))
       << entry;
   EXPECT_TRUE(near(Eigen::Map<const Eigen::VectorXd>(e.contact_loads.data(), 4), list(ref["contact_loads"]),
                    within(tolerance, "one equilibrium")))
@@ -62,7 +63,7 @@ Stack of_column(const std::string &what, const int column, const double loss_sup
                 double &force, Motion &rest)
 {
   const auto input = reference_vector("response.input.column_" + std::to_string(column), "cluster");
-  ZMill z = variant_C(what == "own_load" && input[0] == 5 ? 1302e3 : 1148e3);
+  ZMill z          = variant_C(what == "own_load" && input[0] == 5 ? 1302e3 : 1148e3);
   if (what == "beta8.linear") {
     z           = ZMill();
     z.beta      = 8 * M_PI / 180;
@@ -126,9 +127,9 @@ TEST(ZMillStack, FollowsTheForceOverThePasses)
 
 TEST(ZMillStack, VerticalChainPredictsModesFiveAndSix)
 {
-  ZMill z = variant_N();
-  z.kap_b = 0;
-  z.k_b   = 1.079e10;
+  ZMill z       = variant_N();
+  z.kap_b       = 0;
+  z.k_b         = 1.079e10;
   Stack stack   = stack_of(z);
   stack.gravity = false;
   stack.rolls.resize(3);
@@ -143,7 +144,9 @@ TEST(ZMillStack, VerticalChainPredictsModesFiveAndSix)
       if (std::abs(m.frequency - fixed[i]) < std::abs(nearest - fixed[i]))
         nearest = m.frequency;
     EXPECT_TRUE(near(nearest, fixed[i], within(1e-6, "3 x 3 eigenvalues")));
-    EXPECT_TRUE(near(nearest, printed[i == 0 ? 0 : 3 + i], within(1e-3 + 0.5 / printed[i == 0 ? 0 : 3 + i], "0.1 % and half a digit of print; no tuning but the bearing of mode 1")));
+    EXPECT_TRUE(near(nearest, printed[i == 0 ? 0 : 3 + i],
+                     within(1e-3 + 0.5 / printed[i == 0 ? 0 : 3 + i],
+                            "0.1 % and half a digit of print; no tuning but the bearing of mode 1")));
   }
 }
 
@@ -175,15 +178,17 @@ TEST(ZMillStack, SurvivesALateralForceUpToTheLossOfAContact)
     EXPECT_TRUE(near(e.contact_loads[3], row[2], within(1e-5, "one model"))) << z.horizontal;
     EXPECT_TRUE(near(e.u[0], row[3], within(1e-5, "one model", 1e-6))) << z.horizontal;
   }
-  // Its upper roller free, the left control roll lies between W and the lower one: what is left carries its weight.
+  // Its upper roller free, the left control roll lies between W and the lower one: what is left carries its
+  // weight.
   for (const double beyond : {21e3, 30e3, 60e3}) {
-    ZMill z               = variant_N();
-    z.horizontal          = beyond;
-    Stack stack           = stack_of(z);
-    const Equilibrium e   = settle(stack);
-    const double weight   = stack.rolls[3].mass * free_fall;
-    EXPECT_TRUE(near(e.contact_loads[2], weight / std::tan(z.theta), within(0.05, "W has moved by 0.1 mm"))) << beyond;
-    stack.gravity         = false;
+    ZMill z             = variant_N();
+    z.horizontal        = beyond;
+    Stack stack         = stack_of(z);
+    const Equilibrium e = settle(stack);
+    const double weight = stack.rolls[3].mass * free_fall;
+    EXPECT_TRUE(near(e.contact_loads[2], weight / std::tan(z.theta), within(0.05, "W has moved by 0.1 mm")))
+        << beyond;
+    stack.gravity = false;
     EXPECT_EQ(settle(stack).contact_loads[2], 0) << beyond;
   }
 }
@@ -199,7 +204,7 @@ TEST(ZMillStack, HarmonicResponseMeetsTheColumns)
       Eigen::VectorXd force = Eigen::VectorXd::Zero(10);
       force[1]              = P;
       const auto a          = harmonic_response(stack, rest, force, f);
-      const auto ref = reference_vector("response." + what + ".column_" + std::to_string(column), "cluster");
+      const auto ref     = reference_vector("response." + what + ".column_" + std::to_string(column), "cluster");
       const double omega = 2 * M_PI * f;
       const auto tolerance =
           column == 3 ? within(1e-3, "undamped: distance from resonance") : within(1e-5, "one model");

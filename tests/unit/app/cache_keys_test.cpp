@@ -125,6 +125,11 @@ Texts texts_of(const ChatterCase &)
 {
   return {};
 }
+// Its computed contacts are rolls in plane strain, kept as those of two cylinders.
+Texts texts_of(const ClusterCase &)
+{
+  return {};
+}
 
 Texts texts_of(const Case &the_case)
 {

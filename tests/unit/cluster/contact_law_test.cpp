@@ -11,7 +11,9 @@ const Tolerance closed_form = within(1e-9, "closed form");
 
 ContactBody body(const double radius)
 {
-  return {radius, {2.07e11, 0.29, 7801}};
+  return {
+      radius, {2.07e11, 0.29, 7801}
+  };
 }
 }  // namespace
 
@@ -25,8 +27,8 @@ TEST(ContactLaws, StepIsTheCubicOfTheImpactFunction)
 TEST(ContactLaws, ImpactPushesAndNeverPulls)
 {
   ContactLaw law;
-  law.k = 1e10;
-  law.p = 1.5;
+  law.k             = 1e10;
+  law.p             = 1.5;
   const auto values = reference_vector("vector.impact", "cluster");
   EXPECT_TRUE(near(impact_force(law, 1e-4, 0.01, 1e5, 2e-4), values[0], closed_form));
   EXPECT_EQ(impact_force(law, 1e-4, -2, 1e5, 2e-4), 0) << "parting faster than the spring follows";
@@ -38,8 +40,9 @@ TEST(ContactLaws, MeetTheTableOfThePairs)
   for (const auto &row : reference("contact_laws", "cluster")) {
     const std::string pair = row[0];
     const double load      = row[1];
-    const ContactBody a = body(pair == "I-E" ? 0.069975 : 0.0348),
-                      b = body(pair == "W-I" ? 0.069975 : pair == "I-E" ? 0.225155 : 0.0255);
+    const ContactBody a = body(pair == "I-E" ? 0.069975 : 0.0348), b = body(pair == "W-I"   ? 0.069975
+                                                                            : pair == "I-E" ? 0.225155
+                                                                                            : 0.0255);
     const ContactLaw laws[] = {palmgren_law(0.505, 3.84e-5), line_law(LineForm::foeppl, a, b, 0.505),
                                line_law(LineForm::johnson, a, b, 0.505)};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -80,7 +83,10 @@ TEST(ContactLaws, SpringGoesThroughItsLoad)
 
 TEST(BearingLaws, MeetTheVectors)
 {
-  for (const auto &[q, name] : {std::pair{2. / 3, "vector.bearing.ball"}, std::pair{0.9, "vector.bearing.roller"}}) {
+  for (const auto &[q, name] : {
+           std::pair{2. / 3, "vector.bearing.ball"  },
+           std::pair{0.9,    "vector.bearing.roller"}
+  }) {
     const auto values    = reference_vector(name, "cluster");
     const BearingLaw law = {1e-8, q};
     const double d       = 1e-8 * std::pow(5000, q);

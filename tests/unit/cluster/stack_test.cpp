@@ -1,5 +1,5 @@
-#include "cluster/stack.h"
 #include "cluster/stability.h"
+#include "cluster/stack.h"
 #include "core/case/errors.h"
 #include "tests/support/near.h"
 #include "tests/support/z_mill.h"
@@ -10,11 +10,11 @@ using namespace mill::cluster;
 TEST(ClusterStack, TangentIsTheDerivativeOfTheForces)
 {
   for (const ZMill &z : {variant_N(), variant_C()}) {
-    ZMill pushed      = z;
-    pushed.horizontal = 5e3;
-    pushed.beta       = 0.14;
-    Stack stack       = stack_of(pushed);
-    const Motion u    = settle(stack).u;
+    ZMill pushed            = z;
+    pushed.horizontal       = 5e3;
+    pushed.beta             = 0.14;
+    Stack stack             = stack_of(pushed);
+    const Motion u          = settle(stack).u;
     const Eigen::MatrixXd K = total_tangent(stack, u);
     const double h          = 1e-8;
     for (Eigen::Index k = 0; k < u.size(); ++k) {
@@ -34,9 +34,9 @@ TEST(ClusterStack, TangentIsTheDerivativeOfTheForces)
 
 TEST(ClusterStack, ForcesAreTheDerivativeOfTheEnergy)
 {
-  Stack stack            = stack_of(variant_N());
-  const Motion u         = settle(stack).u;
-  Motion moved           = u;
+  Stack stack    = stack_of(variant_N());
+  const Motion u = settle(stack).u;
+  Motion moved   = u;
   moved += Eigen::VectorXd::LinSpaced(u.size(), -8e-8, 9e-8);
   const Eigen::VectorXd f = forces(stack, moved).total;
   for (Eigen::Index k = 0; k < u.size(); ++k) {
@@ -47,7 +47,8 @@ TEST(ClusterStack, ForcesAreTheDerivativeOfTheEnergy)
       return potential_energy(stack, other);
     };
     const double slope = -(8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
-    EXPECT_NEAR(slope, f[k], 1e-5 * f.cwiseAbs().maxCoeff()) << k << ": digits of 100 J, h^4 of a contact of 0.8 um";
+    EXPECT_NEAR(slope, f[k], 1e-5 * f.cwiseAbs().maxCoeff())
+        << k << ": digits of 100 J, h^4 of a contact of 0.8 um";
   }
 }
 
@@ -86,10 +87,10 @@ TEST(ClusterStability, GuideAndForceOfALongColumnMeetTheClosedForm)
   stack.rolls.resize(3);
   stack.contacts.resize(2);
   stack.supports.resize(2);
-  Support held  = stack.supports[1];
-  held.roll     = 0;
-  held.name     = "W";
-  held.law      = {1e-14, 1};
+  Support held = stack.supports[1];
+  held.roll    = 0;
+  held.name    = "W";
+  held.law     = {1e-14, 1};
   stack.supports.push_back(held);
   stack.supports[0].type   = Support::Type::isotropic;
   stack.supports[0].across = 1e14;
@@ -115,10 +116,10 @@ TEST(ClusterStability, AControlRollLeavesItsNestWhereARollerIsFree)
     const auto f  = roller_forces(beside.supports[2], u.segment<2>(6));
     EXPECT_EQ(std::min(f[0], f[1]) > 0, factor < 1) << lost->load;
   }
-  Stack weightless   = stack;
-  weightless.gravity = false;
+  Stack weightless               = stack;
+  weightless.gravity             = false;
   weightless.supports[2].preload = weightless.supports[3].preload = 4500;
-  const auto both    = leaving_load(weightless, 0, {1, 0}, 60e3);
+  const auto both                                                 = leaving_load(weightless, 0, {1, 0}, 60e3);
   ASSERT_TRUE(both);
   EXPECT_GT(both->load, lost->load) << "no weight on the lower roller";
 }
