@@ -34,6 +34,8 @@ const std::vector<Field<ClusterSettings>> &cluster_stack_rows()
       {"gravity",          &T::gravity,          "flag",           any,           1,        "true",      "weight of the rolls, along -y"},
       {"spin",             &T::spin,             "free | coupled", any,           "free",   "free",      "coupled: friction in the contacts lets a vibration turn the rolls, by a tangential spring in each contact"},
       {"tangential_ratio", &T::tangential_ratio, "1",              {0.01, 1},     1,        "1",         "tangential over normal stiffness of a contact, spin = \"coupled\"; 1 for equal materials in line contact without slip"},
+      {"flattening_modulus", &T::flattening_modulus, "GPa",        {1, 1000},     absent,   "210 GPa",   "Young's modulus of the roll at the strip in the formula of its flattening; that of the roll when absent"},
+      {"flattening_poisson", &T::flattening_poisson, "1",          {0, 0.49},     absent,   "0.3",       "Poisson's ratio there; that of the roll when absent"},
   };
   return rows;
 }
@@ -115,6 +117,7 @@ const std::vector<Field<ClusterPass>> &cluster_pass_rows()
       {"measured_force",    &T::measured_force,    "kN",    {0, 1e6},       absent,   R"(["1150 kN", "1200 kN"])", "range of the measured force, only shown beside the computed one"},
       {"published_force",   &T::published_force,   "kN",    {0, 1e6},       absent,   "1148 kN",    "of a published model, only shown"},
       {"published_dynamic", &T::published_dynamic, "kN",    {0, 1e5},       absent,   "0.40 kN",    "dynamic part of the force of a published model, only shown"},
+      {"common_fit",        &T::common_fit,        "flag",  any,            1,        "true",       "takes part in the hardening law and in the constant of the dynamic force that all passes have in common; false: a blind test of them"},
   };
   return rows;
 }
