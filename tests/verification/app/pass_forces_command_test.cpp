@@ -3,7 +3,10 @@
 #include "tests/support/program.h"
 #include "tests/support/reference.h"
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 // The static half of a cluster mill as a user meets it: forces, fits, one hardening law, dynamic force.
 namespace {
@@ -25,10 +28,20 @@ const std::string &stiffness_run()
   return folder;
 }
 
-std::string refused(const std::string &sets)
+// What `check` says of the case with pieces of its text replaced.
+std::string refused(const std::vector<std::pair<std::string, std::string>> &changes)
 {
-  const Outcome run = millstand("check " + z_mill + sets);
+  std::string text = mill::read_text(std::string(MILLSTAND_SOURCE_DIR) + "/" + z_mill);
+  for (const auto &[from, to] : changes) {
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+  }
+  const std::string file = scratch("z-mill-changed") + ".toml";
+  mill::write_atomically(file, text);
+  const Outcome run = millstand("check " + file);
   EXPECT_EQ(run.exit_code, 2) << run.out;
+  std::filesystem::remove(file);
   return run.err;
 }
 }  // namespace
@@ -74,11 +87,24 @@ TEST(PassForcesCommand, BlindPassesAndThePage)
 
 TEST(PassForcesCommand, RefusesWithThePlaceOfThePass)
 {
-  const std::string no_root =
-      refused(" --set pass.4.load= --set strip.flow_stress.law=constant --set strip.flow_stress.k='2000 MPa'");
-  EXPECT_FALSE(no_root.empty());
-  const std::string friction = refused(" --set pass.0.speed='60000 m/s'");
-  EXPECT_FALSE(friction.empty());
+  const std::string friction = refused({
+      {"per_log_speed = -0.00662", "per_log_speed = -0.0662"}
+  });
+  EXPECT_NE(friction.find(
+                ": error: pass \"pass 1\": strip.friction: the speed law gives mu = -0.005265 at 2.967 m/s; it "
+                "must be positive\n"),
+            std::string::npos)
+      << friction;
+  const std::string none = refused({
+      {"load = \"1302 kN\"\n",        ""                        },
+      {"law = \"power\"",             "law = \"constant\""      },
+      {"k = \"1604 MPa\"\nn = 0.290", "k = \"2000 MPa\""        },
+      {"at_unit_speed = 0.066723",    "at_unit_speed = 0.114037"}
+  });
+  EXPECT_NE(none.find(": error: pass \"pass 5\": roll bite: no flattened radius: R'/R = "), std::string::npos)
+      << none;
+  EXPECT_NE(none.find("a smaller work roll, less friction, more tension, or a thicker strip.exit_thickness"),
+            std::string::npos);
 }
 
 TEST(PassForcesCommand, MarksOfTheCluster)
