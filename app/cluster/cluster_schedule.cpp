@@ -30,10 +30,15 @@ KeyList bite_keys_of_pass(const Case &the_case, const std::size_t p, const std::
     return key.rfind(start, 0) == 0;
   };
   KeyList keys;
+  const std::string pass = fmt::format("pass.{}.", p);
+  const auto vibrates    = [&](const std::string &key) {  // the stack answers to it, the bite does not
+    return begins_with(key, pass + "dynamic_") || key == pass + "loss_factor" || key == pass + "horizontal_force";
+  };
   for (const auto &[key, place] : the_case.places)
-    if (begins_with(key, "strip.") || begins_with(key, "bite.") || begins_with(key, "stack.flattening") ||
-        begins_with(key, fmt::format("pass.{}.", p)) || begins_with(key, fmt::format("roll.{}.", roll)) ||
-        key == "steel.youngs_modulus" || key == "steel.poisson_ratio")
+    if (!vibrates(key) &&
+        (begins_with(key, "strip.") || begins_with(key, "bite.") || begins_with(key, "stack.flattening") ||
+         begins_with(key, pass) || begins_with(key, fmt::format("roll.{}.", roll)) ||
+         key == "steel.youngs_modulus" || key == "steel.poisson_ratio"))
       keys.push_back(key);
   return keys;
 }

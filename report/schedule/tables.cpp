@@ -184,10 +184,10 @@ std::string force_drawing(const ScheduleData &data)
   };
   by_theory("same k, rigid roll", Pen::pale, "closed-rigid");
   by_theory("same k, free arc", Pen::warm, "karman-elastic-arc");
-  by_theory("same k, finite elements", Pen::shade3, "fe");
+  by_theory("same k, finite elements", Pen::dashed, "fe");
   for (const ScheduleLaw &law : data.laws)
     if (law.flattened)
-      bars("one hardening law", Pen::shade1,
+      bars("one hardening law", Pen::dotted,
            [&](const std::size_t i) { return i < law.passes.size() ? law.passes[i].force : not_given; });
   return plot.bars.empty() ? "" : svg_plot(plot);
 }
