@@ -1,7 +1,9 @@
+#include "app/cluster/cluster_schedule.h"
 #include "app/cluster/cluster_stage.h"
 #include "app/stages/bite_stage.h"
 #include "app/stages/bite_study.h"
 #include "bite/slab/slab_bite.h"
+#include "bite/slab/slab_checks.h"
 #include "core/model/case.h"
 #include <algorithm>
 #include <cmath>
@@ -36,6 +38,25 @@ void check_shapes(const ClusterStand &stand, const cluster::Stack &stack, std::v
           {mode.place, fmt::format("the shape of mode \"{}\": {}", mode.name, e.problems.front().message), {}});
     }
 }
+
+// Friction outside the range of its law, forces that no flattened roll carries.
+void check_forces(const ClusterStand &stand, std::vector<Problem> &problems)
+{
+  for (const ClusterPass &pass : stand.schedule) {
+    const auto refuse = [&](const std::string &why) {
+      problems.push_back({pass.place, "pass \"" + pass.name + "\": " + why, {}});
+    };
+    try {
+      if (const auto bite = bite_of_pass(stand, pass))
+        bite::check_friction(*bite);
+      cluster_force(stand, pass);
+    } catch (const InputError &e) {
+      refuse(e.problems.front().message);
+    } catch (const SolverError &e) {
+      refuse(e.report.what + ": " + e.report.where + "; " + e.report.remedy);
+    }
+  }
+}
 }  // namespace
 
 void check_cluster(const Case &the_case)
@@ -45,6 +66,7 @@ void check_cluster(const Case &the_case)
   std::vector<Problem> problems;
   check_free_motions(stand, stack, problems);
   check_shapes(stand, stack, problems);
+  check_forces(stand, problems);
   if (!problems.empty())
     throw InputError(std::move(problems));
 }
@@ -53,17 +75,14 @@ ClusterForce cluster_force(const ClusterStand &stand, const ClusterPass &pass)
 {
   if (!std::isnan(pass.load))
     return {pass.load, true, ""};
-  const ClusterRoll &roll = stand.rolls[std::size_t(cluster::strip_roll(stand))];
-  Material material       = stand.steel;
-  if (!std::isnan(roll.youngs_modulus))
-    material.youngs_modulus = roll.youngs_modulus;
-  if (!std::isnan(roll.poisson_ratio))
-    material.poisson_ratio = roll.poisson_ratio;
-  bite::RollBite bite = bite_of(stand.strip, pass, roll.barrel_diameter, material);
-  if (std::isnan(bite.strip.initial_thickness))
-    bite.strip.initial_thickness = stand.schedule.front().entry_thickness;
-  bite::SlabModel model = slab_model(stand.bite);
-  model.curve_points    = 0;
+  const auto drawn = bite_of_pass(stand, pass);
+  if (!drawn)
+    throw InputError("nothing gives the rolling force; give load, or strip.width, thicknesses, strip.friction and "
+                     "strip.flow_stress, "
+                     "from which it is computed");
+  const bite::RollBite &bite = *drawn;
+  bite::SlabModel model      = slab_model(stand.bite);
+  model.curve_points         = 0;
   if (model.arc == bite::Arc::elastic)
     model.arc = bite::Arc::hitchcock;
   return {bite::solve_slab(bite, model).force, false, bite::model_name(model)};

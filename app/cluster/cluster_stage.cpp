@@ -1,5 +1,6 @@
 #include "app/cluster/cluster_stage.h"
 #include "app/cluster/cluster_results.h"
+#include "app/cluster/cluster_schedule.h"
 #include "app/stages/curve_files.h"
 #include "core/model/case.h"
 #include "core/records/cluster_names.h"
@@ -202,5 +203,8 @@ void solve_cluster(RunContext &run, const ClusterStand &stand, const Goal goal)
     solve_fits(run, stand, passes, computed, record);
   }
   run.out.write(cluster_file, json_of_record(record));
+  if (const ScheduleQuestion schedule = schedule_question(run.the_case, goal == Goal::simulate);
+      goal != Goal::modes && !schedule.passes.empty())
+    add_schedule_forces(run, schedule);
 }
 }  // namespace mill

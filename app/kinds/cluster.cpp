@@ -3,6 +3,7 @@
 #include "app/cluster/cluster_stage.h"
 #include "app/trace/closed_form_parts.h"
 #include "core/model/case.h"
+#include "dynamics/marks/marks.h"
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -43,6 +44,16 @@ const RunKind &run_kind(const ClusterCase &)
     };
     k.run = [](RunContext &run, const Goal goal, const std::string &) {
       solve_cluster(run, stand_of(run.the_case), goal);
+    };
+    k.mark_sources = [](const Case &the_case) {
+      dynamics::MarkSources sources;
+      const ClusterStand &stand = stand_of(the_case);
+      for (std::size_t i = 0; i < stand.rolls.size(); ++i)
+        sources.rolls.push_back({"roll " + stand.rolls[i].name, stand.rolls[i].barrel_diameter,
+                                 "roll." + std::to_string(i) + ".barrel_diameter"});
+      if (stand.response.loss_factor > 0)
+        sources.damping = 0.5 * stand.response.loss_factor;  // of a mode, at its resonance
+      return sources;
     };
     k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
       manifest["geometry"] = nlohmann::ordered_json::object();

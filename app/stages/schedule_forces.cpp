@@ -2,11 +2,11 @@
 #include "app/stages/bite_files.h"
 #include "app/stages/bite_results.h"
 #include "app/stages/bite_study.h"
-#include "app/stages/contact_stage.h"
 #include "app/stages/schedule_results.h"
 #include "bite/schedule/large_flattening.h"
-#include "bite/slab/slab_checks.h"
+#include "core/case/errors.h"
 #include "core/records/json_archive.h"
+#include "core/records/result_names.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -96,6 +96,9 @@ void study_pass(RunContext &run, const ScheduleQuestion &q, const std::size_t p,
     add_bite_results(run, study);
     note_bite(run, study);
     write_bite(run, study);
+    for (auto &[name, parameter] : run.results.values)
+      if (parameter.inputs.empty() && is_of(name, result_name({family::bite, force.name})))
+        parameter.inputs = q.keys[p];
     add_models(force, study);
   } catch (const InputError &e) {
     run.warn("pass \"" + force.name + "\", models beside the closed theory: " + e.problems.front().message);
@@ -104,43 +107,7 @@ void study_pass(RunContext &run, const ScheduleQuestion &q, const std::size_t p,
   }
 }
 
-void check_one(const bite::ScheduledPass &pass, const Place &place, std::vector<Problem> &problems)
-{
-  const auto refuse = [&](const std::string &why) {
-    problems.push_back({place, "pass \"" + pass.name + "\": " + why, {}});
-  };
-  try {
-    bite::check_friction(pass.bite);
-    if (pass.load > 0)
-      return;  // what its fits cannot do is a warning
-    if (!bite::has_flow_stress(pass.bite.strip))
-      return refuse(
-          "nothing gives its rolling force; give pass.load, or strip.flow_stress, from which it is computed");
-    working_force(pass);
-  } catch (const InputError &e) {
-    refuse(e.problems.front().message);
-  } catch (const SolverError &e) {
-    refuse(e.report.what + "; " + e.report.where + "; " + e.report.remedy);
-  }
-}
 }  // namespace
-
-void check_schedule(const ScheduleQuestion &question)
-{
-  std::vector<Problem> problems;
-  for (std::size_t p = 0; p < question.passes.size(); ++p)
-    check_one(question.passes[p], p < question.places.size() ? question.places[p] : Place(), problems);
-  if (!problems.empty())
-    throw InputError(std::move(problems));
-}
-
-double working_force(const bite::ScheduledPass &pass)
-{
-  if (pass.load > 0)
-    return pass.load;
-  const bite::RollBite one = bite::with_exit_stress(pass.bite);
-  return bite::solve_slab(one, {closed_theory(one), bite::Arc::hitchcock, 0}).force;
-}
 
 ScheduleRecord add_schedule_forces(RunContext &run, const ScheduleQuestion &question)
 {
@@ -154,7 +121,7 @@ ScheduleRecord add_schedule_forces(RunContext &run, const ScheduleQuestion &ques
   for (const std::string &note : record.notes)
     run.warn(note);
   add_schedule_results(run, question, record);
-  run.out.write("curves/schedule.json", json_of_record(record));
+  run.out.write(schedule_file, json_of_record(record));
   return record;
 }
 }  // namespace mill

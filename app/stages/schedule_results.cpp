@@ -6,8 +6,6 @@
 
 namespace mill {
 namespace {
-constexpr const char *common = "fit";  // second part of the names of what all passes have in common
-
 std::string fit_text(const std::string &what, const PassForce &pass, const std::string &arc)
 {
   return fmt::format("fit of one unknown: {} that returns the {} of {} on {}, met by construction", what,
@@ -22,8 +20,9 @@ std::string pass_at(const PassForce &pass)
 /// Adds results of one pass, or of all of them.
 class ScheduleAdder {
 public:
-  ScheduleAdder(RunContext &run_, const ScheduleQuestion &question_, std::string subject_, std::string at_)
-      : run(run_), question(question_), subject(std::move(subject_)), at(std::move(at_))
+  ScheduleAdder(RunContext &run_, const ScheduleQuestion &question_, std::string subject_, std::string at_,
+                KeyList keys_)
+      : run(run_), question(question_), subject(std::move(subject_)), at(std::move(at_)), keys(std::move(keys_))
   {
   }
   void operator()(const std::string &name, const double value, const char *unit, const std::string &method,
@@ -41,8 +40,7 @@ public:
     p.checks               = std::move(checks);
     p.error_lacks          = {lacks};
     const std::string full = result_name({question.family, subject, name});
-    if (const auto keys = schedule_inputs(question, full))
-      p.inputs = *keys;
+    p.inputs               = keys;
     run.results.add(full, p);
   }
 
@@ -50,38 +48,31 @@ private:
   RunContext &run;
   const ScheduleQuestion &question;
   std::string subject, at;
+  KeyList keys;
 };
 
-std::vector<Check> beside_force(const PassForce &pass)
+KeyList keys_of_all(const ScheduleQuestion &q)
+{
+  KeyList all;
+  for (const KeyList &keys : q.keys)
+    all = joined(all, keys);
+  return all;
+}
+
+// What the other theories say of the force with the fitted stress tells how far the stress itself may be off.
+std::vector<Check> by_other_theories(const PassForce &pass)
 {
   std::vector<Check> checks;
-  const auto add = [&](const std::string &name, const double value, const std::string &note = "") {
-    if (!std::isnan(value))
-      checks.push_back({name, value, note});
-  };
-  if (pass.published > 0)
-    checks.push_back(check(CheckId::published, pass.published));
-  add("measured, lower end of the range", pass.measured[0]);
-  add("measured, upper end of the range", pass.measured[1]);
-  if (pass.given > 0)
-    add("Bland-Ford on Hitchcock's arc with the flow stress law of the case", pass.law_force);
   for (const TheoryForce &theory : pass.theories)
-    if (theory.refused.empty())
-      add(theory.name, theory.force,
-          std::isnan(pass.flat.flow_stress) ? "" : "with the flow stress that was fitted by the closed theory");
+    if (theory.refused.empty() && theory.force > 0)
+      checks.push_back({"times fitted force over that of: " + theory.name,
+                        pass.flat.flow_stress * pass.fitted_to / theory.force, "first order: force over stress"});
   return checks;
 }
 
-void add_pass(RunContext &run, const ScheduleQuestion &q, const PassForce &pass)
+void add_pass(RunContext &run, const ScheduleQuestion &q, const std::size_t p, const PassForce &pass)
 {
-  const std::string subject = q.passes.size() == 1 && pass.name.empty() ? "" : pass.name;
-  const ScheduleAdder add(run, q, subject, pass_at(pass));
-  if (pass.given > 0)
-    add("force", pass.given, "N", "load of the pass", beside_force(pass), "accuracy of the given load",
-        Source::given);
-  else
-    add("force", pass.law_force, "N", "closed slab theory on Hitchcock's arc, stress of the law at the exit",
-        beside_force(pass));
+  const ScheduleAdder add(run, q, pass.name, pass_at(pass), q.keys[p]);
   const bool fitted = !std::isnan(pass.flat.flow_stress);
   if (fitted) {
     std::vector<Check> beside{
@@ -89,6 +80,8 @@ void add_pass(RunContext &run, const ScheduleQuestion &q, const PassForce &pass)
     };
     if (!std::isnan(pass.law_stress))
       beside.push_back({"flow stress law of the case at the exit", pass.law_stress, ""});
+    for (const Check &other : by_other_theories(pass))
+      beside.push_back(other);
     add("flow_stress", pass.flat.flow_stress, "Pa", fit_text("flow stress", pass, "Hitchcock's arc"), beside,
         "one equation for two unknowns, friction is taken as it is");
     add("flow_stress_unflattened", pass.rigid.flow_stress, "Pa",
@@ -116,7 +109,7 @@ void add_common(RunContext &run, const ScheduleQuestion &q, const ScheduleRecord
   for (const ScheduleLaw &law : record.laws) {
     if (!law.flattened)
       continue;
-    const ScheduleAdder add(run, q, common, fmt::format("{} passes", law.data));
+    const ScheduleAdder add(run, q, schedule_subject, fmt::format("{} passes", law.data), keys_of_all(q));
     const std::string how = fmt::format("fit of {} unknowns to {} passes, flow stress on Hitchcock's arc (39.4)",
                                         law.unknowns, law.data);
     add("hardening_stress", law.Y, "Pa", how, {}, "what the fitted stresses lack");
@@ -125,7 +118,7 @@ void add_common(RunContext &run, const ScheduleQuestion &q, const ScheduleRecord
   for (const DynamicForces &dynamics : record.dynamics) {
     if (!dynamics.flattened)
       continue;
-    const ScheduleAdder add(run, q, common, fmt::format("{} passes", dynamics.data));
+    const ScheduleAdder add(run, q, schedule_subject, fmt::format("{} passes", dynamics.data), keys_of_all(q));
     add("dynamic_constant", dynamics.common, "m2/s",
         fmt::format("fit of one unknown to {} dynamic forces, geometric mean (39.8)", dynamics.data), {},
         "span, amplitude and mode of the strip are not known");
@@ -138,7 +131,7 @@ void add_dynamic(RunContext &run, const ScheduleQuestion &q, const ScheduleRecor
     for (const DynamicForce &force : dynamics.passes) {
       if (!dynamics.flattened)
         continue;
-      const ScheduleAdder add(run, q, force.name, "");
+      const ScheduleAdder add(run, q, force.name, "", keys_of_all(q));
       std::vector<Check> beside;
       if (force.printed > 0)
         beside.push_back(check(CheckId::published, force.printed, force.in_fit ? "in the fit" : "blind test"));
@@ -151,28 +144,9 @@ void add_dynamic(RunContext &run, const ScheduleQuestion &q, const ScheduleRecor
 
 void add_schedule_results(RunContext &run, const ScheduleQuestion &question, const ScheduleRecord &record)
 {
-  for (const PassForce &pass : record.passes)
-    add_pass(run, question, pass);
+  for (std::size_t p = 0; p < record.passes.size(); ++p)
+    add_pass(run, question, p, record.passes[p]);
   add_common(run, question, record);
   add_dynamic(run, question, record);
-}
-
-std::optional<KeyList> schedule_inputs(const ScheduleQuestion &question, const std::string &name)
-{
-  const auto keys_of_pass = [&](const std::size_t p) {
-    const std::string row = fmt::format("pass.{}", p);
-    KeyList keys = joined(bite_keys({question.passes[p].bite.strip, question.setup, p, question.roll_key, true}),
-                          keys_in(row, "load speed published_force measured_force"));
-    return keys;
-  };
-  for (std::size_t p = 0; p < question.passes.size(); ++p)
-    if (is_of(name, result_name({question.family, question.passes[p].name})))
-      return keys_of_pass(p);
-  if (!is_of(name, result_name({question.family, common})))
-    return {};
-  KeyList all;
-  for (std::size_t p = 0; p < question.passes.size(); ++p)
-    all = joined(all, keys_of_pass(p), keys_in(fmt::format("pass.{}", p), "published_dynamic common_fit"));
-  return all;
 }
 }  // namespace mill

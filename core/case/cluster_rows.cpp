@@ -29,23 +29,33 @@ const std::vector<Field<ClusterSettings>> &cluster_stack_rows()
 {
   using T = ClusterSettings;
   static const std::vector<Field<T>> rows{
-      {"strip",            &T::strip,   "text",           any,       required, "W",
-       "roll at the strip, which pushes it up; \"S-T\": the upper and the lower one, both halves of the mill"              },
+      {"strip",              &T::strip,   "text",           any,       required, "W",
+       "roll at the strip, which pushes it up; \"S-T\": the upper and the lower one, both halves of the mill"                },
       {"strip_stiffness",
        &T::strip_stiffness,
-       "kN/mm",                                           {0, 1e9},
-       absent,                                                                 "1e4 kN/mm",
-       "spring of the strip between those two rolls; when absent the rolling force is imposed"                             },
-      {"gravity",          &T::gravity, "flag",           any,       1,        "true",      "weight of the rolls, along -y"},
-      {"spin",             &T::spin,    "free | coupled", any,       "free",   "free",
+       "kN/mm",                                             {0, 1e9},
+       absent,                                                                   "1e4 kN/mm",
+       "spring of the strip between those two rolls; when absent the rolling force is imposed"                               },
+      {"gravity",            &T::gravity, "flag",           any,       1,        "true",      "weight of the rolls, along -y"},
+      {"spin",               &T::spin,    "free | coupled", any,       "free",   "free",
        "coupled: friction in the contacts lets a vibration turn the rolls, by a tangential spring in each "
-       "contact"                                                                                                           },
+       "contact"                                                                                                             },
       {"tangential_ratio",
        &T::tangential_ratio,
-       "1",                                               {0.01, 1},
-       1,                                                                      "1",
+       "1",                                                 {0.01, 1},
+       1,                                                                        "1",
        "tangential over normal stiffness of a contact, spin = \"coupled\"; 1 for equal materials in line contact "
-       "without slip"                                                                                                      },
+       "without slip"                                                                                                        },
+      {"flattening_modulus",
+       &T::flattening_modulus,
+       "GPa",                                               {1, 1000},
+       absent,                                                                   "210 GPa",
+       "Young's modulus of the roll at the strip in the formula of its flattening; that of the roll when absent"             },
+      {"flattening_poisson",
+       &T::flattening_poisson,
+       "1",                                                 {0, 0.49},
+       absent,                                                                   "0.3",
+       "Poisson's ratio there; that of the roll when absent"                                                                 },
   };
   return rows;
 }
@@ -241,6 +251,9 @@ const std::vector<Field<ClusterPass>> &cluster_pass_rows()
        "kN",                                               {0, 1e5},
        absent,                                                                      "0.40 kN",
        "dynamic part of the force of a published model, only shown"                                                                     },
+      {"common_fit",        &T::common_fit,        "flag", any,           1,        "true",
+       "takes part in the hardening law and in the constant of the dynamic force that all passes have in common; "
+       "false: a blind test of them"                                                                                                    },
   };
   return rows;
 }

@@ -77,6 +77,7 @@ struct ClusterPass : Pass {
   double published_force   = not_given;  ///< N, of a published model
   double published_dynamic = not_given;  ///< N
   std::array<double, 2> measured_force = {not_given, not_given};  ///< N, range
+  bool common_fit = true;  ///< takes part in what all passes have in common; false: a blind test of it
 };
 
 /// [[mode]]: a motion that has a name, published frequencies with it.
@@ -99,11 +100,13 @@ struct ClusterVariant {
 
 /// [stack]
 struct ClusterSettings {
-  std::string strip;                    ///< roll at the strip, or "S-T": upper and lower one
-  double strip_stiffness  = not_given;  ///< N/m, between those two; absent: the force is imposed
-  bool gravity            = true;
-  std::string spin        = "free";  ///< free | coupled: tangential springs in the contacts
-  double tangential_ratio = 1;       ///< -, tangential over normal stiffness of a contact
+  std::string strip;                      ///< roll at the strip, or "S-T": upper and lower one
+  double strip_stiffness    = not_given;  ///< N/m, between those two; absent: the force is imposed
+  bool gravity              = true;
+  std::string spin          = "free";     ///< free | coupled: tangential springs in the contacts
+  double tangential_ratio   = 1;          ///< -, tangential over normal stiffness of a contact
+  double flattening_modulus = not_given;  ///< Pa, of the roll at the strip in Hitchcock's formula; absent: its own
+  double flattening_poisson = not_given;  ///< -
 };
 
 /// [response]

@@ -8,6 +8,11 @@
 // Forces of a pass schedule with what was fitted to them: curves/schedule.json.  bite/ and app/ fill the record,
 // report/ draws it.  A number that is not known is NaN, a text that says nothing empty.  theory.md 39
 namespace mill {
+/// In the folder of a run.
+constexpr const char *schedule_file = "curves/schedule.json";
+/// Second part of the names of results that belong to all passes: "cluster.schedule.hardening_exponent".
+constexpr const char *schedule_subject = "schedule";
+
 /// The flow stress that returns the force of a pass on one arc.
 struct PassFit {
   double flow_stress   = not_given;  ///< Pa, plane strain; fitted

@@ -1,5 +1,6 @@
 #include "core/records/cluster_names.h"
 #include "report/cluster/figures.h"
+#include "report/schedule/figures.h"
 #include <map>
 
 // The results of a run of kind "cluster" in words and in the order in which one asks for them.
@@ -32,6 +33,8 @@ std::string cluster_meaning(const std::string &name)
   const auto parts = parts_of(name);
   if (parts.size() < 3 || parts[0] != family::cluster)
     return "";
+  if (const std::string of_pass = schedule_meaning(parts[2]); parts.size() == 3 && !of_pass.empty())
+    return parts[1] == schedule_subject ? of_pass : parts[1] + ", " + of_pass;
   std::string text = parts[1] == cluster_fit ? "fitted in variant " + parts[2] : parts[1];
   for (std::size_t i = parts[1] == cluster_fit ? 3 : 2; i < parts.size(); ++i) {
     const std::string &part = parts[i];

@@ -69,6 +69,7 @@ std::string html_page(const Run &run)
   summary_section(page, run, models);
   stand_section(page, run);
   cluster_section(page, run);
+  schedule_section(page, run);
   contact_section(page, run);
   bite_section(page, run);
   chatter_section(page, run, read_chatter(run));

@@ -29,6 +29,8 @@ void mode_section(Page &page, const Run &run);  ///< shapes, energy shares, hori
 void model_section(Page &page, const Run &run, const ModelData &data);
 /// Accelerance of rolls and chocks, Campbell diagram; nothing when the run stored neither.
 void frequency_section(Page &page, const Run &run);
+/// Forces of a pass schedule with their fits; nothing when the run stored none.
+void schedule_section(Page &page, const Run &run);
 /// Spacing of marks against rolls, bearings and modes; nothing when the run stored none.
 void marks_section(Page &page, const Run &run);
 void response_section(Page &page, const Run &run);  ///< peaks, histories, spectra

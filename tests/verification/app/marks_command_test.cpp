@@ -83,7 +83,7 @@ TEST(MarksCommand, RefusesInWords)
   EXPECT_EQ(said(stand + " --spacing 2 --speed '500 m/min'"),
             "error: --spacing \"2\" has no unit; it takes a number with one of m, mm, um\n");
   EXPECT_EQ(said(stand + " --spacing '2 mm' --speed '500 mm'"),
-            "error: --speed \"500 mm\" is a length; it takes a number with one of m/s, m/min\n");
+            "error: --speed \"500 mm\" is a length; it takes a number with one of m/s, mm/s, m/min\n");
   EXPECT_EQ(said(stand + " --spacing '-2 mm' --speed '5 m/s'"),
             "error: the spacing of the marks must be positive\n");
   EXPECT_EQ(said(stand + " --spacing 'two' --speed '5 m/s'"),
