@@ -48,6 +48,29 @@ void add_simulate(CLI::App *verb, CommandLine &c)
   verb->add_option("--pass", c.pass, "with --stream: pass whose stand is driven (default: the first)");
 }
 
+void add_analyse(CLI::App &app, CommandLine &c)
+{
+  auto *analyse = app.add_subcommand(
+      "analyse", "records of a mill: spectra, modes, what follows the speed, whose each peak is");
+  const auto repeatable = [&](const char *option, std::vector<std::string> &into, const char *what) {
+    analyse->add_option(option, into, what)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  };
+  analyse->add_option("RECORD", c.names, "CSV, .npy with .json, .uff or .mat")->required();
+  analyse->add_option("--case", c.case_file, "stand of the record, kind four-high or lumped");
+  analyse->add_option("--rate", c.record_rate, "samples per second of records without times");
+  analyse->add_option("--zone", c.zone, "time zone of local times, Europe/Berlin");
+  repeatable("--channel", c.channels, "a column and its place, AI_07=upper_work_roll, repeatable");
+  repeatable("--unit", c.channel_units, "a column and its unit, AI_07=g, where the file says none, repeatable");
+  analyse->add_option("--speed", c.speed, "of the rolls' surface, where it was not recorded, \"4 m/s\"");
+  analyse->add_option("--limit", c.limit, "the mill's own limit of a vibration, 0-peak, \"2 g\"");
+  repeatable("--severity", c.severity, "upper end of a zone, \"2.3 mm/s\", repeatable; none is built in");
+  repeatable("--set", c.sets, "override section.key=value of the case, repeatable");
+  add_output(analyse, c, "folder of the results (default out/<record>-analysis)");
+  analyse->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
+  analyse->add_flag("-q,--quiet", c.quiet, "no progress, no table");
+  analyse->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
+}
+
 // "--output" of "--output=DIR"
 std::string option_name(const std::string &argument)
 {
@@ -109,7 +132,8 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   app.require_subcommand(1);
 
   auto *fresh = app.add_subcommand("new", "write a commented case file that runs as it is");
-  fresh->add_option("KIND", c.target, "four-high, two-cylinders, bearing, bite, chatter, cluster or lumped")->required();
+  fresh->add_option("KIND", c.target, "four-high, two-cylinders, bearing, bite, chatter, cluster or lumped")
+      ->required();
   add_output(fresh, c, "file (default: standard output)");
   fresh->add_flag("--force-overwrite", c.force_overwrite, "replace an existing file");
   fresh->add_option("--from", c.from, "sheet (CSV) of rows key, value[, unit] that fills the template");
@@ -168,6 +192,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 
+  add_analyse(app, c);
   auto *trace =
       app.add_subcommand("trace", "which results one input reaches, through which relation, with elasticities");
   trace->add_option("CASE", c.target, "case file")->required();

@@ -20,9 +20,16 @@ struct CommandLine {
   std::string log;                 ///< --log
   std::string cache;               ///< --cache; empty: the user's cache folder
   std::vector<std::string> sets;   ///< --set section.key=value
-  std::vector<std::string> names;  ///< verify: cases of the manual, empty: all; report: further folders
+  std::vector<std::string> names;  ///< verify: cases, empty: all; report: further folders; analyse: records
   std::string markdown;            ///< verify --markdown
   MarksOptions marks;              ///< marks
+  std::string case_file;           ///< analyse --case; empty: none
+  std::string record_rate;         ///< analyse --rate
+  std::string zone;                ///< analyse --zone
+  std::string speed;               ///< analyse --speed
+  std::string limit;               ///< analyse --limit
+  std::vector<std::string> channels, channel_units;       ///< analyse --channel, --unit: NAME=PLACE, NAME=UNIT
+  std::vector<std::string> severity;                      ///< analyse --severity: upper ends of zones
   std::map<std::string, std::vector<std::string>> words;  ///< completion: options by verb
   bool list            = false;                           ///< verify --list
   bool full            = false;                           ///< trace --full

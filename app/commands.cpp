@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/analyse_command.h"
 #include "app/case_kinds.h"
 #include "app/completion.h"
 #include "app/console.h"
@@ -24,6 +25,7 @@
 #include "report/compare/comparison.h"
 #include "report/page/html.h"
 #include "report/page/names.h"
+#include "report/record/analysis_page.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -202,6 +204,11 @@ int write_template(const CommandLine &command)
 // From what is stored; a run whose publishing was interrupted comes first.
 int write_report(const std::string &directory)
 {
+  if (!fs::exists(directory + "/results.json") && fs::exists(directory + "/analysis.json")) {
+    write_atomically(directory + "/report.html", report::analysis_page(directory));
+    console::print("report: " + directory + "/report.html\n");
+    return 0;
+  }
   {
     const FolderLock alone(directory);  // a run that ends now publishes before or after
     finish_publishing(directory);
@@ -254,6 +261,8 @@ int carry_out(const CommandLine &command)
     console::print(case_schema());
     return 0;
   }
+  if (command.verb == "analyse")
+    return analyse_command(command);
   if (command.verb == "export")
     return export_command(command, checked_case(command).the_case);
   if (is_streamed(command)) {

@@ -73,8 +73,7 @@ int first_data(const std::vector<std::string> &lines, const char separator, cons
     std::size_t next    = i + 1;
     while (next < lines.size() && is_skipped(lines[next]))
       ++next;
-    const bool goes_on =
-        next < lines.size() && is_data(lines[next], separator) && Cells(lines[next], separator).cells.size() == n;
+    const bool goes_on = next < lines.size() && Cells(lines[next], separator).cells.size() == n;
     if (n >= least && (goes_on || next == lines.size()))
       return int(i);
   }

@@ -1,0 +1,170 @@
+#include "app/analyse_command.h"
+#include "app/address_space.h"
+#include "app/analysed_stand.h"
+#include "app/console.h"
+#include "core/case/units.h"
+#include "core/case/visible_text.h"
+#include "core/model/case.h"
+#include "core/records/csv.h"
+#include "core/records/files.h"
+#include "report/record/analysis_page.h"
+#include "twin/analysis/analysis_files.h"
+#include "twin/records/raw_record.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <optional>
+#include <thread>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+namespace {
+// A quantity of the command line, "4 m/s".
+double quantity_of(const std::string &option, const std::string &text, const std::string &sample)
+{
+  const ParsedQuantity parsed = parse_quantity(text);
+  const Unit &wanted          = unit(sample.substr(sample.find(' ') + 1));
+  if (parsed.fault != ParsedQuantity::Fault::none || !(parsed.unit->dimension == wanted.dimension) ||
+      !(parsed.value() > 0))
+    throw InputError(fmt::format("{} \"{}\": {} above zero is needed, for example {} \"{}\"", option, text,
+                                 wanted.quantity, option, sample));
+  return parsed.value();
+}
+
+// "AI_07=upper_work_roll"
+std::map<std::string, std::string> pairs_of(const std::string &option, const std::vector<std::string> &texts,
+                                            const char *sample)
+{
+  std::map<std::string, std::string> pairs;
+  for (const std::string &text : texts) {
+    const auto at = text.find('=');
+    if (at == std::string::npos || at == 0 || at + 1 == text.size())
+      throw InputError(fmt::format("{} \"{}\": a name and what it stands for are needed, for example {} {}",
+                                   option, text, option, sample));
+    pairs[text.substr(0, at)] = text.substr(at + 1);
+  }
+  return pairs;
+}
+
+twin::ReadOptions read_options(const CommandLine &command)
+{
+  twin::ReadOptions options;
+  if (!command.record_rate.empty()) {
+    double rate = 0;
+    if (!parse_number(command.record_rate, rate))
+      rate = quantity_of("--rate", command.record_rate, "20000 Hz");
+    options.rate = rate;
+  }
+  options.zone     = command.zone;
+  options.channels = pairs_of("--channel", command.channels, "AI_07=upper_work_roll");
+  options.units    = pairs_of("--unit", command.channel_units, "AI_07=g");
+  return options;
+}
+
+twin::AnalysisSettings settings_of(const CommandLine &command)
+{
+  twin::AnalysisSettings settings;
+  if (!command.speed.empty())
+    settings.speed = quantity_of("--speed", command.speed, "4 m/s");
+  if (!command.limit.empty())
+    settings.limit = quantity_of("--limit", command.limit, "2 g");
+  for (const std::string &zone : command.severity)
+    settings.severity.push_back(quantity_of("--severity", zone, "2.3 mm/s"));
+  if (!std::is_sorted(settings.severity.begin(), settings.severity.end()))
+    throw InputError(
+        "--severity: the upper ends of the zones grow, for example \"2.3 mm/s\" \"4.5 mm/s\" \"7.1 mm/s\"");
+  const int wanted =
+      command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
+  settings.threads = threads_that_start(threads_that_fit(wanted));
+  return settings;
+}
+
+void require_folder(const std::string &folder, const bool overwrite)
+{
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+    throw InputError(folder + " is a file, not a folder; choose another with -o");
+  fs::create_directories(folder, error);
+  if (error)
+    refuse_file(error.value(),
+                "the folder " + folder + " cannot be made: " + error.message() + "; choose another with -o");
+  if (!overwrite && !fs::is_empty(folder) && !fs::exists(folder + "/analysis.json"))
+    throw InputError("the folder " + folder +
+                     " holds files that no analysis wrote; choose another with -o, or give --force-overwrite");
+}
+
+// analysis.json leaves first and comes last, so that a folder with it is whole.
+void write_folder(const std::string &folder, const twin::CleanRecord &record, const twin::Analysis &analysis,
+                  const twin::CaseModel *stand)
+{
+  std::error_code ignored;
+  for (const char *old :
+       {"analysis.json", "spectrum.csv", "waterfall.csv", "distance.csv", "modes.csv", "poles.csv", "report.html"})
+    fs::remove(folder + "/" + old, ignored);
+  const auto tables = twin::analysis_tables(analysis);
+  for (const auto &[name, table] : tables)
+    write_atomically(folder + "/" + name + ".csv", csv_text(table));
+  const std::string json = twin::analysis_json(record, analysis, stand);
+  write_atomically(folder + "/report.html", report::analysis_page(folder, json, tables));
+  write_atomically(folder + "/analysis.json", json);
+}
+
+void say_findings(const twin::Analysis &analysis, const std::string &folder)
+{
+  using console::print;
+  for (const twin::ChannelAnalysis &seen : analysis.channels)
+    print(fmt::format("{:<24} rms {:<10.4g} peak {:<10.4g} {:<6} {}\n", visible(seen.name, true), seen.rms,
+                      seen.peak, visible(seen.unit, true),
+                      std::isfinite(seen.velocity_rms) ? fmt::format("{:.3g} mm/s rms", 1e3 * seen.velocity_rms)
+                                                       : ""));
+  for (const twin::Finding &finding : analysis.findings)
+    print(fmt::format("{:<20} {:>10}  {:<22} {}\n", finding.kind,
+                      std::isfinite(finding.frequency) ? fmt::format("{:.2f} Hz", finding.frequency) : "",
+                      visible(finding.channel, true), visible(finding.owner, true)));
+  for (const std::string &note : analysis.notes)
+    print("note: " + visible(note, true) + "\n");
+  print("report: " + folder + "/report.html\n");
+}
+}  // namespace
+
+int analyse_command(const CommandLine &command)
+{
+  const twin::ReadOptions reading       = read_options(command);
+  const twin::AnalysisSettings settings = settings_of(command);
+  std::optional<twin::CaseModel> stand;
+  if (!command.case_file.empty())
+    stand = analysed_stand(read_case(command.case_file, command.sets));
+  for (const std::string &path : command.names) {
+    const std::string stem   = fs::path(path).stem().string();
+    const bool alone         = command.names.size() == 1;
+    const std::string folder = command.output.empty() ? "out/" + stem + "-analysis"
+                               : alone                ? command.output
+                                                      : command.output + "/" + stem;
+    twin::RawRecord raw;
+    console::ProgressBar bar(
+        {
+            {"read",     3},
+            {"clean",    1},
+            {"spectra",  4},
+            {"modes",    3},
+            {"findings", 1}
+    },
+        command.quiet);
+    Progress progress;
+    progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
+    progress.at("read", 0);
+    raw = twin::read_record(path, reading);
+    require_folder(folder, command.force_overwrite);
+    progress.at("clean", 0);
+    const twin::CleanRecord record = twin::clean_record(std::move(raw));
+    const twin::Analysis analysis  = twin::analyse(record, stand ? &*stand : nullptr, settings, progress);
+    write_folder(folder, record, analysis, stand ? &*stand : nullptr);
+    bar.finish();
+    if (!command.quiet)
+      say_findings(analysis, folder);
+  }
+  return 0;
+}
+}  // namespace mill

@@ -1,0 +1,341 @@
+#include "report/record/analysis_page.h"
+#include "core/case/errors.h"
+#include "core/records/files.h"
+#include "report/page/html.h"
+#include "report/page/number.h"
+#include "report/page/page.h"
+#include "report/plot/heat_map.h"
+#include "report/plot/svg.h"
+#include "report/plot/svg_plot.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace mill::report {
+namespace {
+using nlohmann::json;
+
+constexpr std::size_t most_listed = 40;  // faults of the record in the table
+
+double number(const json &value)
+{
+  return value.is_number() ? value.get<double>() : std::nan("");
+}
+
+std::string cell(const std::string &text)
+{
+  return "<td>" + text + "</td>";
+}
+
+std::string number_cell(const std::string &text)
+{
+  return "<td class=\"num\">" + text + "</td>";
+}
+
+std::string findings_table(const json &findings)
+{
+  std::string rows;
+  for (const json &f : findings) {
+    const double frequency = number(f["frequency"]), amplitude = number(f["amplitude"]);
+    std::string evidence;
+    for (const json &sentence : f["evidence"])
+      evidence += (evidence.empty() ? "" : "<br/>") + escaped(sentence.get<std::string>());
+    rows += "<tr><th scope=\"row\">" + escaped(f["kind"].get<std::string>()) + "</th>" +
+            number_cell(std::isfinite(frequency) ? "<b>" + fixed(frequency, 2) + "</b>" : "\u2013") +
+            number_cell(std::isfinite(frequency)
+                            ? fixed(number(f["interval"][0]), 2) + " \u2026 " + fixed(number(f["interval"][1]), 2)
+                            : "\u2013") +
+            number_cell(std::isfinite(amplitude)
+                            ? significant(amplitude, 3) + " " + escaped(unit_sign(f["unit"].get<std::string>()))
+                            : "\u2013") +
+            cell(escaped(f["channel"].get<std::string>())) +
+            cell("<b>" + escaped(f["owner"].get<std::string>()) + "</b><br/>" + evidence) + "</tr>\n";
+  }
+  return "<table class=\"results\"><thead><tr><th>kind</th><th>frequency [Hz]</th><th>95 %</th><th>0-peak</th>"
+         "<th>channel</th><th>whose it is, and why</th></tr></thead>\n<tbody>\n" +
+         rows + "</tbody></table>\n";
+}
+
+std::string cleaning_table(const json &events)
+{
+  std::string rows;
+  for (std::size_t i = 0; i < std::min(events.size(), most_listed); ++i) {
+    const json &e             = events[i];
+    const std::string channel = e["channel"].get<std::string>();
+    rows += "<tr><th scope=\"row\">" + escaped(channel.empty() ? "all" : channel) + "</th>" +
+            cell(escaped(e["fault"].get<std::string>())) + number_cell(fixed(number(e["from"]), 4)) +
+            number_cell(fixed(number(e["to"]), 4)) + number_cell(std::to_string(e["count"].get<long>())) +
+            cell(escaped(e["done"].get<std::string>())) + "</tr>\n";
+  }
+  return "<table class=\"results\"><thead><tr><th>channel</th><th>fault</th><th>from [s]</th><th>to [s]</th>"
+         "<th>samples</th><th>done</th></tr></thead>\n<tbody>\n" +
+         rows + "</tbody></table>\n";
+}
+
+std::string convention_table(const json &conventions)
+{
+  std::string rows;
+  for (const json &c : conventions) {
+    const auto shown = [&](const char *key, const int digits) { return significant(number(c[key]), digits); };
+    rows += "<tr><th scope=\"row\">" + escaped(c["channel"].get<std::string>()) + "</th>" +
+            cell(escaped(c["quantity"].get<std::string>())) + cell(escaped(c["window"].get<std::string>())) +
+            number_cell(shown("L", 6)) + number_cell(shown("segments", 4)) + number_cell(shown("enbw", 3)) +
+            number_cell(shown("dof", 3)) +
+            number_cell(significant(number(c["band"][0]), 2) + " \u2026 " + significant(number(c["band"][1]), 2)) +
+            number_cell(shown("bandwidth", 4)) + "</tr>\n";
+  }
+  return "<table "
+         "class=\"results\"><thead><tr><th>channel</th><th>quantity</th><th>window</th><th>L</th><th>segments</th>"
+         "<th>ENBW [Hz]</th><th>dof</th><th>95 % of a bin</th><th>used up to [Hz]</th></tr></thead>\n<tbody>\n" +
+         rows + "</tbody></table>\n";
+}
+
+std::string value_table(const json &values)
+{
+  std::string rows;
+  for (const auto &[name, v] : values.items()) {
+    const double error = number(v["error_estimate"]);
+    rows += "<tr><th scope=\"row\"><code>" + escaped(name) + "</code></th>" +
+            number_cell("<b>" + significant(number(v["value"]), 4) + "</b>") +
+            cell(escaped(unit_sign(v["unit"].get<std::string>()))) +
+            cell(std::isfinite(error) ? "\u00b1" + significant(100 * error, 2) + " %" : "\u2013") +
+            cell(escaped(v["source"].get<std::string>())) + cell(escaped(v["at"].get<std::string>())) + "</tr>\n";
+  }
+  return "<table "
+         "class=\"results\"><thead><tr><th>result</th><th>value</th><th>unit</th><th>accuracy</th><th>source</th>"
+         "<th>at</th></tr></thead>\n<tbody>\n" +
+         rows + "</tbody></table>\n";
+}
+
+std::string spectrum_drawing(const Table &table, const std::size_t column, const json &findings, const bool length)
+{
+  Plot plot;
+  plot.title  = table.names[column];
+  plot.width  = 1000;
+  plot.height = 330;
+  plot.x      = {length ? "per rolled length" : "frequency", length ? "1/m" : "Hz", Scale::logarithmic};
+  plot.y      = {"density", unit_sign(table.units[column]), Scale::logarithmic};
+  const Eigen::VectorXd &x = table.columns[0], &y = table.columns[column];
+  plot.lines.push_back({"", x.tail(x.size() - 1), y.tail(y.size() - 1), Pen::dark});
+  plot.x.low         = std::max(x[1], length ? x[1] : 1.0);
+  const double least = y.tail(y.size() - 2).minCoeff(), most = y.maxCoeff();
+  plot.y.low  = std::max(least, 1e-12 * most);
+  plot.y.high = 2 * most;
+  if (!length) {
+    std::vector<double> marked;
+    for (const json &f : findings)
+      if (const double at = number(f["frequency"]);
+          std::isfinite(at) && f["kind"] != "alarm" && f["kind"] != "bearing" && marked.size() < 12 &&
+          std::none_of(marked.begin(), marked.end(),
+                       [&](const double m) { return std::abs(m / at - 1) < 0.03; })) {
+        plot.marks.push_back({at, fixed(at, 1)});
+        marked.push_back(at);
+      }
+  }
+  return svg_plot(plot);
+}
+
+// The map of one channel in decibel above its least level, so that cells are above zero.
+std::string map_drawing(const Table &table, const std::size_t column)
+{
+  const Eigen::VectorXd *time = table.column("time"), *frequency = table.column("frequency");
+  if (!time || !frequency || time->size() < 4)
+    return "";
+  Eigen::Index rows = 1;
+  while (rows < time->size() && (*time)[rows] == (*time)[0])
+    ++rows;
+  const Eigen::Index frames = time->size() / rows;
+  if (frames < 2)
+    return "";
+  HeatMap map;
+  map.title    = table.names[column];
+  map.x        = {"time", "s"};
+  map.y        = {"frequency", "Hz"};
+  map.quantity = "level over the least";
+  map.unit     = "dB";
+  map.at_x.resize(frames);
+  map.at_y = frequency->head(rows);
+  map.value.resize(frames, rows);
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index j = 0; j < frames; ++j) {
+    map.at_x[j] = (*time)[j * rows];
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      map.value(j, i) = 10 * std::log10(std::max(1e-300, table.columns[column][j * rows + i]));
+      if (table.columns[column][j * rows + i] > 0)
+        least = std::min(least, map.value(j, i));
+    }
+  }
+  map.value.array() -= least;
+  return heat_map(map);
+}
+
+std::string stability_drawing(const Table &poles)
+{
+  const Eigen::VectorXd *order = poles.column("order"), *frequency = poles.column("frequency"),
+                        *stable = poles.column("stable");
+  if (!order || !frequency || !stable || order->size() == 0)
+    return "";
+  Plot plot;
+  plot.width  = 1000;
+  plot.height = 330;
+  plot.x      = {"frequency", "Hz", Scale::logarithmic};
+  plot.y      = {"model order", "-"};
+  for (const double wanted : {0.0, 1.0}) {
+    std::vector<std::pair<double, double>> points;
+    for (Eigen::Index i = 0; i < order->size(); ++i)
+      if ((*stable)[i] == wanted)
+        points.emplace_back((*frequency)[i], (*order)[i]);
+    std::sort(points.begin(), points.end());
+    Line line{wanted > 0 ? "stable" : "other",
+              Eigen::VectorXd(Eigen::Index(points.size())),
+              Eigen::VectorXd(Eigen::Index(points.size())),
+              wanted > 0 ? Pen::dark : Pen::pale,
+              true,
+              false};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      line.x[Eigen::Index(i)] = points[i].first;
+      line.y[Eigen::Index(i)] = points[i].second;
+    }
+    plot.lines.push_back(std::move(line));
+  }
+  return svg_plot(plot);
+}
+
+std::string mode_rows(const Table &modes)
+{
+  std::string rows;
+  const auto at = [&](const char *name, const Eigen::Index i) { return (*modes.column(name))[i]; };
+  for (Eigen::Index i = 0; i < modes.columns[0].size(); ++i)
+    rows += "<tr>" + number_cell("<b>" + fixed(at("frequency", i), 2) + "</b>") +
+            number_cell(significant(at("frequency_law", i), 2)) +
+            number_cell(significant(100 * at("damping", i), 3) + " %") +
+            number_cell(significant(100 * at("damping_law", i), 2) + " %") +
+            number_cell(fixed(at("orders", i), 0)) +
+            cell(at("confirmed", i) > 0 ? "both halves" : "not confirmed") + "</tr>\n";
+  return "<table class=\"results\"><thead><tr><th>frequency [Hz]</th><th>sd by the law</th><th>damping</th><th>sd "
+         "by the law</th>"
+         "<th>orders of 15</th><th>confirmed by</th></tr></thead>\n<tbody>\n" +
+         rows + "</tbody></table>\n";
+}
+
+std::string verdict(const json &document)
+{
+  std::size_t urgent = 0, unowned = 0;
+  for (const json &f : document["findings"]) {
+    const std::string kind = f["kind"], owner = f["owner"];
+    urgent += kind == "alarm" || kind == "near instability" || kind == "bearing";
+    unowned += owner == "no mode of the case";
+  }
+  const std::size_t n = document["findings"].size();
+  std::string text =
+      std::to_string(n) + (n == 1 ? " finding, " : " findings, ") +
+      (urgent == 0 ? std::string("no alarm, no mode near instability and no bearing among them")
+                   : std::to_string(urgent) + " of them alarms, modes near instability or bearings");
+  if (!document["stand"].is_null())
+    text += "; " + std::to_string(unowned) + " that no mode of the case explains";
+  return "<div class=\"verdict " + std::string(urgent == 0 ? "ok" : "warnings") + "\"><p>" + text +
+         ".</p></div>\n";
+}
+
+std::string head_of_page(const json &document)
+{
+  const json &record = document["record"];
+  std::string text = "<header><h1>Record " + escaped(document["case"].get<std::string>()) + "</h1></header>\n<p>" +
+                     escaped(record["format"].get<std::string>()) + ", " +
+                     significant(number(record["duration"]), 4) + " s at " +
+                     significant(number(record["rate"]), 6) + " Hz";
+  if (!document["stand"].is_null())
+    text += "; stand " + escaped(document["stand"]["case"].get<std::string>()) + ", " +
+            escaped(document["stand"]["source"].get<std::string>());
+  return text + "</p>\n" + verdict(document);
+}
+
+void spectra(Page &page, const json &document, const std::map<std::string, Table> &tables)
+{
+  page.section("spectra", "Spectra");
+  if (const auto found = tables.find("spectrum"); found != tables.end())
+    for (std::size_t c = 1; c < found->second.columns.size(); ++c)
+      page.figure(
+          {spectrum_drawing(found->second, c, document["findings"], false)},
+          "One-sided density of " + escaped(found->second.names[c]) +
+              ", Hann window, half-overlapping segments, the mean of each taken off. Marks are findings; length "
+              "and number of segments and the noise bandwidth stand in the table below.");
+  page.table(convention_table(document["conventions"]),
+             "Convention of each spectrum. Amplitudes of findings are 0-peak.");
+  if (const auto found = tables.find("distance"); found != tables.end())
+    for (std::size_t c = 1; c < found->second.columns.size(); ++c)
+      page.figure({spectrum_drawing(found->second, c, document["findings"], true)},
+                  "The same over the rolled length: what is locked to the speed is a line here, what is fixed is "
+                  "smeared.");
+  if (const auto found = tables.find("waterfall"); found != tables.end())
+    for (std::size_t c = found->second.column("speed") ? 3 : 2; c < found->second.columns.size(); ++c)
+      if (const std::string drawing = map_drawing(found->second, c); !drawing.empty())
+        page.figure({drawing}, "Spectrum of " + escaped(found->second.names[c]) +
+                                   " over time; each cell is the largest bin of its group.");
+}
+}  // namespace
+
+std::string analysis_page(const std::string &directory, const std::string &text,
+                          const std::map<std::string, Table> &tables)
+{
+  const json document = json::parse(text, nullptr, false);
+  if (!document.is_object() || !document.contains("findings") || !document.contains("record"))
+    throw InputError(Place{directory + "/analysis.json", 1, 1},
+                     "this is no analysis.json of this program; analyse the record again");
+  Run run;
+  run.directory = directory;
+  run.case_name = document["case"].get<std::string>();
+  run.status    = "ok";
+  Page page(run);
+  page.section("findings", "What the record shows", Depth::manager);
+  if (document["findings"].empty())
+    page.paragraph("Nothing stands out of the noise.");
+  else
+    page.table(findings_table(document["findings"]),
+               "Findings: modes, then lines and resonances, what is locked to the speed, onset and bearings. The "
+               "interval is that of the frequency.");
+  if (!document["notes"].empty()) {
+    page.heading("What was not said, and why");
+    std::string list;
+    for (const json &note : document["notes"])
+      list += "<li>" + escaped(note.get<std::string>()) + "</li>\n";
+    page.html("<ul>\n" + list + "</ul>");
+  }
+  page.section("cleaning", "What was wrong with the record");
+  if (document["cleaning"].empty())
+    page.paragraph("No gap, no missing value, no clipping, nothing that stands still. Offset and drift were taken "
+                   "off; they are among the values.");
+  else
+    page.table(cleaning_table(document["cleaning"]),
+               "Faults with their time, at most " + std::to_string(most_listed) + " of " +
+                   std::to_string(document["cleaning"].size()) +
+                   "; all of them: <code>analysis.json</code>. Nothing was changed but what this table says, and "
+                   "offset and drift.");
+  spectra(page, document, tables);
+  if (const auto found = tables.find("modes");
+      found != tables.end() && !found->second.columns.empty() && found->second.columns[0].size() > 0) {
+    page.section("modes", "Modes from the response alone");
+    page.table(mode_rows(found->second),
+               "Poles that half of the model orders show. Real scatter is about twice the law, three times for a "
+               "close pair. Only those that both halves of the record show are findings.");
+    if (const auto poles = tables.find("poles"); poles != tables.end())
+      if (const std::string drawing = stability_drawing(poles->second); !drawing.empty())
+        page.figure({drawing}, "Poles over the order of the model. A mode is a column of stable dots; a column "
+                               "alone is no proof of a mode.");
+  }
+  page.section("values", "All values", Depth::expert);
+  page.table(value_table(document["values"]), "Values of <code>analysis.json</code>, SI.");
+  return html_document(run.case_name + ", record", run, page, head_of_page(document));
+}
+
+std::string analysis_page(const std::string &directory)
+{
+  std::map<std::string, Table> tables;
+  for (const char *name : {"spectrum", "waterfall", "distance", "modes", "poles"})
+    if (const std::string path = directory + "/" + name + ".csv"; std::filesystem::exists(path))
+      tables.emplace(name, read_table(path));
+  return analysis_page(directory, read_text(directory + "/analysis.json"), tables);
+}
+}  // namespace mill::report

@@ -1,0 +1,169 @@
+// A record with a known truth is analysed without a false finding; owners of peaks; the edge of a force band:
+// TW-13.
+#include "tests/support/near.h"
+#include "tests/support/reference.h"
+#include "tests/support/synthetic_record.h"
+#include "twin/analysis/analysis.h"
+#include "twin/analysis/analysis_files.h"
+#include "twin/analysis/owner.h"
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+using namespace mill;
+using namespace mill::twin;
+
+namespace {
+constexpr double rate     = 2500;  // Hz
+const char *const names[] = {"upper_frame",     "upper_backup_roll", "upper_work_roll",
+                             "lower_work_roll", "lower_backup_roll", "lower_frame"};
+
+std::pair<Eigen::VectorXd, Eigen::VectorXd> set_r()
+{
+  const auto in = reference("oma.inputs", "twin");
+  auto M = in["M"].get<std::vector<double>>(), K = in["K"].get<std::vector<double>>();
+  return {Eigen::Map<Eigen::VectorXd>(M.data(), 6), Eigen::Map<Eigen::VectorXd>(K.data(), 7)};
+}
+
+CaseModel model_of(const synthetic::Chain &chain, const double error)
+{
+  CaseModel stand;
+  stand.name   = "set R";
+  stand.source = "six masses as given";
+  stand.places.assign(std::begin(names), std::end(names));
+  for (int j = 1; j <= 7; ++j)
+    stand.springs.push_back("K" + std::to_string(j));
+  stand.spring_error  = Eigen::VectorXd::Constant(7, error);
+  stand.frequency     = chain.frequency;
+  stand.shape         = chain.shape;
+  stand.strain_share  = chain.strain;
+  stand.kinetic_share = chain.kinetic;
+  return stand;
+}
+
+CleanRecord record(const synthetic::Chain &chain, const double top, const double T)
+{
+  const auto n              = Eigen::Index(T * rate);
+  const auto force          = synthetic::band_force(77, n, rate, 1000, 0, top);
+  const Eigen::MatrixXd all = synthetic::response(chain, force.drive, rate);
+  RawRecord raw;
+  raw.file = "record.csv";
+  raw.rate = rate;
+  raw.channels.push_back({"force", "force", "N", Quantity::force, true, {}, force.force.array() + 976e3});
+  for (int j = 0; j < 6; ++j)
+    raw.channels.push_back({names[j],
+                            names[j],
+                            "m/s2",
+                            Quantity::acceleration,
+                            true,
+                            {},
+                            all.col(j) + synthetic::white(1077 + std::uint64_t(j), n, rate, 0.002)});
+  return clean_record(std::move(raw));
+}
+}  // namespace
+
+TEST(Analysis, AKnownStandHasItsModesAndNothingElse)
+{
+  const auto [M, K]   = set_r();
+  const auto chain    = synthetic::chain(M, K, 0.01);
+  const auto stand    = model_of(chain, 0.05);
+  const auto clean    = record(chain, 1000, 40);
+  const auto analysis = analyse(clean, &stand, {}, {});
+  int modes           = 0;
+  for (const Finding &finding : analysis.findings) {
+    EXPECT_EQ(finding.owner.find("no mode"), std::string::npos) << finding.frequency << " Hz " << finding.owner;
+    EXPECT_TRUE(finding.kind == "mode" || finding.kind == "resonance") << finding.kind << " " << finding.frequency;
+    modes += finding.kind == "mode";
+    const double nearest = (chain.frequency.array() / finding.frequency).log().abs().minCoeff();
+    EXPECT_LT(nearest, 0.02) << finding.frequency;
+  }
+  EXPECT_GE(modes, 5);
+  const auto json = nlohmann::json::parse(analysis_json(clean, analysis, &stand));
+  EXPECT_EQ(json["findings"].size(), analysis.findings.size());
+  const double rms = json["values"]["upper_work_roll.rms"]["value"];
+  EXPECT_TRUE(near(rms, json["values"]["upper_work_roll.rms"]["checks"][0]["value"],
+                   within(0.02, "samples against spectrum")));
+  EXPECT_EQ(analysis_tables(analysis).count("distance"), 0u) << "without a speed";
+  EXPECT_NE(analysis.notes.back().find("no speed was recorded"), std::string::npos);
+}
+
+TEST(Analysis, TheEdgeOfAForceBandIsNamed)
+{
+  const auto [M, K]   = set_r();
+  const auto chain    = synthetic::chain(M, K, 0.01);
+  const auto stand    = model_of(chain, 0.05);
+  const auto analysis = analyse(record(chain, 300, 40), &stand, {}, {});
+  for (const Finding &finding : analysis.findings)
+    if (finding.frequency > 280 && finding.frequency < 310)
+      EXPECT_EQ(finding.owner, "edge of the force band") << finding.kind << " " << finding.frequency;
+}
+
+TEST(Analysis, NoWrongOwnerInTwentyStands)
+{
+  const auto [M, K] = set_r();
+  const auto stand  = model_of(synthetic::chain(M, K, 0.01), 0.05);
+  int named         = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Eigen::VectorXd moved = K.array() * (0.05 * synthetic::normals(seed, 7)).array().exp();
+    const auto truth            = synthetic::chain(M, moved, 0.01);
+    for (int i = 0; i < 6; ++i) {
+      const Owner with = owner_among_modes(
+          {
+              truth.frequency[i],
+              0.002,
+              truth.shape.col(i).cast<std::complex<double>>(),
+              {std::begin(names), std::end(names)}
+      },
+          stand);
+      const Owner without = owner_among_modes({truth.frequency[i], 0.002, {}, {}}, stand);
+      for (const Owner &owner : {with, without})
+        if (owner.mode >= 0) {
+          EXPECT_EQ(owner.mode, i) << "seed " << seed << ": " << owner.sentence;
+          ++named;
+        }
+    }
+  }
+  EXPECT_GT(named, 200) << "of 240; the others are ambiguous or beyond three standard deviations";
+}
+
+TEST(Analysis, WhatTurnsIsNamed)
+{
+  const std::vector<TurningRoll> rolls{
+      {"work_roll",   0.42},
+      {"backup_roll", 1.45}
+  };
+  EXPECT_EQ(turning_owner(4 / (M_PI * 0.42), 0.05, rolls, 4, true), "1 turn of the work_roll (3.032 Hz each)");
+  EXPECT_EQ(turning_owner(150, 0.05, rolls, 4, true), "mains, 3 x 50 Hz");
+  EXPECT_EQ(turning_owner(150, 0.05, rolls, 4, false), "") << "a resonance is no mains";
+  EXPECT_EQ(turning_owner(187, 0.05, rolls, std::nan(""), true), "");
+}
+
+TEST(Analysis, AShiftedLineOfARunUpIsFoundOverLength)
+{
+  const Eigen::Index n = 60 * 1000;
+  RawRecord raw;
+  raw.file          = "run-up.csv";
+  raw.rate          = 1000;
+  Eigen::VectorXd x = synthetic::white(9, n, 1000, 0.01), speed(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double t = double(k) / 1000, s = 4 * t + 4 * t * t / 120;
+    speed[k] = 4 + 4 * t / 60;
+    x[k] += 0.3 * std::cos(2 * s / 0.42 * 20) + 0.2 * std::cos(2 * M_PI * 100 * t);
+  }
+  raw.channels.push_back({"upper_work_roll", "a", "m/s2", Quantity::acceleration, true, {}, x});
+  raw.channels.push_back({"speed", "v", "m/s", Quantity::speed, true, {}, speed});
+  CaseModel stand = model_of(synthetic::chain(set_r().first, set_r().second, 0.01), 0.01);
+  stand.rolls     = {
+          {"work_roll",   0.42},
+          {"backup_roll", 1.45}
+  };
+  const auto analysis = analyse(clean_record(std::move(raw)), &stand, {}, {});
+  int locked = 0, lines = 0;
+  for (const Finding &finding : analysis.findings) {
+    locked +=
+        finding.kind == "locked to the speed" && finding.owner.find("20 waves per turn of the work_roll") == 0;
+    lines += finding.kind == "line" && finding.owner == "mains, 2 x 50 Hz";
+  }
+  EXPECT_EQ(locked, 1);
+  EXPECT_EQ(lines, 1);
+  EXPECT_EQ(analysis.findings.size(), 2u);
+}

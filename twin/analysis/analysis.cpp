@@ -1,0 +1,90 @@
+#include "twin/analysis/analysis.h"
+#include "core/process/parallel.h"
+#include "twin/analysis/channel_analysis.h"
+#include "twin/analysis/findings.h"
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill::twin {
+namespace {
+// Speed on every sample of the grid; where it was not recorded the nearest value before.
+Eigen::VectorXd whole_speed(const CleanRecord &record, Analysis &analysis)
+{
+  const CleanChannel *channel = record.find("speed");
+  if (!channel)
+    channel = record.find("exit_speed");
+  if (!channel || channel->quantity != Quantity::speed || channel->pieces.empty())
+    return {};
+  Eigen::VectorXd speed = channel->value;
+  Eigen::Index filled   = 0;
+  for (Eigen::Index i = 0; i < speed.size(); ++i)
+    if (std::isnan(speed[i])) {
+      speed[i] = i > 0 ? speed[i - 1] : speed[channel->pieces.front().begin];
+      ++filled;
+    }
+  if (filled > 0)
+    analysis.notes.push_back(fmt::format("speed: {} missing samples were taken as the value before", filled));
+  const double still = speed.maxCoeff() / 20;
+  if (!(still > 0)) {
+    analysis.notes.push_back("the speed is never above zero: nothing is said about what follows it");
+    return {};
+  }
+  analysis.highest_speed = speed.maxCoeff();
+  analysis.lowest_speed  = analysis.highest_speed;
+  for (const double v : speed)
+    if (v > still)
+      analysis.lowest_speed = std::min(analysis.lowest_speed, v);
+  return speed;
+}
+
+void note_faults(Analysis &analysis, const CleanRecord &record)
+{
+  for (const CleanChannel &channel : record.channels) {
+    if (channel.clipped > 0)
+      analysis.notes.push_back(
+          fmt::format("{}: {} samples ({:.2g} %) are at a clip level; its peak is a lower bound and its "
+                      "spectrum holds harmonics that the mill did not make",
+                      channel.name, channel.clipped, 100 * channel.clipped_share));
+    if (channel.n_used() == 0)
+      analysis.notes.push_back(fmt::format("{}: nothing is left of it after cleaning", channel.name));
+  }
+}
+}  // namespace
+
+Analysis analyse(const CleanRecord &record, const CaseModel *stand, const AnalysisSettings &settings,
+                 const Progress &progress)
+{
+  Analysis analysis;
+  const Eigen::VectorXd speed = whole_speed(record, analysis);
+  const auto n                = long(record.channels.size());
+  analysis.channels.resize(std::size_t(n));
+  std::atomic<int> done{0};
+  progress.at("spectra", 0);
+  share_tasks(n, settings.threads, [&](const long i) {
+    analysis.channels[std::size_t(i)] = analyse_channel(record.channels[std::size_t(i)], record.rate, speed);
+    progress.at("spectra", double(++done) / double(n));
+  });
+  note_faults(analysis, record);
+  if (stand)
+    analysis.notes.insert(analysis.notes.end(), stand->notes.begin(), stand->notes.end());
+  const bool steady      = speed.size() > 0 && speed_span(analysis) < 0.02;
+  const double one_speed = steady                                ? speed.mean()
+                           : settings.speed && speed.size() == 0 ? *settings.speed
+                                                                 : std::nan("");
+  progress.at("modes", 0);
+  add_mode_findings(analysis, record, stand);
+  progress.at("findings", 0);
+  add_peak_findings(analysis, record, stand, one_speed);
+  add_locked_findings(analysis, stand);
+  add_onset_findings(analysis, record, settings);
+  progress.at("findings", 0.5);
+  add_bearing_findings(analysis, record, stand, settings);
+  add_severity_findings(analysis, settings);
+  if (speed.size() == 0)
+    analysis.notes.push_back("no speed was recorded: what is fixed and what follows the speed cannot be told");
+  progress.at("findings", 1);
+  return analysis;
+}
+}  // namespace mill::twin

@@ -1,0 +1,80 @@
+#pragma once
+#include "core/process/progress.h"
+#include "twin/bearings/fault_lines.h"
+#include "twin/cleaning/clean_record.h"
+#include "twin/modes/subspace.h"
+#include "twin/onset/growth.h"
+#include "twin/spectra/marks.h"
+#include "twin/spectra/peaks.h"
+#include "twin/spectra/speed.h"
+#include <Eigen/Core>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mill::twin {
+/// What a case says about the stand whose record is analysed.
+struct CaseModel {
+  std::string name;                  ///< of the case
+  std::string source;                ///< "six masses as given", "six masses by closed forms at 976.2 kN"
+  std::vector<std::string> places;   ///< (m) "upper_work_roll"
+  std::vector<std::string> springs;  ///< (s) "K3"
+  Eigen::VectorXd spring_error;      ///< (s) -, relative standard deviation of each
+  Eigen::VectorXd frequency;         ///< (k) Hz
+  Eigen::MatrixXd shape;             ///< (m, k) displacement of each place
+  Eigen::MatrixXd strain_share;      ///< (k, s) -
+  Eigen::MatrixXd kinetic_share;     ///< (k, m) -
+  std::vector<TurningRoll> rolls;
+  std::vector<TurningBearing> bearings;
+  std::vector<std::string> notes;  ///< what the case does not say and is therefore not computed
+};
+
+struct AnalysisSettings {
+  std::optional<double> speed;   ///< m/s, of a record without a channel of it
+  std::optional<double> limit;   ///< m/s2, 0-peak: the mill's own limit of chatter
+  std::vector<double> severity;  ///< m/s, rms: upper ends of zones A, B, C; empty: none given
+  int threads = 1;
+};
+
+/// Something the record shows.
+struct Finding {
+  std::string kind;     ///< "mode", "line", "resonance", "locked to the speed", "near instability", "alarm", ..
+  std::string channel;  ///< where it is largest
+  double frequency;     ///< Hz; NaN: none
+  double low, high;     ///< Hz, 95 % interval of the frequency
+  double amplitude;     ///< 0-peak, in `unit`; NaN: none
+  std::string unit;
+  std::string owner;                  ///< one sentence: whose it is, or why that cannot be said
+  std::vector<std::string> evidence;  ///< one sentence each
+};
+
+/// One channel.
+struct ChannelAnalysis {
+  std::string name, unit;
+  Quantity quantity;
+  double rms, peak, crest;  ///< in `unit`, `unit`, -; offset and drift taken off
+  double velocity_rms;      ///< m/s, 10 .. 1000 Hz; NaN: no vibration
+  double bandwidth;         ///< Hz, nothing above it is used
+  WelchSpectrum spectrum;   ///< fine, for lines
+  WelchSpectrum length;     ///< over the rolled length, 1/m; n = 0: no speed
+  Waterfall map;            ///< over time
+  std::vector<Peak> peaks;  ///< lines and resonances, highest first
+};
+
+struct Analysis {
+  std::vector<ChannelAnalysis> channels;
+  ModeSearch modes;
+  std::vector<std::string> mode_channels;  ///< rows of the shapes
+  std::vector<Finding> findings;
+  std::vector<std::string> notes;                                   ///< what could not be said, and why
+  double lowest_speed  = std::numeric_limits<double>::quiet_NaN();  ///< m/s; NaN: not recorded
+  double highest_speed = std::numeric_limits<double>::quiet_NaN();  ///< m/s; NaN: not recorded
+};
+
+/// Everything of chapter 41 and 42 for one cleaned record.
+/// @param stand  nullptr: no case was named, owners are then mains and orders at most
+/// Cost: about 4 s per channel of 10 minutes at 20 kHz.
+Analysis analyse(const CleanRecord &record, const CaseModel *stand, const AnalysisSettings &settings,
+                 const Progress &progress);
+}  // namespace mill::twin

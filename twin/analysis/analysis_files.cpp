@@ -1,0 +1,262 @@
+#include "twin/analysis/analysis_files.h"
+#include "core/records/results.h"
+#include "twin/analysis/channel_analysis.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace mill::twin {
+namespace {
+using nlohmann::ordered_json;
+
+constexpr Eigen::Index most_rows_of_map = 250, most_columns_of_map = 150;  // frequencies, frames
+
+Parameter measured(const double value, const std::string &unit, const std::string &at, const std::string &method)
+{
+  Parameter parameter;
+  parameter.value  = value;
+  parameter.unit   = unit;
+  parameter.source = Source::measured;
+  parameter.method = method;
+  parameter.at     = at;
+  return parameter;
+}
+
+// Relative standard deviation of the rms of a stationary record: half that of its variance.
+double scatter_of_rms(const WelchSpectrum &s, const double duration)
+{
+  const double area = s.density.sum(), squares = s.density.squaredNorm();
+  return area > 0 ? 0.5 * std::sqrt(squares / (s.resolution() * duration)) / area : std::nan("");
+}
+
+void add_values(Results &results, const ChannelAnalysis &seen, const CleanChannel &channel,
+                const CleanRecord &record)
+{
+  const double used    = double(channel.n_used()) / record.rate;
+  const std::string at = fmt::format("{:.4g} s of the record", used);
+  Parameter rms        = measured(seen.rms, seen.unit, at, "samples, offset and drift taken off");
+  if (seen.spectrum.n > 0) {
+    rms.error_estimate = scatter_of_rms(seen.spectrum, used);
+    rms.checks.push_back({"root of the area under the density",
+                          std::sqrt(seen.spectrum.density.sum() * seen.spectrum.resolution()),
+                          "slow parts below the first bin are not in it"});
+  }
+  results.add(seen.name + ".rms", rms);
+  Parameter peak =
+      measured(seen.peak, seen.unit, at,
+               channel.clipped > 0 ? "largest sample: a lower bound, since it is clipped" : "largest sample");
+  peak.error_lacks = {"one record has one largest sample"};
+  results.add(seen.name + ".peak", peak);
+  Parameter crest   = measured(seen.crest, "1", at, "peak over rms");
+  crest.error_lacks = peak.error_lacks;
+  results.add(seen.name + ".crest", crest);
+  Parameter drift   = measured(channel.drift, seen.unit + "/s", at, "slope of the line through the channel");
+  drift.error_lacks = {"what moves the offset of a sensor"};
+  results.add(seen.name + ".drift", drift);
+  Parameter clipped      = measured(channel.clipped_share, "1", at, "share of the samples at a clip level");
+  clipped.error_estimate = 0;
+  results.add(seen.name + ".clipped", clipped);
+  if (std::isfinite(seen.velocity_rms)) {
+    Parameter velocity      = measured(seen.velocity_rms, "m/s", at,
+                                       "density from 10 to 1000 Hz, divided by (2 pi f)^2 for an acceleration");
+    velocity.error_estimate = rms.error_estimate;
+    results.add(seen.name + ".velocity_rms", velocity);
+  }
+}
+
+ordered_json number(const double value)
+{
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json json_of(const Finding &finding)
+{
+  return {
+      {"kind",      finding.kind                               },
+      {"channel",   finding.channel                            },
+      {"frequency", number(finding.frequency)                  },
+      {"interval",  {number(finding.low), number(finding.high)}},
+      {"amplitude", number(finding.amplitude)                  },
+      {"unit",      finding.unit                               },
+      {"owner",     finding.owner                              },
+      {"evidence",  finding.evidence                           }
+  };
+}
+
+ordered_json conventions_of(const ChannelAnalysis &seen)
+{
+  const auto band = seen.spectrum.n > 0 ? seen.spectrum.band() : std::array<double, 2>{0, 0};
+  return {
+      {"channel",   seen.name                                                                 },
+      {"quantity",  name_of(seen.quantity)                                                    },
+      {"unit",      seen.unit                                                                 },
+      {"window",    "Hann, periodic"                                                          },
+      {"L",         seen.spectrum.L                                                           },
+      {"segments",  seen.spectrum.n                                                           },
+      {"enbw",      seen.spectrum.L > 0 ? number(seen.spectrum.enbw()) : ordered_json(nullptr)},
+      {"dof",       seen.spectrum.n > 0 ? number(seen.spectrum.dof()) : ordered_json(nullptr) },
+      {"band",      {band[0], band[1]}                                                        },
+      {"density",   "one-sided, unit^2/Hz"                                                    },
+      {"bandwidth", number(seen.bandwidth)                                                    }
+  };
+}
+
+// Largest of each group of bins, so that lines stay.
+Eigen::MatrixXf coarser(const Eigen::MatrixXf &map, const Eigen::Index rows, const Eigen::Index columns)
+{
+  const Eigen::Index by = (map.rows() + rows - 1) / rows, bx = (map.cols() + columns - 1) / columns;
+  Eigen::MatrixXf small((map.rows() + by - 1) / by, (map.cols() + bx - 1) / bx);
+  for (Eigen::Index i = 0; i < small.rows(); ++i)
+    for (Eigen::Index j = 0; j < small.cols(); ++j)
+      small(i, j) = map.block(i * by, j * bx, std::min(by, map.rows() - i * by), std::min(bx, map.cols() - j * bx))
+                        .maxCoeff();
+  return small;
+}
+
+Table spectrum_table(const Analysis &analysis, const WelchSpectrum ChannelAnalysis::*which,
+                     const std::string &axis, const std::string &unit)
+{
+  Table table;
+  for (const ChannelAnalysis &seen : analysis.channels) {
+    const WelchSpectrum &s = seen.*which;
+    if (s.n == 0 || (!table.columns.empty() && s.density.size() != table.columns[0].size()))
+      continue;
+    if (table.columns.empty())
+      table.add(axis, unit, Eigen::VectorXd::LinSpaced(s.density.size(), 0, s.rate / 2));
+    table.add(seen.name, "(" + seen.unit + ")^2/" + (unit == "Hz" ? "Hz" : "(1/m)"), s.density);
+  }
+  return table;
+}
+
+Table waterfall_table(const Analysis &analysis)
+{
+  Table table;
+  for (const ChannelAnalysis &seen : analysis.channels) {
+    if (!is_vibration(seen.quantity) || seen.map.density.cols() == 0)
+      continue;
+    const Eigen::MatrixXf small = coarser(seen.map.density, most_rows_of_map, most_columns_of_map);
+    const Eigen::Index by       = (seen.map.density.rows() + most_rows_of_map - 1) / most_rows_of_map,
+                       bx       = (seen.map.density.cols() + most_columns_of_map - 1) / most_columns_of_map;
+    const Eigen::Index n        = small.size();
+    if (table.columns.empty()) {
+      Eigen::VectorXd time(n), frequency(n), speed(n);
+      for (Eigen::Index j = 0; j < small.cols(); ++j)
+        for (Eigen::Index i = 0; i < small.rows(); ++i) {
+          const Eigen::Index at = j * small.rows() + i;
+          time[at]              = seen.map.time[j * bx];
+          frequency[at]         = double(i * by) * seen.map.rate / double(seen.map.L);
+          speed[at]             = seen.map.speed.size() > 0 ? seen.map.speed[j * bx] : 0;
+        }
+      table.add("time", "s", time).add("frequency", "Hz", frequency);
+      if (seen.map.speed.size() > 0)
+        table.add("speed", "m/s", speed);
+    }
+    if (n == table.columns[0].size())
+      table.add(seen.name, "(" + seen.unit + ")^2/Hz",
+                Eigen::Map<const Eigen::VectorXf>(small.data(), n).cast<double>());
+  }
+  return table;
+}
+
+Table mode_table(const Analysis &analysis)
+{
+  const auto &modes = analysis.modes.modes;
+  const auto n      = Eigen::Index(modes.size());
+  const auto column = [&](const auto &value) {
+    Eigen::VectorXd x(n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      x[i] = value(modes[std::size_t(i)]);
+    return x;
+  };
+  Table table;
+  table.add("frequency", "Hz", column([](const auto &m) { return m.frequency; }))
+      .add("frequency_law", "Hz", column([](const auto &m) { return m.law_frequency; }))
+      .add("damping", "1", column([](const auto &m) { return m.damping; }))
+      .add("damping_law", "1", column([](const auto &m) { return m.law_damping; }))
+      .add("orders", "1", column([](const auto &m) { return double(m.orders); }))
+      .add("confirmed", "1", column([](const auto &m) { return double(m.confirmed); }));
+  for (std::size_t c = 0; c < analysis.mode_channels.size(); ++c) {
+    table.add(analysis.mode_channels[c] + "_real", "1",
+              column([&](const auto &m) { return m.shape[Eigen::Index(c)].real(); }));
+    table.add(analysis.mode_channels[c] + "_imag", "1",
+              column([&](const auto &m) { return m.shape[Eigen::Index(c)].imag(); }));
+  }
+  return table;
+}
+
+Table pole_table(const Analysis &analysis)
+{
+  const auto &poles = analysis.modes.poles;
+  Eigen::VectorXd order(Eigen::Index(poles.size())), frequency(order.size()), damping(order.size()),
+      stable(order.size());
+  for (Eigen::Index i = 0; i < order.size(); ++i) {
+    const SubspacePole &pole = poles[std::size_t(i)];
+    order[i]                 = pole.order;
+    frequency[i]             = pole.frequency;
+    damping[i]               = pole.damping;
+    stable[i]                = pole.stable;
+  }
+  Table table;
+  return table.add("order", "1", order)
+      .add("frequency", "Hz", frequency)
+      .add("damping", "1", damping)
+      .add("stable", "1", stable);
+}
+}  // namespace
+
+std::string analysis_json(const CleanRecord &record, const Analysis &analysis, const CaseModel *stand)
+{
+  Results results;
+  for (std::size_t i = 0; i < analysis.channels.size(); ++i)
+    add_values(results, analysis.channels[i], record.channels[i], record);
+  const std::string name = std::filesystem::path(record.file).stem().string();
+  ordered_json json      = ordered_json::parse(results_json(results, name, "ok"));
+  json["findings"]       = ordered_json::array();
+  for (const Finding &finding : analysis.findings)
+    json["findings"].push_back(json_of(finding));
+  json["record"] = {
+      {"file",         record.file                                                       },
+      {"format",       record.format                                                     },
+      {"rate",         record.rate                                                       },
+      {"duration",     record.duration()                                                 },
+      {"jitter",       record.jitter                                                     },
+      {"interpolated", record.interpolated                                               },
+      {"start",        record.start ? ordered_json(*record.start) : ordered_json(nullptr)},
+      {"speed",        {number(analysis.lowest_speed), number(analysis.highest_speed)}   }
+  };
+  json["stand"] = stand ? ordered_json{{"case", stand->name}, {"source", stand->source}} : ordered_json(nullptr);
+  json["cleaning"] = ordered_json::array();
+  for (const CleaningEvent &event : record.events)
+    json["cleaning"].push_back({
+        {"channel", event.channel},
+        {"fault",   event.fault  },
+        {"from",    event.from   },
+        {"to",      event.to     },
+        {"count",   event.count  },
+        {"done",    event.done   }
+    });
+  json["conventions"] = ordered_json::array();
+  for (const ChannelAnalysis &seen : analysis.channels)
+    json["conventions"].push_back(conventions_of(seen));
+  auto notes = record.notes;
+  notes.insert(notes.end(), analysis.notes.begin(), analysis.notes.end());
+  json["notes"] = notes;
+  return json.dump(1) + "\n";
+}
+
+std::map<std::string, Table> analysis_tables(const Analysis &analysis)
+{
+  std::map<std::string, Table> tables{
+      {"spectrum",   spectrum_table(analysis,  &ChannelAnalysis::spectrum, "frequency", "Hz")},
+      {"waterfall", waterfall_table(analysis)                   },
+      {"modes",  mode_table(analysis)},
+      {"poles",      pole_table(analysis)        }
+  };
+  if (Table length = spectrum_table(analysis, &ChannelAnalysis::length, "per_length", "1/m");
+      !length.columns.empty())
+    tables.emplace("distance", std::move(length));
+  return tables;
+}
+}  // namespace mill::twin

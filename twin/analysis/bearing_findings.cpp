@@ -1,0 +1,121 @@
+#include "twin/analysis/channel_analysis.h"
+#include "twin/analysis/findings.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill::twin {
+namespace {
+constexpr double shortest = 5, steady = 0.005, lowest_band = 1250;  // s, -, Hz
+constexpr Eigen::Index longest = 1 << 21;                           // samples
+
+struct Stretch {
+  Span span{0, 0};
+  double speed = 0;  // m/s
+};
+
+// The longest part of the pieces at one speed.
+Stretch steady_stretch(const CleanChannel &channel, const CleanChannel *recorded, const AnalysisSettings &settings)
+{
+  Stretch best;
+  for (const Span &piece : channel.pieces) {
+    if (!recorded) {
+      if (settings.speed && piece.size() > best.span.size())
+        best = {piece, *settings.speed};
+      continue;
+    }
+    for (Eigen::Index i = piece.begin; i < piece.end;) {
+      const double v   = recorded->value[i];
+      Eigen::Index end = i;
+      while (end < piece.end && std::abs(recorded->value[end] - v) <= steady * std::abs(v))
+        ++end;
+      if (v > 0 && end - i > best.span.size())
+        best = {
+            {i, end},
+            recorded->value.segment(i, end - i).mean()
+        };
+      i = std::max(end, i + 1);
+    }
+  }
+  if (best.span.size() > longest)
+    best.span.end = best.span.begin + longest;
+  return best;
+}
+
+bool sits_at(const std::string &channel, const std::string &roll)
+{
+  return channel.find(roll) != std::string::npos;
+}
+
+void look_at(Analysis &analysis, const CleanRecord &record, const CleanChannel &channel,
+             const TurningBearing &bearing, const Stretch &stretch, Fourier &fourier)
+{
+  const Eigen::Index n = quick_length(stretch.span.size());
+  const auto spectrum =
+      envelope_spectrum(channel.value.segment(stretch.span.begin, n), record.rate, 0, 0, fourier);
+  const double shaft = stretch.speed / (M_PI * bearing.roll_diameter);
+  for (const FaultLines &lines : fault_lines(spectrum, bearing, shaft)) {
+    if (!lines.indicated())
+      continue;
+    const double f = lines.frequency * (1 + lines.slip);
+    Finding finding{"bearing",
+                    channel.name,
+                    f,
+                    f - spectrum.resolution,
+                    f + spectrum.resolution,
+                    std::nan(""),
+                    "",
+                    fmt::format("{} of bearing {} at the {}: {}", lines.family, bearing.name, bearing.roll,
+                                lines.strong() ? "strong" : "indicated"),
+                    {}};
+    finding.evidence.push_back(fmt::format(
+        "score {:.1f} (5 indicated, 20 strong); harmonics {:.1f}, {:.1f}, {:.1f}, {:.1f} "
+        "over their neighbourhood, slip {:.2f} %",
+        lines.score, lines.ratio[0], lines.ratio[1], lines.ratio[2], lines.ratio[3], 100 * lines.slip));
+    finding.evidence.push_back(
+        fmt::format("squared envelope of {:.0f} .. {:.0f} Hz, kurtosis {:.2f}, {:.0f} s at {:.4g} m/s",
+                    spectrum.low, spectrum.high, spectrum.kurtosis, double(n) / record.rate, stretch.speed));
+    finding.evidence.push_back(
+        "an indication is a fault only when it grows against the same bearing's earlier records");
+    analysis.findings.push_back(std::move(finding));
+  }
+}
+}  // namespace
+
+void add_bearing_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand,
+                          const AnalysisSettings &settings)
+{
+  if (!stand || stand->bearings.empty())
+    return;
+  const CleanChannel *recorded = record.find("speed");
+  if (!recorded && !settings.speed) {
+    analysis.notes.push_back("bearings: not computed, the record has no channel 'speed'; give --speed \"4 m/s\"");
+    return;
+  }
+  Fourier fourier;
+  for (const CleanChannel &channel : record.channels) {
+    if (!is_vibration(channel.quantity))
+      continue;
+    const ChannelAnalysis &seen = channel_of_name(analysis, channel.name);
+    for (const TurningBearing &bearing : stand->bearings) {
+      if (!sits_at(channel.name, bearing.roll))
+        continue;
+      if (!std::isfinite(bearing.cage)) {
+        analysis.notes.push_back(
+            fmt::format("bearing {}: not computed, its pitch or roller diameter is missing", bearing.name));
+        continue;
+      }
+      const Stretch stretch = steady_stretch(channel, recorded, settings);
+      if (double(stretch.span.size()) < shortest * record.rate)
+        analysis.notes.push_back(fmt::format("{}: bearing {} not computed, no {} s at one speed", channel.name,
+                                             bearing.name, shortest));
+      else if (seen.bandwidth < 1.15 * lowest_band)
+        analysis.notes.push_back(fmt::format(
+            "{}: bearing {} not computed, the record ends at {:.0f} Hz and impacts ring above {:.0f} Hz",
+            channel.name, bearing.name, seen.bandwidth, lowest_band));
+      else
+        look_at(analysis, record, channel, bearing, stretch, fourier);
+    }
+  }
+}
+}  // namespace mill::twin
