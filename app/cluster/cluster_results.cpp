@@ -28,6 +28,12 @@ void lacks_error(Parameter &p, const ClusterStand &stand)
       p.error_lacks.push_back(fmt::format("support.{}.stiffness", i));
 }
 
+bool has_fitted_support(const ClusterStand &stand)
+{
+  return std::any_of(stand.supports.begin(), stand.supports.end(),
+                     [](const ClusterSupport &s) { return s.fitted; });
+}
+
 const char *const static_method = "equilibrium of the stack, damped Newton (38.11)";
 
 double displacement(const ClusterPassRun &pass, const std::size_t roll, const int direction)
@@ -179,7 +185,11 @@ void add_mode_results(RunContext &run, const ClusterStand &stand, const ClusterP
     Parameter f = parameter(pass, mode.frequency, "Hz", "mode recognised by its shape (38.14), " + mode.label);
     lacks_error(f, stand);
     if (!std::isnan(stand.modes[i].frequency))
-      f.checks.push_back(check(CheckId::published, stand.modes[i].frequency));
+      f.checks.push_back(check(CheckId::published, stand.modes[i].frequency,
+                               has_fitted_support(stand)
+                                   ? "supports are fitted to some of the published frequencies: "
+                                     "what agrees by that is no evidence"
+                                   : ""));
     run.results.add(result_name({family::cluster, pass.pass->name, "mode", slug(stand.modes[i].name)}), f);
   }
 }
