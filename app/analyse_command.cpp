@@ -159,6 +159,7 @@ int analyse_command(const CommandLine &command)
     require_folder(folder, command.force_overwrite);
     progress.at("clean", 0);
     const twin::CleanRecord record = twin::clean_record(std::move(raw));
+    raw                            = {};  // its times are done with
     const twin::Analysis analysis  = twin::analyse(record, stand ? &*stand : nullptr, settings, progress);
     write_folder(folder, record, analysis, stand ? &*stand : nullptr);
     bar.finish();

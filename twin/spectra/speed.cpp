@@ -99,6 +99,10 @@ OverLength over_length(const Eigen::VectorXd &value, const std::vector<Span> &pi
     result.pieces.push_back({n, n + m});
     n += m;
   }
+  if (parts.size() == 1) {  // a long record is not held twice
+    result.value = std::move(parts.front());
+    return result;
+  }
   result.value.resize(n);
   for (std::size_t i = 0; i < parts.size(); ++i)
     result.value.segment(result.pieces[i].begin, parts[i].size()) = parts[i];
