@@ -101,11 +101,12 @@ void add_horizontal_modes(ClosedFormResults &all, const LumpedModel &model, cons
 void add_response(ClosedFormResults &all, const LumpedModel &model, const DynamicsSettings &settings,
                   const Pass &pass, const std::size_t p, const std::string &prefix, ClosedFormMemory &memory)
 {
-  // The six masses are driven here whatever dynamics.model says, and white force has no samples.
+  // The six masses are driven here on linear springs whatever dynamics.model and dynamics.contact say, and white
+  // force has no samples.
   const KeyList all_own = response_keys(settings, pass, p);
   KeyList own;
   for (const std::string &key : all_own)
-    if (!holds(detailed_model_keys(), key) && key != "dynamics.output_rate")
+    if (!holds(detailed_model_keys(), key) && key != "dynamics.output_rate" && key != "dynamics.contact")
       own.push_back(key);
   const bool other_model = settings.model != "six-mass";
   const auto add         = [&](const char *name, const double value, const Half half, const bool white) {

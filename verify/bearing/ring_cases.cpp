@@ -331,7 +331,7 @@ std::vector<Case> ring_cases()
   cases.push_back(
       {"chock-round", "verification",
        "Cup of the mill bearing in a round block held at a radius of 280 mm: a quarter in quadratic "
-       "hexahedra (25000 unknowns per symmetry) against the harmonics of its meridian section, rows with "
+       "hexahedra (25000 unknowns per symmetry case) against the harmonics of its meridian section, rows with "
        "inclined raceways, three Legendre polynomials along the rollers.",
        product,
        "1 %: 13 degrees per element are 4 elements for the shortest of the eight waves; as in the "

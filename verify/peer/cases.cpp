@@ -185,8 +185,8 @@ std::vector<Case> peer_cases()
       "peer-line",
       "Steel cylinders R 200 and R 650 mm in plane strain, each squeezed between opposite contacts: line load "
       "that belongs to one approach. Contact face to face with a penalty of 500 moduli per mm.",
-      "0.3 %: the peer scatters by 0.02 % with the place of the edge of the contact in its elements and gives "
-      "way by 0.01 %; ours errs by 0.1 % at most (line-200-650).",
+      "0.3 %: the peer scatters by 0.02 % with the place of the edge of the contact in its elements and deflects "
+      "by 0.01 %; ours errs by 0.1 % at most (line-200-650).",
       peer_line);
   add_case(
       "peer-roll-pair",

@@ -315,7 +315,8 @@ TEST(CacheKeys, EveryRowOfAFourHighEntersOrIsKnownNotTo)
                                "stand.*",     "frame.*",     "analysis.*", "given.*",
                                "published.*", "screwdown.*", "campbell.*", "frequency_response.*",
                                "drive.*"} +
-      of("dynamics", "modal_damping force_meaning output_rate frame mass_reference mass_source model model_files");
+      of("dynamics",
+         "modal_damping force_meaning output_rate frame mass_reference mass_source model model_files contact");
   const auto second = roll_mesh + of("contact.upper", "elements_per_half_width friction") +
                       of("contact.lower", "elements_per_half_width friction");
   const auto bite =

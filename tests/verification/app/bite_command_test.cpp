@@ -1,6 +1,7 @@
 #include "core/records/files.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
+#include "tests/support/run_results.h"
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -47,15 +48,6 @@ Outcome stiffness(const std::string &path, const std::string &name, const std::s
                    " --force-overwrite " + more);
 }
 
-nlohmann::json results_of(const std::string &name)
-{
-  return nlohmann::json::parse(std::ifstream(scratch(name) + "/results.json"));
-}
-
-double value(const nlohmann::json &results, const std::string &name)
-{
-  return results.at("values").at(name).at("value").get<double>();
-}
 }  // namespace
 
 // The pass of the demo stand: slope and closed forms by slab theory, finite elements beside them.

@@ -1,5 +1,6 @@
 #include "tests/support/near.h"
 #include "tests/support/program.h"
+#include "tests/support/run_results.h"
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -12,16 +13,6 @@ Outcome chatter(const std::string &path, const std::string &name, const std::str
 {
   return millstand("chatter " + path + " -o " + scratch(name) + " --cache " + scratch("cache") +
                    " --force-overwrite --set analysis.map_points=0 " + more);
-}
-
-nlohmann::json results_of(const std::string &name)
-{
-  return nlohmann::json::parse(std::ifstream(scratch(name) + "/results.json"));
-}
-
-double value(const nlohmann::json &results, const std::string &name)
-{
-  return results.at("values").at(name).at("value").get<double>();
 }
 
 bool has(const nlohmann::json &results, const std::string &name)

@@ -1,6 +1,7 @@
 #include "core/records/files.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
+#include "tests/support/run_results.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -16,11 +17,6 @@ namespace {
 nlohmann::json json_of(const std::string &file)
 {
   return nlohmann::json::parse(std::ifstream(file));
-}
-
-double value(const nlohmann::json &results, const std::string &name)
-{
-  return results.at("values").at(name).at("value").get<double>();
 }
 
 // What stepped beams in the place of solid rolls would give, beside the result.

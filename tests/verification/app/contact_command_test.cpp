@@ -3,6 +3,7 @@
 #include "tests/support/near.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/program.h"
+#include "tests/support/run_results.h"
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -17,20 +18,6 @@ nlohmann::json run(const std::string &what, const std::string &name, const std::
   const auto outcome    = millstand(what + " -q -o " + out + " " + more);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   return nlohmann::json::parse(std::ifstream(out + "/results.json")).at("values");
-}
-
-double of(const nlohmann::json &values, const std::string &name, const char *member = "value")
-{
-  return values.at(name).at(member).get<double>();
-}
-
-double check_of(const nlohmann::json &values, const std::string &name, const std::string &check)
-{
-  for (const auto &c : values.at(name).at("checks"))
-    if (c.at("name") == check)
-      return c.at("value");
-  ADD_FAILURE() << name << " has no check " << check;
-  return 0;
 }
 
 const std::string cylinders = "run cases/two-cylinders.toml";

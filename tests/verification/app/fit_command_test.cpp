@@ -1,6 +1,7 @@
 #include "core/records/files.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
+#include "tests/support/run_results.h"
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -13,16 +14,6 @@ Outcome fit(const std::string &path, const std::string &name, const std::string 
 {
   return millstand("stiffness " + path + " -q -o " + scratch(name) + " --cache " + scratch("cache") +
                    " --force-overwrite --set bite.samples=3 " + more);
-}
-
-nlohmann::json results_of(const std::string &name)
-{
-  return nlohmann::json::parse(std::ifstream(scratch(name) + "/results.json"));
-}
-
-double value(const nlohmann::json &results, const std::string &name)
-{
-  return results.at("values").at(name).at("value").get<double>();
 }
 
 // The sentence among those of a list that holds some words; empty without one.
