@@ -51,6 +51,20 @@ void refuse_buckled(const ClusterPassRun &pass, const ClusterPassRecord &record)
        "stiffer guides or supports of that roll, or a smaller force", ""});
 }
 
+// What has no equilibrium says in which pass, and under what.
+cluster::PassState state_of_pass(const ClusterStand &stand, const ClusterPass &pass, const double force,
+                                 const cluster::ComputedLaws &computed)
+{
+  try {
+    return cluster::pass_state(stand, pass, force, computed);
+  } catch (const SolverError &e) {
+    SolverError::Report named = e.report;
+    named.what = fmt::format("pass \"{}\", {:.5g} kN, {:.4g} kN across: {}", pass.name, 1e-3 * force,
+                             1e-3 * pass.horizontal_force, named.what);
+    throw SolverError(named);
+  }
+}
+
 // "z-mill.toml:70:1: ", where the section stands.
 std::string place_text(const Place &place)
 {
@@ -206,7 +220,7 @@ void solve_cluster(RunContext &run, const ClusterStand &stand, const Goal goal)
     pass.p           = p;
     pass.pass        = &stand.schedule[p];
     pass.force       = cluster_force(stand, *pass.pass);
-    pass.state       = cluster::pass_state(stand, *pass.pass, pass.force.value, computed);
+    pass.state       = state_of_pass(stand, *pass.pass, pass.force.value, computed);
     pass.keys        = cluster_keys(run.the_case, p, false);
     pass.driven_keys = cluster_keys(run.the_case, p, true);
     passes.push_back(std::move(pass));

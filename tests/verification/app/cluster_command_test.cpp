@@ -129,6 +129,17 @@ TEST(ClusterCommand, ABuckledStackEndsWithTheForceAndTheGuideItNeeds)
   EXPECT_TRUE(holds(run.err, "with guide I of at least 1.51e+07 N/m the stack is stable")) << run.err;
 }
 
+TEST(ClusterCommand, AForceThatNothingCarriesNamesItsPass)
+{
+  const Outcome run = millstand("stiffness " + z_mill + " -q -o " + scratch("carried") +
+                                " --set 'pass.1.horizontal_force=400 kN'");
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_TRUE(holds(run.err,
+                    "pass \"pass 2\", 1878 kN, 400 kN across: stack: no equilibrium under the loads of the "
+                    "pass\n"))
+      << run.err;
+}
+
 TEST(ClusterCommand, SaysWhereAPreloadIsLost)
 {
   const ChangedCase stack(stack_alone);
