@@ -2,6 +2,7 @@
 #include "app/cluster/cluster_stage.h"
 #include "app/stages/bite_stage.h"
 #include "app/stages/bite_study.h"
+#include "bite/schedule/schedule.h"
 #include "bite/slab/slab_bite.h"
 #include "bite/slab/slab_checks.h"
 #include "core/model/case.h"
@@ -74,17 +75,30 @@ void check_cluster(const Case &the_case)
 ClusterForce cluster_force(const ClusterStand &stand, const ClusterPass &pass)
 {
   if (!std::isnan(pass.load))
-    return {pass.load, true, ""};
+    return {pass.load, true, "", not_given, ""};
   const auto drawn = bite_of_pass(stand, pass);
   if (!drawn)
     throw InputError("nothing gives the rolling force; give load, or strip.width, thicknesses, strip.friction and "
                      "strip.flow_stress, "
                      "from which it is computed");
-  const bite::RollBite &bite = *drawn;
-  bite::SlabModel model      = slab_model(stand.bite);
-  model.curve_points         = 0;
+  // One mean stress, as the fits beside it take it: a law that begins at zero has none at the entry of the first
+  // pass.
+  const bite::RollBite bite = bite::with_exit_stress(*drawn);
+  bite::SlabModel model     = slab_model(stand.bite);
+  model.curve_points        = 0;
   if (model.arc == bite::Arc::elastic)
     model.arc = bite::Arc::hitchcock;
-  return {bite::solve_slab(bite, model).force, false, bite::model_name(model)};
+  ClusterForce force{bite::solve_slab(bite, model).force, false,
+                     bite::model_name(model) + " with the flow stress at the exit (39.4)", not_given, ""};
+  const bite::SlabModel closed{slides(bite.strip.friction) ? bite::Theory::bland_ford : bite::Theory::hu_ehmann,
+                               model.arc, 0};
+  if (closed.theory != model.theory)
+    try {
+      force.closed        = bite::solve_slab(bite, closed).force;
+      force.closed_method = bite::model_name(closed);
+    } catch (const SolverError &) {  // no root by that theory: the force stands alone
+    } catch (const InputError &) {
+    }
+  return force;
 }
 }  // namespace mill

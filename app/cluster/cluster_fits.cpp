@@ -4,8 +4,7 @@
 #include <fmt/format.h>
 
 namespace mill {
-namespace {
-const char *unit_of(const std::string &key)
+const char *unit_of_cluster_key(const std::string &key)
 {
   const std::string last = key.substr(key.rfind('.') + 1);
   if (last == "stiffness" || last == "guard" || last == "strip_stiffness")
@@ -22,7 +21,6 @@ const char *unit_of(const std::string &key)
     return "Pa";
   return last == "barrel_diameter" || last == "barrel_length" || last == "length" ? "m" : "1";
 }
-}  // namespace
 
 ClusterFitRecord fit_record(const ClusterStand &, const ClusterVariant &variant, const cluster::StackFit &fit)
 {
@@ -52,7 +50,7 @@ void add_fit_results(RunContext &run, const cluster::StackFit &fit, const KeyLis
   for (const cluster::FittedNumber &n : fit.numbers) {
     Parameter p;
     p.value  = n.value;
-    p.unit   = unit_of(n.key);
+    p.unit   = unit_of_cluster_key(n.key);
     p.method = fmt::format("fit of {} number{} to {} frequencies (38.25)", fit.numbers.size(),
                            fit.numbers.size() == 1 ? "" : "s", matched);
     p.at     = fit.pass;

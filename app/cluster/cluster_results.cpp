@@ -140,6 +140,9 @@ void add_state_results(RunContext &run, const ClusterStand &stand, const Cluster
   Parameter force = parameter(pass, pass.force.value, "N", pass.force.method);
   force.source    = pass.force.given ? Source::given : Source::computed;
   force.at.clear();
+  if (!std::isnan(pass.force.closed))
+    force.checks.push_back({pass.force.closed_method + ", same stress", pass.force.closed,
+                            "the closed theory of the static half leaves one term of the slab equation out"});
   if (!std::isnan(pass.pass->published_force))
     force.checks.push_back(check(CheckId::published, pass.pass->published_force));
   if (!std::isnan(pass.pass->measured_force[0]))
@@ -190,7 +193,7 @@ void add_mode_results(RunContext &run, const ClusterStand &stand, const ClusterP
                                    ? "supports are fitted to some of the published frequencies: "
                                      "what agrees by that is no evidence"
                                    : ""));
-    run.results.add(result_name({family::cluster, pass.pass->name, "mode", slug(stand.modes[i].name)}), f);
+    run.results.add(result_name({family::cluster, pass.pass->name, "mode", stand.modes[i].name}), f);
   }
 }
 

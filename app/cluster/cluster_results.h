@@ -23,9 +23,15 @@ void add_mode_results(RunContext &run, const ClusterStand &stand, const ClusterP
 void add_stability(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass,
                    ClusterPassRecord &record);
 
+/// The dynamic force of a pass, where the rolling force acts: one number for each unknown of the stack, N.
+Eigen::VectorXd cluster_dynamic_load(const cluster::Stack &stack, double rolling_force, double amplitude);
+
 /// Response over frequency, and the history under the dynamic force, where the pass has one.
 void add_vibration(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass,
                    ClusterPassRecord &record);
+
+/// SI unit of a number of the stack that a fit can vary, "contact.W-R.stiffness".
+const char *unit_of_cluster_key(const std::string &key);
 
 ClusterFitRecord fit_record(const ClusterStand &stand, const ClusterVariant &variant,
                             const cluster::StackFit &fit);

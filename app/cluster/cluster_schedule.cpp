@@ -38,7 +38,8 @@ KeyList bite_keys_of_pass(const Case &the_case, const std::size_t p, const std::
     if (!vibrates(key) &&
         (begins_with(key, "strip.") || begins_with(key, "bite.") || begins_with(key, "stack.flattening") ||
          begins_with(key, pass) || begins_with(key, fmt::format("roll.{}.", roll)) ||
-         key == "steel.youngs_modulus" || key == "steel.poisson_ratio"))
+         key == "steel.youngs_modulus" || key == "steel.poisson_ratio" ||
+         (key == "pass.0.entry_thickness" && !the_case.places.count("strip.initial_thickness"))))
       keys.push_back(key);
   return keys;
 }

@@ -51,22 +51,44 @@ void refuse_buckled(const ClusterPassRun &pass, const ClusterPassRecord &record)
        "stiffer guides or supports of that roll, or a smaller force", ""});
 }
 
-void warn_of_preload(RunContext &run, const ClusterPassRun &pass)
+// What has no equilibrium says in which pass, and under what.
+cluster::PassState state_of_pass(const ClusterStand &stand, const ClusterPass &pass, const double force,
+                                 const cluster::ComputedLaws &computed)
 {
-  for (const cluster::Support &s : pass.state.stack.supports) {
+  try {
+    return cluster::pass_state(stand, pass, force, computed);
+  } catch (const SolverError &e) {
+    SolverError::Report named = e.report;
+    named.what = fmt::format("pass \"{}\", {:.5g} kN, {:.4g} kN across: {}", pass.name, 1e-3 * force,
+                             1e-3 * pass.horizontal_force, named.what);
+    throw SolverError(named);
+  }
+}
+
+// "z-mill.toml:70:1: ", where the section stands.
+std::string place_text(const Place &place)
+{
+  return place.line > 0 ? fmt::format("{}:{}:{}: ", place.file, place.line, place.column) : "";
+}
+
+void warn_of_preload(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass)
+{
+  for (std::size_t i = 0; i < pass.state.stack.supports.size(); ++i) {
+    const cluster::Support &s = pass.state.stack.supports[i];
     if (s.type != cluster::Support::Type::rollers)
       continue;
     const auto f = cluster::roller_forces(s, pass.state.rest.u.segment<2>(2 * s.roll));
     if (f[0] <= 0 || f[1] <= 0)
-      run.warn(
-          fmt::format("pass \"{}\": the preload of support {} is lost, its rollers carry {:.4g} and {:.4g} N; the "
-                      "roll lies loose in its nest",
-                      pass.pass->name, s.name, f[0], f[1]));
+      run.warn(fmt::format(
+          "{}pass \"{}\": the preload of support {} is lost, its rollers carry {:.4g} and {:.4g} N; the "
+          "roll lies loose in its nest",
+          place_text(stand.supports[i].place), pass.pass->name, s.name, f[0], f[1]));
   }
   for (std::size_t i = 0; i < pass.state.stack.contacts.size(); ++i)
     if (pass.state.stack.contacts[i].one_sided && pass.state.rest.contact_loads[i] <= 0)
       run.warn(fmt::format(
-          "pass \"{}\": contact {} is open, its rolls stand {:.3g} um apart", pass.pass->name,
+          "{}pass \"{}\": contact {} is open, its rolls stand {:.3g} um apart",
+          i < stand.contacts.size() ? place_text(stand.contacts[i].place) : "", pass.pass->name,
           pass.state.stack.contacts[i].name,
           -1e6 *
               cluster::contact_state(pass.state.stack, pass.state.stack.contacts[i], pass.state.rest.u).approach));
@@ -124,11 +146,7 @@ void solve_fits(RunContext &run, const ClusterStand &stand, const std::vector<Cl
       run.warn(fmt::format("variant \"{}\": the fit has not settled after {} steps", variant.name, fit.steps));
     else if (!fit.undetermined.empty())
       run.warn(fmt::format("variant \"{}\": the frequencies do not tell {}", variant.name, fit.undetermined));
-    KeyList keys = at->keys;
-    for (const auto &[key, place] : run.the_case.places)
-      if (key.rfind("mode.", 0) == 0 || key.rfind(fmt::format("variant.{}.", i), 0) == 0)
-        keys.push_back(key);
-    add_fit_results(run, fit, keys);
+    add_fit_results(run, fit, cluster_fit_keys(run.the_case, at->p, i));
     record.fits.push_back(fit_record(stand, variant, fit));
   }
 }
@@ -154,18 +172,41 @@ KeyList cluster_keys(const Case &the_case, const std::size_t p, const bool drive
 {
   KeyList keys;
   const std::string pass = fmt::format("pass.{}.", p);
+  const bool given       = the_case.places.count(pass + "load") > 0;
+  const auto ends        = [](const std::string &key, const std::string &end) {
+    return key.size() >= end.size() && key.compare(key.size() - end.size(), end.size(), end) == 0;
+  };
   for (const auto &[key, place] : the_case.places) {
     const auto of = [&](const std::string &section) { return key.rfind(section, 0) == 0; };
     const bool dynamic =
         key == pass + "dynamic_force" || key == pass + "dynamic_frequency" || key == pass + "loss_factor";
+    // Damping is not in the state at rest nor in the modes; a mark "fitted" is in no number.
+    if (ends(key, ".fitted") ||
+        (!driven && (ends(key, ".loss_factor") || ends(key, ".damping") || ends(key, ".damping_depth"))))
+      continue;
+    if (given && of("stack.flattening_"))  // of the bite, which then gives no force
+      continue;
     if (of("steel.") || of("stack.") || of("roll.") || of("contact.") || of("support.") || key == pass + "load" ||
         key == pass + "horizontal_force" || (driven && (of("response.") || dynamic)))
       keys.push_back(key);
-    const bool strip = of("strip.") || key == pass + "entry_thickness" || key == pass + "exit_thickness" ||
-                       key == pass + "entry_pull" || key == pass + "exit_pull" || key == pass + "speed";
-    if (strip && !the_case.places.count(pass + "load"))
+    const bool strip = of("strip.") || of("bite.") || key == pass + "entry_thickness" ||
+                       key == pass + "exit_thickness" || key == pass + "entry_pull" || key == pass + "exit_pull" ||
+                       key == pass + "speed";
+    // What the strip was before the first pass, where nothing says it.
+    const bool first_entry =
+        p > 0 && key == "pass.0.entry_thickness" && !the_case.places.count("strip.initial_thickness");
+    if ((strip || first_entry) && !given)
       keys.push_back(key);
   }
+  return keys;
+}
+
+KeyList cluster_fit_keys(const Case &the_case, const std::size_t p, const std::size_t variant)
+{
+  KeyList keys = cluster_keys(the_case, p, false);
+  for (const auto &[key, place] : the_case.places)
+    if (key.rfind("mode.", 0) == 0 || key.rfind(fmt::format("variant.{}.", variant), 0) == 0)
+      keys.push_back(key);
   return keys;
 }
 
@@ -179,7 +220,7 @@ void solve_cluster(RunContext &run, const ClusterStand &stand, const Goal goal)
     pass.p           = p;
     pass.pass        = &stand.schedule[p];
     pass.force       = cluster_force(stand, *pass.pass);
-    pass.state       = cluster::pass_state(stand, *pass.pass, pass.force.value, computed);
+    pass.state       = state_of_pass(stand, *pass.pass, pass.force.value, computed);
     pass.keys        = cluster_keys(run.the_case, p, false);
     pass.driven_keys = cluster_keys(run.the_case, p, true);
     passes.push_back(std::move(pass));
@@ -188,7 +229,7 @@ void solve_cluster(RunContext &run, const ClusterStand &stand, const Goal goal)
   for (const ClusterPassRun &pass : passes) {
     record.passes.push_back(pass_record(stand, pass));
     add_state_results(run, stand, pass);
-    warn_of_preload(run, pass);
+    warn_of_preload(run, stand, pass);
     if (goal != Goal::stiffness) {
       add_mode_results(run, stand, pass);
       add_stability(run, stand, pass, record.passes.back());

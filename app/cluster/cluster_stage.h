@@ -15,11 +15,13 @@ struct ClusterCase;
 /// @throws InputError  each at its place
 void check_cluster(const Case &the_case);
 
-/// Rolling force of a pass: given, or by the slab theory of the case.
+/// Rolling force of a pass: given, or by the slab theory of the case with the flow stress at the exit.
 struct ClusterForce {
   double value = 0;  ///< N
   bool given   = true;
   std::string method;
+  double closed = not_given;  ///< N, by the closed theory of the schedule with the same stress, beside it
+  std::string closed_method;
 };
 /// @throws InputError, SolverError  what the slab theory refuses
 ClusterForce cluster_force(const ClusterStand &stand, const ClusterPass &pass);
@@ -33,6 +35,9 @@ void solve_cluster(RunContext &run, const ClusterStand &stand, Goal goal);
 
 /// Keys that a result of a pass follows.  @param p  the pass; @param driven  dynamic force and damping too
 KeyList cluster_keys(const Case &the_case, std::size_t p, bool driven);
+
+/// Keys that a fitted number of a variant follows.  @param p  the pass it is fitted in
+KeyList cluster_fit_keys(const Case &the_case, std::size_t p, std::size_t variant);
 
 /// Results without finite elements, for a trace.
 std::vector<ClosedFormResult> closed_form_cluster(const Case &the_case);

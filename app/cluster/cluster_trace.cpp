@@ -1,11 +1,19 @@
+#include "app/cluster/cluster_results.h"
+#include "app/cluster/cluster_schedule.h"
 #include "app/cluster/cluster_stage.h"
 #include "app/trace/closed_form_parts.h"
+#include "bite/schedule/schedule.h"
+#include "cluster/response.h"
 #include "core/model/case.h"
 #include "core/records/cluster_names.h"
+#include <cmath>
 #include <fmt/format.h>
 
 namespace mill {
 namespace {
+// m: a roll on the line of symmetry stays where it is, what the equilibrium leaves there is rounding.
+constexpr double solved_to = 1e-15;
+
 ClosedFormResult result_of(const KeyList &keys, const std::string &name, const double value, const char *unit,
                            const double force)
 {
@@ -21,6 +29,86 @@ ClosedFormResult result_of(const KeyList &keys, const std::string &name, const d
   r.file             = "cluster/equilibrium";
   r.equation         = "(38.11)";
   return r;
+}
+
+// Velocities under the dynamic force, linear.
+void add_velocities_of(const ClusterStand &stand, const ClusterPass &pass, const cluster::PassState &state,
+                       const double force, const KeyList &keys, std::vector<ClosedFormResult> &all)
+{
+  if (std::isnan(pass.dynamic_force) || std::isnan(pass.dynamic_frequency))
+    return;
+  const double amplitude = stand.response.force_factor * pass.dynamic_force;
+  const auto u           = cluster::harmonic_response(
+                state.stack, state.rest.u, cluster_dynamic_load(state.stack, force, amplitude), pass.dynamic_frequency);
+  for (std::size_t i = 0; i < stand.rolls.size(); ++i)
+    for (const int k : {0, 1}) {
+      const double size = std::abs(u[state.stack.per_roll() * Eigen::Index(i) + k]);
+      if (size <= solved_to)
+        continue;
+      all.push_back(result_of(
+          keys, result_name({family::cluster, pass.name, "velocity", stand.rolls[i].name, k ? "y" : "x"}),
+          2 * M_PI * pass.dynamic_frequency * size, "m/s", force));
+      all.back().relation = "harmonic response with complex stiffness";
+      all.back().file     = "cluster/response";
+      all.back().equation = "(38.16)";
+    }
+}
+
+// Fits and work of the passes whose bite is drawn, as the static half has them.
+void add_schedule(const Case &the_case, std::vector<ClosedFormResult> &all)
+{
+  const ScheduleQuestion q = schedule_question(the_case, false);
+  if (q.passes.empty())
+    return;
+  const ScheduleRecord record = bite::schedule_of(q.passes);
+  const auto add = [&](const KeyList &keys, const std::string &subject, const char *what, const double value,
+                       const char *unit, const char *equation) {
+    if (std::isnan(value))
+      return;
+    all.push_back(result_of(keys, result_name({family::cluster, subject, what}), value, unit, 0));
+    ClosedFormResult &made = all.back();
+    made.parameter.method  = "slab theory in closed form";
+    made.parameter.at      = "";
+    made.relation          = "roll bite of the pass";
+    made.file              = "bite/schedule/schedule";
+    made.equation          = equation;
+  };
+  for (std::size_t p = 0; p < record.passes.size(); ++p) {
+    const PassForce &pass = record.passes[p];
+    const bool fitted     = !std::isnan(pass.flat.flow_stress);
+    add(q.keys[p], pass.name, "flow_stress", fitted ? pass.flat.flow_stress : pass.law_stress, "Pa", "(39.2)");
+    add(q.keys[p], pass.name, "flow_stress_unflattened", pass.rigid.flow_stress, "Pa", "(39.2)");
+    add(q.keys[p], pass.name, "flattened_radius", pass.flat.radius, "m", "(8.9)");
+    add(q.keys[p], pass.name, "friction", pass.friction, "1", "");
+    add(q.keys[p], pass.name, "deformation_power", pass.power, "W", "(39.6)");
+    add(q.keys[p], pass.name, "deformation_torque", pass.torque, "N m", "(39.6)");
+  }
+}
+
+// Numbers that the variants fit; one that has no fit has no result.
+void add_fits(const Case &the_case, std::vector<ClosedFormResult> &all)
+{
+  const ClusterStand &stand = *std::get<ClusterCase>(the_case.spec).stand;
+  for (std::size_t i = 0; i < stand.variants.size(); ++i) {
+    const ClusterVariant &variant = stand.variants[i];
+    std::size_t p                 = 0;
+    for (std::size_t k = 0; k < stand.schedule.size(); ++k)
+      if (stand.schedule[k].name == variant.pass)
+        p = k;
+    const ClusterPass &pass = stand.schedule[p];
+    const double force      = cluster_force(stand, pass).value;
+    const auto fit          = cluster::fit_variant(stand, variant, pass, force);
+    const KeyList keys      = cluster_fit_keys(the_case, p, i);
+    if (!fit.refused.empty())
+      continue;
+    for (const cluster::FittedNumber &n : fit.numbers) {
+      all.push_back(result_of(keys, result_name({family::cluster, cluster_fit, variant.name, n.key}), n.value,
+                              unit_of_cluster_key(n.key), force));
+      all.back().relation = "least squares over the frequencies of the variant";
+      all.back().file     = "cluster/fit";
+      all.back().equation = "(38.25)";
+    }
+  }
 }
 }  // namespace
 
@@ -51,14 +139,18 @@ std::vector<ClosedFormResult> closed_form_cluster(const Case &the_case)
     }
     for (std::size_t i = 0; i < stand.rolls.size(); ++i)
       for (const int k : {0, 1})
-        add(stand.rolls[i].name, k ? "y" : "x", state.rest.u[2 * Eigen::Index(i) + k], "m");
+        if (std::abs(state.rest.u[2 * Eigen::Index(i) + k]) > solved_to)
+          add(stand.rolls[i].name, k ? "y" : "x", state.rest.u[2 * Eigen::Index(i) + k], "m");
     for (std::size_t k = 0; k < state.modes.size(); ++k) {
       add(fmt::format("f{}", k + 1), "", state.modes[k].frequency, "Hz");
       all.back().relation = "eigenvalue of the tangent";
       all.back().file     = "cluster/modes";
       all.back().equation = "(38.13)";
     }
+    add_velocities_of(stand, pass, state, force, cluster_keys(the_case, p, true), all);
   }
+  add_schedule(the_case, all);
+  add_fits(the_case, all);
   return all;
 }
 }  // namespace mill

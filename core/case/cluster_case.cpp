@@ -222,6 +222,8 @@ void check_schedule(ClusterStand &stand, Reading &reading)
     pass.exit_tension  = pass.exit_pull / (stand.strip.width * pass.exit_thickness);
   }
   check_pass_names(names, reading);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    check_names_a_result(numbered("pass", i, "name"), names[i].name, reading);
 }
 
 Strip read_cluster_strip(const Node &root, Reading &reading)
@@ -246,9 +248,11 @@ Strip read_cluster_strip(const Node &root, Reading &reading)
   return strip;
 }
 
-// Laws of the strip, where a pass leaves its force to them.
+// Laws of the strip: whole where they stand, and there where a pass leaves its force to them.
 void check_strip_laws(const ClusterStand &stand, Reading &reading)
 {
+  if (is_given(reading, "strip.flow_stress.law"))
+    check_flow_and_friction(stand.strip, reading);
   const auto computed = std::find_if(stand.schedule.begin(), stand.schedule.end(),
                                      [](const ClusterPass &pass) { return std::isnan(pass.load); });
   if (computed == stand.schedule.end())
@@ -271,7 +275,7 @@ void check_modes(const ClusterStand &stand, Reading &reading)
   check_unique(
       "mode", "name", stand.modes, [](const ClusterMode &m) { return m.name; }, reading);
   for (std::size_t i = 0; i < stand.modes.size(); ++i)
-    check_names_a_file(numbered("mode", i, "name"), stand.modes[i].name, reading);
+    check_names_a_result(numbered("mode", i, "name"), stand.modes[i].name, reading);
 }
 
 std::shared_ptr<const ClusterStand> read_stand_of(const Node &root, Reading &reading)

@@ -131,6 +131,13 @@ void check_fit_of(const ClusterStand &stand, ClusterStand &changed, const Cluste
 }
 }  // namespace
 
+void check_names_a_result(const std::string &key, const std::string &name, Reading &reading)
+{
+  check_names_a_file(key, name, reading);
+  if (reading.usable({key}) && !name.empty() && name[0] != '.' && name.find('.') != std::string::npos)
+    contradict(reading, key, "contains a dot, which parts the names of results; take a dash or a blank", {});
+}
+
 double *number_of(ClusterStand &stand, const std::string &key)
 {
   double *number       = nullptr;
@@ -178,7 +185,7 @@ void check_variants(const ClusterStand &stand, Reading &reading)
   for (std::size_t i = 0; i < stand.variants.size(); ++i) {
     const ClusterVariant &variant = stand.variants[i];
     const auto key                = [&](const char *k) { return fmt::format("variant.{}.{}", i, k); };
-    check_names_a_file(key("name"), variant.name, reading);
+    check_names_a_result(key("name"), variant.name, reading);
     for (std::size_t k = 0; k < i; ++k)
       if (stand.variants[k].name == variant.name)
         contradict(reading, key("name"), "stands there twice", {fmt::format("variant.{}.name", k)});

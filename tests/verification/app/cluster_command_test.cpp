@@ -1,0 +1,241 @@
+#include "core/records/files.h"
+#include "tests/support/near.h"
+#include "tests/support/program.h"
+#include "tests/support/reference.h"
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+// kind = "cluster" as a user meets it: what is refused and with which words, names of results, forces by the laws
+// of the case, traces.
+namespace {
+using Changes = std::vector<std::pair<std::string, std::string>>;
+
+const std::string z_mill = "cases/z-mill.toml";
+
+// Without friction there is no bite, and no finite elements of one: what is asked here is the stack.
+const Changes stack_alone{
+    {"[strip.friction]  # a3 < 0: friction falls with speed\nlaw = \"speed\"\nscale = 1\nat_unit_speed = "
+     "0.066723\nper_log_speed = -0.00662\n", ""}
+};
+
+// A copy of the case with pieces of its text replaced.
+class ChangedCase {
+public:
+  explicit ChangedCase(const Changes &changes) : path_(scratch("cluster") + ".toml")
+  {
+    std::string text = mill::read_text(std::string(MILLSTAND_SOURCE_DIR) + "/" + z_mill);
+    for (const auto &[from, to] : changes) {
+      const auto at = text.find(from);
+      EXPECT_NE(at, std::string::npos) << from;
+      text.replace(at, from.size(), to);
+    }
+    mill::write_atomically(path_, text);
+  }
+  ~ChangedCase()
+  {
+    std::filesystem::remove(path_);
+  }
+  const std::string &path() const
+  {
+    return path_;
+  }
+
+private:
+  std::string path_;
+};
+
+bool holds(const std::string &text, const std::string &part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+// The first line of what `check` says of a case, without the file: "43:1: error: ..".
+std::string refused(const std::string &more, const Changes &changes = {})
+{
+  const ChangedCase changed(changes);
+  const Outcome run = millstand("check " + changed.path() + more);
+  EXPECT_EQ(run.exit_code, 2) << run.out << run.err;
+  const auto begin = run.err.find(".toml:");
+  EXPECT_NE(begin, std::string::npos) << run.err;
+  return run.err.substr(begin + 6, run.err.find('\n') - begin - 6);
+}
+
+nlohmann::json results_in(const std::string &folder)
+{
+  return nlohmann::json::parse(mill::read_text(folder + "/results.json"));
+}
+}  // namespace
+
+TEST(ClusterCommand, SaysWhichContactDoesNotCloseAndWhatOverlaps)
+{
+  EXPECT_EQ(refused(" --set 'roll.1.position=[\"0 mm\", \"139.6 mm\"]'"),
+            "43:1: error: contact W-I does not close: the axes are 104.8000 mm apart, the radii make 104.7750 mm; "
+            "the rolls stand apart by 0.0250 mm; move one of them, or leave its position to the contacts");
+  EXPECT_EQ(refused(" --set 'contact.3.direction=100 deg'"),
+            "34:1: error: rolls I and L overlap by 48.8918 mm and have no [[contact]]; move one of them, or say "
+            "that they touch");
+}
+
+TEST(ClusterCommand, SaysWhichMotionIsFree)
+{
+  EXPECT_EQ(refused("",
+                    {
+                        {"[[support]]  # no bearing, only held sideways; assumed\nroll = \"I\"\ntype = "
+                         "\"guide\"\nstiffness = \"5e8 N/m\"\n", ""}
+  }),
+            "26:1: error: nothing holds roll I along x; add a [[support]] of it, for example type = \"guide\", or "
+            "a [[contact]] that acts in this direction");
+}
+
+TEST(ClusterCommand, RefusesFitsWithMoreUnknownsThanData)
+{
+  EXPECT_EQ(refused(" --set 'variant.0.modes=[\"E vertical\"]'"),
+            "201:12: error: variant.0.unknowns = [\"support.E.stiffness\", \"support.R.stiffness\"] are 2 numbers "
+            "for 1 frequencies; a fit needs at least as many frequencies as unknowns");
+  EXPECT_EQ(refused("",
+                    {
+                        {"name = \"N\"", "name = \"N.1\""}
+  }),
+            "200:8: error: variant.0.name = \"N.1\" contains a dot, which parts the names of results; take a dash "
+            "or a blank");
+}
+
+TEST(ClusterCommand, RefusesForcesThatTheLawsDoNotGive)
+{
+  EXPECT_EQ(refused("",
+                    {
+                        {"load = \"1148 kN\"\nentry_thickness", "entry_thickness"},
+                        {"k = \"1604 MPa\"\n",                  ""               }
+  }),
+            "87:7: error: strip.flow_stress.law = \"power\" needs 'k'");
+  EXPECT_TRUE(holds(refused(" --set 'strip.flow_stress.k=4 GPa'",
+                            {
+                                {"load = \"1459 kN\"\n", ""}
+  }),
+                    "128:1: error: pass \"pass 4\": roll bite: no flattened radius: R'/R = "));
+}
+
+TEST(ClusterCommand, ABuckledStackEndsWithTheForceAndTheGuideItNeeds)
+{
+  const ChangedCase stack(stack_alone);
+  const Outcome run =
+      millstand("modes " + stack.path() + " -q -o " + scratch("buckled") + " --set 'support.1.stiffness=1e6 N/m'");
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_TRUE(holds(run.err, "pass \"pass 1\": the stack buckles under 1148 kN\n")) << run.err;
+  EXPECT_TRUE(holds(run.err, "I x on W-I, I-E grows: its eigenvalue is -")) << run.err;
+  EXPECT_TRUE(holds(run.err, "with guide I of at least 1.51e+07 N/m the stack is stable")) << run.err;
+}
+
+TEST(ClusterCommand, AForceThatNothingCarriesNamesItsPass)
+{
+  const Outcome run = millstand("stiffness " + z_mill + " -q -o " + scratch("carried") +
+                                " --set 'pass.1.horizontal_force=400 kN'");
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_TRUE(holds(run.err,
+                    "pass \"pass 2\", 1878 kN, 400 kN across: stack: no equilibrium under the loads of the "
+                    "pass\n"))
+      << run.err;
+}
+
+TEST(ClusterCommand, SaysWhereAPreloadIsLost)
+{
+  const ChangedCase stack(stack_alone);
+  const std::string folder = scratch("preload");
+  const Outcome run =
+      millstand("stiffness " + stack.path() + " -q -o " + folder + " --set 'pass.0.horizontal_force=40 kN'");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string warnings = results_in(folder).at("warnings").dump();
+  EXPECT_TRUE(
+      holds(warnings, ".toml:66:1: pass \\\"pass 1\\\": the preload of support L is lost, its rollers carry "))
+      << warnings;
+  EXPECT_TRUE(holds(warnings, " and 0 N; the roll lies loose in its nest")) << warnings;
+}
+
+// CL-28: every pass, fits L and G; nothing of the column is tuned in them but what they name.
+TEST(ClusterCommand, NamesKeepTheirCaseAndRivalsSayTheirFreeNumbers)
+{
+  const ChangedCase stack(stack_alone);
+  const std::string folder = scratch("cluster-modes");
+  const Outcome run        = millstand("modes " + stack.path() + " -q -o " + folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto all    = results_in(folder).at("values");
+  const auto wanted = reference("stack.N.per_pass", "cluster");
+  for (const std::size_t pass : {1u, 3u}) {
+    const std::string name = "cluster.pass " + std::to_string(pass + 1) + ".mode.E vertical";
+    ASSERT_TRUE(all.contains(name));
+    EXPECT_TRUE(near(all.at(name).at("value").get<double>(), double(wanted[pass][0]),
+                     within(1e-5, "supports fitted in pass 1, passes 2 and 4 follow")));
+  }
+  EXPECT_EQ(all.at("cluster.fit.G.contact.W-I.stiffness").at("source").get<std::string>(),
+            "computed: fit of 4 numbers to 4 frequencies (38.25)");
+  EXPECT_TRUE(all.at("cluster.fit.G.contact.W-I.stiffness").at("error_estimate").is_null());
+  EXPECT_GT(all.at("cluster.fit.L.contact.W-R.direction").at("error_estimate").get<double>(), 0);
+  const auto &inputs = all.at("cluster.pass 1.f1").at("inputs");
+  const auto enters  = [&](const char *key) {
+    return std::find(inputs.begin(), inputs.end(), key) != inputs.end();
+  };
+  EXPECT_TRUE(enters("roll.1.barrel_diameter") && enters("support.3.preload") && enters("pass.0.load"));
+  EXPECT_FALSE(enters("pass.1.load") || enters("support.0.fitted") || enters("stack.flattening_modulus") ||
+               enters("pass.0.loss_factor"));
+  EXPECT_TRUE(holds(mill::read_text(folder + "/report.html"), "E vertical"));
+}
+
+// A law that begins at zero has no stress at the entry of the first pass; that of the exit is taken, (39.4).
+TEST(ClusterCommand, APassWithoutLoadTakesTheForceOfItsLaws)
+{
+  const std::string folder = scratch("computed-load");
+  const ChangedCase computed(Changes{
+      {"load = \"1148 kN\"\nentry_thickness", "entry_thickness"}
+  });
+  const std::string theory = " --set bite.theory=bland-ford";
+  const Outcome run        = millstand("stiffness " + computed.path() + " -q -o " + folder + theory);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto all    = results_in(folder).at("values");
+  const auto &force = all.at("cluster.pass 1.force");
+  const auto record = nlohmann::json::parse(mill::read_text(folder + "/curves/schedule.json"));
+  EXPECT_TRUE(near(force.at("value").get<double>(), record.at("passes")[0].at("law_force").get<double>(),
+                   within(1e-9, "one theory with one stress, computed by two stages")));
+  EXPECT_EQ(force.at("source").get<std::string>(),
+            "computed: Bland-Ford slab, Hitchcock's arc with the flow stress at the exit (39.4)");
+  // Y = 802 MPa, n = 0.290 of section 3.8: 1185 kN.
+  EXPECT_TRUE(near(force.at("value").get<double>(), 1185e3, within(2e-3, "three digits of Y and n")));
+}
+
+TEST(ClusterCommand, TracesReachStackBiteAndFits)
+{
+  const auto traced = [](const std::string &key) {
+    const Outcome run = millstand("trace " + z_mill + " " + key + " -o " + scratch("no-run"));
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return run.out;
+  };
+  const std::string diameter = traced("roll.0.barrel_diameter");
+  EXPECT_TRUE(holds(diameter, "cluster.pass 1.f7")) << diameter;
+  EXPECT_TRUE(holds(diameter, "cluster.pass 3.flow_stress")) << diameter;
+  EXPECT_TRUE(holds(traced("pass.0.loss_factor"), "cluster.pass 1.velocity.W.y"));
+  EXPECT_TRUE(holds(traced("mode.0.frequency"), "cluster.fit.N.support.E.stiffness"));
+  const std::string guide = traced("support.1.stiffness");
+  EXPECT_TRUE(holds(guide, "cluster.pass 1.f1")) << guide;
+  EXPECT_FALSE(holds(guide, "cluster.pass 1.I.x")) << "rounding on the line of symmetry: " << guide;
+}
+
+TEST(ClusterCommand, CoupledSpinSaysWhatItLacks)
+{
+  const ChangedCase stack(stack_alone);
+  const std::string folder = scratch("coupled");
+  const Outcome run = millstand("simulate " + stack.path() + " -q -o " + folder + " --set stack.spin=coupled");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto results = results_in(folder);
+  EXPECT_TRUE(holds(results.at("warnings").dump(),
+                    "stack.spin = \\\"coupled\\\" has no history and no frequency over amplitude: both are solved "
+                    "for rolls that turn freely; the linear response is that of the coupled stack; spin = "
+                    "\\\"free\\\" gives all three"))
+      << results.at("warnings").dump();
+  const auto &velocity = results.at("values").at("cluster.pass 1.velocity.W.y");
+  EXPECT_GT(velocity.at("value").get<double>(), 0);
+  EXPECT_FALSE(velocity.contains("checks")) << "no history beside it";
+  EXPECT_FALSE(std::filesystem::exists(folder + "/curves/cluster-pass-1.history.csv"));
+  EXPECT_TRUE(std::filesystem::exists(folder + "/curves/cluster-pass-1.response.csv"));
+}
