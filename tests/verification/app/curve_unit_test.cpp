@@ -7,6 +7,7 @@
 #include "tests/support/curve_stands.h"
 #include "tests/support/near.h"
 #include "tests/support/unit_client.h"
+#include <Eigen/Cholesky>
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -181,6 +182,40 @@ TEST(CurveUnit, RestsOnItsCurvesAndKnowsItsDerivatives)
   ASSERT_EQ(FMI2(client, GetRealOutputDerivatives)(client.c, &output, 1, &order, &after_rate), fmi2OK);
   EXPECT_TRUE(near((client.get("a_upper_work_roll") - before) / h, (rate_there + after_rate) / 2,
                    within(1e-5, "difference over 0.1 us")));
+}
+
+// By the force: in initialization along the equilibria of the curves, between steps through the mass alone.
+TEST(CurveUnit, DirectionalDerivativesFollowTheCurves)
+{
+  const Unit unit = unit_on_curves();
+  Client2 client(unit.model);
+  ASSERT_TRUE(client.c) << client.told();
+  const unsigned force = client.at("F_roll"), y3 = client.at("y3"), a3 = client.at("a_upper_work_roll");
+  const double one = 1, strong = 1.5 * load;
+  double slope = 0;
+  ASSERT_EQ(FMI2(client, SetupExperiment)(client.c, 0, 0, 0, 0, 0), fmi2OK);
+  ASSERT_EQ(FMI2(client, EnterInitializationMode)(client.c), fmi2OK);
+  ASSERT_EQ(FMI2(client, SetReal)(client.c, &force, 1, &strong), fmi2OK);
+  ASSERT_EQ(FMI2(client, GetDirectionalDerivative)(client.c, &y3, 1, &force, 1, &one, &slope), fmi2OK)
+      << client.told();
+  // K_tangent^-1 b at the compressions of that equilibrium.
+  dynamics::CurveState rest;
+  ASSERT_TRUE(dynamics::rest_under(unit.chain.stand, 0.5 * load, rest));
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6, 6);
+  for (std::size_t k = 0; k < 6; ++k)
+    K(Eigen::Index(k), Eigen::Index(k)) = unit.chain.stand.rate[k] * unit.chain.stand.rate[k];
+  for (std::size_t j = 0; j < unit.chain.stand.springs.size(); ++j) {
+    const auto &spring = unit.chain.stand.springs[j];
+    const Eigen::Map<const Eigen::VectorXd> row(spring.row.data(), 6);
+    K += dynamics::beyond_tangent(unit.chain.stand, spring, rest.d[j]).stiffness * row * row.transpose();
+  }
+  const Eigen::Map<const Eigen::VectorXd> push(unit.chain.stand.push.data(), 6);
+  EXPECT_TRUE(near(slope, unit.chain.modal.point.row(2).dot(K.ldlt().solve(push)),
+                   within(1e-7, "differences over a thousandth of the load")));
+  ASSERT_EQ(FMI2(client, ExitInitializationMode)(client.c), fmi2OK);
+  ASSERT_EQ(client.step(0, 1e-3), fmi2OK);
+  ASSERT_EQ(FMI2(client, GetDirectionalDerivative)(client.c, &a3, 1, &force, 1, &one, &slope), fmi2OK);
+  EXPECT_TRUE(near(slope, unit.chain.modal.point.row(2).dot(push), within(1e-8, "rounding of the differences")));
 }
 
 TEST(CurveUnit, RefusesByNameAndServesVersionThree)
