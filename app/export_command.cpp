@@ -5,6 +5,7 @@
 #include "app/exported_files.h"
 #include "app/stages/exchanged_stand.h"
 #include "app/stages/exported_chatter.h"
+#include "app/stages/exported_curves.h"
 #include "app/stages/exported_stand.h"
 #include "core/model/case.h"
 #include "core/records/files.h"
@@ -59,13 +60,29 @@ std::string platforms()
 }  // namespace
 
 namespace {
+// A unit follows the curves; what leaves the program with slopes alone says so.
+void warn_of_slopes(const DynamicsSettings &settings)
+{
+  if (settings.contact == "curve")
+    console::say("warning: dynamics.contact = \"curve\" holds for run, simulate and export fmu with a pass; this "
+                 "model is linear, with the slopes of the springs at the working load\n");
+}
+
+fmu::ExportedModel unit_of(const DrivenStand &driven, const Case &the_case)
+{
+  if (driven.curves)
+    return exported_curves(driven, the_case);
+  warn_of_slopes(driven.dynamics);
+  return exported_model(driven, the_case);
+}
+
 void export_unit(const CommandLine &command, const Case &the_case)
 {
   const std::string path = command.output.empty() ? "out/" + the_case.name + ".fmu" : command.output;
   require_output(path, fmu::identifier_of(the_case.name), command.force_overwrite);
   const auto *chatter            = std::get_if<ChatterCase>(&the_case.spec);
   const fmu::ExportedModel model = chatter ? exported_chatter(*chatter, command.pass, the_case)
-                                           : exported_model(driven_case(command, the_case), the_case);
+                                           : unit_of(driven_case(command, the_case), the_case);
   const std::string archive      = fmu::unit_archive(model, command.fmi);
   fmu::check_unit(archive, model, command.fmi);
   if (command.output.empty())
@@ -83,7 +100,8 @@ void export_matrices(const CommandLine &command, const Case &the_case)
   const std::string name    = exchange_name(format, path);
   if (!command.force_overwrite)
     require_own(format, path, the_case.name);
-  const DrivenStand driven       = driven_case(command, the_case);
+  const DrivenStand driven = driven_case(command, the_case);
+  warn_of_slopes(driven.dynamics);
   dynamics::ExchangedStand stand = exchanged_stand(driven, exported_model(driven, the_case));
   stand.name                     = name;
   const auto files               = exchange_files(format, stand, path);

@@ -18,8 +18,8 @@
 #include "app/stages/model_stage.h"
 #include "app/stages/modulus_stage.h"
 #include "app/stages/result_inputs.h"
-#include "core/case/chain_curves.h"
 #include "app/stages/turning_rolls.h"
+#include "core/case/chain_curves.h"
 #include "core/case/given_instead.h"
 #include "core/case/stand_rows.h"
 #include "core/model/case.h"
@@ -432,7 +432,6 @@ std::size_t place_of(const std::vector<Pass> &passes, const std::string &wanted)
 
 DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string &pass)
 {
-  warn_of_slopes(run, stand.dynamics);
   const std::size_t p     = place_of(stand.passes, pass);
   const PassForces forces = forces_of(run, stand, "");
   set_given_inputs(stand.given);
@@ -443,12 +442,18 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
   made.take_bite(p);
   DrivenStand driven_stand;
   auto chain = reduce::lumped_stand(stand, chain_inputs(stand, made.parts, p, forces.loads[p]));
+  std::optional<StandModels> models;
+  const reduce::StandWithModes *detailed = nullptr;
   if (stand.dynamics.model != "six-mass" || stand.dynamics.mass_source != "closed-form") {
-    const StandModels models = stand_models(stand, chain, made.parts.components);
-    add_fe_masses(chain.model, stand, models);
-    if (const auto *detailed = driven(models, stand.dynamics))
+    models = stand_models(stand, chain, made.parts.components);
+    add_fe_masses(chain.model, stand, *models);
+    detailed = driven(*models, stand.dynamics);
+    if (detailed)
       driven_stand.modes = driven_modes(*detailed, chain.model, stand.dynamics);
   }
+  if (stand.dynamics.contact == "curve")
+    driven_stand.curves = std::make_shared<CurveDrive>(curve_drive(
+        run, curves_of(stand, made.parts, p), chain, detailed, stand.dynamics, stand.passes[p], forces.loads[p]));
   driven_stand.chain    = chain.model;
   driven_stand.dynamics = stand.dynamics;
   driven_stand.pass     = stand.passes[p];
@@ -459,7 +464,6 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
 
 DrivenStand driven_lumped(RunContext &run, const Lumped &lumped, const std::string &pass)
 {
-  warn_of_slopes(run, lumped.dynamics);
   DrivenStand driven_stand;
   driven_stand.chain    = lumped_model_of(run.the_case);
   driven_stand.dynamics = lumped.dynamics;
@@ -469,6 +473,13 @@ DrivenStand driven_lumped(RunContext &run, const Lumped &lumped, const std::stri
       driven_stand.force = force_of(driven_stand.pass);
     if (driven_stand.force.force.size() > 0 || !std::isnan(driven_stand.pass.load))
       driven_stand.load = working_load(driven_stand.pass, driven_stand.force);
+    if (lumped.dynamics.contact == "curve" && !lumped.detailed) {
+      const LumpedModel given = driven_stand.chain;
+      driven_stand.chain =
+          at_load(run, given, lumped.curves, lumped.dynamics, driven_stand.pass, driven_stand.load);
+      driven_stand.curves = std::make_shared<CurveDrive>(
+          curve_drive(lumped.curves, lumped.dynamics, given, driven_stand.chain, driven_stand.load));
+    }
   }
   return driven_stand;
 }

@@ -5,10 +5,12 @@
 #include "core/records/lumped_model.h"
 #include "core/records/records.h"
 #include "dynamics/response/modal_model.h"
+#include <memory>
 #include <optional>
 #include <string>
 
 namespace mill {
+struct CurveDrive;
 struct FourHigh;
 struct Lumped;
 
@@ -21,8 +23,9 @@ struct DrivenStand {
   DynamicsSettings dynamics;
   std::optional<dynamics::ModalModel> modes;  ///< of a detailed stand; nothing: the chain of six masses is driven
   Pass pass;
-  ForceRecord force;  ///< empty: the pass has none
-  double load = 0;    ///< N, working load of the pass
+  ForceRecord force;                                   ///< empty: the pass has none
+  double load                              = 0;        ///< N, working load of the pass
+  std::shared_ptr<const CurveDrive> curves = nullptr;  ///< of its contacts, dynamics.contact = "curve"
 };
 
 /// Those of kind "four-high" and of kind "lumped", from the stages that are needed for it.

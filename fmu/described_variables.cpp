@@ -104,7 +104,8 @@ std::string text_of(const ExportedModel &model, const Variable &v)
            : v.name == "mu_steady" ? "friction coefficient of the working point"
                                    : "radius of the flattened rolls, which the vibration does not change";
   case Role::mean_force:
-    return "mean rolling force: displacements count from the state of rest under it";
+    return std::string("mean rolling force: displacements count from the state of rest under it") +
+           (model.data.kind == "curves" ? "; one value, to which the load of the springs at rest belongs" : "");
   case Role::stored_force:
     return "play resources/force.csv, linear between its samples, in place of F_roll";
   case Role::mass:

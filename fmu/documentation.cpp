@@ -34,8 +34,24 @@ std::string equations_of(const ExportedModel &model)
     return "M y'' + (2 zeta modal damping + C b b<sup>T</sup>) y' + K y = b (F - F_mean): masses M, springs K in "
            "a "
            "chain, b = +1 at the upper and -1 at the lower work roll.";
+  if (model.data.kind == "curves")
+    return "q'' + (2 zeta w + C b b<sup>T</sup>) q' + w<sup>2</sup> q = b (F - F_mean) - sum of r s "
+           "rho(r<sup>T</sup> "
+           "q) in the modes of the stand, y = P q at its points; rho(d) is what the force of a contact or a "
+           "bearing at "
+           "a further compression d has above its tangent at rest. A spring whose compression reaches zero "
+           "carries "
+           "no force: its bodies part.";
   return "q'' + (2 zeta w + C b b<sup>T</sup>) q' + w<sup>2</sup> q = b (F - F_mean) in the modes of the stand, "
          "y = P q at its points.";
+}
+
+std::string stored_force_text(const ExportedModel &model)
+{
+  return model.data.has_series
+             ? " With use_stored_force the recorded force of resources/force.csv is played, linear "
+               "between its samples and held before and after; F_roll is then not used."
+             : "";
 }
 
 // Signs, start, steps, changes between them.
@@ -57,8 +73,23 @@ the communication step only by what the force does between the points: it is hel
 <p>Speed, reduction, thickness, tensions and lubrication may be changed between steps. The steady bite is solved again;
 displacements and stresses count from the new working point, to which screws and neighbouring stands are taken to have
 moved, and the vibration goes on. A working point without a steady bite is refused. A strip that tears and rolls that meet
-end the run: fmi{1}DoStep returns Error and says why.</p>)",
-        slope, fmi_version);
+end the run: fmi{1}DoStep says why and returns Discard, {2}; Error where they do so before anything moves.</p>)",
+        slope, fmi_version,
+        fmi_version == 2 ? "fmi2GetRealStatus the moment and fmi2GetBooleanStatus that this is the end"
+                         : "and the instance is where it was before the call");
+  if (model.data.kind == "curves")
+    return fmt::format(
+        R"(<p>Displacements are up positive and count from the state of rest under F_mean, which is that of the case and
+cannot be changed, since the load of the springs at rest belongs to it; a positive F_roll pushes the work rolls apart. The
+run begins at rest in the equilibrium under the first force.</p>
+<h2>Steps and input</h2>
+<p>A communication step is taken in implicit steps of equal length, none above {1:.4g} us. For the linear part of the stand
+they are exact whatever their length, for what the curves add of second order; the result does not depend on the
+communication step where that is a multiple of {1:.4g} us. The force is held at its last value unless its first derivative
+is set ({0}). A held force asks for steps of at most 1/(20 f), f the highest frequency of interest.</p>
+<p>Damping may be changed between steps: displacements and velocities stay as they are. The curves are data
+(resources/model.json) and cannot be tuned.{2}</p>)",
+        slope, 1e6 * model.data.curves.longest_step, stored_force_text(model));
   const auto &last = model.data.frequency;
   const double f   = model.data.kind == "chain" || last.empty() ? 0 : last.back();
   return fmt::format(
@@ -70,10 +101,7 @@ stability or accuracy. What remains is the force between the points: held at its
 derivative is set ({0}). A held force asks for steps of at most 1/(20 f), f the highest frequency of interest{1}.</p>
 <p>Stiffnesses and damping may be changed between steps: displacements and velocities stay as they are, the
 equilibrium under F_mean stays the datum.{2}</p>)",
-      slope, f > 0 ? fmt::format("; the highest mode here has {:.0f} Hz", f) : "",
-      model.data.has_series ? " With use_stored_force the recorded force of resources/force.csv is played, linear "
-                              "between its samples and held before and after; F_roll is then not used."
-                            : "");
+      slope, f > 0 ? fmt::format("; the highest mode here has {:.0f} Hz", f) : "", stored_force_text(model));
 }
 }  // namespace
 

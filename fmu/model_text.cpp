@@ -40,11 +40,11 @@ public:
   {
     add(name, "[" + joined(values, quoted, ", ") + "]");
   }
-  void operator()(const char *name, const std::vector<SpringData> &values)
+  template <class Part> void operator()(const char *name, const std::vector<Part> &values)
   {
-    const auto one = [](const SpringData &spring) {
+    const auto one = [](const Part &part) {
       JsonWriter inside(" ");
-      each_member(inside, spring, &spring);
+      each_member(inside, part, &part);
       return "    {" + inside.members_ + "}";
     };
     add(name, values.empty() ? "[]" : "[\n" + joined(values, one, ",\n") + "\n  ]");

@@ -235,14 +235,6 @@ CurveDrive curve_drive(const ChainCurves &curves, const DynamicsSettings &settin
   return made;
 }
 
-void warn_of_slopes(RunContext &run, const DynamicsSettings &settings)
-{
-  if (settings.contact == "curve")
-    run.warn(
-        "dynamics.contact = \"curve\" holds for run and simulate; an exported model is linear, with the slopes "
-        "of the springs at the working load");
-}
-
 ChainCurves chain_curves_of(const StandCurves &curves, const reduce::LumpedStand &chain, const double load)
 {
   ChainCurves made;

@@ -49,9 +49,6 @@ LumpedModel at_load(RunContext &run, LumpedModel model, const ChainCurves &curve
 CurveDrive curve_drive(const ChainCurves &curves, const DynamicsSettings &settings, const LumpedModel &given,
                        const LumpedModel &model, double load);
 
-/// Where a model leaves the program with slopes alone and the case asks for curves.
-void warn_of_slopes(RunContext &run, const DynamicsSettings &settings);
-
 /// The curves of a four-high for its lumped_model.toml.
 ChainCurves chain_curves_of(const StandCurves &curves, const reduce::LumpedStand &chain, double load);
 }  // namespace mill

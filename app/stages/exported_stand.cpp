@@ -46,6 +46,8 @@ fmu::ModelData chain_data(const dynamics::MillModel &chain, const DrivenStand &s
   return data;
 }
 
+}  // namespace
+
 fmu::ModelData modal_data(const dynamics::ModalModel &modes)
 {
   fmu::ModelData data;
@@ -63,6 +65,7 @@ fmu::ModelData modal_data(const dynamics::ModalModel &modes)
   return data;
 }
 
+namespace {
 std::map<std::string, std::string> sources(const DrivenStand &stand)
 {
   std::map<std::string, std::string> all;

@@ -5,6 +5,9 @@
 namespace mill {
 struct Case;
 
+/// A stand in its modes.
+fmu::ModelData modal_data(const dynamics::ModalModel &modes);
+
 /// The stand as a unit needs it: model data, where each start value comes from, the force that travels along, and
 /// the run that the unit must reproduce.  theory.md 35
 fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of);

@@ -1,4 +1,4 @@
-#include "dynamics/nonlinear/curve_stand.h"
+#include "curve_stand.h"
 
 namespace mill::dynamics {
 SpringForce beyond_tangent(const CurveStand &stand, const CurveSpring &spring, const double d)

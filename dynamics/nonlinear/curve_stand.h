@@ -1,5 +1,5 @@
 #pragma once
-#include "dynamics/nonlinear/spring_law.h"
+#include "spring_law.h"
 #include <cstddef>
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "dynamics/nonlinear/fixed_step.h"
+#include "fixed_step.h"
 #include <algorithm>
 #include <array>
 #include <cmath>

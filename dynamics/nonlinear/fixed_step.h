@@ -1,5 +1,5 @@
 #pragma once
-#include "dynamics/nonlinear/curve_stand.h"
+#include "curve_stand.h"
 
 // The stepping kernel for a fixed step.  Standard library alone, as spring_law.h.  theory.md 36.3
 namespace mill::dynamics {

@@ -1,4 +1,4 @@
-#include "dynamics/nonlinear/spring_law.h"
+#include "spring_law.h"
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -2,7 +2,8 @@
 #include <vector>
 
 // The force of a contact or a bearing over its compression, and a step of a stand on such springs.  Standard
-// library alone, no Eigen: what travels inside an exported unit can take these files as they are.  theory.md 36.1
+// library alone, no Eigen: these files travel inside an exported unit as they are, side by side in one folder,
+// hence their includes without one.  theory.md 36.1
 namespace mill::dynamics {
 /// Force and slope at one compression.
 struct SpringForce {
@@ -44,6 +45,20 @@ public:
   double largest_load() const  ///< N, of the samples
   {
     return load_.back();
+  }
+
+  // What the law was made from: with it another place makes the same law, to the last digit.
+  const std::vector<double> &sample_loads() const  ///< N
+  {
+    return load_;
+  }
+  const std::vector<double> &sample_compressions() const  ///< m
+  {
+    return compression_;
+  }
+  double series_compliance() const  ///< m/N, of the linear springs in series
+  {
+    return compliance_;
   }
 
 private:

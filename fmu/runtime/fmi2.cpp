@@ -258,8 +258,7 @@ fmi2Status fmi2DoStep(fmi2Component c, fmi2Real from, fmi2Real length, fmi2Boole
   return call(c, "fmi2DoStep", [&](Instance &i) {
     if (!i.may_step("fmi2DoStep", from, length))
       return Status::error;
-    i.do_step(from, length);
-    return Status::ok;
+    return i.do_step("fmi2DoStep", from, length, 2);
   });
 }
 
@@ -295,8 +294,8 @@ fmi2Status fmi2GetBooleanStatus(fmi2Component c, fmi2StatusKind kind, fmi2Boolea
 {
   if (kind != fmi2Terminated || !value)
     return discarded(c, "fmi2GetBooleanStatus", "only fmi2Terminated is known");
-  return call(c, "fmi2GetBooleanStatus", [&](Instance &) {
-    *value = 0;  // the model itself never asks for the end
+  return call(c, "fmi2GetBooleanStatus", [&](Instance &i) {
+    *value = i.ended() ? 1 : 0;
     return Status::ok;
   });
 }

@@ -245,13 +245,13 @@ fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 from, fmi3Float64 lengt
     for (fmi3Boolean *flag : {event_needed, terminate, early})
       if (flag)
         *flag = false;
-    const bool may = i.may_step("fmi3DoStep", from, length);
-    if (may) {
+    Status status = Status::error;
+    if (i.may_step("fmi3DoStep", from, length)) {
       ask_for_force(static_cast<Fmi3Instance &>(i), from, length);
-      i.do_step(from, length);
+      status = i.do_step("fmi3DoStep", from, length, 3);
     }
     if (last_time)
       *last_time = i.time();
-    return may ? Status::ok : Status::error;
+    return status;
   });
 }

@@ -67,7 +67,8 @@ Instance::Instance(std::string folder, const std::string &token, std::unique_ptr
 
 void Instance::set_start_values()
 {
-  now_ = Snapshot();
+  now_   = Snapshot();
+  ended_ = false;
   now_.values.reserve(variables_.size());
   for (const Variable &variable : variables_)
     now_.values.push_back(variable.start);
@@ -171,8 +172,9 @@ void Instance::settle()
     now_.force = series_.at(now_.time, now_.place);
   } else
     now_.force = now_.values[bite_force];
-  now_.modes      = motion_->equilibrium(now_.force - mean());
-  now_.last_slope = 0;
+  const double above = now_.force - mean();
+  now_.modes         = curves_ ? curves_->equilibrium(above) : motion_->equilibrium(above);
+  now_.last_slope    = 0;
 }
 
 void Instance::bring_up_to_date()
@@ -184,7 +186,7 @@ void Instance::bring_up_to_date()
   if (chatter_)
     evaluate_vibration();
   else
-    evaluate(system_, *motion_, now_.modes, now_.force, now_.values);
+    evaluate(now_.modes, now_.force, now_.values);
   now_.outputs_stale = false;
 }
 
@@ -234,20 +236,29 @@ void Instance::use_parameters()
   system_ = std::move(system);
   motion_ = std::make_unique<Motion>(system_);
   built_  = tuning;
+  if (model_.kind == "curves") {
+    if (!curves_)
+      curves_ = std::make_unique<CurveMotion>(model_);
+    curves_->tune(tuning.modal_damping, tuning.gap_damper);
+  }
   for (std::size_t i = 0; i < variables_.size(); ++i)
     if (variables_[i].role == Role::frequency)
       now_.values[i] = system_.rad[std::size_t(variables_[i].index)] / (2 * 3.14159265358979323846);
 }
 
-// Outputs of modes under a force.  (35.1)
-void Instance::evaluate(const ModalSystem &system, const Motion &motion, const ModalState &modes,
-                        const double force, std::vector<double> &values)
+// Outputs of modes under a force.  (35.1), (36.4)
+void Instance::evaluate(const ModalState &modes, const double force, std::vector<double> &values,
+                        const ModalState *rates_at)
 {
-  motion.acceleration(modes, force - values[2], scratch_);
+  motion_->acceleration(modes, force - values[2], scratch_);
+  if (curves_ && rates_at)
+    curves_->add_spring_rates(*rates_at, scratch_);
+  else if (curves_)
+    curves_->add_springs(modes, scratch_);
   for (std::size_t i = 0; i < variables_.size(); ++i) {
     const Variable &variable = variables_[i];
     const auto at_point      = [&](const std::vector<double> &of_modes) {
-      const double *row = &system.point.entry[std::size_t(variable.index) * system.rad.size()];
+      const double *row = &system_.point.entry[std::size_t(variable.index) * system_.rad.size()];
       double sum        = 0;
       for (std::size_t k = 0; k < of_modes.size(); ++k)
         sum += row[k] * of_modes[k];
@@ -258,9 +269,9 @@ void Instance::evaluate(const ModalSystem &system, const Motion &motion, const M
     else if (variable.role == Role::displacement)
       values[i] = at_point(modes.q);
     else if (variable.role == Role::cell_force) {
-      values[i] = system.load_cell_share * values[2];
+      values[i] = system_.load_cell_share * values[2];
       for (std::size_t k = 0; k < modes.q.size(); ++k)
-        values[i] += system.load_cell[k] * modes.q[k];
+        values[i] += system_.load_cell[k] * modes.q[k];
     }
   }
 }
@@ -292,18 +303,34 @@ bool Instance::may_step(const char *function, const double from, const double le
   return true;
 }
 
-void Instance::do_step(const double from, const double length)
+// One straight stretch of force.
+void Instance::travel(const double length, const StraightForce &force)
 {
-  const double end = from + length;
+  if (curves_)
+    curves_->advance(now_.modes, length, force);
+  else
+    motion_->advance(now_.modes, length, force);
+}
+
+Status Instance::do_step(const char *function, const double from, const double length, const int version)
+{
+  double end = from + length;
+  Snapshot before;
+  if (chatter_ && version == 3)
+    before = now_;
+  std::string why;
+  ended_ = false;
   if (chatter_)
-    vibrate(end);
+    why = vibrate(end);
   else if (now_.stored)
     play_series(end);
   else {
     const double begin = now_.values[bite_force];
-    motion_->begin(now_.modes);
-    motion_->advance(now_.modes, end - now_.time, {begin - mean(), now_.slope});
-    motion_->end(now_.modes);
+    if (!curves_)
+      motion_->begin(now_.modes);
+    travel(end - now_.time, {begin - mean(), now_.slope});
+    if (!curves_)
+      motion_->end(now_.modes);
     now_.force      = end_is_said_ ? force_at_end_ : begin + now_.slope * (end - now_.time);
     now_.last_slope = now_.slope;
     if (end_is_said_)
@@ -314,6 +341,14 @@ void Instance::do_step(const double from, const double length)
   now_.time          = end;
   now_.values[0]     = end;
   now_.outputs_stale = true;
+  if (why.empty())
+    return Status::ok;
+  if (version == 3) {
+    now_       = std::move(before);
+    now_.slope = 0;
+  }
+  ended_ = true;
+  return log_->refuse(Status::discard, std::string(function) + ": " + why);
 }
 
 // Every sample inside the step ends a stretch, so that each sees one straight line.
@@ -321,12 +356,13 @@ void Instance::play_series(const double end)
 {
   const auto &time = series_.time;
   double at = now_.time, force = now_.force, slope = 0;
-  motion_->begin(now_.modes);
+  if (!curves_)
+    motion_->begin(now_.modes);
   for (std::size_t place = std::size_t(now_.place);;) {
     const bool inside = place > 0 && place < time.size();
     const double stop = place < time.size() ? std::min(end, time[place]) : end;
     slope = inside ? (series_.force[place] - series_.force[place - 1]) / (time[place] - time[place - 1]) : 0;
-    motion_->advance(now_.modes, stop - at, {force - mean(), slope});
+    travel(stop - at, {force - mean(), slope});
     at = stop;
     if (place < time.size() && time[place] <= end) {
       force = series_.force[place];
@@ -336,7 +372,8 @@ void Instance::play_series(const double end)
       break;
     }
   }
-  motion_->end(now_.modes);
+  if (!curves_)
+    motion_->end(now_.modes);
   now_.force      = series_.at(end, std::size_t(now_.place));
   now_.last_slope = slope;
 }

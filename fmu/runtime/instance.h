@@ -1,5 +1,6 @@
 #pragma once
 #include "chatter_motion.h"
+#include "curve_motion.h"
 #include "force_series.h"
 #include "log.h"
 #include "motion.h"
@@ -97,9 +98,15 @@ public:
 
   /// Is a step from `from` over `length` (s) in order?  Otherwise it is told.
   bool may_step(const char *function, double from, double length) const;
-  /// Carries out a step that may_step().  Exact for the force received.
-  /// @throws std::runtime_error  kind "chatter": the strip tears or the rolls meet
-  void do_step(double from, double length);
+  /// Carries out a step that may_step().  Exact for the force received where the stand is linear.  Where the strip
+  /// of kind "chatter" tears or its rolls meet inside the step, that is told and discard is returned: of version 2
+  /// the instance is then at that moment, at its end; of version 3 where it was before the call.
+  /// @throws std::runtime_error  kind "chatter": they do so at the very beginning; kind "curves": see CurveMotion
+  Status do_step(const char *function, double from, double length, int version);
+  bool ended() const  ///< inside the last step
+  {
+    return ended_;
+  }
   /// In the middle of a step: the client sets the force that acts at its end.
   void enter_intermediate();
   void leave_intermediate(double length);
@@ -128,8 +135,10 @@ private:
   void load_series();
   void play_series(double end);
   double mean() const;
-  void evaluate(const ModalSystem &system, const Motion &motion, const ModalState &modes, double force,
-                std::vector<double> &values);
+  void travel(double length, const StraightForce &force);
+  /// @param rates_at  null: modes themselves; else `modes` are the rates of these
+  void evaluate(const ModalState &modes, double force, std::vector<double> &values,
+                const ModalState *rates_at = nullptr);
   std::vector<double> unknowns_at(std::vector<double> values, const Direction &asked);
   std::vector<double> by_known(const Direction &asked, Reference known);
   bool is_copy(const char *function, const void *state) const;
@@ -140,7 +149,7 @@ private:
   bool has_steady_bite(const char *function, const std::vector<double> &values) const;
   ChatterInput input_now() const;
   void evaluate_vibration();
-  void vibrate(double end);
+  std::string vibrate(double &end);
 
   std::string folder_;
   std::unique_ptr<Log> log_;
@@ -151,11 +160,13 @@ private:
   Snapshot now_;
   double force_at_end_ = 0;  // N, said by the client in the middle of a step
   bool end_is_said_    = false;
+  bool ended_          = false;
   double force_before_ = 0;
 
   Tuning built_;  // what system_ and motion_ were made for
   ModalSystem system_;
   std::unique_ptr<Motion> motion_;
+  std::unique_ptr<CurveMotion> curves_;     // of kind "curves": steps in the place of motion_
   std::unique_ptr<ChatterMotion> chatter_;  // of kind "chatter" in their place
   std::vector<double> built_pass_;          // parameters that it was made for
   std::vector<double> scratch_, row_;

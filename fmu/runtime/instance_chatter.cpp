@@ -144,7 +144,8 @@ void Instance::evaluate_vibration()
   }
 }
 
-void Instance::vibrate(const double end)
+// @return  why the motion ends before `end`, which is that moment then
+std::string Instance::vibrate(double &end)
 {
   const double begin  = now_.values[bite_force];
   ChatterInput input  = input_now();
@@ -152,12 +153,16 @@ void Instance::vibrate(const double end)
   input.slope         = now_.slope;
   double length       = end - now_.time;
   const double wanted = length, from = now_.time;
-  const std::string why = chatter_->advance(now_.vibration, length, input);
-  now_.force            = end_is_said_ ? force_at_end_ : begin + now_.slope * wanted;
-  now_.last_slope       = now_.slope;
-  if (end_is_said_)
-    now_.values[bite_force] = force_at_end_;
+  const std::string why  = chatter_->advance(now_.vibration, length, input);
+  const std::string told = "at " + number_text(from + length) + " s " + why;
+  if (!why.empty() && !(from + length > from))
+    throw std::runtime_error(told);
   if (!why.empty())
-    throw std::runtime_error("at " + number_text(from + length) + " s " + why);
+    end = from + length;
+  const bool whole        = why.empty() && end_is_said_;
+  now_.force              = whole ? force_at_end_ : begin + now_.slope * (why.empty() ? wanted : length);
+  now_.last_slope         = now_.slope;
+  now_.values[bite_force] = whole ? force_at_end_ : now_.values[bite_force];
+  return why.empty() ? "" : told;
 }
 }  // namespace mill::fmu

@@ -151,7 +151,8 @@ Status Instance::restore(const char *function, const void *state)
     load_series();
   ModalState modes;
   std::swap(modes, wanted.modes);
-  now_ = std::move(wanted);
+  now_   = std::move(wanted);
+  ended_ = false;
   use_parameters();
   std::swap(modes, now_.modes);
   return Status::ok;

@@ -216,9 +216,11 @@ Status Instance::get_output_derivatives(const char *function, const Reference *r
     return log_->refuse(Status::error, std::string(function) + ": outputs of this model have no derivatives");
   ModalState rates{now_.modes.p, {}, {}};
   motion_->acceleration(now_.modes, now_.force - mean(), rates.p);
+  if (curves_)
+    curves_->add_springs(now_.modes, rates.p);
   std::vector<double> derived = now_.values;
   derived[2]                  = 0;  // the mean force has no derivative
-  evaluate(system_, *motion_, rates, now_.last_slope, derived);
+  evaluate(rates, now_.last_slope, derived, &now_.modes);
   for (std::size_t i = 0; i < n; ++i)
     values[i] = derived[references[i]];
   return Status::ok;
@@ -268,7 +270,7 @@ std::vector<double> Instance::unknowns_at(std::vector<double> values, const Dire
     settle();
   else if (!now_.stored)
     now_.force = now_.values[bite_force];
-  evaluate(system_, *motion_, now_.modes, now_.force, now_.values);
+  evaluate(now_.modes, now_.force, now_.values);
   std::vector<double> result;
   for (std::size_t i = 0; i < asked.n_unknowns; ++i)
     result.push_back(now_.values[asked.unknowns[i]]);
@@ -289,7 +291,7 @@ std::vector<double> Instance::by_known(const Direction &asked, const Reference r
   const double value       = now_.values[reference];
   double width             = 1e-3 * std::abs(value);
   if (variable.role == Role::bite_force || variable.role == Role::mean_force)
-    width = std::max(1e6, std::abs(value));
+    width = curves_ ? 1e-3 * curves_->rest_force() : std::max(1e6, std::abs(value));
   else if (variable.role == Role::gap_damper)
     width = std::max(1e3, std::abs(value));
   else if (variable.role == Role::modal_damping)

@@ -38,13 +38,13 @@ public:
     for (const Json &item : member(name, Json::Kind::list).items)
       values.push_back(checked(name, item, Json::Kind::text).text);
   }
-  void operator()(const char *name, std::vector<SpringData> &values)
+  template <class Part> void operator()(const char *name, std::vector<Part> &values)
   {
     for (const Json &item : member(name, Json::Kind::list).items) {
-      SpringData spring;
-      MemberReader inside(item);
-      each_member(inside, spring, &spring);
-      values.push_back(spring);
+      Part part;
+      MemberReader inside(checked(name, item, Json::Kind::object));
+      each_member(inside, part, &part);
+      values.push_back(part);
     }
   }
 
@@ -102,6 +102,20 @@ void require_modal(const ModelData &model)
       throw std::runtime_error("a frequency is not above zero");
 }
 
+void require_curves(const ModelData &model)
+{
+  const CurveData &c = model.curves;
+  for (const CurveSpringData &spring : c.springs) {
+    require_size("row", spring.row.size(), model.frequency.size());
+    if (spring.law < 0 || spring.law >= int(c.laws.size()))
+      throw std::runtime_error("spring " + spring.name + " follows a curve that is not there");
+    if (!(spring.share > 0 && spring.rest > 0 && spring.force > 0 && spring.stiffness > 0))
+      throw std::runtime_error("spring " + spring.name + " carries no load at rest");
+  }
+  if (!(c.longest_step > 0))
+    throw std::runtime_error("longest_step is not above zero");
+}
+
 void require_chatter(const ModelData &model)
 {
   const ChatterData &c = model.chatter;
@@ -140,7 +154,10 @@ ModelData read_model(const std::string &json)
     require_chain(model);
   else if (model.kind == "modal")
     require_modal(model);
-  else if (model.kind == "chatter")
+  else if (model.kind == "curves") {
+    require_modal(model);
+    require_curves(model);
+  } else if (model.kind == "chatter")
     require_chatter(model);
   else
     throw std::runtime_error("kind " + model.kind + " is unknown");

@@ -1,5 +1,6 @@
 #pragma once
 #include "chatter_data.h"
+#include "curve_data.h"
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -21,11 +22,11 @@ struct SpringData {
 };
 
 /// A linear stand driven by its bite force, as a chain of masses whose springs may be tuned or in modes that are
-/// kept as they are; or a stand whose bite is part of the model.
+/// kept as they are, with springs on curves or without; or a stand whose bite is part of the model.
 struct ModelData {
   std::string runtime;              ///< runtime_version of the program that wrote it
   std::string guid;                 ///< identity of model, variables and runtime
-  std::string kind;                 ///< "chain", "modal" or "chatter"
+  std::string kind;                 ///< "chain", "modal", "curves" or "chatter"
   std::vector<std::string> points;  ///< (m) what moves, "upper_work_roll"
   double modal_damping    = 0;      ///< -, ratio of critical of every mode
   double gap_damper       = 0;      ///< N s/m, between the work rolls
@@ -40,12 +41,13 @@ struct ModelData {
   std::vector<double> bite_row;     ///< (m) -, force on each mass per unit of bite force
   int load_cell_spring = 0;         ///< place among the springs of the one that the load cell stands on
 
-  // kind "modal": n modes
+  // kinds "modal" and "curves": n modes
   std::vector<double> frequency;       ///< (n) Hz, ascending, above zero
   std::vector<double> shape;           ///< (m * n, by rows) kg^-1/2, displacement of each point in each mode
   std::vector<double> bite_mode;       ///< (n) kg^-1/2, bite force on each mode
   std::vector<double> load_cell_mode;  ///< (n) N/m kg^-1/2
 
+  CurveData curves;     ///< kind "curves" alone
   ChatterData chatter;  ///< kind "chatter" alone; what stands above but for the points is empty then
 
   std::size_t n_modes() const
@@ -84,6 +86,8 @@ template <class IO, class M> void each_member(IO &io, M &model, const ModelData 
   io("shape", model.shape);
   io("bite_mode", model.bite_mode);
   io("load_cell_mode", model.load_cell_mode);
+  if (model.kind == "curves")
+    io("curves", model.curves);
   if (model.kind == "chatter")
     io("chatter", model.chatter);
 }

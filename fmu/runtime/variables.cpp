@@ -38,6 +38,8 @@ void add_parameters(const ModelData &model, std::vector<Variable> &all)
   Variable mean = parameter("F_mean", Role::mean_force, 0, Variability::fixed, "N", -largest_force, largest_force,
                             model.mean_force);
   mean.display_unit = "kN";
+  if (model.kind == "curves")  // what the springs carry at rest belongs to it
+    mean.low = mean.high = model.mean_force;
   all.push_back(mean);
   if (model.has_series)
     all.push_back({"use_stored_force", Role::stored_force, 0, Type::boolean, Causality::parameter,

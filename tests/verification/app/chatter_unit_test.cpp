@@ -328,6 +328,40 @@ TEST(ChatterUnit, AMotionThatCannotGoOnEndsTheRunWithAReason)
   EXPECT_EQ(closed.told(), "fmi2DoStep: at 0 s the gap closes: the rolls would meet\n");
 }
 
+// A force that tears the work rolls open until the strip is pulled apart, inside a step.
+TEST(ChatterUnit, AStripThatTearsInsideAStepDiscardsItsRest)
+{
+  Client2 client(unit_2());
+  ASSERT_EQ(begin(client), 0) << client.told();
+  client.set("F_disturbance", 1e8);
+  ASSERT_EQ(client.step(0, 0.1), fmi2Discard) << client.told();
+  EXPECT_NE(client.told().find(" s the exit tension reaches the flow stress of the strip: it tears\n"),
+            std::string::npos);
+  double at = 0;
+  int ended = 0;
+  ASSERT_EQ(FMI2(client, GetRealStatus)(client.c, fmi2LastSuccessfulTime, &at), fmi2OK);
+  ASSERT_EQ(FMI2(client, GetBooleanStatus)(client.c, fmi2Terminated, &ended), fmi2OK);
+  EXPECT_TRUE(at > 0 && at < 0.1) << at;
+  EXPECT_EQ(ended, 1);
+  const double gap = client.get("dh");
+  EXPECT_GT(gap, 1e-3) << "at that moment";
+  EXPECT_EQ(client.step(at, 1e-3), fmi2Error) << "there is no way on";
+  const double part = 0.5 * at;
+  Client3 three(unit_2());
+  ASSERT_EQ(FMI3(three, EnterInitializationMode)(three.c, false, 0, 0, false, 0), fmi3OK) << three.told();
+  ASSERT_EQ(FMI3(three, ExitInitializationMode)(three.c), fmi3OK) << three.told();
+  three.set("F_disturbance", 1e8);
+  EXPECT_EQ(three.step(0, 0.1), fmi3Discard) << three.told();
+  EXPECT_EQ(three.step(0, part), fmi3OK) << "a shorter one, from where it was: " << three.told();
+  Client2 again(client.unit, unit_2(), unit_2().data.guid, "");
+  ASSERT_EQ(begin(again), 0) << again.told();
+  again.set("F_disturbance", 1e8);
+  ASSERT_EQ(again.step(0, part), fmi2OK);
+  ASSERT_EQ(FMI2(again, GetBooleanStatus)(again.c, fmi2Terminated, &ended), fmi2OK);
+  EXPECT_EQ(ended, 0);
+  EXPECT_EQ(again.get("dh"), three.get("dh"));
+}
+
 TEST(ChatterUnit, ASecondOfVibrationCosts)
 {
   Client2 client(unit_2());

@@ -103,3 +103,21 @@ TEST(CurveCommand, SaysWhatPartsUnderALargeForce)
   EXPECT_GT(scale, 0.01);
   EXPECT_LT(scale, 1);
 }
+
+// A unit follows the curves; matrices cannot, and say so.
+TEST(CurveCommand, ExportsAUnitOnItsCurvesAndSaysWhereOnlySlopesLeave)
+{
+  const std::string chain = case_with_curves("curve-unit", 976e3), out = scratch("curve-unit");
+  const auto unit = millstand("export fmu " + chain + " -o " + out + "/chain.fmu" + on_curves);
+  ASSERT_EQ(unit.exit_code, 0) << unit.err;
+  EXPECT_NE(unit.out.find("chain of six masses; K3, K5 follow their curves from "), std::string::npos) << unit.out;
+  EXPECT_EQ(unit.err.find("warning: dynamics.contact"), std::string::npos) << unit.err;
+  const auto matrices = millstand("export matlab " + chain + " -q -o " + out + "/chain.m" + on_curves);
+  ASSERT_EQ(matrices.exit_code, 0) << matrices.err;
+  EXPECT_NE(
+      matrices.err.find(
+          "warning: dynamics.contact = \"curve\" holds for run, simulate and export fmu with a pass; this model "
+          "is linear, with the slopes of the springs at the working load\n"),
+      std::string::npos)
+      << matrices.err;
+}

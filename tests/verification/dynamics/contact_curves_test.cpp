@@ -6,6 +6,7 @@
 #include "tests/support/curve_stands.h"
 #include "tests/support/near.h"
 #include <cmath>
+#include <complex>
 
 using namespace mill;
 using namespace mill::dynamics;
@@ -134,11 +135,78 @@ TEST(ContactCurves, AreTheLinearModelAtSmallAmplitude)
         near(of_curve.peak, of_line.peak, within(2e-4, "one sample, and the contact swings ten times as far")));
   }
   // What is left goes with the amplitude.
-  const ForceRecord tenth = noise(1e-4 * load, 0.5);
-  EXPECT_TRUE(near(furthest(curve_response(chain.stand, chain.modal, tenth, 20e3).response.acceleration,
-                            mill_response(driven_model(chain.modal), tenth, 20e3).acceleration),
+  const ForceRecord tenth     = noise(1e-4 * load, 0.5);
+  const Response small_linear = mill_response(driven_model(chain.modal), tenth, 20e3),
+                 small        = curve_response(chain.stand, chain.modal, tenth, 20e3).response;
+  EXPECT_TRUE(near(furthest(small.acceleration, small_linear.acceleration),
                    0.1 * furthest(run.response.acceleration, linear.acceleration), within(0.05, "second order")));
+  for (const int roll : {int(upper_work_roll), int(lower_work_roll)})
+    EXPECT_TRUE(near(level(small.acceleration.col(roll)).peak, level(small_linear.acceleration.col(roll)).peak,
+                     within(3e-5, "a tenth of the amplitude, not of the tolerance of a step")));
+  // And is even in the force, as the square of a compression is, but for a part of third order: a slope that were
+  // off would be odd, and the more so the smaller the amplitude.
+  const auto odd_part = [&](const ForceRecord &wanted) {
+    ForceRecord mirrored       = wanted;
+    mirrored.force             = (2 * wanted.force.mean() - wanted.force.array()).matrix();
+    const Eigen::MatrixXd line = mill_response(driven_model(chain.modal), wanted, 20e3).acceleration;
+    return furthest(curve_response(chain.stand, chain.modal, mirrored, 20e3, 1e-13).response.acceleration + line,
+                    curve_response(chain.stand, chain.modal, wanted, 20e3, 1e-13).response.acceleration - line);
+  };
+  const double odd = odd_part(force);
+  EXPECT_LT(odd, 0.03);
+  EXPECT_TRUE(near(odd_part(tenth), 0.1 * odd, within(0.1, "third order over second")));
   EXPECT_LT((run.response.load_cell - linear.load_cell).cwiseAbs().maxCoeff(), 1e-4 * load);
+}
+
+// A curve has a second derivative, and an amplitude of a thousandth of the load shows it: a harmonic of twice the
+// frequency, of the size that theory.md (36.11) says, which falls with the square of the amplitude.
+TEST(ContactCurves, SecondHarmonicIsThatOfTheCurvature)
+{
+  constexpr double damping = 0.1, frequency = 61;
+  constexpr Eigen::Index per_period = 40, periods = 61;  // one second, e^-25 of what the start left
+  const ChainOnCurves chain = chain_on_curves(load, damping);
+  const CurveStand &stand   = chain.stand;
+  using Complex             = std::complex<double>;
+  const double w            = 2 * M_PI * frequency;
+  const auto answers        = [&](const std::size_t k, const double at) {
+    return 1.0 / Complex(stand.rate[k] * stand.rate[k] - at * at, 2 * damping * stand.rate[k] * at);
+  };
+  for (const double part : {1e-3, 1e-4}) {
+    const Eigen::Index n = per_period * periods + 1;
+    ForceRecord force{Eigen::VectorXd::LinSpaced(n, 0, double(periods) / frequency), Eigen::VectorXd(n), {}};
+    for (Eigen::Index i = 0; i < n; ++i)
+      force.force[i] = load * (1 + part * std::sin(w * force.time[i]));
+    const auto run =
+        curve_response(stand, chain.modal, force, per_period * frequency, 1e-13).response.acceleration;
+    // Straight lines between samples of a sine: its size times sinc^2.
+    const double half = M_PI / double(per_period), push = part * load * std::pow(std::sin(half) / half, 2);
+    Eigen::VectorXcd second = Eigen::VectorXcd::Zero(6);
+    for (const CurveSpring &spring : stand.springs) {
+      // F'' of compression = F (a - b ln F) in closed form for the contacts, k dk/dF for the bearings.
+      const double dF  = 0.02 * load;
+      const auto slope = [&](const double F) {
+        return stand.laws[spring.law].at(stand.laws[spring.law].compression(F)).stiffness;
+      };
+      const bool contact     = spring.name == "K3" || spring.name == "K5";
+      const double gradient  = 5.3e-11 - 1.9e-12 * (std::log(load) + 1);
+      const double curvature = contact ? 1.9e-12 / load / std::pow(gradient, 3)
+                                       : (slope(load + dF) - slope(load - dF)) / (2 * dF) * spring.stiffness;
+      Complex d              = 0;
+      for (std::size_t k = 0; k < 6; ++k)
+        d += spring.row[k] * answers(k, w) * stand.push[k] * push * Complex(0, -1);
+      for (std::size_t k = 0; k < 6; ++k)
+        second[Eigen::Index(k)] -= answers(k, 2 * w) * spring.row[k] * 0.25 * curvature * d * d;
+    }
+    const Eigen::VectorXcd wanted = -4 * w * w * (chain.modal.point * second);
+    for (const int roll : {int(upper_work_roll), int(lower_work_roll)}) {
+      Complex seen = 0;
+      for (Eigen::Index i = 0; i < per_period; ++i)
+        seen += run(n - per_period + i, roll) * std::exp(Complex(0, -4 * M_PI * double(i + 1) / per_period)) *
+                2.0 / double(per_period);
+      EXPECT_LT(std::abs(seen - wanted[roll]), 5e-3 * std::abs(wanted[roll]))
+          << part << " " << seen << wanted[roll];
+    }
+  }
 }
 
 TEST(ContactCurves, FixedStepsAreExactForALinearStand)

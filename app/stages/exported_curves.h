@@ -1,0 +1,20 @@
+#pragma once
+#include "app/pipeline.h"
+#include "dynamics/nonlinear/curve_stand.h"
+#include "fmu/exported_model.h"
+
+namespace mill {
+struct Case;
+
+/// The members of a unit's model from our own structures.
+/// @param longest_step  s
+fmu::CurveData curve_data(const dynamics::CurveStand &stand, double longest_step);
+
+/// How many steps of a unit go into one of the output rate (1/s): none is longer than a fortieth of the shortest
+/// period.
+int steps_between_outputs(const dynamics::CurveStand &stand, double output_rate);
+
+/// As exported_model(), of a stand whose contacts and bearings follow their curves: in its modes, checked against
+/// the fixed-step run of the program.  theory.md 36.8
+fmu::ExportedModel exported_curves(const DrivenStand &stand, const Case &of);
+}  // namespace mill
