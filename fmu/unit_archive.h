@@ -11,7 +11,7 @@ std::string unit_archive(const ExportedModel &model, int fmi_version);
 /// "F-mill 4 (übung)" -> "F_mill_4_bung": an identifier of C, also the name of the library.
 std::string identifier_of(const std::string &name);
 
-/// Loads the unit of an archive and compares.  @throws std::logic_error  it differs by more than model.check allows,
-/// or does not run
+/// Loads the unit of an archive and compares.  @throws std::logic_error  it differs by more than model.check
+/// allows, or does not run
 void check_unit(const std::string &archive, const ExportedModel &model, int fmi_version);
 }  // namespace mill::fmu

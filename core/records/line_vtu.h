@@ -8,8 +8,8 @@ namespace mill {
 struct LineField {
   Eigen::MatrixXd position;                      ///< (n, 3) m
   std::vector<std::vector<Eigen::Index>> cells;  ///< numbers of points; one: a vertex, more: a line through them
-  bool filled = false;  ///< cells of three and more points are faces
-  int digits  = 9;      ///< of every number
+  bool filled = false;                           ///< cells of three and more points are faces
+  int digits  = 9;                               ///< of every number
   struct Vectors {
     std::string name, unit;
     Eigen::MatrixXd value;  ///< (n, 3); a tensor: (n, 9)

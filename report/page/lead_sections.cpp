@@ -36,7 +36,8 @@ std::string what_is_in_short(const Run &run)
   if (run.manifest.kind == "chatter")
     return "Every condition at its working speed; a positive growth rate is a stand that chatters.";
   if (run.manifest.kind == "cluster")
-    return "Every pass: its force, the named natural frequencies about the state at rest, how far it is from buckling "
+    return "Every pass: its force, the named natural frequencies about the state at rest, how far it is from "
+           "buckling "
            "and from a roll that leaves its nest; then what variants of the stack are fitted to.";
   return run.find("contact.space.approach") ? "The contact at its working load."
                                             : "The contact at its working load, stiffnesses per metre of length.";
@@ -85,8 +86,10 @@ std::string what_is_left_out(const Run &run)
            "rate and temperature, friction one law along the whole arc; lubricant and heat are not followed. No "
            "published experiment stands beside these numbers.";
   if (run.manifest.kind == "cluster")
-    return "Rolls are rigid discs in one plane, their contacts and supports springs of one length: no bending, no tilt "
-           "across the strip, no saddle or housing that moves, no chatter feedback from the strip. The law of a support "
+    return "Rolls are rigid discs in one plane, their contacts and supports springs of one length: no bending, no "
+           "tilt "
+           "across the strip, no saddle or housing that moves, no chatter feedback from the strip. The law of a "
+           "support "
            "is what the case says of it.";
   if (run.find("contact.space.approach"))
     return "The contact is elastic and smooth, and small against both bodies, each of which is a half space: its "

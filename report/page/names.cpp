@@ -1,6 +1,6 @@
 #include "report/page/names.h"
-#include "report/cluster/figures.h"
 #include "core/records/result_names.h"
+#include "report/cluster/figures.h"
 #include "report/modes/names.h"
 #include <algorithm>
 

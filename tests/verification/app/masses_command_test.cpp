@@ -460,8 +460,8 @@ TEST(ModelFiles, HoldTheModesOfTheRun)
     EXPECT_EQ(fs::exists(demo_masses() + "/fields/modes-" + model + ".vtu"), model != "six-mass");
   }
   const std::string rolls = mill::read_text(demo_masses() + "/fields/modes-craig-bampton-rolls.vtu");
-  for (const char *array : {"displacement [kg^-0.5]\" NumberOfComponents=\"3\"",
-                            "stress [Pa/(kg^0.5 m)]\" NumberOfComponents=\"9\""})
+  for (const char *array :
+       {"displacement [kg^-0.5]\" NumberOfComponents=\"3\"", "stress [Pa/(kg^0.5 m)]\" NumberOfComponents=\"9\""})
     EXPECT_NE(rolls.find(array), std::string::npos) << array;
   // One ratio of damping in every mode: V^T C V = 2 zeta w.
   const Eigen::MatrixXd M = matrix("craig-bampton-mass"), K = matrix("craig-bampton-stiffness"),
