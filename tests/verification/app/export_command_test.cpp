@@ -8,6 +8,7 @@
 #include "fmu/unpacked_unit.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
+#include "tests/support/short_stand.h"
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -19,17 +20,9 @@ namespace fs = std::filesystem;
 using namespace mill;
 
 namespace {
-// A lumped case with half a second of synthetic force.
 std::string folder()
 {
-  static const std::string made = [] {
-    std::string path = scratch("export");
-    EXPECT_EQ(millstand("new lumped -o " + path + "/stand.toml").exit_code, 0);
-    std::string text = read_text(path + "/stand.toml");
-    text = std::regex_replace(text, std::regex("synthetic_duration = \"10 s\""), "synthetic_duration = \"0.5 s\"");
-    write_atomically(path + "/stand.toml", text);
-    return path;
-  }();
+  static const std::string made = folder_with_short_stand("export");
   return made;
 }
 
