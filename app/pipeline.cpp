@@ -66,12 +66,6 @@ void write_shapes(RunContext &run, const reduce::LumpedStand &s)
   write_curve(run, curve::shape_backup_roll, "", backup);
 }
 
-// Mean of the record, or the load that represents it.
-double working_load(const Pass &pass, const ForceRecord &force)
-{
-  return std::isnan(pass.load) ? force.force.mean() : pass.load;
-}
-
 // K4 over reduction, tension and friction says nothing of masses and modes.
 bool draws_bite_curves(const Goal goal)
 {

@@ -161,7 +161,7 @@ CaseReview review_stand(const Case &the_case, const std::string &force_file)
   CaseReview review;
   std::vector<double> loads;
   for (std::size_t p = 0; p < passes.size(); ++p)
-    loads.push_back(std::isnan(passes[p].load) ? records[p].force.mean() : passes[p].load);
+    loads.push_back(working_load(passes[p], records[p]));
   const ExpectedModes modes = expected_modes(stand, loads.front());
   for (std::size_t p = 0; p < passes.size(); ++p) {
     if (has_force(passes[p])) {

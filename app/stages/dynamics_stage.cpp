@@ -55,6 +55,11 @@ bool has_force(const Pass &pass)
   return !pass.force_file.empty() || !std::isnan(pass.synthetic_range[0]);
 }
 
+double working_load(const Pass &pass, const ForceRecord &force)
+{
+  return std::isnan(pass.load) ? force.force.mean() : pass.load;
+}
+
 ForceRecord force_of(const Pass &pass)
 {
   if (!pass.force_file.empty())

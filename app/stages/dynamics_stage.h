@@ -15,6 +15,9 @@ namespace mill {
 /// Force record of a pass: its file, or the synthetic noise its keys describe.
 ForceRecord force_of(const Pass &pass);
 
+/// N: the working load of a pass, as given, or the mean of its record.
+double working_load(const Pass &pass, const ForceRecord &force);
+
 /// A sentence where the load of a pass is more than a twentieth off the mean of its record; else empty.
 std::string load_beside_record(const Pass &pass, double mean);
 

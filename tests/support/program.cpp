@@ -42,6 +42,12 @@ std::string scratch(const std::string &name)
   return (base() / name).string();
 }
 
+std::string shared_cache()
+{
+  const char *given = std::getenv("MILLSTAND_TEST_CACHE");
+  return given ? given : scratch("cache");
+}
+
 Outcome millstand(const std::string &arguments, const std::string &folder, const std::string &before)
 {
   const fs::path out = base() / "stdout", err = base() / "stderr";

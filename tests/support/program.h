@@ -15,3 +15,7 @@ Outcome millstand(const std::string &arguments, const std::string &folder = MILL
 
 /// A folder of this test alone, removed at the end of the program.
 std::string scratch(const std::string &name);
+
+/// The cache that all tests of one run of CTest share, empty when it begins; without CTest a folder of this
+/// program. For tests in which what is kept only saves time.
+std::string shared_cache();

@@ -34,9 +34,9 @@ MeshedBody meshed_slab(const std::string &name, const double diameter, const dou
 }
 
 MeshedBody meshed_roll(const std::string &name, const RollGeometry &geometry, const meshes::RollMeshSize &size,
-                       const Material &steel)
+                       const Material &steel, const fem::CondenseOptions &options)
 {
-  return finish(meshes::mesh_roll(name, geometry, size, mesh_path(name)), steel, {});
+  return finish(meshes::mesh_roll(name, geometry, size, mesh_path(name)), steel, options);
 }
 
 fem::ContactPair slab_pair(const MeshedBody &first, const MeshedBody &second)

@@ -12,7 +12,7 @@ namespace {
 nlohmann::json run(const std::string &name, const std::string &more)
 {
   const std::string out = scratch(name);
-  const auto outcome = millstand("stiffness cases/bearing-266.toml -q -o " + out + " --cache " + scratch("cache") +
+  const auto outcome = millstand("stiffness cases/bearing-266.toml -q -o " + out + " --cache " + shared_cache() +
                                  " --force-overwrite " + more);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   return nlohmann::json::parse(std::ifstream(out + "/results.json"));

@@ -44,7 +44,7 @@ std::string write_case(const std::string &name, const std::string &text)
 
 Outcome stiffness(const std::string &path, const std::string &name, const std::string &more)
 {
-  return millstand("stiffness " + path + " -q -o " + scratch(name) + " --cache " + scratch("cache") +
+  return millstand("stiffness " + path + " -q -o " + scratch(name) + " --cache " + shared_cache() +
                    " --force-overwrite " + more);
 }
 

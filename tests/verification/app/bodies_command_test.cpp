@@ -13,7 +13,7 @@ namespace {
 nlohmann::json run(const std::string &what, const std::string &name, const std::string &more = "")
 {
   const std::string out = scratch(name);
-  const auto outcome    = millstand("run " + what + " -q -o " + out + " --cache " + scratch("cache") + " " + more);
+  const auto outcome    = millstand("run " + what + " -q -o " + out + " --cache " + shared_cache() + " " + more);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   return nlohmann::json::parse(std::ifstream(out + "/results.json")).at("values");
 }

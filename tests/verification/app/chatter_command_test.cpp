@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 namespace {
 Outcome chatter(const std::string &path, const std::string &name, const std::string &more)
 {
-  return millstand("chatter " + path + " -o " + scratch(name) + " --cache " + scratch("cache") +
+  return millstand("chatter " + path + " -o " + scratch(name) + " --cache " + shared_cache() +
                    " --force-overwrite --set analysis.map_points=0 " + more);
 }
 

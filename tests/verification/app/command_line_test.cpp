@@ -33,7 +33,7 @@ const std::string coarse =
     " --set bearing.trb.roller_law=iso --set bearing.trb.rings=rigid"
     " --set contact.upper.elements_per_half_width=2 --set contact.lower.elements_per_half_width=2"
     " --set bite.elements_along=16 --set bite.elements_through=4 --set dynamics.output_rate='5 kHz' --cache " +
-    scratch("cache");
+    shared_cache();
 
 std::string run_demo(const std::string &out, const std::string &more = "")
 {
@@ -46,7 +46,7 @@ std::string run_demo(const std::string &out, const std::string &more = "")
 TEST(Run, TwoCylindersMeetTheClosedForm)
 {
   const std::string out = scratch("cylinders");
-  const auto outcome    = millstand("run cases/two-cylinders.toml -q -o " + out + " --cache " + scratch("cache"));
+  const auto outcome    = millstand("run cases/two-cylinders.toml -q -o " + out + " --cache " + shared_cache());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto results = json_of(out + "/results.json");
   EXPECT_EQ(results["status"], "ok");
@@ -122,7 +122,7 @@ TEST(Run, ResolvedCaseAndCacheGiveTheSameBytes)
   const std::string again = run_demo(scratch("again"));
   EXPECT_EQ(mill::read_text(first + "/results.json"), mill::read_text(again + "/results.json"));
   const std::string out = scratch("resolved");
-  const auto outcome = millstand("run " + first + "/resolved.toml -q -o " + out + " --cache " + scratch("cache"));
+  const auto outcome = millstand("run " + first + "/resolved.toml -q -o " + out + " --cache " + shared_cache());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   auto a = json_of(first + "/results.json"), b = json_of(out + "/results.json");
   EXPECT_EQ(a["values"], b["values"]);
@@ -208,7 +208,7 @@ TEST(New, TemplatesRunAsTheyAre)
     const std::string file = folder + "/" + kind + ".toml";
     ASSERT_EQ(millstand(std::string("new ") + kind + " -o " + file).exit_code, 0);
     const auto outcome =
-        millstand("run " + file + " -q -o " + folder + "/out-" + kind + " --cache " + scratch("cache"));
+        millstand("run " + file + " -q -o " + folder + "/out-" + kind + " --cache " + shared_cache());
     EXPECT_EQ(outcome.exit_code, 0) << kind << ": " << outcome.err;
   }
   const std::string file = folder + "/four-high.toml";

@@ -29,7 +29,7 @@ TEST(ContactCommand, TangentOfTwoCylindersIsTheFittedSlope)
   for (const double q : {800., 1000., 1250.}) {
     const auto values =
         run(cylinders, "slope",
-            "--cache " + scratch("cache") + " --set contact.line.at='" + std::to_string(q) + " N/mm'");
+            "--cache " + shared_cache() + " --set contact.line.at='" + std::to_string(q) + " N/mm'");
     const double johnson = check_of(values, "contact.line.tangent", "Johnson, axis to axis (3.5b)"),
                  exact   = check_of(values, "contact.line.tangent", "active set of this one load (2.8)"),
                  tangent = of(values, "contact.line.tangent");
@@ -85,7 +85,7 @@ const std::string stand = "stiffness cases/four-high-1400.toml --set bearing.trb
 // What a large one does: frictional_pair_test.
 TEST(ContactCommand, FrictionTangentIsTheTangentTimesAnEffect)
 {
-  const auto values    = run(stand + scratch("cache"), "stand", "");
+  const auto values    = run(stand + shared_cache(), "stand", "");
   const double tangent = of(values, "K3.tangent");
   EXPECT_TRUE(near(of(values, "K3.friction_tangent"), tangent, within(1e-4, "of the order of the friction")));
   EXPECT_GE(of(values, "K3.friction_tangent", "error_estimate"), of(values, "K3.tangent", "error_estimate"));

@@ -12,7 +12,7 @@
 namespace {
 Outcome fit(const std::string &path, const std::string &name, const std::string &more = "")
 {
-  return millstand("stiffness " + path + " -q -o " + scratch(name) + " --cache " + scratch("cache") +
+  return millstand("stiffness " + path + " -q -o " + scratch(name) + " --cache " + shared_cache() +
                    " --force-overwrite --set bite.samples=3 " + more);
 }
 

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 // Quick to condense: coarse contacts, slab bite, bearings by the standard.
 const std::string quick =
-    " -q --cache " + scratch("cache") +
+    " -q --cache " + shared_cache() +
     " --set contact.upper.elements_per_half_width=2 --set contact.lower.elements_per_half_width=2 "
     "--set contact.upper.samples=7 --set contact.lower.samples=7 --set bite.method=slab --set bite.arc=rigid "
     "--set dynamics.output_rate='5 kHz' --set bearing.trb.roller_law=iso --set bearing.trb.rings=rigid ";

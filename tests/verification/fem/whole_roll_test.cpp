@@ -21,8 +21,7 @@ fem::CondensedRoll condensed(const std::string &name, const RollGeometry &geomet
   size.end_layer = 0.01;
   fem::CondenseOptions options;
   options.both_sides = true;
-  const auto body    = meshed_roll(name, geometry, size, steel);
-  return fem::condense(*body.body, geometry, options);
+  return meshed_roll(name, geometry, size, steel, options).roll;
 }
 
 struct Pair {
