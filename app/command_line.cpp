@@ -127,6 +127,7 @@ const std::vector<std::string> &export_formats()
 std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &exit_code)
 {
   CommandLine c;
+  c.arguments = argv;
   CLI::App app("From the drawing of a rolling-mill stand to the vibration of its rolls.", "millstand");
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);

@@ -8,6 +8,7 @@
 namespace mill {
 /// What the user asked for.
 struct CommandLine {
+  char **arguments = nullptr;      ///< of main(), to start the program again
   std::string verb;                ///< "run", "check", ...
   std::string target;              ///< case file, kind (new) or folder (report)
   std::string output;              ///< -o; empty: default

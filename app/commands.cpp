@@ -4,6 +4,7 @@
 #include "app/completion.h"
 #include "app/console.h"
 #include "app/export_command.h"
+#include "app/fast_blas.h"
 #include "app/marks_command.h"
 #include "app/out_of_memory.h"
 #include "app/pipeline.h"
@@ -94,6 +95,8 @@ CheckedCase checked_case(const CommandLine &command)
   const Case &the_case = checked.the_case;
   check_file_names(the_case);
   check_fits(the_case);
+  if (command.verb != "check")  // before records are read, which would be read twice
+    use_fast_blas(command.arguments);
   if (const auto check = run_kind(the_case).check)
     check(the_case);
   if (const auto review = run_kind(the_case).review)
@@ -251,8 +254,10 @@ int carry_out(const CommandLine &command)
     console::print(trace_text(trace(options), !command.quiet));
     return 0;
   }
-  if (command.verb == "verify")
+  if (command.verb == "verify") {
+    use_fast_blas(command.arguments);
     return verify_command({command.names, command.list, command.quiet, command.markdown, command.threads});
+  }
   if (command.verb == "completion") {
     console::print(completion_script(command.target, command.words));
     return 0;

@@ -10,7 +10,8 @@ void use_fast_blas(char **argv)
 #if defined(__x86_64__)
   constexpr const char *variable = "OPENBLAS_CORETYPE";
   const auto core_name           = reinterpret_cast<char *(*)()>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));
-  if (std::getenv(variable) != nullptr || core_name == nullptr || std::strcmp(core_name(), "Prescott") != 0)
+  if (argv == nullptr || std::getenv(variable) != nullptr || core_name == nullptr ||
+      std::strcmp(core_name(), "Prescott") != 0)
     return;
   const char *kernels = nullptr;
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&

@@ -1,7 +1,6 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/fast_blas.h"
 #include "app/out_of_memory.h"
 #include <filesystem>
 #include <new>
@@ -52,7 +51,6 @@ int main(int argc, char **argv)
 {
   console::open_standard_files();
   end_with_a_sentence();
-  use_fast_blas(argv);
   const int exit_code = carry_out_command(argc, argv);
   end_as_meant();
   return exit_code;
