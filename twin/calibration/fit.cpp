@@ -32,14 +32,18 @@ Eigen::VectorXd step_of(Eigen::MatrixXd curvature, Eigen::VectorXd slope, const 
   return -(scale.asDiagonal() * even.ldlt().solve(scale.asDiagonal() * slope));
 }
 
-Eigen::MatrixXd inverse_of(const Eigen::MatrixXd &curvature)
+}  // namespace
+
+Eigen::MatrixXd posterior_covariance(const Eigen::MatrixXd &information, const std::vector<Unknown> &unknowns)
 {
-  const Eigen::VectorXd scale = curvature.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd even  = scale.asDiagonal() * curvature * scale.asDiagonal();
+  const Eigen::MatrixXd curvature = information + Eigen::MatrixXd(prior_weight(unknowns).asDiagonal());
+  const Eigen::VectorXd scale     = curvature.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd even      = scale.asDiagonal() * curvature * scale.asDiagonal();
   return scale.asDiagonal() * even.ldlt().solve(Eigen::MatrixXd::Identity(even.rows(), even.cols())).eval() *
          scale.asDiagonal();
 }
 
+namespace {
 double number_of_values(const MeasuredResponse &data)
 {
   double n = 0;
@@ -62,47 +66,60 @@ Eigen::VectorXd Fit::shrink() const
   return s;
 }
 
-Fit minimised(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
-              const MeasuredResponse &data, const NoiseDensity &noise, const FitSettings &settings,
-              const Eigen::Index fixed)
+Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
+                const int most_steps, const Eigen::Index fixed)
 {
   const Eigen::VectorXd weight = prior_weight(unknowns);
-  Fit fit;
-  fit.unknowns  = unknowns;
-  fit.estimate  = start;
-  Likelihood at = likelihood(stand, unknowns, start, data, noise, Wanted::slopes, settings.threads);
+  Descent descent{start, objective(start), 0, false};
   double lambda = 1e-3;
-  for (fit.steps = 0; fit.steps < settings.steps && !fit.converged; ++fit.steps) {
+  for (; descent.steps < most_steps && !descent.converged; ++descent.steps) {
+    const Likelihood &at            = descent.at;
     const Eigen::MatrixXd curvature = at.information + Eigen::MatrixXd(weight.asDiagonal());
     const Eigen::VectorXd step      = step_of(curvature, at.slope, lambda, fixed);
     const double foreseen           = -at.slope.dot(step) - 0.5 * step.dot(curvature * step);
     if (!(foreseen > enough)) {
-      fit.converged = lambda < 1;  // a step made short by lambda says nothing about the minimum
+      descent.converged = lambda < 1;  // a step made short by lambda says nothing about the minimum
       lambda *= 0.1;
-      if (fit.converged)
-        break;
       continue;
     }
     // e^1 is further than any basin reaches: a longer step comes from a direction the records hardly show
     const double longest       = step.cwiseAbs().maxCoeff();
-    const Eigen::VectorXd next = fit.estimate + step * std::min(1.0, 1.0 / longest);
-    const Likelihood there     = likelihood(stand, unknowns, next, data, noise, Wanted::slopes, settings.threads);
+    const Eigen::VectorXd next = descent.theta + step * std::min(1.0, 1.0 / longest);
+    Likelihood there           = objective(next);
     if (there.cost < at.cost) {
-      fit.converged = at.cost - there.cost < enough && lambda < 1;
-      fit.estimate  = next;
-      at            = there;
-      lambda        = std::max(1e-9, 0.1 * lambda);
+      descent.converged = at.cost - there.cost < enough && lambda < 1;
+      descent.theta     = next;
+      descent.at        = std::move(there);
+      lambda            = std::max(1e-9, 0.1 * lambda);
     } else {
       lambda = std::max(1e-3, 10 * lambda);
       if (lambda > 1e9)
         break;
     }
   }
-  fit.cost        = at.cost;
-  fit.misfit      = at.residual / number_of_values(data);
-  fit.noise       = noise;
-  fit.information = at.information;
-  fit.covariance  = inverse_of(at.information + Eigen::MatrixXd(weight.asDiagonal()));
+  return descent;
+}
+
+Fit minimised(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
+              const MeasuredResponse &data, const NoiseDensity &noise, const FitSettings &settings,
+              const Eigen::Index fixed)
+{
+  const Descent found = descend(
+      [&](const Eigen::VectorXd &theta) {
+        return likelihood(stand, unknowns, theta, data, noise, Wanted::slopes, settings.threads);
+      },
+      unknowns, start, settings.steps, fixed);
+  Fit fit;
+  fit.unknowns  = unknowns;
+  fit.estimate  = found.theta;
+  fit.steps     = found.steps;
+  fit.converged = found.converged;
+  fit.cost      = found.at.cost;
+  fit.misfit    = found.at.residual / number_of_values(data);
+  fit.noise     = noise;
+  fit.information =
+      likelihood(stand, unknowns, found.theta, data, noise, Wanted::information, settings.threads).information;
+  fit.covariance = posterior_covariance(fit.information, unknowns);
   return fit;
 }
 

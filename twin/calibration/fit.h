@@ -1,5 +1,6 @@
 #pragma once
 #include "twin/calibration/likelihood.h"
+#include <functional>
 
 namespace mill::twin {
 struct FitSettings {
@@ -24,7 +25,23 @@ struct Fit {
   Eigen::VectorXd shrink() const;  ///< (p) sd over prior sd
 };
 
-/// One minimisation with fixed noise, Levenberg and Marquardt, to a decrease of 1e-4.
+/// (p, p) (A + diag 1/prior_sd^2)^-1
+Eigen::MatrixXd posterior_covariance(const Eigen::MatrixXd &information, const std::vector<Unknown> &unknowns);
+
+/// Cost, slope and information of theta.
+using Objective = std::function<Likelihood(const Eigen::VectorXd &theta)>;
+struct Descent {
+  Eigen::VectorXd theta;
+  Likelihood at;
+  int steps;
+  bool converged;
+};
+/// Levenberg and Marquardt, to a decrease of 1e-4.
+/// @param fixed  index of an unknown that stays at its start; -1: none
+Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
+                int most_steps, Eigen::Index fixed = -1);
+
+/// One minimisation with fixed noise.
 /// @param fixed  index of an unknown that stays at its start; -1: none
 Fit minimised(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
               const MeasuredResponse &data, const NoiseDensity &noise, const FitSettings &settings = {},

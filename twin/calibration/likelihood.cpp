@@ -1,6 +1,7 @@
 #include "twin/calibration/likelihood.h"
 #include "core/numerics/require.h"
 #include "core/process/parallel.h"
+#include "twin/calibration/modal_columns.h"
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -9,68 +10,6 @@ namespace mill::twin {
 namespace {
 using Complex                    = std::complex<double>;
 constexpr Eigen::Index at_a_time = 256;  // bins of one block: its arrays stay in the cache
-
-/// Columns of one block of bins that do not depend on the sensor: each of (k, n), one column per mode.
-struct ModalColumns {
-  Eigen::ArrayXXcd admittance;               ///< 1/d_i
-  Eigen::ArrayXXcd driven;                   ///< -w^2 g_i F/d_i, F late by the delay
-  std::vector<Eigen::ArrayXXcd> derivative;  ///< (p) of the modal accelerations to theta
-};
-
-struct Block {
-  std::size_t piece;
-  Eigen::Index first, size;
-};
-
-ModalColumns modal_columns(const StandAt &at, const BandRecord &band, const Block &block)
-{
-  const Eigen::Index n = at.frequency.size();
-  ModalColumns c;
-  c.admittance.resize(block.size, n);
-  c.driven.resize(block.size, n);
-  for (Eigen::Index b = 0; b < block.size; ++b) {
-    const double w   = band.angular[block.first + b];
-    const Complex up = -w * w * band.force[block.first + b] * std::polar(1.0, -w * at.delay);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double re = (at.frequency[i] - w) * (at.frequency[i] + w),
-                   im = 2 * at.damping[i] * at.frequency[i] * w, size = re * re + im * im;
-      c.admittance(b, i) = Complex(re / size, -im / size);
-      c.driven(b, i)     = up * at.force[i] * c.admittance(b, i);
-    }
-  }
-  return c;
-}
-
-/// (44.7): -A_p x / d for what changes the stand; the driven part itself for gain and delay.
-void add_derivatives(ModalColumns &c, const StandAt &at, const std::vector<Unknown> &unknowns,
-                     const BandRecord &band, const Block &block, const Eigen::VectorXd &transient)
-{
-  const auto w            = band.angular.segment(block.first, block.size).array();
-  Eigen::ArrayXXcd motion = c.driven;
-  for (Eigen::Index i = 0; i < at.frequency.size(); ++i) {
-    // beta is counted in 1/w_i, so that both numbers of a mode are of one size
-    const double alpha = transient[2 * i], beta = transient[2 * i + 1] / at.frequency[i];
-    for (Eigen::Index b = 0; b < block.size; ++b)
-      motion(b, i) += Complex(alpha, beta * w[b]) * c.admittance(b, i);
-  }
-  for (std::size_t p = 0; p < unknowns.size(); ++p) {
-    Eigen::ArrayXXcd d;
-    if (unknowns[p].name == "gain")
-      d = c.driven;
-    else if (unknowns[p].name == "delay") {
-      d = c.driven;
-      for (Eigen::Index b = 0; b < block.size; ++b)
-        d.row(b) *= Complex(0, -w[b]);
-    } else {
-      const Eigen::MatrixXcd still = motion.matrix() * at.stiffness[p], moving = motion.matrix() * at.damper[p];
-      d.resize(block.size, still.cols());
-      for (Eigen::Index i = 0; i < still.cols(); ++i)
-        for (Eigen::Index b = 0; b < block.size; ++b)
-          d(b, i) = -(still(b, i) + Complex(0, w[b]) * moving(b, i)) * c.admittance(b, i);
-    }
-    c.derivative.push_back(std::move(d));
-  }
-}
 
 /// Real rows (2 k, columns) of one sensor over the root of the noise: transients, derivatives, then what is left
 /// of the measured.
@@ -105,7 +44,7 @@ std::vector<Block> blocks_of(const MeasuredResponse &data, const std::size_t pie
   std::vector<Block> blocks;
   const Eigen::Index k = data.pieces[piece].angular.size();
   for (Eigen::Index first = 0; first < k; first += at_a_time)
-    blocks.push_back({piece, first, std::min(at_a_time, k - first)});
+    blocks.push_back({first, std::min(at_a_time, k - first)});
   return blocks;
 }
 
@@ -157,6 +96,17 @@ struct Elimination {
 };
 }  // namespace
 
+void add_prior(Likelihood &sum, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta)
+{
+  for (Eigen::Index i = 0; i < theta.size(); ++i) {
+    const Unknown &unknown = unknowns[std::size_t(i)];
+    const double away      = (theta[i] - unknown.prior) / unknown.prior_sd;
+    sum.cost += 0.5 * away * away;
+    if (sum.slope.size())
+      sum.slope[i] += away / unknown.prior_sd;
+  }
+}
+
 Likelihood likelihood(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta,
                       const MeasuredResponse &data, const NoiseDensity &noise, const Wanted wanted,
                       const int threads)
@@ -166,7 +116,7 @@ Likelihood likelihood(const FittedStand &stand, const std::vector<Unknown> &unkn
   const Eigen::Index t = 2 * at.frequency.size(), p = theta.size();
   Likelihood result;
   result.transient = Eigen::MatrixXd::Zero(t, Eigen::Index(data.pieces.size()));
-  if (wanted == Wanted::slopes) {
+  if (wanted != Wanted::cost) {
     result.slope       = Eigen::VectorXd::Zero(p);
     result.information = Eigen::MatrixXd::Zero(p, p);
   }
@@ -176,22 +126,18 @@ Likelihood likelihood(const FittedStand &stand, const std::vector<Unknown> &unkn
     const Eigen::VectorXd transient           = eliminated.solve(first.col(t).head(t));
     result.transient.col(Eigen::Index(piece)) = transient;
     result.residual += first(t, t) - first.col(t).head(t).dot(transient);
-    if (wanted != Wanted::slopes)
+    if (wanted == Wanted::cost)
       continue;
-    const Eigen::MatrixXd all = products(at, &unknowns, data, noise[piece], piece, transient, threads);
+    const Eigen::VectorXd followed =
+        wanted == Wanted::slopes ? transient : Eigen::VectorXd::Zero(transient.size());
+    const Eigen::MatrixXd all = products(at, &unknowns, data, noise[piece], piece, followed, threads);
     const Elimination again(all.topLeftCorner(t, t));
     const Eigen::MatrixXd cross = all.block(0, t, t, p), out = again.solve(cross);
     result.slope -= 2 * (all.block(t, t + p, p, 1) - out.transpose() * all.block(0, t + p, t, 1));
     result.information += 2 * (all.block(t, t, p, p) - cross.transpose() * out);
   }
   result.cost = result.residual;
-  for (Eigen::Index i = 0; i < p; ++i) {
-    const Unknown &unknown = unknowns[std::size_t(i)];
-    const double away      = (theta[i] - unknown.prior) / unknown.prior_sd;
-    result.cost += 0.5 * away * away;
-    if (result.slope.size())
-      result.slope[i] += away / unknown.prior_sd;
-  }
+  add_prior(result, unknowns, theta);
   return result;
 }
 
@@ -204,7 +150,7 @@ std::vector<Eigen::MatrixXcd> residuals(const FittedStand &stand, const std::vec
   std::vector<Eigen::MatrixXcd> left;
   for (std::size_t piece = 0; piece < data.pieces.size(); ++piece) {
     const BandRecord &band = data.pieces[piece];
-    const Block whole{piece, 0, band.angular.size()};
+    const Block whole{0, band.angular.size()};
     const ModalColumns c   = modal_columns(at, band, whole);
     Eigen::MatrixXcd modal = c.driven.matrix();
     for (Eigen::Index i = 0; i < at.frequency.size(); ++i) {

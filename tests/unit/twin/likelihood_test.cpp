@@ -137,7 +137,7 @@ TEST(Likelihood, APieceThatRingsOnFromBeforeItIsExplained)
     const auto h = dynamics::response_slopes(s, at.shape.middleRows(2, 2), band.angular[b]);
     without += (band.acceleration.row(b).transpose() - h.value * band.force[b]).squaredNorm();
   }
-  EXPECT_GT(without / all, 10);  // a mean over 880 Hz; at the low modes it is hundreds
+  EXPECT_GT(without / all, 10);
 }
 
 TEST(Likelihood, EstimatesOfARecordWhoseTruthIsKnown)
