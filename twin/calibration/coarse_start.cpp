@@ -156,7 +156,7 @@ Eigen::VectorXd coarse_start(const FittedStand &stand, const std::vector<Unknown
                 [&](const Eigen::VectorXd &at) {
                   return windowed_cost(stand, unknowns, at, e, fine, weights, places);
                 },
-                unknowns, theta, 60)
+                unknowns, theta, 60, 1e-3)
                 .theta;
   }
   return theta;

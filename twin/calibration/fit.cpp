@@ -5,8 +5,6 @@
 
 namespace mill::twin {
 namespace {
-constexpr double enough =
-    1e-4;  // decrease of the cost at which a minimum is reached: 1/70 of a standard deviation
 
 Eigen::VectorXd prior_weight(const std::vector<Unknown> &unknowns)
 {
@@ -67,7 +65,7 @@ Eigen::VectorXd Fit::shrink() const
 }
 
 Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
-                const int most_steps, const Eigen::Index fixed)
+                const int most_steps, const double decrease, const Eigen::Index fixed)
 {
   const Eigen::VectorXd weight = prior_weight(unknowns);
   Descent descent{start, objective(start), 0, false};
@@ -77,7 +75,7 @@ Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns
     const Eigen::MatrixXd curvature = at.information + Eigen::MatrixXd(weight.asDiagonal());
     const Eigen::VectorXd step      = step_of(curvature, at.slope, lambda, fixed);
     const double foreseen           = -at.slope.dot(step) - 0.5 * step.dot(curvature * step);
-    if (!(foreseen > enough)) {
+    if (!(foreseen > decrease)) {
       descent.converged = lambda < 1;  // a step made short by lambda says nothing about the minimum
       lambda *= 0.1;
       continue;
@@ -87,7 +85,7 @@ Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns
     const Eigen::VectorXd next = descent.theta + step * std::min(1.0, 1.0 / longest);
     Likelihood there           = objective(next);
     if (there.cost < at.cost) {
-      descent.converged = at.cost - there.cost < enough && lambda < 1;
+      descent.converged = at.cost - there.cost < decrease && lambda < 1;
       descent.theta     = next;
       descent.at        = std::move(there);
       lambda            = std::max(1e-9, 0.1 * lambda);
@@ -108,7 +106,7 @@ Fit minimised(const FittedStand &stand, const std::vector<Unknown> &unknowns, co
       [&](const Eigen::VectorXd &theta) {
         return likelihood(stand, unknowns, theta, data, noise, Wanted::slopes, settings.threads);
       },
-      unknowns, start, settings.steps, fixed);
+      unknowns, start, settings.steps, settings.decrease, fixed);
   Fit fit;
   fit.unknowns  = unknowns;
   fit.estimate  = found.theta;

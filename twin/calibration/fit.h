@@ -4,9 +4,10 @@
 
 namespace mill::twin {
 struct FitSettings {
-  int renewals = 3;  ///< how often the noise is taken from the residuals again
-  int steps    = 60;
-  int threads  = 1;
+  int renewals    = 3;  ///< how often the noise is taken from the residuals again
+  int steps       = 60;
+  double decrease = 1e-4;  ///< of the cost, at which a minimum is reached: 1/70 of a standard deviation
+  int threads     = 1;
 };
 
 /// What records say about the unknowns.
@@ -36,10 +37,10 @@ struct Descent {
   int steps;
   bool converged;
 };
-/// Levenberg and Marquardt, to a decrease of 1e-4.
+/// Levenberg and Marquardt, until the cost falls by less than `decrease`.
 /// @param fixed  index of an unknown that stays at its start; -1: none
 Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
-                int most_steps, Eigen::Index fixed = -1);
+                int most_steps, double decrease, Eigen::Index fixed = -1);
 
 /// One minimisation with fixed noise.
 /// @param fixed  index of an unknown that stays at its start; -1: none
