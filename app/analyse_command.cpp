@@ -2,7 +2,7 @@
 #include "app/address_space.h"
 #include "app/analysed_stand.h"
 #include "app/console.h"
-#include "core/case/units.h"
+#include "app/record_options.h"
 #include "core/case/visible_text.h"
 #include "core/model/case.h"
 #include "core/records/csv.h"
@@ -21,48 +21,6 @@ namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
-// A quantity of the command line, "4 m/s".
-double quantity_of(const std::string &option, const std::string &text, const std::string &sample)
-{
-  const ParsedQuantity parsed = parse_quantity(text);
-  const Unit &wanted          = unit(sample.substr(sample.find(' ') + 1));
-  if (parsed.fault != ParsedQuantity::Fault::none || !(parsed.unit->dimension == wanted.dimension) ||
-      !(parsed.value() > 0))
-    throw InputError(fmt::format("{} \"{}\": {} above zero is needed, for example {} \"{}\"", option, text,
-                                 wanted.quantity, option, sample));
-  return parsed.value();
-}
-
-// "AI_07=upper_work_roll"
-std::map<std::string, std::string> pairs_of(const std::string &option, const std::vector<std::string> &texts,
-                                            const char *sample)
-{
-  std::map<std::string, std::string> pairs;
-  for (const std::string &text : texts) {
-    const auto at = text.find('=');
-    if (at == std::string::npos || at == 0 || at + 1 == text.size())
-      throw InputError(fmt::format("{} \"{}\": a name and what it stands for are needed, for example {} {}",
-                                   option, text, option, sample));
-    pairs[text.substr(0, at)] = text.substr(at + 1);
-  }
-  return pairs;
-}
-
-twin::ReadOptions read_options(const CommandLine &command)
-{
-  twin::ReadOptions options;
-  if (!command.record_rate.empty()) {
-    double rate = 0;
-    if (!parse_number(command.record_rate, rate))
-      rate = quantity_of("--rate", command.record_rate, "20000 Hz");
-    options.rate = rate;
-  }
-  options.zone     = command.zone;
-  options.channels = pairs_of("--channel", command.channels, "AI_07=upper_work_roll");
-  options.units    = pairs_of("--unit", command.channel_units, "AI_07=g");
-  return options;
-}
-
 twin::AnalysisSettings settings_of(const CommandLine &command)
 {
   twin::AnalysisSettings settings;
@@ -79,20 +37,6 @@ twin::AnalysisSettings settings_of(const CommandLine &command)
       command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
   settings.threads = threads_that_start(threads_that_fit(wanted));
   return settings;
-}
-
-void require_folder(const std::string &folder, const bool overwrite)
-{
-  std::error_code error;
-  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
-    throw InputError(folder + " is a file, not a folder; choose another with -o");
-  fs::create_directories(folder, error);
-  if (error)
-    refuse_file(error.value(),
-                "the folder " + folder + " cannot be made: " + error.message() + "; choose another with -o");
-  if (!overwrite && !fs::is_empty(folder) && !fs::exists(folder + "/analysis.json"))
-    throw InputError("the folder " + folder +
-                     " holds files that no analysis wrote; choose another with -o, or give --force-overwrite");
 }
 
 // analysis.json leaves first and comes last, so that a folder with it is whole.
@@ -156,7 +100,7 @@ int analyse_command(const CommandLine &command)
     progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
     progress.at("read", 0);
     raw = twin::read_record(path, reading);
-    require_folder(folder, command.force_overwrite);
+    require_result_folder(folder, "analysis.json", "analysis", command.force_overwrite);
     progress.at("clean", 0);
     const twin::CleanRecord record = twin::clean_record(std::move(raw));
     raw                            = {};  // its times are done with

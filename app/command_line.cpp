@@ -48,23 +48,57 @@ void add_simulate(CLI::App *verb, CommandLine &c)
   verb->add_option("--pass", c.pass, "with --stream: pass whose stand is driven (default: the first)");
 }
 
+void add_repeatable(CLI::App *verb, const char *option, std::vector<std::string> &into, const char *what)
+{
+  verb->add_option(option, into, what)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_reading(CLI::App *verb, CommandLine &c)
+{
+  verb->add_option("--rate", c.record_rate, "samples per second of records without times");
+  verb->add_option("--zone", c.zone, "time zone of local times, Europe/Berlin");
+  add_repeatable(verb, "--channel", c.channels, "a column and its place, AI_07=upper_work_roll, repeatable");
+  add_repeatable(verb, "--unit", c.channel_units,
+                 "a column and its unit, AI_07=g, where the file says none, repeatable");
+}
+
+void add_calibrate(CLI::App &app, CommandLine &c)
+{
+  auto *verb = app.add_subcommand(
+      "calibrate", "springs and damping of a stand from records: what they tell, and what they do not");
+  CalibrateOptions &o = c.calibrate;
+  verb->add_option("CASE", c.target, "stand, kind four-high or lumped")->required();
+  verb->add_option("--measured", o.measured, "folder of the records, with records.toml where they have roles");
+  verb->add_option("--free", o.free, "what is fitted, K1,K2,zeta (default: all springs and zeta)");
+  verb->add_flag("--plan", o.plan, "what a record would tell, before anyone measures");
+  verb->add_flag("--accept", o.accept, "write calibrated.toml although it is refused, and say so in it");
+  verb->add_flag("--align", o.align, "force and vibration have two clocks: fit their delay");
+  verb->add_option("--sensors", o.sensors, "with --plan: places (default: upper_work_roll,lower_work_roll)");
+  verb->add_option("--duration", o.duration, "with --plan: of the record (default \"20 s\")");
+  verb->add_option("--noise", o.noise, "with --plan: of a sensor, per root Hz (default \"0.005 m/s2\")");
+  verb->add_option("--force-rms", o.force, "with --plan: of the force (default \"1 kN\")");
+  verb->add_option("--force-up-to", o.highest, "with --plan: where the force ends (default \"1500 Hz\")");
+  verb->add_flag("--without-force", o.without_force, "with --plan: the force is not recorded");
+  add_reading(verb, c);
+  add_repeatable(verb, "--set", c.sets, "override section.key=value of the case, repeatable");
+  add_output(verb, c, "folder of the results (default out/<case name>-calibration)");
+  verb->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
+  verb->add_flag("-q,--quiet", c.quiet, "no progress, no table");
+  verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
+}
+
 void add_analyse(CLI::App &app, CommandLine &c)
 {
   auto *analyse = app.add_subcommand(
       "analyse", "records of a mill: spectra, modes, what follows the speed, whose each peak is");
-  const auto repeatable = [&](const char *option, std::vector<std::string> &into, const char *what) {
-    analyse->add_option(option, into, what)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  };
   analyse->add_option("RECORD", c.names, "CSV, .npy with .json, .uff or .mat")->required();
   analyse->add_option("--case", c.case_file, "stand of the record, kind four-high or lumped");
-  analyse->add_option("--rate", c.record_rate, "samples per second of records without times");
-  analyse->add_option("--zone", c.zone, "time zone of local times, Europe/Berlin");
-  repeatable("--channel", c.channels, "a column and its place, AI_07=upper_work_roll, repeatable");
-  repeatable("--unit", c.channel_units, "a column and its unit, AI_07=g, where the file says none, repeatable");
+  add_reading(analyse, c);
   analyse->add_option("--speed", c.speed, "of the rolls' surface, where it was not recorded, \"4 m/s\"");
   analyse->add_option("--limit", c.limit, "the mill's own limit of a vibration, 0-peak, \"2 g\"");
-  repeatable("--severity", c.severity, "upper end of a zone, \"2.3 mm/s\", repeatable; none is built in");
-  repeatable("--set", c.sets, "override section.key=value of the case, repeatable");
+  add_repeatable(analyse, "--severity", c.severity,
+                 "upper end of a zone, \"2.3 mm/s\", repeatable; none is built in");
+  add_repeatable(analyse, "--set", c.sets, "override section.key=value of the case, repeatable");
   add_output(analyse, c, "folder of the results (default out/<record>-analysis)");
   analyse->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
   analyse->add_flag("-q,--quiet", c.quiet, "no progress, no table");
@@ -194,6 +228,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 
   add_analyse(app, c);
+  add_calibrate(app, c);
   auto *trace =
       app.add_subcommand("trace", "which results one input reaches, through which relation, with elasticities");
   trace->add_option("CASE", c.target, "case file")->required();

@@ -1,4 +1,5 @@
 #pragma once
+#include "app/calibrate/calibrate_options.h"
 #include "app/marks_options.h"
 #include <map>
 #include <optional>
@@ -24,13 +25,15 @@ struct CommandLine {
   std::vector<std::string> names;  ///< verify: cases, empty: all; report: further folders; analyse: records
   std::string markdown;            ///< verify --markdown
   MarksOptions marks;              ///< marks
+  CalibrateOptions calibrate;      ///< calibrate
   std::string case_file;           ///< analyse --case; empty: none
-  std::string record_rate;         ///< analyse --rate
-  std::string zone;                ///< analyse --zone
+  std::string record_rate;         ///< analyse, calibrate --rate
+  std::string zone;                ///< analyse, calibrate --zone
   std::string speed;               ///< analyse --speed
   std::string limit;               ///< analyse --limit
-  std::vector<std::string> channels, channel_units;       ///< analyse --channel, --unit: NAME=PLACE, NAME=UNIT
-  std::vector<std::string> severity;                      ///< analyse --severity: upper ends of zones
+  std::vector<std::string> channels,
+      channel_units;                  ///< analyse, calibrate --channel, --unit: NAME=PLACE, NAME=UNIT
+  std::vector<std::string> severity;  ///< analyse --severity: upper ends of zones
   std::map<std::string, std::vector<std::string>> words;  ///< completion: options by verb
   bool list            = false;                           ///< verify --list
   bool full            = false;                           ///< trace --full

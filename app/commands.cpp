@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/analyse_command.h"
+#include "app/calibrate/calibrate_command.h"
 #include "app/case_kinds.h"
 #include "app/completion.h"
 #include "app/console.h"
@@ -23,6 +24,7 @@
 #include "core/model/case.h"
 #include "core/numerics/sparse.h"
 #include "core/records/files.h"
+#include "report/calibration/calibration_page.h"
 #include "report/compare/comparison.h"
 #include "report/page/html.h"
 #include "report/page/names.h"
@@ -207,8 +209,10 @@ int write_template(const CommandLine &command)
 // From what is stored; a run whose publishing was interrupted comes first.
 int write_report(const std::string &directory)
 {
-  if (!fs::exists(directory + "/results.json") && fs::exists(directory + "/analysis.json")) {
-    write_atomically(directory + "/report.html", report::analysis_page(directory));
+  const bool calibration = fs::exists(directory + "/calibration.json");
+  if (!fs::exists(directory + "/results.json") && (calibration || fs::exists(directory + "/analysis.json"))) {
+    write_atomically(directory + "/report.html",
+                     calibration ? report::calibration_page(directory) : report::analysis_page(directory));
     console::print("report: " + directory + "/report.html\n");
     return 0;
   }
@@ -268,6 +272,8 @@ int carry_out(const CommandLine &command)
   }
   if (command.verb == "analyse")
     return analyse_command(command);
+  if (command.verb == "calibrate")
+    return calibrate_command(command);
   if (command.verb == "export")
     return export_command(command, checked_case(command).the_case);
   if (is_streamed(command)) {

@@ -8,6 +8,11 @@
 
 namespace mill {
 namespace {
+// Ends of the interval of a calibrated value, as checks beside it.
+constexpr const char *interval_from = "95 % from", *interval_to = "95 % to";
+// A value from records of the mill: measured, and how is said by what follows the colon.
+constexpr const char *calibrated = "calibrated";
+
 // Keys of { value = "...", source = "...", ... }.
 struct GivenInput {
   std::string source, at, method;
@@ -49,12 +54,20 @@ Parameter read_table(const Row &row, const Section &section, Reading &reading)
 {
   Parameter parameter;
   GivenInput input;
-  read(section, table_rows(), input, reading, {"value", "inputs"});
+  read(section, table_rows(), input, reading, {"value", "inputs", "interval"});
   Row value_row      = row;
   value_row.key      = "value";
   value_row.fallback = required;
   if (const auto value = read_row(value_row, section, reading))
     parameter.value = std::get<double>(*value);
+  Row interval{"interval", Kind::pair, row.form, row.range, absent, "", "95 %, from and to", ""};
+  if (const auto ends = read_row(interval, section, reading)) {
+    const auto &[from, to] = std::get<std::array<double, 2>>(*ends);
+    parameter.checks       = {
+              {interval_from, from, ""},
+              {interval_to,   to,   ""}
+    };
+  }
   if (!parse_source(input.source, parameter))
     reading.add(
         reading.place(section.key("source")),
@@ -131,7 +144,7 @@ void report_missing(const Section &given, const std::vector<Row> &rows, Reading 
 
 std::vector<std::string> given_table_keys()
 {
-  std::vector<std::string> keys{"value", "inputs"};
+  std::vector<std::string> keys{"value", "inputs", "interval"};
   for (const Row &row : rows_of(table_rows()))
     keys.push_back(row.key);
   return keys;
@@ -141,6 +154,11 @@ bool parse_source(const std::string &text, Parameter &parameter)
 {
   const auto colon       = text.find(": ");
   const std::string name = text.substr(0, colon);
+  if (name == calibrated) {
+    parameter.source = Source::measured;
+    parameter.method = text;
+    return true;
+  }
   for (const Source source :
        {Source::computed, Source::given, Source::published, Source::measured, Source::assumed, Source::estimated})
     if (name == name_of(source)) {
@@ -158,7 +176,16 @@ std::string given_toml(const Row &row, const Parameter &parameter)
                      parameter.inputs.empty() && std::isnan(parameter.error_estimate);
   if (plain)
     return value;
-  std::string text = fmt::format("{{ value = {}, source = {}", value, quoted(source_text(parameter)));
+  const bool from_records = parameter.source == Source::measured && parameter.method.rfind(calibrated, 0) == 0;
+  std::string text        = fmt::format("{{ value = {}, source = {}", value,
+                                        quoted(from_records ? parameter.method : source_text(parameter)));
+  const auto end          = [&](const char *name) {
+    return std::find_if(parameter.checks.begin(), parameter.checks.end(),
+                                 [&](const Check &check) { return check.name == name; });
+  };
+  if (const auto from = end(interval_from), to = end(interval_to);
+      from != parameter.checks.end() && to != parameter.checks.end())
+    text += ", interval = [" + toml_of(row, from->value) + ", " + toml_of(row, to->value) + "]";
   if (!parameter.at.empty())
     text += ", at = " + quoted(parameter.at);
   if (!std::isnan(parameter.error_estimate))

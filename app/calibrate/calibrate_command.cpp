@@ -1,0 +1,157 @@
+#include "app/calibrate/calibrate_command.h"
+#include "app/address_space.h"
+#include "app/calibrate/calibrated_case.h"
+#include "app/calibrate/levels_text.h"
+#include "app/calibrate/plan_text.h"
+#include "app/console.h"
+#include "app/record_options.h"
+#include "core/case/visible_text.h"
+#include "core/model/case.h"
+#include "core/records/csv.h"
+#include "core/records/files.h"
+#include "report/calibration/calibration_page.h"
+#include "twin/calibration/calibration_files.h"
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <thread>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+namespace {
+constexpr int refused_code = 3;
+
+int threads_of(const CommandLine &command)
+{
+  const int wanted =
+      command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
+  return threads_that_start(threads_that_fit(wanted));
+}
+
+twin::CalibrationInput input_of(const CommandLine &command, const PriorChain &chain, const RecordSet &set,
+                                MeasuredPieces pieces)
+{
+  twin::CalibrationInput input;
+  input.stand    = chain.stand;
+  input.unknowns = chosen(chain, command.calibrate.free);
+  if (command.calibrate.align)
+    input.unknowns.push_back({"delay", 0.05, 0});
+  input.sensors = pieces.sensors;
+  for (const std::string &sensor : pieces.sensors)
+    input.places.push_back(std::find(chain.places.begin(), chain.places.end(), sensor) - chain.places.begin());
+  input.rate    = pieces.rate;
+  input.low     = set.band[0];
+  input.high    = std::min(set.band[1], pieces.rate / 2.56);
+  input.fit     = std::move(pieces.fit);
+  input.check   = std::move(pieces.check);
+  input.between = pieces.between;
+  input.clipped = pieces.clipped;
+  input.threads = threads_of(command);
+  return input;
+}
+
+// calibration.json leaves first and comes last, so that a folder with it is whole.
+void write_calibration(const std::string &folder, const std::string &json,
+                       const std::map<std::string, Table> &tables, const std::string &calibrated)
+{
+  std::error_code ignored;
+  for (const char *old : {"calibration.json", "response.csv", "profiles.csv", "report.html", "calibrated.toml"})
+    fs::remove(folder + "/" + old, ignored);
+  for (const auto &[name, table] : tables)
+    write_atomically(folder + "/" + name + ".csv", csv_text(table));
+  if (!calibrated.empty())
+    write_atomically(folder + "/calibrated.toml", calibrated);
+  write_atomically(folder + "/report.html", report::calibration_page(folder, json, tables));
+  write_atomically(folder + "/calibration.json", json);
+}
+
+std::string line_of(const twin::Calibrated &u)
+{
+  const auto percent = [](const double theta) { return fmt::format("{:+.3g} %", 100 * std::expm1(theta)); };
+  if (u.name == "delay")
+    return fmt::format("{:<6} {:>10}  95 % {:.3f} .. {:.3f} ms\n", u.name,
+                       fmt::format("{:.3f} ms", 1e3 * u.estimate), 1e3 * u.low, 1e3 * u.high);
+  if (!u.told)
+    return fmt::format("{:<6} {:>10}  {}\n", u.name, "kept", u.why_not);
+  return fmt::format("{:<6} {:>10}  95 % {} .. {}\n", u.name, percent(u.kept), percent(u.low), percent(u.high));
+}
+
+void say(const twin::Calibration &result, const twin::CalibrationFacts &facts, const std::string &folder)
+{
+  using console::print;
+  for (const twin::Calibrated &u : result.unknowns)
+    print(line_of(u));
+  for (const std::string &direction : result.unseen)
+    print("not seen: " + direction + "\n");
+  print(fmt::format("check records: misfit {:.4g}, before {:.4g}; worst third octave {:.2f} of its limit\n",
+                    result.check.after, result.check.before, result.check.worst));
+  for (const std::string &note : facts.notes)
+    print("note: " + visible(note, true) + "\n");
+  for (const std::string &reason : result.refusals)
+    print((facts.accepted ? "accepted although: " : "refused: ") + visible(reason, true) + "\n");
+  if (!facts.written.empty())
+    print("calibrated case: " + folder + "/" + facts.written + "\n");
+  print("report: " + folder + "/report.html\n");
+}
+
+int calibrate_records(const CommandLine &command, const Case &the_case, const RecordSet &set)
+{
+  const std::string folder = command.output.empty() ? "out/" + the_case.name + "-calibration" : command.output;
+  require_result_folder(folder, "calibration.json", "calibration", command.force_overwrite);
+  console::ProgressBar bar(
+      {
+          {"read",   3},
+          {"start",  1},
+          {"fit",    1},
+          {"basins", 6},
+          {"check",  1}
+  },
+      command.quiet);
+  Progress progress;
+  progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
+  progress.at("read", 0);
+  const PriorChain at_first_pass = prior_chain(the_case, std::nan(""));
+  chosen(at_first_pass, command.calibrate.free);  // a wrong name before long records are read
+  MeasuredPieces pieces = measured_pieces(set, at_first_pass.places, read_options(command));
+  // A four-high stand at the load of the records: its contacts follow it.
+  const PriorChain chain = pieces.load > 0 ? prior_chain(the_case, pieces.load) : at_first_pass;
+  twin::CalibrationFacts facts{the_case.name, chain.source, pieces.files,
+                               pieces.notes,  "",           command.calibrate.accept};
+  facts.notes.insert(facts.notes.end(), chain.notes.begin(), chain.notes.end());
+  const twin::CalibrationInput input = input_of(command, chain, set, std::move(pieces));
+  const twin::Calibration result     = twin::calibrate(input, progress);
+  const bool refused                 = !result.refusals.empty();
+  std::string calibrated;
+  if (!refused || command.calibrate.accept) {
+    facts.written = "calibrated.toml";
+    calibrated    = calibrated_toml(chain, the_case, result, facts.files, refused, folder);
+  }
+  write_calibration(folder, twin::calibration_json(input, result, facts), twin::calibration_tables(result),
+                    calibrated);
+  bar.finish();
+  if (!command.quiet)
+    say(result, facts, folder);
+  return refused && !command.calibrate.accept ? refused_code : 0;
+}
+}  // namespace
+
+int calibrate_command(const CommandLine &command)
+{
+  const Case the_case = read_case(command.target, command.sets);
+  if (command.calibrate.plan) {
+    const PriorChain chain = prior_chain(the_case, std::nan(""));
+    console::print(plan_text(chain, chosen(chain, command.calibrate.free), command.calibrate));
+    return 0;
+  }
+  if (command.calibrate.measured.empty())
+    throw InputError("millstand calibrate: no records; name their folder with --measured DIR, or ask with --plan "
+                     "what a record would tell");
+  const RecordSet set = read_record_set(command.calibrate.measured);
+  if (set.entries.empty()) {
+    console::print(levels_text(prior_chain(the_case, std::nan("")), set));
+    return refused_code;
+  }
+  return calibrate_records(command, the_case, set);
+}
+}  // namespace mill

@@ -1,0 +1,10 @@
+#pragma once
+#include "app/command_line.h"
+
+namespace mill {
+/// millstand calibrate: fits the chain of a case to records and leaves a folder with calibration.json, tables,
+/// report.html and, unless it is refused, calibrated.toml; with --plan says what a record would tell.
+/// @return 0; 3 where the calibration is refused
+/// @throws InputError  a case, a record or an option that is wrong; a folder that holds something else
+int calibrate_command(const CommandLine &command);
+}  // namespace mill

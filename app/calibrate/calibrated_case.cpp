@@ -1,0 +1,152 @@
+#include "app/calibrate/calibrated_case.h"
+#include "app/analysed_stand.h"
+#include "core/case/fields.h"
+#include "core/model/case.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+constexpr double given_sd = 0.10, contact_sd = 0.05, least_sd = 0.01;
+
+const DynamicsSettings &dynamics_of_chain(const Case &the_case)
+{
+  const auto *four = std::get_if<FourHigh>(&the_case.spec);
+  return four ? four->dynamics : std::get<Lumped>(the_case.spec).dynamics;
+}
+
+double prior_of(const Parameter &spring, const std::string &name)
+{
+  const bool contact  = name == "K3" || name == "K5";
+  const bool computed = spring.source == Source::computed || spring.source == Source::estimated;
+  if (!std::isfinite(spring.error_estimate))
+    return contact && computed ? contact_sd : given_sd;
+  return std::max(spring.error_estimate, contact && computed ? contact_sd : least_sd);
+}
+
+std::string percent(const double theta)
+{
+  return fmt::format("{:+.2f} %", 100 * std::expm1(theta));
+}
+
+/// Head of the file: what records made of the case, for whoever opens it.
+std::string comment_of(const Case &origin, const twin::Calibration &result, const std::vector<std::string> &files,
+                       const bool accepted)
+{
+  std::string text = "# Calibrated case: " + origin.path + " with\n";
+  for (const std::string &file : files)
+    text += "#   " + file + "\n";
+  for (const twin::Calibrated &u : result.unknowns)
+    if (u.name == "delay")
+      text += fmt::format("# delay of the clocks {:.3f} ms, 95 % {:.3f} .. {:.3f} ms\n", 1e3 * u.estimate,
+                          1e3 * u.low, 1e3 * u.high);
+    else if (u.told)
+      text +=
+          fmt::format("# {:<5} {} (95 % {} .. {})\n", u.name, percent(u.kept), percent(u.low), percent(u.high));
+    else
+      text += fmt::format("# {:<5} kept: {}\n", u.name, u.why_not);
+  for (const std::string &direction : result.unseen)
+    text += "# " + direction + "\n";
+  if (accepted)
+    for (const std::string &reason : result.refusals)
+      text += "# REFUSED, written because of --accept: " + reason + "\n";
+  return text;
+}
+}  // namespace
+
+PriorChain prior_chain(const Case &the_case, const double load)
+{
+  PriorChain chain;
+  AnalysedChain analysed    = analysed_chain(the_case, load, "calibrate");
+  chain.model               = analysed.model;
+  chain.source              = analysed.source;
+  DynamicsSettings settings = dynamics_of_chain(the_case);
+  if (settings.force_meaning != "measured")
+    chain.notes.push_back("force_meaning = \"" + settings.force_meaning +
+                          "\" of the case: a record's force is the whole bite force, so K4 and C have no part in "
+                          "the calibration and stay as they are");
+  settings.force_meaning = "measured";
+  if (!(settings.modal_damping > 0))
+    throw InputError("dynamics.modal_damping = 0: a calibration starts from a damping ratio above zero, for "
+                     "example 0.01");
+  chain.stand.chain   = dynamics::mill_model(chain.model, settings);
+  chain.stand.damping = Eigen::VectorXd::Constant(chain.stand.chain.M.size(), settings.modal_damping);
+  for (std::string label : chain.stand.chain.labels) {
+    std::replace(label.begin(), label.end(), ' ', '_');
+    chain.places.push_back(label);
+  }
+  for (std::size_t j = 0; j < chain.stand.chain.springs.size(); ++j) {
+    const auto &spring = chain.stand.chain.springs[j];
+    if (spring.stiffness > 0 && j < chain.model.K.size())
+      chain.springs.push_back({spring.name, prior_of(chain.model.K[j], spring.name), 0});
+  }
+  chain.springs.push_back({"zeta", std::log(2.0), 0});
+  return chain;
+}
+
+std::vector<twin::Unknown> chosen(const PriorChain &chain, const std::string &free)
+{
+  if (free.empty())
+    return chain.springs;
+  std::vector<twin::Unknown> unknowns;
+  std::vector<std::string> known;
+  for (const twin::Unknown &unknown : chain.springs)
+    known.push_back(unknown.name);
+  for (Eigen::Index i = 0; i < chain.stand.damping.size(); ++i)
+    known.push_back("zeta" + std::to_string(i + 1));
+  for (const std::string &name : split(free, ",")) {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw InputError("--free " + free + ": " + name + " is nothing that can be fitted" +
+                       suggestion(name, known));
+    const auto twice =
+        std::any_of(unknowns.begin(), unknowns.end(), [&](const auto &u) { return u.name == name; });
+    if (twice)
+      throw InputError("--free " + free + ": " + name + " is there twice");
+    const auto spring = std::find_if(chain.springs.begin(), chain.springs.end(),
+                                     [&](const twin::Unknown &u) { return u.name == name; });
+    unknowns.push_back(spring != chain.springs.end() ? *spring : twin::Unknown{name, std::log(2.0), 0});
+  }
+  return unknowns;
+}
+
+std::string calibrated_toml(const PriorChain &chain, const Case &origin, const twin::Calibration &result,
+                            const std::vector<std::string> &files, const bool accepted,
+                            const std::string &directory)
+{
+  std::string method = "records ", not_told;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    method += (i ? ", " : "") + files[i];
+  for (const twin::Calibrated &u : result.unknowns)
+    if (!u.told)
+      not_told += (not_told.empty() ? "" : ", ") + u.name;
+  method += "; not told: " + (not_told.empty() ? "none" : not_told);
+  if (accepted)
+    method += "; refused, accepted by the user";
+  LumpedModel model = chain.model;
+  Case changed      = origin;
+  for (const twin::Calibrated &u : result.unknowns) {
+    if (u.name == "zeta" && u.told) {
+      DynamicsSettings &dynamics = std::holds_alternative<FourHigh>(changed.spec)
+                                       ? std::get<FourHigh>(changed.spec).dynamics
+                                       : std::get<Lumped>(changed.spec).dynamics;
+      dynamics.modal_damping *= std::exp(u.kept);
+    }
+    if (u.name.size() != 2 || u.name[0] != 'K' || !u.told)
+      continue;
+    Parameter &spring     = model.K[std::size_t(u.name[1] - '1')];
+    const double before   = spring.value;
+    spring.value          = before * std::exp(u.kept);
+    spring.source         = Source::measured;
+    spring.method         = "calibrated: " + method;
+    spring.error_estimate = u.sd;
+    spring.error_lacks    = {};
+    spring.checks         = {
+                {"95 % from", before * std::exp(u.low),  ""                       },
+                {"95 % to",   before * std::exp(u.high), ""                       },
+                {"before",    before,                    "value of the given case"}
+    };
+  }
+  return comment_of(origin, result, files, accepted) + lumped_model_toml(model, changed, directory);
+}
+}  // namespace mill

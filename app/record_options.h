@@ -1,0 +1,22 @@
+#pragma once
+#include "app/command_line.h"
+#include "twin/records/raw_record.h"
+#include <string>
+
+// What the verbs that read records share.
+namespace mill {
+/// A quantity above zero of the command line, SI.
+/// @param sample  "4 m/s": says the unit, and stands in the message
+/// @throws InputError
+double quantity_of(const std::string &option, const std::string &text, const std::string &sample);
+
+/// --rate, --zone, --channel and --unit.
+twin::ReadOptions read_options(const CommandLine &command);
+
+/// Makes the folder of a verb; one that holds other things is refused.
+/// @param proof  file that this verb leaves in its folders, "analysis.json"
+/// @param what   "analysis"
+/// @throws InputError, SystemError
+void require_result_folder(const std::string &folder, const std::string &proof, const std::string &what,
+                           bool overwrite);
+}  // namespace mill

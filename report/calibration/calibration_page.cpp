@@ -1,0 +1,232 @@
+#include "report/calibration/calibration_page.h"
+#include "core/case/errors.h"
+#include "core/records/files.h"
+#include "report/calibration/figures.h"
+#include "report/page/html.h"
+#include "report/page/number.h"
+#include "report/page/page.h"
+#include "report/plot/svg.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace mill::report {
+namespace {
+using nlohmann::json;
+
+double real(const json &value)
+{
+  return value.is_number() ? value.get<double>() : std::nan("");
+}
+
+std::string data(const std::string &text, const char *kind = "")
+{
+  return std::string("<td") + kind + ">" + text + "</td>";
+}
+
+std::string figure_cell(const std::string &text)
+{
+  return data(text, " class=\"num\"");
+}
+
+std::string table_of(const std::string &head, const std::string &rows)
+{
+  return "<table class=\"results\"><thead><tr>" + head + "</tr></thead>\n<tbody>\n" + rows + "</tbody></table>\n";
+}
+
+std::string change(const json &unknown, const double theta)
+{
+  return unknown["name"] == "delay" ? significant(1e3 * theta, 3) + " ms" : percent(std::expm1(theta));
+}
+
+std::string unknowns_table(const json &unknowns)
+{
+  std::string rows;
+  for (const json &u : unknowns) {
+    const bool told = u["told"].get<bool>();
+    rows += "<tr><th scope=\"row\"><code>" + escaped(u["name"].get<std::string>()) + "</code></th>" +
+            figure_cell(told ? "<b>" + change(u, real(u["kept"])) + "</b>" : "kept") +
+            figure_cell(change(u, real(u["interval"][0])) + " … " + change(u, real(u["interval"][1]))) +
+            figure_cell(u["name"] == "delay" ? significant(1e3 * real(u["prior_sd"]), 3) + " ms"
+                                             : significant(100 * real(u["prior_sd"]), 2) + " %") +
+            figure_cell(significant(real(u["shrink"]), 2)) + figure_cell(fixed(real(u["moved"]), 2)) +
+            data(told ? "told" : escaped(u["why_not"].get<std::string>())) + "</tr>\n";
+  }
+  return table_of("<th>unknown</th><th>change of the case</th><th>95 %, all freed</th><th>deviation before</th>"
+                  "<th>share left</th><th>moved, in deviations</th><th>what the records say</th>",
+                  rows);
+}
+
+std::string correlation_table(const json &unknowns, const json &correlation)
+{
+  std::string head = "<th></th>", rows;
+  for (const json &u : unknowns)
+    head += "<th>" + escaped(u["name"].get<std::string>()) + "</th>";
+  for (std::size_t i = 0; i < correlation.size(); ++i) {
+    rows += "<tr><th scope=\"row\">" + escaped(unknowns[i]["name"].get<std::string>()) + "</th>";
+    for (std::size_t j = 0; j < correlation[i].size(); ++j) {
+      const double r         = real(correlation[i][j]);
+      const std::string text = fixed(r, 2);
+      rows += figure_cell(i != j && std::abs(r) > 0.9 ? "<b>" + text + "</b>" : text);
+    }
+    rows += "</tr>\n";
+  }
+  return table_of(head, rows);
+}
+
+std::string bands_table(const json &bands)
+{
+  std::string rows;
+  for (const char *which : {"fit", "check"})
+    for (const json &band : bands[which]) {
+      if (!band["counts"].get<bool>() || real(band["ratio"]) < 0.9 * real(band["limit"]))
+        continue;
+      rows += "<tr>" + data(which) + data(escaped(band["sensor"].get<std::string>())) +
+              figure_cell(fixed(real(band["centre"]), 1)) + figure_cell(significant(real(band["energy"]), 2)) +
+              figure_cell(significant(real(band["left"]), 3)) + figure_cell(significant(real(band["floor"]), 3)) +
+              figure_cell("<b>" + fixed(real(band["ratio"]), 3) + "</b>") +
+              figure_cell(fixed(real(band["limit"]), 3)) + "</tr>\n";
+    }
+  return rows.empty() ? ""
+                      : table_of("<th>records</th><th>sensor</th><th>third octave [Hz]</th><th>share of the energy"
+                                 "</th><th>left</th><th>must be left</th><th>ratio</th><th>limit</th>",
+                                 rows);
+}
+
+std::string list_of(const json &items)
+{
+  std::string list;
+  for (const json &item : items)
+    list += "<li>" + escaped(item.get<std::string>()) + "</li>\n";
+  return "<ul>\n" + list + "</ul>";
+}
+
+std::string head_of(const json &document)
+{
+  std::string files;
+  for (const json &file : document["records"])
+    files += (files.empty() ? "" : ", ") + escaped(file.get<std::string>());
+  std::string text = "<header><h1>Calibration of " + escaped(document["case"].get<std::string>()) +
+                     "</h1></header>\n<p>" + escaped(document["stand"].get<std::string>()) + "; records " + files +
+                     ": " + significant(real(document["seconds"][0]), 3) + " s fitted, " +
+                     significant(real(document["seconds"][1]), 3) + " s held back as a check; " +
+                     fixed(real(document["band"][0]), 0) + " to " + fixed(real(document["band"][1]), 0) +
+                     " Hz</p>\n";
+  const std::string status = document["status"];
+  int told                 = 0;
+  for (const json &u : document["unknowns"])
+    told += u["told"].get<bool>();
+  const std::string count =
+      fmt::format("{} of {} unknowns are told by these records", told, document["unknowns"].size());
+  if (status == "ok")
+    return text + "<div class=\"verdict ok\"><p>" + count +
+           "; the calibrated stand explains the check records as well as a linear model can.</p></div>\n";
+  return text + "<div class=\"verdict warnings\"><p>" +
+         (status == "accepted" ? "Refused, and written all the same because of <code>--accept</code>: "
+                               : "Refused, no case was written: ") +
+         "this model with these records is not right. " + count + ".</p></div>\n";
+}
+
+void what_is_told(Page &page, const json &document)
+{
+  page.section("unknowns", "What the records say", Depth::manager);
+  if (!document["refusals"].empty()) {
+    page.heading("Why it is refused");
+    page.html(list_of(document["refusals"]));
+  }
+  page.table(unknowns_table(document["unknowns"]),
+             "Unknowns. The change is that of the calibrated case, in which what is not told keeps its value; the "
+             "interval is that of the fit in which all are free, by the profile where the valley is curved. The "
+             "share left is the deviation after over that before.");
+  page.figure(
+      {moved_drawing(document["unknowns"])},
+      "How far each unknown moved, counted in deviations of its prior. Beyond 3 it is no correction of this "
+      "stand and the calibration is refused.");
+  if (!document["unseen"].empty()) {
+    page.heading("What these records do not show");
+    page.html(list_of(document["unseen"]));
+  }
+  if (real(document["kept_deviance"]) > 0)
+    page.paragraph("To keep what is not told at its value costs a deviance of " +
+                   significant(real(document["kept_deviance"]), 2) + ".");
+}
+
+void is_it_right(Page &page, const json &document, const std::map<std::string, Table> &tables)
+{
+  page.section("check", "Before and after on the check records", Depth::manager);
+  const json &values = document["values"];
+  page.paragraph("Misfit " + significant(real(values["misfit.check.after"]["value"]), 4) + ", before " +
+                 significant(real(values["misfit.check.before"]["value"]), 4) +
+                 "; 1 is what the noise of the fitted records leaves. No sample of the check was fitted.");
+  if (const auto found = tables.find("response"); found != tables.end())
+    for (const std::string &drawing : response_drawings(found->second, document["sensors"]))
+      page.figure({drawing}, "Acceleration per bite force: the check records against the stand before and after. "
+                             "Averaged over Hann segments, which lowers sharp resonances of the measured line.");
+  page.section("residuals", "What is left, by third octave");
+  page.figure(
+      {residual_drawing(document["bands"]["fit"], document["sensors"], "fitted records"),
+       residual_drawing(document["bands"]["check"], document["sensors"], "check records")},
+      "What the stand leaves over what any linear model with this force must leave, over its limit 1.05 + 4/"
+      "√bins. Above 1 the model is wrong there, whatever the misfit says.");
+  if (const std::string table = bands_table(document["bands"]); !table.empty())
+    page.table(table, "Third octaves at 0.9 of their limit and above.");
+}
+
+void how_sure(Page &page, const json &document, const std::map<std::string, Table> &tables)
+{
+  page.section("profiles", "Valleys and other minima", Depth::expert);
+  if (const auto found = tables.find("profiles"); found != tables.end()) {
+    const auto drawings = profile_drawings(found->second);
+    for (std::size_t i = 0; i < drawings.size(); i += 3)
+      page.figure(
+          {drawings.begin() + long(i), drawings.begin() + long(std::min(i + 3, drawings.size()))},
+          "Deviance along a spring, all others fitted again: the interval ends where it reaches 3.84, and a "
+          "second minimum below 9 means not told. Cut at 60.");
+  } else
+    page.paragraph("No spring was scanned: all are known to better than a hundredth of their prior.");
+  std::string basins;
+  for (const json &basin : document["basins"])
+    basins += "<tr><th scope=\"row\">" + escaped(basin["name"].get<std::string>()) + "</th>" +
+              figure_cell(percent(std::expm1(real(basin["theta"])))) +
+              figure_cell(significant(real(basin["deviance"]), 3)) + "</tr>\n";
+  if (!basins.empty())
+    page.table(table_of("<th>unknown</th><th>change there</th><th>deviance</th>", basins),
+               "Other minima that the scans met.");
+  page.table(correlation_table(document["unknowns"], document["correlation"]),
+             "Correlation of the unknowns after the records; beyond 0.9 in bold.");
+}
+}  // namespace
+
+std::string calibration_page(const std::string &directory, const std::string &text,
+                             const std::map<std::string, Table> &tables)
+{
+  const json document = json::parse(text, nullptr, false);
+  if (!document.is_object() || !document.contains("unknowns") || !document.contains("refusals"))
+    throw InputError(Place{directory + "/calibration.json", 1, 1},
+                     "this is no calibration.json of this program; calibrate again");
+  Run run;
+  run.directory = directory;
+  run.case_name = document["case"].get<std::string>();
+  run.status    = "ok";
+  Page page(run);
+  what_is_told(page, document);
+  is_it_right(page, document, tables);
+  how_sure(page, document, tables);
+  if (!document["notes"].empty()) {
+    page.section("notes", "Notes on the records");
+    page.html(list_of(document["notes"]));
+  }
+  return html_document("Calibration of " + run.case_name, run, page, head_of(document));
+}
+
+std::string calibration_page(const std::string &directory)
+{
+  std::map<std::string, Table> tables;
+  for (const char *name : {"response", "profiles"})
+    if (const std::string path = directory + "/" + name + ".csv"; std::filesystem::exists(path))
+      tables.emplace(name, read_table(path));
+  return calibration_page(directory, read_text(directory + "/calibration.json"), tables);
+}
+}  // namespace mill::report

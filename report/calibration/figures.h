@@ -1,0 +1,20 @@
+#pragma once
+#include "core/records/csv.h"
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+// Drawings of a calibration.
+namespace mill::report {
+/// Measured and computed response of each sensor, before and after.
+std::vector<std::string> response_drawings(const Table &response, const nlohmann::json &sensors);
+
+/// How far each unknown moved, in deviations of its prior, with its interval.
+std::string moved_drawing(const nlohmann::json &unknowns);
+
+/// What the fit leaves over what a linear model must leave, over its limit, by third octave.
+std::string residual_drawing(const nlohmann::json &bands, const nlohmann::json &sensors, const std::string &title);
+
+/// Deviance along each scanned spring.
+std::vector<std::string> profile_drawings(const Table &profiles);
+}  // namespace mill::report

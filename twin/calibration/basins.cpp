@@ -1,0 +1,215 @@
+#include "twin/calibration/basins.h"
+#include "core/process/parallel.h"
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+namespace mill::twin {
+namespace {
+constexpr Eigen::Index steps   = 17;
+constexpr double half_width    = 2.5;   // prior sd
+constexpr double worth_a_scan  = 0.01;  // sd over prior sd
+constexpr double interval_rise = 3.84;  // chi-square of one, 95 %
+constexpr double lower_by      = 0.5;   // of the cost: a minimum that is worth another scan
+
+struct Scan {
+  const FittedStand &stand;
+  const Fit &fit;
+  const MeasuredResponse &data;
+  FitSettings settings;
+  Fit at(const Eigen::VectorXd &start, const Eigen::Index fixed) const
+  {
+    return minimised(stand, fit.unknowns, start, data, fit.noise, settings, fixed);
+  }
+  double deviance(const Fit &other) const
+  {
+    return 2 * (other.cost - fit.cost);
+  }
+};
+
+bool is_spring(const Unknown &unknown)
+{
+  return unknown.name.size() == 2 && unknown.name[0] == 'K';
+}
+
+/// One walk over the grid: estimates and costs of every step.
+struct Walk {
+  std::vector<Eigen::VectorXd> theta;
+  Eigen::VectorXd cost;
+};
+
+Walk walked(const Scan &scan, const Eigen::Index spring, const Eigen::VectorXd &grid, const bool upward)
+{
+  Walk walk{std::vector<Eigen::VectorXd>(std::size_t(steps)), Eigen::VectorXd(steps)};
+  Eigen::VectorXd theta   = scan.fit.estimate;
+  Scan quick              = scan;  // a hundredth of the deviance is enough for the shape of the valley
+  quick.settings.decrease = 5e-3;
+  quick.settings.steps    = 25;
+  for (Eigen::Index i = 0; i < steps; ++i) {
+    const Eigen::Index k       = upward ? i : steps - 1 - i;
+    theta[spring]              = grid[k];
+    const Fit found            = quick.at(theta, spring);
+    theta                      = found.estimate;
+    walk.theta[std::size_t(k)] = theta;
+    walk.cost[k]               = found.cost;
+  }
+  return walk;
+}
+
+Eigen::VectorXd grid_of(const Unknown &unknown)
+{
+  return Eigen::VectorXd::LinSpaced(steps, unknown.prior - half_width * unknown.prior_sd,
+                                    unknown.prior + half_width * unknown.prior_sd);
+}
+
+/// Where the deviance reaches 3.84 on one side of the minimum, others fitted: secant of its root, which is
+/// straight where the valley is.
+double end_of_interval(const Scan &scan, const Eigen::Index spring, const double side)
+{
+  const double centre = scan.fit.estimate[spring], wanted = std::sqrt(interval_rise);
+  double reach = wanted * scan.fit.sd()[spring], inside = 0, inside_root = 0;
+  Eigen::VectorXd theta = scan.fit.estimate;
+  for (int step = 0; step < 12; ++step) {
+    theta[spring]     = centre + side * reach;
+    const Fit found   = scan.at(theta, spring);
+    const double root = std::sqrt(std::max(0.0, scan.deviance(found)));
+    if (std::abs(root - wanted) < 0.01 * wanted)
+      break;
+    double next = inside + (reach - inside) * (wanted - inside_root) / std::max(root - inside_root, 1e-6);
+    if (root < wanted) {
+      inside      = reach;
+      inside_root = root;
+      theta       = found.estimate;
+      next        = std::min(next, 3 * reach);
+    } else
+      next = std::max(next, inside + 0.1 * (reach - inside));
+    reach = next;
+  }
+  return centre + side * reach;
+}
+
+/// Minima of a profile between whose and any lower point the curve rises by at least 1.
+std::vector<Eigen::Index> minima_of(const Eigen::VectorXd &deviance)
+{
+  std::vector<Eigen::Index> minima;
+  for (Eigen::Index i = 0; i < deviance.size(); ++i) {
+    const auto rises = [&](const Eigen::Index by) {
+      double highest = deviance[i];
+      for (Eigen::Index k = i + by; k >= 0 && k < deviance.size(); k += by) {
+        highest = std::max(highest, deviance[k]);
+        if (deviance[k] < deviance[i])
+          return highest > deviance[i] + 1;
+      }
+      return true;  // an end of the scan: nothing lower on this side
+    };
+    // a fall that goes on beyond the end of the scan is no minimum
+    const bool inside = i > 0 && i + 1 < deviance.size();
+    if (inside && rises(-1) && rises(1))
+      minima.push_back(i);
+  }
+  return minima;
+}
+
+/// A free minimum that a profile led to.
+struct Candidate {
+  Eigen::Index spring;
+  Fit fit;
+};
+
+struct Scanned {
+  std::vector<Profile> profiles;
+  std::vector<Candidate> candidates;
+};
+
+Scanned scan_once(const Scan &scan, const std::vector<Eigen::Index> &springs, const int threads,
+                  const std::function<void()> &one_done)
+{
+  std::vector<Walk> walks(2 * springs.size());
+  share_tasks(long(walks.size()), threads, [&](const long t) {
+    const Eigen::Index spring = springs[std::size_t(t / 2)];
+    walks[std::size_t(t)]     = walked(scan, spring, grid_of(scan.fit.unknowns[std::size_t(spring)]), t % 2 == 0);
+    one_done();
+  });
+  Scanned result;
+  for (std::size_t s = 0; s < springs.size(); ++s) {
+    const Walk &up = walks[2 * s], &down = walks[2 * s + 1];
+    const Unknown &unknown = scan.fit.unknowns[std::size_t(springs[s])];
+    result.profiles.push_back(
+        {unknown.name, grid_of(unknown), (2 * (up.cost.cwiseMin(down.cost).array() - scan.fit.cost)).matrix()});
+    const Eigen::VectorXd &deviance = result.profiles.back().deviance;
+    for (const Eigen::Index i : minima_of(deviance))
+      if (deviance[i] < 100) {
+        const Walk &lower = up.cost[i] < down.cost[i] ? up : down;
+        result.candidates.push_back({springs[s], scan.at(lower.theta[std::size_t(i)], -1)});
+      }
+  }
+  return result;
+}
+
+/// Lowest first, each once; the best itself is none of them.
+std::vector<Basin> basins_of(const Fit &best, std::vector<Candidate> candidates, const Fit &first)
+{
+  std::vector<Basin> basins;
+  for (const Candidate &c : candidates)
+    for (const Fit *fit : {&c.fit, &first}) {
+      const double step  = 2 * half_width * best.unknowns[std::size_t(c.spring)].prior_sd / double(steps - 1);
+      const double theta = fit->estimate[c.spring];
+      const bool known   = std::any_of(basins.begin(), basins.end(), [&](const Basin &b) {
+        return b.name == best.unknowns[std::size_t(c.spring)].name && std::abs(b.theta - theta) < 0.5 * step;
+      });
+      if (!known && std::abs(theta - best.estimate[c.spring]) > 0.5 * step)
+        basins.push_back({best.unknowns[std::size_t(c.spring)].name, theta, 2 * (fit->cost - best.cost)});
+    }
+  std::sort(basins.begin(), basins.end(), [](const Basin &a, const Basin &b) { return a.deviance < b.deviance; });
+  return basins;
+}
+}  // namespace
+
+ScannedFit scanned(const FittedStand &stand, const Fit &first, const MeasuredResponse &data,
+                   const FitSettings &settings, const std::function<void(double)> &progress)
+{
+  ScannedFit result{first, {}, {}, {}, 0};
+  FitSettings single = settings;
+  single.threads     = 1;  // the walks share the threads
+  std::vector<Eigen::Index> springs;
+  for (;;) {
+    springs.clear();
+    const Eigen::VectorXd shrink = result.best.shrink();
+    for (std::size_t i = 0; i < result.best.unknowns.size(); ++i)
+      if (is_spring(result.best.unknowns[i]) && shrink[Eigen::Index(i)] > worth_a_scan)
+        springs.push_back(Eigen::Index(i));
+    const Fit scanned_fit = result.best;
+    std::mutex guard;
+    std::size_t done    = 0;
+    const auto one_done = [&] {
+      const std::lock_guard<std::mutex> lock(guard);
+      if (progress)
+        progress(double(++done) / double(2 * springs.size()));
+    };
+    const Scanned scan = scan_once({stand, scanned_fit, data, single}, springs, settings.threads, one_done);
+    result.profiles    = scan.profiles;
+    for (const Candidate &c : scan.candidates)
+      if (c.fit.cost < result.best.cost)
+        result.best = c.fit;
+    const double lower = scanned_fit.cost - result.best.cost;
+    if (lower < lower_by || result.starts_over == 3) {
+      for (Profile &profile : result.profiles)
+        profile.deviance.array() += 2 * lower;
+      result.basins = basins_of(result.best, scan.candidates, scanned_fit);
+      break;
+    }
+    result.best = fitted(stand, first.unknowns, result.best.estimate, data, settings);
+    ++result.starts_over;
+  }
+  const Eigen::VectorXd sd = result.best.sd();
+  result.interval.resize(sd.size(), 2);
+  result.interval.col(0) = result.best.estimate - 1.96 * sd;
+  result.interval.col(1) = result.best.estimate + 1.96 * sd;
+  const Scan last{stand, result.best, data, single};
+  share_tasks(long(2 * springs.size()), settings.threads, [&](const long t) {
+    result.interval(springs[std::size_t(t / 2)], t % 2) =
+        end_of_interval(last, springs[std::size_t(t / 2)], t % 2 == 0 ? -1 : 1);
+  });
+  return result;
+}
+}  // namespace mill::twin

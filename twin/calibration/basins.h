@@ -1,0 +1,37 @@
+#pragma once
+#include "twin/calibration/fit.h"
+#include <functional>
+#include <string>
+#include <vector>
+
+// Minima beside the first one, and intervals where the valley is curved.  theory.md 44
+namespace mill::twin {
+/// Twice the rise of the cost over its minimum along one unknown, all others fitted again.
+struct Profile {
+  std::string name;
+  Eigen::VectorXd theta;     ///< (17) 2.5 prior sd to both sides of the prior
+  Eigen::VectorXd deviance;  ///< (17) -
+};
+
+/// A minimum of its own on a profile.
+struct Basin {
+  std::string name;  ///< of the unknown that was scanned
+  double theta;      ///< of that unknown
+  double deviance;   ///< over the lowest minimum
+};
+
+struct ScannedFit {
+  Fit best;                       ///< the lowest minimum of all
+  std::vector<Profile> profiles;  ///< of springs whose sd is more than 0.01 of the prior's
+  std::vector<Basin> basins;      ///< minima with a deviance below 100 besides the lowest; lowest first
+  Eigen::MatrixXd interval;       ///< (p, 2) theta, 95 %: deviance 3.84 of scanned springs, else 1.96 sd
+  int starts_over = 0;            ///< how often a scan found a lower minimum and all began again
+};
+
+/// Scans around a fit: each spring with sd > 0.01 prior sd over +-2.5 prior sd in 17 steps, walked from both ends,
+/// each step fitted from the one before.  A lower minimum replaces the fit (noise renewed) and is scanned again,
+/// at most three times. Cost: some 250 descents; 5 s for 20 s, two sensors, seven unknowns, on two threads.
+/// @param progress  called with the fraction done
+ScannedFit scanned(const FittedStand &stand, const Fit &first, const MeasuredResponse &data,
+                   const FitSettings &settings, const std::function<void(double)> &progress = {});
+}  // namespace mill::twin

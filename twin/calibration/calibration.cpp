@@ -1,0 +1,263 @@
+#include "twin/calibration/calibration.h"
+#include "dynamics/response/response_slopes.h"
+#include "twin/calibration/words.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill::twin {
+namespace {
+constexpr double told_shrink = 0.5, other_basin = 9, far_from_prior = 3;
+
+MeasuredResponse band_of(const CalibrationInput &in, const std::vector<ForcedSamples> &pieces)
+{
+  Fourier fourier;
+  MeasuredResponse data{{}, in.places};
+  for (const ForcedSamples &piece : pieces)
+    data.pieces.push_back(
+        band_record(piece.force, piece.acceleration, in.rate, in.low, in.high, fourier, in.between));
+  return data;
+}
+
+double seconds(const MeasuredResponse &data)
+{
+  double sum = 0;
+  for (const BandRecord &band : data.pieces)
+    sum += band.duration;
+  return sum;
+}
+
+/// A delay of two clocks: where the case explains most of the record, over +-50 ms.
+double first_delay(const CalibrationInput &in, const MeasuredResponse &data, const NoiseDensity &noise,
+                   Eigen::VectorXd theta, const Eigen::Index delay)
+{
+  const double step = 0.1 / in.high;
+  double best = 0, lowest = std::numeric_limits<double>::infinity();
+  for (double tau = -0.05; tau <= 0.05; tau += step) {
+    theta[delay]      = tau;
+    const double cost = likelihood(in.stand, in.unknowns, theta, data, noise, Wanted::cost, in.threads).residual;
+    if (cost < lowest) {
+      lowest = cost;
+      best   = tau;
+    }
+  }
+  return best;
+}
+
+Eigen::Index index_of(const std::vector<Unknown> &unknowns, const std::string &name)
+{
+  for (std::size_t i = 0; i < unknowns.size(); ++i)
+    if (unknowns[i].name == name)
+      return Eigen::Index(i);
+  return -1;
+}
+
+Eigen::VectorXd start_of(const CalibrationInput &in, const MeasuredResponse &data)
+{
+  CalibrationInput moved   = in;
+  const Eigen::Index delay = index_of(in.unknowns, "delay");
+  if (delay >= 0) {
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(Eigen::Index(in.unknowns.size()));
+    // noise of all that is measured: an early misfit of one mode must not decide about the delay
+    moved.unknowns[std::size_t(delay)].prior = first_delay(in, data, noise_before(data), zero, delay);
+  }
+  return coarse_start(in.stand, moved.unknowns, in.fit, in.places, in.rate, in.low, in.high);
+}
+
+/// What is told, what is not, and why.
+std::vector<Calibrated> judged(const ScannedFit &scan)
+{
+  const Fit &fit               = scan.best;
+  const Eigen::VectorXd shrink = fit.shrink(), sd = fit.sd();
+  std::vector<Calibrated> all;
+  for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
+    const auto j = Eigen::Index(i);
+    Calibrated c{fit.unknowns[i].name,
+                 fit.unknowns[i].prior_sd,
+                 fit.estimate[j],
+                 sd[j],
+                 scan.interval(j, 0),
+                 scan.interval(j, 1),
+                 shrink[j],
+                 shrink[j] <= told_shrink,
+                 fit.estimate[j],
+                 ""};
+    if (!c.told)
+      c.why_not = fmt::format("not told by these data: {:.0f} % of the prior's deviation is left", 100 * c.shrink);
+    for (const Basin &basin : scan.basins)
+      if (basin.name == c.name && basin.deviance < other_basin) {
+        c.told    = false;
+        c.why_not = fmt::format("not told by these data: a second minimum at {:+.1f} %, deviance {:.1f}",
+                                100 * std::expm1(basin.theta), basin.deviance);
+      }
+    all.push_back(std::move(c));
+  }
+  return all;
+}
+
+/// What is told fitted again with the rest at its prior.
+void keep_priors(const CalibrationInput &in, const MeasuredResponse &data, Calibration &result)
+{
+  const Fit &joint          = result.scan.best;
+  std::vector<Unknown> held = joint.unknowns;
+  Eigen::VectorXd theta     = joint.estimate;
+  bool any                  = false;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (!result.unknowns[i].told) {
+      held[i].prior_sd       = 1e-6;  // a prior that no record moves
+      theta[Eigen::Index(i)] = held[i].prior;
+      any                    = true;
+    }
+  if (!any)
+    return;
+  const Fit kept = minimised(in.stand, held, theta, data, joint.noise, {3, 60, 1e-4, in.threads});
+  const double cost =
+      likelihood(in.stand, joint.unknowns, kept.estimate, data, joint.noise, Wanted::cost, in.threads).cost;
+  result.kept_deviance = 2 * (cost - joint.cost);
+  for (std::size_t i = 0; i < held.size(); ++i)
+    result.unknowns[i].kept = result.unknowns[i].told ? kept.estimate[Eigen::Index(i)] : held[i].prior;
+}
+
+Held held_against(const CalibrationInput &in, const Eigen::VectorXd &theta, const MeasuredResponse &data,
+                  const std::vector<ForcedSamples> &pieces, const MeasuredResponse &fit_data,
+                  const NoiseDensity &noise)
+{
+  Held held;
+  Eigen::VectorXd before = Eigen::VectorXd::Zero(theta.size());
+  if (const Eigen::Index delay = index_of(in.unknowns, "delay"); delay >= 0)
+    before[delay] = theta[delay];  // clocks are no matter of the stand
+  held.before    = misfit_on(in.stand, in.unknowns, before, data, fit_data, noise);
+  held.after     = misfit_on(in.stand, in.unknowns, theta, data, fit_data, noise);
+  const auto own = noise_of(residuals(in.stand, in.unknowns, theta, data, noise_before(data)));
+  held.bands =
+      band_residuals(data, residuals(in.stand, in.unknowns, theta, data, own), pieces, in.rate, in.low, in.high);
+  for (const BandResidual &band : held.bands)
+    if (band.counts)
+      held.worst = std::max(held.worst, band.ratio / band.limit);
+  return held;
+}
+
+void add_band_refusals(std::vector<std::string> &refusals, const CalibrationInput &in, const Held &held,
+                       const std::string &record)
+{
+  const BandResidual *worst = nullptr;
+  int wrong                 = 0;
+  for (const BandResidual &band : held.bands)
+    if (band.wrong()) {
+      ++wrong;
+      if (!worst || band.ratio / band.limit > worst->ratio / worst->limit)
+        worst = &band;
+    }
+  if (worst)
+    refusals.push_back(fmt::format("in {} of {} third octaves of the {} the stand leaves more than a linear model "
+                                   "must; the worst is {:.1f} Hz "
+                                   "of {}: {:.2f} times, limit {:.2f}",
+                                   wrong, held.bands.size(), record, worst->centre,
+                                   in.sensors[std::size_t(worst->sensor)], worst->ratio, worst->limit));
+}
+
+std::vector<std::string> refusals_of(const CalibrationInput &in, const Calibration &c)
+{
+  std::vector<std::string> refusals;
+  add_band_refusals(refusals, in, c.fit, "fitted records");
+  add_band_refusals(refusals, in, c.check, "check records");
+  if (!(c.check.after < c.check.before))
+    refusals.push_back(fmt::format("the check records fit no better than before: misfit {:.4g}, before {:.4g}",
+                                   c.check.after, c.check.before));
+  for (std::size_t i = 0; i < c.unknowns.size(); ++i) {
+    const Calibrated &u = c.unknowns[i];
+    const double moved  = (u.estimate - in.unknowns[i].prior) / u.prior_sd;
+    if (u.name == "delay") {
+      const double limit = 1 / (20 * in.high);
+      if (u.sd > limit)
+        refusals.push_back(fmt::format("the delay of the clocks is uncertain by {:.3g} ms; up to {:.0f} Hz "
+                                       "{:.3g} ms are allowed",
+                                       1e3 * u.sd, in.high, 1e3 * limit));
+    } else if (std::abs(moved) > far_from_prior)
+      refusals.push_back(fmt::format("{} would move by {:.1f} of its prior standard deviations, which is no "
+                                     "correction of this stand",
+                                     u.name, moved));
+  }
+  for (const std::string &channel : in.clipped)
+    refusals.push_back(channel + " is clipped");
+  if (!c.scan.best.converged)
+    refusals.push_back("the fit did not converge");
+  return refusals;
+}
+
+/// |H1| of the check records beside the case and the calibrated case.
+Table response_table(const CalibrationInput &in, const Eigen::VectorXd &theta)
+{
+  Eigen::Index longest = 0;
+  for (const ForcedSamples &piece : in.check)
+    longest = std::max(longest, piece.force.size());
+  Eigen::Index L = 1 << 15;
+  while (L > 512 && L > longest / 3)
+    L /= 2;
+  const CrossSpectra s = cross_spectra(in.check, in.rate, L);
+  const double df      = in.rate / double(L);
+  const auto first     = Eigen::Index(std::ceil(in.low / df)),
+             last      = std::min<Eigen::Index>(L / 2, Eigen::Index(std::floor(in.high / df)));
+  Table table;
+  if (s.n == 0 || last < first)
+    return table;
+  const Eigen::Index k = last - first + 1;
+  table.add("frequency", "Hz", Eigen::VectorXd::LinSpaced(k, double(first) * df, double(last) * df));
+  const StandAt ends[] = {stand_at(in.stand, in.unknowns, Eigen::VectorXd::Zero(theta.size())),
+                          stand_at(in.stand, in.unknowns, theta)};
+  for (std::size_t j = 0; j < in.places.size(); ++j) {
+    const Eigen::VectorXd measured = s.cross.col(Eigen::Index(j))
+                                         .segment(first, k)
+                                         .cwiseAbs()
+                                         .cwiseQuotient(s.force.segment(first, k).cwiseMax(1e-300));
+    table.add(in.sensors[j] + ".measured", "m/s2/N", measured);
+    for (int e = 0; e < 2; ++e) {
+      Eigen::VectorXd model(k);
+      for (Eigen::Index b = 0; b < k; ++b) {
+        const double w           = 2 * M_PI * table.columns[0][b];
+        std::complex<double> sum = 0;
+        for (Eigen::Index i = 0; i < ends[e].frequency.size(); ++i) {
+          const double wi = ends[e].frequency[i];
+          sum += ends[e].shape(in.places[j], i) * ends[e].force[i] /
+                 std::complex<double>(wi * wi - w * w, 2 * ends[e].damping[i] * wi * w);
+        }
+        model[b] = w * w * std::abs(sum);
+      }
+      table.add(in.sensors[j] + (e == 0 ? ".before" : ".after"), "m/s2/N", model);
+    }
+  }
+  return table;
+}
+}  // namespace
+
+Calibration calibrate(const CalibrationInput &in, const Progress &progress)
+{
+  Calibration result;
+  progress.at("start", 0);
+  const MeasuredResponse data = band_of(in, in.fit);
+  const Eigen::VectorXd start = start_of(in, data);
+  const FitSettings settings{3, 60, 1e-4, in.threads};
+  progress.at("fit", 0);
+  const Fit first = fitted(in.stand, in.unknowns, start, data, settings);
+  result.scan     = scanned(in.stand, first, data, settings, [&](const double f) { progress.at("basins", f); });
+  result.unknowns = judged(result.scan);
+  result.told     = told(result.scan.best.information, in.unknowns);
+  result.unseen   = unseen_directions(result.told, in.stand);
+  const Eigen::VectorXd scale = result.scan.best.sd().cwiseInverse();
+  result.correlation          = scale.asDiagonal() * result.scan.best.covariance * scale.asDiagonal();
+  keep_priors(in, data, result);
+  progress.at("check", 0);
+  const MeasuredResponse check = band_of(in, in.check);
+  Eigen::VectorXd theta(Eigen::Index(in.unknowns.size()));
+  for (std::size_t i = 0; i < result.unknowns.size(); ++i)
+    theta[Eigen::Index(i)] = result.unknowns[i].kept;
+  const NoiseDensity &noise = result.scan.best.noise;
+  result.fit                = held_against(in, theta, data, in.fit, data, noise);
+  result.check              = held_against(in, theta, check, in.check, data, noise);
+  result.fit_seconds        = seconds(data);
+  result.check_seconds      = seconds(check);
+  result.response           = response_table(in, theta);
+  result.refusals           = refusals_of(in, result);
+  return result;
+}
+}  // namespace mill::twin

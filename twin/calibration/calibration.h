@@ -1,0 +1,61 @@
+#pragma once
+#include "core/process/progress.h"
+#include "core/records/csv.h"
+#include "twin/calibration/adequacy.h"
+#include "twin/calibration/basins.h"
+#include "twin/calibration/plan.h"
+#include <string>
+#include <vector>
+
+// A calibration from pieces of records to a verdict.  theory.md 44, 45
+namespace mill::twin {
+struct CalibrationInput {
+  FittedStand stand;
+  std::vector<Unknown> unknowns;     ///< "delay" among them where two clocks are to be aligned
+  std::vector<std::string> sensors;  ///< (m) "upper_work_roll"
+  std::vector<Eigen::Index> places;  ///< (m) masses, from 0
+  double rate = 0;                   ///< Hz
+  double low = 20, high = 900;       ///< Hz, band that is fitted
+  std::vector<ForcedSamples> fit, check;
+  BetweenSamples between = BetweenSamples::smooth;
+  std::vector<std::string> clipped;  ///< channels of the records that are clipped; they are not among the sensors
+  int threads = 1;
+};
+
+/// One unknown after the record.
+struct Calibrated {
+  std::string name;
+  double prior_sd;      ///< of ln of the factor; of the delay s
+  double estimate;      ///< joint fit of all
+  double sd;            ///< of the joint fit
+  double low, high;     ///< 95 % of the joint fit; of a scanned spring by its profile
+  double shrink;        ///< sd over prior sd
+  bool told;            ///< shrink <= 0.5 and no second basin below deviance 9
+  double kept;          ///< value of the calibrated case: the estimate of what is told, with all else at its prior
+  std::string why_not;  ///< empty where it is told
+};
+
+/// Misfit and worst band of a record with the calibrated case.
+struct Held {
+  double before = 0, after = 0;  ///< mean of |r|^2 over the noise that the fit left
+  std::vector<BandResidual> bands;
+  double worst = 0;  ///< ratio over its limit, of bands that count
+};
+
+struct Calibration {
+  std::vector<Calibrated> unknowns;
+  ScannedFit scan;
+  Told told;                        ///< of the joint fit
+  Eigen::MatrixXd correlation;      ///< (p, p) -, posterior
+  std::vector<std::string> unseen;  ///< directions that the records do not show, in words
+  double kept_deviance = 0;         ///< what keeping the priors of what is not told costs
+  Held fit, check;
+  std::vector<std::string> refusals;  ///< why no case is written; empty: none
+  Table response;                     ///< check record: |H1| measured, before, after by sensor
+  double fit_seconds = 0, check_seconds = 0;
+};
+
+/// Start, fit, basins, what is told, and whether the model is right.
+/// Cost: 5 s for 20 s of two sensors and seven unknowns on two threads.
+Calibration calibrate(const CalibrationInput &input, const Progress &progress);
+}  // namespace mill::twin

@@ -1,0 +1,163 @@
+#include "twin/calibration/calibration_files.h"
+#include "core/records/results.h"
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace mill::twin {
+namespace {
+using nlohmann::ordered_json;
+
+ordered_json finite(const double value)
+{
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+Results values_of(const Calibration &result)
+{
+  Results values;
+  const std::string at = fmt::format("{:.4g} s of the records", result.fit_seconds);
+  for (const Calibrated &u : result.unknowns) {
+    const bool delay = u.name == "delay";
+    Parameter p;
+    p.value          = delay ? u.kept : std::exp(u.kept);
+    p.unit           = delay ? "s" : "1";
+    p.source         = u.told ? Source::measured : Source::assumed;
+    p.method         = u.told ? "likelihood of the whole records" : u.why_not;
+    p.at             = at;
+    p.error_estimate = delay ? std::nan("") : u.told ? u.sd : u.prior_sd;
+    if (delay)
+      p.error_lacks = {"a delay has no relative error; its deviation stands among the unknowns"};
+    if (u.told && !delay)
+      p.checks = {
+          {"95 % from",      std::exp(u.low),      ""                                      },
+          {"95 % to",        std::exp(u.high),     ""                                      },
+          {"with all freed", std::exp(u.estimate), "what is not told not held at its prior"}
+      };
+    values.add(delay ? "delay" : "factor." + u.name, p);
+  }
+  const auto misfit = [&](const std::string &name, const double value, const std::string &of,
+                          const double seconds) {
+    Parameter p;
+    p.value       = value;
+    p.unit        = "1";
+    p.source      = Source::measured;
+    p.method      = of;
+    p.at          = fmt::format("{:.4g} s of the records", seconds);
+    p.error_lacks = {"one record has one misfit"};
+    values.add(name, p);
+  };
+  misfit("misfit.check.before", result.check.before, "mean of |r|^2 over the noise of the fit, case as it was",
+         result.check_seconds);
+  misfit("misfit.check.after", result.check.after, "the same, calibrated", result.check_seconds);
+  misfit("worst_band.fit", result.fit.worst, "what is left over what a linear model must leave, over its limit",
+         result.fit_seconds);
+  misfit("worst_band.check", result.check.worst, "the same of the check records", result.check_seconds);
+  return values;
+}
+
+ordered_json unknowns_of(const CalibrationInput &input, const Calibration &result)
+{
+  ordered_json all = ordered_json::array();
+  for (std::size_t i = 0; i < result.unknowns.size(); ++i) {
+    const Calibrated &u = result.unknowns[i];
+    all.push_back({
+        {"name",     u.name                                                     },
+        {"prior",    finite(input.unknowns[i].prior)                            },
+        {"prior_sd", finite(u.prior_sd)                                         },
+        {"estimate", finite(u.estimate)                                         },
+        {"sd",       finite(u.sd)                                               },
+        {"interval", {finite(u.low), finite(u.high)}                            },
+        {"shrink",   finite(u.shrink)                                           },
+        {"moved",    finite((u.estimate - input.unknowns[i].prior) / u.prior_sd)},
+        {"told",     u.told                                                     },
+        {"kept",     finite(u.kept)                                             },
+        {"why_not",  u.why_not                                                  }
+    });
+  }
+  return all;
+}
+
+ordered_json bands_of(const CalibrationInput &input, const Held &held)
+{
+  ordered_json all = ordered_json::array();
+  for (const BandResidual &band : held.bands)
+    all.push_back({
+        {"centre", finite(band.centre)                    },
+        {"sensor", input.sensors[std::size_t(band.sensor)]},
+        {"bins",   band.bins                              },
+        {"energy", finite(band.energy)                    },
+        {"left",   finite(band.left)                      },
+        {"floor",  finite(band.floor)                     },
+        {"ratio",  finite(band.ratio)                     },
+        {"limit",  finite(band.limit)                     },
+        {"counts", band.counts                            }
+    });
+  return all;
+}
+
+ordered_json rows_of_matrix(const Eigen::MatrixXd &matrix)
+{
+  ordered_json rows = ordered_json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    ordered_json row = ordered_json::array();
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+      row.push_back(finite(matrix(i, j)));
+    rows.push_back(row);
+  }
+  return rows;
+}
+}  // namespace
+
+std::string calibration_json(const CalibrationInput &input, const Calibration &result,
+                             const CalibrationFacts &facts)
+{
+  const std::string status = result.refusals.empty() ? "ok" : facts.accepted ? "accepted" : "refused";
+  ordered_json document    = ordered_json::parse(results_json(values_of(result), facts.case_name, status));
+  document["stand"]        = facts.stand;
+  document["records"]      = facts.files;
+  document["sensors"]      = input.sensors;
+  document["band"]         = {input.low, input.high};
+  document["rate"]         = input.rate;
+  document["seconds"]      = {result.fit_seconds, result.check_seconds};
+  document["unknowns"]     = unknowns_of(input, result);
+  document["unseen"]       = result.unseen;
+  ordered_json singular    = ordered_json::array();
+  for (Eigen::Index i = 0; i < result.told.singular.size(); ++i)
+    singular.push_back(finite(result.told.singular[i]));
+  document["singular"]    = singular;
+  document["correlation"] = rows_of_matrix(result.correlation);
+  ordered_json basins     = ordered_json::array();
+  for (const Basin &basin : result.scan.basins)
+    basins.push_back({
+        {"name",     basin.name            },
+        {"theta",    finite(basin.theta)   },
+        {"deviance", finite(basin.deviance)}
+    });
+  document["basins"]        = basins;
+  document["kept_deviance"] = finite(result.kept_deviance);
+  document["bands"]         = {
+              {"fit",   bands_of(input, result.fit)  },
+              {"check", bands_of(input, result.check)}
+  };
+  document["refusals"] = result.refusals;
+  document["notes"]    = facts.notes;
+  document["written"]  = facts.written;
+  return document.dump(2) + "\n";
+}
+
+std::map<std::string, Table> calibration_tables(const Calibration &result)
+{
+  std::map<std::string, Table> tables;
+  if (!result.response.columns.empty())
+    tables.emplace("response", result.response);
+  Table profiles;
+  for (const Profile &profile : result.scan.profiles) {
+    profiles.add(profile.name + ".theta", "", profile.theta);
+    profiles.add(profile.name + ".deviance", "", profile.deviance);
+  }
+  if (!profiles.columns.empty())
+    tables.emplace("profiles", profiles);
+  return tables;
+}
+}  // namespace mill::twin

@@ -1,0 +1,63 @@
+#include "twin/calibration/words.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+namespace mill::twin {
+namespace {
+constexpr double half_told = 1.7320508075688772;  // singular value at which sd is half of the prior's
+
+bool share_a_mass(const dynamics::MillModel &chain, const std::string &a, const std::string &b)
+{
+  const auto find = [&](const std::string &name) {
+    return std::find_if(chain.springs.begin(), chain.springs.end(),
+                        [&](const dynamics::Spring &s) { return s.name == name; });
+  };
+  const auto p = find(a), q = find(b);
+  if (p == chain.springs.end() || q == chain.springs.end())
+    return false;
+  for (const int i : {p->from, p->to})
+    if (i != dynamics::ground && (i == q->from || i == q->to))
+      return true;
+  return false;
+}
+
+std::string words_of(const Told &told, const Eigen::Index column, const FittedStand &stand)
+{
+  std::vector<std::pair<double, std::string>> parts;
+  for (Eigen::Index i = 0; i < told.direction.rows(); ++i)
+    if (std::abs(told.direction(i, column)) > 0.15)
+      parts.emplace_back(told.direction(i, column), told.names[std::size_t(i)]);
+  std::sort(parts.begin(), parts.end(), [](const auto &a, const auto &b) { return a.second < b.second; });
+  if (parts.empty())
+    return "many unknowns together";
+  const double sign = parts.front().first < 0 ? -1 : 1;
+  std::string sum;
+  for (const auto &[weight, name] : parts) {
+    const double w = sign * weight;
+    sum += sum.empty() ? "" : w < 0 ? " - " : " + ";
+    sum += fmt::format("{:.2f} ln {}", std::abs(w), name);
+  }
+  if (parts.size() == 1)
+    return sum + ": " + parts[0].second + " is hardly seen";
+  if (parts.size() == 2 && parts[0].first * parts[1].first < 0 &&
+      share_a_mass(stand.chain, parts[0].second, parts[1].second))
+    return sum + ": only their series is seen";
+  return sum + ": only what else they do is seen, not this combination";
+}
+}  // namespace
+
+std::vector<std::string> unseen_directions(const Told &told, const FittedStand &stand)
+{
+  std::vector<std::string> all;
+  for (Eigen::Index i = told.singular.size() - 1; i >= 0 && told.singular[i] < half_told; --i)
+    all.push_back(words_of(told, i, stand));
+  return all;
+}
+
+std::string weakest_direction(const Told &told, const FittedStand &stand)
+{
+  return words_of(told, told.singular.size() - 1, stand);
+}
+}  // namespace mill::twin

@@ -1,0 +1,14 @@
+#pragma once
+#include "twin/calibration/plan.h"
+#include <string>
+#include <vector>
+
+namespace mill::twin {
+/// Directions of which a record knows less than half, weakest first, in words:
+/// "0.47 ln K1 - 0.88 ln K2: only their series is seen".
+/// @param stand  says which springs share a mass
+std::vector<std::string> unseen_directions(const Told &told, const FittedStand &stand);
+
+/// The weakest direction, whether or not it is seen.
+std::string weakest_direction(const Told &told, const FittedStand &stand);
+}  // namespace mill::twin
