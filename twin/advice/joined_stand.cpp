@@ -91,11 +91,11 @@ struct JoinedMatrices {
 JoinedMatrices joined_matrices(const VibratingStand &stand, const std::vector<Attachment> &joined)
 {
   const Eigen::Index n = stand.frequency.size();
-  const auto tuned     = Eigen::Index(
-      std::count_if(joined.begin(), joined.end(), [](const Attachment &a) { return a.mass > 0; }));
+  const auto tuned =
+      Eigen::Index(std::count_if(joined.begin(), joined.end(), [](const Attachment &a) { return a.mass > 0; }));
   JoinedMatrices s;
   s.M = Eigen::MatrixXd::Identity(n + tuned, n + tuned);
-  s.C = s.K = Eigen::MatrixXd::Zero(n + tuned, n + tuned);
+  s.C = s.K               = Eigen::MatrixXd::Zero(n + tuned, n + tuned);
   s.K.topLeftCorner(n, n) = stand.frequency.cwiseAbs2().asDiagonal();
   s.C.topLeftCorner(n, n) = (2 * stand.damping.cwiseProduct(stand.frequency)).asDiagonal();
   s.C.topLeftCorner(n, n) += stand.gap_damper * stand.force * stand.force.transpose();
@@ -104,8 +104,8 @@ JoinedMatrices joined_matrices(const VibratingStand &stand, const std::vector<At
     Eigen::VectorXd row = Eigen::VectorXd::Zero(n + tuned);
     row.head(n)         = row_of(stand, a);
     if (a.mass > 0) {
-      const double w = 2 * M_PI * a.frequency;
-      row[next]      = -1;
+      const double w  = 2 * M_PI * a.frequency;
+      row[next]       = -1;
       s.M(next, next) = a.mass;
       s.K += a.mass * w * w * row * row.transpose();
       s.C += 2 * a.ratio * a.mass * w * row * row.transpose();
@@ -225,6 +225,7 @@ TunedLevel::TunedLevel(const VibratingStand &stand, const std::vector<Attachment
   rows.row(1)   = stand.point.row(at);
   driven.col(0) = stand.force;
   driven.col(1) = rows.row(1).transpose();
+  square_.array() *= w_.array().square().square();
   Receptances response(stand, joined, rows, driven);
   for (Eigen::Index k = 0; k < w_.size(); ++k) {
     const Eigen::MatrixXcd &X = response.at(w_[k]);
@@ -238,8 +239,7 @@ double TunedLevel::operator()(const Attachment &tuned) const
   double square = 0;
   for (Eigen::Index k = 0; k < w_.size(); ++k) {
     const Complex z = dynamic_stiffness(tuned, w_[k]);
-    square += square_[k] * std::pow(w_[k], 4) *
-              std::norm(to_place_[k] - crossed_[k] * z * to_damper_[k] / (1.0 + z * own_[k]));
+    square += square_[k] * std::norm(to_place_[k] - crossed_[k] * z * to_damper_[k] / (1.0 + z * own_[k]));
   }
   return std::sqrt(square);
 }

@@ -46,8 +46,8 @@ std::complex<double> dynamic_stiffness(const Attachment &attachment, double w);
 /// 50 000 frequencies, six masses and two attachments.
 Eigen::VectorXd levels(const VibratingStand &stand, const std::vector<Attachment> &joined, const ForceBand &force);
 
-/// d ln level of every place when `added` is joined to the stand with `joined`, to first order in its damper or its
-/// mass: (m) -, negative where it helps.  theory.md (46.6)
+/// d ln level of every place when `added` is joined to the stand with `joined`, to first order in its damper or
+/// its mass: (m) -, negative where it helps.  theory.md (46.6)
 Eigen::VectorXd first_order(const VibratingStand &stand, const std::vector<Attachment> &joined,
                             const std::vector<Attachment> &added, const ForceBand &force);
 
@@ -64,7 +64,7 @@ public:
   double operator()(const Attachment &tuned) const;
 
 private:
-  Eigen::VectorXd w_, square_;            // rad/s, N2
+  Eigen::VectorXd w_, square_;             // rad/s, N2
   Eigen::VectorXcd to_place_, to_damper_;  // m/N, of the bite force
   Eigen::VectorXcd crossed_, own_;         // m/N, of a force at the damper on the place and on itself
 };

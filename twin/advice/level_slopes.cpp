@@ -18,7 +18,7 @@ void join_gap_damper(dynamics::ResponseSlopes &r, const double damper, const dou
   const Complex less     = 1.0 + z * r.value[gap];
   const auto joined      = [&](Eigen::MatrixXcd &slopes) {
     const Eigen::RowVectorXcd of_gap = slopes.row(gap);
-    slopes = slopes / less - r.value * of_gap * (z / (less * less));
+    slopes                           = slopes / less - r.value * of_gap * (z / (less * less));
   };
   joined(r.parameters);
   joined(r.dampings);

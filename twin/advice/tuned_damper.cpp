@@ -8,9 +8,9 @@ namespace mill::twin {
 namespace {
 using Point = Eigen::Vector2d;
 
-constexpr double widest_frequency = 1.5;   // factor on the starting frequency, both ways
+constexpr double widest_frequency = 1.5;  // factor on the starting frequency, both ways
 constexpr double least_ratio = 1e-3, most_ratio = 2;
-constexpr int detunings = 21;              // from -10 to +10 %
+constexpr int detunings          = 21;  // from -10 to +10 %
 constexpr double widest_detuning = 0.10;
 
 struct Vertex {
@@ -36,8 +36,8 @@ Vertex least(const std::function<double(const Point &)> &f, const Point &start, 
     } else if (reflected.value < s[1].value)
       s[2] = reflected;
     else {
-      const Vertex nearer = vertex(reflected.value < s[2].value ? 0.5 * (middle + reflected.at)
-                                                                : 0.5 * (middle + s[2].at));
+      const Vertex nearer =
+          vertex(reflected.value < s[2].value ? 0.5 * (middle + reflected.at) : 0.5 * (middle + s[2].at));
       if (nearer.value < std::min(reflected.value, s[2].value))
         s[2] = nearer;
       else
@@ -100,10 +100,10 @@ TunedDamper tune(const VibratingStand &stand, const std::vector<Attachment> &joi
   TunedDamper t;
   t.start = t.best = start;
   const TunedLevel of(stand, joined, seen, start.to, force);
-  t.start_change = of(start) / level - 1;
-  const double low_f = std::log(start.frequency / widest_frequency),
+  t.start_change      = of(start) / level - 1;
+  const double low_f  = std::log(start.frequency / widest_frequency),
                high_f = std::log(start.frequency * widest_frequency);
-  const auto at = [&](const Point &p) {
+  const auto at       = [&](const Point &p) {
     Attachment a = start;
     a.frequency  = std::exp(p[0]);
     a.ratio      = std::exp(p[1]);
@@ -121,9 +121,9 @@ TunedDamper tune(const VibratingStand &stand, const std::vector<Attachment> &joi
   for (const double size : {0.1, 0.01})  // the second search starts a simplex that may have collapsed anew
     best = least(f, best, size).at;
   t.inside = inside(best) && best[0] > low_f + 1e-3 && best[0] < high_f - 1e-3;
-  t.best   = at({std::clamp(best[0], low_f, high_f),
-                 std::clamp(best[1], std::log(least_ratio), std::log(most_ratio))});
-  t.change = of(t.best) / level - 1;
+  t.best =
+      at({std::clamp(best[0], low_f, high_f), std::clamp(best[1], std::log(least_ratio), std::log(most_ratio))});
+  t.change   = of(t.best) / level - 1;
   t.detuning = Eigen::VectorXd::LinSpaced(detunings, -widest_detuning, widest_detuning);
   t.detuned_change.resize(detunings);
   for (Eigen::Index i = 0; i < detunings; ++i) {

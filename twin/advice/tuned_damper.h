@@ -7,16 +7,16 @@
 namespace mill::twin {
 /// One tuned damper and what it does to the level of one place.
 struct TunedDamper {
-  int mode              = 0;  ///< of the stand, whose share of the level is largest and for which it is made
-  double effective_mass = 0;  ///< kg, of that mode at the place of the damper
-  Attachment start;           ///< by the closed forms for white force (46.7)
-  Attachment best;            ///< of the least level
-  double start_change = 0;    ///< -, relative change of the level
-  double change       = 0;    ///< -
+  int mode              = 0;   ///< of the stand, whose share of the level is largest and for which it is made
+  double effective_mass = 0;   ///< kg, of that mode at the place of the damper
+  Attachment start;            ///< by the closed forms for white force (46.7)
+  Attachment best;             ///< of the least level
+  double start_change = 0;     ///< -, relative change of the level
+  double change       = 0;     ///< -
   bool inside         = true;  ///< the least level lies inside the range that was searched
   /// Frequency of the damper off by this, and the change that is left; -0.05 and 0.05 are among them.
-  Eigen::VectorXd detuning;          ///< (d) -
-  Eigen::VectorXd detuned_change;    ///< (d) -
+  Eigen::VectorXd detuning;            ///< (d) -
+  Eigen::VectorXd detuned_change;      ///< (d) -
   double detuned_by(double by) const;  ///< -, change at one of the detunings
 };
 
