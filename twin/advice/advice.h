@@ -127,8 +127,4 @@ std::string means_of_spring(const std::string &name);
 
 /// "damper 100 kN s/m, upper work roll to upper backup roll"
 std::string damper_name(const VibratingStand &stand, const Attachment &damper);
-
-/// (k) m/s2 per N: amplitude of a place at frequencies (Hz).
-Eigen::VectorXd amplitude(const VibratingStand &stand, const std::vector<Attachment> &joined, int place,
-                          const Eigen::VectorXd &frequency);
 }  // namespace mill::twin

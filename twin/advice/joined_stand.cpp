@@ -165,6 +165,18 @@ Eigen::VectorXd levels(const VibratingStand &stand, const std::vector<Attachment
   return square.cwiseSqrt();
 }
 
+Eigen::VectorXd amplitude(const VibratingStand &stand, const std::vector<Attachment> &joined, const int place,
+                          const Eigen::VectorXd &frequency)
+{
+  Receptances response(stand, joined, stand.point.row(place), stand.force);
+  Eigen::VectorXd a(frequency.size());
+  for (Eigen::Index k = 0; k < frequency.size(); ++k) {
+    const double w = 2 * M_PI * frequency[k];
+    a[k]           = w * w * std::abs(response.at(w)(0, 0));
+  }
+  return a;
+}
+
 Eigen::VectorXd first_order(const VibratingStand &stand, const std::vector<Attachment> &joined,
                             const std::vector<Attachment> &added, const ForceBand &force)
 {

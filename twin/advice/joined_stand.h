@@ -46,6 +46,10 @@ std::complex<double> dynamic_stiffness(const Attachment &attachment, double w);
 /// 50 000 frequencies, six masses and two attachments.
 Eigen::VectorXd levels(const VibratingStand &stand, const std::vector<Attachment> &joined, const ForceBand &force);
 
+/// (k) m/s2 per N: amplitude of the acceleration of a place at the frequencies of a force.
+Eigen::VectorXd amplitude(const VibratingStand &stand, const std::vector<Attachment> &joined, int place,
+                          const Eigen::VectorXd &frequency);
+
 /// d ln level of every place when `added` is joined to the stand with `joined`, to first order in its damper or
 /// its mass: (m) -, negative where it helps.  theory.md (46.6)
 Eigen::VectorXd first_order(const VibratingStand &stand, const std::vector<Attachment> &joined,

@@ -388,18 +388,4 @@ LevelAdvice ranked_actions(const dynamics::MillModel &model, const Eigen::Vector
 {
   return level_advice({vibrating_stand(model, damping, gap_damper), model}, question);
 }
-
-Eigen::VectorXd amplitude(const VibratingStand &stand, const std::vector<Attachment> &joined, const int place,
-                          const Eigen::VectorXd &frequency)
-{
-  ForceBand one;
-  one.frequency.resize(1);
-  one.square = Eigen::VectorXd::Ones(1);
-  Eigen::VectorXd a(frequency.size());
-  for (Eigen::Index k = 0; k < frequency.size(); ++k) {
-    one.frequency[0] = frequency[k];
-    a[k]             = levels(stand, joined, one)[place];
-  }
-  return a;
-}
 }  // namespace mill::twin
