@@ -48,6 +48,8 @@ std::map<std::string, std::string> pairs_of(const std::string &option, const std
   return pairs;
 }
 
+}  // namespace
+
 twin::ReadOptions read_options(const CommandLine &command)
 {
   twin::ReadOptions options;
@@ -63,6 +65,7 @@ twin::ReadOptions read_options(const CommandLine &command)
   return options;
 }
 
+namespace {
 twin::AnalysisSettings settings_of(const CommandLine &command)
 {
   twin::AnalysisSettings settings;

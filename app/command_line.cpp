@@ -48,23 +48,50 @@ void add_simulate(CLI::App *verb, CommandLine &c)
   verb->add_option("--pass", c.pass, "with --stream: pass whose stand is driven (default: the first)");
 }
 
+void add_repeatable(CLI::App *verb, const char *option, std::vector<std::string> &into, const char *what)
+{
+  verb->add_option(option, into, what)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_record_options(CLI::App *verb, CommandLine &c)
+{
+  verb->add_option("--rate", c.record_rate, "samples per second of records without times");
+  verb->add_option("--zone", c.zone, "time zone of local times, Europe/Berlin");
+  add_repeatable(verb, "--channel", c.channels, "a column and its place, AI_07=upper_work_roll, repeatable");
+  add_repeatable(verb, "--unit", c.channel_units,
+                 "a column and its unit, AI_07=g, where the file says none, repeatable");
+}
+
+void add_advise(CLI::App &app, CommandLine &c)
+{
+  auto *advise = app.add_subcommand(
+      "advise", "what would lower the vibration: actions computed anew, ranked, with what they cost");
+  advise
+      ->add_option("CASE", c.target,
+                   "case file of kind four-high or lumped (level of a place) or chatter "
+                   "(critical speed); [advice] says what may be tried")
+      ->required();
+  advise->add_option("--measured", c.measured, "folder of records with the rolling force that shakes the stand");
+  add_record_options(advise, c);
+  add_repeatable(advise, "--set", c.sets, "override section.key=value, repeatable");
+  add_output(advise, c, "folder of the results (default out/<case name>-advice)");
+  advise->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
+  advise->add_flag("-q,--quiet", c.quiet, "no table");
+  advise->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
+}
+
 void add_analyse(CLI::App &app, CommandLine &c)
 {
   auto *analyse = app.add_subcommand(
       "analyse", "records of a mill: spectra, modes, what follows the speed, whose each peak is");
-  const auto repeatable = [&](const char *option, std::vector<std::string> &into, const char *what) {
-    analyse->add_option(option, into, what)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  };
   analyse->add_option("RECORD", c.names, "CSV, .npy with .json, .uff or .mat")->required();
   analyse->add_option("--case", c.case_file, "stand of the record, kind four-high or lumped");
-  analyse->add_option("--rate", c.record_rate, "samples per second of records without times");
-  analyse->add_option("--zone", c.zone, "time zone of local times, Europe/Berlin");
-  repeatable("--channel", c.channels, "a column and its place, AI_07=upper_work_roll, repeatable");
-  repeatable("--unit", c.channel_units, "a column and its unit, AI_07=g, where the file says none, repeatable");
+  add_record_options(analyse, c);
   analyse->add_option("--speed", c.speed, "of the rolls' surface, where it was not recorded, \"4 m/s\"");
   analyse->add_option("--limit", c.limit, "the mill's own limit of a vibration, 0-peak, \"2 g\"");
-  repeatable("--severity", c.severity, "upper end of a zone, \"2.3 mm/s\", repeatable; none is built in");
-  repeatable("--set", c.sets, "override section.key=value of the case, repeatable");
+  add_repeatable(analyse, "--severity", c.severity,
+                 "upper end of a zone, \"2.3 mm/s\", repeatable; none is built in");
+  add_repeatable(analyse, "--set", c.sets, "override section.key=value of the case, repeatable");
   add_output(analyse, c, "folder of the results (default out/<record>-analysis)");
   analyse->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
   analyse->add_flag("-q,--quiet", c.quiet, "no progress, no table");
@@ -193,6 +220,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 
   add_analyse(app, c);
+  add_advise(app, c);
   auto *trace =
       app.add_subcommand("trace", "which results one input reaches, through which relation, with elasticities");
   trace->add_option("CASE", c.target, "case file")->required();

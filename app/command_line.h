@@ -24,8 +24,9 @@ struct CommandLine {
   std::string markdown;            ///< verify --markdown
   MarksOptions marks;              ///< marks
   std::string case_file;           ///< analyse --case; empty: none
-  std::string record_rate;         ///< analyse --rate
-  std::string zone;                ///< analyse --zone
+  std::string measured;            ///< advise --measured; empty: none
+  std::string record_rate;         ///< analyse, advise --rate
+  std::string zone;                ///< analyse, advise --zone
   std::string speed;               ///< analyse --speed
   std::string limit;               ///< analyse --limit
   std::vector<std::string> channels, channel_units;       ///< analyse --channel, --unit: NAME=PLACE, NAME=UNIT

@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/advise_command.h"
 #include "app/analyse_command.h"
 #include "app/case_kinds.h"
 #include "app/completion.h"
@@ -22,6 +23,7 @@
 #include "core/model/case.h"
 #include "core/numerics/sparse.h"
 #include "core/records/files.h"
+#include "report/advice/advice_page.h"
 #include "report/compare/comparison.h"
 #include "report/page/html.h"
 #include "report/page/names.h"
@@ -209,6 +211,11 @@ int write_report(const std::string &directory)
     console::print("report: " + directory + "/report.html\n");
     return 0;
   }
+  if (!fs::exists(directory + "/results.json") && fs::exists(directory + "/advice.json")) {
+    write_atomically(directory + "/report.html", report::advice_page(directory));
+    console::print("report: " + directory + "/report.html\n");
+    return 0;
+  }
   {
     const FolderLock alone(directory);  // a run that ends now publishes before or after
     finish_publishing(directory);
@@ -263,6 +270,8 @@ int carry_out(const CommandLine &command)
   }
   if (command.verb == "analyse")
     return analyse_command(command);
+  if (command.verb == "advise")
+    return advise_command(command, checked_case(command).the_case);
   if (command.verb == "export")
     return export_command(command, checked_case(command).the_case);
   if (is_streamed(command)) {

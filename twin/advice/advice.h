@@ -33,9 +33,10 @@ struct RatedAction {
   std::vector<std::string> against;  ///< what it violates, one sentence each; empty: above the line
   std::vector<std::string> remarks;  ///< what the number rests on, one sentence each
   bool pair       = false;
-  bool kept_apart = false;         ///< violates what no partner can mend: it is not paired
-  std::vector<Attachment> joined;  ///< dampers that it adds
-  VibratingStand stand;            ///< after it, without `joined`; empty for a critical speed
+  bool kept_apart = false;           ///< violates what no partner can mend: it is not paired
+  std::vector<Attachment> joined;    ///< dampers that it adds
+  std::vector<SideEffect> repeated;  ///< the same change in other models of the stand, by their names
+  VibratingStand stand;              ///< after it, without `joined`; empty for a critical speed
 };
 
 /// Best first: those that help and violate nothing, then the others, by falling gain.
