@@ -57,8 +57,9 @@ void say_action(const twin::RatedAction &action, const std::size_t rank)
   std::string reason;
   for (const std::string &sentence : action.against)
     reason += (reason.empty() ? "  " : "; ") + sentence;
-  console::print(visible(fmt::format("{:>3} {:>9} {:>9}  {}{}", rank > 0 ? std::to_string(rank) : "-",
-                                     percent(action.change), percent(action.first_order), action.name, reason),
+  console::print(visible(fmt::format("{:>3} {:>9} {:>9} {:>9}  {}{}", rank > 0 ? std::to_string(rank) : "-",
+                                     percent(action.verified), percent(action.change), percent(action.first_order),
+                                     action.name, reason),
                          true) +
                  "\n");
 }
@@ -67,7 +68,7 @@ void say_advice(const twin::AdviceRecord &record, const std::string &folder)
 {
   using console::print;
   print(visible("goal: " + record.question, true) + "\n" + visible(record.answer, true) + "\n\n");
-  print("     really  by slope\n");
+  print("     counts    anew      by slope\n");
   const std::size_t above = above_the_line(record.actions), n = record.actions.size();
   for (std::size_t i = 0; i < std::min(above, most_said); ++i)
     say_action(record.actions[i], i + 1);

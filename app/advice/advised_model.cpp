@@ -58,10 +58,16 @@ double gap_damper_of(const LumpedModel &chain, const DynamicsSettings &settings)
   return settings.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value;
 }
 
-// Rolls as beams, chocks of the work rolls on their bearings, by the same closed forms as the chain.
-twin::VibratingStand beams_of(const FourHigh &drawn, const CaseChain &chain)
+// What the beams are made of, by the same closed forms as the chain.
+struct BeamParts {
+  FourHigh stand;
+  reduce::StandSprings springs;
+  double gap_damper = 0;
+};
+
+BeamParts beam_parts(const FourHigh &drawn, const CaseChain &chain)
 {
-  const FourHigh stand = with_drawn_frame(drawn);
+  BeamParts parts{with_drawn_frame(drawn), {}, gap_damper_of(chain.model, chain.dynamics)};
   reduce::ChainInputs inputs;
   reduce::each_spring(
       [&](const std::string &name, Parameter &spring) {
@@ -69,11 +75,30 @@ twin::VibratingStand beams_of(const FourHigh &drawn, const CaseChain &chain)
           spring = found->parameter;
       },
       inputs);
-  const reduce::LumpedStand lumped = reduce::lumped_stand(stand, inputs);
-  const StandModel beams           = reduce::beam_stand(stand, reduce::stand_springs(stand, lumped, true));
-  const double highest             = 2 * stand.dynamics.frequency_limit;
-  return in_its_modes(beams, reduce::stand_modes(beams, highest), stand.dynamics.modal_damping, highest,
-                      gap_damper_of(chain.model, stand.dynamics));
+  // Chocks of the work rolls on their bearings: these are the modes that six masses lack.
+  parts.springs = reduce::stand_springs(parts.stand, reduce::lumped_stand(parts.stand, inputs), true);
+  return parts;
+}
+
+std::optional<twin::VibratingStand> beams_of(const BeamParts &parts,
+                                             const std::vector<std::pair<std::string, double>> &factors)
+{
+  reduce::StandSprings springs = parts.springs;
+  for (const auto &[name, factor] : factors)
+    if (name == "K1")
+      springs.K1 *= factor;
+    else if (name == "K3")
+      springs.K3 *= factor;
+    else if (name == "K5")
+      springs.K5 *= factor;
+    else if (name == "K7")
+      springs.K7 *= factor;
+    else
+      return std::nullopt;
+  const StandModel beams = reduce::beam_stand(parts.stand, springs);
+  const double highest   = 2 * parts.stand.dynamics.frequency_limit;
+  return in_its_modes(beams, reduce::stand_modes(beams, highest), parts.stand.dynamics.modal_damping, highest,
+                      parts.gap_damper);
 }
 
 std::vector<std::string> asked_places(const StandAdvice &asked)
@@ -129,7 +154,8 @@ AdvisedModel advised_model(const Case &the_case, const StandAdvice &asked)
                    mill_model};
   add_errors(model, chain.model);
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
-    model.beam = beams_of(*four, chain);
+    model.beam_with = [parts = beam_parts(*four, chain)](const auto &factors) { return beams_of(parts, factors); };
+    model.beam      = model.beam_with({});
     take_beams_for_their_places(model, asked);
   }
   return model;

@@ -1,8 +1,10 @@
 #pragma once
 #include "twin/advice/advice.h"
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mill {
@@ -13,9 +15,12 @@ struct StandAdvice;
 struct AdvisedModel {
   twin::AdvisedStand advised;
   std::string source;  ///< "six masses by closed forms at 976.2 kN"
-  /// With rolls as beams and chocks on their bearings, where the case is a drawing; the chain's dampers are tried
-  /// again here.
+  /// With rolls as beams and chocks on their bearings, where the case is a drawing; the actions of the chain are
+  /// tried again here.
   std::optional<twin::VibratingStand> beam;
+  /// The same with factors on K1, K3, K5, K7; none where a factor is on another spring, which beams hold in parts.
+  std::function<std::optional<twin::VibratingStand>(const std::vector<std::pair<std::string, double>> &)>
+      beam_with;
   std::map<std::string, double> spring_error;  ///< -, relative error of springs of the chain, as far as known
   std::vector<twin::UntoldParameter> untold;
   double limit = 1000;  ///< Hz, up to which its modes are right

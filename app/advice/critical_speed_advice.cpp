@@ -98,10 +98,10 @@ std::string answer_of(const CriticalAdvice &advice, const CriticalQuestion &q)
   if (advice.actions.empty() || !advice.actions.front().against.empty())
     return now + "No action that was tried raises it and keeps the limits.";
   const RatedAction &best = advice.actions.front();
-  return now + fmt::format("{}: {} ({:+.2f} %, first order {:+.2f} %), which {} the wanted margin of {:g} %.",
-                           best.name, speed_words(advice.states.front()), 100 * best.change,
-                           100 * best.first_order, advice.reaches.front() ? "reaches" : "does not reach",
-                           100 * q.margin);
+  return now +
+         fmt::format("Best: {}, {} ({:+.2f} %, first order {:+.2f} %), which {} the wanted margin of {:g} %.",
+                     best.name, speed_words(advice.states.front()), 100 * best.change, 100 * best.first_order,
+                     advice.reaches.front() ? "reaches" : "does not reach", 100 * q.margin);
 }
 
 // Growth over speed as it is, and of the best actions, at the speeds that the search of the first tried.

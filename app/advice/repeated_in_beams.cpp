@@ -1,5 +1,6 @@
 #include "app/advice/repeated_in_beams.h"
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -62,10 +63,9 @@ std::optional<SeenBeam> in_beams(const VibratingStand &beam, const VibratingStan
   return seen;
 }
 
-// The same dampers in the beams; a tuned one keeps its mass and is tuned anew.
-double change_in_beams(SeenBeam seen, const twin::ForceBand &force)
+// Level of the place with the same dampers; a tuned one keeps its mass and is tuned anew.
+double level_in_beams(const SeenBeam &seen, const twin::ForceBand &force, const double level)
 {
-  const double level = twin::levels(seen.stand, {}, force)[seen.place];
   std::vector<Attachment> joined;
   for (const Attachment &one : seen.joined)
     if (!(one.mass > 0))
@@ -74,38 +74,72 @@ double change_in_beams(SeenBeam seen, const twin::ForceBand &force)
     if (one.mass > 0) {
       const int mode    = twin::leading_mode(seen.stand, seen.place, one.to, force);
       const double mass = twin::effective_mass(seen.stand, mode, one.to);
-      joined.push_back(twin::tune(seen.stand, joined, seen.place,
-                                  twin::closed_tuning(seen.stand, mode, one.to, one.mass / mass), force, level)
-                           .best);
+      const auto start  = twin::closed_tuning(seen.stand, mode, one.to, one.mass / mass);
+      joined.push_back(twin::tune(seen.stand, joined, seen.place, start, force, level).best);
     }
-  return twin::levels(seen.stand, joined, force)[seen.place] / level - 1;
+  return twin::levels(seen.stand, joined, force)[seen.place];
 }
 
+void repeat_one(RatedAction &action, const AdvisedModel &model, const int place, const twin::ForceBand &force,
+                const double level)
+{
+  const auto beam = action.springs.empty() ? model.beam : model.beam_with(action.springs);
+  if (!beam || action.damping != 1)
+    return;
+  const auto repeat = [&](const char *name, const bool on_chocks) {
+    if (const auto seen = in_beams(*beam, model.advised.stand, place, action.joined, on_chocks))
+      action.repeated.push_back({name, level_in_beams(*seen, force, level) / level - 1, "1"});
+  };
+  if (action.joined.empty())
+    repeat("beams", false);
+  else {
+    repeat("beams, dampers at mid-length", false);
+    repeat("beams, dampers on the chocks", true);
+  }
+}
+
+// What counts is the last of the other models, where dampers sit as they can.
+void count_what_is_verified(RatedAction &action)
+{
+  if (action.repeated.empty())
+    return;
+  action.verified = action.repeated.back().value;
+  if (action.verified * action.change < 0 && std::max(std::abs(action.verified), std::abs(action.change)) > 1e-3)
+    action.remarks.push_back("six masses and beams do not agree whether it helps");
+  judge_gain(action);
+}
+
+void mark_chain_only(RatedAction &action, const bool beams)
+{
+  if (beams && action.repeated.empty() && action.joined.empty())
+    action.remarks.push_back("not repeated in the beams: its spring is several parts of the drawing");
+  const auto says = std::find_if(action.remarks.begin(), action.remarks.end(),
+                                 [](const std::string &r) { return r.find("chain only") == 0; });
+  if (says == action.remarks.end())
+    return;
+  if (!action.repeated.empty())
+    *says = "six masses have no chocks: what counts is the change in the model of beams, dampers on the chocks";
+  else
+    *says += beams ? "; its spring is one of several parts, so that it is not repeated in the beams"
+                   : "; repeat it with the drawing of the stand (kind four-high) or with [model]";
+}
 }  // namespace
 
 void repeat_in_beams(std::vector<RatedAction> &actions, const AdvisedModel &model, const int place,
                      const twin::ForceBand &force)
 {
-  const std::string chain_only = "chain only";
+  if (!model.advised.chain)
+    return;
+  double level = 0;
+  if (model.beam)
+    if (const auto seen = in_beams(*model.beam, model.advised.stand, place, {}, false))
+      level = twin::levels(seen->stand, {}, force)[seen->place];
   for (RatedAction &action : actions) {
-    if (action.joined.empty() || !model.advised.chain)
-      continue;
-    const bool springs = (action.stand.frequency - model.advised.stand.frequency).cwiseAbs().maxCoeff() > 0;
-    if (model.beam && !springs)
-      for (const bool on_chocks : {false, true})
-        if (const auto seen = in_beams(*model.beam, model.advised.stand, place, action.joined, on_chocks))
-          action.repeated.push_back({on_chocks ? "beams, damper on the chocks" : "beams, damper at mid-length",
-                                     change_in_beams(*seen, force), "1"});
-    const auto says = std::find_if(action.remarks.begin(), action.remarks.end(),
-                                   [&](const std::string &r) { return r.find(chain_only) == 0; });
-    if (says == action.remarks.end())
-      continue;
-    if (!action.repeated.empty())
-      *says = "six masses have no chocks: the change in the model of beams stands beside it";
-    else
-      *says += springs && model.beam
-                   ? "; with a changed spring it is not repeated in the beams"
-                   : "; repeat it with the drawing of the stand (kind four-high) or with [model]";
+    if (level > 0)
+      repeat_one(action, model, place, force, level);
+    count_what_is_verified(action);
+    mark_chain_only(action, model.beam.has_value());
   }
+  twin::rank(actions);
 }
 }  // namespace mill

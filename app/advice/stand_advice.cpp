@@ -187,11 +187,15 @@ void add_results(twin::AdviceRecord &record, const twin::LevelAdvice &advice)
   const std::vector<std::string> lacks{"errors of springs and damping of the stand"};
   if (!advice.actions.empty() && advice.actions.front().against.empty()) {
     const RatedAction &best = advice.actions.front();
-    Parameter change        = ratio(best.change, best.name, lacks);
+    Parameter change        = ratio(best.verified, best.name, {});
+    if (best.repeated.empty() && std::isfinite(best.spread))
+      change.error_estimate = std::abs(best.spread / best.change);
+    else
+      change.error_lacks = lacks;
     change.checks.push_back(
         {"first order, by slopes", best.first_order, "not the answer: second order is left out"});
-    for (const twin::SideEffect &other : best.repeated)
-      change.checks.push_back({other.name, other.value, ""});
+    if (!best.repeated.empty())
+      change.checks.push_back({"six masses", best.change, "which have no chocks"});
     record.results.add("advice.best.change", change);
   }
   for (std::size_t i = 0; i < advice.tuned.size(); ++i) {
@@ -238,7 +242,11 @@ std::string answer_of(const twin::LevelAdvice &advice)
   const RatedAction &best = advice.actions.front();
   if (!best.against.empty())
     return "No action that was tried lowers the level and keeps the limits.";
-  return fmt::format("{}: {:+.1f} % (first order {:+.1f} %).", best.name, 100 * best.change,
+  if (best.repeated.empty())
+    return fmt::format("Best: {}, {:+.1f} % (first order {:+.1f} %).", best.name, 100 * best.change,
+                       100 * best.first_order);
+  return fmt::format("Best: {}, {:+.1f} % in the model of {} (six masses {:+.1f} %, first order {:+.1f} %).",
+                     best.name, 100 * best.verified, best.repeated.back().name, 100 * best.change,
                      100 * best.first_order);
 }
 }  // namespace
@@ -279,12 +287,10 @@ twin::AdviceRecord stand_advice(const Case &the_case, const std::string &measure
   question.softening       = asked.softening;
   question.untold          = model.untold;
   twin::LevelAdvice advice = twin::level_advice(model.advised, question);
-  if (model.beam)
-    repeat_in_beams(advice.actions, model, question.place,
-                    measured.empty() ? twin::white_force(low, high, twin::resolving_step(*model.beam, high))
-                                     : question.force);
-  else
-    repeat_in_beams(advice.actions, model, question.place, question.force);
+  const bool as_white      = measured.empty() && model.beam;  // the sums need no finer steps
+  repeat_in_beams(advice.actions, model, question.place,
+                  as_white ? twin::white_force(low, high, twin::resolving_step(*model.beam, high))
+                           : question.force);
   record.question = fmt::format("lowest rms acceleration of the {} from {:g} to {:g} Hz",
                                 own.places[std::size_t(question.place)], low,
                                 measured.empty() ? high : std::min(high, question.force.frequency.maxCoeff()));

@@ -44,19 +44,24 @@ std::string signed_percent(const json &value)
   return std::isfinite(part) ? percent(part) : "\u2013";
 }
 
-// "force +10.8 %, torque +12 %": what is worth a word.
-std::string effects_of(const json &effects)
+std::string effect_cell(const json &effect)
 {
-  std::string text;
+  const double value     = advice_number(effect["value"]);
+  const std::string unit = effect["unit"];
+  return figure_cell(!std::isfinite(value) ? "\u2013"
+                     : unit == "1"         ? percent(std::abs(value) < 5e-5 ? 0 : value)
+                                           : significant(value, 4));
+}
+
+std::string effect_heads(const json &effects)
+{
+  std::string heads;
   for (const json &effect : effects) {
-    const double value     = advice_number(effect["value"]);
     const std::string unit = effect["unit"];
-    if (!std::isfinite(value) || (unit == "1" && std::abs(value) < 5e-4))
-      continue;
-    text += (text.empty() ? "" : "<br/>") + text_of(effect["name"]) + " " +
-            (unit == "1" ? percent(value) : significant(value, 5) + " " + escaped(unit_sign(unit)));
+    heads +=
+        "<th>" + text_of(effect["name"]) + (unit == "1" ? "" : " [" + escaped(unit_sign(unit)) + "]") + "</th>";
   }
-  return text.empty() ? "none above 0.05 %" : text;
+  return heads;
 }
 
 std::string lines_of(const json &sentences)
@@ -92,20 +97,25 @@ std::string action_table(const json &document, const bool above)
     std::string name = "<b>" + text_of(a["name"]) + "</b>";
     if (const std::string means = text_of(a["means"]); !means.empty())
       name += "<br/><small>" + means + "</small>";
+    const double spread = advice_number(a["change_sd"]);
     rows += "<tr>" + figure_cell(above ? std::to_string(a["rank"].get<int>()) : "\u2013") + text_cell(name) +
-            figure_cell("<b>" + signed_percent(a["change"]) + "</b>") +
+            figure_cell("<b>" + signed_percent(a["verified_change"]) + "</b>") +
+            figure_cell(signed_percent(a["change"]) +
+                        (std::isfinite(spread) ? "<br/>\u00b1" + significant(100 * spread, 2) : "")) +
             figure_cell(signed_percent(a["first_order"])) +
-            figure_cell(a["pair"].get<bool>() ? signed_percent(a["one_by_one"]) : "") +
-            text_cell(effects_of(a["effects"]));
+            figure_cell(a["pair"].get<bool>() ? signed_percent(a["one_by_one"]) : "");
+    for (const json &effect : a["effects"])
+      rows += effect_cell(effect);
     if (margin)
       rows += text_cell(a.value("reaches_margin", false) ? "reached" : "not reached");
-    rows += text_cell(text_of(a["modes"]));
-    rows += text_cell(above ? others_of(a) : "<b>" + lines_of(a["against"]) + "</b>");
-    rows += "</tr>\n";
+    const std::string others = others_of(a), against = lines_of(a["against"]);
+    rows += text_cell(text_of(a["modes"])) +
+            text_cell(above ? others : "<b>" + against + "</b>" + (others.empty() ? "" : "<br/>" + others)) +
+            "</tr>\n";
   }
-  return "<table class=\"results\"><thead><tr><th>rank</th><th>action</th><th>computed anew</th><th>first "
-         "order</th>"
-         "<th>one after the other</th><th>side effects</th>" +
+  return "<table class=\"results\"><thead><tr><th>rank</th><th>action</th><th>counts</th><th>computed "
+         "anew</th><th>first order</th><th>one after the other</th>" +
+         (document["actions"].empty() ? "" : effect_heads(document["actions"].front()["effects"])) +
          std::string(margin ? "<th>margin</th>" : "") + "<th>modes</th><th>" +
          (above ? "other models, what it rests on" : "why it is below the line") +
          "</th></tr></thead>\n<tbody>\n" + rows + "</tbody></table>\n";
@@ -119,7 +129,7 @@ std::string bar_drawing(const json &document)
   std::vector<double> really, slope;
   for (const json &a : document["actions"])
     if (is_above(a) && really.size() < most_bars) {
-      really.push_back(100 * advice_number(a["change"]));
+      really.push_back(100 * advice_number(a["verified_change"]));
       slope.push_back(100 * advice_number(a["first_order"]));
       plot.x.categories.push_back(std::to_string(really.size()));
     }
@@ -131,7 +141,7 @@ std::string bar_drawing(const json &document)
   plot.x.quantity = "rank of the action";
   plot.x.unit     = "-";
   plot.y          = {"change", "%"};
-  plot.bars.push_back({"computed anew", column(really), Pen::dark});
+  plot.bars.push_back({"what counts", column(really), Pen::dark});
   plot.bars.push_back({"first order, by slopes", column(slope), Pen::pale});
   return svg_plot(plot);
 }

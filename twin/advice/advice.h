@@ -6,8 +6,10 @@
 #include <Eigen/Core>
 #include <array>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 // What would lower the vibration of a stand: every action computed anew, first order beside it.  theory.md 46
@@ -25,7 +27,9 @@ struct RatedAction {
   std::vector<std::string> parameters;  ///< what is changed, "K3"; two actions on one of them are no pair
   std::string means;                    ///< what could bring the change about
   double change      = 0;               ///< -, relative change of the goal, computed anew
-  double first_order = 0;               ///< -, what the slopes say; never the answer
+  double spread      = std::numeric_limits<double>::quiet_NaN();  ///< -, sd of the change by errors of the stand
+  double verified    = 0;  ///< -, the change that counts: in the most detailed model, with its least effect there
+  double first_order = 0;  ///< -, what the slopes say; never the answer
   double apart = std::numeric_limits<double>::quiet_NaN();  ///< -, of a pair: both changes one after the other
   double gain  = 0;                                         ///< -, > 0: it helps; what actions are ranked by
   std::vector<SideEffect> effects;
@@ -36,8 +40,13 @@ struct RatedAction {
   bool kept_apart = false;           ///< violates what no partner can mend: it is not paired
   std::vector<Attachment> joined;    ///< dampers that it adds
   std::vector<SideEffect> repeated;  ///< the same change in other models of the stand, by their names
-  VibratingStand stand;              ///< after it, without `joined`; empty for a critical speed
+  std::vector<std::pair<std::string, double>> springs;  ///< factors that it puts on springs of the chain
+  double damping = 1;                                   ///< factor that it puts on the ratios of all modes
+  VibratingStand stand;                                 ///< after it, without `joined`; empty for a critical speed
 };
+
+/// The gain of an action on a level by its verified change, and whether it helps at all.
+void judge_gain(RatedAction &action);
 
 /// Best first: those that help and violate nothing, then the others, by falling gain.
 void rank(std::vector<RatedAction> &actions);
@@ -86,6 +95,8 @@ struct LevelQuestion {
   double softening      = 0.10;  ///< -, most that the stiffness of the stand under the bite force may fall
   int paired            = 3;     ///< so many of the best single actions are tried in pairs
   std::vector<UntoldParameter> untold;
+  std::map<std::string, double> spring_error;  ///< -, relative sd of springs; one that is not there counts 10 %
+  double damping_error = 0.7;                  ///< -, sd of ln of the damping ratios: a factor of two
 };
 
 struct LevelAdvice {

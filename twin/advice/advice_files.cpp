@@ -54,6 +54,8 @@ ordered_json action_json(const AdviceRecord &record, const std::size_t i)
       {"means",           a.means                                                        },
       {"pair",            a.pair                                                         },
       {"change",          number_or_null(a.change)                                       },
+      {"change_sd",       number_or_null(a.spread)                                       },
+      {"verified_change", number_or_null(a.verified)                                     },
       {"first_order",     number_or_null(a.first_order)                                  },
       {"one_by_one",      number_or_null(a.apart)                                        },
       {"effects",         effects_json(a.effects)                                        },
@@ -144,7 +146,7 @@ std::string advice_json(const AdviceRecord &record)
 
 std::string advice_csv(const AdviceRecord &record)
 {
-  std::string text = "rank,action,change [%],first order [%],one after the other [%]";
+  std::string text = "rank,action,verified change [%],change [%],sd [%],first order [%],one after the other [%]";
   const auto unit  = [](const std::string &si) { return si == "1" ? std::string("%") : si; };
   std::vector<SideEffect> columns;
   if (!record.actions.empty())
@@ -156,7 +158,7 @@ std::string advice_csv(const AdviceRecord &record)
     const RatedAction &a = record.actions[i];
     text += a.against.empty() ? fmt::format("{}", i + 1) : "";
     text += "," + csv_cell(a.name);
-    for (const double part : {a.change, a.first_order, a.apart})
+    for (const double part : {a.verified, a.change, a.spread, a.first_order, a.apart})
       text += "," + csv_number(100 * part);
     for (const SideEffect &effect : a.effects)
       text += "," + csv_number(effect.unit == "1" ? 100 * effect.value : effect.value);

@@ -198,8 +198,8 @@ private:
   {
     RatedAction &action        = r.action;
     const CriticalState &state = r.state, &now = advice_.now;
-    action.change = action.gain = state.speed / speed_factor / now.speed - 1;
-    r.reaches                   = reaches(state, speed_factor);
+    action.change = action.verified = action.gain = state.speed / speed_factor / now.speed - 1;
+    r.reaches                                     = reaches(state, speed_factor);
     action.effects.push_back({"critical speed", state.speed, "m/s"});
     action.effects.push_back({"margin", state.speed / (asked_.working_speed * speed_factor) - 1, "1"});
     action.effects.push_back({"force", state.force / now.force - 1, "1"});
@@ -243,6 +243,12 @@ private:
       action.against.push_back("does nothing to the critical speed");
   }
 
+  // Change of the force by an action that helps and keeps every limit; 0 where it does not.
+  double relieved(const Rated &single) const
+  {
+    return single.action.against.empty() ? std::min(0.0, single.state.force / advice_.now.force - 1) : 0;
+  }
+
   // Two by two the best singles of different parameters, whatever they violate that a partner may mend.
   std::vector<std::pair<std::size_t, std::size_t>> pairs(const std::vector<ProcessStep> &steps,
                                                          const std::vector<Rated> &singles) const
@@ -263,6 +269,16 @@ private:
     for (std::size_t i = 0; i < best.size(); ++i)
       for (std::size_t j = i + 1; j < best.size(); ++j)
         pairs.emplace_back(best[i], best[j]);
+    // Of those that violate a limit each with the action that helps and takes most of the force away.
+    const auto relief =
+        std::min_element(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) {
+          return relieved(singles[a]) < relieved(singles[b]);
+        });
+    if (relief != order.end() && relieved(singles[*relief]) < 0 &&
+        std::count(best.begin(), best.end(), *relief) == 0)
+      for (const std::size_t i : best)
+        if (!singles[i].action.against.empty() && steps[i].parameter != steps[*relief].parameter)
+          pairs.emplace_back(i, *relief);
     return pairs;
   }
 };

@@ -9,6 +9,7 @@
 namespace mill::twin {
 namespace {
 constexpr double nothing         = 1e-3;  // relative change below which an action is not worth its words
+constexpr double unknown_error   = 0.10;  // relative, of a spring whose accuracy nobody states
 constexpr double notable_slope   = 0.05;  // of the level by a parameter, from which the result rests on it
 constexpr const char *of_damping = "modal damping";
 
@@ -119,6 +120,8 @@ public:
       all.push_back(std::move(pair));
     }
     rank(all);
+    for (std::size_t i = 0; i < above_the_line(all); ++i)
+      all[i].spread = spread(all[i]);
     advice_.actions = std::move(all);
     return std::move(advice_);
   }
@@ -244,6 +247,9 @@ private:
         own.push_back(*part->tuned);
       log_change += foretold(*part, own);
       action.joined.insert(action.joined.end(), part->dampers.begin(), part->dampers.end());
+      if (!part->spring.empty())
+        action.springs.emplace_back(part->spring, part->factor);
+      action.damping *= part->damping;
     }
     action.first_order = std::expm1(log_change);
     for (const Part *part : parts)  // in a pair tuned anew, since the other action moves the mode
@@ -260,7 +266,7 @@ private:
   {
     const Eigen::VectorXd after = levels(action.stand, action.joined, asked_.force);
     action.change               = after[asked_.place] / advice_.level[asked_.place] - 1;
-    action.gain                 = -action.change;
+    action.verified             = action.change;
     const auto rolls            = std::min<Eigen::Index>(6, after.size());
     for (Eigen::Index i = 0; i < rolls; ++i) {
       if (i == asked_.place || !(advice_.level[i] > 0))
@@ -277,12 +283,45 @@ private:
     if (softer > asked_.softening)
       action.against.push_back(fmt::format("the stand gets softer by {:.3g} %, at most {:.3g} % are allowed",
                                            100 * softer, 100 * asked_.softening));
-    if (std::abs(action.change) <= nothing)
-      action.against.push_back(fmt::format("changes this level by less than {:g} %", 100 * nothing));
-    else if (action.change > 0)
-      action.against.push_back("raises the level");
+    judge_gain(action);
     action.modes = mode_words(poles_, poles(action.stand, action.joined));
     remark(action);
+  }
+
+  // sd of the change by errors of springs and damping, each moved by one of its own, (46.9).  What is joined keeps
+  // its numbers: a tuned damper is then out of tune.
+  double spread(const RatedAction &action) const
+  {
+    if (!own_.chain)
+      return std::numeric_limits<double>::quiet_NaN();
+    const Eigen::VectorXd &all = asked_.force.frequency;
+    const Eigen::Index every =
+        std::max<Eigen::Index>(1, Eigen::Index(resolving_step(own_.stand, all[all.size() - 1]) *
+                                               double(all.size()) / all[all.size() - 1]));
+    ForceBand sparse;
+    sparse.frequency = Eigen::VectorXd(all(Eigen::seq(every / 2, Eigen::last, every)));
+    sparse.square    = Eigen::VectorXd(asked_.force.square(Eigen::seq(every / 2, Eigen::last, every)));
+    const auto level = [&](dynamics::MillModel model, const double damping, const bool after) {
+      if (after)
+        for (const auto &[name, factor] : action.springs)
+          model = scaled(std::move(model), name, factor);
+      const VibratingStand stand = vibrating_stand(
+          model, damping * (after ? action.damping : 1) * own_.stand.damping, own_.stand.gap_damper);
+      return levels(stand, after ? action.joined : std::vector<Attachment>(), sparse)[asked_.place];
+    };
+    const auto change = [&](const dynamics::MillModel &model, const double damping) {
+      return level(model, damping, true) / level(model, damping, false) - 1;
+    };
+    const double as_it_is = change(*own_.chain, 1);
+    double variance       = std::pow(change(*own_.chain, std::exp(asked_.damping_error)) - as_it_is, 2);
+    for (const dynamics::Spring &spring : own_.chain->springs) {
+      if (!(spring.stiffness > 0))
+        continue;
+      const auto known   = asked_.spring_error.find(spring.name);
+      const double error = known == asked_.spring_error.end() ? unknown_error : known->second;
+      variance += std::pow(change(scaled(*own_.chain, spring.name, 1 + error), 1) - as_it_is, 2);
+    }
+    return std::sqrt(variance);
   }
 
   void remark(RatedAction &action) const
@@ -298,6 +337,21 @@ private:
   }
 };
 }  // namespace
+
+void judge_gain(RatedAction &action)
+{
+  const std::string little = fmt::format("changes this level by less than {:g} %", 100 * nothing),
+                    more   = "raises the level";
+  auto &against            = action.against;
+  against.erase(std::remove_if(against.begin(), against.end(),
+                               [&](const std::string &reason) { return reason == little || reason == more; }),
+                against.end());
+  action.gain = -action.verified;
+  if (std::abs(action.gain) <= nothing)
+    against.push_back(little);
+  else if (action.gain < 0)
+    against.push_back(more);
+}
 
 void rank(std::vector<RatedAction> &actions)
 {
