@@ -1,9 +1,7 @@
 #include "app/analysed_stand.h"
-#include "app/review/closed_form_modes.h"
-#include "app/trace/closed_form_chain.h"
+#include "app/case_chain.h"
 #include "bearing/pass_frequencies.h"
 #include "core/model/case.h"
-#include "core/records/csv.h"
 #include "core/records/lumped_model.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modes.h"
@@ -14,29 +12,6 @@
 namespace mill {
 namespace {
 constexpr double unknown_error = 0.10;  // of a given stiffness whose accuracy nobody stated
-
-double load_of(const Pass &pass)
-{
-  if (!std::isnan(pass.load))
-    return pass.load;
-  if (!pass.force_file.empty())
-    return read_force(pass.force_file).force.mean();
-  return (pass.synthetic_range[0] + pass.synthetic_range[1]) / 2;
-}
-
-LumpedModel chain_of(const std::vector<ClosedFormResult> &results)
-{
-  LumpedModel model;
-  const auto take = [&](const std::string &name, Parameter &into) {
-    if (const ClosedFormResult *found = find(results, name))
-      into = found->parameter;
-  };
-  for (std::size_t i = 0; i < model.M.size(); ++i)
-    take("M" + std::to_string(i + 1), model.M[i]);
-  for (std::size_t i = 0; i < model.K.size(); ++i)
-    take("K" + std::to_string(i + 1), model.K[i]);
-  return model;
-}
 
 void add_chain(twin::CaseModel &stand, const LumpedModel &model, const DynamicsSettings &settings)
 {
@@ -84,28 +59,14 @@ void add_bearing(twin::CaseModel &stand, const std::vector<RollerBearing> &beari
 }
 }  // namespace
 
-AnalysedChain analysed_chain(const Case &the_case, const double load, const std::string &verb)
-{
-  if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
-    const double at = std::isnan(load) ? load_of(four->passes.front()) : load;
-    return {chain_of(closed_form_stand(*four, at)),
-            fmt::format("six masses by closed forms at {:.1f} kN", at / 1e3)};
-  }
-  const auto *lumped = std::get_if<Lumped>(&the_case.spec);
-  if (!lumped || lumped->detailed)
-    throw InputError("millstand " + verb + ": the case " + the_case.path +
-                     " has no chain of six masses; name a case of kind four-high, or of kind lumped with [given]");
-  return {lumped_model_of(the_case), "six masses as given"};
-}
-
 twin::CaseModel analysed_stand(const Case &the_case)
 {
+  const CaseChain chain = case_chain(the_case, "analyse");
   twin::CaseModel stand;
-  stand.name                = the_case.name;
-  const AnalysedChain chain = analysed_chain(the_case, std::nan(""), "analyse");
-  stand.source              = chain.source;
+  stand.name   = the_case.name;
+  stand.source = chain.source;
+  add_chain(stand, chain.model, chain.dynamics);
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
-    add_chain(stand, chain.model, four->dynamics);
     add_roll(stand, "work_roll", four->work_roll.barrel_diameter);
     add_roll(stand, "backup_roll", four->backup_roll.barrel_diameter);
     add_bearing(stand, four->bearings, four->work_roll.bearing, "work_roll", four->work_roll.barrel_diameter);
@@ -113,8 +74,7 @@ twin::CaseModel analysed_stand(const Case &the_case)
                 four->backup_roll.barrel_diameter);
     return stand;
   }
-  const Lumped &lumped = std::get<Lumped>(the_case.spec);
-  add_chain(stand, chain.model, lumped.dynamics);
+  const auto &lumped = std::get<Lumped>(the_case.spec);
   add_roll(stand, "work_roll", lumped.campbell.work_roll_diameter);
   add_roll(stand, "backup_roll", lumped.campbell.backup_roll_diameter);
   return stand;

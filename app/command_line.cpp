@@ -53,7 +53,7 @@ void add_repeatable(CLI::App *verb, const char *option, std::vector<std::string>
   verb->add_option(option, into, what)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-void add_reading(CLI::App *verb, CommandLine &c)
+void add_record_options(CLI::App *verb, CommandLine &c)
 {
   verb->add_option("--rate", c.record_rate, "samples per second of records without times");
   verb->add_option("--zone", c.zone, "time zone of local times, Europe/Berlin");
@@ -79,12 +79,30 @@ void add_calibrate(CLI::App &app, CommandLine &c)
   verb->add_option("--force-rms", o.force, "with --plan: of the force (default \"1 kN\")");
   verb->add_option("--force-up-to", o.highest, "with --plan: where the force ends (default \"1500 Hz\")");
   verb->add_flag("--without-force", o.without_force, "with --plan: the force is not recorded");
-  add_reading(verb, c);
+  add_record_options(verb, c);
   add_repeatable(verb, "--set", c.sets, "override section.key=value of the case, repeatable");
   add_output(verb, c, "folder of the results (default out/<case name>-calibration)");
   verb->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
   verb->add_flag("-q,--quiet", c.quiet, "no progress, no table");
   verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
+}
+
+void add_advise(CLI::App &app, CommandLine &c)
+{
+  auto *advise = app.add_subcommand(
+      "advise", "what would lower the vibration: actions computed anew, ranked, with what they cost");
+  advise
+      ->add_option("CASE", c.target,
+                   "case file of kind four-high or lumped (level of a place) or chatter "
+                   "(critical speed); [advice] says what may be tried")
+      ->required();
+  advise->add_option("--measured", c.measured, "folder of records with the rolling force that shakes the stand");
+  add_record_options(advise, c);
+  add_repeatable(advise, "--set", c.sets, "override section.key=value, repeatable");
+  add_output(advise, c, "folder of the results (default out/<case name>-advice)");
+  advise->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
+  advise->add_flag("-q,--quiet", c.quiet, "no table");
+  advise->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
 }
 
 void add_analyse(CLI::App &app, CommandLine &c)
@@ -93,7 +111,7 @@ void add_analyse(CLI::App &app, CommandLine &c)
       "analyse", "records of a mill: spectra, modes, what follows the speed, whose each peak is");
   analyse->add_option("RECORD", c.names, "CSV, .npy with .json, .uff or .mat")->required();
   analyse->add_option("--case", c.case_file, "stand of the record, kind four-high or lumped");
-  add_reading(analyse, c);
+  add_record_options(analyse, c);
   analyse->add_option("--speed", c.speed, "of the rolls' surface, where it was not recorded, \"4 m/s\"");
   analyse->add_option("--limit", c.limit, "the mill's own limit of a vibration, 0-peak, \"2 g\"");
   add_repeatable(analyse, "--severity", c.severity,
@@ -229,6 +247,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
 
   add_analyse(app, c);
   add_calibrate(app, c);
+  add_advise(app, c);
   auto *trace =
       app.add_subcommand("trace", "which results one input reaches, through which relation, with elasticities");
   trace->add_option("CASE", c.target, "case file")->required();

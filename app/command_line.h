@@ -27,12 +27,13 @@ struct CommandLine {
   MarksOptions marks;              ///< marks
   CalibrateOptions calibrate;      ///< calibrate
   std::string case_file;           ///< analyse --case; empty: none
-  std::string record_rate;         ///< analyse, calibrate --rate
-  std::string zone;                ///< analyse, calibrate --zone
+  std::string measured;            ///< advise --measured; empty: none
+  std::string record_rate;         ///< analyse, calibrate, advise --rate
+  std::string zone;                ///< analyse, calibrate, advise --zone
   std::string speed;               ///< analyse --speed
   std::string limit;               ///< analyse --limit
   std::vector<std::string> channels,
-      channel_units;                  ///< analyse, calibrate --channel, --unit: NAME=PLACE, NAME=UNIT
+      channel_units;                  ///< analyse, calibrate, advise --channel, --unit: NAME=PLACE, NAME=UNIT
   std::vector<std::string> severity;  ///< analyse --severity: upper ends of zones
   std::map<std::string, std::vector<std::string>> words;  ///< completion: options by verb
   bool list            = false;                           ///< verify --list

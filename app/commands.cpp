@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/advise_command.h"
 #include "app/analyse_command.h"
 #include "app/calibrate/calibrate_command.h"
 #include "app/case_kinds.h"
@@ -24,6 +25,7 @@
 #include "core/model/case.h"
 #include "core/numerics/sparse.h"
 #include "core/records/files.h"
+#include "report/advice/advice_page.h"
 #include "report/calibration/calibration_page.h"
 #include "report/compare/comparison.h"
 #include "report/page/html.h"
@@ -216,6 +218,11 @@ int write_report(const std::string &directory)
     console::print("report: " + directory + "/report.html\n");
     return 0;
   }
+  if (!fs::exists(directory + "/results.json") && fs::exists(directory + "/advice.json")) {
+    write_atomically(directory + "/report.html", report::advice_page(directory));
+    console::print("report: " + directory + "/report.html\n");
+    return 0;
+  }
   {
     const FolderLock alone(directory);  // a run that ends now publishes before or after
     finish_publishing(directory);
@@ -274,6 +281,8 @@ int carry_out(const CommandLine &command)
     return analyse_command(command);
   if (command.verb == "calibrate")
     return calibrate_command(command);
+  if (command.verb == "advise")
+    return advise_command(command, checked_case(command).the_case);
   if (command.verb == "export")
     return export_command(command, checked_case(command).the_case);
   if (is_streamed(command)) {

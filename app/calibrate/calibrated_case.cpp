@@ -1,5 +1,5 @@
 #include "app/calibrate/calibrated_case.h"
-#include "app/analysed_stand.h"
+#include "app/case_chain.h"
 #include "core/case/fields.h"
 #include "core/model/case.h"
 #include <algorithm>
@@ -58,7 +58,7 @@ std::string comment_of(const Case &origin, const twin::Calibration &result, cons
 PriorChain prior_chain(const Case &the_case, const double load)
 {
   PriorChain chain;
-  AnalysedChain analysed    = analysed_chain(the_case, load, "calibrate");
+  const CaseChain analysed  = case_chain(the_case, "calibrate", load);
   chain.model               = analysed.model;
   chain.source              = analysed.source;
   DynamicsSettings settings = dynamics_of_chain(the_case);

@@ -1,3 +1,4 @@
+#include "core/case/advice_rows.h"
 #include "core/case/given.h"
 #include "core/case/stand_reader.h"
 #include "core/model/case.h"
@@ -339,6 +340,7 @@ ChatterCase read_chatter(const Node &root, Reading &reading)
   read_variants(root, spec, reading);
   read_conditions(root, spec, reading);
   spec.analysis = read_chatter_analysis(root, reading);
+  spec.advice   = read_chatter_advice(root, spec.conditions, reading);
   return spec;
 }
 }  // namespace mill

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/case/errors.h"
+#include "core/model/advice.h"
 #include "core/model/lumped.h"
 #include "core/model/material.h"
 #include "core/model/strip.h"
@@ -74,5 +75,6 @@ struct ChatterCase {
   std::vector<ChatterVariant> variants;
   std::vector<RollingCondition> conditions;
   ChatterAnalysis analysis;
+  ChatterAdvice advice;
 };
 }  // namespace mill

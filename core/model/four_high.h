@@ -1,4 +1,5 @@
 #pragma once
+#include "core/model/advice.h"
 #include "core/model/bite_setup.h"
 #include "core/model/campbell.h"
 #include "core/model/chatter.h"
@@ -37,6 +38,7 @@ struct FourHigh {
   std::vector<DriveOrder> drive;
   StandSpan span;            ///< strip before and behind the stand, for chatter
   ChatterAnalysis analysis;  ///< of chatter
+  StandAdvice advice;
   Estimates estimates;       ///< values of the records above that nobody gave
   GivenValues given;
   GivenValues published;  ///< same names; only shown beside the computed values

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/model/advice.h"
 #include "core/model/campbell.h"
 #include "core/model/chain_curves.h"
 #include "core/model/dynamics_settings.h"
@@ -35,5 +36,6 @@ struct Lumped {
   FrequencyResponseSettings frequency_response;
   CampbellSettings campbell;
   std::vector<DriveOrder> drive;
+  StandAdvice advice;
 };
 }  // namespace mill

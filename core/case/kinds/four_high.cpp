@@ -1,3 +1,4 @@
+#include "core/case/advice_rows.h"
 #include "core/case/estimates.h"
 #include "core/case/given_instead.h"
 #include "core/case/kinds.h"
@@ -109,6 +110,7 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   stand.drive              = read_drive_orders(root, reading);
   stand.span               = read_stand_span(root, reading);
   stand.analysis           = read_chatter_analysis(root, reading);
+  stand.advice             = read_stand_advice(root, reading);
   stand.given              = read_given(root, "given", "four-high", reading);
   stand.published          = read_given(root, "published", "four-high", reading);
   share_given_bearings(stand);
@@ -167,6 +169,8 @@ std::vector<SectionRows> four_high_sections()
       published_section(stand_published_rows())
   };
   all.insert(all.end(), std::begin(rest), std::end(rest));
+  for (const SectionRows &section : stand_advice_sections())
+    all.push_back(section);
   return all;
 }
 
@@ -243,11 +247,13 @@ const CaseKind &case_kind(const FourHigh *)
 {
   static const CaseKind kind = [] {
     CaseKind k;
-    k.name      = "four-high";
-    k.title     = "four-high stand";
-    k.read      = [](const Node &root, Reading &reading) -> CaseSpec { return read_four_high(root, reading); };
-    k.sections  = four_high_sections();
-    k.notes     = four_high_notes();
+    k.name     = "four-high";
+    k.title    = "four-high stand";
+    k.read     = [](const Node &root, Reading &reading) -> CaseSpec { return read_four_high(root, reading); };
+    k.sections = four_high_sections();
+    k.notes    = four_high_notes();
+    for (const TemplateNote &note : stand_advice_notes())
+      k.notes.push_back(note);
     k.drawing   = four_high_drawing();
     k.given     = stand_given_rows();
     k.published = stand_published_rows();
@@ -259,6 +265,10 @@ const CaseKind &case_kind(const FourHigh *)
         return names_in(own.oil_films);
       if (section == "drive.order")
         return numbers_to(own.drive.size());
+      if (section == "advice.damper")
+        return numbers_to(own.advice.dampers.size());
+      if (section == "advice.tuned_damper")
+        return numbers_to(own.advice.tuned.size());
       return section == "pass" ? numbers_to(own.passes.size()) : std::vector<std::string>();
     };
     return k;

@@ -1,3 +1,4 @@
+#include "core/case/advice_rows.h"
 #include "core/case/chain_curves.h"
 #include "core/case/kinds.h"
 #include "core/case/stand_reader.h"
@@ -71,6 +72,7 @@ Lumped read_lumped(const Node &root, Reading &reading)
   lumped.frequency_response = read_frequency_response(root, reading);
   lumped.campbell           = read_campbell(root, chain_campbell_rows(), reading);
   lumped.drive              = read_drive_orders(root, reading);
+  lumped.advice             = read_stand_advice(root, reading);
   check_turning_shafts(lumped.campbell, lumped.drive, reading);
   if (!lumped.detailed)
     check_published_force(lumped.dynamics, lumped.given, reading);
@@ -99,6 +101,8 @@ const CaseKind &case_kind(const Lumped *)
         campbell_section(chain_campbell_rows()),
         drive_order_section()
     };
+    for (const SectionRows &section : stand_advice_sections())
+      k.sections.push_back(section);
     k.notes = {
         drive_order_note(),
         {"model",              "", {},     {},                true}, // [given] says it
@@ -111,11 +115,17 @@ const CaseKind &case_kind(const Lumped *)
           {"synthetic_seed", "2"}},
             {}                                                 }
     };
+    for (const TemplateNote &note : stand_advice_notes())
+      k.notes.push_back(note);
     k.given = k.published = lumped_given_rows();
     k.repeated            = [](const CaseSpec &spec, const std::string &section) {
       const auto &own = std::get<Lumped>(spec);
       if (section == "drive.order")
         return numbers_to(own.drive.size());
+      if (section == "advice.damper")
+        return numbers_to(own.advice.dampers.size());
+      if (section == "advice.tuned_damper")
+        return numbers_to(own.advice.tuned.size());
       return section == "pass" ? numbers_to(own.passes.size()) : std::vector<std::string>();
     };
     return k;

@@ -1,0 +1,118 @@
+#include "app/advise_command.h"
+#include "app/address_space.h"
+#include "app/advice/critical_speed_advice.h"
+#include "app/advice/stand_advice.h"
+#include "app/console.h"
+#include "app/record_options.h"
+#include "core/case/visible_text.h"
+#include "core/model/case.h"
+#include "core/records/files.h"
+#include "report/advice/advice_page.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <thread>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+namespace {
+constexpr std::size_t most_said = 12;  // actions on the console
+
+void require_advice_folder(const std::string &folder, const bool overwrite)
+{
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+    throw InputError(folder + " is a file, not a folder; choose another with -o");
+  fs::create_directories(folder, error);
+  if (error)
+    refuse_file(error.value(),
+                "the folder " + folder + " cannot be made: " + error.message() + "; choose another with -o");
+  if (!overwrite && !fs::is_empty(folder) && !fs::exists(folder + "/advice.json"))
+    throw InputError("the folder " + folder +
+                     " holds files that no advice wrote; choose another with -o, or give --force-overwrite");
+}
+
+// advice.json leaves first and comes last, so that a folder with it is whole.
+void write_advice(const std::string &folder, const twin::AdviceRecord &record)
+{
+  std::error_code ignored;
+  for (const char *old :
+       {"advice.json", "advice.csv", "spectrum.csv", "detuning.csv", "growth.csv", "report.html"})
+    fs::remove(folder + "/" + old, ignored);
+  write_atomically(folder + "/advice.csv", advice_csv(record));
+  for (const auto &[name, table] : record.tables)
+    write_atomically(folder + "/" + name + ".csv", csv_text(table));
+  const std::string json = advice_json(record);
+  write_atomically(folder + "/report.html", report::advice_page(folder, json, record.tables));
+  write_atomically(folder + "/advice.json", json);
+}
+
+void say_action(const twin::RatedAction &action, const std::size_t rank)
+{
+  const auto percent = [](const double part) {
+    return std::isfinite(part) ? fmt::format("{:+.2f} %", 100 * part) : std::string("-");
+  };
+  std::string reason;
+  for (const std::string &sentence : action.against)
+    reason += (reason.empty() ? "  " : "; ") + sentence;
+  console::print(visible(fmt::format("{:>3} {:>9} {:>9} {:>9}  {}{}", rank > 0 ? std::to_string(rank) : "-",
+                                     percent(action.verified), percent(action.change), percent(action.first_order),
+                                     action.name, reason),
+                         true) +
+                 "\n");
+}
+
+void say_advice(const twin::AdviceRecord &record, const std::string &folder)
+{
+  using console::print;
+  print(visible("goal: " + record.question, true) + "\n" + visible(record.answer, true) + "\n\n");
+  print("     counts    anew      by slope\n");
+  const std::size_t above = above_the_line(record.actions), n = record.actions.size();
+  for (std::size_t i = 0; i < std::min(above, most_said); ++i)
+    say_action(record.actions[i], i + 1);
+  if (above < n)
+    print("  ------------------ what does not help, or violates a limit\n");
+  for (std::size_t i = above; i < std::min(n, above + most_said); ++i)
+    say_action(record.actions[i], 0);
+  if (const std::size_t more = std::max(above, most_said) - most_said + std::max(n - above, most_said) - most_said;
+      more > 0)
+    print(fmt::format("  {} more in advice.csv\n", more));
+  for (const std::string &note : record.notes)
+    print("note: " + visible(note, true) + "\n");
+  print("report: " + folder + "/report.html\n");
+}
+
+int threads_for(const CommandLine &command)
+{
+  const int wanted =
+      command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
+  return threads_that_start(threads_that_fit(wanted));
+}
+}  // namespace
+
+int advise_command(const CommandLine &command, const Case &the_case)
+{
+  const bool chatter = std::holds_alternative<ChatterCase>(the_case.spec);
+  if (!chatter && !std::holds_alternative<FourHigh>(the_case.spec) &&
+      !std::holds_alternative<Lumped>(the_case.spec))
+    throw InputError("millstand advise has nothing to advise for kind = \"" + the_case.kind + "\" (" +
+                     the_case.path +
+                     "); it takes four-high and lumped for the level of a place, chatter for the critical speed");
+  if (chatter && !command.measured.empty())
+    throw InputError(
+        "--measured " + command.measured +
+        ": a critical speed does not follow from a measured force; leave it out, or name a case of kind "
+        "four-high or lumped for the level of a place");
+  const twin::ReadOptions reading = read_options(command);
+  const std::string folder        = command.output.empty() ? "out/" + the_case.name + "-advice" : command.output;
+  const twin::AdviceRecord record = chatter ? critical_speed_advice(the_case, threads_for(command))
+                                            : stand_advice(the_case, command.measured, reading);
+  require_advice_folder(folder, command.force_overwrite);
+  write_advice(folder, record);
+  if (!command.quiet)
+    say_advice(record, folder);
+  return 0;
+}
+}  // namespace mill

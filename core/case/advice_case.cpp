@@ -1,0 +1,94 @@
+#include "core/case/advice_rows.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+// [advice] of a stand and of chatter.
+namespace mill {
+namespace {
+// Bounds are written from the smaller to the larger one.
+template <class T> void check_bounds(const std::vector<Field<T>> &rows, const T &advice, Reading &reading)
+{
+  for (const Field<T> &row : rows) {
+    const auto *member    = std::get_if<std::array<double, 2> T::*>(&row.member);
+    const std::string key = std::string("advice.") + row.key;
+    if (!member || !reading.usable({key}))
+      continue;
+    const auto &[low, high] = advice.**member;
+    const bool factors      = std::string(row.form) == "1";
+    if (factors ? low > high : low >= high)  // NaN: not asked
+      contradict(reading, key,
+                 fmt::format("does not increase; write the smaller {} first", factors ? "factor" : "frequency"),
+                 {});
+  }
+}
+
+template <class T>
+std::vector<T> read_list(const Section &advice, const char *key, const std::vector<Field<T>> &rows,
+                         Reading &reading)
+{
+  std::vector<T> list;
+  const Node::Entry *entry = advice.node ? advice.node->find(key) : nullptr;
+  if (!entry)
+    return list;
+  const std::string all = advice.key(key);
+  if (entry->value.kind != Node::Kind::array) {
+    reading.bad.insert(all);
+    reading.add(entry->key_place, fmt::format("[[{}]] stands in double brackets, once for each", all));
+    return list;
+  }
+  for (std::size_t i = 0; i < entry->value.items.size(); ++i) {
+    const Node &node       = entry->value.items[i];
+    const std::string name = fmt::format("{}.{}", all, i);
+    if (node.kind != Node::Kind::table) {
+      reading.add(node.place,
+                  fmt::format("{} = {} is a value; a section [[{}]] is needed", name, shown(node), all));
+      continue;
+    }
+    T one;
+    read_and_echo(Section{&node, name}, "[[" + all + "]]", rows, one, reading);
+    list.push_back(one);
+  }
+  return list;
+}
+
+void check_dampers(const std::vector<DamperProposal> &dampers, Reading &reading)
+{
+  for (std::size_t i = 0; i < dampers.size(); ++i) {
+    const std::string to = fmt::format("advice.damper.{}.to", i), from = fmt::format("advice.damper.{}.from", i);
+    if (reading.usable({to, from}) && dampers[i].from == dampers[i].to)
+      contradict(reading, to, "is the place where the damper begins", {from});
+  }
+}
+}  // namespace
+
+StandAdvice read_stand_advice(const Node &root, Reading &reading)
+{
+  StandAdvice advice;
+  const Section section = section_at(root, "advice", reading);
+  read_and_echo(section, section.header(), stand_advice_rows(), advice, reading, {"damper", "tuned_damper"});
+  check_bounds(stand_advice_rows(), advice, reading);
+  advice.dampers = read_list(section, "damper", damper_proposal_rows(), reading);
+  advice.tuned   = read_list(section, "tuned_damper", tuned_proposal_rows(), reading);
+  check_dampers(advice.dampers, reading);
+  return advice;
+}
+
+ChatterAdvice read_chatter_advice(const Node &root, const std::vector<RollingCondition> &conditions,
+                                  Reading &reading)
+{
+  ChatterAdvice advice;
+  const Section section = section_at(root, "advice", reading);
+  read_and_echo(section, section.header(), chatter_advice_rows(), advice, reading);
+  check_bounds(chatter_advice_rows(), advice, reading);
+  const auto named = std::find_if(conditions.begin(), conditions.end(),
+                                  [&](const RollingCondition &c) { return c.name == advice.condition; });
+  const bool known = named != conditions.end();
+  if (!advice.condition.empty() && reading.usable({"advice.condition"}) && !known)
+    contradict(reading, "advice.condition", "is not the name of a [[condition]]", {});
+  if (known && reading.usable({"advice.wanted_speed"}) && advice.wanted_speed > named->speed)
+    contradict(reading, "advice.wanted_speed", "is above the speed at which the condition rolls; raise that first",
+               {fmt::format("condition.{}.speed", named - conditions.begin())});
+  return advice;
+}
+}  // namespace mill

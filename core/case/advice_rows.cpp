@@ -1,0 +1,132 @@
+#include "core/case/advice_rows.h"
+
+// What millstand advise may try.  Columns as in stand_rows.cpp.
+namespace mill {
+const std::vector<Field<StandAdvice>> &stand_advice_rows()
+{
+  using T                                 = StandAdvice;
+  static const std::vector<Field<T>> rows = [] {
+    std::vector<Field<T>> all;
+    const auto add = [&](const char *key, Member<T> member, const char *form, Range range, Fallback fallback,
+                         const char *example, const char *meaning) {
+      all.push_back({key, member, form, range, fallback, example, meaning});
+    };
+    add("place", &T::place, "text", any, "upper_work_roll", "upper_work_roll",
+        "whose rms acceleration is to fall, as the columns of response/*.csv name places");
+    add("band", &T::band, "Hz", {0, 1e5}, absent, R"(["100 Hz", "300 Hz"])",
+        "of that level; from 0 to dynamics.frequency_limit (1000 Hz of a chain) when absent");
+    add("springs", &T::springs, "K1 | K2 | K3 | K4 | K5 | K6 | K7", any, absent, R"(["K3", "K5"])",
+        "springs of the chain that are tried stiffer and softer; all but the bite's K4 when absent");
+    add("stiffness", &T::stiffness, "1", {0.05, 20}, absent, "[0.8, 1.2]",
+        "factors on each of these springs; [0.8, 1.2] when absent, a factor of 1 is not tried");
+    add("modal_damping", &T::modal_damping, "1", {0.05, 20}, absent, "[1, 1.5]",
+        "factors on the damping ratio of all modes; not tried when absent");
+    add("damper", &T::damper, "N s/m", {0, 1e12}, 1e5, "1e5 N s/m",
+        "of the dampers that are tried without [[advice.damper]]: work roll to backup roll, work roll to work "
+        "roll; "
+        "0: none");
+    add("tuned_mass", &T::tuned_mass, "%", {0, 100}, 5, "5 %",
+        "mass ratio of the tuned damper that is tried at the place without [[advice.tuned_damper]]; 0: none");
+    add("rise_elsewhere", &T::rise_elsewhere, "%", {0, 1e4}, 10, "10 %",
+        "most that the level of another roll may rise");
+    add("softening", &T::softening, "%", {0, 100}, 10, "10 %",
+        "most that the stiffness of the stand under the bite force may fall");
+    return all;
+  }();
+  return rows;
+}
+
+const std::vector<Field<DamperProposal>> &damper_proposal_rows()
+{
+  using T = DamperProposal;
+  static const std::vector<Field<T>> rows{
+      {"name",   &T::name,   "text",  any,          absent,   "both work rolls",   "dampers of one name are one action"},
+      {"from",   &T::from,   "text",  any,          required, "upper_work_roll",   "place, as for advice.place"        },
+      {"to",     &T::to,     "text",  any,          required, "upper_backup_roll", "place; ground is one"              },
+      {"damper", &T::damper, "N s/m", {1e-3, 1e12}, required, "1e5 N s/m",         "of both sides together"            },
+  };
+  return rows;
+}
+
+const std::vector<Field<TunedDamperProposal>> &tuned_proposal_rows()
+{
+  using T = TunedDamperProposal;
+  static const std::vector<Field<T>> rows{
+      {"at",         &T::at,   "text", any,         absent, "upper_work_roll", "place of the mass; advice.place when absent"      },
+      {"mass",       &T::mass, "kg",   {1e-3, 1e7}, absent, "100 kg",          "of both sides together; by mass_ratio when absent"},
+      {"mass_ratio",
+       &T::mass_ratio,
+       "%",                            {0.01, 200},
+       5,                                                   "5 %",
+       "over the effective mass of the leading mode at that place"                                                                },
+  };
+  return rows;
+}
+
+const std::vector<Field<ChatterAdvice>> &chatter_advice_rows()
+{
+  using T                                 = ChatterAdvice;
+  static const std::vector<Field<T>> rows = [] {
+    std::vector<Field<T>> all;
+    const auto add = [&](const char *key, Member<T> member, const char *form, Range range, Fallback fallback,
+                         const char *example, const char *meaning) {
+      all.push_back({key, member, form, range, fallback, example, meaning});
+    };
+    const auto bounds = [&](const char *key, Member<T> member, const char *example, const char *meaning) {
+      add(key, member, "1", {0.05, 20}, absent, example, meaning);
+    };
+    add("condition", &T::condition, "text", any, absent, "2",
+        "that is to be calmer; when absent the one whose critical speed is the least multiple of its speed");
+    add("margin", &T::margin, "%", {0, 1000}, 10, "10 %",
+        "wanted distance: critical speed at least (1 + margin) times the working speed");
+    add("wanted_speed", &T::wanted_speed, "m/s", {0.01, 100}, absent, "18 m/s",
+        "least working speed; that of the condition when absent");
+    add("force_rise", &T::force_rise, "%", {0, 1000}, 5, "5 %", "most that the rolling force may rise");
+    add("torque_rise", &T::torque_rise, "%", {0, 1000}, absent, "5 %",
+        "most that the rolling torque may rise; any when absent");
+    bounds("speed", &T::speed, "[0.9, 1]", "factors on the working speed; [0.9, 1] when absent");
+    bounds("entry_thickness", &T::entry_thickness, "[0.95, 1.05]",
+           "factors, the exit thickness stays; [0.95, 1.05] when absent");
+    bounds("entry_tension", &T::entry_tension, "[0.8, 1.2]", "factors; [0.8, 1.2] when absent");
+    bounds("exit_tension", &T::exit_tension, "[0.8, 1.2]", "factors; [0.8, 1.2] when absent");
+    bounds("viscosity", &T::viscosity, "[0.8, 1.2]", "factors on that of the oil; [0.8, 1.2] when absent");
+    bounds("stiffness", &T::stiffness, "[1, 1.1]", "factors on each spring of the stand; [1, 1.1] when absent");
+    bounds("damping", &T::damping, "[1, 2]",
+           "factors on each damper of the stand, or on its modal damping; [1, 2] when absent");
+    return all;
+  }();
+  return rows;
+}
+
+std::vector<SectionRows> stand_advice_sections()
+{
+  using Repeat = SectionRows::Repeat;
+  return {
+      {"advice",              Repeat::once, false, "what millstand advise may try and must keep",            rows_of(stand_advice_rows())},
+      {"advice.damper",       Repeat::list, false, "a damper between two places, tried by millstand advise",
+       rows_of(damper_proposal_rows())                                                                                                   },
+      {"advice.tuned_damper", Repeat::list, false, "a tuned damper at a place, tried by millstand advise",
+       rows_of(tuned_proposal_rows())                                                                                                    }
+  };
+}
+
+SectionRows chatter_advice_section()
+{
+  return {"advice", SectionRows::Repeat::once, false, "what millstand advise may try and must keep",
+          rows_of(chatter_advice_rows())};
+}
+
+std::vector<TemplateNote> stand_advice_notes()
+{
+  return {
+      {"advice",              "", {}, {}, true},
+      {"advice.damper",       "", {}, {}, true},
+      {"advice.tuned_damper", "", {}, {}, true}
+  };
+}
+
+TemplateNote chatter_advice_note()
+{
+  return {"advice", "", {}, {}, true};
+}
+}  // namespace mill

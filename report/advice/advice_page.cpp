@@ -1,0 +1,343 @@
+#include "report/advice/advice_page.h"
+#include "core/case/errors.h"
+#include "core/records/files.h"
+#include "report/page/html.h"
+#include "report/page/number.h"
+#include "report/page/page.h"
+#include "report/plot/svg.h"
+#include "report/plot/svg_plot.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace mill::report {
+namespace {
+using nlohmann::json;
+
+constexpr std::size_t most_bars = 12;
+
+double advice_number(const json &value)
+{
+  return value.is_number() ? value.get<double>() : std::nan("");
+}
+
+std::string text_of(const json &value)
+{
+  return escaped(value.get<std::string>());
+}
+
+std::string text_cell(const std::string &text)
+{
+  return "<td>" + text + "</td>";
+}
+
+std::string figure_cell(const std::string &text)
+{
+  return "<td class=\"num\">" + text + "</td>";
+}
+
+std::string signed_percent(const json &value)
+{
+  const double part = advice_number(value);
+  return std::isfinite(part) ? percent(part) : "\u2013";
+}
+
+std::string effect_cell(const json &effect)
+{
+  const double value     = advice_number(effect["value"]);
+  const std::string unit = effect["unit"];
+  return figure_cell(!std::isfinite(value) ? "\u2013"
+                     : unit == "1"         ? percent(std::abs(value) < 5e-5 ? 0 : value)
+                                           : significant(value, 4));
+}
+
+std::string effect_heads(const json &effects)
+{
+  std::string heads;
+  for (const json &effect : effects) {
+    const std::string unit = effect["unit"];
+    heads +=
+        "<th>" + text_of(effect["name"]) + (unit == "1" ? "" : " [" + escaped(unit_sign(unit)) + "]") + "</th>";
+  }
+  return heads;
+}
+
+std::string lines_of(const json &sentences)
+{
+  std::string text;
+  for (const json &sentence : sentences)
+    text += (text.empty() ? "" : "<br/>") + text_of(sentence);
+  return text;
+}
+
+bool is_above(const json &action)
+{
+  return action["against"].empty();
+}
+
+std::string others_of(const json &action)
+{
+  std::string text;
+  for (const json &other : action["in_other_models"])
+    text +=
+        (text.empty() ? "" : "<br/>") + text_of(other["name"]) + ": <b>" + signed_percent(other["value"]) + "</b>";
+  const std::string remarks = lines_of(action["remarks"]);
+  return text + (text.empty() || remarks.empty() ? "" : "<br/>") + remarks;
+}
+
+std::string action_table(const json &document, const bool above)
+{
+  const bool margin = document["goal"]["kind"] == "critical speed";
+  std::string rows;
+  for (const json &a : document["actions"]) {
+    if (is_above(a) != above)
+      continue;
+    std::string name = "<b>" + text_of(a["name"]) + "</b>";
+    if (const std::string means = text_of(a["means"]); !means.empty())
+      name += "<br/><small>" + means + "</small>";
+    const double spread = advice_number(a["change_sd"]);
+    rows += "<tr>" + figure_cell(above ? std::to_string(a["rank"].get<int>()) : "\u2013") + text_cell(name) +
+            figure_cell("<b>" + signed_percent(a["verified_change"]) + "</b>") +
+            figure_cell(signed_percent(a["change"]) +
+                        (std::isfinite(spread) ? "<br/>\u00b1" + significant(100 * spread, 2) : "")) +
+            figure_cell(signed_percent(a["first_order"])) +
+            figure_cell(a["pair"].get<bool>() ? signed_percent(a["one_by_one"]) : "");
+    for (const json &effect : a["effects"])
+      rows += effect_cell(effect);
+    if (margin)
+      rows += text_cell(a.value("reaches_margin", false) ? "reached" : "not reached");
+    const std::string others = others_of(a), against = lines_of(a["against"]);
+    rows += text_cell(text_of(a["modes"])) +
+            text_cell(above ? others : "<b>" + against + "</b>" + (others.empty() ? "" : "<br/>" + others)) +
+            "</tr>\n";
+  }
+  return "<table class=\"results\"><thead><tr><th>rank</th><th>action</th><th>counts</th><th>computed "
+         "anew</th><th>first order</th><th>one after the other</th>" +
+         (document["actions"].empty() ? "" : effect_heads(document["actions"].front()["effects"])) +
+         std::string(margin ? "<th>margin</th>" : "") + "<th>modes</th><th>" +
+         (above ? "other models, what it rests on" : "why it is below the line") +
+         "</th></tr></thead>\n<tbody>\n" + rows + "</tbody></table>\n";
+}
+
+std::string bar_drawing(const json &document)
+{
+  Plot plot;
+  plot.width  = 1000;
+  plot.height = 330;
+  std::vector<double> really, slope;
+  for (const json &a : document["actions"])
+    if (is_above(a) && really.size() < most_bars) {
+      really.push_back(100 * advice_number(a["verified_change"]));
+      slope.push_back(100 * advice_number(a["first_order"]));
+      plot.x.categories.push_back(std::to_string(really.size()));
+    }
+  if (really.empty())
+    return "";
+  const auto column = [](const std::vector<double> &v) {
+    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(v.data(), Eigen::Index(v.size())));
+  };
+  plot.x.quantity = "rank of the action";
+  plot.x.unit     = "-";
+  plot.y          = {"change", "%"};
+  plot.bars.push_back({"what counts", column(really), Pen::dark});
+  plot.bars.push_back({"first order, by slopes", column(slope), Pen::pale});
+  return svg_plot(plot);
+}
+
+// All columns of a table over its first one.
+std::string curves_drawing(const Table &table, const Axis &x, const Axis &y, const std::vector<Mark> &marks)
+{
+  Plot plot;
+  plot.width  = 1000;
+  plot.height = 360;
+  plot.x      = x;
+  plot.y      = y;
+  plot.marks  = marks;
+  const Pen pens[]{Pen::pale, Pen::dark, Pen::warm, Pen::dashed, Pen::dotted};
+  const bool single = table.names.size() == 2;
+  for (std::size_t c = 1; c < table.columns.size(); ++c)
+    plot.lines.push_back({table.names[c], table.columns[0], table.columns[c],
+                          single ? Pen::dark : pens[std::min<std::size_t>(c - 1, 4)]});
+  return svg_plot(plot);
+}
+
+void before_and_after(Page &page, const std::map<std::string, Table> &tables)
+{
+  if (const auto found = tables.find("spectrum"); found != tables.end() && found->second.columns.size() > 1) {
+    const Table &table = found->second;
+    double most        = 0;
+    for (std::size_t c = 1; c < table.columns.size(); ++c)
+      most = std::max(most, table.columns[c].maxCoeff());
+    Axis y{"acceleration", unit_sign(table.units[1]), Scale::logarithmic};
+    y.low = 1e-5 * most, y.high = 2 * most;
+    Axis x{"frequency", "Hz", Scale::logarithmic};
+    x.low = std::max(table.columns[0][0], 1e-2 * table.columns[0][table.columns[0].size() - 1]);
+    page.section("spectrum", "Before and after");
+    page.figure(
+        {curves_drawing(table, x, y, {})},
+        "Acceleration of the place as it is and with the best actions. Amplitude per newton of bite force; "
+        "with a measured force the root of the density.");
+  }
+  if (const auto found = tables.find("growth"); found != tables.end() && found->second.columns.size() > 1) {
+    page.section("growth", "Before and after");
+    page.figure(
+        {curves_drawing(found->second, {"speed of the rolls", "m/s"}, {"growth rate", "1/s"}, {})},
+        "Growth rate of the least stable mode over the speed: vibration grows above zero. Every point has its "
+        "own steady bite.");
+  }
+}
+
+std::string tuned_rows(const json &dampers)
+{
+  std::string rows;
+  for (const json &t : dampers) {
+    const json &best = t["best"], &start = t["start"];
+    const auto shown = [](const json &value, const int digits) {
+      return significant(advice_number(value), digits);
+    };
+    rows += "<tr><th scope=\"row\">" + text_of(t["action"]) + "</th>" +
+            text_cell("mode " + std::to_string(t["mode"].get<int>()) + ", " +
+                      fixed(advice_number(t["mode_frequency"]), 1) + " Hz; effective mass " +
+                      shown(t["effective_mass"], 5) + " kg") +
+            figure_cell(shown(t["mass"], 4)) + figure_cell(fixed(100 * advice_number(t["mass_ratio"]), 2)) +
+            figure_cell("<b>" + fixed(advice_number(best["frequency"]), 1) + "</b><br/>" +
+                        fixed(advice_number(start["frequency"]), 1)) +
+            figure_cell("<b>" + fixed(100 * advice_number(best["damping"]), 2) + "</b><br/>" +
+                        fixed(100 * advice_number(start["damping"]), 2)) +
+            figure_cell("<b>" + signed_percent(best["change"]) + "</b><br/>" + signed_percent(start["change"])) +
+            figure_cell(signed_percent(t["detuned_5_percent"][0]) + "<br/>" +
+                        signed_percent(t["detuned_5_percent"][1])) +
+            figure_cell(shown(t["stiffness"], 4)) + figure_cell(shown(t["damper"], 4)) + "</tr>\n";
+  }
+  return "<table class=\"results\"><thead><tr><th>tuned damper</th><th>made for</th><th>mass [kg]</th><th>ratio "
+         "[%]</th><th>frequency [Hz]</th><th>damping [%]</th><th>change</th><th>5 % too low, too "
+         "high</th><th>spring "
+         "[N/m]</th><th>damper [N s/m]</th></tr></thead>\n<tbody>\n" +
+         rows + "</tbody></table>\n";
+}
+
+void tuned_section(Page &page, const json &document, const std::map<std::string, Table> &tables)
+{
+  if (document["tuned_dampers"].empty())
+    return;
+  page.section("tuned", "Tuned damper");
+  page.table(
+      tuned_rows(document["tuned_dampers"]),
+      "In bold the tuning of least level, below it that of the closed form for one mode under white force.");
+  if (const auto found = tables.find("detuning"); found != tables.end() && found->second.columns.size() > 1)
+    page.figure(
+        {
+            curves_drawing(found->second, {"frequency of the damper off by", "%"        },
+             {"change of the level",            "%"        },
+                           {{-5, "-5 %"},                     {5, "+5 %"}}
+             )
+    },
+        "What is left when the damper is out of tune: its frequency drifts with temperature, mass and the "
+        "errors of the stand.");
+}
+
+void slope_section(Page &page, const json &document)
+{
+  if (document["slopes"].empty())
+    return;
+  std::string rows;
+  for (const json &slope : document["slopes"])
+    rows += "<tr><th scope=\"row\">" + text_of(slope["name"]) + "</th>" +
+            figure_cell(significant(advice_number(slope["slope"]), 4)) + "</tr>\n";
+  page.section("slopes", "Slopes", Depth::expert);
+  page.table(
+      "<table class=\"results\"><thead><tr><th>number</th><th>percent per percent</th></tr></thead>\n<tbody>\n" +
+          rows + "</tbody></table>\n",
+      "How the goal follows each number, exact at the stand as it is, largest first. Good for small changes "
+      "only.");
+}
+
+void value_section(Page &page, const json &values)
+{
+  std::string rows;
+  for (const auto &[name, v] : values.items()) {
+    const double error = advice_number(v["error_estimate"]);
+    std::string checks;
+    if (v.contains("checks"))
+      for (const json &check : v["checks"])
+        checks += (checks.empty() ? "" : "<br/>") + text_of(check["name"]) + ": " +
+                  significant(advice_number(check["value"]), 4);
+    rows += "<tr><th scope=\"row\"><code>" + escaped(name) + "</code></th>" +
+            figure_cell("<b>" + significant(advice_number(v["value"]), 5) + "</b>") +
+            text_cell(escaped(unit_sign(v["unit"].get<std::string>()))) +
+            text_cell(std::isfinite(error) ? "\u00b1" + significant(100 * error, 2) + " %" : "\u2013") +
+            text_cell(text_of(v["source"])) + text_cell(checks) + "</tr>\n";
+  }
+  page.section("values", "All values", Depth::expert);
+  page.table("<table class=\"results\"><thead><tr><th>result</th><th>value</th><th>unit</th><th>accuracy</th>"
+             "<th>source</th><th>beside it</th></tr></thead>\n<tbody>\n" +
+                 rows + "</tbody></table>\n",
+             "Values of <code>advice.json</code>, SI.");
+}
+
+void action_sections(Page &page, const json &document)
+{
+  const auto &actions = document["actions"];
+  const auto above    = std::count_if(actions.begin(), actions.end(), is_above);
+  page.section("actions", "Ranked actions", Depth::manager);
+  if (above > 0) {
+    if (const std::string drawing = bar_drawing(document); !drawing.empty())
+      page.figure({drawing}, "Change of the goal by each action, computed anew for the changed mill, and what the "
+                             "slopes would have said. Where the two part, the slopes are wrong.");
+    page.table(
+        action_table(document, true),
+        "Single actions at their bounds and pairs of the best three, by what they really do. A pair is computed "
+        "as a pair; beside it what its parts would give one after the other.");
+  } else
+    page.paragraph("No action that was tried helps and keeps the limits.");
+  if (std::size_t(above) < actions.size()) {
+    page.heading("Below the line");
+    page.table(action_table(document, false), "What was tried and does not help, or violates a limit.");
+  }
+}
+}  // namespace
+
+std::string advice_page(const std::string &directory, const std::string &text,
+                        const std::map<std::string, Table> &tables)
+{
+  const json document = json::parse(text, nullptr, false);
+  if (!document.is_object() || !document.contains("actions") || !document.contains("goal"))
+    throw InputError(Place{directory + "/advice.json", 1, 1},
+                     "this is no advice.json of this program; run millstand advise again");
+  Run run;
+  run.directory = directory;
+  run.case_name = document["case"].get<std::string>();
+  run.status    = "ok";
+  Page page(run);
+  action_sections(page, document);
+  before_and_after(page, tables);
+  tuned_section(page, document, tables);
+  slope_section(page, document);
+  if (!document["notes"].empty()) {
+    page.section("notes", "What was not computed, and why");
+    std::string list;
+    for (const json &note : document["notes"])
+      list += "<li>" + text_of(note) + "</li>\n";
+    page.html("<ul>\n" + list + "</ul>");
+  }
+  value_section(page, document["values"]);
+  const bool any         = std::any_of(document["actions"].begin(), document["actions"].end(), is_above);
+  const std::string head = "<header><h1>Advice for " + escaped(run.case_name) +
+                           "</h1></header>\n<p>Goal: " + text_of(document["goal"]["question"]) +
+                           ". Stand: " + text_of(document["stand"]) + ".</p>\n<div class=\"verdict " +
+                           (any ? "ok" : "warnings") + "\"><p>" + text_of(document["goal"]["answer"]) +
+                           "</p></div>\n<p>This page is advice: nothing is sent to the mill.</p>\n";
+  return html_document(run.case_name + ", advice", run, page, head);
+}
+
+std::string advice_page(const std::string &directory)
+{
+  std::map<std::string, Table> tables;
+  for (const char *name : {"spectrum", "detuning", "growth"})
+    if (const std::string path = directory + "/" + name + ".csv"; std::filesystem::exists(path))
+      tables.emplace(name, read_table(path));
+  return advice_page(directory, read_text(directory + "/advice.json"), tables);
+}
+}  // namespace mill::report

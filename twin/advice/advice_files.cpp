@@ -1,0 +1,175 @@
+#include "twin/advice/advice_files.h"
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace mill::twin {
+namespace {
+using nlohmann::ordered_json;
+
+ordered_json number_or_null(const double value)
+{
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json effects_json(const std::vector<SideEffect> &effects)
+{
+  ordered_json list = ordered_json::array();
+  for (const SideEffect &effect : effects)
+    list.push_back({
+        {"name",  effect.name                 },
+        {"value", number_or_null(effect.value)},
+        {"unit",  effect.unit                 }
+    });
+  return list;
+}
+
+ordered_json dampers_json(const RatedAction &action)
+{
+  const auto place  = [&](const int i) { return i < 0 ? "ground" : action.stand.places[std::size_t(i)]; };
+  ordered_json list = ordered_json::array();
+  for (const Attachment &a : action.joined) {
+    ordered_json one;
+    if (a.mass > 0) {
+      one["at"]        = place(a.to);
+      one["mass"]      = a.mass;
+      one["frequency"] = a.frequency;
+      one["damping"]   = a.ratio;
+    } else {
+      one["from"]   = place(a.from);
+      one["to"]     = place(a.to);
+      one["damper"] = a.damper;
+    }
+    list.push_back(one);
+  }
+  return list;
+}
+
+ordered_json action_json(const AdviceRecord &record, const std::size_t i)
+{
+  const RatedAction &a = record.actions[i];
+  ordered_json json{
+      {"rank",            a.against.empty() ? ordered_json(i + 1) : ordered_json(nullptr)},
+      {"name",            a.name                                                         },
+      {"means",           a.means                                                        },
+      {"pair",            a.pair                                                         },
+      {"change",          number_or_null(a.change)                                       },
+      {"change_sd",       number_or_null(a.spread)                                       },
+      {"verified_change", number_or_null(a.verified)                                     },
+      {"first_order",     number_or_null(a.first_order)                                  },
+      {"one_by_one",      number_or_null(a.apart)                                        },
+      {"effects",         effects_json(a.effects)                                        },
+      {"modes",           a.modes                                                        },
+      {"against",         a.against                                                      },
+      {"remarks",         a.remarks                                                      },
+      {"in_other_models", effects_json(a.repeated)                                       },
+      {"dampers",         dampers_json(a)                                                }
+  };
+  if (!record.reaches.empty())
+    json["reaches_margin"] = bool(record.reaches[i]);
+  return json;
+}
+
+ordered_json tuned_json(const TunedRecord &record)
+{
+  const TunedDamper &t = record.damper;
+  const auto tuning    = [](const Attachment &a, const double change) {
+    return ordered_json{
+        {"frequency", a.frequency},
+        {"damping",   a.ratio    },
+        {"change",    change     }
+    };
+  };
+  return {
+      {"action",            record.action                                     },
+      {"place",             record.place                                      },
+      {"mode",              t.mode + 1                                        },
+      {"mode_frequency",    record.mode_frequency                             },
+      {"effective_mass",    t.effective_mass                                  },
+      {"mass",              t.best.mass                                       },
+      {"mass_ratio",        t.best.mass / t.effective_mass                    },
+      {"stiffness",         t.best.mass * std::pow(2 * M_PI * t.best.frequency, 2)},
+      {"damper",                   2 * t.best.ratio * t.best.mass * 2 * M_PI * t.best.frequency                                                             },
+      {"start",                   tuning(t.start,  t.start_change)},
+      {"best",    tuning(t.best,                                                     t.change)},
+      {"detuned_5_percent",   {t.detuned_by(-0.05), t.detuned_by(0.05)}},
+      {"minimum_inside", t.inside       }
+  };
+}
+
+std::string csv_cell(const std::string &text)
+{
+  std::string quoted = "\"";
+  for (const char c : text)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string csv_number(const double value)
+{
+  return std::isfinite(value) ? fmt::format("{:.6g}", value) : "";
+}
+
+std::string one_text(const std::vector<std::string> &sentences)
+{
+  std::string text;
+  for (const std::string &sentence : sentences)
+    text += (text.empty() ? "" : "; ") + sentence;
+  return text;
+}
+}  // namespace
+
+std::string advice_json(const AdviceRecord &record)
+{
+  ordered_json json = ordered_json::parse(results_json(record.results, record.case_name, "ok"));
+  json["goal"]      = {
+           {"kind",     record.goal    },
+           {"question", record.question},
+           {"answer",   record.answer  }
+  };
+  json["stand"]   = record.stand;
+  json["actions"] = ordered_json::array();
+  for (std::size_t i = 0; i < record.actions.size(); ++i)
+    json["actions"].push_back(action_json(record, i));
+  json["tuned_dampers"] = ordered_json::array();
+  for (const TunedRecord &tuned : record.tuned)
+    json["tuned_dampers"].push_back(tuned_json(tuned));
+  json["slopes"] = ordered_json::array();
+  for (const auto &[name, slope] : record.slopes)
+    json["slopes"].push_back({
+        {"name",  name                 },
+        {"slope", number_or_null(slope)}
+    });
+  json["notes"] = record.notes;
+  return json.dump(1) + "\n";
+}
+
+std::string advice_csv(const AdviceRecord &record)
+{
+  std::string text = "rank,action,verified change [%],change [%],sd [%],first order [%],one after the other [%]";
+  const auto unit  = [](const std::string &si) { return si == "1" ? std::string("%") : si; };
+  std::vector<SideEffect> columns;
+  if (!record.actions.empty())
+    columns = record.actions.front().effects;
+  for (const SideEffect &column : columns)
+    text += "," + csv_cell(column.name + " [" + unit(column.unit) + "]");
+  text += ",modes,against,remarks,in other models,what could bring it about\n";
+  for (std::size_t i = 0; i < record.actions.size(); ++i) {
+    const RatedAction &a = record.actions[i];
+    text += a.against.empty() ? fmt::format("{}", i + 1) : "";
+    text += "," + csv_cell(a.name);
+    for (const double part : {a.verified, a.change, a.spread, a.first_order, a.apart})
+      text += "," + csv_number(100 * part);
+    for (const SideEffect &effect : a.effects)
+      text += "," + csv_number(effect.unit == "1" ? 100 * effect.value : effect.value);
+    std::vector<std::string> repeated;
+    for (const SideEffect &effect : a.repeated)
+      repeated.push_back(fmt::format("{}: {:+.4g} %", effect.name, 100 * effect.value));
+    for (const std::string &cell :
+         {a.modes, one_text(a.against), one_text(a.remarks), one_text(repeated), a.means})
+      text += "," + csv_cell(cell);
+    text += "\n";
+  }
+  return text;
+}
+}  // namespace mill::twin

@@ -1,0 +1,39 @@
+#pragma once
+#include "core/records/csv.h"
+#include "core/records/results.h"
+#include "twin/advice/chatter_advice.h"
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mill::twin {
+/// A tuned damper with the action it belongs to.
+struct TunedRecord {
+  std::string action, place;
+  double mode_frequency = 0;  ///< Hz
+  TunedDamper damper;
+};
+
+/// All that is written of one advice, whatever its goal.
+struct AdviceRecord {
+  std::string case_name;
+  std::string stand;     ///< "six masses by closed forms at 976.2 kN"
+  std::string goal;      ///< "level" or "critical speed"
+  std::string question;  ///< the goal in words
+  std::string answer;    ///< in words
+  Results results;
+  std::vector<RatedAction> actions;  ///< ranked
+  std::vector<bool> reaches;         ///< by actions: the wanted margin; empty: the goal has none
+  std::vector<TunedRecord> tuned;
+  std::vector<std::pair<std::string, double>> slopes;  ///< d ln goal / d ln number, by falling size
+  std::vector<std::string> notes;                      ///< what was not computed, and why
+  std::map<std::string, Table> tables;                 ///< "spectrum", "detuning"
+};
+
+/// advice.json: results.json with goal, actions, tuned dampers, slopes and notes; NaN is null.
+std::string advice_json(const AdviceRecord &record);
+
+/// advice.csv: one line for each action, ranked; changes in percent.
+std::string advice_csv(const AdviceRecord &record);
+}  // namespace mill::twin
