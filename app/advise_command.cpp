@@ -4,6 +4,7 @@
 #include "app/advice/stand_advice.h"
 #include "app/console.h"
 #include "app/record_options.h"
+#include "core/case/monitoring.h"
 #include "core/case/visible_text.h"
 #include "core/model/case.h"
 #include "core/records/files.h"
@@ -19,20 +20,6 @@ namespace fs = std::filesystem;
 namespace mill {
 namespace {
 constexpr std::size_t most_said = 12;  // actions on the console
-
-void require_advice_folder(const std::string &folder, const bool overwrite)
-{
-  std::error_code error;
-  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
-    throw InputError(folder + " is a file, not a folder; choose another with -o");
-  fs::create_directories(folder, error);
-  if (error)
-    refuse_file(error.value(),
-                "the folder " + folder + " cannot be made: " + error.message() + "; choose another with -o");
-  if (!overwrite && !fs::is_empty(folder) && !fs::exists(folder + "/advice.json"))
-    throw InputError("the folder " + folder +
-                     " holds files that no advice wrote; choose another with -o, or give --force-overwrite");
-}
 
 // advice.json leaves first and comes last, so that a folder with it is whole.
 void write_advice(const std::string &folder, const twin::AdviceRecord &record)
@@ -105,11 +92,11 @@ int advise_command(const CommandLine &command, const Case &the_case)
         "--measured " + command.measured +
         ": a critical speed does not follow from a measured force; leave it out, or name a case of kind "
         "four-high or lumped for the level of a place");
-  const twin::ReadOptions reading = read_options(command);
+  const twin::ReadOptions reading = read_options(command, monitoring_of(command.target, command.sets));
   const std::string folder        = command.output.empty() ? "out/" + the_case.name + "-advice" : command.output;
   const twin::AdviceRecord record = chatter ? critical_speed_advice(the_case, threads_for(command))
                                             : stand_advice(the_case, command.measured, reading);
-  require_advice_folder(folder, command.force_overwrite);
+  require_result_folder(folder, "advice.json", "advice", command.force_overwrite);
   write_advice(folder, record);
   if (!command.quiet)
     say_advice(record, folder);

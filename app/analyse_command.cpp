@@ -3,6 +3,7 @@
 #include "app/analysed_stand.h"
 #include "app/console.h"
 #include "app/record_options.h"
+#include "core/case/monitoring.h"
 #include "core/case/visible_text.h"
 #include "core/model/case.h"
 #include "core/records/csv.h"
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
-twin::AnalysisSettings settings_of(const CommandLine &command)
+twin::AnalysisSettings settings_of(const CommandLine &command, const Monitoring &monitoring)
 {
   twin::AnalysisSettings settings;
   if (!command.speed.empty())
@@ -33,6 +34,15 @@ twin::AnalysisSettings settings_of(const CommandLine &command)
   if (!std::is_sorted(settings.severity.begin(), settings.severity.end()))
     throw InputError(
         "--severity: the upper ends of the zones grow, for example \"2.3 mm/s\" \"4.5 mm/s\" \"7.1 mm/s\"");
+  if (settings.severity.empty())
+    settings.severity = monitoring.zones();
+  settings.bands = {
+      {"third_octave", monitoring.third_octave[0], monitoring.third_octave[1]},
+      {"fifth_octave", monitoring.fifth_octave[0], monitoring.fifth_octave[1]}
+  };
+  if (const std::string &folder = command.baseline.empty() ? monitoring.baseline : command.baseline;
+      !folder.empty())
+    settings.baseline = twin::read_baseline(folder);
   const int wanted =
       command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
   settings.threads = threads_that_start(threads_that_fit(wanted));
@@ -41,16 +51,16 @@ twin::AnalysisSettings settings_of(const CommandLine &command)
 
 // analysis.json leaves first and comes last, so that a folder with it is whole.
 void write_folder(const std::string &folder, const twin::CleanRecord &record, const twin::Analysis &analysis,
-                  const twin::CaseModel *stand)
+                  const twin::CaseModel *stand, const twin::AnalysisSettings &settings)
 {
   std::error_code ignored;
-  for (const char *old :
-       {"analysis.json", "spectrum.csv", "waterfall.csv", "distance.csv", "modes.csv", "poles.csv", "report.html"})
+  for (const char *old : {"analysis.json", "spectrum.csv", "waterfall.csv", "distance.csv", "modes.csv",
+                          "poles.csv", "singular.csv", "h1.csv", "modes_h1.csv", "report.html"})
     fs::remove(folder + "/" + old, ignored);
   const auto tables = twin::analysis_tables(analysis);
   for (const auto &[name, table] : tables)
     write_atomically(folder + "/" + name + ".csv", csv_text(table));
-  const std::string json = twin::analysis_json(record, analysis, stand);
+  const std::string json = twin::analysis_json(record, analysis, stand, settings);
   write_atomically(folder + "/report.html", report::analysis_page(folder, json, tables));
   write_atomically(folder + "/analysis.json", json);
 }
@@ -75,11 +85,14 @@ void say_findings(const twin::Analysis &analysis, const std::string &folder)
 
 int analyse_command(const CommandLine &command)
 {
-  const twin::ReadOptions reading       = read_options(command);
-  const twin::AnalysisSettings settings = settings_of(command);
   std::optional<twin::CaseModel> stand;
-  if (!command.case_file.empty())
-    stand = analysed_stand(read_case(command.case_file, command.sets));
+  Monitoring monitoring;
+  if (!command.case_file.empty()) {
+    stand      = analysed_stand(read_case(command.case_file, command.sets));
+    monitoring = monitoring_of(command.case_file, command.sets);
+  }
+  const twin::ReadOptions reading       = read_options(command, monitoring);
+  const twin::AnalysisSettings settings = settings_of(command, monitoring);
   for (const std::string &path : command.names) {
     const std::string stem   = fs::path(path).stem().string();
     const bool alone         = command.names.size() == 1;
@@ -105,7 +118,7 @@ int analyse_command(const CommandLine &command)
     const twin::CleanRecord record = twin::clean_record(std::move(raw));
     raw                            = {};  // its times are done with
     const twin::Analysis analysis  = twin::analyse(record, stand ? &*stand : nullptr, settings, progress);
-    write_folder(folder, record, analysis, stand ? &*stand : nullptr);
+    write_folder(folder, record, analysis, stand ? &*stand : nullptr, settings);
     bar.finish();
     if (!command.quiet)
       say_findings(analysis, folder);

@@ -35,6 +35,7 @@ struct CommandLine {
   std::vector<std::string> channels,
       channel_units;                  ///< analyse, calibrate, advise --channel, --unit: NAME=PLACE, NAME=UNIT
   std::vector<std::string> severity;  ///< analyse --severity: upper ends of zones
+  std::string baseline;               ///< analyse --baseline: folder of an earlier analysis
   std::map<std::string, std::vector<std::string>> words;  ///< completion: options by verb
   bool list            = false;                           ///< verify --list
   bool full            = false;                           ///< trace --full

@@ -37,7 +37,7 @@ double quantity_of(const std::string &option, const std::string &text, const std
   return parsed.value();
 }
 
-twin::ReadOptions read_options(const CommandLine &command)
+twin::ReadOptions read_options(const CommandLine &command, const Monitoring &monitoring)
 {
   twin::ReadOptions options;
   if (!command.record_rate.empty()) {
@@ -47,8 +47,10 @@ twin::ReadOptions read_options(const CommandLine &command)
     options.rate = rate;
   }
   options.zone     = command.zone;
-  options.channels = pairs_of("--channel", command.channels, "AI_07=upper_work_roll");
-  options.units    = pairs_of("--unit", command.channel_units, "AI_07=g");
+  options.channels = monitoring.channels();
+  for (const auto &[column, place] : pairs_of("--channel", command.channels, "AI_07=upper_work_roll"))
+    options.channels[column] = place;
+  options.units = pairs_of("--unit", command.channel_units, "AI_07=g");
   return options;
 }
 

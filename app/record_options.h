@@ -1,5 +1,6 @@
 #pragma once
 #include "app/command_line.h"
+#include "core/model/monitoring.h"
 #include "twin/records/raw_record.h"
 #include <string>
 
@@ -10,8 +11,8 @@ namespace mill {
 /// @throws InputError
 double quantity_of(const std::string &option, const std::string &text, const std::string &sample);
 
-/// --rate, --zone, --channel and --unit.
-twin::ReadOptions read_options(const CommandLine &command);
+/// --rate, --zone, --channel and --unit; names of channels that the case has, where the command line has no other.
+twin::ReadOptions read_options(const CommandLine &command, const Monitoring &monitoring);
 
 /// Makes the folder of a verb; one that holds other things is refused.
 /// @param proof  file that this verb leaves in its folders, "analysis.json"

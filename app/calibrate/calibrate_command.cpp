@@ -5,6 +5,7 @@
 #include "app/calibrate/plan_text.h"
 #include "app/console.h"
 #include "app/record_options.h"
+#include "core/case/monitoring.h"
 #include "core/case/visible_text.h"
 #include "core/model/case.h"
 #include "core/records/csv.h"
@@ -113,7 +114,8 @@ int calibrate_records(const CommandLine &command, const Case &the_case, const Re
   progress.at("read", 0);
   const PriorChain at_first_pass = prior_chain(the_case, std::nan(""));
   chosen(at_first_pass, command.calibrate.free);  // a wrong name before long records are read
-  MeasuredPieces pieces = measured_pieces(set, at_first_pass.places, read_options(command));
+  MeasuredPieces pieces = measured_pieces(set, at_first_pass.places,
+                                          read_options(command, monitoring_of(command.target, command.sets)));
   // A four-high stand at the load of the records: its contacts follow it.
   const PriorChain chain = pieces.load > 0 ? prior_chain(the_case, pieces.load) : at_first_pass;
   twin::CalibrationFacts facts{the_case.name, chain.source, pieces.files,

@@ -75,6 +75,12 @@ ordered_json type_of(const Row &row)
   case Kind::six:
     return list_of(row.form, 6);
   case Kind::words:
+    if (row.form == "names")
+      return {
+          {"type",                 "object"            },
+          {"additionalProperties", {{"type", "string"}}},
+          {"minProperties",        1                   }
+      };
     if (row.form == "text")
       return {
           {"type",        "array"             },

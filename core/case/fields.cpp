@@ -144,9 +144,30 @@ std::optional<Value> table(const Item &item)
   return pairs;
 }
 
+// { "AI_07" = "upper_work_roll" } as a list of "AI_07=upper_work_roll"; no text goes by two names.
+std::optional<Value> name_list(const Item &item)
+{
+  if (item.node.kind != Node::Kind::table || item.node.entries.empty())
+    return item.refuse(fmt::format("is no list of names; {}", needed(item.row)));
+  std::vector<std::string> list, meant;
+  for (const Node::Entry &entry : item.node.entries) {
+    const Item one{item.row, entry.value, item.key + "." + key_text(entry.key), item.reading};
+    if (entry.value.kind != Node::Kind::text || entry.value.text.empty() ||
+        entry.value.text.find('=') != std::string::npos)
+      return one.refuse(fmt::format("is no name; {}", needed(item.row)));
+    if (std::find(meant.begin(), meant.end(), entry.value.text) != meant.end())
+      return one.refuse("stands there twice");
+    meant.push_back(entry.value.text);
+    list.push_back(entry.key + "=" + entry.value.text);
+  }
+  return list;
+}
+
 // Words out of those of the row, or any texts, each once.
 std::optional<Value> word_list(const Item &item)
 {
+  if (item.row.form == "names")
+    return name_list(item);
   if (item.node.kind != Node::Kind::array || item.node.items.empty())
     return item.refuse(fmt::format("is no list of words; {}", needed(item.row)));
   const auto known = split(item.row.form, " | ");

@@ -128,6 +128,12 @@ std::string toml_of(const Row &row, const Value &value)
   }
   case Kind::words: {
     std::string text;
+    if (row.form == "names") {
+      for (const std::string &pair : std::get<std::vector<std::string>>(value))
+        text += (text.empty() ? "{ " : ", ") + quoted(pair.substr(0, pair.rfind('='))) + " = " +
+                quoted(pair.substr(pair.rfind('=') + 1));
+      return text.empty() ? "" : text + " }";
+    }
     for (const std::string &word : std::get<std::vector<std::string>>(value))
       text += (text.empty() ? "" : ", ") + quoted(word);
     return text.empty() ? "" : "[" + text + "]";
@@ -207,6 +213,8 @@ std::string needed(const Row &row)
   case Kind::six:
     return fmt::format("a list of six such as {} is needed", example);
   case Kind::words:
+    if (row.form == "names")
+      return fmt::format("a table of names such as {} is needed", example);
     return row.form == "text" ? fmt::format("a list of texts such as {} is needed", example)
                               : fmt::format("a list such as {} of {} is needed", example, row.form);
   }

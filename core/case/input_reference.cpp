@@ -37,7 +37,7 @@ std::string form_text(const Row &row)
   case Kind::six:
     return "six, " + row.form;
   case Kind::words:
-    return "list, " + row.form;
+    return row.form == "names" ? "table of texts" : "list, " + row.form;
   }
   return "";
 }

@@ -7,6 +7,7 @@
 #include "report/plot/heat_map.h"
 #include "report/plot/svg.h"
 #include "report/plot/svg_plot.h"
+#include "report/record/mode_figures.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -127,9 +128,10 @@ std::string spectrum_drawing(const Table &table, const std::size_t column, const
     std::vector<double> marked;
     for (const json &f : findings)
       if (const double at = number(f["frequency"]);
-          std::isfinite(at) && f["kind"] != "alarm" && f["kind"] != "bearing" && marked.size() < 12 &&
-          std::none_of(marked.begin(), marked.end(),
-                       [&](const double m) { return std::abs(m / at - 1) < 0.03; })) {
+          std::isfinite(at) && f["kind"] != "alarm" && f["kind"] != "bearing" && f["kind"] != "bearing fault" &&
+          marked.size() < 12 && std::none_of(marked.begin(), marked.end(), [&](const double m) {
+            return std::abs(m / at - 1) < 0.03;
+          })) {
         plot.marks.push_back({at, fixed(at, 1)});
         marked.push_back(at);
       }
@@ -171,68 +173,19 @@ std::string map_drawing(const Table &table, const std::size_t column)
   return heat_map(map);
 }
 
-std::string stability_drawing(const Table &poles)
-{
-  const Eigen::VectorXd *order = poles.column("order"), *frequency = poles.column("frequency"),
-                        *stable = poles.column("stable");
-  if (!order || !frequency || !stable || order->size() == 0)
-    return "";
-  Plot plot;
-  plot.width  = 1000;
-  plot.height = 330;
-  plot.x      = {"frequency", "Hz", Scale::logarithmic};
-  plot.y      = {"model order", "-"};
-  for (const double wanted : {0.0, 1.0}) {
-    std::vector<std::pair<double, double>> points;
-    for (Eigen::Index i = 0; i < order->size(); ++i)
-      if ((*stable)[i] == wanted)
-        points.emplace_back((*frequency)[i], (*order)[i]);
-    std::sort(points.begin(), points.end());
-    Line line{wanted > 0 ? "stable" : "other",
-              Eigen::VectorXd(Eigen::Index(points.size())),
-              Eigen::VectorXd(Eigen::Index(points.size())),
-              wanted > 0 ? Pen::dark : Pen::pale,
-              true,
-              false};
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      line.x[Eigen::Index(i)] = points[i].first;
-      line.y[Eigen::Index(i)] = points[i].second;
-    }
-    plot.lines.push_back(std::move(line));
-  }
-  return svg_plot(plot);
-}
-
-std::string mode_rows(const Table &modes)
-{
-  std::string rows;
-  const auto at = [&](const char *name, const Eigen::Index i) { return (*modes.column(name))[i]; };
-  for (Eigen::Index i = 0; i < modes.columns[0].size(); ++i)
-    rows += "<tr>" + number_cell("<b>" + fixed(at("frequency", i), 2) + "</b>") +
-            number_cell(significant(at("frequency_law", i), 2)) +
-            number_cell(significant(100 * at("damping", i), 3) + " %") +
-            number_cell(significant(100 * at("damping_law", i), 2) + " %") +
-            number_cell(fixed(at("orders", i), 0)) +
-            cell(at("confirmed", i) > 0 ? "both halves" : "not confirmed") + "</tr>\n";
-  return "<table class=\"results\"><thead><tr><th>frequency [Hz]</th><th>sd by the law</th><th>damping</th><th>sd "
-         "by the law</th>"
-         "<th>orders of 15</th><th>confirmed by</th></tr></thead>\n<tbody>\n" +
-         rows + "</tbody></table>\n";
-}
-
 std::string verdict(const json &document)
 {
   std::size_t urgent = 0, unowned = 0;
   for (const json &f : document["findings"]) {
     const std::string kind = f["kind"], owner = f["owner"];
-    urgent += kind == "alarm" || kind == "near instability" || kind == "bearing";
+    urgent += kind == "alarm" || kind == "near instability" || kind == "bearing fault";
     unowned += owner == "no mode of the case";
   }
   const std::size_t n = document["findings"].size();
   std::string text =
       std::to_string(n) + (n == 1 ? " finding, " : " findings, ") +
-      (urgent == 0 ? std::string("no alarm, no mode near instability and no bearing among them")
-                   : std::to_string(urgent) + " of them alarms, modes near instability or bearings");
+      (urgent == 0 ? std::string("no alarm, no mode near instability and no bearing fault among them")
+                   : std::to_string(urgent) + " of them alarms, modes near instability or bearing faults");
   if (!document["stand"].is_null())
     text += "; " + std::to_string(unowned) + " that no mode of the case explains";
   return "<div class=\"verdict " + std::string(urgent == 0 ? "ok" : "warnings") + "\"><p>" + text +
@@ -277,6 +230,48 @@ void spectra(Page &page, const json &document, const std::map<std::string, Table
 }
 }  // namespace
 
+namespace {
+const Table *table_of(const std::map<std::string, Table> &tables, const std::string &name)
+{
+  const auto found = tables.find(name);
+  return found == tables.end() || found->second.columns.empty() || found->second.columns[0].size() == 0
+             ? nullptr
+             : &found->second;
+}
+
+void modes(Page &page, const std::map<std::string, Table> &tables)
+{
+  const Table *found = table_of(tables, "modes"), *forced = table_of(tables, "modes_h1"),
+              *response = table_of(tables, "h1"), *poles = table_of(tables, "poles");
+  if (response) {
+    page.section("forced-modes", "Modes from the response to the force");
+    if (forced)
+      page.table(
+          forced_mode_rows(*forced),
+          "Poles fitted to H1 about each resonance, the window of the segments taken into account. Intervals "
+          "are 95 %, from what the fit leaves. Only those that both halves of the record show are findings.");
+    page.figure({response_drawing(*response, forced)},
+                "Response per force, estimator H1 = S_yF / S_FF; marks are confirmed modes. Numbers: "
+                "<code>h1.csv</code>.");
+    page.figure({coherence_drawing(*response)},
+                "Share of each channel that follows the recorded force. Where it is low, noise or another source "
+                "moves the channel.");
+  }
+  if (found || poles)
+    page.section("modes", "Modes from the response alone");
+  if (found)
+    page.table(mode_rows(*found),
+               "Poles that half of the model orders show. Real scatter is about twice the law, three times for a "
+               "close pair. Only those that both halves of the record show are findings.");
+  if (poles)
+    if (const std::string drawing = stability_drawing(*poles, table_of(tables, "singular")); !drawing.empty())
+      page.figure({drawing},
+                  "Poles over the order of the model, behind them the first singular value of the cross "
+                  "spectra (logarithmic, scaled to the height). A mode is a column of stable dots; a "
+                  "column alone is no proof of a mode, confirmed are those that both halves show.");
+}
+}  // namespace
+
 std::string analysis_page(const std::string &directory, const std::string &text,
                           const std::map<std::string, Table> &tables)
 {
@@ -314,17 +309,7 @@ std::string analysis_page(const std::string &directory, const std::string &text,
                    "; all of them: <code>analysis.json</code>. Nothing was changed but what this table says, and "
                    "offset and drift.");
   spectra(page, document, tables);
-  if (const auto found = tables.find("modes");
-      found != tables.end() && !found->second.columns.empty() && found->second.columns[0].size() > 0) {
-    page.section("modes", "Modes from the response alone");
-    page.table(mode_rows(found->second),
-               "Poles that half of the model orders show. Real scatter is about twice the law, three times for a "
-               "close pair. Only those that both halves of the record show are findings.");
-    if (const auto poles = tables.find("poles"); poles != tables.end())
-      if (const std::string drawing = stability_drawing(poles->second); !drawing.empty())
-        page.figure({drawing}, "Poles over the order of the model. A mode is a column of stable dots; a column "
-                               "alone is no proof of a mode.");
-  }
+  modes(page, tables);
   page.section("values", "All values", Depth::expert);
   page.table(value_table(document["values"]), "Values of <code>analysis.json</code>, SI.");
   return html_document(run.case_name + ", record", run, page, head_of_page(document));
@@ -333,7 +318,7 @@ std::string analysis_page(const std::string &directory, const std::string &text,
 std::string analysis_page(const std::string &directory)
 {
   std::map<std::string, Table> tables;
-  for (const char *name : {"spectrum", "waterfall", "distance", "modes", "poles"})
+  for (const char *name : {"spectrum", "waterfall", "distance", "modes", "poles", "singular", "h1", "modes_h1"})
     if (const std::string path = directory + "/" + name + ".csv"; std::filesystem::exists(path))
       tables.emplace(name, read_table(path));
   return analysis_page(directory, read_text(directory + "/analysis.json"), tables);

@@ -63,7 +63,8 @@ Analysis analyse(const CleanRecord &record, const CaseModel *stand, const Analys
   std::atomic<int> done{0};
   progress.at("spectra", 0);
   share_tasks(n, settings.threads, [&](const long i) {
-    analysis.channels[std::size_t(i)] = analyse_channel(record.channels[std::size_t(i)], record.rate, speed);
+    analysis.channels[std::size_t(i)] =
+        analyse_channel(record.channels[std::size_t(i)], record.rate, speed, settings.bands);
     progress.at("spectra", double(++done) / double(n));
   });
   note_faults(analysis, record);
@@ -74,7 +75,7 @@ Analysis analyse(const CleanRecord &record, const CaseModel *stand, const Analys
                            : settings.speed && speed.size() == 0 ? *settings.speed
                                                                  : std::nan("");
   progress.at("modes", 0);
-  add_mode_findings(analysis, record, stand);
+  add_mode_findings(analysis, record, stand, settings.threads);
   progress.at("findings", 0);
   add_peak_findings(analysis, record, stand, one_speed);
   add_locked_findings(analysis, stand);
@@ -82,6 +83,7 @@ Analysis analyse(const CleanRecord &record, const CaseModel *stand, const Analys
   progress.at("findings", 0.5);
   add_bearing_findings(analysis, record, stand, settings);
   add_severity_findings(analysis, settings);
+  name_bands(analysis, settings);
   if (speed.size() == 0)
     analysis.notes.push_back("no speed was recorded: what is fixed and what follows the speed cannot be told");
   progress.at("findings", 1);

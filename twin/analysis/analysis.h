@@ -1,7 +1,9 @@
 #pragma once
 #include "core/process/progress.h"
+#include "twin/analysis/baseline.h"
 #include "twin/bearings/fault_lines.h"
 #include "twin/cleaning/clean_record.h"
+#include "twin/modes/force_modes.h"
 #include "twin/modes/subspace.h"
 #include "twin/onset/growth.h"
 #include "twin/spectra/marks.h"
@@ -30,10 +32,21 @@ struct CaseModel {
   std::vector<std::string> notes;  ///< what the case does not say and is therefore not computed
 };
 
+/// A band that has a name in the mill.
+struct ChatterBand {
+  std::string name;  ///< "third_octave"
+  double low, high;  ///< Hz
+};
+
 struct AnalysisSettings {
   std::optional<double> speed;   ///< m/s, of a record without a channel of it
   std::optional<double> limit;   ///< m/s2, 0-peak: the mill's own limit of chatter
   std::vector<double> severity;  ///< m/s, rms: upper ends of zones A, B, C; empty: none given
+  std::vector<ChatterBand> bands{
+      {"third_octave", 125, 240},
+      {"fifth_octave", 550, 650}
+  };
+  std::optional<Baseline> baseline;  ///< an earlier analysis of the same mill
   int threads = 1;
 };
 
@@ -49,23 +62,33 @@ struct Finding {
   std::vector<std::string> evidence;  ///< one sentence each
 };
 
+/// What one family of faults of one bearing reaches in one channel.
+struct BearingScore {
+  std::string channel, bearing, roll, family;
+  double frequency, slip, score, speed;  ///< Hz by the geometry, -, - (third best harmonic), m/s
+};
+
 /// One channel.
 struct ChannelAnalysis {
   std::string name, unit;
   Quantity quantity;
-  double rms, peak, crest;  ///< in `unit`, `unit`, -; offset and drift taken off
-  double velocity_rms;      ///< m/s, 10 .. 1000 Hz; NaN: no vibration
-  double bandwidth;         ///< Hz, nothing above it is used
-  WelchSpectrum spectrum;   ///< fine, for lines
-  WelchSpectrum length;     ///< over the rolled length, 1/m; n = 0: no speed
-  Waterfall map;            ///< over time
-  std::vector<Peak> peaks;  ///< lines and resonances, highest first
+  double rms, peak, crest;       ///< in `unit`, `unit`, -; offset and drift taken off
+  double velocity_rms;           ///< m/s, 10 .. 1000 Hz; NaN: no vibration
+  double bandwidth;              ///< Hz, nothing above it is used
+  std::vector<double> band_rms;  ///< in `unit`, in each band of the settings; NaN: the record does not hold it
+  WelchSpectrum spectrum;        ///< fine, for lines
+  WelchSpectrum length;          ///< over the rolled length, 1/m; n = 0: no speed
+  Waterfall map;                 ///< over time
+  std::vector<Peak> peaks;       ///< lines and resonances, highest first
 };
 
 struct Analysis {
   std::vector<ChannelAnalysis> channels;
-  ModeSearch modes;
+  ModeSearch modes;                        ///< from the response alone
+  ForcedModes forced;                      ///< from the response to the recorded force
+  std::vector<double> force_edges;         ///< Hz, where the density of a recorded force changes by 10 dB
   std::vector<std::string> mode_channels;  ///< rows of the shapes
+  std::vector<BearingScore> bearings;      ///< of all families, indicated or not
   std::vector<Finding> findings;
   std::vector<std::string> notes;                                   ///< what could not be said, and why
   double lowest_speed  = std::numeric_limits<double>::quiet_NaN();  ///< m/s; NaN: not recorded

@@ -31,8 +31,32 @@ double scatter_of_rms(const WelchSpectrum &s, const double duration)
   return area > 0 ? 0.5 * std::sqrt(squares / (s.resolution() * duration)) / area : std::nan("");
 }
 
+// The change of the rms velocity against an earlier record, and the levels in the bands.
+void add_levels(Results &results, const ChannelAnalysis &seen, const std::string &at, const double scatter,
+                const AnalysisSettings &settings)
+{
+  for (std::size_t i = 0; i < seen.band_rms.size() && i < settings.bands.size(); ++i)
+    if (const ChatterBand &band = settings.bands[i];
+        std::isfinite(seen.band_rms[i]) && is_vibration(seen.quantity)) {
+      Parameter level =
+          measured(seen.band_rms[i], seen.unit, at,
+                   fmt::format("root of the area under the density, {:g} to {:g} Hz", band.low, band.high));
+      level.error_lacks = {"a narrow band is one mode or two, and moves more than the whole level"};
+      results.add(seen.name + "." + band.name + "_rms", level);
+    }
+  if (!settings.baseline || !std::isfinite(seen.velocity_rms))
+    return;
+  const auto before = settings.baseline->velocity_rms.find(seen.name);
+  if (before == settings.baseline->velocity_rms.end() || !(before->second > 0))
+    return;
+  Parameter change      = measured(seen.velocity_rms / before->second, "1", at,
+                                   "rms velocity over that of the baseline " + settings.baseline->record);
+  change.error_estimate = std::sqrt(2.0) * scatter;
+  results.add(seen.name + ".velocity_rms_ratio", change);
+}
+
 void add_values(Results &results, const ChannelAnalysis &seen, const CleanChannel &channel,
-                const CleanRecord &record)
+                const CleanRecord &record, const AnalysisSettings &settings)
 {
   const double used    = double(channel.n_used()) / record.rate;
   const std::string at = fmt::format("{:.4g} s of the record", used);
@@ -64,6 +88,7 @@ void add_values(Results &results, const ChannelAnalysis &seen, const CleanChanne
     velocity.error_estimate = rms.error_estimate;
     results.add(seen.name + ".velocity_rms", velocity);
   }
+  add_levels(results, seen, at, rms.error_estimate, settings);
 }
 
 ordered_json number(const double value)
@@ -190,32 +215,118 @@ Table pole_table(const Analysis &analysis)
 {
   const auto &poles = analysis.modes.poles;
   Eigen::VectorXd order(Eigen::Index(poles.size())), frequency(order.size()), damping(order.size()),
-      stable(order.size());
+      stable(order.size()), confirmed(order.size());
   for (Eigen::Index i = 0; i < order.size(); ++i) {
     const SubspacePole &pole = poles[std::size_t(i)];
     order[i]                 = pole.order;
     frequency[i]             = pole.frequency;
     damping[i]               = pole.damping;
     stable[i]                = pole.stable;
+    confirmed[i]             = pole.confirmed;
   }
   Table table;
   return table.add("order", "1", order)
       .add("frequency", "Hz", frequency)
       .add("damping", "1", damping)
-      .add("stable", "1", stable);
+      .add("stable", "1", stable)
+      .add("confirmed", "1", confirmed);
+}
+
+Table singular_table(const Analysis &analysis)
+{
+  Table table;
+  return table.add("frequency", "Hz", analysis.modes.singular.frequency)
+      .add("first_singular_value", "1/Hz", analysis.modes.singular.value);
+}
+
+std::string unit_of_response(const Analysis &analysis)
+{
+  for (const ChannelAnalysis &seen : analysis.channels)
+    if (!analysis.mode_channels.empty() && seen.name == analysis.mode_channels.front())
+      return "(" + seen.unit + ")/N";
+  return "1/N";
+}
+
+// H1 and coherence of every channel, up to where modes are looked for.
+Table response_table(const Analysis &analysis)
+{
+  const ForceResponse &r = analysis.forced.response;
+  const auto n           = std::min(r.H.rows(), Eigen::Index(1000 / r.resolution()) + 1) - 1;  // without the mean
+  Table table;
+  table.add("frequency", "Hz", Eigen::VectorXd::LinSpaced(n, 1, double(n)) * r.resolution())
+      .add("force", "N^2/Hz", r.force.segment(1, n));
+  for (std::size_t c = 0; c < analysis.mode_channels.size(); ++c) {
+    const std::string &name = analysis.mode_channels[c];
+    const auto H            = r.H.col(Eigen::Index(c)).segment(1, n);
+    table.add(name + "_real", unit_of_response(analysis), H.real())
+        .add(name + "_imag", unit_of_response(analysis), H.imag())
+        .add(name + "_coherence", "1", r.coherence.col(Eigen::Index(c)).segment(1, n));
+  }
+  return table;
+}
+
+Table forced_mode_table(const Analysis &analysis)
+{
+  const auto &modes = analysis.forced.modes;
+  const auto column = [&](const auto &value) {
+    Eigen::VectorXd x(Eigen::Index(modes.size()));
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      x[i] = value(modes[std::size_t(i)]);
+    return x;
+  };
+  Table table;
+  table.add("frequency", "Hz", column([](const auto &m) { return m.frequency; }))
+      .add("frequency_sd", "Hz", column([](const auto &m) { return m.sd_frequency; }))
+      .add("damping", "1", column([](const auto &m) { return m.damping; }))
+      .add("damping_sd", "1", column([](const auto &m) { return m.sd_damping; }))
+      .add("coherence", "1", column([](const auto &m) { return m.coherence; }))
+      .add("confirmed", "1", column([](const auto &m) { return double(m.confirmed); }));
+  for (std::size_t c = 0; c < analysis.mode_channels.size(); ++c) {
+    const auto k = Eigen::Index(c);
+    table.add(analysis.mode_channels[c] + "_real", "1", column([&](const auto &m) { return m.shape[k].real(); }))
+        .add(analysis.mode_channels[c] + "_imag", "1", column([&](const auto &m) { return m.shape[k].imag(); }))
+        .add(analysis.mode_channels[c] + "_sd", "1", column([&](const auto &m) { return m.sd_shape[k]; }));
+  }
+  return table;
 }
 }  // namespace
 
-std::string analysis_json(const CleanRecord &record, const Analysis &analysis, const CaseModel *stand)
+std::string analysis_json(const CleanRecord &record, const Analysis &analysis, const CaseModel *stand,
+                          const AnalysisSettings &settings)
 {
   Results results;
   for (std::size_t i = 0; i < analysis.channels.size(); ++i)
-    add_values(results, analysis.channels[i], record.channels[i], record);
+    add_values(results, analysis.channels[i], record.channels[i], record, settings);
   const std::string name = std::filesystem::path(record.file).stem().string();
   ordered_json json      = ordered_json::parse(results_json(results, name, "ok"));
   json["findings"]       = ordered_json::array();
   for (const Finding &finding : analysis.findings)
     json["findings"].push_back(json_of(finding));
+  json["bearings"] = ordered_json::array();
+  for (const BearingScore &one : analysis.bearings)
+    json["bearings"].push_back({
+        {"channel",   one.channel  },
+        {"bearing",   one.bearing  },
+        {"roll",      one.roll     },
+        {"family",    one.family   },
+        {"frequency", one.frequency},
+        {"slip",      one.slip     },
+        {"score",     one.score    },
+        {"speed",     one.speed    }
+    });
+  json["response_to_force"] = analysis.forced.response.n == 0
+                                  ? ordered_json(nullptr)
+                                  : ordered_json{
+                                        {"window",         "Hann, periodic"                           },
+                                        {"L",              analysis.forced.response.L                 },
+                                        {"rate",           analysis.forced.response.rate              },
+                                        {"segments",       analysis.forced.response.n                 },
+                                        {"enbw",           1.5 * analysis.forced.response.resolution()},
+                                        {"best_coherence", analysis.forced.best_coherence             }
+  };
+  json["baseline"] = settings.baseline ? ordered_json{{"folder", settings.baseline->folder},
+                                                      {"record", settings.baseline->record}}
+                                       : ordered_json(nullptr);
   json["record"] = {
       {"file",         record.file                                                       },
       {"format",       record.format                                                     },
@@ -257,6 +368,12 @@ std::map<std::string, Table> analysis_tables(const Analysis &analysis)
   if (Table length = spectrum_table(analysis, &ChannelAnalysis::length, "per_length", "1/m");
       !length.columns.empty())
     tables.emplace("distance", std::move(length));
+  if (analysis.modes.singular.frequency.size() > 0)
+    tables.emplace("singular", singular_table(analysis));
+  if (analysis.forced.response.n > 0) {
+    tables.emplace("h1", response_table(analysis));
+    tables.emplace("modes_h1", forced_mode_table(analysis));
+  }
   return tables;
 }
 }  // namespace mill::twin

@@ -8,6 +8,7 @@ namespace mill::twin {
 namespace {
 constexpr double shortest = 5, steady = 0.005, lowest_band = 1250;  // s, -, Hz
 constexpr Eigen::Index longest = 1 << 21;                           // samples
+constexpr double growth        = 1.5;  // of a score; that of one bearing moves by some 10 % from record to record
 
 struct Stretch {
   Span span{0, 0};
@@ -47,14 +48,38 @@ bool sits_at(const std::string &channel, const std::string &roll)
   return channel.find(roll) != std::string::npos;
 }
 
+// An indication counts as a fault only when it grows against an earlier record of the same bearing.
+void hold_against(Finding &finding, const BearingScore &now, const std::optional<Baseline> &baseline)
+{
+  if (!baseline) {
+    finding.evidence.push_back("an indication is a fault only when it grows against the same bearing's earlier "
+                               "records; no baseline is named");
+    return;
+  }
+  const auto before = baseline->score.find({now.channel, now.bearing, now.family});
+  if (before == baseline->score.end()) {
+    finding.evidence.push_back("the baseline " + baseline->folder +
+                               " has no score of this bearing: whether it grows cannot be told");
+    return;
+  }
+  const bool grows = now.score > growth * before->second;
+  finding.evidence.push_back(fmt::format("score {:.1f} against {:.1f} of the baseline: {}", now.score,
+                                         before->second, grows ? "it grows" : "it does not grow, no fault"));
+  if (grows)
+    finding.kind = "bearing fault";
+}
+
 void look_at(Analysis &analysis, const CleanRecord &record, const CleanChannel &channel,
-             const TurningBearing &bearing, const Stretch &stretch, Fourier &fourier)
+             const TurningBearing &bearing, const Stretch &stretch, const std::optional<Baseline> &baseline,
+             Fourier &fourier)
 {
   const Eigen::Index n = quick_length(stretch.span.size());
   const auto spectrum =
       envelope_spectrum(channel.value.segment(stretch.span.begin, n), record.rate, 0, 0, fourier);
   const double shaft = stretch.speed / (M_PI * bearing.roll_diameter);
   for (const FaultLines &lines : fault_lines(spectrum, bearing, shaft)) {
+    analysis.bearings.push_back({channel.name, bearing.name, bearing.roll, lines.family, lines.frequency,
+                                 lines.slip, lines.score, stretch.speed});
     if (!lines.indicated())
       continue;
     const double f = lines.frequency * (1 + lines.slip);
@@ -75,8 +100,7 @@ void look_at(Analysis &analysis, const CleanRecord &record, const CleanChannel &
     finding.evidence.push_back(
         fmt::format("squared envelope of {:.0f} .. {:.0f} Hz, kurtosis {:.2f}, {:.0f} s at {:.4g} m/s",
                     spectrum.low, spectrum.high, spectrum.kurtosis, double(n) / record.rate, stretch.speed));
-    finding.evidence.push_back(
-        "an indication is a fault only when it grows against the same bearing's earlier records");
+    hold_against(finding, analysis.bearings.back(), baseline);
     analysis.findings.push_back(std::move(finding));
   }
 }
@@ -114,7 +138,7 @@ void add_bearing_findings(Analysis &analysis, const CleanRecord &record, const C
             "{}: bearing {} not computed, the record ends at {:.0f} Hz and impacts ring above {:.0f} Hz",
             channel.name, bearing.name, seen.bandwidth, lowest_band));
       else
-        look_at(analysis, record, channel, bearing, stretch, fourier);
+        look_at(analysis, record, channel, bearing, stretch, settings.baseline, fourier);
     }
   }
 }

@@ -27,6 +27,18 @@ std::vector<Peak> peaks_of(const WelchSpectrum &fine, const WelchSpectrum &rough
   return found;
 }
 
+// Root of the area under the density; NaN where the record ends below.
+double rms_between(const WelchSpectrum &s, const double low, const double high)
+{
+  if (high > s.rate / 2.56)
+    return std::numeric_limits<double>::quiet_NaN();
+  double area = 0;
+  for (Eigen::Index k = 1; k < s.density.size(); ++k)
+    if (s.at(k) >= low && s.at(k) <= high)
+      area += s.density[k] * s.resolution();
+  return std::sqrt(area);
+}
+
 Eigen::Index power_of_two_near(const double n)
 {
   Eigen::Index L = 256;
@@ -41,9 +53,10 @@ bool is_vibration(const Quantity quantity)
   return quantity != Quantity::force && quantity != Quantity::speed;
 }
 
-ChannelAnalysis analyse_channel(const CleanChannel &channel, const double rate, const Eigen::VectorXd &speed)
+ChannelAnalysis analyse_channel(const CleanChannel &channel, const double rate, const Eigen::VectorXd &speed,
+                                const std::vector<ChatterBand> &bands)
 {
-  ChannelAnalysis result{channel.name, channel.unit, channel.quantity, 0, 0, 0, 0, 0, {}, {}, {}, {}};
+  ChannelAnalysis result{channel.name, channel.unit, channel.quantity, 0, 0, 0, 0, 0, {}, {}, {}, {}, {}};
   double square = 0, n = 0;
   for (const Span &piece : channel.pieces) {
     const auto part = channel.value.segment(piece.begin, piece.size());
@@ -57,8 +70,10 @@ ChannelAnalysis analyse_channel(const CleanChannel &channel, const double rate, 
   result.spectrum = welch(channel.value, channel.pieces, rate, 0, fourier);
   if (result.spectrum.n == 0)
     return result;
-  result.bandwidth          = bandwidth(result.spectrum);
-  result.velocity_rms       = velocity_rms(result.spectrum, channel.quantity, 10, std::min(1000.0, rate / 2.56));
+  result.bandwidth    = bandwidth(result.spectrum);
+  result.velocity_rms = velocity_rms(result.spectrum, channel.quantity, 10, std::min(1000.0, rate / 2.56));
+  for (const ChatterBand &band : bands)
+    result.band_rms.push_back(rms_between(result.spectrum, band.low, band.high));
   const WelchSpectrum rough = welch(channel.value, channel.pieces, rate,
                                     std::min(result.spectrum.L, power_of_two_near(rate / coarse)), fourier);
   result.peaks              = peaks_of(result.spectrum, rough, result.bandwidth);

@@ -4,7 +4,9 @@
 namespace mill::twin {
 /// Spectra, map and peaks of one channel.
 /// @param speed  (n) m/s; empty: not recorded
-ChannelAnalysis analyse_channel(const CleanChannel &channel, double rate, const Eigen::VectorXd &speed);
+/// @param bands  whose rms is wanted
+ChannelAnalysis analyse_channel(const CleanChannel &channel, double rate, const Eigen::VectorXd &speed,
+                                const std::vector<ChatterBand> &bands);
 
 /// Is it a vibration: an acceleration, a velocity, a voltage or something nobody knows the unit of?
 bool is_vibration(Quantity quantity);

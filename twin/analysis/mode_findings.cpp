@@ -7,56 +7,176 @@
 
 namespace mill::twin {
 namespace {
-constexpr double scatter_over_law = 2;     // of identified modes
+constexpr double scatter_over_law = 2;     // of modes identified without the force
 constexpr double least_damping    = 5e-4;  // below it a pole is a line of something that turns or of the mains
+constexpr double shortest_record  = 10;    // s, of a record
 
-// Hz, where the density of the force falls by 10 dB within 5 %; NaN: nowhere.
-std::vector<double> force_edges(const Analysis &analysis)
-{
-  std::vector<double> edges;
-  for (const ChannelAnalysis &channel : analysis.channels) {
-    if (channel.quantity != Quantity::force || channel.name == "load_cell" || channel.spectrum.n == 0)
-      continue;
-    const WelchSpectrum &s = channel.spectrum;
-    const auto mean        = [&](const double low, const double high) {
-      const auto first = Eigen::Index(low / s.resolution()), last = Eigen::Index(high / s.resolution());
-      return last > first && last < s.density.size() ? s.density.segment(first, last - first).mean() : 0.0;
-    };
-    double best = 10, at = 0;
-    for (double f = 20; f * 1.08 < s.rate / 2; f *= 1.005) {
-      const double fall = mean(0.95 * f, 0.995 * f) / std::max(1e-300, mean(1.005 * f, 1.05 * f));
-      if (fall > best) {
-        best = fall;
-        at   = f;
-      } else if (at > 0 && f > 1.1 * at) {
-        edges.push_back(at);
-        best = 10;
-        at   = 0;
-      }
-    }
-    if (at > 0)
-      edges.push_back(at);
-  }
-  return edges;
-}
-
-std::string loudest(const Analysis &analysis, const IdentifiedMode &mode)
+std::string loudest(const Analysis &analysis, const Eigen::VectorXcd &shape)
 {
   Eigen::Index largest = 0;
-  mode.shape.cwiseAbs().maxCoeff(&largest);
+  shape.cwiseAbs().maxCoeff(&largest);
   return analysis.mode_channels[std::size_t(largest)];
 }
 
 // 0-peak of a narrow band about a mode: root 2 times its rms.
-double amplitude_of(const ChannelAnalysis &channel, const IdentifiedMode &mode)
+double amplitude_of(const ChannelAnalysis &channel, const double frequency, const double damping)
 {
   const WelchSpectrum &s = channel.spectrum;
-  const double half      = std::max(mode.damping * mode.frequency, 2 * s.resolution());
+  const double half      = std::max(damping * frequency, 2 * s.resolution());
   double area            = 0;
   for (Eigen::Index k = 1; k < s.density.size(); ++k)
-    if (std::abs(s.at(k) - mode.frequency) <= half)
+    if (std::abs(s.at(k) - frequency) <= half)
       area += s.density[k] * s.resolution();
   return std::sqrt(2 * area);
+}
+
+// Accelerations, or velocities where there are none; the highest frequency that all of them hold.
+std::vector<const CleanChannel *> channels_for_modes(Analysis &analysis, const CleanRecord &record,
+                                                     double &highest)
+{
+  std::vector<const CleanChannel *> channels;
+  for (const CleanChannel &channel : record.channels)
+    if ((channel.quantity == Quantity::acceleration || channel.quantity == Quantity::velocity) &&
+        channel.n_used() > 0)
+      channels.push_back(&channel);
+  if (channels.empty()) {
+    analysis.notes.push_back("no channel is an acceleration or a velocity: modes were not looked for");
+    return channels;
+  }
+  // channels in other units would make shapes without meaning
+  const std::string unit  = channels.front()->unit;
+  const auto of_other     = [&](const auto *channel) { return channel->unit != unit; };
+  const auto others_begin = std::remove_if(channels.begin(), channels.end(), of_other);
+  if (others_begin != channels.end())
+    analysis.notes.push_back(
+        "accelerations and velocities stand side by side: shapes of modes take those of the first "
+        "unit alone");
+  channels.erase(others_begin, channels.end());
+  for (const CleanChannel *channel : channels) {
+    analysis.mode_channels.push_back(channel->name);
+    highest = std::min(highest, channel_of_name(analysis, channel->name).bandwidth);
+  }
+  return channels;
+}
+
+// The recorded force: by its name, else the only one that is no load cell.
+const CleanChannel *recorded_force(const Analysis &analysis, const CleanRecord &record)
+{
+  const CleanChannel *only = nullptr;
+  for (std::size_t i = 0; i < analysis.channels.size(); ++i) {
+    if (!is_force(analysis.channels[i]) || record.channels[i].n_used() == 0)
+      continue;
+    if (record.channels[i].name == "force")
+      return &record.channels[i];
+    if (only)
+      return nullptr;
+    only = &record.channels[i];
+  }
+  return only;
+}
+
+void find_forced_modes(Analysis &analysis, const CleanRecord &record,
+                       const std::vector<const CleanChannel *> &channels, const double highest, const int threads)
+{
+  const CleanChannel *force = recorded_force(analysis, record);
+  if (!force)
+    return;
+  analysis.forced = forced_modes(channels, *force, record.rate, highest, threads);
+  if (analysis.forced.response.n == 0)
+    analysis.notes.push_back("the force was recorded, but no piece of it is long enough for a response to it");
+  else if (analysis.forced.best_coherence < 0.3)
+    analysis.notes.push_back(fmt::format("{} was recorded, but nothing follows it (coherence {:.2f} in the best "
+                                         "third octave): modes are those of the "
+                                         "response alone; see whether both come from one clock (--align)",
+                                         force->name, analysis.forced.best_coherence));
+}
+
+Finding finding_of(const Analysis &analysis, const double frequency, const double sd, const double damping,
+                   const Eigen::VectorXcd &shape)
+{
+  Finding finding{"mode", loudest(analysis, shape), frequency, frequency - 1.96 * sd, frequency + 1.96 * sd, 0,
+                  "",     "no case was named",      {}};
+  const ChannelAnalysis &channel = channel_of_name(analysis, finding.channel);
+  finding.unit                   = channel.unit;
+  finding.amplitude              = amplitude_of(channel, frequency, damping);
+  return finding;
+}
+
+bool is_same(const ForcedMode &forced, const IdentifiedMode &mode)
+{
+  const double apart = std::abs(forced.frequency - mode.frequency);
+  return apart <= std::max(0.01 * forced.frequency, 6 * mode.law_frequency) &&
+         (mode.shape.size() < 3 || modal_assurance(forced.shape, mode.shape) > 0.8);
+}
+
+void add_forced(Analysis &analysis, const CaseModel *stand)
+{
+  for (const ForcedMode &mode : analysis.forced.modes) {
+    if (!mode.confirmed)
+      continue;
+    Finding finding = finding_of(analysis, mode.frequency, mode.sd_frequency, mode.damping, mode.shape);
+    finding.evidence.push_back(
+        fmt::format("response to the recorded force (H1), both halves of the record; coherence {:.3f} at the mode",
+                    mode.coherence));
+    finding.evidence.push_back(fmt::format("damping {:.3f} % of critical, 95 % between {:.3f} and {:.3f} %",
+                                           100 * mode.damping, 100 * (mode.damping - 1.96 * mode.sd_damping),
+                                           100 * (mode.damping + 1.96 * mode.sd_damping)));
+    for (const IdentifiedMode &alone : analysis.modes.modes)
+      if (is_same(mode, alone))
+        finding.evidence.push_back(
+            fmt::format("the response alone says {:.2f} Hz (law {:.2g}) and {:.2f} % (law {:.2g} %){}",
+                        alone.frequency, alone.law_frequency, 100 * alone.damping, 100 * alone.law_damping,
+                        alone.confirmed ? "" : ", not confirmed by both halves"));
+    if (stand)
+      finding.owner =
+          owner_among_modes(
+              {mode.frequency, mode.sd_frequency / mode.frequency, mode.shape, analysis.mode_channels}, *stand)
+              .sentence;
+    analysis.findings.push_back(std::move(finding));
+  }
+}
+
+void say_what_the_force_says(Finding &finding, const Analysis &analysis)
+{
+  const ForceResponse &response = analysis.forced.response;
+  if (response.n == 0)
+    return;
+  const auto k = Eigen::Index(std::lround(finding.frequency / response.resolution()));
+  if (k < response.coherence.rows())
+    finding.evidence.push_back(
+        fmt::format("the response to the recorded force does not confirm it, coherence {:.2f} there",
+                    response.coherence.row(k).maxCoeff()));
+}
+
+void add_of_response_alone(Analysis &analysis, const CaseModel *stand)
+{
+  for (const IdentifiedMode &mode : analysis.modes.modes) {
+    const auto &forced = analysis.forced.modes;
+    const bool edge    = is_edge(analysis.force_edges, mode.frequency, mode.damping);
+    if ((!mode.confirmed && !edge) || mode.damping < least_damping ||
+        std::any_of(forced.begin(), forced.end(),
+                    [&](const ForcedMode &other) { return other.confirmed && is_same(other, mode); }))
+      continue;
+    const double sd = scatter_over_law * mode.law_frequency;
+    Finding finding = finding_of(analysis, mode.frequency, sd, mode.damping, mode.shape);
+    finding.evidence.push_back(fmt::format("{} of the record show it, {} of 15 model orders",
+                                           mode.confirmed ? "both halves" : "not both halves", mode.orders));
+    finding.evidence.push_back(fmt::format(
+        "damping {:.2f} % of critical, standard deviation {:.2f} % by the law, about twice that in fact",
+        100 * mode.damping, 100 * mode.law_damping));
+    if (edge) {
+      finding.kind  = "edge";
+      finding.owner = "edge of the force band";
+      finding.evidence.push_back("the density of the force changes by 10 dB within 5 % there");
+    } else {
+      say_what_the_force_says(finding, analysis);
+      if (stand)
+        finding.owner =
+            owner_among_modes({mode.frequency, sd / mode.frequency, mode.shape, analysis.mode_channels}, *stand)
+                .sentence;
+    }
+    analysis.findings.push_back(std::move(finding));
+  }
 }
 }  // namespace
 
@@ -73,75 +193,24 @@ double speed_span(const Analysis &analysis)
   return std::isnan(analysis.lowest_speed) ? 0 : analysis.highest_speed / analysis.lowest_speed - 1;
 }
 
-void add_mode_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand)
+void add_mode_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand, const int threads)
 {
-  std::vector<const CleanChannel *> channels;
-  double highest = 1000;
-  for (const CleanChannel &channel : record.channels)
-    if ((channel.quantity == Quantity::acceleration || channel.quantity == Quantity::velocity) &&
-        channel.n_used() > 0) {
-      channels.push_back(&channel);
-      analysis.mode_channels.push_back(channel.name);
-      highest = std::min(highest, channel_of_name(analysis, channel.name).bandwidth);
-    }
-  if (channels.empty()) {
-    analysis.notes.push_back("no channel is an acceleration or a velocity: modes were not looked for");
+  double highest      = 1000;
+  const auto channels = channels_for_modes(analysis, record, highest);
+  if (channels.empty())
     return;
-  }
-  // channels in other units would make shapes without meaning
-  const std::string unit = channels.front()->unit;
-  if (std::any_of(channels.begin(), channels.end(), [&](const auto *c) { return c->unit != unit; })) {
+  if (record.duration() < shortest_record) {
     analysis.notes.push_back(
-        "accelerations and velocities stand side by side: shapes of modes take those of the first "
-        "unit alone");
-    channels.erase(
-        std::remove_if(channels.begin(), channels.end(), [&](const auto *c) { return c->unit != unit; }),
-        channels.end());
-    analysis.mode_channels.clear();
-    for (const auto *channel : channels)
-      analysis.mode_channels.push_back(channel->name);
-  }
-  constexpr double shortest = 10;  // s
-  if (record.duration() < shortest) {
-    analysis.notes.push_back(fmt::format(
-        "the record is {:.3g} s long; modes need {} s, half of it for confirmation", record.duration(), shortest));
+        fmt::format("the record is {:.3g} s long; modes need {} s, half of it for confirmation", record.duration(),
+                    shortest_record));
     return;
   }
-  analysis.modes   = find_modes(channels, record.rate, highest, 2);
-  const auto edges = force_edges(analysis);
-  for (const IdentifiedMode &mode : analysis.modes.modes) {
-    if (!mode.confirmed || mode.damping < least_damping)
-      continue;
-    const double sd = scatter_over_law * mode.law_frequency;
-    const auto edge = std::find_if(edges.begin(), edges.end(),
-                                   [&](const double f) { return std::abs(f / mode.frequency - 1) < 0.02; });
-    Finding finding{"mode",
-                    loudest(analysis, mode),
-                    mode.frequency,
-                    mode.frequency - 1.96 * sd,
-                    mode.frequency + 1.96 * sd,
-                    0,
-                    unit,
-                    "",
-                    {}};
-    finding.amplitude = amplitude_of(channel_of_name(analysis, finding.channel), mode);
-    finding.evidence.push_back(
-        fmt::format("both halves of the record show it, {} of 15 model orders", mode.orders));
-    finding.evidence.push_back(fmt::format(
-        "damping {:.2f} % of critical, standard deviation {:.2f} % by the law, about twice that in fact",
-        100 * mode.damping, 100 * mode.law_damping));
-    if (edge != edges.end()) {
-      finding.kind  = "edge";
-      finding.owner = "edge of the force band";
-      finding.evidence.push_back(
-          fmt::format("the density of the force falls by 10 dB within 5 % at {:.4g} Hz", *edge));
-    } else if (!stand)
-      finding.owner = "no case was named";
-    else
-      finding.owner =
-          owner_among_modes({mode.frequency, sd / mode.frequency, mode.shape, analysis.mode_channels}, *stand)
-              .sentence;
-    analysis.findings.push_back(std::move(finding));
-  }
+  analysis.force_edges = force_edges(analysis);
+  find_forced_modes(analysis, record, channels, highest, threads);
+  analysis.modes = find_modes(channels, record.rate, highest, threads);
+  add_forced(analysis, stand);
+  add_of_response_alone(analysis, stand);
+  std::stable_sort(analysis.findings.begin(), analysis.findings.end(),
+                   [](const Finding &a, const Finding &b) { return a.frequency < b.frequency; });
 }
 }  // namespace mill::twin

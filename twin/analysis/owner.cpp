@@ -66,20 +66,80 @@ Owner owner_among_modes(const Seen &seen, const CaseModel &stand)
   return {text, -1, candidates[0].distance};
 }
 
-std::string turning_owner(const double frequency, const double reach, const std::vector<TurningRoll> &rolls,
-                          const double speed, const bool line)
+namespace {
+constexpr double speed_error = 0.002;  // of a frequency that follows the speed or the mains
+constexpr int most_orders = 5, most_mains = 20, most_of_bearing = 3, most_harmonics = 10;
+
+void add_orders(std::vector<std::string> &found, const TurningPeak &peak, const CaseModel &stand,
+                const double speed)
 {
-  constexpr int most_orders = 5;
-  for (const TurningRoll &roll : rolls) {
-    const double turn = speed / (M_PI * roll.diameter), order = frequency / turn;
-    const double whole = std::round(order);
+  for (const TurningRoll &roll : stand.rolls) {
+    const double turn = speed / (M_PI * roll.diameter), whole = std::round(peak.frequency / turn);
     if (std::isfinite(turn) && whole >= 1 && whole <= most_orders &&
-        std::abs(frequency - whole * turn) <= reach + 0.002 * frequency)
-      return fmt::format("{} turn{} of the {} ({:.3f} Hz each)", whole, whole == 1 ? "" : "s", roll.name, turn);
+        std::abs(peak.frequency - whole * turn) <= peak.reach + speed_error * peak.frequency)
+      found.push_back(
+          fmt::format("{} turn{} of the {} ({:.3f} Hz each)", whole, whole == 1 ? "" : "s", roll.name, turn));
   }
-  const double mains = std::round(frequency / 50);
-  if (line && mains >= 1 && mains <= 20 && std::abs(frequency - 50 * mains) <= reach + 0.002 * frequency)
-    return mains == 1 ? "mains, 50 Hz" : fmt::format("mains, {} x 50 Hz", mains);
-  return "";
+}
+
+// With the slip that the rule of bearings allows.
+void add_bearing_lines(std::vector<std::string> &found, const TurningPeak &peak, const CaseModel &stand,
+                       const double speed)
+{
+  for (const TurningBearing &bearing : stand.bearings) {
+    const double turn                                = speed / (M_PI * bearing.roll_diameter);
+    const std::pair<const char *, double> families[] = {
+        {"BPFO",  bearing.outer     },
+        {"BPFI",  bearing.inner     },
+        {"2 BSF", 2 * bearing.roller}
+    };
+    for (const auto &[family, order] : families)
+      for (int h = 1; h <= most_of_bearing; ++h) {
+        const double line = h * order * turn;
+        if (std::isfinite(line) && peak.frequency >= 0.985 * line - peak.reach &&
+            peak.frequency <= 1.008 * line + peak.reach)
+          found.push_back(
+              fmt::format("{} x {} of bearing {} ({:.2f} Hz without slip)", h, family, bearing.name, line));
+      }
+  }
+}
+
+// Harmonics of other lines above half the rate come back mirrored.
+void add_images(std::vector<std::string> &found, const TurningPeak &peak, const std::vector<double> &lines,
+                const double rate)
+{
+  for (const double line : lines)
+    for (int h = 2; h <= most_harmonics; ++h) {
+      const double above = h * line, times = std::round(above / rate);
+      if (above < rate / 2 || std::abs(line - peak.frequency) < 4 * peak.reach)
+        continue;
+      if (std::abs(std::abs(above - times * rate) - peak.frequency) <= 0.5 * (1 + h) * peak.reach)
+        found.push_back(fmt::format(
+            "image of {} x {:.2f} Hz, which lies above half of the {:.0f} samples per second", h, line, rate));
+    }
+}
+}  // namespace
+
+std::string turning_owner(const TurningPeak &peak, const CaseModel *stand, const double speed,
+                          const std::vector<double> &lines, const double rate)
+{
+  std::vector<std::string> found;
+  if (stand && speed > 0)
+    add_orders(found, peak, *stand, speed);
+  if (peak.line) {
+    const double mains = std::round(peak.frequency / 50);
+    if (mains >= 1 && mains <= most_mains &&
+        std::abs(peak.frequency - 50 * mains) <= peak.reach + speed_error * peak.frequency)
+      found.push_back(mains == 1 ? "mains, 50 Hz" : fmt::format("mains, {} x 50 Hz", mains));
+    if (stand && speed > 0)
+      add_bearing_lines(found, peak, *stand, speed);
+    add_images(found, peak, lines, rate);
+  }
+  if (found.empty())
+    return "";
+  std::string text = found.size() > 1 ? "ambiguous: " + found[0] : found[0];
+  for (std::size_t i = 1; i < found.size(); ++i)
+    text += "; or " + found[i];
+  return text;
 }
 }  // namespace mill::twin

@@ -20,8 +20,19 @@ struct Owner {
 };
 Owner owner_among_modes(const Seen &seen, const CaseModel &stand);
 
-/// "mains, 3 x 50 Hz", "3 turns of work_roll"; empty: neither.
-/// @param reach  Hz, how far the frequency may be off
-std::string turning_owner(double frequency, double reach, const std::vector<TurningRoll> &rolls, double speed,
-                          bool line);
+/// A peak as its owner is looked for among what turns.
+struct TurningPeak {
+  double frequency;  ///< Hz
+  double reach;      ///< Hz, how far it may be off
+  bool line;         ///< narrow: mains, bearings and images of lines are no resonances
+};
+
+/// "mains, 3 x 50 Hz", "3 turns of the work_roll", "2 x BPFO of bearing trb", "image of 3 x 746.3 Hz"; several:
+/// "ambiguous: .. or ..", empty: none.
+/// @param stand    nullptr: neither rolls nor bearings are known
+/// @param speed    m/s; NaN: not one speed
+/// @param lines    Hz, of the other lines of the record
+/// @param rate     Hz, samples of the record
+std::string turning_owner(const TurningPeak &peak, const CaseModel *stand, double speed,
+                          const std::vector<double> &lines, double rate);
 }  // namespace mill::twin

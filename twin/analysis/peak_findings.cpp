@@ -55,10 +55,15 @@ void say_spacing(Finding &finding, const CaseModel *stand, const double speed)
 }
 }  // namespace
 
-void add_peak_findings(Analysis &analysis, const CleanRecord &, const CaseModel *stand, const double speed)
+void add_peak_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand, const double speed)
 {
   const double span = speed_span(analysis);
-  for (const auto &[peak, channel] : merged_peaks(analysis)) {
+  const auto all    = merged_peaks(analysis);
+  std::vector<double> lines;
+  for (const auto &one : all)
+    if (one.peak.line)
+      lines.push_back(one.peak.frequency);
+  for (const auto &[peak, channel] : all) {
     if (is_known(analysis, peak))
       continue;
     const double sd = peak.line ? 0.1 * peak.resolution : 0.25 * peak.width;
@@ -87,8 +92,12 @@ void add_peak_findings(Analysis &analysis, const CleanRecord &, const CaseModel 
               ? std::string("fixed or locked to the speed: cannot tell, the speeds span too little")
               : fmt::format("{}: exponent of the speed {:.2f}", name_of(how), exponent.q));
     }
-    finding.owner = turning_owner(peak.frequency, 2 * peak.resolution,
-                                  stand ? stand->rolls : std::vector<TurningRoll>{}, speed, peak.line);
+    finding.owner =
+        turning_owner({peak.frequency, 2 * peak.resolution, peak.line}, stand, speed, lines, record.rate);
+    if (finding.owner.empty() && !peak.line && is_edge(analysis.force_edges, peak.frequency)) {
+      finding.kind  = "edge";
+      finding.owner = "edge of the force band";
+    }
     if (finding.owner.empty() && stand)
       finding.owner = owner_among_modes({peak.frequency, sd / peak.frequency, {}, {}}, *stand).sentence;
     if (finding.owner.empty())
@@ -157,6 +166,18 @@ void add_locked_findings(Analysis &analysis, const CaseModel *stand)
   }
 }
 
+void name_bands(Analysis &analysis, const AnalysisSettings &settings)
+{
+  for (Finding &finding : analysis.findings)
+    for (const ChatterBand &band : settings.bands)
+      if (finding.frequency >= band.low && finding.frequency <= band.high) {
+        std::string name = band.name;
+        std::replace(name.begin(), name.end(), '_', ' ');
+        finding.evidence.push_back(
+            fmt::format("in the band of {} chatter, {:g} to {:g} Hz", name, band.low, band.high));
+      }
+}
+
 void add_severity_findings(Analysis &analysis, const AnalysisSettings &settings)
 {
   if (settings.severity.empty())
@@ -177,6 +198,12 @@ void add_severity_findings(Analysis &analysis, const AnalysisSettings &settings)
                     fmt::format("zone {} of the zones that were given", char('A' + zone)),
                     {}};
     finding.evidence.push_back(fmt::format("{:.3g} mm/s rms, 10 .. 1000 Hz", 1e3 * channel.velocity_rms));
+    if (settings.baseline)
+      if (const auto before = settings.baseline->velocity_rms.find(channel.name);
+          before != settings.baseline->velocity_rms.end() && before->second > 0)
+        finding.evidence.push_back(fmt::format("{:+.0f} % against the baseline {}",
+                                               100 * (channel.velocity_rms / before->second - 1),
+                                               settings.baseline->folder));
     analysis.findings.push_back(std::move(finding));
   }
 }

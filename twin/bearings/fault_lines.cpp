@@ -1,6 +1,7 @@
 #include "twin/bearings/fault_lines.h"
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace mill::twin {
 namespace {
@@ -83,7 +84,10 @@ FaultLines best_slip(const Lines &lines, const std::string &family, const double
     auto sorted = tried.ratio;
     std::sort(sorted.rbegin(), sorted.rend());
     tried.score = sorted[2];
-    if (tried.score > best.score)
+    const auto sum_of = [](const FaultLines &lines) {
+      return std::accumulate(lines.ratio.begin(), lines.ratio.end(), 0.0);
+    };
+    if (tried.score > best.score || (tried.score == best.score && sum_of(tried) > sum_of(best)))
       best = tried;
   }
   return best;

@@ -43,6 +43,16 @@ void drop_doubles(std::vector<IdentifiedMode> &modes)
                              }),
               modes.end());
 }
+
+void mark_confirmed(ModeSearch &search)
+{
+  for (SubspacePole &pole : search.poles)
+    pole.confirmed =
+        pole.stable && std::any_of(search.modes.begin(), search.modes.end(), [&](const IdentifiedMode &mode) {
+          return mode.confirmed && std::abs(pole.frequency / mode.frequency - 1) < 0.01 &&
+                 modal_assurance(pole.shape, mode.shape) > 0.9;
+        });
+}
 }  // namespace
 
 ModeSearch find_modes(const std::vector<const CleanChannel *> &channels, const double rate, const double highest,
@@ -66,11 +76,16 @@ ModeSearch find_modes(const std::vector<const CleanChannel *> &channels, const d
       mode.confirmed = mode_is_shown(first, mode) && mode_is_shown(second, mode);
       add_once(search.modes, mode);
     }
+    if (band.high >= highest || band.high >= 1000) {  // the last band holds the frequencies of all
+      Fourier fourier;
+      search.singular = first_singular_value(records[0], band.high, fourier);
+    }
     std::move(poles[0].begin(), poles[0].end(), std::back_inserter(search.poles));
   }
   drop_doubles(search.modes);
   std::sort(search.modes.begin(), search.modes.end(),
             [](const auto &a, const auto &b) { return a.frequency < b.frequency; });
+  mark_confirmed(search);
   return search;
 }
 }  // namespace mill::twin

@@ -10,11 +10,6 @@ constexpr int first_order = 12, last_order = 40, order_step = 2;
 constexpr double same_frequency = 0.01, same_damping = 0.30, same_shape = 0.98, largest_damping = 0.2;
 constexpr double same_mode_shape = 0.95;
 
-int block_rows(const double rate, const double low)
-{
-  return std::min(80, std::max(40, int(std::lround(3 * rate / low))));
-}
-
 // R_m = mean of y(k + m) y(k)', m = 1 .. n, channels scaled to the same rms.
 std::vector<Eigen::MatrixXd> covariances(const DecimatedRecord &record, const Eigen::VectorXd &scale, const int n)
 {
@@ -42,20 +37,28 @@ Eigen::VectorXd rms_of(const DecimatedRecord &record)
   return square.cwiseSqrt().cwiseMax(1e-300);
 }
 
-// Observability of the largest order, U S^(1/2) of the block Toeplitz matrix of covariances, (42.2), (42.3).
-Eigen::MatrixXd observability(const std::vector<Eigen::MatrixXd> &R, const int i, const Eigen::Index p)
+// Observability of the largest order, U S^(1/2) of the block Toeplitz matrix, (42.2), (42.3).
+Eigen::MatrixXd observability(const std::vector<Eigen::MatrixXd> &R, const int i)
 {
-  Eigen::MatrixXd T(i * p, i * p);
+  const Eigen::Index p = R[1].rows(), q = R[1].cols();
+  Eigen::MatrixXd T(i * p, i * q);
   for (int r = 0; r < i; ++r)
     for (int c = 0; c < i; ++c)
-      T.block(r * p, c * p, p, p) = R[std::size_t(i + r - c)];
-  // left singular vectors by T T': singular values below 1e-8 of the largest are lost, which are noise here
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(T * T.transpose());
-  const Eigen::Index n = std::min<Eigen::Index>(last_order, i * p);
+      T.block(r * p, c * q, p, q) = R[std::size_t(i + r - c)];
+  // singular vectors by T T' or T' T: singular values below 1e-8 of the largest are lost, which are noise here
+  const bool wide = q >= p;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(wide ? Eigen::MatrixXd(T * T.transpose())
+                                                                   : Eigen::MatrixXd(T.transpose() * T));
+  const Eigen::Index size = solver.eigenvalues().size(), n = std::min<Eigen::Index>(last_order, size);
   Eigen::MatrixXd O(i * p, n);
   for (Eigen::Index k = 0; k < n; ++k) {
-    const Eigen::Index at = i * p - 1 - k;
-    O.col(k) = solver.eigenvectors().col(at) * std::pow(std::max(0.0, solver.eigenvalues()[at]), 0.25);
+    const double square    = std::max(0.0, solver.eigenvalues()[size - 1 - k]);
+    const auto vector      = solver.eigenvectors().col(size - 1 - k);
+    const double root_of_s = std::pow(square, 0.25);
+    if (wide)
+      O.col(k) = vector * root_of_s;
+    else
+      O.col(k) = T * vector * (root_of_s > 0 ? 1 / root_of_s : 0.0);  // U = T V / S
   }
   return O;
 }
@@ -120,6 +123,11 @@ IdentifiedMode mode_of(const std::vector<const SubspacePole *> &cluster, const i
 }
 }  // namespace
 
+int block_rows(const double rate, const double low)
+{
+  return std::min(80, std::max(40, int(std::lround(3 * rate / low))));
+}
+
 std::vector<ModeBand> mode_bands(const double highest)
 {
   std::vector<ModeBand> bands;
@@ -146,9 +154,16 @@ std::vector<SubspacePole> subspace_poles(const DecimatedRecord &record, const Mo
     return poles;
   const int i                 = block_rows(record.rate, band.low);
   const Eigen::VectorXd scale = rms_of(record);
-  const Eigen::MatrixXd O     = observability(covariances(record, scale, 2 * i - 1), i, scale.size());
+  return poles_of_blocks(covariances(record, scale, 2 * i - 1), i, scale, record.rate, band);
+}
+
+std::vector<SubspacePole> poles_of_blocks(const std::vector<Eigen::MatrixXd> &R, const int i,
+                                          const Eigen::VectorXd &scale, const double rate, const ModeBand &band)
+{
+  std::vector<SubspacePole> poles;
+  const Eigen::MatrixXd O = observability(R, i);
   for (int order = first_order; order <= std::min<int>(last_order, int(O.cols())); order += order_step)
-    add_poles(poles, O, order, scale, record.rate, band);
+    add_poles(poles, O, order, scale, rate, band);
   mark_stable(poles);
   return poles;
 }

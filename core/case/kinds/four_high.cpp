@@ -2,6 +2,7 @@
 #include "core/case/estimates.h"
 #include "core/case/given_instead.h"
 #include "core/case/kinds.h"
+#include "core/case/monitoring.h"
 #include "core/case/stand_reader.h"
 #include "core/case/stand_sections.h"
 #include <algorithm>
@@ -109,10 +110,11 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   stand.campbell           = read_campbell(root, campbell_rows(), reading);
   stand.drive              = read_drive_orders(root, reading);
   stand.span               = read_stand_span(root, reading);
-  stand.analysis           = read_chatter_analysis(root, reading);
-  stand.advice             = read_stand_advice(root, reading);
-  stand.given              = read_given(root, "given", "four-high", reading);
-  stand.published          = read_given(root, "published", "four-high", reading);
+  read_monitoring(root, reading);  // checked here, used by those who read records
+  stand.analysis  = read_chatter_analysis(root, reading);
+  stand.advice    = read_stand_advice(root, reading);
+  stand.given     = read_given(root, "given", "four-high", reading);
+  stand.published = read_given(root, "published", "four-high", reading);
   share_given_bearings(stand);
   check_four_high(stand, reading);
   reading.echo += estimate_lines(stand.estimates);
@@ -165,6 +167,7 @@ std::vector<SectionRows> four_high_sections()
       {"stand",         Repeat::once, false, "the strip around the stand, for millstand chatter",
               rows_of(stand_span_rows())                                                                                                 },
       {"analysis",      Repeat::once, false, "how chatter is searched",                           rows_of(chatter_analysis_rows())},
+      monitoring_section(),
       given_section(stand_given_rows(), false),
       published_section(stand_published_rows())
   };
@@ -193,6 +196,7 @@ std::vector<TemplateNote> four_high_notes()
       {"strip.flow_stress",        "",                          {},         {"k"}},
       {"strip.friction",        "",{},                                      {},                                                        true}, // [strip] says it in a number
       drive_order_note(),
+      monitoring_note(),
       {"work_roll",        "",                             {{"estimate", "true"}},                                  {}},
       {"backup_roll", "",{{"estimate", "true"}},{}     },
       {"frame",        "",                                    {{"estimate", "true"}},                                                                                                 {"modulus"}},

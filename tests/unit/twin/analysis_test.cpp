@@ -92,9 +92,61 @@ TEST(Analysis, TheEdgeOfAForceBandIsNamed)
   const auto chain    = synthetic::chain(M, K, 0.01);
   const auto stand    = model_of(chain, 0.05);
   const auto analysis = analyse(record(chain, 300, 40), &stand, {}, {});
-  for (const Finding &finding : analysis.findings)
-    if (finding.frequency > 280 && finding.frequency < 310)
+  int edges           = 0;
+  for (const Finding &finding : analysis.findings) {
+    if (finding.frequency > 280 && finding.frequency < 310) {
       EXPECT_EQ(finding.owner, "edge of the force band") << finding.kind << " " << finding.frequency;
+      EXPECT_NEAR(finding.frequency, 298, 3);
+      ++edges;
+    } else
+      EXPECT_NE(finding.kind, "edge") << finding.frequency;
+  }
+  EXPECT_EQ(edges, 1) << "TW-13, asked for";
+}
+
+// A bearing that knocks is a fault once its score has grown against an earlier record.
+TEST(Analysis, ABearingIsHeldAgainstItsBaseline)
+{
+  const double fs = 8000, turn = 4 / (M_PI * 0.42), outer = 18.22 * turn, w = 2 * M_PI * 2000;
+  Eigen::VectorXd x           = synthetic::white(5, 64000, fs, 0.01);
+  const Eigen::VectorXd slips = synthetic::normals(6, 1000);
+  for (int i = 0; (i + 2) / outer < 8; ++i) {
+    const double t = (i + 1 + 0.01 * slips[i]) / outer;
+    for (auto k = Eigen::Index(std::ceil(t * fs));
+         k < std::min<Eigen::Index>(64000, Eigen::Index((t + 0.01) * fs)); ++k)
+      x[k] += 2 * std::exp(-0.03 * w * (double(k) / fs - t)) * std::sin(w * (double(k) / fs - t));
+  }
+  RawRecord raw;
+  raw.file = "r.csv";
+  raw.rate = fs;
+  raw.channels.push_back({"upper_work_roll", "a", "m/s2", Quantity::acceleration, true, {}, x});
+  const CleanRecord clean = clean_record(std::move(raw));
+  CaseModel stand         = model_of(synthetic::chain(set_r().first, set_r().second, 0.01), 0.01);
+  stand.bearings          = {
+               {"trb", "work_roll", 0.42, 0.4672, 18.22, 20.78, 7.205}
+  };
+  AnalysisSettings settings;
+  settings.speed     = 4;
+  const auto bearing = [&] {
+    const auto analysis = analyse(clean, &stand, settings, {});
+    EXPECT_EQ(analysis.bearings.size(), 4u) << "all families, for later records";
+    for (const Finding &finding : analysis.findings)
+      if (finding.kind.rfind("bearing", 0) == 0)
+        return finding;
+    return Finding{};
+  };
+  const Finding alone = bearing();
+  EXPECT_EQ(alone.kind, "bearing");
+  EXPECT_EQ(alone.owner.rfind("BPFO of bearing trb at the work_roll: ", 0), 0u) << alone.owner;
+  EXPECT_NE(alone.evidence.back().find("no baseline is named"), std::string::npos);
+  settings.baseline         = Baseline{};
+  settings.baseline->folder = "before";
+  EXPECT_NE(bearing().evidence.back().find("whether it grows cannot be told"), std::string::npos);
+  settings.baseline->score[{"upper_work_roll", "trb", "BPFO"}] = 2.5;
+  EXPECT_EQ(bearing().kind, "bearing fault");
+  settings.baseline->score[{"upper_work_roll", "trb", "BPFO"}] = 100;
+  EXPECT_EQ(bearing().kind, "bearing");
+  EXPECT_NE(bearing().evidence.back().find("it does not grow, no fault"), std::string::npos);
 }
 
 TEST(Analysis, NoWrongOwnerInTwentyStands)
@@ -127,14 +179,48 @@ TEST(Analysis, NoWrongOwnerInTwentyStands)
 
 TEST(Analysis, WhatTurnsIsNamed)
 {
-  const std::vector<TurningRoll> rolls{
+  CaseModel stand;
+  stand.rolls = {
       {"work_roll",   0.42},
       {"backup_roll", 1.45}
   };
-  EXPECT_EQ(turning_owner(4 / (M_PI * 0.42), 0.05, rolls, 4, true), "1 turn of the work_roll (3.032 Hz each)");
-  EXPECT_EQ(turning_owner(150, 0.05, rolls, 4, true), "mains, 3 x 50 Hz");
-  EXPECT_EQ(turning_owner(150, 0.05, rolls, 4, false), "") << "a resonance is no mains";
-  EXPECT_EQ(turning_owner(187, 0.05, rolls, std::nan(""), true), "");
+  stand.bearings = {
+      {"trb", "work_roll", 0.42, 0.467, 18.2, 20.8, 7.2}
+  };
+  const double turn = 4 / (M_PI * 0.42), nan = std::nan("");
+  const auto named = [&](const double f, const bool line, const double speed = 4,
+                         const std::vector<double> &lines = {}) {
+    return turning_owner({f, 0.05, line}, &stand, speed, lines, 1000);
+  };
+  EXPECT_EQ(named(turn, true), "1 turn of the work_roll (3.032 Hz each)");
+  EXPECT_EQ(named(150, true), "mains, 3 x 50 Hz");
+  EXPECT_EQ(named(150, false), "") << "a resonance is no mains";
+  EXPECT_EQ(named(187, true, nan), "");
+  EXPECT_EQ(named(2 * 18.2 * turn * 0.995, true), "2 x BPFO of bearing trb (110.35 Hz without slip)");
+  EXPECT_EQ(named(20.8 * turn * 1.02, true), "") << "faster than rolling";
+  // the third harmonic of 217.3 Hz is 651.9 Hz, mirrored at 1000 samples per second: 348.1 Hz
+  EXPECT_EQ(named(348.1, true, nan, {217.3, 348.1}),
+            "image of 3 x 217.30 Hz, which lies above half of the 1000 samples per second");
+  EXPECT_EQ(named(348.1, false, nan, {217.3, 348.1}), "");
+  EXPECT_EQ(named(150, true, 150 * M_PI * 0.42 / 3),
+            "ambiguous: 3 turns of the work_roll (50.000 Hz each); or mains, 3 x 50 Hz");
+}
+
+TEST(Analysis, AnImageOfALineIsNamed)
+{
+  const double fs   = 2000;
+  Eigen::VectorXd x = synthetic::white(5, 40000, fs, 0.002);
+  for (Eigen::Index k = 0; k < x.size(); ++k)  // a line that is no sinus: its second harmonic is 1262.6 Hz
+    x[k] += std::cos(2 * M_PI * 631.3 * double(k) / fs) + 0.1 * std::cos(2 * M_PI * 1262.6 * double(k) / fs);
+  RawRecord raw;
+  raw.file = "r.csv";
+  raw.rate = fs;
+  raw.channels.push_back({"a", "a", "m/s2", Quantity::acceleration, true, {}, x});
+  const auto analysis = analyse(clean_record(std::move(raw)), nullptr, {}, {});
+  ASSERT_EQ(analysis.findings.size(), 2u);
+  EXPECT_NEAR(analysis.findings[1].frequency, fs - 1262.6, 0.02);
+  EXPECT_EQ(analysis.findings[1].owner,
+            "image of 2 x 631.30 Hz, which lies above half of the 2000 samples per second");
 }
 
 TEST(Analysis, AShiftedLineOfARunUpIsFoundOverLength)

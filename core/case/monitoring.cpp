@@ -1,0 +1,137 @@
+#include "core/case/monitoring.h"
+#include "core/case/stand_reader.h"
+#include "core/case/units.h"
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+bool is_velocity(const std::string &text, double &value)
+{
+  const ParsedQuantity parsed = parse_quantity(text);
+  if (parsed.fault != ParsedQuantity::Fault::none || !(parsed.unit->dimension == unit("m/s").dimension))
+    return false;
+  value = parsed.value();
+  return value > 0;
+}
+
+void check_severity(const Monitoring &monitoring, Reading &reading)
+{
+  const std::string key = "monitoring.severity";
+  if (!reading.usable({key}))
+    return;
+  double before = 0, value = 0;
+  for (const std::string &text : monitoring.severity) {
+    if (!is_velocity(text, value)) {
+      contradict(reading, key,
+                 fmt::format("holds '{}'; a velocity above zero is needed, for example \"2.3 mm/s\"", text), {});
+      return;
+    }
+    if (!(value > before)) {
+      contradict(reading, key, "does not increase; write the upper end of the lowest zone first", {});
+      return;
+    }
+    before = value;
+  }
+}
+
+void check_band(const std::string &name, const std::array<double, 2> &band, Reading &reading)
+{
+  const std::string key = "monitoring." + name;
+  if (reading.usable({key}) && !(band[0] < band[1]))
+    contradict(reading, key, "does not increase; write the lower frequency first", {});
+}
+}  // namespace
+
+std::map<std::string, std::string> Monitoring::channels() const
+{
+  std::map<std::string, std::string> found;
+  for (const std::string &pair : channel_pairs)
+    found[pair.substr(0, pair.rfind('='))] = pair.substr(pair.rfind('=') + 1);
+  return found;
+}
+
+std::vector<double> Monitoring::zones() const
+{
+  std::vector<double> found;
+  double value = 0;
+  for (const std::string &text : severity)
+    if (is_velocity(text, value))
+      found.push_back(value);
+  return found;
+}
+
+const std::vector<Field<Monitoring>> &monitoring_rows()
+{
+  using T                                          = Monitoring;
+  static const std::vector<Field<Monitoring>> rows = [] {
+    std::vector<Field<T>> all;
+    const auto add = [&](const char *key, const Member<T> &member, const char *form, const Range &range,
+                         const char *example, const char *meaning) {
+      all.push_back(Field<T>{key, member, form, range, absent, example, meaning});
+    };
+    add("channels", &T::channel_pairs, "names", any,
+        R"({ "AI_07" = "upper_work_roll", "AI_08" = "lower_work_roll" })",
+        "names of columns in the plant's records and what they are: force, load_cell, speed, exit_speed, or a "
+        "place "
+        "such as upper_work_roll; other columns are analysed under their own name");
+    add("severity", &T::severity, "text", any, R"(["2.3 mm/s", "4.5 mm/s", "7.1 mm/s"])",
+        "upper ends of zones A, B, C of the rms velocity, 10 to 1000 Hz; when absent no zone is named, since the "
+        "level of a stand is set by the pass");
+    const Range hertz{1, 10000};
+    add("third_octave", &T::third_octave, "Hz", hertz, R"(["125 Hz", "240 Hz"])",
+        "band of third-octave chatter; when absent 125 to 240 Hz");
+    add("fifth_octave", &T::fifth_octave, "Hz", hertz, R"(["550 Hz", "650 Hz"])",
+        "band of fifth-octave chatter; when absent 550 to 650 Hz");
+    add("baseline", &T::baseline, "path", any, "out/first-week-analysis",
+        "folder of an earlier analysis of the same mill: changes of the rms velocity are told, and an indication "
+        "of "
+        "a bearing fault counts only when it grows");
+    return all;
+  }();
+  return rows;
+}
+
+SectionRows monitoring_section()
+{
+  return {"monitoring", SectionRows::Repeat::once, false,
+          "records of the mill: names of channels, zones, bands, what they are held against",
+          rows_of(monitoring_rows())};
+}
+
+TemplateNote monitoring_note()
+{
+  return {"monitoring", "", {}, {}, true};
+}
+
+Monitoring read_monitoring(const Node &root, Reading &reading)
+{
+  Monitoring monitoring;
+  const Section section = section_at(root, "monitoring", reading);
+  if (!section.node)
+    return monitoring;
+  read_and_echo(section, section.header(), monitoring_rows(), monitoring, reading);
+  check_severity(monitoring, reading);
+  check_band("third_octave", monitoring.third_octave, reading);
+  check_band("fifth_octave", monitoring.fifth_octave, reading);
+  if (const std::string key = "monitoring.baseline"; reading.usable({key}) && !monitoring.baseline.empty()) {
+    std::error_code error;
+    if (!std::filesystem::exists(monitoring.baseline + "/analysis.json", error))
+      doubt(reading, key, "holds no analysis.json; name the folder of an earlier millstand analyse", {});
+  }
+  return monitoring;
+}
+
+Monitoring monitoring_of(const std::string &path, const std::vector<std::string> &sets)
+{
+  const Node root                    = read_case_file(path, sets);
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  Reading reading;
+  reading.file          = path;
+  reading.folder        = folder.empty() ? "." : folder.string();
+  Monitoring monitoring = read_monitoring(root, reading);
+  if (!reading.problems.empty())
+    throw InputError(std::move(reading.problems));
+  return monitoring;
+}
+}  // namespace mill

@@ -1,0 +1,20 @@
+#pragma once
+#include "core/case/kinds.h"
+#include "core/case/stand_rows.h"
+#include "core/model/monitoring.h"
+#include <string>
+#include <vector>
+
+// [monitoring] of a case: no run of a stand uses it, so that it is no part of a Case.
+namespace mill {
+const std::vector<Field<Monitoring>> &monitoring_rows();
+SectionRows monitoring_section();
+TemplateNote monitoring_note();  ///< names of a recorder's channels are nobody's default
+
+/// Reads and checks the section; echoes it where it is there.
+Monitoring read_monitoring(const Node &root, Reading &reading);
+
+/// The section of a case file that read_case() has accepted.
+/// @throws InputError as read_case()
+Monitoring monitoring_of(const std::string &path, const std::vector<std::string> &sets = {});
+}  // namespace mill

@@ -1,0 +1,40 @@
+#include "twin/analysis/baseline.h"
+#include "core/case/errors.h"
+#include "core/records/files.h"
+#include <nlohmann/json.hpp>
+
+namespace mill::twin {
+Baseline read_baseline(const std::string &folder)
+{
+  using nlohmann::json;
+  const std::string path = folder + "/analysis.json";
+  const auto text        = text_if_readable(path);
+  if (!text)
+    throw InputError("the baseline " + folder +
+                     " holds no analysis.json; name the folder of an earlier millstand analyse");
+  const json document = json::parse(*text, nullptr, false);
+  if (!document.is_object() || !document.contains("values") || !document.contains("findings") ||
+      !document["values"].is_object())
+    throw InputError(Place{path, 1, 1}, "this is no analysis.json of this program; analyse the record again");
+  Baseline baseline;
+  baseline.folder          = folder;
+  const json record        = document.value("record", json::object());
+  baseline.record          = record.is_object() && record.contains("file") && record["file"].is_string()
+                                 ? record["file"].get<std::string>()
+                                 : folder;
+  const std::string ending = ".velocity_rms";
+  for (const auto &[name, value] : document["values"].items())
+    if (name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0 &&
+        value.is_object() && value.contains("value") && value["value"].is_number())
+      baseline.velocity_rms[name.substr(0, name.size() - ending.size())] = value["value"].get<double>();
+  const auto text_of = [](const json &one, const char *key) {
+    return one.contains(key) && one[key].is_string() ? one[key].get<std::string>() : std::string();
+  };
+  if (document.contains("bearings"))
+    for (const json &one : document["bearings"])
+      if (one.is_object() && one.contains("score") && one["score"].is_number())
+        baseline.score[{text_of(one, "channel"), text_of(one, "bearing"), text_of(one, "family")}] =
+            one["score"].get<double>();
+  return baseline;
+}
+}  // namespace mill::twin
