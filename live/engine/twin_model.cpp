@@ -1,0 +1,42 @@
+#include "live/engine/twin_model.h"
+#include "core/case/errors.h"
+#include "dynamics/response/modes.h"
+#include <algorithm>
+#include <cmath>
+
+namespace mill::live {
+bool operator==(const Tuning &a, const Tuning &b)
+{
+  return a.spring == b.spring && a.damping == b.damping;
+}
+
+dynamics::MillModel tuned(const TwinModel &model, const Tuning &tuning)
+{
+  LumpedModel chain         = model.chain;
+  DynamicsSettings settings = model.dynamics;
+  for (std::size_t i = 0; i < chain.K.size(); ++i)
+    chain.K[i].value *= tuning.spring[i];
+  settings.modal_damping *= tuning.damping;
+  return dynamics::mill_model(chain, settings);
+}
+
+std::vector<std::string> places_of(const dynamics::MillModel &model)
+{
+  std::vector<std::string> places = model.labels;
+  for (std::string &place : places)
+    std::replace(place.begin(), place.end(), ' ', '_');
+  return places;
+}
+
+double settling_time(const dynamics::MillModel &model)
+{
+  double slowest = std::numeric_limits<double>::infinity();  // 1/s, decay
+  for (const dynamics::Pole &pole : dynamics::poles(model))
+    slowest = std::min(slowest, pole.damping * 2 * M_PI * pole.frequency);
+  if (!(slowest > 0))
+    throw InputError(
+        "millstand live: the case has no damping, so that the twin would never forget how it started; "
+        "give dynamics.modal_damping, for example --set dynamics.modal_damping=\"1 %\"");
+  return 5 / slowest;
+}
+}  // namespace mill::live
