@@ -69,7 +69,8 @@ public:
 
   int port() const;
   const std::string &token() const;
-  std::string url() const;  ///< "http://127.0.0.1:8460/#<token>"
+  std::string url() const;     ///< "http://127.0.0.1:8460/#<token>"
+  std::string notice() const;  ///< what has to be said of an address that is not loopback; empty otherwise
   PageStatistics statistics() const;
 
 private:
@@ -77,7 +78,10 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// 43 characters of 256 random bits from the system.
+/// The token of these settings: given, kept from an earlier start, or made (and kept).
+/// @throws InputError  shorter than 22 characters; SystemError  it cannot be kept
+std::string page_token(const PageSettings &settings);
+/// 43 characters of 258 random bits from the system.
 std::string made_token();
 /// First line of a file, at least 22 characters of printable ASCII without blanks.
 /// @throws InputError  file cannot be read, is readable by others than its owner, holds a short token
