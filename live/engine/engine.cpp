@@ -271,35 +271,38 @@ void Engine::emit_part(const std::int64_t first, const Eigen::Ref<const Eigen::M
     observer(block);
 }
 
-void Engine::apply(const Command &command)
+void Engine::apply(const PageCommand &command)
 {
   flush();
   switch (command.kind) {
-  case Command::Kind::set:
-    if (command.key == "damping")
-      tuning_.damping = command.factor;
-    else
-      tuning_.spring[std::size_t(command.key[1] - '1')] = command.factor;
+  case PageCommandKind::set:
+    set_factor(tuning_, command.key, command.factor);
     say("command", fmt::format("{} is {:g} times the model's own", command.key, command.factor));
     change_model();
     break;
-  case Command::Kind::reset:
-    tuning_ = {};
-    say("command", "the model's own values are set again");
+  case PageCommandKind::reset:
+    if (command.key.empty())
+      tuning_ = {};
+    else
+      set_factor(tuning_, command.key, 1);
+    say("command",
+        fmt::format("{} again as the model has it", command.key.empty() ? "everything is" : command.key));
     change_model();
     break;
-  case Command::Kind::adopt:
-    if (auto adopted = hooks_.adopt ? hooks_.adopt(command.subject) : std::nullopt) {
+  case PageCommandKind::adopt:
+    if (auto adopted = hooks_.adopt ? hooks_.adopt(command.id) : std::nullopt) {
       model_  = std::move(*adopted);
       tuning_ = {};
-      say("command", fmt::format("proposal {} is adopted", command.subject));
+      say("command", fmt::format("proposal {} is adopted", command.id));
       change_model();
     } else
-      say("refused", fmt::format("there is no proposal {}", command.subject));
+      say("refused", fmt::format("there is no open proposal {}", command.id));
     break;
-  case Command::Kind::acknowledge:
-    if (hooks_.acknowledge)
-      hooks_.acknowledge(command.subject);
+  case PageCommandKind::acknowledge:
+  case PageCommandKind::place:
+  case PageCommandKind::advice:
+    if (hooks_.others)
+      hooks_.others(command);
     break;
   }
 }

@@ -1,9 +1,9 @@
 #pragma once
 #include "live/account_book.h"
-#include "live/engine/command.h"
 #include "live/engine/twin_model.h"
 #include "live/engine/twin_stepper.h"
 #include "live/live_block.h"
+#include "live/page/page_command.h"
 #include "live/source/messages.h"
 #include <functional>
 #include <memory>
@@ -29,8 +29,9 @@ struct EngineHooks {
   std::vector<std::function<void(const TwinModel &, const Tuning &)>> models;  ///< after a change on the run
   std::function<void(std::int64_t first, const Eigen::MatrixXd &rows)> rows;   ///< as they came: for the recording
   std::function<void(const std::string &kind, const std::string &text)> said;  ///< notes, losses, refusals
-  std::function<std::optional<TwinModel>(const std::string &proposal)> adopt;
-  std::function<void(const std::string &alarm)> acknowledge;
+  /// The model of a proposal; nothing: there is none with this number.
+  std::function<std::optional<TwinModel>(std::int64_t proposal)> adopt;
+  std::function<void(const PageCommand &)> others;  ///< commands that are not about the model
   std::function<double()> now;  ///< s since 1970 UTC, for sources that do not say when they began
 };
 
@@ -43,7 +44,8 @@ public:
   void take(Message message);
   /// Steps through the rows that wait; blocks are joined to 20 ms while more of them follow at once.
   void flush();
-  void apply(const Command &command);
+  /// Between two blocks.  Keys of sliders only: slider_keys().
+  void apply(const PageCommand &command);
 
   const AccountBook *book() const  ///< nullptr before the first head
   {

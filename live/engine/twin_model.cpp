@@ -10,6 +10,29 @@ bool operator==(const Tuning &a, const Tuning &b)
   return a.spring == b.spring && a.damping == b.damping;
 }
 
+const std::vector<std::string> &slider_keys()
+{
+  static const std::vector<std::string> keys{"K1", "K2", "K3", "K4", "K5", "K6", "K7", "damping"};
+  return keys;
+}
+
+void set_factor(Tuning &tuning, const std::string &key, const double factor)
+{
+  const auto &keys = slider_keys();
+  const auto at    = std::size_t(std::find(keys.begin(), keys.end(), key) - keys.begin());
+  if (at < tuning.spring.size())
+    tuning.spring[at] = factor;
+  else if (at < keys.size())
+    tuning.damping = factor;
+}
+
+double factor_of(const Tuning &tuning, const std::string &key)
+{
+  const auto &keys = slider_keys();
+  const auto at    = std::size_t(std::find(keys.begin(), keys.end(), key) - keys.begin());
+  return at < tuning.spring.size() ? tuning.spring[at] : tuning.damping;
+}
+
 dynamics::MillModel tuned(const TwinModel &model, const Tuning &tuning)
 {
   LumpedModel chain         = model.chain;

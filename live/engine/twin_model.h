@@ -23,7 +23,11 @@ struct Tuning {
 };
 bool operator==(const Tuning &a, const Tuning &b);
 
-constexpr double smallest_factor = 0.5, largest_factor = 1.5;  ///< -, of a spring or the damping
+/// "K1".."K7", "damping".
+const std::vector<std::string> &slider_keys();
+/// @param key  of slider_keys(); another one changes nothing
+void set_factor(Tuning &tuning, const std::string &key, double factor);
+double factor_of(const Tuning &tuning, const std::string &key);
 
 /// Chain with the factors.  theory.md (6.1)
 dynamics::MillModel tuned(const TwinModel &model, const Tuning &tuning);

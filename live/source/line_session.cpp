@@ -1,6 +1,7 @@
 #include "live/source/line_session.h"
 #include "core/case/errors.h"
 #include "core/case/visible_text.h"
+#include "live/page/page_rules.h"
 #include "twin/records/channel_names.h"
 #include "twin/records/record_clock.h"
 #include <algorithm>
@@ -15,15 +16,6 @@ constexpr double highest_rate = 1e6;                 // Hz
 constexpr double lowest_rate  = 10;                  // Hz
 constexpr double longest_jump = 3600;                // s, inside one connection
 constexpr int bad_lines       = 5;
-
-// Not shorter for a token that differs early.
-bool same_token(const std::string &a, const std::string &b)
-{
-  unsigned differs = a.size() != b.size();
-  for (std::size_t i = 0; i < b.size(); ++i)
-    differs |= unsigned((unsigned char)(i < a.size() ? a[i] : 0) ^ (unsigned char)b[i]);
-  return differs == 0;
-}
 
 std::string one_line(const std::string &text)
 {
