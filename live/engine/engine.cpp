@@ -99,7 +99,7 @@ void Engine::begin_source(const SourceHead &head)
                        head.start   ? *head.start
                                        : hooks_.now ? hooks_.now()
                                                     : 0,
-                       head.channels, places_};
+                       head.channels, places_, head.factor};
   offset_                 = 0;
   may_restart_            = false;
   for (std::size_t c = 0; c < head.channels.size(); ++c)

@@ -20,6 +20,7 @@ struct LiveSource {
   double start_time = 0;              ///< s since 1970 UTC, of sample 0
   std::vector<LiveChannel> channels;  ///< columns of LiveBlock::measured
   std::vector<std::string> places;    ///< columns of LiveBlock::simulated
+  std::vector<double> factor;         ///< -, (channels) SI value over the number sent
 };
 
 /// Who listens to the engine.  All are called from its thread.

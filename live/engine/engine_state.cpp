@@ -91,6 +91,7 @@ std::string Engine::resume(const nlohmann::json &state)
     std::vector<ChannelAccount> accounts;
     for (const Json &channel : state.at("channels")) {
       source.channels.push_back({channel.at("name"), channel.at("unit")});
+      source.factor.push_back(channel.at("factor"));
       const auto a = channel.at("account").get<std::array<std::int64_t, 5>>();
       accounts.push_back({a[0], a[1], a[2], a[3], a[4]});
     }

@@ -55,13 +55,7 @@ KnownChannels known_channels(const std::vector<NamedUnit> &sent, const SourceRul
   return known;
 }
 
-LineSession::LineSession(SourceRules rules) : rules_(std::move(rules)) {}
-
-void LineSession::assume(const SourceHead &head, std::vector<double> factor)
-{
-  head_   = head;
-  factor_ = std::move(factor);
-}
+LineSession::LineSession(SourceRules rules) : rules_(std::move(rules)), head_(rules_.assumed) {}
 
 LineSession::Answer LineSession::refuse(std::string reason, const std::int64_t first, const std::int64_t n)
 {
@@ -123,8 +117,8 @@ LineSession::Answer LineSession::head(const LineContent &content)
   head.rate     = *content.rate;
   head.source   = content.source;
   head.channels = known.channels;
+  head.factor   = known.factor;
   head_         = head;
-  factor_       = known.factor;
   last_end_     = -1;
   bad_in_a_row_ = 0;
   Answer answer;
@@ -159,7 +153,7 @@ LineSession::Answer LineSession::block(const LineContent &content)
   SourceBlock block;
   block.first = s;
   block.value =
-      Eigen::MatrixXd::Constant(rows, Eigen::Index(factor_.size()), std::numeric_limits<double>::quiet_NaN());
+      Eigen::MatrixXd::Constant(rows, Eigen::Index(head_->factor.size()), std::numeric_limits<double>::quiet_NaN());
   for (const auto &[sent, list] : content.values) {
     const auto mapped       = rules_.reading.channels.find(sent);
     const std::string &name = mapped != rules_.reading.channels.end() ? mapped->second : sent;
@@ -174,9 +168,9 @@ LineSession::Answer LineSession::block(const LineContent &content)
                     s, rows);
     const auto c = channel - head_->channels.begin();
     if (list.size() == 1)
-      block.value.col(c).setConstant(list.front() * factor_[std::size_t(c)]);
+      block.value.col(c).setConstant(list.front() * head_->factor[std::size_t(c)]);
     else
-      block.value.col(c) = Eigen::Map<const Eigen::VectorXd>(list.data(), rows) * factor_[std::size_t(c)];
+      block.value.col(c) = Eigen::Map<const Eigen::VectorXd>(list.data(), rows) * head_->factor[std::size_t(c)];
   }
   last_end_     = s + rows;
   bad_in_a_row_ = 0;

@@ -15,6 +15,7 @@ struct SourceRules {
   std::string token;                                  ///< that a head has to bring; empty: none
   bool closes = true;                                 ///< five bad lines in a row end the connection
   std::function<std::optional<std::int64_t>()> next;  ///< sample that the twin waits for, told to the sender
+  std::optional<SourceHead> assumed;                  ///< of before a restart, for a sender that will not say it again
 };
 
 /// Head of a source from names and units as it writes them.
@@ -45,8 +46,6 @@ public:
   {
     return head_.has_value();
   }
-  /// The head of an earlier connection of the same source, for one that does not send it again.
-  void assume(const SourceHead &head, std::vector<double> factor);
 
 private:
   Answer head(const LineContent &content);
@@ -55,7 +54,6 @@ private:
 
   SourceRules rules_;
   std::optional<SourceHead> head_;
-  std::vector<double> factor_;
   std::int64_t lines_ = 0, last_end_ = -1;
   int bad_in_a_row_ = 0;
 };

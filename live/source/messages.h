@@ -15,6 +15,7 @@ struct SourceHead {
   std::optional<double> start;        ///< s since 1970 UTC of sample 0; none: not known
   std::string source;                 ///< how it calls itself
   std::vector<LiveChannel> channels;  ///< SI where the unit is known
+  std::vector<double> factor;         ///< -, (channels) SI value over the number sent
 };
 
 /// Even samples.

@@ -53,15 +53,6 @@ CsvRows::CsvRows(std::string file, const std::vector<std::string> &head, const R
   prepare_clock(head);
 }
 
-bool CsvRows::same_columns(const CsvLayout &other) const
-{
-  return other.separator == layout_.separator && other.columns.size() == layout_.columns.size() &&
-         std::equal(other.columns.begin(), other.columns.end(), layout_.columns.begin(),
-                    [](const auto &a, const auto &b) {
-                      return a.head.name == b.head.name && a.head.unit == b.head.unit;
-                    });
-}
-
 Place CsvRows::time_place(const std::string_view line, const int number) const
 {
   return place(line, std::size_t(time_), number);

@@ -61,8 +61,6 @@ public:
   {
     return blank_lines_;
   }
-  /// Columns of another file of the same recorder are these, by name and unit.
-  bool same_columns(const CsvLayout &other) const;
   const Place &time_column() const
   {
     return time_column_;
