@@ -102,6 +102,11 @@ double OnsetWatch::baseline() const
   return squares.empty() ? std::numeric_limits<double>::quiet_NaN() : baseline_;
 }
 
+bool OnsetWatch::above_half_threshold() const
+{
+  return !squares.empty() && level() >= 0.5 * rule.threshold * baseline_;
+}
+
 GrowthRate OnsetWatch::growth() const
 {
   const std::size_t n = std::min(taken, kept_values - 1);

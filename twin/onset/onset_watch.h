@@ -18,6 +18,7 @@ public:
   void restart();
   double level() const;     ///< 0-peak, of the last value; NaN: none
   double baseline() const;  ///< 0-peak; NaN: not enough of it yet
+  bool above_half_threshold() const;  ///< an alarm that began is not over
   /// Over the last 60 s of this piece; sigma NaN below 8 s.  Cost: 0.4 ms.
   GrowthRate growth() const;
 
