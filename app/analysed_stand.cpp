@@ -84,18 +84,18 @@ void add_bearing(twin::CaseModel &stand, const std::vector<RollerBearing> &beari
 }
 }  // namespace
 
-AnalysedChain analysed_chain(const Case &the_case, const std::string &verb)
+AnalysedChain analysed_chain(const Case &the_case, const std::string &verb, const double wanted_load)
 {
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
-    const double load = load_of(four->passes.front());
+    const double load = wanted_load > 0 ? wanted_load : load_of(four->passes.front());
     return {chain_of(closed_form_stand(*four, load)), four->dynamics,
-            fmt::format("six masses by closed forms at {:.1f} kN", load / 1e3)};
+            fmt::format("six masses by closed forms at {:.1f} kN", load / 1e3), load};
   }
   const auto *lumped = std::get_if<Lumped>(&the_case.spec);
   if (!lumped || lumped->detailed)
     throw InputError("millstand " + verb + ": the case " + the_case.path +
                      " has no chain of six masses; name a case of kind four-high, or of kind lumped with [given]");
-  return {lumped_model_of(the_case), lumped->dynamics, "six masses as given"};
+  return {lumped_model_of(the_case), lumped->dynamics, "six masses as given", not_given};
 }
 
 twin::CaseModel analysed_stand(const Case &the_case)

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/model/dynamics_settings.h"
+#include "core/model/material.h"
 #include "core/records/lumped_model.h"
 #include "twin/analysis/analysis.h"
 
@@ -15,9 +16,11 @@ twin::CaseModel analysed_stand(const Case &the_case);
 struct AnalysedChain {
   LumpedModel model;
   DynamicsSettings dynamics;
-  std::string source;  ///< "six masses by closed forms at 976.2 kN", "six masses as given"
+  std::string source;       ///< "six masses by closed forms at 976.2 kN", "six masses as given"
+  double load = not_given;  ///< N, of the closed forms; NaN: as given
 };
 /// @param verb  named where the case does not fit
+/// @param load  N, of the closed forms; 0: that of the first pass
 /// @throws InputError as analysed_stand()
-AnalysedChain analysed_chain(const Case &the_case, const std::string &verb);
+AnalysedChain analysed_chain(const Case &the_case, const std::string &verb, double load = 0);
 }  // namespace mill

@@ -5,18 +5,22 @@
 #include "app/live/live_sources.h"
 #include "app/live/live_state.h"
 #include "app/live/response_file.h"
-#include "live/compare/alarm_book.h"
+#include "live/compare/comparison.h"
 #include "live/display/page_feed.h"
 #include "live/engine/command_queue.h"
 #include "live/engine/engine.h"
 #include "live/page/page_server.h"
 #include "live/recording/recorder.h"
 #include <atomic>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 
 namespace mill {
 struct Case;
+
+double utc_now();  ///< s since 1970
 
 /// Joins source, queue, engine, recording, state, page and console.  Made and run by one thread, that of the
 /// engine.
@@ -37,6 +41,12 @@ private:
   live::CommandReply take_command(const std::string &json);
   void tick(double now);
   void each_second();
+  void begin_comparison(const live::LiveSource &source);
+  std::optional<live::TwinModel> adopt(std::int64_t proposal);
+  void changed_model(const live::TwinModel &model, const live::Tuning &tuning);
+  void publish(const std::string &event, const std::string &json);
+  void show_alarm(live::PageAlarm alarm);
+  bool acknowledge(std::int64_t id);
   void say(const std::string &kind, const std::string &text);
   void print(const std::string &text);
   void summary();
@@ -49,7 +59,7 @@ private:
   LiveInput input_;
   std::string token_;
   std::mutex console_;
-  live::Background background_;  // outlives those who give it work
+  std::unique_ptr<live::Background> background_ = std::make_unique<live::Background>();
   std::optional<LiveState> state_;
   std::optional<live::Recorder> recorder_;
   std::optional<ResponseFile> response_;
@@ -57,7 +67,14 @@ private:
   live::CommandQueue commands_;
   live::SampleQueue queue_;
   std::optional<live::PageServer> page_;
-  std::optional<live::PageFeed> feed_;
+  live::PageFeed feed_;
+  std::optional<live::Comparison> comparison_;
+  live::AlarmBook alarms_{
+      1'000'000};  // of source and recording; those of the comparison have numbers of their own
+  std::mutex alarm_lock_;
+  std::map<std::int64_t, live::PageAlarm> shown_alarms_;  // as the page was told last
+  std::string origin_ = "the case", place_ = "upper_work_roll";
+  live::TwinModel model_;
   std::unique_ptr<live::Engine> engine_;
   std::unique_ptr<LiveSources> sources_;
   std::int64_t skip_to_ = 0;

@@ -4,7 +4,9 @@
 #include "core/model/case.h"
 #include "core/records/files.h"
 #include "dynamics/response/modes.h"
+#include <cmath>
 #include <fmt/format.h>
+#include <map>
 
 namespace mill {
 namespace {
@@ -36,8 +38,13 @@ void add_roll_sizes(live::PageStand &stand, const std::string &roll, const doubl
 live::TwinModel live_model(const Case &the_case)
 {
   AnalysedChain chain = analysed_chain(the_case, "live");
-  return {the_case.name, std::move(chain.source), std::move(chain.model), std::move(chain.dynamics),
-          hash_of(the_case.resolved)};
+  return {the_case.name,
+          std::move(chain.source),
+          std::move(chain.model),
+          std::move(chain.dynamics),
+          hash_of(the_case.resolved),
+          chain.load,
+          std::holds_alternative<FourHigh>(the_case.spec)};
 }
 
 live::PageStand page_stand(const Case &the_case, const live::TwinModel &model)
@@ -69,6 +76,45 @@ live::PageStand page_stand(const Case &the_case, const live::TwinModel &model)
   for (const double frequency : modes.frequency)
     stand.modes.push_back({frequency, model.dynamics.modal_damping, ""});
   return stand;
+}
+
+twin::ModesAtLoad modes_at_load(const Case &the_case, const live::TwinModel &model, const live::Tuning &tuning)
+{
+  constexpr double unknown_error = 0.10;  // as where owners of peaks are named
+  const auto chain               = live::tuned(model, tuning);
+  const auto modes               = dynamics::modes(chain);
+  const Eigen::Index n           = modes.frequency.size();
+  twin::ModesAtLoad at;
+  at.damping = Eigen::VectorXd::Constant(n, model.dynamics.modal_damping * tuning.damping);
+  at.sd      = Eigen::VectorXd::Zero(n);
+  for (std::size_t j = 0; j < model.chain.K.size(); ++j) {
+    const double error = model.chain.K[j].error_estimate;
+    at.sd.array() +=
+        (modes.strain_share.col(Eigen::Index(j)).array() * (std::isfinite(error) ? error : unknown_error))
+            .square() /
+        4;
+  }
+  at.sd            = at.sd.cwiseSqrt();
+  const auto *four = std::get_if<FourHigh>(&the_case.spec);
+  if (!four || !model.follows_load) {
+    at.load      = Eigen::VectorXd::Constant(1, 1);
+    at.frequency = modes.frequency.transpose();
+    return at;
+  }
+  // what the load does to the closed forms, on the springs of the model as it is
+  const Eigen::ArrayXd factor = Eigen::ArrayXd::LinSpaced(7, std::log(0.25), std::log(4)).exp();
+  const AnalysedChain own     = analysed_chain(the_case, "live", 0);
+  at.load                     = model.load * factor;
+  at.frequency.resize(at.load.size(), n);
+  for (Eigen::Index i = 0; i < at.load.size(); ++i) {
+    const AnalysedChain there = analysed_chain(the_case, "live", at.load[i]);
+    live::TwinModel loaded    = model;
+    for (std::size_t j = 0; j < loaded.chain.K.size(); ++j)
+      if (own.model.K[j].value > 0)
+        loaded.chain.K[j].value *= there.model.K[j].value / own.model.K[j].value;
+    at.frequency.row(i) = dynamics::modes(live::tuned(loaded, tuning)).frequency.transpose();
+  }
+  return at;
 }
 
 live::PageParameters page_parameters(const live::TwinModel &model, const live::Tuning &tuning,

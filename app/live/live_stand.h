@@ -1,6 +1,7 @@
 #pragma once
 #include "live/engine/twin_model.h"
 #include "live/page/event_text.h"
+#include "twin/drift/mode_watch.h"
 
 namespace mill {
 struct Case;
@@ -11,6 +12,10 @@ live::TwinModel live_model(const Case &the_case);
 
 /// What the page draws of it.
 live::PageStand page_stand(const Case &the_case, const live::TwinModel &model);
+/// Frequencies over the rolling force: of a four-high by closed forms at several loads, K3 and K5 stiffen with it;
+/// of a lumped case the same at every load.  With what the errors of the springs leave open.
+twin::ModesAtLoad modes_at_load(const Case &the_case, const live::TwinModel &model, const live::Tuning &tuning);
+
 /// Factors and frequencies as they now are.
 live::PageParameters page_parameters(const live::TwinModel &model, const live::Tuning &tuning,
                                      const std::string &origin, const std::string &place);

@@ -95,13 +95,10 @@ void Engine::begin_source(const SourceHead &head)
 {
   const bool same_account = source_ && same_channels(head.channels, source_->channels);
   start_known_            = head.start.has_value();
-  source_                 = LiveSource{head.source, head.rate,
-                       head.start   ? *head.start
-                                       : hooks_.now ? hooks_.now()
-                                                    : 0,
-                       head.channels, places_, head.factor};
-  offset_                 = 0;
-  may_restart_            = false;
+  source_      = LiveSource{head.source,   head.rate, head.start ? *head.start : hooks_.now ? hooks_.now() : 0,
+                       head.channels, places_,   head.factor};
+  offset_      = 0;
+  may_restart_ = false;
   for (std::size_t c = 0; c < head.channels.size(); ++c)
     if (head.channels[c].name == "force")
       force_column_ = Eigen::Index(c);
@@ -264,11 +261,36 @@ void Engine::emit_part(const std::int64_t first, const Eigen::Ref<const Eigen::M
     }
     stepper_->acceleration(a);
     block.simulated.row(i) = a.transpose();
+    if (hooks_.motion)
+      watch_motion(first + i);
   }
   stepped_           = first + rows.rows();
   block.displacement = stepper_->displacement_from(mean_);
   for (const auto &observer : hooks_.observers)
     observer(block);
+}
+
+void Engine::watch_motion(const std::int64_t number)
+{
+  constexpr Eigen::Index most = 256;
+  if (number < motion_due_ && motion_due_ - number <= std::llround(source_->rate))
+    return;
+  const auto stride = std::max<std::int64_t>(1, std::llround(source_->rate / 4000));
+  if (instants_ > 0 && number != motion_from_ + instants_ * stride) {
+    if (number > motion_from_ + instants_ * stride || number < motion_from_)
+      instants_ = 0;  // samples are missing in between
+    return;
+  }
+  if (instants_ == 0) {
+    motion_from_ = number;
+    motion_.resize(Eigen::Index(places_.size()), most);
+  }
+  motion_.col(instants_++) = stepper_->displacement_from(mean_);
+  if (instants_ < most)
+    return;
+  hooks_.motion(motion_from_, double(stride) / source_->rate, motion_);
+  instants_   = 0;
+  motion_due_ = motion_from_ + std::llround(source_->rate);
 }
 
 void Engine::apply(const PageCommand &command)

@@ -29,6 +29,9 @@ struct EngineHooks {
   std::vector<std::function<void(const LiveBlock &)>> observers;
   std::vector<std::function<void(const TwinModel &, const Tuning &)>> models;  ///< after a change on the run
   std::function<void(std::int64_t first, const Eigen::MatrixXd &rows)> rows;   ///< as they came: for the recording
+  /// Once a second of record: the displacements (places, instants, at most 256) m of a short piece, `step` s
+  /// apart.
+  std::function<void(std::int64_t first, double step, const Eigen::MatrixXd &)> motion;
   std::function<void(const std::string &kind, const std::string &text)> said;  ///< notes, losses, refusals
   /// The model of a proposal; nothing: there is none with this number.
   std::function<std::optional<TwinModel>(std::int64_t proposal)> adopt;
@@ -92,6 +95,7 @@ private:
   void emit(std::int64_t first, const Eigen::MatrixXd &rows, const Eigen::VectorXd &force);
   void emit_part(std::int64_t first, const Eigen::Ref<const Eigen::MatrixXd> &rows,
                  const Eigen::Ref<const Eigen::VectorXd> &force, bool after_gap);
+  void watch_motion(std::int64_t number);
   void change_model();
   void say(const std::string &kind, const std::string &text) const;
 
@@ -115,5 +119,8 @@ private:
   double mean_ = 0, forget_ = 0;  // N, running mean of the force; its share per sample
   std::int64_t settled_at_ = 0, refused_lines_ = 0, resumed_at_ = 0, stepped_ = 0;
   bool ended_ = false;
+  Eigen::MatrixXd motion_;  // (places, instants) that are being collected
+  Eigen::Index instants_    = 0;
+  std::int64_t motion_from_ = 0, motion_due_ = 0;
 };
 }  // namespace mill::live

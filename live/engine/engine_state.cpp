@@ -26,6 +26,7 @@ Json channels_json(const LiveSource &source, const AccountBook &book)
     list.push_back({
         {"name",    source.channels[c].name                                   },
         {"unit",    source.channels[c].unit                                   },
+        {"factor",  source.factor[c]                                          },
         {"account", {a.offered, a.processed, a.missing, a.rejected, a.overrun}}
     });
   }

@@ -33,14 +33,24 @@ double factor_of(const Tuning &tuning, const std::string &key)
   return at < tuning.spring.size() ? tuning.spring[at] : tuning.damping;
 }
 
-dynamics::MillModel tuned(const TwinModel &model, const Tuning &tuning)
+LumpedModel tuned_chain(const TwinModel &model, const Tuning &tuning)
 {
-  LumpedModel chain         = model.chain;
-  DynamicsSettings settings = model.dynamics;
+  LumpedModel chain = model.chain;
   for (std::size_t i = 0; i < chain.K.size(); ++i)
     chain.K[i].value *= tuning.spring[i];
+  return chain;
+}
+
+DynamicsSettings tuned_dynamics(const TwinModel &model, const Tuning &tuning)
+{
+  DynamicsSettings settings = model.dynamics;
   settings.modal_damping *= tuning.damping;
-  return dynamics::mill_model(chain, settings);
+  return settings;
+}
+
+dynamics::MillModel tuned(const TwinModel &model, const Tuning &tuning)
+{
+  return dynamics::mill_model(tuned_chain(model, tuning), tuned_dynamics(model, tuning));
 }
 
 std::vector<std::string> places_of(const dynamics::MillModel &model)

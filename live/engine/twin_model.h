@@ -13,7 +13,9 @@ struct TwinModel {
   std::string source;  ///< "six masses by closed forms at 976.2 kN", "six masses as given"
   LumpedModel chain;   ///< SI
   DynamicsSettings dynamics;
-  std::string hash;  ///< of the resolved case: state and recordings say what they belong to
+  std::string hash;           ///< of the resolved case: state and recordings say what they belong to
+  double load       = 0;      ///< N, at which its springs were taken; NaN: not known
+  bool follows_load = false;  ///< the case says how the springs change with the force
 };
 
 /// What was changed of it on the run: factors on the model's own values.
@@ -29,7 +31,10 @@ const std::vector<std::string> &slider_keys();
 void set_factor(Tuning &tuning, const std::string &key, double factor);
 double factor_of(const Tuning &tuning, const std::string &key);
 
-/// Chain with the factors.  theory.md (6.1)
+/// Springs with the factors; settings with that of the damping.
+LumpedModel tuned_chain(const TwinModel &model, const Tuning &tuning);
+DynamicsSettings tuned_dynamics(const TwinModel &model, const Tuning &tuning);
+/// The model of both.  theory.md (6.1)
 dynamics::MillModel tuned(const TwinModel &model, const Tuning &tuning);
 
 /// "upper_work_roll", in the order of the masses.
