@@ -47,6 +47,8 @@ function banner(text, milliseconds = 0) {
 // -- what the program tells --------------------------------------------------------------------------------------
 const takes = {
   numbers(data) {
+    if (!mill.numbers || mill.numbers.state !== data.state)
+      mark("answers");
     mill.numbers = data;
     mill.heard = performance.now();
     view.setNumbers(data);
@@ -128,17 +130,23 @@ async function readStand() {
   tell(byId("stand-name"), stand.name || "millstand live");
   document.title = `${stand.name || "millstand"} live`;
   tell(byId("sliders-note"), `${stand.source}${stand.version ? `; millstand ${stand.version}` : ""}`);
+  if (mill.parameters)
+    takes.parameters(mill.parameters);
   byId("place").replaceChildren(...stand.places.map(place => new Option(`${place.label}${place.measured ? "" : " (twin only)"}`, place.place)));
   mark("stand", "modes", "traces");
 }
 
-function connect() {
+// First what is drawn, then what moves in it.
+async function connect() {
   clearTimeout(retry);
-  if (source)
-    source.close();
   if (!token) {
     link("lost", "this address lacks its token: open the one that millstand live has printed, with everything behind the #");
     return;
+  }
+  try {
+    await readStand();
+  } catch (failure) {
+    return again(failure instanceof TypeError ? "" : failure.message);
   }
   source = new EventSource(`/events?token=${encodeURIComponent(token)}`);
   // A new connection begins with the present state, of a program that may have been started again.
@@ -155,12 +163,12 @@ function connect() {
   };
   source.onerror = () => {
     if (source.readyState === EventSource.CLOSED)
-      again("");  // refused: the browser does not try again by itself
+      refused();  // the browser does not try again by itself
     else
       lost();
   };
   for (const name of Object.keys(takes))
-    source.addEventListener(name, event => { if (mill.stand || name !== "numbers") safely(takes[name], JSON.parse(event.data)); });
+    source.addEventListener(name, event => safely(takes[name], JSON.parse(event.data)));
 }
 
 // What a program of another version tells may not fit; the page goes on with the rest.
@@ -178,12 +186,18 @@ function lost(why = "") {
   link("lost", why || `no connection to millstand live since ${clock(mill.lostAt)} UTC; trying again every second`);
 }
 
-async function again(why) {
-  source.close();
-  if (!why) {
-    const answer = await fetch("/stand", { headers: { "X-Millstand-Token": token } }).catch(() => null);
-    why = answer && !answer.ok ? (await answer.json().catch(() => ({}))).error : "";
-  }
+// A stream says only that it was refused; an ordinary request is told why.
+async function refused() {
+  const answer = await fetch(`/events?token=${encodeURIComponent(token)}`).catch(() => null);
+  const why = answer && !answer.ok ? (await answer.json().catch(() => ({}))).error : "";
+  if (answer && answer.ok)
+    answer.body.cancel();
+  again(why);
+}
+
+function again(why) {
+  if (source)
+    source.close();
   lost(why);
   clearTimeout(retry);
   retry = setTimeout(connect, 1000);

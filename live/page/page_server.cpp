@@ -7,6 +7,7 @@
 #include <boost/asio.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http.hpp>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -277,7 +278,7 @@ private:
     try {
       reply = shared_.command(parser_->get().body());
     } catch (const InputError &mistake) {
-      reply = {400, error_json(mistake.what())};
+      reply = {400, error_json(mistake.problems.front().message)};
     } catch (const std::exception &) {  // the answer stands; the vibration goes on
     }
     respond(reply.status, "application/json", reply.json);
@@ -416,6 +417,12 @@ private:
   std::vector<FramePointer> sending_;
 };
 
+// A program that this one starts gets no copy of a socket, which would hold the port after our end.
+template <class Socket> void keep_to_ourselves(Socket &socket)
+{
+  fcntl(socket.native_handle(), F_SETFD, FD_CLOEXEC);
+}
+
 asio::ip::address literal_address(const std::string &text)
 {
   Failure failure;
@@ -444,6 +451,7 @@ struct PageServer::State {
         step();
     };
     acceptor.open(endpoint.protocol(), failure);
+    go([&] { keep_to_ourselves(acceptor); });
     go([&] { acceptor.set_option(asio::socket_base::reuse_address(true), failure); });
     go([&] { acceptor.bind(endpoint, failure); });
     go([&] { acceptor.listen(64, failure); });
@@ -471,6 +479,7 @@ struct PageServer::State {
         });
         return;
       }
+      keep_to_ourselves(socket);
       const bool too_many = shared.connections >= most_connections;
       if (!too_many || shared.refusals < most_refusals)
         std::make_shared<PageConnection>(std::move(socket), shared, too_many)->start();
