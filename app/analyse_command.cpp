@@ -2,7 +2,7 @@
 #include "app/address_space.h"
 #include "app/analysed_stand.h"
 #include "app/console.h"
-#include "core/case/units.h"
+#include "app/record_options.h"
 #include "core/case/visible_text.h"
 #include "core/model/case.h"
 #include "core/records/csv.h"
@@ -21,57 +21,15 @@ namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
-// A quantity of the command line, "4 m/s".
-double quantity_of(const std::string &option, const std::string &text, const std::string &sample)
-{
-  const ParsedQuantity parsed = parse_quantity(text);
-  const Unit &wanted          = unit(sample.substr(sample.find(' ') + 1));
-  if (parsed.fault != ParsedQuantity::Fault::none || !(parsed.unit->dimension == wanted.dimension) ||
-      !(parsed.value() > 0))
-    throw InputError(fmt::format("{} \"{}\": {} above zero is needed, for example {} \"{}\"", option, text,
-                                 wanted.quantity, option, sample));
-  return parsed.value();
-}
-
-// "AI_07=upper_work_roll"
-std::map<std::string, std::string> pairs_of(const std::string &option, const std::vector<std::string> &texts,
-                                            const char *sample)
-{
-  std::map<std::string, std::string> pairs;
-  for (const std::string &text : texts) {
-    const auto at = text.find('=');
-    if (at == std::string::npos || at == 0 || at + 1 == text.size())
-      throw InputError(fmt::format("{} \"{}\": a name and what it stands for are needed, for example {} {}",
-                                   option, text, option, sample));
-    pairs[text.substr(0, at)] = text.substr(at + 1);
-  }
-  return pairs;
-}
-
-twin::ReadOptions read_options(const CommandLine &command)
-{
-  twin::ReadOptions options;
-  if (!command.record_rate.empty()) {
-    double rate = 0;
-    if (!parse_number(command.record_rate, rate))
-      rate = quantity_of("--rate", command.record_rate, "20000 Hz");
-    options.rate = rate;
-  }
-  options.zone     = command.zone;
-  options.channels = pairs_of("--channel", command.channels, "AI_07=upper_work_roll");
-  options.units    = pairs_of("--unit", command.channel_units, "AI_07=g");
-  return options;
-}
-
 twin::AnalysisSettings settings_of(const CommandLine &command)
 {
   twin::AnalysisSettings settings;
   if (!command.speed.empty())
-    settings.speed = quantity_of("--speed", command.speed, "4 m/s");
+    settings.speed = quantity_of_option("--speed", command.speed, "4 m/s");
   if (!command.limit.empty())
-    settings.limit = quantity_of("--limit", command.limit, "2 g");
+    settings.limit = quantity_of_option("--limit", command.limit, "2 g");
   for (const std::string &zone : command.severity)
-    settings.severity.push_back(quantity_of("--severity", zone, "2.3 mm/s"));
+    settings.severity.push_back(quantity_of_option("--severity", zone, "2.3 mm/s"));
   if (!std::is_sorted(settings.severity.begin(), settings.severity.end()))
     throw InputError(
         "--severity: the upper ends of the zones grow, for example \"2.3 mm/s\" \"4.5 mm/s\" \"7.1 mm/s\"");
@@ -131,7 +89,7 @@ void say_findings(const twin::Analysis &analysis, const std::string &folder)
 
 int analyse_command(const CommandLine &command)
 {
-  const twin::ReadOptions reading       = read_options(command);
+  const twin::ReadOptions reading       = record_options(command);
   const twin::AnalysisSettings settings = settings_of(command);
   std::optional<twin::CaseModel> stand;
   if (!command.case_file.empty())

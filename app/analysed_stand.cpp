@@ -84,29 +84,37 @@ void add_bearing(twin::CaseModel &stand, const std::vector<RollerBearing> &beari
 }
 }  // namespace
 
+AnalysedChain analysed_chain(const Case &the_case, const std::string &verb, const double wanted_load)
+{
+  if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
+    const double load = wanted_load > 0 ? wanted_load : load_of(four->passes.front());
+    return {chain_of(closed_form_stand(*four, load)), four->dynamics,
+            fmt::format("six masses by closed forms at {:.1f} kN", load / 1e3), load};
+  }
+  const auto *lumped = std::get_if<Lumped>(&the_case.spec);
+  if (!lumped || lumped->detailed)
+    throw InputError("millstand " + verb + ": the case " + the_case.path +
+                     " has no chain of six masses; name a case of kind four-high, or of kind lumped with [given]");
+  return {lumped_model_of(the_case), lumped->dynamics, "six masses as given", not_given};
+}
+
 twin::CaseModel analysed_stand(const Case &the_case)
 {
   twin::CaseModel stand;
-  stand.name = the_case.name;
+  const AnalysedChain chain = analysed_chain(the_case, "analyse");
+  stand.name                = the_case.name;
+  stand.source              = chain.source;
+  add_chain(stand, chain.model, chain.dynamics);
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
-    const double load = load_of(four->passes.front());
-    stand.source      = fmt::format("six masses by closed forms at {:.1f} kN", load / 1e3);
-    add_chain(stand, chain_of(closed_form_stand(*four, load)), four->dynamics);
     add_roll(stand, "work_roll", four->work_roll.barrel_diameter);
     add_roll(stand, "backup_roll", four->backup_roll.barrel_diameter);
     add_bearing(stand, four->bearings, four->work_roll.bearing, "work_roll", four->work_roll.barrel_diameter);
     add_bearing(stand, four->bearings, four->backup_roll.bearing, "backup_roll",
                 four->backup_roll.barrel_diameter);
-    return stand;
+  } else if (const auto *lumped = std::get_if<Lumped>(&the_case.spec)) {
+    add_roll(stand, "work_roll", lumped->campbell.work_roll_diameter);
+    add_roll(stand, "backup_roll", lumped->campbell.backup_roll_diameter);
   }
-  const auto *lumped = std::get_if<Lumped>(&the_case.spec);
-  if (!lumped || lumped->detailed)
-    throw InputError("millstand analyse: the case " + the_case.path +
-                     " has no chain of six masses; name a case of kind four-high, or of kind lumped with [given]");
-  stand.source = "six masses as given";
-  add_chain(stand, lumped_model_of(the_case), lumped->dynamics);
-  add_roll(stand, "work_roll", lumped->campbell.work_roll_diameter);
-  add_roll(stand, "backup_roll", lumped->campbell.backup_roll_diameter);
   return stand;
 }
 }  // namespace mill

@@ -1,4 +1,5 @@
 #pragma once
+#include "app/live/live_options.h"
 #include "app/marks_options.h"
 #include <map>
 #include <optional>
@@ -23,6 +24,7 @@ struct CommandLine {
   std::vector<std::string> names;  ///< verify: cases, empty: all; report: further folders; analyse: records
   std::string markdown;            ///< verify --markdown
   MarksOptions marks;              ///< marks
+  LiveOptions live;                ///< live
   std::string case_file;           ///< analyse --case; empty: none
   std::string record_rate;         ///< analyse --rate
   std::string zone;                ///< analyse --zone

@@ -4,6 +4,7 @@
 #include "app/completion.h"
 #include "app/console.h"
 #include "app/export_command.h"
+#include "app/live/live_command.h"
 #include "app/marks_command.h"
 #include "app/out_of_memory.h"
 #include "app/pipeline.h"
@@ -263,6 +264,8 @@ int carry_out(const CommandLine &command)
   }
   if (command.verb == "analyse")
     return analyse_command(command);
+  if (command.verb == "live")
+    return live_command(command, read_case(command.target, command.sets));
   if (command.verb == "export")
     return export_command(command, checked_case(command).the_case);
   if (is_streamed(command)) {

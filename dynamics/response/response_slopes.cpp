@@ -8,16 +8,6 @@ namespace mill::dynamics {
 namespace {
 using Complex = std::complex<double>;
 
-/// Z_ab = 2 (zeta_a w_a - zeta_b w_b) / (w_a^2 - w_b^2).  Two modes of one frequency take the mean of their
-/// ratios: no function of M^-1 K could tell them apart.  (43.4)
-double damping_quotient(const double wa, const double za, const double wb, const double zb)
-{
-  // zeta_a w_a - zeta_b w_b = zm (w_a - w_b) + (z_a - z_b) wm with means zm, wm: no cancellation for equal ratios.
-  const double ratio = 0.5 * (za + zb), change = za - zb;
-  const double equal = 2 * ratio / (wa + wb);
-  return change == 0 || wa == wb ? equal : equal + change / (wa - wb);
-}
-
 Eigen::MatrixXcd changed_dynamics(const SlopedStand &s, const std::size_t p, const double w)
 {
   const Eigen::Index n     = s.frequency.size();
@@ -34,6 +24,14 @@ Eigen::MatrixXcd changed_dynamics(const SlopedStand &s, const std::size_t p, con
   return A;
 }
 }  // namespace
+
+double damping_quotient(const double wa, const double za, const double wb, const double zb)
+{
+  // zeta_a w_a - zeta_b w_b = zm (w_a - w_b) + (z_a - z_b) wm with means zm, wm: no cancellation for equal ratios.
+  const double ratio = 0.5 * (za + zb), change = za - zb;
+  const double equal = 2 * ratio / (wa + wb);
+  return change == 0 || wa == wb ? equal : equal + change / (wa - wb);
+}
 
 SlopedStand sloped_stand(const MillModel &model, const Eigen::VectorXd &damping)
 {

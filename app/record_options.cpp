@@ -1,0 +1,50 @@
+#include "app/record_options.h"
+#include "core/case/errors.h"
+#include "core/case/units.h"
+#include <fmt/format.h>
+#include <map>
+
+namespace mill {
+namespace {
+// "AI_07=upper_work_roll"
+std::map<std::string, std::string> pairs_of(const std::string &option, const std::vector<std::string> &texts,
+                                            const char *sample)
+{
+  std::map<std::string, std::string> pairs;
+  for (const std::string &text : texts) {
+    const auto at = text.find('=');
+    if (at == std::string::npos || at == 0 || at + 1 == text.size())
+      throw InputError(fmt::format("{} \"{}\": a name and what it stands for are needed, for example {} {}",
+                                   option, text, option, sample));
+    pairs[text.substr(0, at)] = text.substr(at + 1);
+  }
+  return pairs;
+}
+}  // namespace
+
+double quantity_of_option(const std::string &option, const std::string &text, const std::string &sample)
+{
+  const ParsedQuantity parsed = parse_quantity(text);
+  const Unit &wanted          = unit(sample.substr(sample.find(' ') + 1));
+  if (parsed.fault != ParsedQuantity::Fault::none || !(parsed.unit->dimension == wanted.dimension) ||
+      !(parsed.value() > 0))
+    throw InputError(fmt::format("{} \"{}\": {} above zero is needed, for example {} \"{}\"", option, text,
+                                 wanted.quantity, option, sample));
+  return parsed.value();
+}
+
+twin::ReadOptions record_options(const CommandLine &command)
+{
+  twin::ReadOptions options;
+  if (!command.record_rate.empty()) {
+    double rate = 0;
+    if (!parse_number(command.record_rate, rate))
+      rate = quantity_of_option("--rate", command.record_rate, "20000 Hz");
+    options.rate = rate;
+  }
+  options.zone     = command.zone;
+  options.channels = pairs_of("--channel", command.channels, "AI_07=upper_work_roll");
+  options.units    = pairs_of("--unit", command.channel_units, "AI_07=g");
+  return options;
+}
+}  // namespace mill

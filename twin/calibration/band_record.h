@@ -1,0 +1,30 @@
+#pragma once
+#include "twin/spectra/fourier.h"
+#include <Eigen/Core>
+#include <vector>
+
+namespace mill::twin {
+/// Fourier transform of one whole piece of a record in a band, k bins; scaled so that |.|^2 is a one-sided
+/// density.
+struct BandRecord {
+  double duration = 0;            ///< s
+  Eigen::VectorXd angular;        ///< (k) rad/s
+  Eigen::VectorXcd force;         ///< (k) N / sqrt(Hz)
+  Eigen::MatrixXcd acceleration;  ///< (k, m) m/s2 / sqrt(Hz)
+};
+
+/// How the force went between its samples.
+enum class BetweenSamples {
+  smooth,  ///< it has nothing above half the rate: a measured force
+  lines    ///< straight lines: a force that a simulation was driven with, F sinc^2(f/rate)
+};
+
+/// No window, no averaging: what the piece carries over from before is taken off by the fit (44.5).
+/// Of n samples the first 2^a 3^b 5^c, even, are used (at least 98 % of a long piece), since the transform of a
+/// large prime takes hours.
+/// @param force         (n) N
+/// @param acceleration  (n, m) m/s2
+/// @param low, high     Hz, bins from `low` to `high`, both included
+BandRecord band_record(const Eigen::VectorXd &force, const Eigen::MatrixXd &acceleration, double rate, double low,
+                       double high, Fourier &fourier, BetweenSamples between = BetweenSamples::smooth);
+}  // namespace mill::twin

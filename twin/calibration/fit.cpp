@@ -1,0 +1,166 @@
+#include "twin/calibration/fit.h"
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace mill::twin {
+namespace {
+constexpr double enough =
+    1e-4;  // decrease of the cost at which a minimum is reached: 1/70 of a standard deviation
+
+Eigen::VectorXd prior_weight(const std::vector<Unknown> &unknowns)
+{
+  Eigen::VectorXd w(Eigen::Index(unknowns.size()));
+  for (std::size_t i = 0; i < unknowns.size(); ++i)
+    w[Eigen::Index(i)] = 1 / (unknowns[i].prior_sd * unknowns[i].prior_sd);
+  return w;
+}
+
+/// -(curvature + lambda diag)^-1 slope; the fixed unknown does not move.
+Eigen::VectorXd step_of(Eigen::MatrixXd curvature, Eigen::VectorXd slope, const double lambda,
+                        const Eigen::Index fixed)
+{
+  curvature.diagonal() *= 1 + lambda;
+  if (fixed >= 0) {
+    curvature.row(fixed).setZero();
+    curvature.col(fixed).setZero();
+    curvature(fixed, fixed) = 1;
+    slope[fixed]            = 0;
+  }
+  const Eigen::VectorXd scale = curvature.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd even  = scale.asDiagonal() * curvature * scale.asDiagonal();
+  return -(scale.asDiagonal() * even.ldlt().solve(scale.asDiagonal() * slope));
+}
+
+}  // namespace
+
+Eigen::MatrixXd posterior_covariance(const Eigen::MatrixXd &information, const std::vector<Unknown> &unknowns)
+{
+  const Eigen::MatrixXd curvature = information + Eigen::MatrixXd(prior_weight(unknowns).asDiagonal());
+  const Eigen::VectorXd scale     = curvature.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd even      = scale.asDiagonal() * curvature * scale.asDiagonal();
+  return scale.asDiagonal() * even.ldlt().solve(Eigen::MatrixXd::Identity(even.rows(), even.cols())).eval() *
+         scale.asDiagonal();
+}
+
+namespace {
+double number_of_values(const MeasuredResponse &data)
+{
+  double n = 0;
+  for (const BandRecord &band : data.pieces)
+    n += double(band.acceleration.size());
+  return n;
+}
+}  // namespace
+
+Eigen::VectorXd Fit::sd() const
+{
+  return covariance.diagonal().cwiseSqrt();
+}
+
+Eigen::VectorXd Fit::shrink() const
+{
+  Eigen::VectorXd s = sd();
+  for (Eigen::Index i = 0; i < s.size(); ++i)
+    s[i] /= unknowns[std::size_t(i)].prior_sd;
+  return s;
+}
+
+Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
+                const int most_steps, const Eigen::Index fixed)
+{
+  const Eigen::VectorXd weight = prior_weight(unknowns);
+  Descent descent{start, objective(start), 0, false};
+  double lambda = 1e-3;
+  for (; descent.steps < most_steps && !descent.converged; ++descent.steps) {
+    const Likelihood &at            = descent.at;
+    const Eigen::MatrixXd curvature = at.information + Eigen::MatrixXd(weight.asDiagonal());
+    const Eigen::VectorXd step      = step_of(curvature, at.slope, lambda, fixed);
+    const double foreseen           = -at.slope.dot(step) - 0.5 * step.dot(curvature * step);
+    if (!(foreseen > enough)) {
+      descent.converged = lambda < 1;  // a step made short by lambda says nothing about the minimum
+      lambda *= 0.1;
+      continue;
+    }
+    // e^1 is further than any basin reaches: a longer step comes from a direction the records hardly show
+    const double longest       = step.cwiseAbs().maxCoeff();
+    const Eigen::VectorXd next = descent.theta + step * std::min(1.0, 1.0 / longest);
+    Likelihood there           = objective(next);
+    if (there.cost < at.cost) {
+      descent.converged = at.cost - there.cost < enough && lambda < 1;
+      descent.theta     = next;
+      descent.at        = std::move(there);
+      lambda            = std::max(1e-9, 0.1 * lambda);
+    } else {
+      lambda = std::max(1e-3, 10 * lambda);
+      if (lambda > 1e9)
+        break;
+    }
+  }
+  return descent;
+}
+
+Fit minimised(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
+              const MeasuredResponse &data, const NoiseDensity &noise, const FitSettings &settings,
+              const Eigen::Index fixed)
+{
+  const Descent found = descend(
+      [&](const Eigen::VectorXd &theta) {
+        return likelihood(stand, unknowns, theta, data, noise, Wanted::slopes, settings.threads);
+      },
+      unknowns, start, settings.steps, fixed);
+  Fit fit;
+  fit.unknowns  = unknowns;
+  fit.estimate  = found.theta;
+  fit.steps     = found.steps;
+  fit.converged = found.converged;
+  fit.cost      = found.at.cost;
+  fit.misfit    = found.at.residual / number_of_values(data);
+  fit.noise     = noise;
+  fit.information =
+      likelihood(stand, unknowns, found.theta, data, noise, Wanted::information, settings.threads).information;
+  fit.covariance = posterior_covariance(fit.information, unknowns);
+  return fit;
+}
+
+Fit fitted(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
+           const MeasuredResponse &data, const FitSettings &settings)
+{
+  Fit fit;
+  Eigen::VectorXd theta = start;
+  NoiseDensity noise    = noise_before(data);
+  int steps             = 0;
+  bool converged        = true;
+  for (int round = 0; round <= settings.renewals; ++round) {
+    noise = noise_of(residuals(stand, unknowns, theta, data, noise));
+    fit   = minimised(stand, unknowns, theta, data, noise, settings);
+    theta = fit.estimate;
+    steps += fit.steps;
+    converged = fit.converged;
+  }
+  fit.steps     = steps;
+  fit.converged = converged;
+  return fit;
+}
+
+double misfit_on(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta,
+                 const MeasuredResponse &data, const MeasuredResponse &fit_data, const NoiseDensity &noise)
+{
+  // The longest piece of the fit says the noise best.
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i < fit_data.pieces.size(); ++i)
+    if (fit_data.pieces[i].angular.size() > fit_data.pieces[longest].angular.size())
+      longest = i;
+  const Eigen::VectorXd &from = fit_data.pieces[longest].angular;
+  NoiseDensity carried;
+  for (const BandRecord &band : data.pieces) {
+    Eigen::MatrixXd there(band.angular.size(), band.acceleration.cols());
+    for (Eigen::Index b = 0; b < there.rows(); ++b) {
+      const auto at = std::lower_bound(from.data(), from.data() + from.size(), band.angular[b]) - from.data();
+      there.row(b)  = noise[longest].row(std::min<Eigen::Index>(at, from.size() - 1));
+    }
+    carried.push_back(std::move(there));
+  }
+  return likelihood(stand, unknowns, theta, data, carried, Wanted::cost).residual / number_of_values(data);
+}
+}  // namespace mill::twin

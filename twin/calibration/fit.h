@@ -1,0 +1,60 @@
+#pragma once
+#include "twin/calibration/likelihood.h"
+#include <functional>
+
+namespace mill::twin {
+struct FitSettings {
+  int renewals = 3;  ///< how often the noise is taken from the residuals again
+  int steps    = 60;
+  int threads  = 1;
+};
+
+/// What records say about the unknowns.
+struct Fit {
+  std::vector<Unknown> unknowns;
+  Eigen::VectorXd estimate;     ///< (p) theta, ln of factors on the case
+  Eigen::MatrixXd covariance;   ///< (p, p) (A + 1/prior_sd^2)^-1; sd = roots of its diagonal
+  Eigen::MatrixXd information;  ///< (p, p) A, of the records alone
+  NoiseDensity noise;
+  double cost   = 0;       ///< at the estimate, with `noise`
+  double misfit = 0;       ///< mean of |r|^2 over the noise it was weighed with; near 1 unless the noise came from
+                           ///< elsewhere
+  int steps      = 0;      ///< of all minimisations
+  bool converged = false;  ///< every one of them
+  Eigen::VectorXd sd() const;      ///< (p)
+  Eigen::VectorXd shrink() const;  ///< (p) sd over prior sd
+};
+
+/// (p, p) (A + diag 1/prior_sd^2)^-1
+Eigen::MatrixXd posterior_covariance(const Eigen::MatrixXd &information, const std::vector<Unknown> &unknowns);
+
+/// Cost, slope and information of theta.
+using Objective = std::function<Likelihood(const Eigen::VectorXd &theta)>;
+struct Descent {
+  Eigen::VectorXd theta;
+  Likelihood at;
+  int steps;
+  bool converged;
+};
+/// Levenberg and Marquardt, to a decrease of 1e-4.
+/// @param fixed  index of an unknown that stays at its start; -1: none
+Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
+                int most_steps, Eigen::Index fixed = -1);
+
+/// One minimisation with fixed noise.
+/// @param fixed  index of an unknown that stays at its start; -1: none
+Fit minimised(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
+              const MeasuredResponse &data, const NoiseDensity &noise, const FitSettings &settings = {},
+              Eigen::Index fixed = -1);
+
+/// From `start`: noise from the residuals there, minimised, noise renewed, minimised, ..
+/// The minimum beside the start; other basins: basins.h.  Cost: some 20 evaluations of likelihood().
+Fit fitted(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
+           const MeasuredResponse &data, const FitSettings &settings = {});
+
+/// Mean of |r|^2 over the noise that another record left, carried over by frequency: 1 where the stand explains
+/// this record as well.  (44.12)
+/// @param noise  of `fit_data`, all pieces with one set of sensors
+double misfit_on(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta,
+                 const MeasuredResponse &data, const MeasuredResponse &fit_data, const NoiseDensity &noise);
+}  // namespace mill::twin

@@ -1,0 +1,27 @@
+#pragma once
+#include "twin/calibration/band_record.h"
+#include "twin/calibration/fitted_stand.h"
+#include <Eigen/Core>
+#include <vector>
+
+namespace mill::twin {
+/// Bins first .. first + size - 1 of one piece.
+struct Block {
+  Eigen::Index first, size;
+};
+
+/// What a stand does in one block of bins that does not depend on the sensor: (k, n), one column per mode.  A
+/// sensor sees it through its row of the shapes.
+struct ModalColumns {
+  Eigen::ArrayXXcd admittance;               ///< 1/d_i
+  Eigen::ArrayXXcd driven;                   ///< -w^2 g_i F/d_i, F late by the delay
+  std::vector<Eigen::ArrayXXcd> derivative;  ///< (p) of the modal accelerations to theta
+};
+
+ModalColumns modal_columns(const StandAt &at, const BandRecord &band, const Block &block);
+
+/// (44.7): -A_p x / d for what changes the stand; the driven part itself for gain and delay.
+/// @param transient  (2 n) alpha_i and beta_i w_i of each mode
+void add_derivatives(ModalColumns &c, const StandAt &at, const std::vector<Unknown> &unknowns,
+                     const BandRecord &band, const Block &block, const Eigen::VectorXd &transient);
+}  // namespace mill::twin
