@@ -124,6 +124,31 @@ void add_analyse(CLI::App &app, CommandLine &c)
   analyse->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
 }
 
+void add_live(CLI::App &app, CommandLine &c)
+{
+  auto *live =
+      app.add_subcommand("live", "the chain of a stand beside the mill, driven by its force as it is measured");
+  LiveOptions &o = c.live;
+  live->add_option("CASE", c.target, "case file of kind four-high or lumped")->required();
+  live->add_option(
+      "--input", o.input,
+      "FILE.csv (played), tail:FILE.csv (growing), - (lines on standard input), tcp:ADDR:PORT (default "
+      "tcp:127.0.0.1:8461) or mqtt:HOST:PORT/STAND");
+  live->add_option("--listen", o.listen, "address of the page, ADDR:PORT (default 127.0.0.1:8460), or none");
+  live->add_option("--record", o.record, "folder for recordings and the state for a restart");
+  live->add_option("--keep", o.keep, "of the recordings: 24h, 7d, 50GB (default: all)");
+  live->add_option("--speed", o.speed, "of a record that is played: times real time, or max (default 1)");
+  live->add_option("--token-file", o.token_file,
+                   "file with the token of page and data port; needed for addresses that are not loopback");
+  live->add_option("--host", o.host, "name by which a proxy in front asks for the page");
+  live->add_option("--response", o.response, "write the accelerations of the twin into this file (CSV)");
+  add_record_options(live, c);
+  add_repeatable(live, "--set", c.sets, "override section.key=value of the case, repeatable");
+  live->add_flag("--fresh", c.fresh, "start anew and not from the state of an earlier program");
+  live->add_flag("--force-overwrite", c.force_overwrite, "replace an existing --response file");
+  live->add_flag("-q,--quiet", c.quiet, "no lines on the console");
+}
+
 // "--output" of "--output=DIR"
 std::string option_name(const std::string &argument)
 {
@@ -249,6 +274,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   add_analyse(app, c);
   add_calibrate(app, c);
   add_advise(app, c);
+  add_live(app, c);
   auto *trace =
       app.add_subcommand("trace", "which results one input reaches, through which relation, with elasticities");
   trace->add_option("CASE", c.target, "case file")->required();

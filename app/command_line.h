@@ -1,5 +1,6 @@
 #pragma once
 #include "app/calibrate/calibrate_options.h"
+#include "app/live/live_options.h"
 #include "app/marks_options.h"
 #include <map>
 #include <optional>
@@ -26,6 +27,7 @@ struct CommandLine {
   std::string markdown;            ///< verify --markdown
   MarksOptions marks;              ///< marks
   CalibrateOptions calibrate;      ///< calibrate
+  LiveOptions live;                ///< live
   std::string case_file;           ///< analyse --case; empty: none
   std::string measured;            ///< advise --measured; empty: none
   std::string record_rate;         ///< analyse, calibrate, advise --rate

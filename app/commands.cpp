@@ -7,6 +7,7 @@
 #include "app/console.h"
 #include "app/export_command.h"
 #include "app/fast_blas.h"
+#include "app/live/live_command.h"
 #include "app/marks_command.h"
 #include "app/out_of_memory.h"
 #include "app/pipeline.h"
@@ -283,6 +284,8 @@ int carry_out(const CommandLine &command)
     return calibrate_command(command);
   if (command.verb == "advise")
     return advise_command(command, checked_case(command).the_case);
+  if (command.verb == "live")
+    return live_command(command, read_case(command.target, command.sets));
   if (command.verb == "export")
     return export_command(command, checked_case(command).the_case);
   if (is_streamed(command)) {

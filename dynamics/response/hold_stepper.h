@@ -18,6 +18,11 @@ public:
   /// (m) outputs under the force that acts now.
   void output(double force, Eigen::Ref<Eigen::VectorXd> column) const;
 
+  /// (s) state in the coordinates of the system.
+  Eigen::VectorXd state() const;
+  /// Goes on from this state; what was prepared for lengths of steps stays.
+  void set_state(const Eigen::VectorXd &state);
+
   HoldForm form() const;
   const std::string &note() const;  ///< why the form is not the wanted one; empty when it is
 

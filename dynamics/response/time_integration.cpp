@@ -51,6 +51,15 @@ public:
     column += system_.D * F;
   }
 
+  Eigen::VectorXd state() const
+  {
+    return x_;
+  }
+  void set_state(const Eigen::VectorXd &state)
+  {
+    x_ = state;
+  }
+
 private:
   const StateSpace &system_;
   Eigen::VectorXd x_, next_;
@@ -80,6 +89,8 @@ Phi phi(const Complex z)
 struct Diagonal {
   Eigen::VectorXcd lambda, beta;
   Eigen::MatrixXd C_re, C_im;  // output = C_re Re(z) - C_im Im(z) + D F, pairs counted twice
+  Eigen::MatrixXd x_re, x_im;  // x = x_re Re(z) - x_im Im(z)
+  Eigen::MatrixXcd from_x;     // z = from_x x
 };
 
 // Rounding of the modal form grows with the condition of the eigenvectors: eps * 1e6 = 2e-10 keeps the 1e-9 that
@@ -95,14 +106,18 @@ std::optional<Diagonal> diagonal(const StateSpace &system)
   const auto &singular = svd.singularValues();
   if (solver.info() != Eigen::Success || !(singular[0] <= largest_condition * singular[singular.size() - 1]))
     return std::nullopt;
-  const Eigen::VectorXcd beta = V.partialPivLu().solve(system.B.cast<Complex>());
+  const auto factor           = V.partialPivLu();
+  const Eigen::VectorXcd beta = factor.solve(system.B.cast<Complex>());
   const Eigen::MatrixXcd C    = system.C.cast<Complex>() * V;
+  const Eigen::MatrixXcd W    = factor.inverse();
   std::vector<Eigen::Index> kept;
   for (Eigen::Index k = 0; k < all.size(); ++k)
     if (all[k].imag() >= 0)
       kept.push_back(k);
   const auto n = Eigen::Index(kept.size());
-  Diagonal d{Eigen::VectorXcd(n), Eigen::VectorXcd(n), Eigen::MatrixXd(C.rows(), n), Eigen::MatrixXd(C.rows(), n)};
+  Diagonal d{Eigen::VectorXcd(n),          Eigen::VectorXcd(n),          Eigen::MatrixXd(C.rows(), n),
+             Eigen::MatrixXd(C.rows(), n), Eigen::MatrixXd(V.rows(), n), Eigen::MatrixXd(V.rows(), n),
+             Eigen::MatrixXcd(n, V.rows())};
   for (Eigen::Index k = 0; k < n; ++k) {
     const Eigen::Index from = kept[std::size_t(k)];
     const double members    = all[from].imag() > 0 ? 2 : 1;
@@ -110,6 +125,9 @@ std::optional<Diagonal> diagonal(const StateSpace &system)
     d.beta[k]               = beta[from];
     d.C_re.col(k)           = members * C.col(from).real();
     d.C_im.col(k)           = members * C.col(from).imag();
+    d.x_re.col(k)           = members * V.col(from).real();
+    d.x_im.col(k)           = members * V.col(from).imag();
+    d.from_x.row(k)         = W.row(from);
   }
   return d;
 }
@@ -158,6 +176,17 @@ public:
   {
     column.noalias() = C_ * z_;
     column += D_ * F;
+  }
+
+  Eigen::VectorXd state() const
+  {
+    const Eigen::Index n = d_.lambda.size();
+    return d_.x_re * z_.head(n) - d_.x_im * z_.tail(n);
+  }
+  void set_state(const Eigen::VectorXd &state)
+  {
+    const Eigen::VectorXcd z = d_.from_x * state.cast<Complex>();
+    z_ << z.real(), z.imag();
   }
 
 private:
@@ -292,6 +321,19 @@ void HoldStepper::output(const double force, Eigen::Ref<Eigen::VectorXd> column)
     state_->modal->form.output(force, column);
   else
     state_->exponential->form.output(force, column);
+}
+
+Eigen::VectorXd HoldStepper::state() const
+{
+  return state_->modal ? state_->modal->form.state() : state_->exponential->form.state();
+}
+
+void HoldStepper::set_state(const Eigen::VectorXd &state)
+{
+  if (state_->modal)
+    state_->modal->form.set_state(state);
+  else
+    state_->exponential->form.set_state(state);
 }
 
 HoldForm HoldStepper::form() const

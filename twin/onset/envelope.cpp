@@ -23,18 +23,33 @@ std::vector<double> low_pass(const double rate)
 }
 }  // namespace
 
-ComplexEnvelope complex_envelope(const Eigen::VectorXd &value, const std::vector<Span> &pieces, const double rate,
-                                 const double frequency)
+std::complex<double> EnvelopeFilter::turned_back(const std::int64_t first) const
+{
+  return std::polar(1.0, -2 * M_PI * std::fmod(turns * double(first + real.size() / 2), 1.0));
+}
+
+EnvelopeFilter envelope_filter(const double rate, const double frequency)
 {
   const auto taps = low_pass(rate);
   const auto n = Eigen::Index(taps.size()), half = n / 2;
   const double w = 2 * M_PI * frequency / rate;
-  Eigen::VectorXd real(n), imag(n);
+  EnvelopeFilter filter;
+  filter.turns = frequency / rate;
+  filter.step  = std::max<Eigen::Index>(1, Eigen::Index(std::lround(rate / values_per_second)));
+  filter.real.resize(n);
+  filter.imag.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    real[i] = 2 * taps[std::size_t(i)] * std::cos(w * double(i - half));
-    imag[i] = -2 * taps[std::size_t(i)] * std::sin(w * double(i - half));
+    filter.real[i] = 2 * taps[std::size_t(i)] * std::cos(w * double(i - half));
+    filter.imag[i] = -2 * taps[std::size_t(i)] * std::sin(w * double(i - half));
   }
-  const auto step = std::max<Eigen::Index>(1, Eigen::Index(std::lround(rate / values_per_second)));
+  return filter;
+}
+
+ComplexEnvelope complex_envelope(const Eigen::VectorXd &value, const std::vector<Span> &pieces, const double rate,
+                                 const double frequency)
+{
+  const EnvelopeFilter filter = envelope_filter(rate, frequency);
+  const Eigen::Index n = filter.real.size(), step = filter.step;
   ComplexEnvelope result{frequency, rate / double(step), {}, {}};
   for (const Span &piece : pieces) {
     if (piece.size() < n + step)
@@ -44,11 +59,10 @@ ComplexEnvelope complex_envelope(const Eigen::VectorXd &value, const std::vector
     for (Eigen::Index k = 0; k < m; ++k) {
       const Eigen::Index first = piece.begin + k * step;
       const auto part          = value.segment(first, n);
-      const double phase       = 2 * M_PI * std::fmod(frequency / rate * double(first + half), 1.0);
-      z[k]                     = std::complex<double>(part.dot(real), part.dot(imag)) * std::polar(1.0, -phase);
+      z[k] = std::complex<double>(part.dot(filter.real), part.dot(filter.imag)) * filter.turned_back(first);
     }
     result.z.push_back(std::move(z));
-    result.start.push_back(double(piece.begin + half) / rate);
+    result.start.push_back(double(piece.begin + n / 2) / rate);
   }
   return result;
 }

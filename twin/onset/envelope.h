@@ -13,6 +13,17 @@ struct ComplexEnvelope {
   std::vector<double> start;        ///< s, of the first value of each
 };
 
+/// Mixing and low-pass of a band in one: z = (taps . samples) turned back by the phase of the middle sample.
+struct EnvelopeFilter {
+  double turns      = 0;       ///< -, turns of w0 per sample
+  Eigen::Index step = 1;       ///< samples from value to value
+  Eigen::VectorXd real, imag;  ///< (n) taps, n odd
+  /// exp(-i w0 t) at the middle of n samples of which the first has this number.
+  std::complex<double> turned_back(std::int64_t first) const;
+};
+/// Low-pass of +-20 Hz (windowed sinc, 0.3 s long), 50 values per second.
+EnvelopeFilter envelope_filter(double rate, double frequency);
+
 /// Mixed with exp(-i w0 t), low-pass of +-20 Hz (windowed sinc, 0.3 s long), 50 values per second.
 /// Cost O(n) times 15.
 ComplexEnvelope complex_envelope(const Eigen::VectorXd &value, const std::vector<Span> &pieces, double rate,

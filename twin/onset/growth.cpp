@@ -1,4 +1,5 @@
 #include "twin/onset/growth.h"
+#include "twin/onset/onset_watch.h"
 #include <algorithm>
 #include <cmath>
 
@@ -32,19 +33,6 @@ Complex step_factor(const std::vector<Complex> &R, const int last)
     weight += std::norm(R[std::size_t(m)]);
   }
   return weight > 0 ? sum / weight : 0;
-}
-
-// Slope of ln |z| over the last `n` values.
-double slope_of_log(const Eigen::VectorXcd &z, const Eigen::Index at, const Eigen::Index n, const double rate)
-{
-  double tt = 0, ty = 0;
-  const double middle = double(n - 1) / 2;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double t = double(i) - middle;
-    tt += t * t;
-    ty += t * std::log(std::abs(z[at - n + 1 + i]) + 1e-300);
-  }
-  return ty / tt * rate;
 }
 }  // namespace
 
@@ -88,36 +76,11 @@ GrowthRate growth_rate(const ComplexEnvelope &envelope)
 std::vector<Alarm> alarms(const ComplexEnvelope &envelope, const AlarmSettings &settings)
 {
   std::vector<Alarm> found;
-  const auto values = [&](const double seconds) { return Eigen::Index(std::lround(seconds * envelope.rate)); };
-  const Eigen::Index before = values(settings.before), out = values(settings.left_out),
-                     least = values(settings.least), slope = std::max<Eigen::Index>(3, values(0.2));
-  std::vector<double> squares;
   for (std::size_t p = 0; p < envelope.z.size(); ++p) {
-    const Eigen::VectorXcd &z = envelope.z[p];
-    bool armed = true, above_before = false;
-    double baseline = 0;
-    for (Eigen::Index k = out + least; k < z.size(); ++k) {
-      if ((k - out - least) % 5 == 0) {  // ten times a second
-        squares.clear();
-        for (Eigen::Index i = std::max<Eigen::Index>(0, k - before); i < k - out; ++i)
-          squares.push_back(std::norm(z[i]));
-        const auto middle = squares.begin() + std::ptrdiff_t(squares.size() / 2);
-        std::nth_element(squares.begin(), middle, squares.end());
-        baseline = std::sqrt(*middle / std::log(2.0));  // (41.14)
-      }
-      const double level = std::abs(z[k]);
-      const bool above   = level > settings.threshold * baseline;
-      if (armed && above && above_before) {
-        const double sigma = slope_of_log(z, k, slope, envelope.rate);
-        double to_limit    = std::numeric_limits<double>::quiet_NaN();
-        if (settings.limit && sigma > 0)
-          to_limit = std::max(0.0, std::log(*settings.limit / level) / sigma);
-        found.push_back({envelope.start[p] + double(k) / envelope.rate, level, baseline, sigma, to_limit});
-        armed = false;
-      }
-      armed        = armed || level < 0.5 * settings.threshold * baseline;
-      above_before = above;
-    }
+    OnsetWatch watch(envelope.frequency, envelope.rate, settings);
+    for (Eigen::Index k = 0; k < envelope.z[p].size(); ++k)
+      if (const auto alarm = watch.take(envelope.start[p] + double(k) / envelope.rate, envelope.z[p][k]))
+        found.push_back(*alarm);
   }
   return found;
 }

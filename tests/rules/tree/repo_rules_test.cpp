@@ -95,7 +95,8 @@ TEST(Layers, ThirdPartyStaysBehindItsFolder)
       {"sunlinsol",           {"dynamics"}                             },
       {"sunmatrix",           {"dynamics"}                             },
       {"zip.h",               {"fmu"}                                  },
-      {"unzip.h",             {"fmu"}                                  }
+      {"unzip.h",             {"fmu"}                                  },
+      {"mosquitto.h",         {"live"}                                 }
   };
   for (const Source &source : sources(stages))
     for (const std::string &include : includes(source))

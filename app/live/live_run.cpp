@@ -1,0 +1,274 @@
+#include "app/live/live_run.h"
+#include "app/console.h"
+#include "app/live/live_stand.h"
+#include "app/record_options.h"
+#include "core/case/errors.h"
+#include "core/case/monitoring.h"
+#include "core/case/units.h"
+#include "core/case/visible_text.h"
+#include "core/model/case.h"
+#include "live/engine/engine_loop.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+LiveRun::LiveRun(const CommandLine &command, const Case &the_case)
+    : command_(command), the_case_(the_case), input_(live_input(command.live.input)), model_(live_model(the_case))
+{
+  const LiveOptions &options = command.live;
+  replay_speed(options.speed);
+  if (!options.keep.empty() && options.record.empty())
+    throw InputError("--keep says how much of a recording is kept; name its folder with --record");
+  if (!options.token_file.empty())
+    token_ = live::token_of_file(options.token_file);
+  engine_ = std::make_unique<live::Engine>(model_, hooks());
+  if (model_.dynamics.contact == "curve")
+    print("note: contacts on their curves are not followed here; the twin has their slopes\n");
+  open_folder();
+  if (!options.response.empty())
+    response_.emplace(options.response, command.force_overwrite);
+  resume();
+  open_page();
+  sources_ = std::make_unique<LiveSources>(input_, options, rules(), skip_to_, queue_);
+  print(fmt::format("twin:   {} ({})\nsource: {}\n", the_case.name, model_.source, sources_->description()));
+  if (const std::string notice = sources_->notice(); !notice.empty())
+    console::say("warning: " + notice + "\n");
+  console::flush();
+}
+
+LiveRun::~LiveRun()
+{
+  sources_.reset();   // the readers stop before what they give to
+  recorder_.reset();  // finishes its file while the account is there
+  background_.reset();
+  page_.reset();
+}
+
+void LiveRun::open_folder()
+{
+  const std::string &folder = command_.live.record;
+  if (folder.empty())
+    return;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder))
+    refuse_file(error.value(), "the folder " + folder + " cannot be made" + (error ? ": " + error.message() : "") +
+                                   "; choose another with --record");
+  state_.emplace(folder);
+  live::finish_parts(folder, [&](const std::string &text) { print(text + "\n"); });
+  live::RecorderSettings settings;
+  settings.folder    = folder;
+  settings.case_name = the_case_.name;
+  settings.case_hash = model_.hash;
+  if (!command_.live.keep.empty())
+    settings.kept = live::kept_records(command_.live.keep);
+  recorder_.emplace(
+      settings, *background_, [this](const std::string &kind, const std::string &text) { say(kind, text); },
+      [this] { return account_json(); });
+}
+
+// What an earlier program of the same case left beside its recording.
+void LiveRun::resume()
+{
+  if (!state_ || command_.fresh)
+    return;
+  const auto stored = state_->read();
+  if (!stored)
+    return;
+  const std::string said = engine_->resume(*stored);
+  if (!said.empty())
+    print(said + "\n");
+  if (engine_->resumed_at() == 0 || !engine_->source())
+    return;
+  const live::LiveSource &source = *engine_->source();
+  next_                          = engine_->resumed_at();
+  if (source.name == input_.target)
+    skip_to_ = engine_->resumed_at();
+  assumed_ = live::SourceHead{source.rate, source.start_time, source.name, source.channels, source.factor};
+  const auto minutes = std::int64_t(120 * source.rate);
+  const auto from = engine_->resumed_at() - minutes, to = engine_->resumed_at() + minutes;
+  if (const auto recorded = recorded_up_to(command_.live.record, from, to); recorded && *recorded <= to)
+    recorder_->resume(*recorded);
+}
+
+live::SourceRules LiveRun::rules() const
+{
+  live::SourceRules rules;
+  rules.places  = live::places_of(live::tuned(model_, {}));
+  rules.reading = read_options(command_, monitoring_of(command_.target, command_.sets));
+  rules.token   = input_.kind == LiveInput::Kind::tcp ? token_ : "";
+  rules.next    = [this]() -> std::optional<std::int64_t> {
+    const std::int64_t next = next_;
+    return next < 0 ? std::nullopt : std::optional(next);
+  };
+  if (input_.kind == LiveInput::Kind::mqtt)
+    rules.assumed = assumed_;
+  return rules;
+}
+
+live::EngineHooks LiveRun::hooks()
+{
+  live::EngineHooks hooks;
+  hooks.sources.push_back([this](const live::LiveSource &source) {
+    lines_.begin(source);
+    feed_.begin(source);
+    begin_comparison(source);
+    if (recorder_)
+      recorder_->begin(source);
+    if (response_)
+      response_->begin(source);
+  });
+  hooks.rows = [this](const std::int64_t first, const Eigen::MatrixXd &rows) {
+    if (recorder_)
+      recorder_->add(first, rows);
+  };
+  hooks.observers.push_back([this](const live::LiveBlock &block) {
+    if (response_)
+      response_->take(block);
+    if (page_)
+      feed_.take(block);
+    if (const std::string line = lines_.take(block); !line.empty())
+      print(line);
+    if (comparison_) {
+      live::ComparisonNews news = comparison_->take(block);
+      for (const live::PageAlarm &alarm : news.alarms) {
+        if (!alarm.over)
+          print(fmt::format("{}: {}\n", alarm.level, visible(alarm.text, true)));
+        show_alarm(alarm);
+      }
+      news.alarms.clear();
+      news.spectra.erase(std::remove_if(news.spectra.begin(), news.spectra.end(),
+                                        [this](const live::PageSpectrum &s) { return s.place != place_; }),
+                         news.spectra.end());
+      for (const live::PageProposal &proposal : news.proposals)
+        print(fmt::format("proposal {} ({}): {}\n", proposal.id, proposal.state, visible(proposal.text, true)));
+      live::publish(news, [this](const std::string &event, const std::string &json) { publish(event, json); });
+    }
+  });
+  hooks.motion = [this](const std::int64_t first, const double step, const Eigen::MatrixXd &motion) {
+    if (page_)
+      publish(live::event_names::motion, live::motion_text(feed_.motion(first, step, motion)));
+  };
+  hooks.said   = [this](const std::string &kind, const std::string &text) { say(kind, text); };
+  hooks.adopt  = [this](const std::int64_t proposal) { return adopt(proposal); };
+  hooks.models = {
+      [this](const live::TwinModel &model, const live::Tuning &tuning) { changed_model(model, tuning); }};
+  hooks.others = [this](const live::PageCommand &command) {
+    if (command.kind == live::PageCommandKind::place)
+      place_ = command.place;
+    publish_parameters();
+  };
+  hooks.now = utc_now;
+  return hooks;
+}
+
+void LiveRun::begin_comparison(const live::LiveSource &source)
+{
+  for (auto c = source.channels.rbegin(); c != source.channels.rend(); ++c)  // the first place that is measured
+    if (c->unit == "m/s2" && std::find(source.places.begin(), source.places.end(), c->name) != source.places.end())
+      place_ = c->name;
+  live::ComparisonSetup setup;
+  setup.rate     = source.rate;
+  setup.channels = source.channels;
+  setup.places   = source.places;
+  setup.modes    = modes_at_load(the_case_, model_, engine_ ? engine_->tuning() : live::Tuning{});
+  setup.chain    = model_.chain;
+  setup.dynamics = model_.dynamics;
+  setup.unknowns = live::unknowns_of(model_.chain);
+  comparison_.emplace(std::move(setup));
+  for (const std::string &note : comparison_->notes())
+    print("note: " + visible(note, true) + "\n");
+}
+
+std::optional<live::TwinModel> LiveRun::adopt(const std::int64_t id)
+{
+  if (!comparison_)
+    return {};
+  const std::string folder = command_.live.record.empty() ? "." : command_.live.record;
+  try {
+    const auto proposal = comparison_->adopt(id, utc_now(), folder, the_case_);
+    if (!proposal)
+      return {};
+    model_.chain                  = proposal->chain;
+    model_.dynamics.modal_damping = proposal->damping;
+    origin_                       = proposal->file;
+    model_.source                 = "six masses of " + proposal->file;
+    return model_;
+  } catch (const InputError &error) {
+    say("refused", error.what());
+    return {};
+  }
+}
+
+void LiveRun::changed_model(const live::TwinModel &model, const live::Tuning &tuning)
+{
+  if (comparison_)
+    comparison_->set_twin(live::tuned_chain(model, tuning), live::tuned_dynamics(model, tuning),
+                          modes_at_load(the_case_, model, tuning));
+  publish_parameters();
+}
+
+void LiveRun::publish_parameters()
+{
+  publish(live::event_names::parameters,
+          live::parameters_text(page_parameters(engine_->model(), engine_->tuning(), origin_, place_)));
+}
+
+int LiveRun::until_the_end()
+{
+  const CutSignal cut;
+  live::LoopHooks loop;
+  loop.stop = [&] { return cut.asked() != 0; };
+  loop.tick = [this](const double now) { tick(now); };
+  live::run_engine(*engine_, queue_, commands_, loop);
+  sources_->rethrow();
+  if (response_)
+    response_->finish();
+  if (state_)
+    state_->write(engine_->state(), *background_, [this](const std::string &why) { say("recording", why); });
+  if (recorder_)
+    recorder_->finish();
+  summary();
+  return cut.asked() ? 128 + cut.asked() : 0;
+}
+
+void LiveRun::tick(const double now)
+{
+  if (engine_->book() && engine_->book()->begun())
+    next_ = engine_->book()->next();
+  if (recorder_)
+    recorder_->tick(now);
+  if (page_)
+    if (const auto numbers = feed_.numbers(now))
+      publish(live::event_names::numbers, live::numbers_text(*numbers));
+  if (now - last_second_ < 1)
+    return;
+  last_second_ = now;
+  each_second();
+}
+
+void LiveRun::each_second()
+{
+  if (state_ && engine_->source()) {
+    recorder_->tick(std::numeric_limits<double>::infinity());  // what the state has seen is recorded
+    state_->write(engine_->state(), *background_, [this](const std::string &why) { say("recording", why); });
+  }
+  publish(live::event_names::account, live::account_text(page_account()));
+  {
+    const std::lock_guard lock(metrics_lock_);
+    metrics_text_ = metrics();
+  }
+  std::vector<live::PageAlarm> news;
+  {
+    const std::lock_guard lock(alarm_lock_);
+    news = alarms_.news();
+  }
+  for (const live::PageAlarm &alarm : news)
+    show_alarm(alarm);
+}
+}  // namespace mill

@@ -1,0 +1,246 @@
+#include "app/console.h"
+#include "app/live/live_run.h"
+#include "app/live/live_stand.h"
+#include "core/case/errors.h"
+#include "core/case/visible_text.h"
+#include "core/model/case.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+// What of a live run is shown: page, account, alarms, console.
+namespace mill {
+namespace {
+constexpr std::int64_t shown_of_a_kind = 20;  // refusals and the like, on the console
+}  // namespace
+
+double utc_now()
+{
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+void LiveRun::open_page()
+{
+  const LiveOptions &options = command_.live;
+  if (options.listen == "none")
+    return;
+  live::PageSettings settings;
+  if (!options.listen.empty()) {
+    const auto at    = address_and_port("--listen", options.listen, "127.0.0.1:8460");
+    settings.address = at.address;
+    settings.port    = at.port;
+  }
+  settings.token       = token_;
+  settings.token_given = !token_.empty();
+  if (!options.host.empty())
+    settings.hosts.push_back(options.host);
+  if (!options.record.empty() && token_.empty())
+    settings.token_keeper = options.record + "/page.token";
+  page_.emplace(
+      settings, live::stand_text(page_stand(the_case_, model_)),
+      [this](const std::string &json) { return take_command(json); },
+      [this] {
+        const std::lock_guard lock(metrics_lock_);
+        return metrics_text_;
+      });
+  print("page:   " + page_->url() + "\n");
+  if (!page_->notice().empty())
+    console::say("warning: " + page_->notice() + "\n");
+  publish_parameters();
+}
+
+// In the thread of the server.
+live::CommandReply LiveRun::take_command(const std::string &json)
+{
+  const auto refuse = [](const std::string &why) {
+    return live::CommandReply{400, nlohmann::json{{"error", why}}.dump()};
+  };
+  try {
+    const live::PageCommand command = live::page_command(json);
+    const auto &keys                = live::slider_keys();
+    const bool has_key              = std::find(keys.begin(), keys.end(), command.key) != keys.end();
+    using Kind                      = live::PageCommandKind;
+    if ((command.kind == Kind::set && !has_key) ||
+        (command.kind == Kind::reset && !command.key.empty() && !has_key))
+      return refuse("there is no key \"" + visible(command.key, true) + "\"; K1 to K7 and damping can be set");
+    if (command.kind == Kind::advice)
+      return live::CommandReply{409, nlohmann::json{{"error", "millstand advise CASE computes this"}}.dump()};
+    if (command.kind == Kind::acknowledge)
+      return acknowledge(command.id) ? live::CommandReply{}
+                                     : refuse(fmt::format("there is no alarm {}", command.id));
+    if (!commands_.push(command))
+      return live::CommandReply{409, nlohmann::json{{"error", "too many commands wait"}}.dump()};
+    return live::CommandReply{202, "{}"};
+  } catch (const InputError &error) {
+    return refuse(error.problems.front().message);
+  }
+}
+
+// An alarm that was seen stays seen when it changes or ends.
+void LiveRun::show_alarm(live::PageAlarm alarm)
+{
+  {
+    const std::lock_guard lock(alarm_lock_);
+    live::PageAlarm &shown = shown_alarms_[alarm.id];
+    alarm.acknowledged     = alarm.acknowledged || shown.acknowledged;
+    shown                  = alarm;
+    if (shown_alarms_.size() > 400)  // the page keeps 200
+      shown_alarms_.erase(shown_alarms_.begin());
+  }
+  publish(live::event_names::alarm, live::alarm_text(alarm));
+}
+
+bool LiveRun::acknowledge(const std::int64_t id)
+{
+  live::PageAlarm alarm;
+  {
+    const std::lock_guard lock(alarm_lock_);
+    const auto shown = shown_alarms_.find(id);
+    if (shown == shown_alarms_.end())
+      return false;
+    alarm = shown->second;
+  }
+  alarm.acknowledged = true;
+  show_alarm(alarm);
+  return true;
+}
+
+void LiveRun::publish(const std::string &event, const std::string &json)
+{
+  if (page_)
+    page_->publish(event, json);
+  if (sources_ && (event == live::event_names::levels || event == live::event_names::alarm ||
+                   event == live::event_names::modes))
+    sources_->publish("{\"event\":\"" + event + "\",\"data\":" + json + "}");
+}
+
+void LiveRun::print(const std::string &text)
+{
+  if (command_.quiet)
+    return;
+  const std::lock_guard lock(console_);
+  console::print(text);
+  console::flush();
+}
+
+// From the engine and from the background.
+void LiveRun::say(const std::string &kind, const std::string &text)
+{
+  const std::string shown = visible(text, true);
+  std::int64_t times      = 0;
+  {
+    const std::lock_guard lock(console_);
+    times = ++said_[kind];
+  }
+  if (kind == "recording" || kind == "loss" || kind == "gap" || kind == "overrun") {
+    const std::lock_guard lock(alarm_lock_);
+    alarms_.raise(kind, utc_now(),
+                  kind == "recording" ? "recording"
+                  : kind == "gap"     ? "gap"
+                                      : "source",
+                  kind == "recording" ? "alarm" : "warning", shown);
+  }
+  if (times == shown_of_a_kind + 1)
+    print(fmt::format("{}: further ones are counted and not shown\n", kind));
+  if (times > shown_of_a_kind)
+    return;
+  if (kind == "recording") {
+    const std::lock_guard lock(console_);
+    console::say("alarm: " + shown + "\n");
+  } else
+    print(kind + ": " + shown + "\n");
+}
+
+live::PageAccount LiveRun::page_account() const
+{
+  live::PageAccount account;
+  account.utc    = utc_now();
+  account.source = sources_ ? sources_->description() : "";
+  const auto &of = engine_->source();
+  if (of && !of->name.empty() && account.source.find(of->name) == std::string::npos)
+    account.source += ", " + of->name;
+  account.connected = of.has_value();
+  account.queue     = of ? double(queue_.samples()) / of->rate : 0;
+  if (recorder_) {
+    account.recording = command_.live.record;
+    account.recorded  = recorder_->seconds();
+    account.trouble   = recorder_->trouble();
+  }
+  for (std::size_t c = 0; of && c < of->channels.size(); ++c) {
+    const live::ChannelAccount &a = engine_->book()->channels()[c];
+    account.channels.push_back({of->channels[c].name, a.offered, a.processed, a.missing, a.rejected, a.overrun});
+  }
+  return account;
+}
+
+std::string LiveRun::account_json() const
+{
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  const auto &of              = engine_->source();
+  for (std::size_t c = 0; of && c < of->channels.size(); ++c) {
+    const live::ChannelAccount &a          = engine_->book()->channels()[c];
+    json["channels"][of->channels[c].name] = {
+        {"offered",   a.offered  },
+        {"processed", a.processed},
+        {"missing",   a.missing  },
+        {"rejected",  a.rejected },
+        {"overrun",   a.overrun  }
+    };
+  }
+  if (engine_->book()) {
+    json["doubled"]       = engine_->book()->doubled();
+    json["gaps"]          = engine_->book()->gaps();
+    json["refused_lines"] = engine_->refused_lines();
+  }
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+// OpenMetrics without its end, which the server adds.
+std::string LiveRun::metrics() const
+{
+  const auto &of = engine_->source();
+  std::string text;
+  if (of) {
+    const auto family = [&](const char *name, std::int64_t live::ChannelAccount::*member) {
+      text += fmt::format("# TYPE millstand_{0} counter\n", name);
+      for (std::size_t c = 0; c < of->channels.size(); ++c) {
+        std::string label;
+        for (const char letter : of->channels[c].name)
+          label += letter == '"' || letter == '\\' || (unsigned char)letter < ' ' ? '_' : letter;
+        text += fmt::format("millstand_{}_total{{channel=\"{}\"}} {}\n", name, label,
+                            engine_->book()->channels()[c].*member);
+      }
+    };
+    family("samples_offered", &live::ChannelAccount::offered);
+    family("samples_processed", &live::ChannelAccount::processed);
+    family("samples_missing", &live::ChannelAccount::missing);
+    family("samples_rejected", &live::ChannelAccount::rejected);
+    family("samples_overrun", &live::ChannelAccount::overrun);
+  }
+  const std::int64_t doubled = engine_->book() ? engine_->book()->doubled() : 0;
+  const std::int64_t gaps    = engine_->book() ? engine_->book()->gaps() : 0;
+  text += fmt::format("# TYPE millstand_samples_doubled counter\nmillstand_samples_doubled_total {}\n", doubled);
+  text += fmt::format("# TYPE millstand_gaps counter\nmillstand_gaps_total {}\n", gaps);
+  text += fmt::format("# TYPE millstand_lines_refused counter\nmillstand_lines_refused_total {}\n",
+                      engine_->refused_lines());
+  text += fmt::format("# TYPE millstand_queue_samples gauge\nmillstand_queue_samples {}\n", queue_.samples());
+  return text;
+}
+
+void LiveRun::summary()
+{
+  const auto &of = engine_->source();
+  if (!of || !engine_->book())
+    return;
+  print(fmt::format("{:<24} {:>12} {:>12} {:>12} {:>12} {:>12}\n", "samples", "offered", "processed", "missing",
+                    "rejected", "overrun"));
+  for (std::size_t c = 0; c < of->channels.size(); ++c) {
+    const live::ChannelAccount &a = engine_->book()->channels()[c];
+    print(fmt::format("{:<24} {:>12} {:>12} {:>12} {:>12} {:>12}\n", visible(of->channels[c].name, true),
+                      a.offered, a.processed, a.missing, a.rejected, a.overrun));
+  }
+  print(fmt::format("{} gaps, {} samples doubled, {} lines refused\n", engine_->book()->gaps(),
+                    engine_->book()->doubled(), engine_->refused_lines()));
+}
+}  // namespace mill

@@ -1,0 +1,22 @@
+#pragma once
+#include "live/engine/twin_model.h"
+#include "live/page/event_text.h"
+#include "twin/drift/mode_watch.h"
+
+namespace mill {
+struct Case;
+
+/// The chain of a case as `millstand live` steps it: kind lumped as given, kind four-high by closed forms.
+/// @throws InputError  a case without a chain
+live::TwinModel live_model(const Case &the_case);
+
+/// What the page draws of it.
+live::PageStand page_stand(const Case &the_case, const live::TwinModel &model);
+/// Frequencies over the rolling force: of a four-high by closed forms at several loads, K3 and K5 stiffen with it;
+/// of a lumped case the same at every load.  With what the errors of the springs leave open.
+twin::ModesAtLoad modes_at_load(const Case &the_case, const live::TwinModel &model, const live::Tuning &tuning);
+
+/// Factors and frequencies as they now are.
+live::PageParameters page_parameters(const live::TwinModel &model, const live::Tuning &tuning,
+                                     const std::string &origin, const std::string &place);
+}  // namespace mill

@@ -1,0 +1,72 @@
+#include "app/live/live_state.h"
+#include "core/case/errors.h"
+#include "core/records/files.h"
+#include "live/recording/npy_header.h"
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+LiveState::LiveState(std::string folder) : path_(std::move(folder) + "/state.json") {}
+
+std::optional<nlohmann::json> LiveState::read() const
+{
+  const auto text = text_if_readable(path_);
+  if (!text)
+    return {};
+  auto json = nlohmann::json::parse(*text, nullptr, false);
+  if (!json.is_object())
+    return {};
+  return json;
+}
+
+void LiveState::write(const nlohmann::json &state, live::Background &background,
+                      std::function<void(const std::string &)> failed) const
+{
+  if (background.waiting() > 2)
+    return;
+  background.run([path = path_, text = state.dump(), failed = std::move(failed)] {
+    try {
+      write_atomically(path, text + "\n");
+    } catch (const std::exception &error) {
+      failed(error.what());
+    }
+  });
+}
+
+std::optional<std::int64_t> recorded_up_to(const std::string &folder, const std::int64_t from,
+                                           const std::int64_t to)
+{
+  std::optional<std::int64_t> last;
+  std::error_code error;
+  for (const auto &entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    const auto at          = name.find("Z_");
+    if (at == std::string::npos || entry.path().extension() != ".npy")
+      continue;
+    const std::int64_t first = std::strtoll(name.c_str() + at + 2, nullptr, 10);
+    if (first < from || first > to)
+      continue;
+    std::ifstream file(entry.path(), std::ios::binary);
+    std::string bytes(1 << 17, '\0');
+    file.read(bytes.data(), std::streamsize(bytes.size()));
+    bytes.resize(std::size_t(file.gcount()));
+    live::NpyHeader header;
+    if (!live::read_npy_header(bytes, header) || header.rows < 1)
+      continue;
+    file.clear();
+    file.seekg(std::streamoff(header.bytes + std::size_t(header.rows) * header.row_bytes() - 8));
+    unsigned char number[8] = {};
+    if (!file.read(reinterpret_cast<char *>(number), 8))
+      continue;
+    std::uint64_t s = 0;
+    for (int i = 0; i < 8; ++i)
+      s |= std::uint64_t(number[i]) << 8 * i;
+    last = std::max(last.value_or(0), std::int64_t(s) + 1);
+  }
+  return last;
+}
+}  // namespace mill

@@ -1,0 +1,46 @@
+#pragma once
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mill::live {
+/// One server-sent event as it goes over the line, shared by all browsers.
+struct EventFrame {
+  std::string event;
+  std::string text;     ///< "id: 17\nevent: numbers\ndata: {...}\n\n"
+  bool display = true;  ///< a newer one of its kind says all that this one says
+};
+using FramePointer = std::shared_ptr<const EventFrame>;
+
+/// Makes frames and keeps what a browser that comes now has to be told.
+class FrameStore {
+public:
+  FramePointer add(const std::string &event, const std::string &json);
+  /// The latest of each kind, and the last 200 alarms and proposals, in the order in which they came.
+  std::vector<FramePointer> present_state() const;
+
+private:
+  std::int64_t last_id_ = 0;
+  std::map<std::string, std::pair<std::int64_t, FramePointer>> latest_;
+  std::deque<std::pair<std::int64_t, FramePointer>> kept_;
+};
+
+/// What waits for one browser: of each kind of display frame the two latest, of the others all.
+class FrameQueue {
+public:
+  void push(const FramePointer &frame);
+  /// Everything that waits, in order; the queue is empty then.
+  std::vector<FramePointer> take();
+  bool empty() const;
+  std::int64_t dropped() const;
+  /// More than 400 frames that may not be dropped wait: the browser has to begin anew.
+  bool overfull() const;
+
+private:
+  std::deque<FramePointer> waiting_;
+  std::int64_t dropped_ = 0;
+};
+}  // namespace mill::live

@@ -1,0 +1,68 @@
+#include "live/page/event_frames.h"
+#include <gtest/gtest.h>
+
+namespace live = mill::live;
+
+namespace {
+std::vector<std::string> texts(const std::vector<live::FramePointer> &frames)
+{
+  std::vector<std::string> out;
+  for (const auto &frame : frames)
+    out.push_back(frame->text);
+  return out;
+}
+}  // namespace
+
+TEST(EventFrames, AFrameHasAnIdAndOneLineOfData)
+{
+  live::FrameStore store;
+  EXPECT_EQ(store.add("numbers", R"({"s":1})")->text, "id: 1\nevent: numbers\ndata: {\"s\":1}\n\n");
+  EXPECT_EQ(store.add("alarm", "{\n\"id\":\r\n1}")->text, "id: 2\nevent: alarm\ndata: { \"id\":  1}\n\n");
+}
+
+TEST(EventFrames, OfEachKindTwoWaitAndAlarmsAll)
+{
+  live::FrameStore store;
+  live::FrameQueue queue;
+  for (int k = 1; k <= 5; ++k) {
+    queue.push(store.add("numbers", std::to_string(k)));
+    queue.push(store.add("spectrum", std::to_string(10 * k)));
+    queue.push(store.add("alarm", std::to_string(100 * k)));
+  }
+  EXPECT_EQ(queue.dropped(), 6);
+  const auto left = texts(queue.take());
+  ASSERT_EQ(left.size(), 9u);
+  int alarms = 0;
+  for (const auto &text : left)
+    alarms += text.find("event: alarm") != std::string::npos;
+  EXPECT_EQ(alarms, 5);
+  EXPECT_NE(left[left.size() - 3].find("data: 5\n"), std::string::npos);  // the latest of each kind is among them
+  EXPECT_NE(left[left.size() - 2].find("data: 50\n"), std::string::npos);
+  EXPECT_TRUE(queue.empty());
+}
+
+TEST(EventFrames, WhoeverLeavesHundredsOfAlarmsWaitingBeginsAnew)
+{
+  live::FrameStore store;
+  live::FrameQueue queue;
+  for (int k = 0; k < 400; ++k)
+    queue.push(store.add("alarm", "{}"));
+  EXPECT_FALSE(queue.overfull());
+  queue.push(store.add("alarm", "{}"));
+  EXPECT_TRUE(queue.overfull());
+  EXPECT_EQ(queue.dropped(), 0);
+}
+
+TEST(EventFrames, ThePresentStateIsTheLatestOfEachKindInOrder)
+{
+  live::FrameStore store;
+  for (const char *event : {"numbers", "alarm", "modes", "numbers", "alarm", "parameters", "numbers"})
+    store.add(event, "{}");
+  std::string ids;
+  for (const auto &frame : store.present_state())
+    ids += frame->text.substr(4, 1) + frame->event.substr(0, 2) + " ";
+  EXPECT_EQ(ids, "2al 3mo 5al 6pa 7nu ");
+  for (int k = 0; k < 300; ++k)
+    store.add("proposal", "{}");
+  EXPECT_EQ(store.present_state().size(), 203u);
+}

@@ -1,0 +1,113 @@
+// Alarm and growth of a live source: sample by sample the same as from a whole record.
+#include "tests/support/near.h"
+#include "tests/support/synthetic_record.h"
+#include "twin/onset/onset_watch.h"
+#include "twin/onset/running_envelopes.h"
+#include <cmath>
+
+using namespace mill::twin;
+
+namespace {
+constexpr double rate = 500, band = 128.1174;  // Hz
+
+Eigen::VectorXd run_into_chatter(const std::uint64_t seed, const Eigen::Index n)
+{
+  std::vector<double> sigma;
+  for (Eigen::Index k = 0; k < n; ++k)
+    sigma.push_back(-1.5 + 5.5 * std::clamp((double(k) / rate - 40) / 4, 0.0, 1.0));
+  return synthetic::onset(seed, n, rate, band, 0.05, 0.002, sigma).signal;
+}
+
+struct Told {
+  std::vector<double> time, level, growth;
+  std::vector<Alarm> alarms;
+};
+
+Told streamed(const Eigen::MatrixXd &x, const Eigen::Index column, const Eigen::Index block)
+{
+  RunningEnvelopes envelopes(rate, x.cols(), Eigen::Vector2d(60, band));
+  AlarmSettings rule;
+  rule.limit = 2;
+  OnsetWatch watch(band, envelopes.rate(), rule);
+  Told told;
+  for (Eigen::Index at = 0; at < x.rows(); at += block)
+    envelopes.take(at, x.middleRows(at, std::min(block, x.rows() - at)),
+                   [&](const double time, const Eigen::MatrixXcd &z) {
+                     if (const auto alarm = watch.take(time, z(1, column)))
+                       told.alarms.push_back(*alarm);
+                     told.time.push_back(time);
+                     told.level.push_back(watch.level());
+                   });
+  told.growth.push_back(watch.growth().sigma);
+  return told;
+}
+}  // namespace
+
+TEST(OnsetWatch, SameAsTheWholeRecord)
+{
+  const Eigen::Index n = 500 * 46;
+  Eigen::MatrixXd x(n, 2);
+  x << run_into_chatter(7010, n), run_into_chatter(7020, n);
+  AlarmSettings rule;
+  rule.limit = 2;
+  for (Eigen::Index column = 0; column < 2; ++column) {
+    const auto whole = complex_envelope(x.col(column), {{0, n}}, rate, band);
+    const auto found = alarms(whole, rule);
+    ASSERT_FALSE(found.empty());
+    for (const Eigen::Index block : {Eigen::Index(1), Eigen::Index(333), n}) {
+      const Told told = streamed(x, column, block);
+      ASSERT_EQ(Eigen::Index(told.level.size()), whole.z[0].size());
+      for (std::size_t k = 0; k < told.level.size(); ++k)
+        ASSERT_TRUE(near(told.level[k], std::abs(whole.z[0][Eigen::Index(k)]), within(1e-11, "sums in another order")));
+      EXPECT_NEAR(told.time.back(), whole.start[0] + double(told.level.size() - 1) / 50, 1e-9);
+      ASSERT_EQ(told.alarms.size(), found.size());
+      EXPECT_NEAR(told.alarms[0].time, found[0].time, 1e-9);
+      EXPECT_NEAR(told.alarms[0].baseline, found[0].baseline, 1e-12);
+      EXPECT_NEAR(told.alarms[0].to_limit, found[0].to_limit, 1e-9);
+      EXPECT_NEAR(told.growth[0], growth_rate(whole).sigma, 1e-9) << "the record is shorter than the 60 s kept";
+    }
+  }
+}
+
+// The rule itself once more, written apart: median of the 30 s before less the last, five of them, twice running.
+TEST(OnsetWatch, BaselineByDefinition)
+{
+  const Eigen::VectorXd noise = synthetic::normals(3, 6000);
+  OnsetWatch watch(band, 50, {});
+  std::vector<double> squares;
+  for (Eigen::Index k = 0; k < 3000; ++k) {
+    const std::complex<double> z(noise[2 * k], noise[2 * k + 1]);
+    watch.take(double(k) / 50, z);
+    squares.push_back(std::norm(z));
+    if (k < 300 || k % 50 != 0)
+      continue;
+    const std::size_t from = k > 1500 ? std::size_t(k - 1500) : 0, to = std::size_t(k - 50);
+    std::vector<double> part(squares.begin() + std::ptrdiff_t(from), squares.begin() + std::ptrdiff_t(to));
+    std::sort(part.begin(), part.end());
+    EXPECT_NEAR(watch.baseline(), std::sqrt(part[part.size() / 2] / std::log(2.)), 1e-12) << k;
+  }
+  EXPECT_NEAR(watch.baseline(), std::sqrt(2.), 0.08) << "rms of |z| of two normals";
+}
+
+TEST(OnsetWatch, MissingValuesBeginAnew)
+{
+  OnsetWatch watch(band, 50, {});
+  const Eigen::VectorXd noise = synthetic::normals(5, 2000);
+  for (Eigen::Index k = 0; k < 1000; ++k)
+    EXPECT_FALSE(watch.take(double(k) / 50, {noise[2 * k], noise[2 * k + 1]})) << "no value of noise is an alarm";
+  watch.take(20, {NAN, 0});
+  EXPECT_TRUE(std::isnan(watch.level()));
+  for (Eigen::Index k = 0; k < 299; ++k)
+    EXPECT_FALSE(watch.take(20 + double(k) / 50, {100, 0})) << "less than 5 s of baseline";
+  EXPECT_TRUE(std::isnan(watch.growth().sigma)) << "six seconds tell no growth";
+  Eigen::MatrixXd x = Eigen::MatrixXd::Ones(1000, 2);
+  x(500, 1)         = NAN;
+  RunningEnvelopes envelopes(rate, 2, Eigen::VectorXd::Constant(1, 0.));
+  int finite = 0, missing = 0;
+  envelopes.take(0, x, [&](double, const Eigen::MatrixXcd &z) {
+    EXPECT_NEAR(z(0, 0).real(), 2, 1e-12) << "0-peak of what mixes to zero frequency";
+    (std::isfinite(std::abs(z(0, 1))) ? finite : missing)++;
+  });
+  EXPECT_EQ(missing, 16) << "every tenth of the 151 places of the missing sample below the filter";
+  EXPECT_GT(finite, 50);
+}
