@@ -72,11 +72,10 @@ twin::CaseModel analysed_stand(const Case &the_case)
     add_bearing(stand, four->bearings, four->work_roll.bearing, "work_roll", four->work_roll.barrel_diameter);
     add_bearing(stand, four->bearings, four->backup_roll.bearing, "backup_roll",
                 four->backup_roll.barrel_diameter);
-    return stand;
+  } else if (const auto *lumped = std::get_if<Lumped>(&the_case.spec)) {
+    add_roll(stand, "work_roll", lumped->campbell.work_roll_diameter);
+    add_roll(stand, "backup_roll", lumped->campbell.backup_roll_diameter);
   }
-  const auto &lumped = std::get<Lumped>(the_case.spec);
-  add_roll(stand, "work_roll", lumped.campbell.work_roll_diameter);
-  add_roll(stand, "backup_roll", lumped.campbell.backup_roll_diameter);
   return stand;
 }
 }  // namespace mill

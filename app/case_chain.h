@@ -17,7 +17,8 @@ struct CaseChain {
   std::vector<ClosedFormResult> results;  ///< behind those of a four-high
 };
 
-/// Kind lumped as given; kind four-high by closed forms at the load of its first pass (theory.md 24).
+/// Kind lumped as given; kind four-high by closed forms at the load of its first pass (theory.md 24); kind chatter
+/// as its stand is given, without the bite.
 /// @param verb  that asks, for the refusal
 /// @param load  N, that a four-high is computed for; NaN: that of its first pass
 /// @throws InputError  a kind without a chain, a stand in files

@@ -59,7 +59,7 @@ void add_record_options(CLI::App *verb, CommandLine &c)
   verb->add_option("--zone", c.zone, "time zone of local times, Europe/Berlin");
   add_repeatable(verb, "--channel", c.channels, "a column and its place, AI_07=upper_work_roll, repeatable");
   add_repeatable(verb, "--unit", c.channel_units,
-                 "a column and its unit, AI_07=g, where the file says none, repeatable");
+                 "a column and its unit, AI_07=g, where the source says none, repeatable");
 }
 
 void add_calibrate(CLI::App &app, CommandLine &c)

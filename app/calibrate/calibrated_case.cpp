@@ -10,12 +10,6 @@ namespace mill {
 namespace {
 constexpr double given_sd = 0.10, contact_sd = 0.05, least_sd = 0.01;
 
-const DynamicsSettings &dynamics_of_chain(const Case &the_case)
-{
-  const auto *four = std::get_if<FourHigh>(&the_case.spec);
-  return four ? four->dynamics : std::get<Lumped>(the_case.spec).dynamics;
-}
-
 double prior_of(const Parameter &spring, const std::string &name)
 {
   const bool contact  = name == "K3" || name == "K5";
@@ -57,11 +51,16 @@ std::string comment_of(const Case &origin, const twin::Calibration &result, cons
 
 PriorChain prior_chain(const Case &the_case, const double load)
 {
+  if (std::holds_alternative<ChatterCase>(the_case.spec))
+    throw InputError(
+        "millstand calibrate: a case of kind chatter (" + the_case.path +
+        ") has its stand as numbers of its own; name a case of kind four-high, or of kind lumped with "
+        "[given]");
   PriorChain chain;
   const CaseChain analysed  = case_chain(the_case, "calibrate", load);
   chain.model               = analysed.model;
   chain.source              = analysed.source;
-  DynamicsSettings settings = dynamics_of_chain(the_case);
+  DynamicsSettings settings = analysed.dynamics;
   if (settings.force_meaning != "measured")
     chain.notes.push_back("force_meaning = \"" + settings.force_meaning +
                           "\" of the case: a record's force is the whole bite force, so K4 and C have no part in "

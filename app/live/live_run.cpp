@@ -1,5 +1,6 @@
 #include "app/live/live_run.h"
 #include "app/console.h"
+#include "app/live/live_chatter.h"
 #include "app/live/live_stand.h"
 #include "app/record_options.h"
 #include "core/case/errors.h"
@@ -179,7 +180,15 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
   setup.modes    = modes_at_load(the_case_, model_, engine_ ? engine_->tuning() : live::Tuning{});
   setup.chain    = model_.chain;
   setup.dynamics = model_.dynamics;
-  setup.unknowns = live::unknowns_of(model_.chain);
+  if (!std::holds_alternative<ChatterCase>(the_case_.spec))  // whose dampers a chain in modes cannot give back
+    setup.unknowns = live::unknowns_of(model_.chain);
+  setup.chain_at = [this](const double load) { return chain_at_load(the_case_, model_, load); };
+  if (auto chatter = live_chatter(the_case_, model_)) {
+    for (const std::string &note : chatter->notes)
+      print("note: " + visible(note, true) + "\n");
+    setup.chatter = std::move(chatter->setup);
+    setup.bands   = chatter->bands;
+  }
   comparison_.emplace(std::move(setup));
   for (const std::string &note : comparison_->notes())
     print("note: " + visible(note, true) + "\n");
@@ -199,7 +208,7 @@ std::optional<live::TwinModel> LiveRun::adopt(const std::int64_t id)
     origin_                       = proposal->file;
     model_.source                 = "six masses of " + proposal->file;
     return model_;
-  } catch (const InputError &error) {
+  } catch (const std::exception &error) {  // what cannot be written is not adopted
     say("refused", error.what());
     return {};
   }
