@@ -11,6 +11,7 @@
 #include "core/records/files.h"
 #include "report/calibration/calibration_page.h"
 #include "twin/calibration/calibration_files.h"
+#include "twin/calibration/words.h"
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -68,13 +69,10 @@ void write_calibration(const std::string &folder, const std::string &json,
 
 std::string line_of(const twin::Calibrated &u)
 {
-  const auto percent = [](const double theta) { return fmt::format("{:+.3g} %", 100 * std::expm1(theta)); };
-  if (u.name == "delay")
-    return fmt::format("{:<6} {:>10}  95 % {:.3f} .. {:.3f} ms\n", u.name,
-                       fmt::format("{:.3f} ms", 1e3 * u.estimate), 1e3 * u.low, 1e3 * u.high);
   if (!u.told)
     return fmt::format("{:<6} {:>10}  {}\n", u.name, "kept", u.why_not);
-  return fmt::format("{:<6} {:>10}  95 % {} .. {}\n", u.name, percent(u.kept), percent(u.low), percent(u.high));
+  const twin::ShownChange shown = twin::shown_change(u);
+  return fmt::format("{:<6} {:>10}  95 % {} .. {}\n", u.name, shown.kept, shown.low, shown.high);
 }
 
 void say(const twin::Calibration &result, const twin::CalibrationFacts &facts, const std::string &folder)
