@@ -12,6 +12,7 @@
 #include "core/records/files.h"
 #include "report/calibration/calibration_page.h"
 #include "twin/calibration/calibration_files.h"
+#include "twin/calibration/words.h"
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -41,9 +42,13 @@ twin::CalibrationInput input_of(const CommandLine &command, const PriorChain &ch
   input.sensors = pieces.sensors;
   for (const std::string &sensor : pieces.sensors)
     input.places.push_back(std::find(chain.places.begin(), chain.places.end(), sensor) - chain.places.begin());
-  input.rate    = pieces.rate;
-  input.low     = set.band[0];
-  input.high    = std::min(set.band[1], pieces.rate / 2.56);
+  input.rate = pieces.rate;
+  input.low  = set.band[0];
+  input.high = std::min(set.band[1], pieces.rate / 2.56);
+  if (!(input.high > 2 * input.low))
+    throw InputError(fmt::format("{}: {:.6g} samples per second show nothing above {:.4g} Hz, the band begins at "
+                                 "{:.4g} Hz; record faster, or give a band in records.toml",
+                                 set.folder, pieces.rate, input.high, input.low));
   input.fit     = std::move(pieces.fit);
   input.check   = std::move(pieces.check);
   input.between = pieces.between;
@@ -69,13 +74,10 @@ void write_calibration(const std::string &folder, const std::string &json,
 
 std::string line_of(const twin::Calibrated &u)
 {
-  const auto percent = [](const double theta) { return fmt::format("{:+.3g} %", 100 * std::expm1(theta)); };
-  if (u.name == "delay")
-    return fmt::format("{:<6} {:>10}  95 % {:.3f} .. {:.3f} ms\n", u.name,
-                       fmt::format("{:.3f} ms", 1e3 * u.estimate), 1e3 * u.low, 1e3 * u.high);
   if (!u.told)
     return fmt::format("{:<6} {:>10}  {}\n", u.name, "kept", u.why_not);
-  return fmt::format("{:<6} {:>10}  95 % {} .. {}\n", u.name, percent(u.kept), percent(u.low), percent(u.high));
+  const twin::ShownChange shown = twin::shown_change(u);
+  return fmt::format("{:<6} {:>10}  95 % {} .. {}\n", u.name, shown.kept, shown.low, shown.high);
 }
 
 void say(const twin::Calibration &result, const twin::CalibrationFacts &facts, const std::string &folder)
@@ -122,8 +124,12 @@ int calibrate_records(const CommandLine &command, const Case &the_case, const Re
                                pieces.notes,  "",           command.calibrate.accept};
   facts.notes.insert(facts.notes.end(), chain.notes.begin(), chain.notes.end());
   const twin::CalibrationInput input = input_of(command, chain, set, std::move(pieces));
-  const twin::Calibration result     = twin::calibrate(input, progress);
-  const bool refused                 = !result.refusals.empty();
+  for (const twin::Unknown &unknown : input.unknowns)
+    if (unknown.name.size() > 4 && unknown.name.compare(0, 4, "zeta") == 0)
+      facts.notes.push_back(unknown.name + ": a case has one damping ratio for all modes, so this stands in the "
+                                           "report and in the head of calibrated.toml alone");
+  const twin::Calibration result = twin::calibrate(input, progress);
+  const bool refused             = !result.refusals.empty();
   std::string calibrated;
   if (!refused || command.calibrate.accept) {
     facts.written = "calibrated.toml";

@@ -2,6 +2,7 @@
 #include "app/case_chain.h"
 #include "core/case/fields.h"
 #include "core/model/case.h"
+#include "twin/calibration/words.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -19,11 +20,6 @@ double prior_of(const Parameter &spring, const std::string &name)
   return std::max(spring.error_estimate, contact && computed ? contact_sd : least_sd);
 }
 
-std::string percent(const double theta)
-{
-  return fmt::format("{:+.2f} %", 100 * std::expm1(theta));
-}
-
 /// Head of the file: what records made of the case, for whoever opens it.
 std::string comment_of(const Case &origin, const twin::Calibration &result, const std::vector<std::string> &files,
                        const bool accepted)
@@ -32,12 +28,8 @@ std::string comment_of(const Case &origin, const twin::Calibration &result, cons
   for (const std::string &file : files)
     text += "#   " + file + "\n";
   for (const twin::Calibrated &u : result.unknowns)
-    if (u.name == "delay")
-      text += fmt::format("# delay of the clocks {:.3f} ms, 95 % {:.3f} .. {:.3f} ms\n", 1e3 * u.estimate,
-                          1e3 * u.low, 1e3 * u.high);
-    else if (u.told)
-      text +=
-          fmt::format("# {:<5} {} (95 % {} .. {})\n", u.name, percent(u.kept), percent(u.low), percent(u.high));
+    if (const twin::ShownChange shown = twin::shown_change(u); u.told)
+      text += fmt::format("# {:<5} {} (95 % {} .. {})\n", u.name, shown.kept, shown.low, shown.high);
     else
       text += fmt::format("# {:<5} kept: {}\n", u.name, u.why_not);
   for (const std::string &direction : result.unseen)

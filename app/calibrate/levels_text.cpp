@@ -9,6 +9,12 @@ namespace mill {
 namespace {
 constexpr double g        = 9.80665;        // m/s2
 constexpr double factor_2 = 0.69314718056;  // ln: damping, and bandwidth of a force nobody recorded
+
+std::string measured(const MeasuredLevel &level)
+{
+  return std::isnan(level.rms) ? fmt::format("{:.3g} g peak", level.peak / g)
+                               : fmt::format("{:.3g} g", level.rms / g);
+}
 }  // namespace
 
 std::string levels_text(const PriorChain &chain, const RecordSet &set)
@@ -37,14 +43,14 @@ std::string levels_text(const PriorChain &chain, const RecordSet &set)
   std::string text  = fmt::format("Levels alone: {} numbers; {}, white force of {:.4g} kN rms up to {:.4g} Hz{}\n",
                                   set.levels.size(), chain.source, rms / 1e3, set.level_bandwidth,
                                  std::isnan(set.level_force) ? " (assumed)" : "");
-  text += fmt::format("  {:<18} {:>9} {:>9}   percent per percent of", "rms of", "measured", "simulated");
+  text += fmt::format("  {:<18} {:>11} {:>9}   percent per percent of", "level of", "measured", "rms");
   for (const std::string &name : slopes.names)
     text += fmt::format(" {:>9}", name);
   text += "\n";
   for (std::size_t j = 0; j < places.size(); ++j) {
     const auto row = slopes.slope.row(Eigen::Index(j));
-    text += fmt::format("  {:<18} {:>7.3g} g {:>7.3g} g                        ", set.levels[j].place,
-                        set.levels[j].rms / g, slopes.rms[Eigen::Index(j)] / g);
+    text += fmt::format("  {:<18} {:>11} {:>7.3g} g                        ", set.levels[j].place,
+                        measured(set.levels[j]), slopes.rms[Eigen::Index(j)] / g);
     for (Eigen::Index q = 0; q < row.size(); ++q)
       text += fmt::format(" {:>+9.3f}", row[q]);
     text += "\n";

@@ -78,6 +78,8 @@ std::string plan_text(const PriorChain &chain, const std::vector<twin::Unknown> 
                         i == 0 ? "would help most:" : "                ", name, told.names[std::size_t(best)],
                         next[i].told.shrink[best], told.shrink[best]);
   }
+  for (const std::string &note : chain.notes)
+    text += "note: " + note + "\n";
   return text;
 }
 }  // namespace mill

@@ -42,7 +42,8 @@ const std::vector<Field<MeasuredLevel>> &level_rows()
   using L = MeasuredLevel;
   static const std::vector<Field<L>> rows{
       {"place", &L::place, "text", {},          required, "upper_work_roll", "where it was measured"               },
-      {"rms",   &L::rms,   "g",    {1e-6, 1e4}, required, "0.4 g",           "root mean square of the acceleration"},
+      {"rms",   &L::rms,   "g",    {1e-6, 1e4}, absent,   "0.4 g",           "root mean square of the acceleration"},
+      {"peak",  &L::peak,  "g",    {1e-6, 1e4}, absent,   "1.2 g",           "0-peak, where no rms was measured"   },
       {"error", &L::error, "1",    {1e-4, 1},   0.03,     "0.03",            "relative standard deviation"         },
   };
   return rows;
@@ -120,6 +121,10 @@ RecordSet described_set(const std::string &folder, const std::string &path)
   each_table(root, "level", reading, [&](const Section &section) {
     MeasuredLevel level;
     read(section, level_rows(), level, reading);
+    if (std::isnan(level.rms) == std::isnan(level.peak) &&
+        reading.usable({section.key("rms"), section.key("peak")}))
+      reading.add(section.node->place,
+                  section.name + ": a level is either rms or peak, for example rms = \"0.4 g\"");
     set.levels.push_back(level);
   });
   if (reading.problems.empty() && set.entries.empty() && set.levels.empty())

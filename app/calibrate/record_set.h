@@ -9,9 +9,10 @@
 namespace mill {
 /// A measured level of records.toml: one number of a pass, no record.
 struct MeasuredLevel {
-  std::string place;    ///< "upper_work_roll"
-  double rms   = 0;     ///< m/s2
-  double error = 0.03;  ///< -, relative standard deviation
+  std::string place;                                        ///< "upper_work_roll"
+  double rms   = std::numeric_limits<double>::quiet_NaN();  ///< m/s2; NaN: the peak was measured
+  double peak  = std::numeric_limits<double>::quiet_NaN();  ///< m/s2, 0-peak; it follows the rms by its crest
+  double error = 0.03;                                      ///< -, relative standard deviation
 };
 
 /// One record of a folder.

@@ -181,6 +181,10 @@ std::string input_reference()
          "error_estimate = 0.01,\n"
          "inputs = [\"work_roll.barrel_diameter\"] }`. `source` is `given`, `published`, `measured`, "
          "`assumed` or `computed`,\n"
-         "the last two followed by a colon and the reason or method; `method` may be written separately.\n";
+         "the last two followed by a colon and the reason or method; `method` may be written separately. A value "
+         "that\n"
+         "`millstand calibrate` found has `source = \"calibrated: ..\"` and `interval = [\"..\", \"..\"]`, the 95 "
+         "% "
+         "beside it.\n";
 }
 }  // namespace mill

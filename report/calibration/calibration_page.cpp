@@ -36,9 +36,13 @@ std::string table_of(const std::string &head, const std::string &rows)
   return "<table class=\"results\"><thead><tr>" + head + "</tr></thead>\n<tbody>\n" + rows + "</tbody></table>\n";
 }
 
-std::string change(const json &unknown, const double theta)
+/// A number as the files say it, with a true minus.
+std::string change(const json &unknown, const char *which)
 {
-  return unknown["name"] == "delay" ? significant(1e3 * theta, 3) + " ms" : percent(std::expm1(theta));
+  std::string text = unknown["shown"][which].get<std::string>();
+  if (!text.empty() && text[0] == '-')
+    text = "−" + text.substr(1);
+  return text;
 }
 
 std::string unknowns_table(const json &unknowns)
@@ -47,8 +51,8 @@ std::string unknowns_table(const json &unknowns)
   for (const json &u : unknowns) {
     const bool told = u["told"].get<bool>();
     rows += "<tr><th scope=\"row\"><code>" + escaped(u["name"].get<std::string>()) + "</code></th>" +
-            figure_cell(told ? "<b>" + change(u, real(u["kept"])) + "</b>" : "kept") +
-            figure_cell(change(u, real(u["interval"][0])) + " … " + change(u, real(u["interval"][1]))) +
+            figure_cell(told ? "<b>" + change(u, "kept") + "</b>" : "kept") +
+            figure_cell(change(u, "low") + " … " + change(u, "high")) +
             figure_cell(u["name"] == "delay" ? significant(1e3 * real(u["prior_sd"]), 3) + " ms"
                                              : significant(100 * real(u["prior_sd"]), 2) + " %") +
             figure_cell(significant(real(u["shrink"]), 2)) + figure_cell(fixed(real(u["moved"]), 2)) +
@@ -176,7 +180,7 @@ void is_it_right(Page &page, const json &document, const std::map<std::string, T
 
 void how_sure(Page &page, const json &document, const std::map<std::string, Table> &tables)
 {
-  page.section("profiles", "Valleys and other minima", Depth::expert);
+  page.section("profiles", "Valleys and other minima");
   if (const auto found = tables.find("profiles"); found != tables.end()) {
     const auto drawings = profile_drawings(found->second);
     for (std::size_t i = 0; i < drawings.size(); i += 3)

@@ -79,9 +79,11 @@ std::string moved_drawing(const json &unknowns)
   filled(told, tx, ty);
   filled(open, ox, oy);
   const double last = double(std::max(1, i - 1));
+  plot.x.low        = -0.5;
+  plot.x.high       = last + 0.5;
   for (const double limit : {-3.0, 3.0})
-    plot.lines.push_back(
-        {limit < 0 ? "limit of 3" : "", Eigen::Vector2d(0, last), Eigen::Vector2d(limit, limit), Pen::dotted});
+    plot.lines.push_back({limit < 0 ? "limit of 3" : "", Eigen::Vector2d(-0.5, last + 0.5),
+                          Eigen::Vector2d(limit, limit), Pen::dotted});
   return svg_plot(plot);
 }
 

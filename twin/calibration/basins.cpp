@@ -19,7 +19,9 @@ struct Scan {
   FitSettings settings;
   Fit at(const Eigen::VectorXd &start, const Eigen::Index fixed) const
   {
-    return minimised(stand, fit.unknowns, start, data, fit.noise, settings, fixed);
+    FitSettings own = settings;
+    own.covariance  = fixed < 0;
+    return minimised(stand, fit.unknowns, start, data, fit.noise, own, fixed);
   }
   double deviance(const Fit &other) const
   {

@@ -50,9 +50,9 @@ struct Calibration {
   std::vector<std::string> unseen;  ///< directions that the records do not show, in words
   double kept_deviance = 0;         ///< what keeping the priors of what is not told costs
   Held fit, check;
-  std::vector<std::string> refusals;  ///< why no case is written; empty: none
-  Table response;                     ///< check record: |H1| measured, before, after by sensor
-  double fit_seconds = 0, check_seconds = 0;
+  std::vector<std::string> refusals;          ///< why no case is written; empty: none
+  Table response;                             ///< check record: |H1| measured, before, after by sensor
+  double fit_seconds = 0, check_seconds = 0;  ///< s, of the pieces
 };
 
 /// Start, fit, basins, what is told, and whether the model is right.

@@ -1,5 +1,6 @@
 #include "twin/calibration/calibration_files.h"
 #include "core/records/results.h"
+#include "twin/calibration/words.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -60,19 +61,21 @@ ordered_json unknowns_of(const CalibrationInput &input, const Calibration &resul
 {
   ordered_json all = ordered_json::array();
   for (std::size_t i = 0; i < result.unknowns.size(); ++i) {
-    const Calibrated &u = result.unknowns[i];
+    const Calibrated &u     = result.unknowns[i];
+    const ShownChange shown = shown_change(u);
     all.push_back({
-        {"name",     u.name                                                     },
-        {"prior",    finite(input.unknowns[i].prior)                            },
-        {"prior_sd", finite(u.prior_sd)                                         },
-        {"estimate", finite(u.estimate)                                         },
-        {"sd",       finite(u.sd)                                               },
-        {"interval", {finite(u.low), finite(u.high)}                            },
-        {"shrink",   finite(u.shrink)                                           },
-        {"moved",    finite((u.estimate - input.unknowns[i].prior) / u.prior_sd)},
-        {"told",     u.told                                                     },
-        {"kept",     finite(u.kept)                                             },
-        {"why_not",  u.why_not                                                  }
+        {"name",     u.name                                                                                        },
+        {"prior",    finite(input.unknowns[i].prior)                                                               },
+        {"prior_sd", finite(u.prior_sd)                                                                            },
+        {"estimate", finite(u.estimate)                                                                            },
+        {"sd",       finite(u.sd)                                                                                  },
+        {"interval", {finite(u.low), finite(u.high)}                                                               },
+        {"shrink",   finite(u.shrink)                                                                              },
+        {"moved",    finite((u.estimate - input.unknowns[i].prior) / u.prior_sd)                                   },
+        {"told",     u.told                                                                                        },
+        {"kept",     finite(u.kept)                                                                                },
+        {"shown",    {{"kept", shown.kept}, {"estimate", shown.estimate}, {"low", shown.low}, {"high", shown.high}}},
+        {"why_not",  u.why_not                                                                                     }
     });
   }
   return all;

@@ -152,11 +152,9 @@ Eigen::VectorXd coarse_start(const FittedStand &stand, const std::vector<Unknown
       return std::max(1e-3, e.bin * (double(e.first) + double(q - reach * parts) / parts));
     });
     fine.force           = Eigen::VectorXcd::Ones(k);
-    theta                = descend(
-                [&](const Eigen::VectorXd &at) {
-                  return windowed_cost(stand, unknowns, at, e, fine, weights, places);
-                },
-                unknowns, theta, 60, 1e-3)
+    theta                = descend([&](const Eigen::VectorXd &at,
+                        Wanted) { return windowed_cost(stand, unknowns, at, e, fine, weights, places); },
+                    unknowns, theta, 60, 1e-3)
                 .theta;
   }
   return theta;

@@ -68,7 +68,7 @@ Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns
                 const int most_steps, const double decrease, const Eigen::Index fixed)
 {
   const Eigen::VectorXd weight = prior_weight(unknowns);
-  Descent descent{start, objective(start), 0, false};
+  Descent descent{start, objective(start, Wanted::slopes), 0, false};
   double lambda = 1e-3;
   for (; descent.steps < most_steps && !descent.converged; ++descent.steps) {
     const Likelihood &at            = descent.at;
@@ -83,8 +83,10 @@ Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns
     // e^1 is further than any basin reaches: a longer step comes from a direction the records hardly show
     const double longest       = step.cwiseAbs().maxCoeff();
     const Eigen::VectorXd next = descent.theta + step * std::min(1.0, 1.0 / longest);
-    Likelihood there           = objective(next);
+    Likelihood there           = objective(next, Wanted::cost);
     if (there.cost < at.cost) {
+      if (there.slope.size() == 0)
+        there = objective(next, Wanted::slopes);
       descent.converged = at.cost - there.cost < decrease && lambda < 1;
       descent.theta     = next;
       descent.at        = std::move(there);
@@ -103,8 +105,8 @@ Fit minimised(const FittedStand &stand, const std::vector<Unknown> &unknowns, co
               const Eigen::Index fixed)
 {
   const Descent found = descend(
-      [&](const Eigen::VectorXd &theta) {
-        return likelihood(stand, unknowns, theta, data, noise, Wanted::slopes, settings.threads);
+      [&](const Eigen::VectorXd &theta, const Wanted wanted) {
+        return likelihood(stand, unknowns, theta, data, noise, wanted, settings.threads);
       },
       unknowns, start, settings.steps, settings.decrease, fixed);
   Fit fit;
@@ -115,6 +117,8 @@ Fit minimised(const FittedStand &stand, const std::vector<Unknown> &unknowns, co
   fit.cost      = found.at.cost;
   fit.misfit    = found.at.residual / number_of_values(data);
   fit.noise     = noise;
+  if (!settings.covariance)
+    return fit;
   fit.information =
       likelihood(stand, unknowns, found.theta, data, noise, Wanted::information, settings.threads).information;
   fit.covariance = posterior_covariance(fit.information, unknowns);

@@ -8,6 +8,7 @@ struct FitSettings {
   int steps       = 60;
   double decrease = 1e-4;  ///< of the cost, at which a minimum is reached: 1/70 of a standard deviation
   int threads     = 1;
+  bool covariance = true;  ///< also information and covariance, which walks do not need
 };
 
 /// What records say about the unknowns.
@@ -29,8 +30,8 @@ struct Fit {
 /// (p, p) (A + diag 1/prior_sd^2)^-1
 Eigen::MatrixXd posterior_covariance(const Eigen::MatrixXd &information, const std::vector<Unknown> &unknowns);
 
-/// Cost, slope and information of theta.
-using Objective = std::function<Likelihood(const Eigen::VectorXd &theta)>;
+/// Cost of theta and, where they are wanted, slope and curvature; one that always gives all may.
+using Objective = std::function<Likelihood(const Eigen::VectorXd &theta, Wanted wanted)>;
 struct Descent {
   Eigen::VectorXd theta;
   Likelihood at;
@@ -54,7 +55,7 @@ Fit fitted(const FittedStand &stand, const std::vector<Unknown> &unknowns, const
            const MeasuredResponse &data, const FitSettings &settings = {});
 
 /// Mean of |r|^2 over the noise that another record left, carried over by frequency: 1 where the stand explains
-/// this record as well.  (44.12)
+/// this record as well.  theory.md 45.3
 /// @param noise  of `fit_data`, all pieces with one set of sensors
 double misfit_on(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta,
                  const MeasuredResponse &data, const MeasuredResponse &fit_data, const NoiseDensity &noise);

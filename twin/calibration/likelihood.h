@@ -33,7 +33,7 @@ enum class Wanted {
   cost,
   slopes,      ///< of all that follows theta, what rings on included: for descents
   information  ///< of what the recorded force explains alone; slope is not the cost's then.  Ringing that is
-               ///< fitted to noise follows every resonance and would claim to know it.  (44.5)
+               ///< fitted to noise follows every resonance and would claim to know it.  (44.6)
 };
 
 /// Cost: 12 ms for 20 s, 880 Hz, two sensors, seven unknowns; a fifth of it without slopes; one thread.

@@ -20,7 +20,7 @@ struct ModalColumns {
 
 ModalColumns modal_columns(const StandAt &at, const BandRecord &band, const Block &block);
 
-/// (44.7): -A_p x / d for what changes the stand; the driven part itself for gain and delay.
+/// (44.3): -A_p x / d for what changes the stand; the driven part itself for gain and delay.
 /// @param transient  (2 n) alpha_i and beta_i w_i of each mode
 void add_derivatives(ModalColumns &c, const StandAt &at, const std::vector<Unknown> &unknowns,
                      const BandRecord &band, const Block &block, const Eigen::VectorXd &transient);

@@ -23,7 +23,8 @@ bool share_a_mass(const dynamics::MillModel &chain, const std::string &a, const 
   return false;
 }
 
-std::string words_of(const Told &told, const Eigen::Index column, const FittedStand &stand)
+std::string words_of(const Told &told, const Eigen::Index column, const FittedStand &stand,
+                     const bool unseen = true)
 {
   std::vector<std::pair<double, std::string>> parts;
   for (Eigen::Index i = 0; i < told.direction.rows(); ++i)
@@ -39,6 +40,8 @@ std::string words_of(const Told &told, const Eigen::Index column, const FittedSt
     sum += sum.empty() ? "" : w < 0 ? " - " : " + ";
     sum += fmt::format("{:.2f} ln {}", std::abs(w), name);
   }
+  if (!unseen)
+    return sum;
   if (parts.size() == 1)
     return sum + ": " + parts[0].second + " is hardly seen";
   if (parts.size() == 2 && parts[0].first * parts[1].first < 0 &&
@@ -56,8 +59,20 @@ std::vector<std::string> unseen_directions(const Told &told, const FittedStand &
   return all;
 }
 
+ShownChange shown_change(const Calibrated &unknown)
+{
+  const bool delay     = unknown.name == "delay";
+  const auto in_unit   = [&](const double theta) { return delay ? 1e3 * theta : 100 * std::expm1(theta); };
+  const double width   = in_unit(unknown.high) - in_unit(unknown.low);
+  const int decimals   = width > 0 ? std::clamp(int(std::ceil(1.5 - std::log10(width))), 0, 8) : 2;
+  const auto formatted = [&](const double theta) {
+    return fmt::format("{:+.{}f} {}", in_unit(theta), decimals, delay ? "ms" : "%");
+  };
+  return {formatted(unknown.kept), formatted(unknown.estimate), formatted(unknown.low), formatted(unknown.high)};
+}
+
 std::string weakest_direction(const Told &told, const FittedStand &stand)
 {
-  return words_of(told, told.singular.size() - 1, stand);
+  return words_of(told, told.singular.size() - 1, stand, false);
 }
 }  // namespace mill::twin

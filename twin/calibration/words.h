@@ -1,5 +1,5 @@
 #pragma once
-#include "twin/calibration/plan.h"
+#include "twin/calibration/calibration.h"
 #include <string>
 #include <vector>
 
@@ -9,6 +9,12 @@ namespace mill::twin {
 /// @param stand  says which springs share a mass
 std::vector<std::string> unseen_directions(const Told &told, const FittedStand &stand);
 
-/// The weakest direction, whether or not it is seen.
+/// An unknown as it is printed, with the digits that its interval is worth: "+5.13 %"; of the delay "1.250 ms".
+struct ShownChange {
+  std::string kept, estimate, low, high;
+};
+ShownChange shown_change(const Calibrated &unknown);
+
+/// The weakest direction, whether or not it is seen, as a sum alone.
 std::string weakest_direction(const Told &told, const FittedStand &stand);
 }  // namespace mill::twin

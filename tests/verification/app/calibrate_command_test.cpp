@@ -1,0 +1,193 @@
+// millstand calibrate from records to a calibrated case, its refusals, its plan, and what it says to wrong input.
+#include "core/case/case_file.h"
+#include "core/model/case.h"
+#include "core/model/lumped.h"
+#include "core/records/files.h"
+#include "tests/support/calibration_record.h"
+#include "tests/support/program.h"
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace fs = std::filesystem;
+using namespace mill;
+
+namespace {
+/// The stand whose records are made: set R with some springs moved; what is fitted is at most K3 and the damping.
+struct Stand {
+  std::string folder         = scratch("calibrate");
+  calibration::Recipe recipe = calibration::recipe("two");
+  Stand()
+  {
+    recipe.n     = 60000;
+    recipe.truth = {
+        {"K3",   -0.04},
+        {"zeta", 0.25 }
+    };
+    write_atomically(folder + "/stand.toml", case_text());
+  }
+  static std::string case_text()
+  {
+    const LumpedModel model = calibration::set_r();
+    std::string text        = "schema = 1\nkind = \"lumped\"\ntitle = \"set R\"\n[given]\n";
+    for (std::size_t i = 0; i < 6; ++i)
+      text += fmt::format("M{} = \"{:.17g} kg\"\n", i + 1, model.M[i].value);
+    for (std::size_t i = 0; i < 7; ++i)
+      text += i == 2 || i == 4
+                  ? fmt::format("K{} = {{ value = \"{:.17g} N/m\", source = \"computed: line contact\" }}\n",
+                                i + 1, model.K[i].value)
+                  : fmt::format("K{} = \"{:.17g} N/m\"\n", i + 1, model.K[i].value);
+    return text + "[[pass]]\nname = \"1\"\nload = \"976 kN\"\n[dynamics]\nmodal_damping = \"1 %\"\n";
+  }
+  /// A folder of one record; its last third is the check.
+  std::string records(const std::string &name, const std::string &force = "force [kN]") const
+  {
+    const auto made = calibration::record(recipe);
+    fs::create_directories(folder + "/" + name);
+    std::string text = "time [s]," + force + ",upper_work_roll [m/s2],lower_work_roll [m/s2]\n";
+    for (Eigen::Index k = 0; k < recipe.n; ++k)
+      text += fmt::format("{:.5f},{:.9g},{:.7g},{:.7g}\n", double(k) / recipe.rate, made.force[k] / 1e3,
+                          made.acceleration(k, 0), made.acceleration(k, 1));
+    write_atomically(folder + "/" + name + "/pass.csv", text);
+    return name;
+  }
+  Outcome calibrate(const std::string &arguments) const
+  {
+    return millstand("calibrate stand.toml " + arguments, folder);
+  }
+  std::string file(const std::string &name, const std::string &text) const
+  {
+    fs::create_directories(fs::path(folder + "/" + name).parent_path());
+    write_atomically(folder + "/" + name, text);
+    return name;
+  }
+};
+
+void expect_said(const Outcome &outcome, const int code, const std::string &message)
+{
+  EXPECT_EQ(outcome.exit_code, code) << outcome.err;
+  EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err << "\nwanted: " << message;
+}
+}  // namespace
+
+TEST(CalibrateCommand, RecordsBecomeACase)
+{
+  const Stand stand;
+  stand.records("measured");
+  const auto done = stand.calibrate("--measured measured --free K3,zeta -q -o out");
+  ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
+  const std::string path = stand.folder + "/out/calibrated.toml", text = read_text(path);
+  EXPECT_NE(text.find("source = \"calibrated: records pass.csv; not told: none\", interval = ["),
+            std::string::npos);
+  const Case calibrated = read_case(path);
+  const auto &lumped    = std::get<Lumped>(calibrated.spec);
+  const Parameter &K3   = lumped.given.at("K3").parameter;
+  const double truth    = calibration::set_r().K[2].value * std::exp(-0.04);
+  EXPECT_EQ(K3.source, Source::measured);
+  ASSERT_EQ(K3.checks.size(), 2u);
+  EXPECT_LT(K3.checks[0].value, K3.value);
+  EXPECT_GT(K3.checks[1].value, K3.value);
+  EXPECT_LT(std::abs(K3.value / truth - 1), 4 * K3.error_estimate);
+  EXPECT_NEAR(lumped.dynamics.modal_damping, 0.01 * std::exp(0.25), 1e-4);
+  EXPECT_EQ(lumped.given.at("K1").parameter.source, Source::given);  // nobody asked for it
+  // any verb takes it, and it may be calibrated again
+  EXPECT_EQ(millstand("modes out/calibrated.toml -q -o modes", stand.folder).exit_code, 0);
+  const auto page = read_text(stand.folder + "/out/report.html");
+  EXPECT_NE(page.find("2 of 2 unknowns are told by these records"), std::string::npos);
+  EXPECT_EQ(millstand("report out", stand.folder).out, "report: out/report.html\n");
+  EXPECT_EQ(read_text(stand.folder + "/out/report.html"), page);
+  // a folder that holds something else stays as it is
+  stand.file("other/thesis.txt", "x");
+  expect_said(stand.calibrate("--measured measured -q -o other"), 2,
+              "the folder other holds files that no calibration wrote; choose another with -o, or give "
+              "--force-overwrite");
+}
+
+TEST(CalibrateCommand, AStandThatCannotExplainTheRecordsIsRefused)
+{
+  Stand stand;
+  stand.recipe.truth = {
+      {"K7", -0.1}
+  };
+  stand.records("measured");
+  const auto refused = stand.calibrate("--measured measured --free K3,zeta -o out");
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_NE(refused.out.find("refused: in "), std::string::npos) << refused.out;
+  EXPECT_TRUE(fs::exists(stand.folder + "/out/report.html"));
+  EXPECT_FALSE(fs::exists(stand.folder + "/out/calibrated.toml"));
+  const auto accepted = stand.calibrate("--measured measured --free K3,zeta --accept -q -o out");
+  EXPECT_EQ(accepted.exit_code, 0);
+  const std::string text = read_text(stand.folder + "/out/calibrated.toml");
+  EXPECT_NE(text.find("# REFUSED, written because of --accept: in "), std::string::npos);
+  EXPECT_NE(text.find("; refused, accepted by the user\""), std::string::npos);
+}
+
+TEST(CalibrateCommand, LevelsAloneDetermineOneNumber)
+{
+  const auto said = millstand("calibrate cases/published-levels.toml --measured cases/data/published-levels");
+  EXPECT_EQ(said.exit_code, 3);
+  EXPECT_NE(
+      said.out.find("refused: these levels determine 1 number, damping x bandwidth of the force (both slopes near "
+                    "-0.5); neither of the two is given, and no case is written"),
+      std::string::npos)
+      << said.out;
+  EXPECT_NE(said.out.find("zeta       0.64 of its prior deviation is left: not told"), std::string::npos)
+      << said.out;
+}
+
+TEST(CalibrateCommand, APlanSaysWhatWouldBeTold)
+{
+  const auto two = millstand("calibrate cases/published-levels.toml --plan");
+  EXPECT_EQ(two.exit_code, 0) << two.err;
+  EXPECT_NE(two.out.find("weakest, yet seen: 0.47 ln K1 - 0.88 ln K2"), std::string::npos) << two.out;
+  EXPECT_NE(two.out.find("would help most: a sensor at upper_frame"), std::string::npos) << two.out;
+  const auto low =
+      millstand("calibrate cases/published-levels.toml --plan --force-up-to \"300 Hz\" --free K3,K6,K7 "
+                "--force-rms \"447.2136 N\"");
+  EXPECT_NE(low.out.find("not told"), std::string::npos) << low.out;
+}
+
+TEST(CalibrateCommand, WrongInputIsNamedWithItsRemedy)
+{
+  const Stand stand;
+  expect_said(
+      stand.calibrate(""), 2,
+      "error: millstand calibrate: no records; name their folder with --measured DIR, or ask with --plan what "
+      "a record would tell");
+  expect_said(
+      stand.calibrate("--measured nowhere"), 2,
+      "error: --measured nowhere: no such folder; it holds the records, and records.toml where they have roles");
+  stand.file("empty/readme.md", "no record");
+  expect_said(stand.calibrate("--measured empty"), 2,
+              "error: --measured empty: no record in it; .csv, .npy, .uff and .mat are read");
+  stand.file("roles/records.toml", "[[record]]\nfile = \"pass.csv\"\nrole = \"train\"\n");
+  expect_said(stand.calibrate("--measured roles"), 2,
+              "roles/records.toml:3:8: error: record.0.role = \"train\": a record is for the \"fit\" or for the "
+              "\"check\"");
+  stand.file("nothing/records.toml", "band = [\"20 Hz\", \"900 Hz\"]\n");
+  expect_said(stand.calibrate("--measured nothing"), 2,
+              "neither [[record]] nor [[level]]; a record needs at least file = \"pass-1.csv\"");
+  stand.file("levels/records.toml", "[[level]]\nplace = \"upper_work_roll\"\n");
+  expect_said(stand.calibrate("--measured levels"), 2,
+              "a level is either rms or peak, for example rms = \"0.4 g\"");
+  stand.file("place/records.toml", "[[level]]\nplace = \"uper_work_roll\"\nrms = \"0.4 g\"\n");
+  expect_said(stand.calibrate("--measured place"), 2,
+              "uper_work_roll is no place of the chain; did you mean 'upper_work_roll'?");
+  expect_said(stand.calibrate("--plan --free K9"), 2, "--free K9: K9 is nothing that can be fitted");
+  expect_said(stand.calibrate("--plan --free K1,K1"), 2, "--free K1,K1: K1 is there twice");
+  expect_said(stand.calibrate("--plan --duration 20"), 2,
+              "--duration \"20\": a time above zero is needed, for example --duration \"20 s\"");
+  std::string rows = "time [s],upper_work_roll [m/s2]\n";
+  for (int k = 0; k < 4000; ++k)
+    rows += fmt::format("{:.4f},{:.3f}\n", k / 1000., std::sin(k * 0.7));
+  stand.file("forceless/pass.csv", rows);
+  expect_said(
+      stand.calibrate("--measured forceless -q"), 2,
+      "forceless/pass.csv: no channel \"force\" in N or kN; without the rolling force the records show K/M "
+      "and damping times force only, and nothing is calibrated. Name the channel with --channel AI_01=force");
+  expect_said(
+      millstand("calibrate cases/two-cylinders.toml --plan"), 2,
+      "millstand calibrate: the case cases/two-cylinders.toml has no chain of six masses; name a case of kind "
+      "four-high, or of kind lumped with [given]");
+}
