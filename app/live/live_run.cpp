@@ -116,6 +116,8 @@ live::EngineHooks LiveRun::hooks()
   hooks.sources.push_back([this](const live::LiveSource &source) {
     lines_.begin(source);
     feed_.begin(source);
+    spectrum_.begin(source);
+    place_ = spectrum_.place();
     begin_comparison(source);
     if (recorder_)
       recorder_->begin(source);
@@ -129,8 +131,13 @@ live::EngineHooks LiveRun::hooks()
   hooks.observers.push_back([this](const live::LiveBlock &block) {
     if (response_)
       response_->take(block);
-    if (page_)
+    if (page_) {
       feed_.take(block);
+      const double now =
+          std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+      if (const auto spectrum = spectrum_.take(block, now))
+        publish(live::event_names::spectrum, live::spectrum_text(*spectrum));
+    }
     if (const std::string line = lines_.take(block); !line.empty())
       print(line);
     if (comparison_) {
@@ -141,6 +148,7 @@ live::EngineHooks LiveRun::hooks()
         show_alarm(alarm);
       }
       news.alarms.clear();
+      news.spectra.clear();  // the page shows one place, and also those without a sensor
       for (const live::PageProposal &proposal : news.proposals)
         print(fmt::format("proposal {} ({}): {}\n", proposal.id, proposal.state, visible(proposal.text, true)));
       live::publish(news, [this](const std::string &event, const std::string &json) { publish(event, json); });
@@ -155,9 +163,11 @@ live::EngineHooks LiveRun::hooks()
   hooks.models = {
       [this](const live::TwinModel &model, const live::Tuning &tuning) { changed_model(model, tuning); }};
   hooks.others = [this](const live::PageCommand &command) {
-    if (command.kind == live::PageCommandKind::place)
-      place_ = command.place;
-    changed_model(engine_->model(), engine_->tuning());
+    if (command.kind != live::PageCommandKind::place)
+      return;
+    spectrum_.choose(command.place);
+    place_ = spectrum_.place();
+    publish_parameters(engine_->model(), engine_->tuning());
   };
   hooks.now = utc_now;
   return hooks;
@@ -203,6 +213,12 @@ void LiveRun::changed_model(const live::TwinModel &model, const live::Tuning &tu
   if (comparison_)
     comparison_->set_twin(live::tuned_chain(model, tuning), live::tuned_dynamics(model, tuning),
                           modes_at_load(the_case_, model, tuning));
+  spectrum_.twin_changed();
+  publish_parameters(model, tuning);
+}
+
+void LiveRun::publish_parameters(const live::TwinModel &model, const live::Tuning &tuning)
+{
   publish(live::event_names::parameters, live::parameters_text(page_parameters(model, tuning, origin_, place_)));
 }
 
