@@ -7,7 +7,7 @@
 #include "core/case/visible_text.h"
 #include "core/model/case.h"
 #include "live/engine/engine_loop.h"
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -119,6 +119,8 @@ live::EngineHooks LiveRun::hooks()
     spectrum_.begin(source);
     place_ = spectrum_.place();
     begin_comparison(source);
+    if (engine_)
+      publish_parameters();
     if (recorder_)
       recorder_->begin(source);
     if (response_)
@@ -163,11 +165,11 @@ live::EngineHooks LiveRun::hooks()
   hooks.models = {
       [this](const live::TwinModel &model, const live::Tuning &tuning) { changed_model(model, tuning); }};
   hooks.others = [this](const live::PageCommand &command) {
-    if (command.kind != live::PageCommandKind::place)
-      return;
-    spectrum_.choose(command.place);
-    place_ = spectrum_.place();
-    publish_parameters(engine_->model(), engine_->tuning());
+    if (command.kind == live::PageCommandKind::place) {
+      spectrum_.choose(command.place);
+      place_ = spectrum_.place();
+    }
+    publish_parameters();
   };
   hooks.now = utc_now;
   return hooks;
@@ -214,12 +216,13 @@ void LiveRun::changed_model(const live::TwinModel &model, const live::Tuning &tu
     comparison_->set_twin(live::tuned_chain(model, tuning), live::tuned_dynamics(model, tuning),
                           modes_at_load(the_case_, model, tuning));
   spectrum_.twin_changed();
-  publish_parameters(model, tuning);
+  publish_parameters();
 }
 
-void LiveRun::publish_parameters(const live::TwinModel &model, const live::Tuning &tuning)
+void LiveRun::publish_parameters()
 {
-  publish(live::event_names::parameters, live::parameters_text(page_parameters(model, tuning, origin_, place_)));
+  publish(live::event_names::parameters,
+          live::parameters_text(page_parameters(engine_->model(), engine_->tuning(), origin_, place_)));
 }
 
 int LiveRun::until_the_end()

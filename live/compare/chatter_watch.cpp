@@ -1,6 +1,7 @@
 #include "live/compare/chatter_watch.h"
 #include "core/case/errors.h"
 #include "dynamics/chatter/chatter.h"
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
@@ -9,7 +10,9 @@ namespace mill::live {
 namespace {
 constexpr double calm_growth    = -0.5;  // 1/s, as for the growth rate of a band
 constexpr double agree          = 1e-6;  // -, of what is followed and what a search finds
-constexpr int seconds_beyond    = 2;
+constexpr int seconds_beyond    = 1;
+constexpr std::size_t steady_for = 60;    // s, over which a growth rate is measured
+constexpr double steady_within   = 0.01;  // -, of the speed meanwhile
 constexpr double search_unknown = 10;  // s, from search to search while there is nothing to follow
 
 const char *names[] = {"speed", "exit_speed", "entry_thickness", "exit_thickness", "entry_tension", "exit_tension"};
@@ -21,9 +24,11 @@ ChatterWatch::ChatterWatch(Setup setup, const std::vector<LiveChannel> &channels
   const char *units[] = {"m/s", "m/s", "m", "m", "Pa", "Pa"};
   for (int i = 0; i < n_inputs; ++i) {
     column[std::size_t(i)] = -1;
+    bool named             = false;
     for (std::size_t c = 0; c < channels.size(); ++c) {
       if (channels[c].name != names[i])
         continue;
+      named            = true;
       const bool force = i >= entry_tension && channels[c].unit == "N";
       if (channels[c].unit != units[i] && !force) {
         said.push_back(fmt::format("channel {} is in \"{}\"; the distance to the critical speed needs {}{}: the value "
@@ -34,7 +39,7 @@ ChatterWatch::ChatterWatch(Setup setup, const std::vector<LiveChannel> &channels
       column[std::size_t(i)]   = int(c);
       is_force[std::size_t(i)] = force;
     }
-    if (i >= entry_thickness && column[std::size_t(i)] < 0)
+    if (i >= entry_thickness && !named)
       said.push_back(fmt::format("no channel {}: the value of the case is taken", names[i]));
   }
 }
@@ -108,7 +113,7 @@ double ChatterWatch::roll_speed(const bite::RollBite &bite) const
     return mean[speed];
   double v = mean[exit_speed];
   try {
-    for (int i = 0; i < 3 && v > 0; ++i)
+    for (int i = 0; i < 8 && v > 0; ++i)
       v = mean[exit_speed] / (1 + dynamics::working_point(bite, v, setup_.model.scheme).state.forward_slip);
   } catch (const InputError &) {
     return unknown;
@@ -196,6 +201,7 @@ void ChatterWatch::judge(const double utc, const double growth, AlarmBook &book)
   if (!(now.speed > 0) || !(vc > 0)) {
     book.end(cause);
     judged.clear();
+    speeds.clear();
     return;
   }
   const std::string interval = fmt::format(
@@ -204,7 +210,13 @@ void ChatterWatch::judge(const double utc, const double growth, AlarmBook &book)
       std::isfinite(now.spread)
           ? fmt::format("; linearisations of the bite differ by +-{:.1f} % besides", 100 * now.spread)
           : "");
-  const bool calm         = growth < calm_growth;
+  // a growth rate of the last minute says nothing of a speed that was not there for a minute
+  speeds.push_back(now.speed);
+  if (speeds.size() > steady_for)
+    speeds.pop_front();
+  const auto [slowest, fastest] = std::minmax_element(speeds.begin(), speeds.end());
+  const bool steady = speeds.size() == steady_for && *fastest - *slowest < steady_within * now.speed;
+  const bool calm   = steady && growth < calm_growth;
   const std::string level = beyond >= seconds_beyond         ? (calm ? "warning" : "alarm")
                             : now.speed > now.interval.low   ? "warning"
                             : now.speed < 0.995 * now.interval.low ? ""

@@ -6,6 +6,7 @@
 #include "twin/chatter/critical_track.h"
 #include <Eigen/Core>
 #include <array>
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +70,7 @@ private:
   std::int64_t second = -1;
   double since_search = 0;  // s
   int beyond = 0;           // seconds in a row above the critical speed
+  std::deque<double> speeds;  // m/s, of the last minute
   std::string judged;       // level of the alarm that is open; empty: none
   twin::CriticalTrack track;
   std::string no_speed;  // why there is no critical speed

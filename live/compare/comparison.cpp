@@ -240,7 +240,8 @@ void Comparison::begin_recalibration(const ModeDrift &drift)
     record.places.push_back(pairs[sensor].place);
   for (const twin::ModeRow &row : modes.rows())
     record.modes.push_back(row.measured);
-  twin::FittedStand stand{dynamics::mill_model(setup_.chain, setup_.dynamics), setup_.modes.damping};
+  const LumpedModel chain = setup_.chain_at ? setup_.chain_at(load_) : setup_.chain;
+  twin::FittedStand stand{dynamics::mill_model(chain, setup_.dynamics), setup_.modes.damping};
   const auto work = [stand = std::move(stand), record = std::move(record), unknowns = setup_.unknowns, load = load_] {
     twin::Recalibration found;
     try {

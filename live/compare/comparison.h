@@ -8,6 +8,7 @@
 #include "live/live_block.h"
 #include "live/page/event_text.h"
 #include "twin/comparison/running_comparison.h"
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ struct ComparisonSetup {
   std::optional<double> limit;        ///< m/s2, 0-peak: the mill's own limit of chatter
   std::optional<ChatterWatch::Setup> chatter;
   LumpedModel chain;                  ///< the twin's
+  std::function<LumpedModel(double load)> chain_at;  ///< the same at another force, N; empty: it does not change
   DynamicsSettings dynamics;
   std::vector<twin::Unknown> unknowns;  ///< that a re-calibration may move, with the last posterior's standard
                                         ///< deviations; empty: drift is told and nothing is proposed

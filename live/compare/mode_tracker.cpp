@@ -44,6 +44,8 @@ struct ModeTracker::State {
   std::vector<double> ends;  // s since 1970, by number of the block
   std::int64_t count = 0;
   twin::Fourier fourier;
+  std::vector<double> samples;  // and their lines: kept, since pages of memory are dear
+  std::vector<std::complex<double>> transformed_lines;
   // what is still to be done with the block in `work`
   std::optional<ModeBlock> block;
   Eigen::Index transformed = 0;
@@ -90,10 +92,9 @@ struct ModeTracker::State {
 
   Eigen::VectorXcd transform(const Eigen::Index column)
   {
-    std::vector<double> x(work.col(column).data(), work.col(column).data() + n);
-    std::vector<std::complex<double>> X;
-    fourier.forward(x, X);
-    return Eigen::Map<Eigen::VectorXcd>(X.data(), lines);
+    samples.assign(work.col(column).data(), work.col(column).data() + n);
+    fourier.forward(samples, transformed_lines);
+    return Eigen::Map<Eigen::VectorXcd>(transformed_lines.data(), lines);
   }
 
   // One piece of the work; the table when it was the last.

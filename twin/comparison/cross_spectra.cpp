@@ -1,6 +1,5 @@
 #include "twin/comparison/cross_spectra.h"
 #include "twin/comparison/running_comparison.h"
-#include "twin/spectra/fourier.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,12 +24,18 @@ std::array<double, 3> correlation_at(const Eigen::ArrayXcd &xy, const double ste
   std::array<double, 3> R{};
   const Complex turn = std::polar(1.0, step * tau);
   Complex phase      = turn;
-  for (Eigen::Index k = 1; k < xy.size(); ++k, phase *= turn) {
-    const double w  = step * double(k);
-    const Complex z = xy[k] * phase;
-    R[0] += z.real();
-    R[1] -= w * z.imag();
-    R[2] -= w * w * z.real();
+  // products by hand: those of std::complex look after infinities at ten times the price
+  const auto turned  = [&] {
+    return Complex(phase.real() * turn.real() - phase.imag() * turn.imag(),
+                   phase.real() * turn.imag() + phase.imag() * turn.real());
+  };
+  for (Eigen::Index k = 1; k < xy.size(); ++k, phase = turned()) {
+    const double w    = step * double(k);
+    const double real = xy[k].real() * phase.real() - xy[k].imag() * phase.imag(),
+                 imag = xy[k].real() * phase.imag() + xy[k].imag() * phase.real();
+    R[0] += real;
+    R[1] -= w * imag;
+    R[2] -= w * w * real;
   }
   return R;
 }
@@ -113,14 +118,13 @@ double independent_segments(const double n)
 }
 
 Delay delay_of(const CrossSums &now, const CrossSums &known, const double rate, const double duration,
-               const double reach)
+               const double reach, Fourier &fourier)
 {
   const Eigen::Index bins = now.xx.size(), L = 2 * (bins - 1);
   Delay delay{unknown, unknown, unknown, unknown};
   const double x = now.xx.sum(), y = now.yy.sum();
   if (!(x > 0) || !(y > 0))
     return delay;
-  Fourier fourier;
   std::vector<Complex> lines(std::size_t(L), 0.0), R;
   for (Eigen::Index k = 1; k < bins; ++k)
     lines[std::size_t(k)] = now.xy[k];  // the other half is not needed: the real part is taken

@@ -1,4 +1,5 @@
 #pragma once
+#include "twin/spectra/fourier.h"
 #include <Eigen/Core>
 #include <vector>
 
@@ -23,7 +24,8 @@ double independent_segments(double n);
 /// @param now   of the data whose delay is asked, @param known  of more data, for the coherence
 /// @param duration  s, of the data of `now`
 /// (50.2), (50.3).  Cost: one transform.
-Delay delay_of(const CrossSums &now, const CrossSums &known, double rate, double duration, double reach);
+Delay delay_of(const CrossSums &now, const CrossSums &known, double rate, double duration, double reach,
+               Fourier &fourier);
 
 /// By third octaves with at least three bins, up to rate/2.56.  (50.4)
 std::vector<IncoherentShare> incoherent_shares(const CrossSums &sums, double rate);

@@ -102,11 +102,11 @@ struct RunningComparison::State {
     }
     for (Eigen::Index k = 0; k <= L / 2; ++k) {
       const Complex plus = lines[std::size_t(k)], minus = std::conj(lines[std::size_t(k ? L - k : 0)]);
-      const Complex X = 0.5 * (plus + minus), Y = Complex(0, -0.5) * (plus - minus);
+      const Complex X = 0.5 * (plus + minus), apart = plus - minus, Y(0.5 * apart.imag(), -0.5 * apart.real());
       const double xx = std::norm(X), yy = std::norm(Y);
       p.second.xx[k] += xx;
       p.second.yy[k] += yy;
-      p.second.xy[k] += X * std::conj(Y);
+      p.second.xy[k] += Complex(X.real() * Y.real() + X.imag() * Y.imag(), X.imag() * Y.real() - X.real() * Y.imag());
       if (k < p.seen_x.size()) {
         p.seen_x[k] = kept * p.seen_x[k] + xx;
         p.seen_y[k] = kept * p.seen_y[k] + yy;
@@ -132,7 +132,7 @@ struct RunningComparison::State {
     for (const CrossSums &one : p.kept)
       p.known.add(one);
     const double duration = p.second.n > 0 ? double(L / 2) * (p.second.n + 1) / rate : 0;
-    row.delay             = delay_of(p.second, p.known, rate, duration, reach);
+    row.delay             = delay_of(p.second, p.known, rate, duration, reach, fourier);
     row.bands             = incoherent_shares(p.known, rate);
     p.second.clear();
     p.measured = p.simulated = {};

@@ -1,0 +1,287 @@
+// The twin beside the measured, through all of it: levels, modes, a contact that softens, a proposal that waits.
+#include "core/model/case.h"
+#include "core/records/files.h"
+#include "live/compare/comparison.h"
+#include "tests/support/near.h"
+#include "tests/support/reference.h"
+#include "tests/support/synthetic_record.h"
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+using namespace mill;
+using namespace mill::live;
+
+namespace {
+constexpr double rate = 2500;  // Hz
+
+struct SixMasses {
+  Eigen::VectorXd M, K;
+  SixMasses()
+  {
+    const auto in = reference("oma.inputs", "twin");
+    auto m = in["M"].get<std::vector<double>>(), k = in["K"].get<std::vector<double>>();
+    M = Eigen::Map<Eigen::VectorXd>(m.data(), 6);
+    K = Eigen::Map<Eigen::VectorXd>(k.data(), 7);
+  }
+  synthetic::Chain chain(const double k3) const
+  {
+    Eigen::VectorXd changed = K;
+    changed[2] *= k3;
+    return synthetic::chain(M, changed, 0.01);
+  }
+};
+
+ComparisonSetup setup_of(const SixMasses &stand)
+{
+  ComparisonSetup setup;
+  setup.rate     = rate;
+  setup.channels = {
+      {"force",           "N"   },
+      {"upper_work_roll", "m/s2"},
+      {"lower_work_roll", "m/s2"},
+      {"speed",           "m/s" }
+  };
+  setup.places = {"upper_frame",     "upper_backup_roll", "upper_work_roll",
+                  "lower_work_roll", "lower_backup_roll", "lower_frame"};
+  const auto modes      = stand.chain(1);
+  setup.modes.load      = Eigen::VectorXd::Constant(1, 1e6);
+  setup.modes.frequency = modes.frequency.transpose();
+  setup.modes.damping   = Eigen::VectorXd::Constant(6, 0.01);
+  setup.modes.sd        = Eigen::VectorXd::Zero(6);  // calibrated on this stand
+  for (std::size_t i = 0; i < 6; ++i)
+    setup.chain.M[i].value = stand.M[Eigen::Index(i)];
+  for (std::size_t i = 0; i < 7; ++i) {
+    setup.chain.K[i].value          = stand.K[Eigen::Index(i)];
+    setup.chain.K[i].unit           = "N/m";
+    setup.chain.K[i].source         = Source::measured;
+    setup.chain.K[i].error_estimate = 0.02;
+  }
+  setup.dynamics.modal_damping = 0.01;
+  setup.unknowns               = unknowns_of(setup.chain);
+  setup.recalibrate_on         = 20;
+  setup.wait                   = true;
+  return setup;
+}
+
+// Blocks of 20 ms as the engine hands them on: the mill has another K3 than the twin.
+struct Told {
+  std::vector<PageLevels> levels;
+  std::vector<PageModes> modes;
+  std::vector<PageAlarm> alarms;
+  std::vector<PageProposal> proposals;
+  int spectra = 0;
+};
+
+Told run(Comparison &comparison, const SixMasses &stand, const double k3, const std::uint64_t seed,
+        const double seconds, const double from)
+{
+  const auto n              = Eigen::Index(seconds * rate);
+  const auto force          = synthetic::band_force(seed, n, rate, 1000, 0, 1000);
+  const Eigen::MatrixXd mill = synthetic::response(stand.chain(k3), force.drive, rate),
+                        twin = synthetic::response(stand.chain(1), force.drive, rate);
+  Eigen::MatrixXd measured(n, 4);
+  measured << (force.force.array() + 976.2e3).matrix(),
+      mill.col(2) + synthetic::white(seed + 1000, n, rate, 0.005),
+      mill.col(3) + synthetic::white(seed + 1001, n, rate, 0.005), Eigen::VectorXd::Constant(n, 4.0);
+  Told told;
+  const auto first = std::int64_t(from * rate);
+  for (Eigen::Index at = 0; at < n; at += 50) {
+    LiveBlock block;
+    block.first      = first + at;
+    block.rate       = rate;
+    block.start_time = 1.7e9;
+    block.after_gap  = at == 0;
+    block.settling   = double(at) < 2 * rate;
+    block.force      = measured.col(0).segment(at, 50);
+    block.measured   = measured.middleRows(at, 50);
+    block.simulated  = twin.middleRows(at, 50);
+    const auto news  = comparison.take(block);
+    if (news.levels)
+      told.levels.push_back(*news.levels);
+    if (news.modes)
+      told.modes.push_back(*news.modes);
+    told.alarms.insert(told.alarms.end(), news.alarms.begin(), news.alarms.end());
+    told.proposals.insert(told.proposals.end(), news.proposals.begin(), news.proposals.end());
+    told.spectra += int(news.spectra.size());
+  }
+  return told;
+}
+
+Case given_case(const std::string &folder)
+{
+  const SixMasses stand;
+  std::string text = "schema = 1\nkind = \"lumped\"\ntitle = \"stand of the test\"\n[given]\n";
+  for (int i = 0; i < 6; ++i)
+    text += "M" + std::to_string(i + 1) + " = \"" + std::to_string(stand.M[i]) + " kg\"\n";
+  for (int i = 0; i < 7; ++i)
+    text += "K" + std::to_string(i + 1) + " = \"" + std::to_string(stand.K[i]) + " N/m\"\n";
+  text += "[dynamics]\nmodal_damping = \"1 %\"\n";
+  write_atomically(folder + "/stand.toml", text);
+  return read_case(folder + "/stand.toml");
+}
+}  // namespace
+
+TEST(LiveComparison, AContactSoftensAndAProposalWaits)
+{
+  const SixMasses stand;
+  Comparison comparison(setup_of(stand));
+  ASSERT_TRUE(comparison.notes().empty()) << comparison.notes()[0];
+
+  const Told calm = run(comparison, stand, 1, 41, 33, 0);
+  ASSERT_EQ(calm.modes.size(), 3u);
+  EXPECT_GE(calm.levels.size(), 30u);
+  EXPECT_LE(calm.levels.size(), 31u) << "each second but those of settling";
+  EXPECT_NEAR(double(calm.spectra), 4 * 31 * 2, 8) << "four times a second, of two places";
+  const PlaceLevel &level = calm.levels.back().places.at(0);
+  EXPECT_EQ(level.place, "upper_work_roll");
+  EXPECT_NEAR(level.ratio_db, 0, 0.2);
+  EXPECT_NEAR(level.delay, 0, 5 * level.delay_sd + 1e-7);
+  for (const BandShare &band : level.incoherent)
+    if (band.frequency > 550 && band.frequency < 800)
+      EXPECT_LT(band.share, 0.02) << band.frequency << " Hz, where the work roll vibrates";
+  EXPECT_TRUE(calm.alarms.empty());
+  EXPECT_TRUE(calm.proposals.empty());
+  const PageMode &highest = calm.modes.back().modes.at(5);
+  EXPECT_EQ(highest.state, "calm");
+  EXPECT_LT(std::abs(highest.deviation), 4);
+  EXPECT_EQ(calm.modes.back().modes.at(2).state, "not told") << "218 Hz does not move the work rolls";
+
+  const Told softer = run(comparison, stand, 0.95, 43, 55, 34);
+  ASSERT_FALSE(softer.alarms.empty());
+  EXPECT_EQ(softer.alarms[0].kind, "drift");
+  EXPECT_NE(softer.alarms[0].text.find("mode 6 is at 7"), std::string::npos) << softer.alarms[0].text;
+  EXPECT_NE(softer.alarms[0].text.find("below the twin at 976.2 kN"), std::string::npos) << softer.alarms[0].text;
+  EXPECT_EQ(softer.modes.back().modes.at(5).state, "drifted");
+  ASSERT_EQ(softer.proposals.size(), 1u);
+  const PageProposal &page = softer.proposals[0];
+  EXPECT_EQ(page.state, "open");
+  for (const ProposedValue &value : page.values) {
+    if (value.key == "K3") {
+      EXPECT_TRUE(value.told);
+      EXPECT_NEAR(value.to / value.from, 0.95, 0.002);
+      EXPECT_LT(value.low, 0.95 * value.from);
+      EXPECT_GT(value.high, 0.95 * value.from);
+    } else if (value.told) {
+      EXPECT_NEAR(value.to / value.from, 1, 0.05) << value.key;
+    } else {
+      EXPECT_EQ(value.to, value.from) << value.key;
+    }
+  }
+
+  // nothing is adopted by itself: the twin is compared as before, minutes later
+  const Told later = run(comparison, stand, 0.95, 45, 24, 90);
+  EXPECT_TRUE(later.proposals.empty());
+  EXPECT_NEAR(later.modes.back().modes.at(5).twin_frequency, stand.chain(1).frequency[5], 1e-9);
+  EXPECT_EQ(comparison.proposals().at(0).state, "open");
+  EXPECT_TRUE(comparison.proposals().at(0).file.empty());
+}
+
+TEST(LiveComparison, AdoptedByHandIsACase)
+{
+  namespace fs             = std::filesystem;
+  const std::string folder = testing::TempDir() + "adopted-proposal";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const Case origin = given_case(folder);
+  Proposals proposals;
+  Proposal proposal;
+  proposal.utc    = 1.7e9;
+  proposal.from   = 1.7e9 - 60;
+  proposal.to     = 1.7e9;
+  proposal.reason = "Mode 6 moved down by 8.0 standard deviations on average.";
+  proposal.found.seconds = 60;
+  proposal.found.values  = {
+      {"K3",   0.06, std::log(0.95), 0.001, true },
+      {"K1",   0.06, 0,              0.02,  false},
+      {"zeta", 2,    std::log(1.2),  0.01,  true }
+  };
+  proposal.before         = lumped_model_of(origin);
+  proposal.chain          = recalibrated(proposal.before, proposal.found, 976.2e3);
+  proposal.damping_before = 0.01;
+  proposal.damping        = recalibrated(0.01, proposal.found);
+  proposals.add(proposal);
+  const auto text = [&](const Proposal &p, const std::string &directory) {
+    return calibrated_case(p, origin, directory);
+  };
+  EXPECT_TRUE(fs::is_empty(folder) || !fs::exists(folder + "/adopted.log")) << "nothing before somebody says so";
+  const auto adopted = proposals.adopt(1, 1.7e9 + 5, folder, text);
+  ASSERT_TRUE(adopted);
+  EXPECT_EQ(fs::path(adopted->file).filename(), "calibrated-20231114T221325Z.toml");
+  const Case read         = read_case(adopted->file);
+  const LumpedModel chain = lumped_model_of(read);
+  EXPECT_TRUE(near(chain.K[2].value, 0.95 * proposal.before.K[2].value, within(1e-9, "as written")));
+  EXPECT_TRUE(near(chain.K[0].value, proposal.before.K[0].value, within(1e-9, "not told: as before")));
+  EXPECT_NEAR(std::get<Lumped>(read.spec).dynamics.modal_damping, 0.012, 1e-9);
+  const std::string file = read_text(adopted->file);
+  EXPECT_NE(file.find("# K3: -5.00 %, standard deviation 0.10 %"), std::string::npos) << file;
+  EXPECT_NE(file.find("# not told by these data, as before: K1"), std::string::npos);
+  EXPECT_EQ(read_text(folder + "/adopted.log"),
+            "2023-11-14T22:13:25Z proposal 1 adopted: calibrated-20231114T221325Z.toml; Mode 6 moved down by 8.0 "
+            "standard deviations on average.\n");
+  EXPECT_FALSE(proposals.adopt(1, 1.7e9 + 6, folder, text)) << "once";
+  EXPECT_FALSE(proposals.adopt(7, 1.7e9 + 6, folder, text)) << "no such number";
+  proposals.add(proposal);
+  proposals.add(proposal);
+  EXPECT_EQ(proposals.find(1)->state, "adopted");
+  EXPECT_EQ(proposals.find(2)->state, "out of date");
+  EXPECT_THROW(proposals.adopt(3, 1.7e9 + 5, folder + "/nowhere", text), std::exception);
+  EXPECT_EQ(proposals.find(3)->state, "open") << "what could not be written is not adopted";
+  ASSERT_TRUE(proposals.adopt(3, 1.7e9 + 5, folder, text));
+  EXPECT_EQ(fs::path(proposals.find(3)->file).filename(), "calibrated-20231114T221325Z-2.toml")
+      << "nothing is overwritten";
+  EXPECT_FALSE(proposals.refuse(3));
+}
+
+TEST(LiveComparison, SaysWhatCannotBeCompared)
+{
+  const SixMasses stand;
+  ComparisonSetup setup = setup_of(stand);
+  setup.channels        = {
+      {"force",           "N"},
+      {"upper_work_roll", "V"}
+  };
+  Comparison comparison(setup);
+  ASSERT_EQ(comparison.notes().size(), 2u);
+  EXPECT_EQ(comparison.notes()[0], "channel upper_work_roll is in \"V\" and not in m/s2: it is not compared");
+  EXPECT_EQ(comparison.notes()[1],
+            "no channel is an acceleration at a place of the model: nothing is compared");
+  LiveBlock block;
+  block.rate      = rate;
+  block.force     = Eigen::VectorXd::Zero(100);
+  block.measured  = Eigen::MatrixXd::Zero(100, 2);
+  block.simulated = Eigen::MatrixXd::Zero(100, 6);
+  EXPECT_FALSE(comparison.take(block).levels);
+}
+
+TEST(LiveComparison, AlarmsHaveOneNumberUntilTheyAreOver)
+{
+  AlarmBook book(100);
+  book.raise("a", 1, "chatter", "alarm", "one");
+  book.raise("a", 2, "chatter", "alarm", "one");
+  book.raise("b", 3, "drift", "warning", "two");
+  auto news = book.news();
+  ASSERT_EQ(news.size(), 2u);
+  EXPECT_EQ(news[0].id, 100);
+  EXPECT_EQ(news[0].utc, 1);
+  book.end("a");
+  book.end("unknown");
+  news = book.news();
+  ASSERT_EQ(news.size(), 1u);
+  EXPECT_TRUE(news[0].over);
+  EXPECT_EQ(news[0].id, 100);
+  book.raise("a", 5, "chatter", "alarm", "one");
+  EXPECT_EQ(book.news()[0].id, 102);
+}
+
+TEST(LiveComparison, WorkBesideGivesItsResultOnce)
+{
+  LowPriorityTask<int> task;
+  EXPECT_FALSE(task.wait());
+  ASSERT_TRUE(task.start([] { return 7; }));
+  EXPECT_EQ(task.wait().value(), 7);
+  EXPECT_FALSE(task.finished());
+  ASSERT_TRUE(task.start([] { return 8; }));
+  EXPECT_FALSE(task.start([] { return 9; })) << "one at a time";
+  EXPECT_EQ(task.wait().value(), 8);
+}
