@@ -7,6 +7,7 @@
 #include "app/live/response_file.h"
 #include "live/compare/comparison.h"
 #include "live/display/page_feed.h"
+#include "live/display/place_spectrum.h"
 #include "live/engine/command_queue.h"
 #include "live/engine/engine.h"
 #include "live/page/page_server.h"
@@ -38,6 +39,7 @@ private:
   void resume();
   live::SourceRules rules() const;
   void open_page();
+  std::string token_keeper(int port) const;
   live::CommandReply take_command(const std::string &json);
   void tick(double now);
   void each_second();
@@ -69,6 +71,7 @@ private:
   live::SampleQueue queue_;
   std::optional<live::PageServer> page_;
   live::PageFeed feed_;
+  live::PlaceSpectrum spectrum_;
   std::optional<live::Comparison> comparison_;
   live::AlarmBook alarms_{
       1'000'000};  // of source and recording; those of the comparison have numbers of their own

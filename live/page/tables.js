@@ -59,7 +59,7 @@ export function fillModes(mill) {
     if (!seen)
       return [name, plain(twin, 4), "–", "–", "", stateWord("")];
     return [name, plain(twin, 4), seen.measured === null ? "–" : `${plain(seen.measured, 4)} ± ${plain(seen.sd, 2)}`,
-      seen.deviation === null ? "–" : `${seen.deviation > 0 ? "+" : ""}${plain(seen.deviation, 2)}`, cusum(seen), stateWord(seen.state)];
+      seen.deviation === null ? "–" : signed(seen.deviation), cusum(seen), stateWord(seen.state)];
   });
   fill(byId("modes"), ["mode", "twin Hz", "measured Hz", "in sd", "CUSUM", "state"], rows, [5]);
   const because = data && data.modes.map(mode => mode.because).find(text => text);
@@ -70,11 +70,12 @@ export function fillLevels(mill) {
   const data = mill.levels;
   const rows = ((data && data.places) || []).map(place => [mill.label(place.place),
     plain(place.measured[0]), plain(place.simulated[0]), plain(place.measured[1]), plain(place.simulated[1]), plain(place.measured[2], 2), plain(place.simulated[2], 2),
-    place.ratio_db === null ? "–" : `${place.ratio_db > 0 ? "+" : ""}${place.ratio_db.toFixed(1).replace("-", "−")}`,
+    place.ratio_db === null ? "–" : signed(place.ratio_db),
     place.delay === null ? "–" : `${(place.delay * 1000).toFixed(2).replace("-", "−")}`]);
   fill(byId("levels"), ["m/s²", "rms", "twin", "peak", "twin", "crest", "twin", "dB", "delay ms"], rows);
 }
 
+const signed = value => `${value < 0 ? "−" : "+"}${Math.abs(value).toFixed(1)}`;
 const count = value => String(value).replace(/\B(?=(\d{3})+$)/g, " ");
 
 export function fillAccount(mill) {
