@@ -184,7 +184,13 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
   setup.modes    = modes_at_load(the_case_, model_, engine_ ? engine_->tuning() : live::Tuning{});
   setup.chain    = model_.chain;
   setup.dynamics = model_.dynamics;
-  setup.unknowns = live::unknowns_of(model_.chain);
+  for (twin::Unknown &unknown : live::unknowns_of(model_.chain)) {  // K4 is none where the force is measured
+    const auto springs = live::tuned(model_, {}).springs;
+    if (std::none_of(springs.begin(), springs.end(), [&](const dynamics::Spring &spring) {
+          return spring.name == unknown.name && spring.stiffness == 0;
+        }))
+      setup.unknowns.push_back(std::move(unknown));
+  }
   comparison_.emplace(std::move(setup));
   for (const std::string &note : comparison_->notes())
     print("note: " + visible(note, true) + "\n");
