@@ -119,6 +119,7 @@ live::EngineHooks LiveRun::hooks()
     spectrum_.begin(source);
     place_ = spectrum_.place();
     begin_comparison(source);
+    show_source(source);
     if (engine_)
       publish_parameters();
     if (recorder_)

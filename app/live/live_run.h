@@ -47,6 +47,7 @@ private:
   std::optional<live::TwinModel> adopt(std::int64_t proposal);
   void changed_model(const live::TwinModel &model, const live::Tuning &tuning);
   void publish_parameters();
+  void show_source(const live::LiveSource &source);
   void publish(const std::string &event, const std::string &json);
   void show_alarm(live::PageAlarm alarm);
   bool acknowledge(std::int64_t id);

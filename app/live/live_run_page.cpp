@@ -38,6 +38,21 @@ std::string LiveRun::token_keeper(const int port) const
   return error || access(folder.c_str(), W_OK) != 0 ? "" : keeper;
 }
 
+// What the source measures is known when it has begun.
+void LiveRun::show_source(const live::LiveSource &source)
+{
+  if (!page_)
+    return;
+  live::PageStand stand = page_stand(the_case_, model_);
+  stand.rate            = source.rate;
+  for (live::StandPlace &place : stand.places)
+    place.measured = std::any_of(source.channels.begin(), source.channels.end(), [&](const live::LiveChannel &c) {
+      return c.name == place.place && c.unit == "m/s2";
+    });
+  page_->set_stand(live::stand_text(stand));
+  publish_parameters();
+}
+
 void LiveRun::open_page()
 {
   const LiveOptions &options = command_.live;
@@ -66,6 +81,8 @@ void LiveRun::open_page()
   if (!page_->notice().empty())
     console::say("warning: " + page_->notice() + "\n");
   publish_parameters();
+  if (engine_->source())
+    show_source(*engine_->source());
 }
 
 // In the thread of the server.

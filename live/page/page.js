@@ -85,6 +85,7 @@ const takes = {
   proposal(data) { mill.proposals.set(data.id, data); mark("alarms", "answers"); },
   parameters(data) {
     mill.parameters = data;
+    readStand().catch(() => {});  // a source may have said what it measures
     sliders.take(data);
     view.moved = new Set(data.sliders.filter(p => Math.abs(p.factor - 1) > 1e-9).map(p => p.key));
     mark("modes", "answers", "spectrum", "place", "stand");
