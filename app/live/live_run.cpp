@@ -175,6 +175,8 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
   setup.dynamics = model_.dynamics;
   if (!std::holds_alternative<ChatterCase>(the_case_.spec))  // whose dampers a chain in modes cannot give back
     setup.unknowns = live::unknowns_of(model_.chain);
+  // faster than real time nothing would be ready when it is needed; and so a record gives the same twice
+  setup.wait     = command_.live.speed == "max";
   setup.chain_at = [this](const double load) { return chain_at_load(the_case_, model_, load); };
   if (auto chatter = live_chatter(the_case_, model_)) {
     for (const std::string &note : chatter->notes)
