@@ -8,7 +8,7 @@
 #include "core/case/visible_text.h"
 #include "core/model/case.h"
 #include "live/engine/engine_loop.h"
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -142,6 +142,9 @@ live::EngineHooks LiveRun::hooks()
         show_alarm(alarm);
       }
       news.alarms.clear();
+      news.spectra.erase(std::remove_if(news.spectra.begin(), news.spectra.end(),
+                                        [this](const live::PageSpectrum &s) { return s.place != place_; }),
+                         news.spectra.end());
       for (const live::PageProposal &proposal : news.proposals)
         print(fmt::format("proposal {} ({}): {}\n", proposal.id, proposal.state, visible(proposal.text, true)));
       live::publish(news, [this](const std::string &event, const std::string &json) { publish(event, json); });
@@ -158,7 +161,7 @@ live::EngineHooks LiveRun::hooks()
   hooks.others = [this](const live::PageCommand &command) {
     if (command.kind == live::PageCommandKind::place)
       place_ = command.place;
-    changed_model(engine_->model(), engine_->tuning());
+    publish_parameters();
   };
   hooks.now = utc_now;
   return hooks;
@@ -166,6 +169,9 @@ live::EngineHooks LiveRun::hooks()
 
 void LiveRun::begin_comparison(const live::LiveSource &source)
 {
+  for (auto c = source.channels.rbegin(); c != source.channels.rend(); ++c)  // the first place that is measured
+    if (c->unit == "m/s2" && std::find(source.places.begin(), source.places.end(), c->name) != source.places.end())
+      place_ = c->name;
   live::ComparisonSetup setup;
   setup.rate     = source.rate;
   setup.channels = source.channels;
@@ -214,7 +220,13 @@ void LiveRun::changed_model(const live::TwinModel &model, const live::Tuning &tu
   if (comparison_)
     comparison_->set_twin(live::tuned_chain(model, tuning), live::tuned_dynamics(model, tuning),
                           modes_at_load(the_case_, model, tuning));
-  publish(live::event_names::parameters, live::parameters_text(page_parameters(model, tuning, origin_, place_)));
+  publish_parameters();
+}
+
+void LiveRun::publish_parameters()
+{
+  publish(live::event_names::parameters,
+          live::parameters_text(page_parameters(engine_->model(), engine_->tuning(), origin_, place_)));
 }
 
 int LiveRun::until_the_end()

@@ -44,6 +44,7 @@ private:
   void begin_comparison(const live::LiveSource &source);
   std::optional<live::TwinModel> adopt(std::int64_t proposal);
   void changed_model(const live::TwinModel &model, const live::Tuning &tuning);
+  void publish_parameters();
   void publish(const std::string &event, const std::string &json);
   void show_alarm(live::PageAlarm alarm);
   bool acknowledge(std::int64_t id);

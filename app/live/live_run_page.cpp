@@ -47,8 +47,7 @@ void LiveRun::open_page()
   print("page:   " + page_->url() + "\n");
   if (!page_->notice().empty())
     console::say("warning: " + page_->notice() + "\n");
-  publish(live::event_names::parameters,
-          live::parameters_text(page_parameters(model_, engine_->tuning(), origin_, place_)));
+  publish_parameters();
 }
 
 // In the thread of the server.

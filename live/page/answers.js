@@ -136,9 +136,8 @@ let shownChanges = "";
 
 function changed(mill, send) {
   const all = changes(mill), key = JSON.stringify(all), told = mill.modes && mill.modes.modes.some(mode => mode.measured !== null);
-  const real = all.filter(entry => entry.state !== "note");
-  const state = real.some(entry => entry.state === "bad") ? "bad" : real.length ? "fair" : mill.link !== "open" || !told ? "unknown" : "good";
-  const word = real.length ? (real.length === 1 ? "1 change" : `${real.length} changes`) : mill.link !== "open" ? "no link" : told ? "nothing" : "not known";
+  const state = all.some(entry => entry.state === "bad") ? "bad" : all.length ? "fair" : mill.link !== "open" || !told ? "unknown" : "good";
+  const word = all.length ? (all.length === 1 ? "1 change" : `${all.length} changes`) : mill.link !== "open" ? "no link" : told ? "nothing" : "not known";
   answer("changed", state, word, "");
   if (key + word === shownChanges)
     return;

@@ -43,6 +43,19 @@ export function round125(value) {
   return [1, 2, 5, 10].find(step => step * power >= value * 0.9999) * power;
 }
 
+/** A little above `value`: for the end of a scale. */
+export function roundUp(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10].find(step => step * power >= value) * power;
+}
+
+/** The name of a third octave: 1258.9 -> 1250 */
+export function nominal(frequency) {
+  const series = [1, 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8, 10], power = 10 ** Math.floor(Math.log10(frequency));
+  const distance = value => Math.abs(Math.log(frequency / (value * power)));
+  return String(Number((series.reduce((best, value) => distance(value) < distance(best) ? value : best) * power).toPrecision(3)));
+}
+
 /** Whole multiples of a round step from `low` to `high`, some `count` of them. */
 export function ticks(low, high, count) {
   const step = round125((high - low) / Math.max(1, count)), out = [];

@@ -1,5 +1,5 @@
 // Pictures over time, shares of bands, the two scales of the first screen.
-import { abscissa, cleared, colour, font, plain, round125, say, whole, write } from "./canvas.js";
+import { abscissa, cleared, colour, font, nominal, plain, roundUp, say, whole, write } from "./canvas.js";
 
 const traceSeconds = 20;
 
@@ -35,7 +35,7 @@ export class TraceChart {
       for (const kind of ["measured", "simulated"])
         for (const value of event[kind][lane.index] || [])
           largest = Math.max(largest, Math.abs(value || 0));
-    const scale = round125(Math.max(largest, 1e-6)), middle = (box.top + box.bottom) / 2;
+    const scale = roundUp(Math.max(largest, 1e-6)), middle = (box.top + box.bottom) / 2;
     const y = value => middle - value / scale * (box.bottom - box.top) / 2;
     c.strokeStyle = colour("rule");
     c.strokeRect(box.left + 0.5, box.top + 0.5, box.right - box.left - 1, box.bottom - box.top - 1);
@@ -92,7 +92,7 @@ export function drawWave(canvas, step, measured, simulated) {
   for (const values of [measured, simulated])
     for (const value of values)
       largest = Math.max(largest, Math.abs(value) || 0);
-  const scale = round125(largest), x = abscissa(c, box, 0, (n - 1) * step * 1000, "ms");
+  const scale = roundUp(largest), x = abscissa(c, box, 0, (n - 1) * step * 1000, "ms");
   const y = value => (box.top + box.bottom) / 2 - value / scale * (box.bottom - box.top) / 2;
   c.textBaseline = "middle";
   for (const value of [-scale, 0, scale]) {
@@ -140,7 +140,7 @@ export function drawShares(canvas, bands) {
     if (share !== null)
       c.fillRect(x + wide * 0.12, box.bottom - tall, wide * 0.76, Math.max(1, tall));
     c.fillStyle = colour("soft");
-    const text = plain(frequency, 2), half = c.measureText(text).width / 2, middle = x + wide / 2;
+    const text = nominal(frequency), half = c.measureText(text).width / 2, middle = x + wide / 2;
     if (middle - half > free && middle + half < box.right - 22)
       free = write(c, text, middle, box.bottom + 15, "center", box.left - 20, box.right)[1] + 8;
   });

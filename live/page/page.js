@@ -211,7 +211,7 @@ const draws = {
       return { measured: found ? found.measured[0] : null, simulated: found && found.simulated[0] !== null ? found.simulated[0] : mill.numbers ? mill.numbers.acceleration[i] : null };
     }) : [];
     view.draw(performance.now(), levels);
-    const slow = view.slow && view.motion ? `, slowed ${plain(view.slowFactor(), 2)} times` : "";
+    const slow = view.slow && view.motion ? `, ${plain(view.slowFactor(), 2)} × slower` : "";
     tell(byId("stand-amplification"), `motion × ${String(Math.round(view.amplification)).replace(/\B(?=(\d{3})+$)/g, " ")}${slow}`);
     tell(byId("stand-note"), `to scale${view.shape && !view.shape.drawn ? " by masses" : ""}; rms in m/s²`);
   },
@@ -229,6 +229,7 @@ const draws = {
     const worst = active(mill).filter(alarm => !alarm.acknowledged).sort((a, b) => (a.level === "alarm" ? 0 : 1) - (b.level === "alarm" ? 0 : 1) || b.utc - a.utc)[0];
     const box = byId("alarm-banner");
     box.hidden = !worst;
+    document.body.dataset.alarm = worst ? "yes" : "no";
     mill.worst = worst;
     if (worst) {
       box.dataset.level = worst.level;

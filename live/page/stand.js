@@ -1,5 +1,5 @@
 // The stand to scale with its moving masses, the chain of springs beside it and the level of each mass.
-import { cleared, colour, font, plain, round125, write } from "./canvas.js";
+import { cleared, colour, font, plain, round125, roundUp, write } from "./canvas.js";
 
 const comfortable = 11, least = 3, most = 24;  // px: largest motion on the screen that is chosen, and may stay
 
@@ -252,7 +252,7 @@ export class StandView {
     const rows = this.shape.parts.map(part => ({ part, y: at(part), rest: part.y })).sort((a, b) => b.rest - a.rest);
     const tall = Math.min(narrow ? 58 : 88, (height - 8) / rows.length), size = Math.max(12, Math.min(17, tall * 0.22));
     rows.forEach((row, k) => { row.top = (height - tall * rows.length) / 2 + k * tall; });
-    const largest = round125(Math.max(1e-6, ...rows.map(row => Math.max(levels[row.part.index]?.measured || 0, levels[row.part.index]?.simulated || 0))));
+    const largest = roundUp(Math.max(1e-6, ...rows.map(row => Math.max(levels[row.part.index]?.measured || 0, levels[row.part.index]?.simulated || 0))));
     const from = left + (narrow ? 10 : 26), number = narrow ? 54 : 70, bar = Math.max(20, right - from - number - 4);
     c.textBaseline = "middle";
     for (const { part, y, top } of rows) {

@@ -73,8 +73,8 @@ void CsvFeed::refuse(const std::string &reason)
 {
   ready_.push_back(RefusedLine{reason, 0, 0});
   if (++bad_in_a_row_ >= bad_lines_of_a_file && rules_.closes && !closed_) {
+    settle();
     closed_ = true;
-    emit();
     ready_.push_back(SourceEnd{name_ + ": five bad lines in a row; the source was closed"});
   }
 }

@@ -172,6 +172,8 @@ LineSession::Answer LineSession::block(const LineContent &content)
     else
       block.value.col(c) = Eigen::Map<const Eigen::VectorXd>(list.data(), rows) * head_->factor[std::size_t(c)];
   }
+  if ((block.value.array().abs() == std::numeric_limits<double>::infinity()).any())
+    return refuse("a number that is not finite in SI", s, rows);
   last_end_     = s + rows;
   bad_in_a_row_ = 0;
   Answer answer;

@@ -49,6 +49,11 @@ bool RawClient::send(const std::string &text)
   return true;
 }
 
+void RawClient::end_of_sending()
+{
+  shutdown(socket_, SHUT_WR);
+}
+
 bool RawClient::read_more(const double deadline)
 {
   pollfd wait{socket_, POLLIN, 0};

@@ -13,6 +13,8 @@ public:
   bool connected() const;
   /// False when the other side has closed.
   bool send(const std::string &text);
+  /// Says that no more will be sent; answers still come.
+  void end_of_sending();
   /// What comes until the other side closes or the time is over.
   std::string rest(double seconds = 3);
   /// What comes until `mark` is among it, the other side closes or the time is over.

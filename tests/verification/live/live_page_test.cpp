@@ -146,7 +146,7 @@ protected:
   void SetUp() override
   {
     if (!Browser::missing().empty())
-      GTEST_SKIP() << Browser::missing() << "; scripts/install-deps installs it";
+      GTEST_SKIP() << Browser::missing() << "; scripts/install-deps tests installs it";
     ASSERT_TRUE(browser->wait_for(present)) << browser->run("return document.body.innerText").dump();
   }
   static constexpr const char *present = "return document.body.dataset.link === 'open' && "

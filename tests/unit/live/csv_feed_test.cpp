@@ -1,0 +1,255 @@
+#include "core/case/errors.h"
+#include "live/source/csv_feed.h"
+#include "live/source/file_sources.h"
+#include <chrono>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <thread>
+#include <unistd.h>
+
+using namespace mill;
+namespace fs = std::filesystem;
+
+namespace {
+// What came out of a feed or a queue.
+struct Came {
+  std::vector<live::SourceHead> heads;
+  std::vector<double> force;
+  std::vector<std::int64_t> numbers;
+  std::vector<std::string> refused, notes;
+
+  void add(const live::Message &message)
+  {
+    if (const auto *head = std::get_if<live::SourceHead>(&message))
+      heads.push_back(*head);
+    if (const auto *block = std::get_if<live::SourceBlock>(&message))
+      for (Eigen::Index i = 0; i < block->value.rows(); ++i) {
+        force.push_back(block->value(i, 0));
+        numbers.push_back(block->first + i);
+      }
+    if (const auto *line = std::get_if<live::RefusedLine>(&message))
+      refused.push_back(line->reason);
+    if (const auto *note = std::get_if<live::SourceNote>(&message))
+      notes.push_back(note->kind + ": " + note->text);
+  }
+};
+
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("millstand-tail-" + std::to_string(getpid()));
+  Folder()
+  {
+    fs::remove_all(path);
+    fs::create_directories(path);
+  }
+  ~Folder()
+  {
+    fs::remove_all(path);
+  }
+  std::string file(const std::string &name) const
+  {
+    return (path / name).string();
+  }
+};
+
+void append(const std::string &path, const std::string &text)
+{
+  std::ofstream(path, std::ios::app | std::ios::binary) << text;
+}
+
+std::string rows(const int from, const int to)
+{
+  std::string text;
+  for (int k = from; k < to; ++k)
+    text += fmt::format("{:.4f},{}\n", k * 1e-3, 900 + k % 100);
+  return text;
+}
+
+// Follows a file in a thread; what came is taken at the end.
+class Follower {
+public:
+  explicit Follower(const std::string &path) : source{path, {}, 1, 0}
+  {
+    queue.push(live::SourceHead{1e6, {}, "room", {}, {}});  // room for everything until the file's own head
+    queue.pop(0);
+    thread = std::thread([this] { live::follow_csv(source, queue, stop); });
+  }
+  ~Follower()
+  {
+    if (thread.joinable())
+      end();
+  }
+  // Waits until this many samples came.
+  bool has(const std::size_t samples)
+  {
+    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (came.numbers.size() < samples && std::chrono::steady_clock::now() < limit)
+      if (const auto message = queue.pop(0.02))
+        came.add(*message);
+    return came.numbers.size() == samples;
+  }
+  const Came &end()
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    stop = true;
+    while (const auto message = queue.pop(0.1))
+      came.add(*message);
+    queue.close();
+    thread.join();
+    return came;
+  }
+  Came came;
+
+private:
+  live::FileSource source;
+  live::SampleQueue queue;
+  std::atomic<bool> stop{false};
+  std::thread thread;
+};
+}  // namespace
+
+TEST(RateOfTimes, TakesTheFewestDigitsThatFit)
+{
+  const auto times = [](const double rate, const double digit) {
+    std::vector<double> t;
+    for (int k = 0; k < 4000; ++k)
+      t.push_back(std::round(k / rate / digit) * digit);
+    return t;
+  };
+  EXPECT_EQ(live::rate_of_times(times(20000, 1e-5)), 20000);
+  EXPECT_EQ(live::rate_of_times(times(10000, 1e-4)), 10000);
+  EXPECT_EQ(live::rate_of_times(times(12800, 1e-6)), 12800) << "78.125 us, printed in whole microseconds";
+  EXPECT_EQ(live::rate_of_times(times(51200, 1e-7)), 51200);
+  EXPECT_DOUBLE_EQ(live::rate_of_times(times(1 / 3e-5, 1e-9)), 1 / 3e-5) << "a spacing of 30 us";
+  EXPECT_NEAR(live::rate_of_times(times(20000.37, 1e-12)), 20000.37, 1e-4) << "a clock of its own";
+  auto with_gap = times(1000, 1e-3);
+  for (std::size_t i = 2000; i < with_gap.size(); ++i)
+    with_gap[i] += 7.5;
+  EXPECT_EQ(live::rate_of_times(with_gap), 1000);
+  EXPECT_THROW(live::rate_of_times(std::vector<double>(100, 1.0)), InputError);
+}
+
+TEST(CsvFeed, NumbersSamplesByTheirTimes)
+{
+  live::CsvFeed feed("force.csv", {});
+  int number = 0;
+  for (const char *line :
+       {"time [s],force [kN]", "0,900", "0.001,901", "0.002,902", "0.005,905", "0.006,", "0.004,904", "0.007,907"})
+    feed.line(line, ++number);
+  feed.settle();
+  Came came;
+  for (const auto &message : feed.take())
+    came.add(message);
+  ASSERT_EQ(came.heads.size(), 1u);
+  EXPECT_EQ(came.heads[0].rate, 1000);
+  EXPECT_EQ(came.numbers, (std::vector<std::int64_t>{0, 1, 2, 5, 6, 4, 7}));
+  EXPECT_EQ(came.force[3], 905e3);
+  EXPECT_TRUE(std::isnan(came.force[4]));
+  EXPECT_EQ(came.notes.back(),
+            "loss: force.csv: the time goes back by 0.003 s; what stands there a second time is not "
+            "used");
+}
+
+TEST(CsvFeed, FiveBadLinesInARowCloseIt)
+{
+  live::CsvFeed feed("force.csv", {});
+  int number = 0;
+  feed.line("time [s],force [kN]", ++number);
+  for (int k = 0; k < 100; ++k)
+    feed.line(fmt::format("{:.3f},{}", k * 1e-3, 900 + k), ++number);
+  feed.line("0.100,9x0", ++number);
+  feed.line("0.101", ++number);
+  feed.line("0.102,902", ++number);
+  for (int k = 0; k < 5; ++k)
+    feed.line("<html>", ++number);
+  EXPECT_TRUE(feed.closed());
+  Came came;
+  for (const auto &message : feed.take())
+    came.add(message);
+  ASSERT_EQ(came.refused.size(), 7u);
+  EXPECT_EQ(came.refused[0],
+            "force.csv:102:7: '9x0' in column 'force' is no number; leave the cell empty where there is no value");
+  EXPECT_EQ(came.refused[1],
+            "force.csv:103:1: this line has 1 cells, the columns are 2; a decimal comma needs ';' or "
+            "tab between the columns");
+  EXPECT_EQ(came.numbers.size(), 101u);
+}
+
+TEST(CsvFeed, SaysWhatAHeadLacks)
+{
+  live::SourceRules rules;
+  rules.places = {"upper_work_roll"};
+  live::CsvFeed feed("rolls.csv", rules);
+  feed.line("time [s],upper_work_roll [g]", 1);
+  feed.line("0,0.1", 2);
+  feed.line("0.001,0.1", 3);
+  try {
+    feed.settle();
+    FAIL() << "a record without a force was taken";
+  } catch (const InputError &error) {
+    EXPECT_EQ(error.problems.front().message,
+              "no channel \"force\", which drives the twin; name the column of the "
+              "rolling force with --channel NAME=force");
+    EXPECT_EQ(error.problems.front().place.file, "rolls.csv");
+    EXPECT_EQ(error.problems.front().place.line, 1);
+  }
+}
+
+// TW-34: renamed with half a line in its end, reopened by name.
+TEST(GrowingFile, IsFollowedThroughARename)
+{
+  const Folder folder;
+  const std::string file = folder.file("force.csv");
+  append(file, "time [s],force [kN]\n" + rows(0, 1000));
+  Follower follower(file);
+  ASSERT_TRUE(follower.has(1000));
+  append(file, "1.0000,9");  // half a line waits
+  std::this_thread::sleep_for(std::chrono::milliseconds(80));
+  EXPECT_TRUE(follower.has(1000));
+  append(file, "00\n" + rows(1001, 1100));
+  ASSERT_TRUE(follower.has(1100));
+  fs::rename(file, folder.file("force.csv.1"));
+  append(folder.file("force.csv.1"), rows(1100, 1300));  // the writer has not noticed
+  append(file, "time [s],force [kN]\n" + rows(1300, 2000));
+  ASSERT_TRUE(follower.has(2000));
+  const Came &came = follower.end();
+  for (std::size_t k = 0; k < came.numbers.size(); ++k) {
+    ASSERT_EQ(came.numbers[k], std::int64_t(k));
+    ASSERT_EQ(came.force[k], 1e3 * double(900 + k % 100));
+  }
+  EXPECT_TRUE(came.refused.empty());
+  EXPECT_EQ(came.notes.back(), "note: " + file + " was renamed; it was read to its end, the new file goes on");
+}
+
+// TW-34: truncated in place, by size and by what it begins with.
+TEST(GrowingFile, SaysThatItWasTruncated)
+{
+  for (const bool refilled : {false, true}) {
+    const Folder folder;
+    const std::string file = folder.file("force.csv");
+    append(file, "time [s],force [kN]\n" + rows(0, 1000));
+    Follower follower(file);
+    ASSERT_TRUE(follower.has(1000));
+    const std::string more = rows(1000, refilled ? 3000 : 1010);  // longer, or shorter than before
+    std::ofstream(file, std::ios::trunc | std::ios::binary) << more;
+    ASSERT_TRUE(follower.has(refilled ? 3000u : 1010u));
+    const Came &came = follower.end();
+    EXPECT_EQ(came.numbers.back(), refilled ? 2999 : 1009);
+    ASSERT_EQ(came.notes.size(), 1u);
+    EXPECT_EQ(came.notes[0].rfind("loss: " + file + " was truncated in place at byte ", 0), 0u) << came.notes[0];
+  }
+}
+
+TEST(GrowingFile, IsWaitedForAndMayBeginWithFewLines)
+{
+  const Folder folder;
+  const std::string file = folder.file("force.csv");
+  Follower follower(file);
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  append(file, "time [s],force [kN]\n0,900\n0.001,901\n");
+  EXPECT_TRUE(follower.has(2));
+  append(file, "0.002,902\n");
+  EXPECT_TRUE(follower.has(3));
+  EXPECT_EQ(follower.end().notes.front(), "note: " + file + " is not there yet; it is waited for");
+}
