@@ -398,7 +398,9 @@ for (const button of document.querySelectorAll('[role="tab"]'))
   button.addEventListener("click", () => tab(button.dataset.tab));
 byId("place").addEventListener("change", () => send({ command: "place", place: byId("place").value }));
 spectrum.onRange = () => mark("spectrum");
-window.addEventListener("resize", () => mark(...Object.keys(draws)));
+// A line of alarm above, another window: whatever changes the room of a canvas.
+const room = new ResizeObserver(() => mark(...Object.keys(draws)));
+document.querySelectorAll("canvas").forEach(canvas => room.observe(canvas));
 window.addEventListener("hashchange", () => location.reload());
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => theme());
 window.addEventListener("pagehide", () => { try { sessionStorage.setItem("millstand.history", JSON.stringify(mill.history)); } catch { /* then not */ } });

@@ -75,6 +75,7 @@ export function fillLevels(mill) {
   fill(byId("levels"), ["m/s²", "rms", "twin", "peak", "twin", "crest", "twin", "dB", "delay ms"], rows);
 }
 
+const lasting = seconds => seconds < 120 ? `${seconds.toFixed(0)} s` : seconds < 7200 ? `${(seconds / 60).toFixed(0)} min` : `${(seconds / 3600).toFixed(1)} h`;
 const signed = value => `${value < 0 ? "−" : "+"}${Math.abs(value).toFixed(1)}`;
 const count = value => String(value).replace(/\B(?=(\d{3})+$)/g, " ");
 
@@ -83,7 +84,7 @@ export function fillAccount(mill) {
   if (!data)
     return tell(byId("account-say"), "not told yet");
   const parts = [data.source, data.connected ? "connected" : "not connected", `queue ${plain(data.queue, 2)} of ${plain(data.queue_limit, 2)} s`,
-    data.recording ? `recording to ${data.recording}, ${plain(data.recorded / 3600, 3)} h` : "not recording"];
+    data.recording ? `recording to ${data.recording}, ${lasting(data.recorded)}` : "not recording"];
   if (data.load !== null)
     parts.push(`${plain(data.load * 100, 2)} % of a core`);
   if (data.trouble)
@@ -169,7 +170,10 @@ export class Sliders {
     node.className = "slider";
     const label = document.createElement("label");
     label.htmlFor = id;
-    label.append(cell("b", slider.key), slider.label && slider.label !== slider.key ? ` ${slider.label}` : "");
+    if (slider.label.includes(slider.key))
+      label.append(cell("b", slider.label));
+    else
+      label.append(cell("b", slider.key), ` ${slider.label}`);
     const input = document.createElement("input");
     Object.assign(input, { type: "range", id, min: 0.5, max: 1.5, step: 0.01, value: 1, title: `the model's own value: ${scaled(slider.value, slider.unit)}` });
     const value = document.createElement("output"), factor = cell("em", "");
