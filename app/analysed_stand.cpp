@@ -7,6 +7,7 @@
 #include "core/records/lumped_model.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modes.h"
+#include "dynamics/chatter/stand_structure.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -66,6 +67,43 @@ void add_chain(twin::CaseModel &stand, const LumpedModel &model, const DynamicsS
   stand.kinetic_share = modes.kinetic_share;
 }
 
+// The stand of a chatter case without its bite.  Its dampers lie between single masses; what a chain in modes keeps
+// of them is the mean of the modes' ratios.
+AnalysedChain chain_of(const ChatterCase &spec)
+{
+  AnalysedChain chain;
+  chain.source                 = "six masses of the stand as given, without the bite";
+  chain.dynamics.modal_damping = spec.modal_damping;
+  if (spec.model)
+    chain.model = *spec.model;
+  const ChatterStand &stand = spec.stand;
+  const std::size_t at[]    = {0, 1, 2, 4, 5, 6};
+  for (std::size_t i = 0; !spec.model && i < 6; ++i) {
+    const auto given = [](const double value, const char *unit) {
+      Parameter parameter;
+      parameter.value  = value;
+      parameter.unit   = unit;
+      parameter.source = Source::given;
+      return parameter;
+    };
+    chain.model.M[i]     = given(stand.masses[i], "kg");
+    chain.model.K[at[i]] = given(stand.stiffnesses[i], "N/m");
+  }
+  chain.model.K[3].value = 0;
+  if (!std::isnan(stand.dampings[0]) && !spec.model) {
+    const auto damped = dynamics::six_mass_structure(stand.masses, stand.stiffnesses, stand.dampings);
+    const auto modes  = dynamics::modes(dynamics::mill_model(chain.model, chain.dynamics));
+    double sum        = 0;
+    for (Eigen::Index i = 0; i < modes.frequency.size(); ++i) {
+      const Eigen::VectorXd shape = modes.shape.col(i);  // no damper joins the two halves: their signs do not matter
+      sum += shape.dot(damped.C * shape) / shape.dot(damped.M * shape) / (4 * M_PI * modes.frequency[i]);
+    }
+    chain.dynamics.modal_damping = sum / double(modes.frequency.size());
+    chain.source += fmt::format(", its dampers as {:.2g} % in every mode", 100 * chain.dynamics.modal_damping);
+  }
+  return chain;
+}
+
 void add_roll(twin::CaseModel &stand, const std::string &name, const double diameter)
 {
   if (std::isfinite(diameter))
@@ -86,6 +124,8 @@ void add_bearing(twin::CaseModel &stand, const std::vector<RollerBearing> &beari
 
 AnalysedChain analysed_chain(const Case &the_case, const std::string &verb, const double wanted_load)
 {
+  if (const auto *chatter = std::get_if<ChatterCase>(&the_case.spec); chatter && !chatter->files)
+    return chain_of(*chatter);
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
     const double load = wanted_load > 0 ? wanted_load : load_of(four->passes.front());
     return {chain_of(closed_form_stand(*four, load)), four->dynamics,
@@ -94,7 +134,7 @@ AnalysedChain analysed_chain(const Case &the_case, const std::string &verb, cons
   const auto *lumped = std::get_if<Lumped>(&the_case.spec);
   if (!lumped || lumped->detailed)
     throw InputError("millstand " + verb + ": the case " + the_case.path +
-                     " has no chain of six masses; name a case of kind four-high, or of kind lumped with [given]");
+                     " has no chain of six masses; name a case of kind four-high or chatter, or of kind lumped with [given]");
   return {lumped_model_of(the_case), lumped->dynamics, "six masses as given", not_given};
 }
 

@@ -1,5 +1,6 @@
 #include "app/live/live_run.h"
 #include "app/console.h"
+#include "app/live/live_chatter.h"
 #include "app/live/live_stand.h"
 #include "app/record_options.h"
 #include "core/case/errors.h"
@@ -176,6 +177,21 @@ live::EngineHooks LiveRun::hooks()
   return hooks;
 }
 
+namespace {
+// Springs that a re-calibration may move: K4 is none where the force is measured.
+std::vector<twin::Unknown> fitted_springs(const live::TwinModel &model)
+{
+  const auto springs = live::tuned(model, {}).springs;
+  std::vector<twin::Unknown> fitted;
+  for (twin::Unknown &unknown : live::unknowns_of(model.chain))
+    if (std::none_of(springs.begin(), springs.end(), [&](const dynamics::Spring &spring) {
+          return spring.name == unknown.name && spring.stiffness == 0;
+        }))
+      fitted.push_back(std::move(unknown));
+  return fitted;
+}
+}  // namespace
+
 void LiveRun::begin_comparison(const live::LiveSource &source)
 {
   live::ComparisonSetup setup;
@@ -185,12 +201,16 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
   setup.modes    = modes_at_load(the_case_, model_, engine_ ? engine_->tuning() : live::Tuning{});
   setup.chain    = model_.chain;
   setup.dynamics = model_.dynamics;
-  for (twin::Unknown &unknown : live::unknowns_of(model_.chain)) {  // K4 is none where the force is measured
-    const auto springs = live::tuned(model_, {}).springs;
-    if (std::none_of(springs.begin(), springs.end(), [&](const dynamics::Spring &spring) {
-          return spring.name == unknown.name && spring.stiffness == 0;
-        }))
-      setup.unknowns.push_back(std::move(unknown));
+  if (!std::holds_alternative<ChatterCase>(the_case_.spec))  // whose dampers a chain in modes cannot give back
+    setup.unknowns = fitted_springs(model_);
+  // faster than real time nothing would be ready when it is needed; and so a record gives the same twice
+  setup.wait     = command_.live.speed == "max";
+  setup.chain_at = [this](const double load) { return chain_at_load(the_case_, model_, load); };
+  if (auto chatter = live_chatter(the_case_, model_)) {
+    for (const std::string &note : chatter->notes)
+      print("note: " + visible(note, true) + "\n");
+    setup.chatter = std::move(chatter->setup);
+    setup.bands   = chatter->bands;
   }
   comparison_.emplace(std::move(setup));
   for (const std::string &note : comparison_->notes())
@@ -211,7 +231,7 @@ std::optional<live::TwinModel> LiveRun::adopt(const std::int64_t id)
     origin_                       = proposal->file;
     model_.source                 = "six masses of " + proposal->file;
     return model_;
-  } catch (const InputError &error) {
+  } catch (const std::exception &error) {  // what cannot be written is not adopted
     say("refused", error.what());
     return {};
   }

@@ -78,6 +78,19 @@ live::PageStand page_stand(const Case &the_case, const live::TwinModel &model)
   return stand;
 }
 
+LumpedModel chain_at_load(const Case &the_case, const live::TwinModel &model, const double load)
+{
+  LumpedModel chain = model.chain;
+  if (!std::holds_alternative<FourHigh>(the_case.spec) || !model.follows_load || !(load > 0))
+    return chain;
+  // what the load does to the closed forms, on the springs of the model as it is
+  const AnalysedChain own = analysed_chain(the_case, "live", 0), there = analysed_chain(the_case, "live", load);
+  for (std::size_t j = 0; j < chain.K.size(); ++j)
+    if (own.model.K[j].value > 0)
+      chain.K[j].value *= there.model.K[j].value / own.model.K[j].value;
+  return chain;
+}
+
 twin::ModesAtLoad modes_at_load(const Case &the_case, const live::TwinModel &model, const live::Tuning &tuning)
 {
   constexpr double unknown_error = 0.10;  // as where owners of peaks are named
@@ -101,17 +114,12 @@ twin::ModesAtLoad modes_at_load(const Case &the_case, const live::TwinModel &mod
     at.frequency = modes.frequency.transpose();
     return at;
   }
-  // what the load does to the closed forms, on the springs of the model as it is
   const Eigen::ArrayXd factor = Eigen::ArrayXd::LinSpaced(7, std::log(0.25), std::log(4)).exp();
-  const AnalysedChain own     = analysed_chain(the_case, "live", 0);
   at.load                     = model.load * factor;
   at.frequency.resize(at.load.size(), n);
   for (Eigen::Index i = 0; i < at.load.size(); ++i) {
-    const AnalysedChain there = analysed_chain(the_case, "live", at.load[i]);
-    live::TwinModel loaded    = model;
-    for (std::size_t j = 0; j < loaded.chain.K.size(); ++j)
-      if (own.model.K[j].value > 0)
-        loaded.chain.K[j].value *= there.model.K[j].value / own.model.K[j].value;
+    live::TwinModel loaded = model;
+    loaded.chain           = chain_at_load(the_case, model, at.load[i]);
     at.frequency.row(i) = dynamics::modes(live::tuned(loaded, tuning)).frequency.transpose();
   }
   return at;

@@ -16,6 +16,9 @@ live::PageStand page_stand(const Case &the_case, const live::TwinModel &model);
 /// of a lumped case the same at every load.  With what the errors of the springs leave open.
 twin::ModesAtLoad modes_at_load(const Case &the_case, const live::TwinModel &model, const live::Tuning &tuning);
 
+/// The chain at another rolling force, N, as modes_at_load() takes it.
+LumpedModel chain_at_load(const Case &the_case, const live::TwinModel &model, double load);
+
 /// Factors and frequencies as they now are.
 live::PageParameters page_parameters(const live::TwinModel &model, const live::Tuning &tuning,
                                      const std::string &origin, const std::string &place);

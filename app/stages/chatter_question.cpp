@@ -12,14 +12,6 @@ namespace mill {
 namespace {
 using dynamics::ChatterStandModel;
 
-bite::Linearisation scheme_of(const ChatterAnalysis &analysis)
-{
-  if (analysis.linearisation == "consistent")
-    return bite::Linearisation::implicit;
-  return analysis.linearisation == "frozen-friction" ? bite::Linearisation::frozen_friction
-                                                     : bite::Linearisation::sequential;
-}
-
 bite::RollBite bite_of(const ChatterCase &spec, const RollingCondition &c)
 {
   bite::RollBite bite;
@@ -110,6 +102,14 @@ std::vector<std::string> keys_of(const ChatterCase &spec, const std::size_t cond
 
 }  // namespace
 
+bite::Linearisation linearisation_of(const ChatterAnalysis &analysis)
+{
+  if (analysis.linearisation == "consistent")
+    return bite::Linearisation::implicit;
+  return analysis.linearisation == "frozen-friction" ? bite::Linearisation::frozen_friction
+                                                     : bite::Linearisation::sequential;
+}
+
 ChatterQuestion chatter_question(const ChatterCase &spec, const std::size_t condition)
 {
   const ChatterStandModel stand = stand_of(spec, spec.stand);
@@ -121,7 +121,7 @@ ChatterQuestion chatter_question(const ChatterCase &spec, const std::size_t cond
   q.structure  = spec.files   ? "model " + spec.files->name + " of " + spec.stand.from
                  : spec.model ? "six masses of " + spec.stand.from
                               : "six masses as given";
-  q.scheme     = scheme_of(spec.analysis);
+  q.scheme     = linearisation_of(spec.analysis);
   q.analysis   = spec.analysis;
   q.film_range = spec.film_range;
   for (const ChatterVariant &variant : spec.variants)
@@ -152,7 +152,7 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
   c.width             = strip.width;
   c.speed             = pass.speed;
   q.analysis          = stand.analysis;
-  q.scheme            = scheme_of(stand.analysis);
+  q.scheme            = linearisation_of(stand.analysis);
   if (std::isnan(c.speed)) {
     q.speed_assumed = true;
     c.speed         = 0.5 * (stand.analysis.speeds[0] + stand.analysis.speeds[1]);

@@ -9,6 +9,9 @@ namespace mill {
 struct ChatterCase;
 struct FourHigh;
 
+/// Of its name in the case.
+bite::Linearisation linearisation_of(const ChatterAnalysis &analysis);
+
 ChatterQuestion chatter_question(const ChatterCase &spec, std::size_t condition);
 
 /// A pass of a four-high stand as a working condition.

@@ -242,7 +242,14 @@ void Comparison::begin_recalibration(const ModeDrift &drift)
     record.modes.push_back(row.measured);
   const LumpedModel chain = setup_.chain_at ? setup_.chain_at(load_) : setup_.chain;
   twin::FittedStand stand{dynamics::mill_model(chain, setup_.dynamics), setup_.modes.damping};
-  const auto work = [stand = std::move(stand), record = std::move(record), unknowns = setup_.unknowns, load = load_] {
+  std::vector<twin::Unknown> unknowns;
+  for (const twin::Unknown &unknown : setup_.unknowns)  // K4 belongs to the chain by the meaning of the force alone
+    if (unknown.name == "zeta" ||
+        std::any_of(stand.chain.springs.begin(), stand.chain.springs.end(), [&](const dynamics::Spring &spring) {
+          return spring.name == unknown.name && spring.stiffness > 0;
+        }))
+      unknowns.push_back(unknown);
+  const auto work = [stand = std::move(stand), record = std::move(record), unknowns, load = load_] {
     twin::Recalibration found;
     try {
       found = twin::recalibrate(stand, unknowns, record);
@@ -291,9 +298,14 @@ void Comparison::end_recalibration(const double utc, twin::Recalibration found)
 void Comparison::set_twin(const LumpedModel &chain, const DynamicsSettings &dynamics,
                           const twin::ModesAtLoad &now)
 {
+  const bool same = now.frequency.cols() == setup_.modes.frequency.cols() &&
+                    now.frequency.rows() == setup_.modes.frequency.rows() &&
+                    now.frequency == setup_.modes.frequency && now.damping == setup_.modes.damping;
   setup_.chain    = chain;
   setup_.dynamics = dynamics;
-  setup_.modes    = now;
+  if (same)  // told again, for instance since another place is shown
+    return;
+  setup_.modes = now;
   modes.set_twin(now);
   waiting.reset();
   for (std::size_t m = 0; m < std::size_t(now.frequency.cols()); ++m)
