@@ -1,5 +1,6 @@
 #include "live/compare/chatter_watch.h"
 #include "core/case/errors.h"
+#include "core/case/units.h"
 #include "dynamics/chatter/chatter.h"
 #include <algorithm>
 #include <chrono>
@@ -29,8 +30,9 @@ ChatterWatch::ChatterWatch(Setup setup, const std::vector<LiveChannel> &channels
       if (channels[c].name != names[i])
         continue;
       named            = true;
-      const bool force = i >= entry_tension && channels[c].unit == "N";
-      if (channels[c].unit != units[i] && !force) {
+      const Unit *is   = find_unit(channels[c].unit);
+      const bool force = is && i >= entry_tension && is->dimension == unit("N").dimension;
+      if (!is || (!(is->dimension == unit(units[i]).dimension) && !force)) {
         said.push_back(fmt::format("channel {} is in \"{}\"; the distance to the critical speed needs {}{}: the value "
                                    "of the case is taken",
                                    names[i], channels[c].unit, units[i], i >= entry_tension ? " or N" : ""));
@@ -38,6 +40,7 @@ ChatterWatch::ChatterWatch(Setup setup, const std::vector<LiveChannel> &channels
       }
       column[std::size_t(i)]   = int(c);
       is_force[std::size_t(i)] = force;
+      to_si_[std::size_t(i)]   = is->multiply / is->divide;
     }
     if (i >= entry_thickness && !named)
       said.push_back(fmt::format("no channel {}: the value of the case is taken", names[i]));
@@ -74,7 +77,7 @@ std::optional<PageChatter> ChatterWatch::take(const LiveBlock &block, const doub
       if (column[std::size_t(i)] < 0)
         continue;
       for (Eigen::Index k = done; k < end; ++k)
-        if (const double x = block.measured(k, column[std::size_t(i)]); std::isfinite(x)) {
+        if (const double x = block.measured(k, column[std::size_t(i)]) * to_si_[std::size_t(i)]; std::isfinite(x)) {
           sum[std::size_t(i)] += x;
           ++n[std::size_t(i)];
         }

@@ -22,8 +22,8 @@ public:
     double rescan = 60;    ///< s, from search to search of the whole range
     bool wait     = false; ///< for every search, as tests want it; otherwise it runs beside
   };
-  /// Channels that count: speed (of the roll's surface) or exit_speed, entry_thickness, exit_thickness [m],
-  /// entry_tension, exit_tension [Pa, or N over the section of the strip].  Others are left alone; what is not there
+  /// Channels that count: speed (of the roll's surface) or exit_speed, entry_thickness, exit_thickness (lengths),
+  /// entry_tension, exit_tension (stresses, or forces over the section of the strip).  Others are left alone; what is not there
   /// is taken from the case.
   ChatterWatch(Setup setup, const std::vector<LiveChannel> &channels, double rate);
 
@@ -65,6 +65,7 @@ private:
   std::int64_t per_second;
   std::array<int, n_inputs> column{};  // of the block; -1: none
   std::array<bool, n_inputs> is_force{};
+  std::array<double, n_inputs> to_si_{};  // a source leaves lengths and stresses as they are
   std::array<double, n_inputs> sum{}, mean{};
   std::array<std::int64_t, n_inputs> n{};
   std::int64_t second = -1;

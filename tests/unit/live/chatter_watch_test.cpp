@@ -221,13 +221,13 @@ TEST(ChatterWatch, InputsOfTheStream)
   const std::vector<LiveChannel> channels = {
       {"exit_speed",      "m/s"},
       {"entry_tension",   "N"  },
-      {"exit_tension",    "bar"},
-      {"entry_thickness", "m"  }
+      {"exit_tension",    "s"  },
+      {"entry_thickness", "mm" }
   };
   ChatterWatch watch({stand.model, twin::usual_doubts(), 60, true}, channels, 100);
   ASSERT_EQ(watch.notes().size(), 2u);
   EXPECT_EQ(watch.notes()[0], "no channel exit_thickness: the value of the case is taken");
-  EXPECT_EQ(watch.notes()[1], "channel exit_tension is in \"bar\"; the distance to the critical speed needs Pa or N: "
+  EXPECT_EQ(watch.notes()[1], "channel exit_tension is in \"s\"; the distance to the critical speed needs Pa or N: "
                               "the value of the case is taken");
   const Strip &strip = stand.model.bite.strip;
   AlarmBook book;
@@ -235,11 +235,12 @@ TEST(ChatterWatch, InputsOfTheStream)
   block.rate     = 100;
   block.measured = Eigen::MatrixXd::Zero(100, 4);
   block.measured.rowwise() = Eigen::RowVector4d(17.5, 0.9 * strip.entry_tension * strip.width * strip.entry_thickness,
-                                                7, strip.entry_thickness);
+                                                7, 1e3 * strip.entry_thickness);
   block.measured(50, 0) = NAN;
   const auto row        = watch.take(block, NAN, book);
   ASSERT_TRUE(row);
   const auto &now = watch.last();
+  EXPECT_TRUE(near(now.inputs.entry_thickness, strip.entry_thickness, within(1e-12, "mm")));
   EXPECT_TRUE(near(now.inputs.entry_tension, 0.9 * strip.entry_tension, within(1e-12, "force over section")));
   auto bite                = stand.model.bite;
   bite.strip.entry_tension = 0.9 * strip.entry_tension;
@@ -255,12 +256,12 @@ TEST(ChatterWatch, InputsOfTheStream)
   EXPECT_EQ(watch.take(block, NAN, book)->because, "no channel speed or exit_speed with a value");
   block.first = 200;
   block.measured.col(0).setConstant(17.5);
-  block.measured.col(3).setConstant(0.5 * strip.exit_thickness);
+  block.measured.col(3).setConstant(0.5e3 * strip.exit_thickness);
   const auto lost = watch.take(block, NAN, book);
   EXPECT_TRUE(std::isnan(lost->critical));
   EXPECT_FALSE(lost->because.empty());
   block.first = 300;
-  block.measured.col(3).setConstant(strip.entry_thickness);
+  block.measured.col(3).setConstant(1e3 * strip.entry_thickness);
   for (int i = 0; i < 12; ++i, block.first += 100)
     watch.take(block, NAN, book);
   EXPECT_TRUE(watch.last().critical.speed > 15) << "found again by a search within ten seconds";
