@@ -173,7 +173,16 @@ std::string curves_drawing(const Table &table, const Axis &x, const Axis &y, con
   return svg_plot(plot);
 }
 
-void before_and_after(Page &page, const std::map<std::string, Table> &tables)
+// Figures and tunings are those of the six masses, also where the beams count.
+std::string of_six_masses(const json &document)
+{
+  return has_other_models(document)
+             ? " These are the six masses; what counts, with rolls as beams, stands in the table "
+               "of the actions."
+             : "";
+}
+
+void before_and_after(Page &page, const json &document, const std::map<std::string, Table> &tables)
 {
   if (const auto found = tables.find("spectrum"); found != tables.end() && found->second.columns.size() > 1) {
     const Table &table = found->second;
@@ -188,7 +197,8 @@ void before_and_after(Page &page, const std::map<std::string, Table> &tables)
     page.figure(
         {curves_drawing(table, x, y, {})},
         "Acceleration of the place as it is and with the best actions. Amplitude per newton of bite force; "
-        "with a measured force the root of the density.");
+        "with a measured force the root of the density." +
+            of_six_masses(document));
   }
   if (const auto found = tables.find("growth"); found != tables.end() && found->second.columns.size() > 1) {
     page.section("growth", "Before and after");
@@ -235,7 +245,8 @@ void tuned_section(Page &page, const json &document, const std::map<std::string,
   page.section("tuned", "Tuned damper");
   page.table(
       tuned_rows(document["tuned_dampers"]),
-      "In bold the tuning of least level, below it that of the closed form for one mode under white force.");
+      "In bold the tuning of least level, below it that of the closed form for one mode under white force." +
+          of_six_masses(document));
   if (const auto found = tables.find("detuning"); found != tables.end() && found->second.columns.size() > 1)
     page.figure(
         {
@@ -322,7 +333,7 @@ std::string advice_page(const std::string &directory, const std::string &text,
   run.status    = "ok";
   Page page(run);
   action_sections(page, document);
-  before_and_after(page, tables);
+  before_and_after(page, document, tables);
   tuned_section(page, document, tables);
   slope_section(page, document);
   if (!document["notes"].empty()) {
