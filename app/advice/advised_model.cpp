@@ -152,6 +152,8 @@ AdvisedModel advised_model(const Case &the_case, const StandAdvice &asked)
   model.advised = {twin::vibrating_stand(mill_model, Eigen::VectorXd::Constant(n, chain.dynamics.modal_damping),
                                          gap_damper_of(chain.model, chain.dynamics)),
                    mill_model};
+  if (chain.dynamics.contact == "curve")
+    model.notes.push_back("contacts on curves count with their slopes at the working load");
   add_errors(model, chain.model);
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
     model.beam_with = [parts = beam_parts(*four, chain)](const auto &factors) { return beams_of(parts, factors); };

@@ -89,7 +89,7 @@ std::string speed_words(const twin::CriticalState &state)
   return "none: unstable at low speed too";
 }
 
-std::string answer_of(const CriticalAdvice &advice, const CriticalQuestion &q)
+std::string critical_answer(const CriticalAdvice &advice, const CriticalQuestion &q)
 {
   const std::string now = fmt::format("The critical speed is {}, the working speed {:.4g} m/s. ",
                                       speed_words(advice.now), q.working_speed);
@@ -166,7 +166,7 @@ twin::AdviceRecord critical_speed_advice(const Case &the_case, const int threads
       fmt::format("critical speed of condition {} at least {:g} % above the working speed of {:.4g} m/s, "
                   "exit thickness {:.4g} mm kept",
                   own.name, 100 * question.margin, question.working_speed, 1e3 * own.exit_thickness);
-  record.answer    = answer_of(advice, question);
+  record.answer    = critical_answer(advice, question);
   const auto input = [&](const char *key) { return fmt::format("condition.{}.{}", condition, key); };
   Parameter now    = speed_of(advice.now, "search over the speed", question.working_speed);
   now.inputs       = {input("entry_thickness"), input("exit_thickness"), input("entry_tension"),

@@ -68,7 +68,8 @@ std::vector<twin::DamperChoice> damper_choices(const VibratingStand &stand, cons
                                                const Case &the_case)
 {
   if (asked.dampers.empty())
-    return asked.damper > 0 ? twin::usual_dampers(stand, asked.damper) : std::vector<twin::DamperChoice>();
+    return asked.usual_damper > 0 ? twin::usual_dampers(stand, asked.usual_damper)
+                                  : std::vector<twin::DamperChoice>();
   std::vector<twin::DamperChoice> choices;
   for (std::size_t i = 0; i < asked.dampers.size(); ++i) {
     const DamperProposal &one = asked.dampers[i];
@@ -76,9 +77,12 @@ std::vector<twin::DamperChoice> damper_choices(const VibratingStand &stand, cons
       return name == "ground" ? -1 : place_in(stand, the_case, fmt::format("advice.damper.{}.{}", i, key), name);
     };
     Attachment damper;
-    damper.from     = end("from", one.from);
-    damper.to       = end("to", one.to);
-    damper.damper   = one.damper;
+    damper.from   = end("from", one.from);
+    damper.to     = end("to", one.to);
+    damper.damper = one.damper;
+    if (damper.from == damper.to)
+      throw InputError(place_of_key(the_case, fmt::format("advice.damper.{}.to", i)),
+                       fmt::format("advice.damper.{} begins and ends at one place, {}", i, one.to));
     const auto same = std::find_if(choices.begin(), choices.end(),
                                    [&](const auto &c) { return !one.name.empty() && c.name == one.name; });
     if (same != choices.end())
@@ -210,6 +214,11 @@ void add_results(twin::AdviceRecord &record, const twin::LevelAdvice &advice)
     Parameter damping = ratio(t.best.ratio, "least level over frequency and damping", lacks);
     damping.checks.push_back({"closed form for one mode under white force", t.start.ratio, "(46.7)"});
     Parameter change = ratio(t.change, advice.tuned_names[i], lacks);
+    for (const RatedAction &action : advice.actions)
+      if (action.name == advice.tuned_names[i] && std::isfinite(action.spread)) {
+        change.error_estimate = std::abs(action.spread / action.change);
+        change.error_lacks.clear();
+      }
     change.checks.push_back({"5 % too low", t.detuned_by(-0.05), ""});
     change.checks.push_back({"5 % too high", t.detuned_by(0.05), ""});
     record.results.add(name + ".mass", mass);
@@ -235,7 +244,7 @@ void add_slopes(twin::AdviceRecord &record, const twin::LevelAdvice &advice)
     record.slopes.emplace_back(names[p], slope(p));
 }
 
-std::string answer_of(const twin::LevelAdvice &advice)
+std::string level_answer(const twin::LevelAdvice &advice)
 {
   if (advice.actions.empty())
     return "Nothing was allowed to be tried.";
@@ -276,6 +285,8 @@ twin::AdviceRecord stand_advice(const Case &the_case, const std::string &measure
     question.force = records.force;
     record.notes.insert(record.notes.end(), records.notes.begin(), records.notes.end());
   }
+  if (twin::resolving_step(own, high) <= high / 200000)
+    record.notes.push_back("a mode is damped so little that the sums over the band may miss part of its peak");
   if (high > model.limit)
     record.notes.push_back(fmt::format("the modes of the stand are right up to {:g} Hz, the band goes to {:g} Hz",
                                        model.limit, high));
@@ -294,10 +305,14 @@ twin::AdviceRecord stand_advice(const Case &the_case, const std::string &measure
   record.question = fmt::format("lowest rms acceleration of the {} from {:g} to {:g} Hz",
                                 own.places[std::size_t(question.place)], low,
                                 measured.empty() ? high : std::min(high, question.force.frequency.maxCoeff()));
-  record.answer   = answer_of(advice);
+  record.answer   = level_answer(advice);
   if (!measured.empty())
     add_level(record, advice, records);
   add_results(record, advice);
+  for (auto &value : record.results.values) {
+    value.second.at     = record.stand;
+    value.second.inputs = {"advice.place", "advice.band", "dynamics.modal_damping"};
+  }
   add_slopes(record, advice);
   record.notes.push_back(
       "force, torque, tensions and critical speed do not follow from a stand alone: process actions "

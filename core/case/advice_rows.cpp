@@ -13,7 +13,7 @@ const std::vector<Field<StandAdvice>> &stand_advice_rows()
     };
     add("place", &T::place, "text", any, "upper_work_roll", "upper_work_roll",
         "whose rms acceleration is to fall, as the columns of response/*.csv name places");
-    add("band", &T::band, "Hz", {0, 1e5}, absent, R"(["100 Hz", "300 Hz"])",
+    add("band", &T::band, "Hz", {0, 20000}, absent, R"(["100 Hz", "300 Hz"])",
         "of that level; from 0 to dynamics.frequency_limit (1000 Hz of a chain) when absent");
     add("springs", &T::springs, "K1 | K2 | K3 | K4 | K5 | K6 | K7", any, absent, R"(["K3", "K5"])",
         "springs of the chain that are tried stiffer and softer; all but the bite's K4 when absent");
@@ -21,7 +21,7 @@ const std::vector<Field<StandAdvice>> &stand_advice_rows()
         "factors on each of these springs; [0.8, 1.2] when absent, a factor of 1 is not tried");
     add("modal_damping", &T::modal_damping, "1", {0.05, 20}, absent, "[1, 1.5]",
         "factors on the damping ratio of all modes; not tried when absent");
-    add("damper", &T::damper, "N s/m", {0, 1e12}, 1e5, "1e5 N s/m",
+    add("usual_damper", &T::usual_damper, "N s/m", {0, 1e12}, 1e5, "1e5 N s/m",
         "of the dampers that are tried without [[advice.damper]]: work roll to backup roll, work roll to work "
         "roll; "
         "0: none");

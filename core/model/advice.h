@@ -27,7 +27,7 @@ struct StandAdvice {
   std::vector<std::string> springs;                     ///< "K1" ..; empty: all but K4
   std::array<double, 2> stiffness     = {0.8, 1.2};     ///< -, each of these springs
   std::array<double, 2> modal_damping = {1, 1};         ///< -, all modes at once
-  double damper         = 1e5;   ///< N s/m, of the dampers that are tried where `dampers` is empty; 0: none
+  double usual_damper   = 1e5;   ///< N s/m, of the dampers that are tried where `dampers` is empty; 0: none
   double tuned_mass     = 0.05;  ///< -, mass ratio of the one that is tried where `tuned` is empty; 0: none
   double rise_elsewhere = 0.10;  ///< -, most that the level of another roll may rise
   double softening      = 0.10;  ///< -, most that the stiffness of the stand may fall

@@ -44,24 +44,22 @@ std::string signed_percent(const json &value)
   return std::isfinite(part) ? percent(part) : "\u2013";
 }
 
-std::string effect_cell(const json &effect)
+// "force +10.8 %; torque +12 %; ..": what is worth a word, then the mode that moves most.
+std::string effects_of(const json &action)
 {
-  const double value     = advice_number(effect["value"]);
-  const std::string unit = effect["unit"];
-  return figure_cell(!std::isfinite(value) ? "\u2013"
-                     : unit == "1"         ? percent(std::abs(value) < 5e-5 ? 0 : value)
-                                           : significant(value, 4));
-}
-
-std::string effect_heads(const json &effects)
-{
-  std::string heads;
-  for (const json &effect : effects) {
+  std::string text;
+  for (const json &effect : action["effects"]) {
+    const double value     = advice_number(effect["value"]);
     const std::string unit = effect["unit"];
-    heads +=
-        "<th>" + text_of(effect["name"]) + (unit == "1" ? "" : " [" + escaped(unit_sign(unit)) + "]") + "</th>";
+    if (!std::isfinite(value) || (unit == "1" && std::abs(value) < 5e-4))
+      continue;
+    text += (text.empty() ? "" : "; ") + text_of(effect["name"]) + "\u00a0" +
+            (unit == "1" ? percent(value) : significant(value, 4) + "\u00a0" + escaped(unit_sign(unit)));
   }
-  return heads;
+  if (text.empty())
+    text = "none above 0.05 %";
+  const std::string modes = text_of(action["modes"]);
+  return text + (modes.empty() ? "" : "<br/>modes: " + modes);
 }
 
 std::string lines_of(const json &sentences)
@@ -87,38 +85,49 @@ std::string others_of(const json &action)
   return text + (text.empty() || remarks.empty() ? "" : "<br/>") + remarks;
 }
 
+bool has_other_models(const json &document)
+{
+  return std::any_of(document["actions"].begin(), document["actions"].end(),
+                     [](const json &action) { return !action["in_other_models"].empty(); });
+}
+
+std::string action_row(const json &a, const bool above, const bool models, const bool margin)
+{
+  std::string name = "<b>" + text_of(a["name"]) + "</b>";
+  if (const std::string means = text_of(a["means"]); !means.empty())
+    name += "<br/><small>" + means + "</small>";
+  const double spread    = advice_number(a["change_sd"]);
+  const std::string anew = signed_percent(a["change"]),
+                    sd   = std::isfinite(spread) ? "<br/>\u00b1" + significant(100 * spread, 2) : "";
+  std::string row =
+      "<tr>" + figure_cell(above ? std::to_string(a["rank"].get<int>()) : "\u2013") + text_cell(name);
+  if (models)
+    row += figure_cell("<b>" + signed_percent(a["verified_change"]) + "</b>") + figure_cell(anew + sd);
+  else
+    row += figure_cell("<b>" + anew + "</b>" + sd);
+  row += figure_cell(signed_percent(a["first_order"])) +
+         figure_cell(a["pair"].get<bool>() ? signed_percent(a["one_by_one"]) : "") + text_cell(effects_of(a));
+  if (margin)
+    row += text_cell(a.value("reaches_margin", false) ? "reached" : "not reached");
+  const std::string others = others_of(a), against = lines_of(a["against"]);
+  return row + text_cell(above ? others : "<b>" + against + "</b>" + (others.empty() ? "" : "<br/>" + others)) +
+         "</tr>\n";
+}
+
 std::string action_table(const json &document, const bool above)
 {
-  const bool margin = document["goal"]["kind"] == "critical speed";
+  const bool margin = document["goal"]["kind"] == "critical speed", models = has_other_models(document);
   std::string rows;
-  for (const json &a : document["actions"]) {
-    if (is_above(a) != above)
-      continue;
-    std::string name = "<b>" + text_of(a["name"]) + "</b>";
-    if (const std::string means = text_of(a["means"]); !means.empty())
-      name += "<br/><small>" + means + "</small>";
-    const double spread = advice_number(a["change_sd"]);
-    rows += "<tr>" + figure_cell(above ? std::to_string(a["rank"].get<int>()) : "\u2013") + text_cell(name) +
-            figure_cell("<b>" + signed_percent(a["verified_change"]) + "</b>") +
-            figure_cell(signed_percent(a["change"]) +
-                        (std::isfinite(spread) ? "<br/>\u00b1" + significant(100 * spread, 2) : "")) +
-            figure_cell(signed_percent(a["first_order"])) +
-            figure_cell(a["pair"].get<bool>() ? signed_percent(a["one_by_one"]) : "");
-    for (const json &effect : a["effects"])
-      rows += effect_cell(effect);
-    if (margin)
-      rows += text_cell(a.value("reaches_margin", false) ? "reached" : "not reached");
-    const std::string others = others_of(a), against = lines_of(a["against"]);
-    rows += text_cell(text_of(a["modes"])) +
-            text_cell(above ? others : "<b>" + against + "</b>" + (others.empty() ? "" : "<br/>" + others)) +
-            "</tr>\n";
-  }
-  return "<table class=\"results\"><thead><tr><th>rank</th><th>action</th><th>counts</th><th>computed "
-         "anew</th><th>first order</th><th>one after the other</th>" +
-         (document["actions"].empty() ? "" : effect_heads(document["actions"].front()["effects"])) +
-         std::string(margin ? "<th>margin</th>" : "") + "<th>modes</th><th>" +
-         (above ? "other models, what it rests on" : "why it is below the line") +
-         "</th></tr></thead>\n<tbody>\n" + rows + "</tbody></table>\n";
+  for (const json &action : document["actions"])
+    if (is_above(action) == above)
+      rows += action_row(action, above, models, margin);
+  const std::string wide = "<th style=\"min-width:16em\">";
+  return "<table class=\"results\"><thead><tr><th>rank</th>" + wide + "action</th>" +
+         (models ? "<th>counts</th><th>six masses</th>" : "<th>computed anew</th>") +
+         "<th>first order</th><th>one after the other</th>" + wide + "side effects</th>" +
+         (margin ? "<th>wanted margin</th>" : "") + wide +
+         (above ? "what it rests on" : "why it is below the line") + "</th></tr></thead>\n<tbody>\n" + rows +
+         "</tbody></table>\n";
 }
 
 std::string bar_drawing(const json &document)
@@ -141,7 +150,8 @@ std::string bar_drawing(const json &document)
   plot.x.quantity = "rank of the action";
   plot.x.unit     = "-";
   plot.y          = {"change", "%"};
-  plot.bars.push_back({"what counts", column(really), Pen::dark});
+  plot.bars.push_back(
+      {has_other_models(document) ? "what counts, in beams" : "computed anew", column(really), Pen::dark});
   plot.bars.push_back({"first order, by slopes", column(slope), Pen::pale});
   return svg_plot(plot);
 }
@@ -163,7 +173,16 @@ std::string curves_drawing(const Table &table, const Axis &x, const Axis &y, con
   return svg_plot(plot);
 }
 
-void before_and_after(Page &page, const std::map<std::string, Table> &tables)
+// Figures and tunings are those of the six masses, also where the beams count.
+std::string of_six_masses(const json &document)
+{
+  return has_other_models(document)
+             ? " These are the six masses; what counts, with rolls as beams, stands in the table "
+               "of the actions."
+             : "";
+}
+
+void before_and_after(Page &page, const json &document, const std::map<std::string, Table> &tables)
 {
   if (const auto found = tables.find("spectrum"); found != tables.end() && found->second.columns.size() > 1) {
     const Table &table = found->second;
@@ -178,7 +197,8 @@ void before_and_after(Page &page, const std::map<std::string, Table> &tables)
     page.figure(
         {curves_drawing(table, x, y, {})},
         "Acceleration of the place as it is and with the best actions. Amplitude per newton of bite force; "
-        "with a measured force the root of the density.");
+        "with a measured force the root of the density." +
+            of_six_masses(document));
   }
   if (const auto found = tables.find("growth"); found != tables.end() && found->second.columns.size() > 1) {
     page.section("growth", "Before and after");
@@ -225,7 +245,8 @@ void tuned_section(Page &page, const json &document, const std::map<std::string,
   page.section("tuned", "Tuned damper");
   page.table(
       tuned_rows(document["tuned_dampers"]),
-      "In bold the tuning of least level, below it that of the closed form for one mode under white force.");
+      "In bold the tuning of least level, below it that of the closed form for one mode under white force." +
+          of_six_masses(document));
   if (const auto found = tables.find("detuning"); found != tables.end() && found->second.columns.size() > 1)
     page.figure(
         {
@@ -312,7 +333,7 @@ std::string advice_page(const std::string &directory, const std::string &text,
   run.status    = "ok";
   Page page(run);
   action_sections(page, document);
-  before_and_after(page, tables);
+  before_and_after(page, document, tables);
   tuned_section(page, document, tables);
   slope_section(page, document);
   if (!document["notes"].empty()) {

@@ -61,7 +61,7 @@ struct AdvisedStand {
 /// A spring of the chain and the factors on it that are tried; 1 is not tried.
 struct SpringChoice {
   std::string name;
-  double softer = 0.8, stiffer = 1.2;
+  double softer = 0.8, stiffer = 1.2;  ///< -
   std::string means;
 };
 

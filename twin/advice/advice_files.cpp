@@ -74,27 +74,28 @@ ordered_json tuned_json(const TunedRecord &record)
 {
   const TunedDamper &t = record.damper;
   const auto tuning    = [](const Attachment &a, const double change) {
-    return ordered_json{
-        {"frequency", a.frequency},
-        {"damping",   a.ratio    },
-        {"change",    change     }
-    };
+    ordered_json one;
+    one["frequency"] = a.frequency;
+    one["damping"]   = a.ratio;
+    one["change"]    = change;
+    return one;
   };
-  return {
-      {"action",            record.action                                     },
-      {"place",             record.place                                      },
-      {"mode",              t.mode + 1                                        },
-      {"mode_frequency",    record.mode_frequency                             },
-      {"effective_mass",    t.effective_mass                                  },
-      {"mass",              t.best.mass                                       },
-      {"mass_ratio",        t.best.mass / t.effective_mass                    },
-      {"stiffness",         t.best.mass * std::pow(2 * M_PI * t.best.frequency, 2)},
-      {"damper",                   2 * t.best.ratio * t.best.mass * 2 * M_PI * t.best.frequency                                                             },
-      {"start",                   tuning(t.start,  t.start_change)},
-      {"best",    tuning(t.best,                                                     t.change)},
-      {"detuned_5_percent",   {t.detuned_by(-0.05), t.detuned_by(0.05)}},
-      {"minimum_inside", t.inside       }
-  };
+  const double w = 2 * M_PI * t.best.frequency;
+  ordered_json json;
+  json["action"]            = record.action;
+  json["place"]             = record.place;
+  json["mode"]              = t.mode + 1;
+  json["mode_frequency"]    = record.mode_frequency;
+  json["effective_mass"]    = t.effective_mass;
+  json["mass"]              = t.best.mass;
+  json["mass_ratio"]        = t.best.mass / t.effective_mass;
+  json["stiffness"]         = t.best.mass * w * w;
+  json["damper"]            = 2 * t.best.ratio * t.best.mass * w;
+  json["start"]             = tuning(t.start, t.start_change);
+  json["best"]              = tuning(t.best, t.change);
+  json["detuned_5_percent"] = {t.detuned_by(-0.05), t.detuned_by(0.05)};
+  json["minimum_inside"]    = t.inside;
+  return json;
 }
 
 std::string csv_cell(const std::string &text)

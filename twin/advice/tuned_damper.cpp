@@ -74,7 +74,8 @@ int leading_mode(const VibratingStand &stand, const int seen, const int at, cons
     share[i] *= std::pow(stand.point(seen, i) * stand.force[i], 2);
   }
   Eigen::Index first = 0;
-  share.maxCoeff(&first);
+  if (!(share.maxCoeff(&first) > 0))  // nothing that moves the damper moves the place: any mode that it can feel
+    stand.point.row(at).cwiseAbs().maxCoeff(&first);
   return int(first);
 }
 

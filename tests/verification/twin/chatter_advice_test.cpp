@@ -6,6 +6,7 @@
 #include "tests/support/reference.h"
 #include "twin/advice/chatter_advice.h"
 #include <algorithm>
+#include <cmath>
 
 using namespace mill;
 using namespace mill::twin;
@@ -151,8 +152,9 @@ TEST(ChatterAdvice, PairsAreComputedAnewAndRankedByWhatTheyDo)
 
 TEST(ChatterAdvice, SlowerThanWantedStaysBelowTheLineAndOutOfPairs)
 {
-  CriticalQuestion q    = condition_2();
-  CriticalAdvice advice = critical_advice(q);
+  CriticalQuestion q = condition_2();
+  q.stiffness = q.damping = {1, 1};
+  CriticalAdvice advice   = critical_advice(q);
   EXPECT_EQ(action(advice, "speed x 0.9").against,
             std::vector<std::string>{"rolls at 16.38 m/s, at least 18.2 m/s are wanted"});
   for (const RatedAction &one : advice.actions)
@@ -173,7 +175,8 @@ TEST(ChatterAdvice, FirstOrderIsTheTangentOfWhatReallyHappens)
 {
   CriticalQuestion q = condition_2();
   q.force_rise       = 1;
-  const auto change  = [&](const double factor) {
+  q.speed = q.entry_thickness = q.exit_tension = q.stiffness = q.damping = {1, 1};
+  const auto change                                                      = [&](const double factor) {
     q.viscosity = q.entry_tension = {factor, 1};
     return critical_advice(q);
   };
@@ -204,11 +207,45 @@ TEST(ChatterAdvice, WithoutABiteNoAdvice)
 TEST(ChatterAdvice, ActionsThatTakeTheBiteAwaySayWhy)
 {
   CriticalQuestion q = condition_2();
-  q.entry_tension    = {1, 5};  // above the flow stress
-  q.entry_thickness  = {1, 4};  // thicker than the hot strip
-  const auto advice  = critical_advice(q);
+  q.stiffness = q.damping = q.viscosity = q.exit_tension = {1, 1};
+  q.entry_tension                                        = {1, 5};  // above the flow stress
+  q.entry_thickness                                      = {1, 4};  // thicker than the hot strip
+  const auto advice                                      = critical_advice(q);
   EXPECT_NE(action(advice, "entry tension x 5").against.front().find("no steady bite at the working speed: "),
             std::string::npos);
   EXPECT_EQ(action(advice, "entry thickness x 4").against.front(),
             "the strip would be thicker than before all rolling");
+}
+
+// What a violator brings is kept by a partner that takes its force away, also where that is not among the best
+// three.
+TEST(ChatterAdvice, ViolatorsFindThePartnerThatTakesTheForceAway)
+{
+  CriticalQuestion q    = condition_2();
+  q.damping             = {1, 8};  // dampers push the thinner entry out of the best three
+  q.entry_tension       = {1, 1};
+  const auto advice     = critical_advice(q);
+  const RatedAction &on = pair(advice, "oil viscosity x 0.8", "entry thickness x 0.95");
+  EXPECT_TRUE(on.against.empty());
+  std::size_t better = 0;
+  for (const RatedAction &one : advice.actions)
+    if (!one.pair && one.gain > action(advice, "entry thickness x 0.95").gain && !one.kept_apart)
+      ++better;
+  EXPECT_GE(better, 3u);
+}
+
+TEST(ChatterAdvice, NothingCriticalInTheRangeIsALowerBound)
+{
+  CriticalQuestion q = condition_2();
+  q.stiffness = q.damping = q.speed = q.exit_tension = {1, 1};
+  q.range.to                                         = 15;
+  q.working_speed = q.wanted_speed = 12;
+  const auto advice                = critical_advice(q);
+  EXPECT_TRUE(advice.now.at_least);
+  EXPECT_TRUE(advice.reached);
+  EXPECT_TRUE(advice.slopes.inputs.empty());
+  const RatedAction &oil = action(advice, "oil viscosity x 0.8");
+  EXPECT_EQ(oil.change, 0);
+  EXPECT_TRUE(std::isnan(oil.first_order));
+  EXPECT_EQ(oil.remarks, std::vector<std::string>{"nothing grows up to 15 m/s: the rise is at least this"});
 }

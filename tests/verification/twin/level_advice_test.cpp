@@ -145,8 +145,7 @@ TEST(LevelAdvice, LevelsAndSlopesAreTheReference)
 
 TEST(LevelAdvice, ActionsAreTheReference)
 {
-  LevelQuestion q = usual_question(set_r().advised);
-  q.force         = set_r().force;
+  LevelQuestion q = usual_question(set_r().advised);  // steps that resolve the modes give the same sums to 1e-9
   q.damping       = {1.5, 2};
   q.tuned.clear();
   const LevelAdvice advice = level_advice(set_r().advised, q);
@@ -262,7 +261,7 @@ TEST(LevelAdvice, TunedDamperIsTheReference)
 // Nested golden sections over the equations of motion: another level and another search.
 TEST(LevelAdvice, TuningIsTheMinimumByAnotherRoad)
 {
-  const ForceBand force       = white_force(20, 990, 3);
+  const ForceBand force       = white_force(20, 990, 6);
   const VibratingStand &stand = set_r().advised.stand;
   const int mode              = leading_mode(stand, 2, 2, force);
   const Attachment start      = closed_tuning(stand, mode, 2, 0.08);
@@ -406,7 +405,8 @@ TEST(LevelAdvice, ASparserBandThatResolvesTheModesGivesTheSame)
 
 TEST(LevelAdvice, ScaleOfTheForceAndUnitsOfThePlaceDoNotMatter)
 {
-  LevelQuestion q       = usual_question(set_r().advised);
+  LevelQuestion q = usual_question(set_r().advised);
+  q.tuned.clear();
   const LevelAdvice one = level_advice(set_r().advised, q);
   q.force.square *= 1e12;
   const LevelAdvice other = level_advice(set_r().advised, q);
@@ -423,4 +423,43 @@ TEST(LevelAdvice, AStandWithoutDampingHasNoLevel)
   AdvisedStand still  = set_r().advised;
   still.stand.damping = Eigen::VectorXd::Zero(6);
   EXPECT_THROW(level_advice(still, usual_question(set_r().advised)), InputError);
+}
+
+// The spread of a change by the errors of the stand: one error alone is the difference that it makes.
+TEST(LevelAdvice, SpreadIsWhatErrorsMove)
+{
+  LevelQuestion q = usual_question(set_r().advised);
+  q.springs.clear();
+  q.dampers.clear();
+  q.damping_error = 0;
+  for (const char *spring : {"K1", "K2", "K5", "K6", "K7"})
+    q.spring_error[spring] = 0;
+  q.spring_error["K3"]     = 0.05;
+  const LevelAdvice advice = level_advice(set_r().advised, q);
+  const RatedAction &tuned = advice.actions.front();
+  LumpedModel stiffer;
+  const auto in = reference("advice.inputs", "twin");
+  for (std::size_t i = 0; i < 6; ++i)
+    stiffer.M[i].value = in["M"][i];
+  for (std::size_t i = 0; i < 7; ++i)
+    stiffer.K[i].value = in["K"][i].get<double>() * (i == 2 ? 1.05 : 1);
+  const MillModel moved = dynamics::mill_model(stiffer, DynamicsSettings{});
+  const ForceBand force = white_force(0, 1000, 0.5);
+  const double moved_change =
+      level_by_equations(moved, tuned.joined, 2, force) / level_by_equations(moved, {}, 2, force) - 1;
+  EXPECT_TRUE(near(tuned.spread, std::abs(moved_change - tuned.change), within(1e-3, "sums of coarser steps")));
+}
+
+// A tuned damper on the half of the stand that the place does not belong to: nothing to tune for, and no nonsense.
+TEST(LevelAdvice, ATunedDamperThatThePlaceDoesNotFeelDoesNothing)
+{
+  LevelQuestion q = usual_question(set_r().advised);
+  q.springs.clear();
+  q.dampers.clear();
+  q.tuned                  = {TunedChoice{dynamics::lower_work_roll}};
+  const LevelAdvice advice = level_advice(set_r().advised, q);
+  ASSERT_EQ(advice.actions.size(), 1u);
+  EXPECT_NEAR(advice.actions.front().change, 0, 1e-10);
+  EXPECT_TRUE(std::isfinite(advice.tuned.front().best.mass));
+  EXPECT_EQ(advice.actions.front().against, std::vector<std::string>{"changes this level by less than 0.1 %"});
 }

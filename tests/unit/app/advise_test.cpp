@@ -1,0 +1,241 @@
+// millstand advise as one calls it: a folder with ranked actions and a page, and what is wrong word for word.
+#include "app/advice/critical_speed_advice.h"
+#include "app/advise_command.h"
+#include "app/command_line.h"
+#include "core/model/case.h"
+#include "core/records/files.h"
+#include "tests/support/program.h"
+#include "tests/support/refusal.h"
+#include "tests/support/synthetic_record.h"
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+namespace fs = std::filesystem;
+
+namespace {
+const Eigen::VectorXd masses =
+    (Eigen::VectorXd(6) << 9321.943, 59716.884, 1888.705, 3094.684, 42200.563, 4663.29).finished();
+const Eigen::VectorXd springs =
+    (Eigen::VectorXd(7) << 6.3086e9, 10.233e9, 40.2e9, 0, 40.2e9, 29.301e9, 6.8789e9).finished();
+
+// A chain, as calibration would leave it: K2 was not told by its records.
+std::string chain_case(const std::string &folder, const std::string &advice)
+{
+  std::ofstream out(folder + "/chain.toml");
+  out << "schema = 1\nkind = \"lumped\"\n\n[given]\n";
+  for (int i = 0; i < 6; ++i)
+    out << "M" << i + 1 << " = \"" << std::to_string(masses[i]) << " kg\"\n";
+  for (int i = 0; i < 7; ++i)
+    if (i == 1)
+      out << "K2 = { value = \"10233 kN/mm\", source = \"assumed: records of one day, not told: K2\" }\n";
+    else
+      out << "K" << i + 1 << " = \"" << std::to_string(springs[i] / 1e6) << " kN/mm\"\n";
+  out << advice;
+  return "chain.toml";
+}
+
+nlohmann::json advice_in(const std::string &folder)
+{
+  return nlohmann::json::parse(mill::read_text(folder + "/advice.json"));
+}
+
+const nlohmann::json &action(const nlohmann::json &advice, const std::string &name)
+{
+  for (const auto &one : advice["actions"])
+    if (one["name"] == name)
+      return one;
+  throw std::logic_error("no action " + name);
+}
+}  // namespace
+
+TEST(Advise, LeavesRankedActionsTablesAndAPage)
+{
+  const std::string folder = scratch("advise");
+  const Outcome run =
+      millstand("advise " + chain_case(folder, "[advice]\nband = [\"600 Hz\", \"900 Hz\"]\n") + " -o out", folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("goal: lowest rms acceleration of the upper work roll from 600 to 900 Hz\nBest: "),
+            std::string::npos)
+      << run.out;
+  const auto advice = advice_in(folder + "/out");
+  EXPECT_EQ(advice["schema"], 1);
+  double last = -1;
+  for (std::size_t i = 0; i < advice["actions"].size(); ++i) {
+    const auto &one = advice["actions"][i];
+    if (one["against"].empty()) {
+      EXPECT_EQ(one["rank"], i + 1);
+      EXPECT_GE(one["verified_change"].get<double>(), last) << "ranked by what it does";
+      last = one["verified_change"];
+    } else
+      EXPECT_TRUE(one["rank"].is_null());
+  }
+  EXPECT_NEAR(action(advice, "tuned damper 97.47 kg, upper work roll")["verified_change"].get<double>(), -0.66,
+              0.04);
+  EXPECT_EQ(
+      action(advice, "tuned damper 97.47 kg, upper work roll")["remarks"][0],
+      "chain only: a damper sits on chocks, which the six masses do not have; repeat it with the drawing of the "
+      "stand (kind four-high) or with [model]");
+  EXPECT_EQ(action(advice, "K2 x 1.2")["remarks"][0],
+            "rests on K2, which the records do not tell (assumed: records of one day, not told: K2)");
+  for (const auto &[name, value] : advice["values"].items())
+    EXPECT_EQ(name.find("advice.level"), std::string::npos) << "no level without a measured force";
+  const std::string page = mill::read_text(folder + "/out/report.html");
+  for (const char *title : {"Ranked actions", "Below the line", "Before and after", "Tuned damper", "Slopes"})
+    EXPECT_NE(page.find(title), std::string::npos) << title;
+  EXPECT_EQ(mill::read_text(folder + "/out/advice.csv").find("rank,action,verified change [%]"), 0u);
+  fs::remove(folder + "/out/report.html");
+  EXPECT_EQ(millstand("report out", folder).exit_code, 0);
+  EXPECT_EQ(mill::read_text(folder + "/out/report.html"), page) << "from the files of the folder alone";
+}
+
+TEST(Advise, AMeasuredForceGivesLevels)
+{
+  const std::string folder = scratch("advise-measured");
+  const auto chain         = synthetic::chain(masses, springs, 0.01);
+  constexpr Eigen::Index n = 1 << 16;
+  constexpr double rate    = 5000;
+  const auto force         = synthetic::band_force(3, n, rate, 1000, 400, 1000);
+  const Eigen::MatrixXd y  = synthetic::response(chain, force.drive, rate);
+  fs::create_directories(folder + "/records");
+  std::ofstream out(folder + "/records/day.csv");
+  out << "time [s],F1 [kN],upper_work_roll [g]\n";
+  for (Eigen::Index i = 0; i < n; ++i)
+    out << double(i) / rate << ',' << 976 + force.force[i] / 1e3 << ',' << y(i, 2) / 9.80665 << '\n';
+  out.close();
+  const Outcome run = millstand("advise " + chain_case(folder, "[advice]\nband = [\"400 Hz\", \"900 Hz\"]\n") +
+                                    " --measured records --channel F1=force -q -o out",
+                                folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto level = advice_in(folder + "/out")["values"]["advice.level.upper_work_roll"];
+  EXPECT_EQ(level["unit"], "m/s2");
+  const double measured = level["checks"][0]["value"];
+  EXPECT_NEAR(level["value"].get<double>() / measured, 1, 3 * level["error_estimate"].get<double>());
+  EXPECT_LT(level["error_estimate"].get<double>(), 0.1);
+}
+
+TEST(Advise, OfADrawingTheChocksCount)
+{
+  const std::string folder = scratch("advise-drawing");
+  const std::string stand  = std::string(MILLSTAND_SOURCE_DIR) + "/cases/four-high-1400.toml";
+  const Outcome run        = millstand("advise " + stand +
+                                           " --set 'advice.springs=[\"K2\",\"K3\"]' --set 'advice.band=[\"20 Hz\",\"1000 "
+                                                  "Hz\"]' --set 'advice.tuned_mass=\"0 %\"' -q -o out",
+                                       folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto advice  = advice_in(folder + "/out");
+  const auto &damper = action(advice, "damper 100 kN s/m, upper work roll to upper backup roll");
+  ASSERT_EQ(damper["in_other_models"].size(), 2u);
+  EXPECT_EQ(damper["in_other_models"][1]["name"], "beams, dampers on the chocks");
+  EXPECT_EQ(damper["verified_change"], damper["in_other_models"][1]["value"]);
+  EXPECT_GT(damper["verified_change"].get<double>(), 0.2 * damper["change"].get<double>())
+      << "the chain overrates a damper that sits on chocks";
+  EXPECT_EQ(action(advice, "K3 x 0.8")["in_other_models"][0]["name"], "beams");
+  EXPECT_EQ(action(advice, "K2 x 1.2")["remarks"][0],
+            "not repeated in the beams: its spring is several parts of the drawing");
+}
+
+TEST(Advise, PlacesThatSixMassesLackAreThoseOfTheBeams)
+{
+  const std::string folder = scratch("advise-chock");
+  const std::string stand  = std::string(MILLSTAND_SOURCE_DIR) + "/cases/four-high-1400.toml";
+  std::ofstream(folder + "/stand.toml") << mill::read_text(stand) << R"(
+[advice]
+band       = ["100 Hz", "500 Hz"]
+tuned_mass = "0 %"
+
+[[advice.damper]]
+from   = "upper work-roll chock"
+to     = "upper_frame"
+damper = "1e6 N s/m"
+)";
+  fs::create_directory_symlink(fs::path(stand).parent_path() / "data", folder + "/data");
+  const Outcome run = millstand("advise stand.toml -o out", folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find(
+                "note: six masses have no place upper work-roll chock: all is computed with rolls as beams, and "
+                "springs are not tried"),
+            std::string::npos)
+      << run.out;
+  const auto advice = advice_in(folder + "/out");
+  EXPECT_EQ(advice["stand"], "rolls as beams, springs by closed forms");
+  EXPECT_EQ(advice["actions"].size(), 1u);
+  EXPECT_TRUE(advice["actions"][0]["remarks"].empty());
+}
+
+TEST(Advise, CriticalSpeedOfACondition)
+{
+  const std::string folder = scratch("advise-chatter");
+  const std::string tandem = std::string(MILLSTAND_SOURCE_DIR) + "/cases/chatter-tandem.toml";
+  const Outcome run        = millstand("advise " + tandem + " --set 'advice.condition=\"2\"' -o out", folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(
+      run.out.find("Best: oil viscosity x 0.8 and entry thickness x 0.95, 19.566 m/s (+7.46 %, first order "),
+      std::string::npos)
+      << run.out;
+  const auto advice = advice_in(folder + "/out");
+  EXPECT_NEAR(advice["values"]["advice.critical_speed"]["value"].get<double>(), 18.207253, 1e-5);
+  EXPECT_FALSE(advice["actions"][0]["reaches_margin"].get<bool>());
+  EXPECT_TRUE(fs::exists(folder + "/out/growth.csv"));
+  // Without a name the condition that is nearest to its limit.
+  EXPECT_EQ(mill::critical_speed_advice(mill::read_case(tandem), 1).question.find("critical speed of condition 3"),
+            0u);
+}
+
+TEST(Advise, Refusals)
+{
+  const std::string folder = scratch("advise-refusals"), cases = std::string(MILLSTAND_SOURCE_DIR) + "/cases/";
+  const std::string chain = folder + "/" + chain_case(folder, "");
+  const auto refused      = [&](const std::string &file, const std::vector<std::string> &sets,
+                           const std::string &measured, const std::string &output) {
+    mill::CommandLine command;
+    command.measured          = measured.empty() ? "" : folder + "/" + measured;
+    command.output            = folder + "/" + output;
+    command.quiet             = true;
+    const std::string message = refusal([&] { mill::advise_command(command, mill::read_case(file, sets)); });
+    return std::regex_replace(message, std::regex(folder + "/|" + cases), "");
+  };
+  const std::vector<std::string> few{"advice.band=[\"600 Hz\",\"700 Hz\"]", "advice.tuned_mass=\"0 %\""};
+  EXPECT_EQ(refused(chain, {"advice.place=upper_workroll"}, "", "out"),
+            "advice.place = \"upper_workroll\" is no place of the stand; did you mean 'upper_work_roll'?");
+  EXPECT_EQ(
+      refused(chain, {"advice.springs=[\"K4\"]"}, "", "out"),
+      "advice.springs names K4, which is zero here (dynamics.force_meaning = \"measured\" holds it in the force); "
+      "leave it out");
+  EXPECT_EQ(
+      refused(chain, {"dynamics.modal_damping=\"0 %\""}, "", "out"),
+      "a mode of the stand has no damping, so that its vibration has no level; give dynamics.modal_damping above "
+      "zero");
+  EXPECT_EQ(refused(chain, {}, "absent", "out"),
+            "--measured absent: there is no such folder; give the folder of the records, or one of them");
+  fs::create_directories(folder + "/none");
+  EXPECT_EQ(
+      refused(chain, {}, "none", "out"),
+      "--measured none: the folder holds no record; one ends with .csv, .npy, .uff or .mat (.txt, .tsv, .asc, "
+      ".unv)");
+  std::ofstream notes(folder + "/other.csv");
+  notes << "time [s],upper_work_roll [g]\n";
+  for (int i = 0; i < 4000; ++i)
+    notes << i / 1000.0 << ',' << std::sin(0.7 * i) + 0.1 * (i % 7) << '\n';
+  notes.close();
+  EXPECT_EQ(refused(chain, {}, "other.csv", "out"),
+            "--measured other.csv: no record there has a channel force; name the column of the rolling force with "
+            "--channel COLUMN=force (other.csv has no channel force and was left out)");
+  EXPECT_EQ(
+      refused(cases + "chatter-tandem.toml", {}, "none", "out"),
+      "--measured none: a critical speed does not follow from a measured force; leave it out, or name a case of "
+      "kind four-high or lumped for the level of a place");
+  EXPECT_EQ(refused(cases + "two-cylinders.toml", {}, "", "out"),
+            "millstand advise has nothing to advise for kind = \"two-cylinders\" (two-cylinders.toml); it takes "
+            "four-high "
+            "and lumped for the level of a place, chatter for the critical speed");
+  EXPECT_EQ(refused(cases + "chatter-tandem.toml", {"advice.condition=\"9\""}, "", "out"),
+            "advice.condition = \"9\" is not the name of a [[condition]]");
+  EXPECT_EQ(refused(chain, few, "", "chain.toml"), "chain.toml is a file, not a folder; choose another with -o");
+  std::ofstream(folder + "/none/notes.md") << "mine";
+  EXPECT_EQ(refused(chain, few, "", "none"),
+            "the folder none holds files that no advice wrote; choose another with -o, or give --force-overwrite");
+}
