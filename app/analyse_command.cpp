@@ -26,11 +26,11 @@ twin::AnalysisSettings settings_of(const CommandLine &command, const Monitoring 
 {
   twin::AnalysisSettings settings;
   if (!command.speed.empty())
-    settings.speed = quantity_of("--speed", command.speed, "4 m/s");
+    settings.speed = option_quantity("--speed", command.speed, "4 m/s");
   if (!command.limit.empty())
-    settings.limit = quantity_of("--limit", command.limit, "2 g");
+    settings.limit = option_quantity("--limit", command.limit, "2 g");
   for (const std::string &zone : command.severity)
-    settings.severity.push_back(quantity_of("--severity", zone, "2.3 mm/s"));
+    settings.severity.push_back(option_quantity("--severity", zone, "2.3 mm/s"));
   if (!std::is_sorted(settings.severity.begin(), settings.severity.end()))
     throw InputError(
         "--severity: the upper ends of the zones grow, for example \"2.3 mm/s\" \"4.5 mm/s\" \"7.1 mm/s\"");

@@ -26,7 +26,7 @@ std::map<std::string, std::string> pairs_of(const std::string &option, const std
 }
 }  // namespace
 
-double quantity_of(const std::string &option, const std::string &text, const std::string &sample)
+double option_quantity(const std::string &option, const std::string &text, const std::string &sample)
 {
   const ParsedQuantity parsed = parse_quantity(text);
   const Unit &wanted          = unit(sample.substr(sample.find(' ') + 1));
@@ -43,7 +43,7 @@ twin::ReadOptions read_options(const CommandLine &command, const Monitoring &mon
   if (!command.record_rate.empty()) {
     double rate = 0;
     if (!parse_number(command.record_rate, rate))
-      rate = quantity_of("--rate", command.record_rate, "20000 Hz");
+      rate = option_quantity("--rate", command.record_rate, "20000 Hz");
     options.rate = rate;
   }
   options.zone     = command.zone;

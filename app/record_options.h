@@ -9,7 +9,7 @@ namespace mill {
 /// A quantity above zero of the command line, SI.
 /// @param sample  "4 m/s": says the unit, and stands in the message
 /// @throws InputError
-double quantity_of(const std::string &option, const std::string &text, const std::string &sample);
+double option_quantity(const std::string &option, const std::string &text, const std::string &sample);
 
 /// --rate, --zone, --channel and --unit; names of channels that the case has, where the command line has no other.
 twin::ReadOptions read_options(const CommandLine &command, const Monitoring &monitoring);

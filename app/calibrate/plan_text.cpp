@@ -10,7 +10,7 @@ namespace mill {
 namespace {
 double or_default(const std::string &option, const std::string &text, const std::string &fallback)
 {
-  return quantity_of(option, text.empty() ? fallback : text, fallback);
+  return option_quantity(option, text.empty() ? fallback : text, fallback);
 }
 
 std::vector<Eigen::Index> places_of(const PriorChain &chain, const std::string &sensors)

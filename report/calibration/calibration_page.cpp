@@ -130,7 +130,7 @@ std::string head_of(const json &document)
   return text + "<div class=\"verdict warnings\"><p>" +
          (status == "accepted" ? "Refused, and written all the same because of <code>--accept</code>: "
                                : "Refused, no case was written: ") +
-         "this model with these records is not right. " + count + ".</p></div>\n";
+         "this model does not explain these records, so its numbers are none of the stand's.</p></div>\n";
 }
 
 void what_is_told(Page &page, const json &document)

@@ -27,11 +27,20 @@ public:
   {
     for (std::size_t j = 0; j < places.size(); ++j)
       seen.row(Eigen::Index(j)) = slopes.shape.row(places[j]);
+    // only what is asked for: slopes to masses would double the time
+    dynamics::SlopedStand kept = slopes;
+    kept.names.clear(), kept.stiffness.clear(), kept.mass.clear();
     for (const Unknown &unknown : unknowns) {
       const auto at = std::find(slopes.names.begin(), slopes.names.end(), unknown.name);
       require(at != slopes.names.end() || unknown.name == "zeta", "a plan knows springs and the common damping");
-      column.push_back(at == slopes.names.end() ? -1 : at - slopes.names.begin());
+      column.push_back(at == slopes.names.end() ? -1 : Eigen::Index(kept.names.size()));
+      if (at == slopes.names.end())
+        continue;
+      kept.names.push_back(unknown.name);
+      kept.stiffness.push_back(slopes.stiffness[std::size_t(at - slopes.names.begin())]);
+      kept.mass.emplace_back();
     }
+    slopes = std::move(kept);
   }
   AtFrequency operator()(const double f) const
   {

@@ -1,4 +1,5 @@
 // millstand calibrate from records to a calibrated case, its refusals, its plan, and what it says to wrong input.
+#include "app/calibrate/calibrate_command.h"
 #include "core/case/case_file.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
@@ -20,7 +21,7 @@ struct Stand {
   calibration::Recipe recipe = calibration::recipe("two");
   Stand()
   {
-    recipe.n     = 60000;
+    recipe.n     = 60000;  // a third of it is one second, the least a piece may last
     recipe.truth = {
         {"K3",   -0.04},
         {"zeta", 0.25 }
@@ -148,6 +149,51 @@ TEST(CalibrateCommand, APlanSaysWhatWouldBeTold)
   EXPECT_NE(low.out.find("not told"), std::string::npos) << low.out;
 }
 
+namespace {
+CommandLine line_of(const Stand &stand)
+{
+  CommandLine line;
+  line.verb   = "calibrate";
+  line.target = stand.folder + "/stand.toml";
+  line.output = stand.folder + "/refused";
+  line.quiet  = true;
+  return line;
+}
+
+CommandLine plan_of(const Stand &stand, const std::string &free, const std::string &duration)
+{
+  CommandLine line        = line_of(stand);
+  line.calibrate.plan     = true;
+  line.calibrate.free     = free;
+  line.calibrate.duration = duration;
+  return line;
+}
+
+CommandLine measured_in(const Stand &stand, const std::string &folder)
+{
+  CommandLine line        = line_of(stand);
+  line.calibrate.measured = stand.folder + "/" + folder;
+  return line;
+}
+
+/// What the program would say with exit code 2; folders are those of the test.
+void expect_refused(const CommandLine &line, const std::string &message)
+{
+  try {
+    calibrate_command(line);
+    ADD_FAILURE() << "not refused; wanted: " << message;
+  } catch (const InputError &error) {
+    std::string said;
+    for (const Problem &problem : error.problems)
+      said += render(problem) + "\n";
+    const std::string folder = fs::path(line.target).parent_path().string() + "/";
+    for (auto at = said.find(folder); at != std::string::npos; at = said.find(folder))
+      said.erase(at, folder.size());
+    EXPECT_NE(said.find(message), std::string::npos) << said << "\nwanted: " << message;
+  }
+}
+}  // namespace
+
 TEST(CalibrateCommand, WrongInputIsNamedWithItsRemedy)
 {
   const Stand stand;
@@ -159,25 +205,25 @@ TEST(CalibrateCommand, WrongInputIsNamedWithItsRemedy)
       stand.calibrate("--measured nowhere"), 2,
       "error: --measured nowhere: no such folder; it holds the records, and records.toml where they have roles");
   stand.file("empty/readme.md", "no record");
-  expect_said(stand.calibrate("--measured empty"), 2,
-              "error: --measured empty: no record in it; .csv, .npy, .uff and .mat are read");
+  expect_refused(measured_in(stand, "empty"),
+                 "error: --measured empty: no record in it; .csv, .npy, .uff and .mat are read");
   stand.file("roles/records.toml", "[[record]]\nfile = \"pass.csv\"\nrole = \"train\"\n");
-  expect_said(stand.calibrate("--measured roles"), 2,
-              "roles/records.toml:3:8: error: record.0.role = \"train\": a record is for the \"fit\" or for the "
-              "\"check\"");
+  expect_refused(
+      measured_in(stand, "roles"),
+      "roles/records.toml:3:8: error: record.0.role = \"train\": a record is for the \"fit\" or for the "
+      "\"check\"");
   stand.file("nothing/records.toml", "band = [\"20 Hz\", \"900 Hz\"]\n");
-  expect_said(stand.calibrate("--measured nothing"), 2,
-              "neither [[record]] nor [[level]]; a record needs at least file = \"pass-1.csv\"");
+  expect_refused(measured_in(stand, "nothing"),
+                 "neither [[record]] nor [[level]]; a record needs at least file = \"pass-1.csv\"");
   stand.file("levels/records.toml", "[[level]]\nplace = \"upper_work_roll\"\n");
-  expect_said(stand.calibrate("--measured levels"), 2,
-              "a level is either rms or peak, for example rms = \"0.4 g\"");
+  expect_refused(measured_in(stand, "levels"), "a level is either rms or peak, for example rms = \"0.4 g\"");
   stand.file("place/records.toml", "[[level]]\nplace = \"uper_work_roll\"\nrms = \"0.4 g\"\n");
-  expect_said(stand.calibrate("--measured place"), 2,
-              "uper_work_roll is no place of the chain; did you mean 'upper_work_roll'?");
-  expect_said(stand.calibrate("--plan --free K9"), 2, "--free K9: K9 is nothing that can be fitted");
-  expect_said(stand.calibrate("--plan --free K1,K1"), 2, "--free K1,K1: K1 is there twice");
-  expect_said(stand.calibrate("--plan --duration 20"), 2,
-              "--duration \"20\": a time above zero is needed, for example --duration \"20 s\"");
+  expect_refused(measured_in(stand, "place"),
+                 "uper_work_roll is no place of the chain; did you mean 'upper_work_roll'?");
+  expect_refused(plan_of(stand, "K9", ""), "--free K9: K9 is nothing that can be fitted");
+  expect_refused(plan_of(stand, "K1,K1", ""), "--free K1,K1: K1 is there twice");
+  expect_refused(plan_of(stand, "", "20"),
+                 "--duration \"20\": a time above zero is needed, for example --duration \"20 s\"");
   std::string rows = "time [s],upper_work_roll [m/s2]\n";
   for (int k = 0; k < 4000; ++k)
     rows += fmt::format("{:.4f},{:.3f}\n", k / 1000., std::sin(k * 0.7));
