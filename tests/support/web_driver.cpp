@@ -105,8 +105,13 @@ Browser::~Browser()
   }
   kill(-process_, SIGTERM);
   waitpid(process_, nullptr, 0);
+  // What the browser still writes while it ends may come after a first try.
   std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
+  for (int tries = 0; tries < 20 && std::filesystem::exists(folder_, ignored); ++tries) {
+    std::filesystem::remove_all(folder_, ignored);
+    if (std::filesystem::exists(folder_, ignored))
+      wait_a_little();
+  }
 }
 
 json Browser::call(const std::string &method, const std::string &path, const json &body)
