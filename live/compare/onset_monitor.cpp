@@ -86,9 +86,9 @@ void OnsetMonitor::take_value(const double time, const double utc, const Eigen::
     for (std::size_t c = 0; c < channels.size(); ++c) {
       Watched &one = at(b, c);
       if (const auto alarm = one.watch.take(time, z(Eigen::Index(b), Eigen::Index(c)))) {
-        std::string text =
-            fmt::format("{} at {:.1f} Hz, {}: {:.3g} m/s2 is {:.1f} times the level while it was calm", watched[b].name,
-                        watched[b].frequency, channels[c], alarm->level, alarm->level / alarm->baseline);
+        std::string text = fmt::format(
+            "{} at {:.1f} Hz, {}: {:.3g} m/s2 is {:.1f} times the level while it was calm", watched[b].name,
+            watched[b].frequency, channels[c], alarm->level, alarm->level / alarm->baseline);
         text += alarm->sigma > 0 ? fmt::format(", growing at {:.1f} 1/s", alarm->sigma) : ", not growing";
         if (std::isfinite(alarm->to_limit))
           text += fmt::format("; the limit of {:.3g} m/s2 in {:.2f} s", *limit, alarm->to_limit);
