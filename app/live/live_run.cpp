@@ -117,7 +117,12 @@ live::EngineHooks LiveRun::hooks()
   hooks.sources.push_back([this](const live::LiveSource &source) {
     lines_.begin(source);
     feed_.begin(source);
+    spectrum_.begin(source);
+    place_ = spectrum_.place();
     begin_comparison(source);
+    show_source(source);
+    if (engine_)
+      publish_parameters();
     if (recorder_)
       recorder_->begin(source);
     if (response_)
@@ -130,8 +135,13 @@ live::EngineHooks LiveRun::hooks()
   hooks.observers.push_back([this](const live::LiveBlock &block) {
     if (response_)
       response_->take(block);
-    if (page_)
+    if (page_) {
       feed_.take(block);
+      const double now =
+          std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+      if (const auto spectrum = spectrum_.take(block, now))
+        publish(live::event_names::spectrum, live::spectrum_text(*spectrum));
+    }
     if (const std::string line = lines_.take(block); !line.empty())
       print(line);
     if (comparison_) {
@@ -142,9 +152,7 @@ live::EngineHooks LiveRun::hooks()
         show_alarm(alarm);
       }
       news.alarms.clear();
-      news.spectra.erase(std::remove_if(news.spectra.begin(), news.spectra.end(),
-                                        [this](const live::PageSpectrum &s) { return s.place != place_; }),
-                         news.spectra.end());
+      news.spectra.clear();  // the page shows one place, and also those without a sensor
       for (const live::PageProposal &proposal : news.proposals)
         print(fmt::format("proposal {} ({}): {}\n", proposal.id, proposal.state, visible(proposal.text, true)));
       live::publish(news, [this](const std::string &event, const std::string &json) { publish(event, json); });
@@ -159,19 +167,33 @@ live::EngineHooks LiveRun::hooks()
   hooks.models = {
       [this](const live::TwinModel &model, const live::Tuning &tuning) { changed_model(model, tuning); }};
   hooks.others = [this](const live::PageCommand &command) {
-    if (command.kind == live::PageCommandKind::place)
-      place_ = command.place;
+    if (command.kind == live::PageCommandKind::place) {
+      spectrum_.choose(command.place);
+      place_ = spectrum_.place();
+    }
     publish_parameters();
   };
   hooks.now = utc_now;
   return hooks;
 }
 
+namespace {
+// Springs that a re-calibration may move: K4 is none where the force is measured.
+std::vector<twin::Unknown> fitted_springs(const live::TwinModel &model)
+{
+  const auto springs = live::tuned(model, {}).springs;
+  std::vector<twin::Unknown> fitted;
+  for (twin::Unknown &unknown : live::unknowns_of(model.chain))
+    if (std::none_of(springs.begin(), springs.end(), [&](const dynamics::Spring &spring) {
+          return spring.name == unknown.name && spring.stiffness == 0;
+        }))
+      fitted.push_back(std::move(unknown));
+  return fitted;
+}
+}  // namespace
+
 void LiveRun::begin_comparison(const live::LiveSource &source)
 {
-  for (auto c = source.channels.rbegin(); c != source.channels.rend(); ++c)  // the first place that is measured
-    if (c->unit == "m/s2" && std::find(source.places.begin(), source.places.end(), c->name) != source.places.end())
-      place_ = c->name;
   live::ComparisonSetup setup;
   setup.rate     = source.rate;
   setup.channels = source.channels;
@@ -180,7 +202,7 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
   setup.chain    = model_.chain;
   setup.dynamics = model_.dynamics;
   if (!std::holds_alternative<ChatterCase>(the_case_.spec))  // whose dampers a chain in modes cannot give back
-    setup.unknowns = live::unknowns_of(model_.chain);
+    setup.unknowns = fitted_springs(model_);
   // faster than real time nothing would be ready when it is needed; and so a record gives the same twice
   setup.wait     = command_.live.speed == "max";
   setup.chain_at = [this](const double load) { return chain_at_load(the_case_, model_, load); };
@@ -220,6 +242,7 @@ void LiveRun::changed_model(const live::TwinModel &model, const live::Tuning &tu
   if (comparison_)
     comparison_->set_twin(live::tuned_chain(model, tuning), live::tuned_dynamics(model, tuning),
                           modes_at_load(the_case_, model, tuning));
+  spectrum_.twin_changed();
   publish_parameters();
 }
 

@@ -7,6 +7,7 @@
 #include "app/live/response_file.h"
 #include "live/compare/comparison.h"
 #include "live/display/page_feed.h"
+#include "live/display/place_spectrum.h"
 #include "live/engine/command_queue.h"
 #include "live/engine/engine.h"
 #include "live/page/page_server.h"
@@ -38,6 +39,7 @@ private:
   void resume();
   live::SourceRules rules() const;
   void open_page();
+  std::string token_keeper(int port) const;
   live::CommandReply take_command(const std::string &json);
   void tick(double now);
   void each_second();
@@ -45,6 +47,7 @@ private:
   std::optional<live::TwinModel> adopt(std::int64_t proposal);
   void changed_model(const live::TwinModel &model, const live::Tuning &tuning);
   void publish_parameters();
+  void show_source(const live::LiveSource &source);
   void publish(const std::string &event, const std::string &json);
   void show_alarm(live::PageAlarm alarm);
   bool acknowledge(std::int64_t id);
@@ -69,6 +72,7 @@ private:
   live::SampleQueue queue_;
   std::optional<live::PageServer> page_;
   live::PageFeed feed_;
+  live::PlaceSpectrum spectrum_;
   std::optional<live::Comparison> comparison_;
   live::AlarmBook alarms_{
       1'000'000};  // of source and recording; those of the comparison have numbers of their own

@@ -1,13 +1,16 @@
 #include "app/console.h"
 #include "app/live/live_run.h"
 #include "app/live/live_stand.h"
+#include "app/run_setup.h"
 #include "core/case/errors.h"
 #include "core/case/visible_text.h"
 #include "core/model/case.h"
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 // What of a live run is shown: page, account, alarms, console.
 namespace mill {
@@ -18,6 +21,36 @@ constexpr std::int64_t shown_of_a_kind = 20;  // refusals and the like, on the c
 double utc_now()
 {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+// Beside the recording, or in the cache folder: a page that is open finds a program that was started again.  Empty
+// where neither can be had.
+std::string LiveRun::token_keeper(const int port) const
+{
+  if (!command_.live.record.empty())
+    return command_.live.record + "/page.token";
+  const std::string folder = cache_folder(command_, "");
+  if (folder.empty() || port == 0)
+    return "";
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  const std::string keeper = fmt::format("{}/live-{}.token", folder, port);
+  return error || access(folder.c_str(), W_OK) != 0 ? "" : keeper;
+}
+
+// What the source measures is known when it has begun.
+void LiveRun::show_source(const live::LiveSource &source)
+{
+  if (!page_)
+    return;
+  live::PageStand stand = page_stand(the_case_, model_);
+  stand.rate            = source.rate;
+  for (live::StandPlace &place : stand.places)
+    place.measured = std::any_of(source.channels.begin(), source.channels.end(), [&](const live::LiveChannel &c) {
+      return c.name == place.place && c.unit == "m/s2";
+    });
+  page_->set_stand(live::stand_text(stand));
+  publish_parameters();
 }
 
 void LiveRun::open_page()
@@ -35,8 +68,8 @@ void LiveRun::open_page()
   settings.token_given = !token_.empty();
   if (!options.host.empty())
     settings.hosts.push_back(options.host);
-  if (!options.record.empty() && token_.empty())
-    settings.token_keeper = options.record + "/page.token";
+  if (token_.empty())
+    settings.token_keeper = token_keeper(settings.port);
   page_.emplace(
       settings, live::stand_text(page_stand(the_case_, model_)),
       [this](const std::string &json) { return take_command(json); },
@@ -48,6 +81,8 @@ void LiveRun::open_page()
   if (!page_->notice().empty())
     console::say("warning: " + page_->notice() + "\n");
   publish_parameters();
+  if (engine_->source())
+    show_source(*engine_->source());
 }
 
 // In the thread of the server.

@@ -66,7 +66,7 @@ function quiet(mill) {
   const sentence = `${plain(now.ratio, 2)} × the calm level (${now.of}); alarm at ${whole(limit)} ×`;
   if (now.ratio >= limit)
     return answer("quiet", "bad", "loud", sentence);
-  if (now.ratio >= 2 || alarms.length)
+  if (now.ratio >= 2)
     return answer("quiet", "fair", "louder", sentence);
   answer("quiet", "good", "quiet", sentence);
 }
@@ -88,12 +88,12 @@ function chatter(mill) {
     return answer("chatter", "unknown", "–", "not judged yet");
   const rising = data.bands.filter(band => band.state === "warning" || band.state === "alarm");
   const growing = data.growth !== null && data.growth > data.growth_limit;
-  const worst = rising.some(band => band.state === "alarm") || (data.growth > 0) ? "bad" : rising.length || growing ? "fair" : "good";
+  const worst = rising.some(band => band.state === "alarm") ? "bad" : rising.length || growing ? "fair" : "good";
   if (!known) {
     const why = data.because ? `critical speed not known: ${data.because}` : "critical speed not known";
     if (data.growth === null)
       return answer("chatter", "unknown", "not known", why);
-    return answer("chatter", worst, data.growth < 0 ? (worst === "good" ? "stable" : "near") : "growing", `${growthSentence(data)}; ${why}`);
+    return answer("chatter", worst, worst === "good" ? "stable" : worst === "fair" ? "near" : "growing", `${growthSentence(data)}; ${why}`);
   }
   drawSpeeds(canvas, data);
   const margin = data.distance, inside = data.low !== null && data.speed >= data.low;

@@ -1,17 +1,33 @@
 // Spectrum and waterfall.
 import { abscissa, cleared, colour, font, plain, say, write } from "./canvas.js";
 
-/** Highest point between two frequencies, by a parabola through the logarithms of three. */
+/** Highest resonance between two frequencies: 1/S is a parabola of f about it, fitted over its width, so that the
+    scatter of single points averages out.  `values` root of the density. */
 export function highestPeak(values, df, low, high) {
+  const smooth = i => { let sum = 0; for (let k = i - 3; k <= i + 3; ++k) sum += (values[k] || 0) ** 2; return sum / 7; };
   let best = -1;
-  for (let i = Math.max(1, Math.ceil(low / df)); i < values.length - 1 && i * df <= high; ++i)
-    if (values[i] >= values[i - 1] && values[i] >= values[i + 1] && (best < 0 || values[i] > values[best]))
+  for (let i = Math.max(4, Math.ceil(low / df)); i < values.length - 4 && i * df <= high; ++i)
+    if (best < 0 || smooth(i) > smooth(best))
       best = i;
-  if (best < 0 || !(values[best] > 0))
+  if (best < 0 || !(smooth(best) > 0))
     return null;
-  const [a, b, d] = [values[best - 1], values[best], values[best + 1]].map(v => Math.log(Math.max(v, 1e-30)));
-  const bend = a - 2 * b + d;
-  return { frequency: (best + (bend < 0 ? 0.5 * (a - d) / bend : 0)) * df, value: values[best] };
+  const top = smooth(best), edge = step => { let n = 0; while (n < 40 && smooth(best + n * step) > 0.4 * top) ++n; return n; };
+  const half = Math.max(3, Math.min(edge(1), edge(-1), best - 1));
+  const sums = [0, 0, 0, 0, 0], right = [0, 0, 0];  // of x^0 .. x^4, of y x^0 .. y x^2, weights S^2
+  for (let x = -half; x <= half; ++x) {
+    const density = smooth(best + x) / top || 1e-12;
+    for (let p = 0; p < 5; ++p)
+      sums[p] += density ** 2 * x ** p;
+    for (let p = 0; p < 3; ++p)
+      right[p] += density * x ** p;
+  }
+  // Cramer's rule for c0 + c1 x + c2 x^2; only c1/c2 is asked for.
+  const [s0, s1, s2, s3, s4] = sums, [r0, r1, r2] = right;
+  const c1 = s0 * (r1 * s4 - r2 * s3) - r0 * (s1 * s4 - s2 * s3) + s2 * (s1 * r2 - s2 * r1);
+  const c2 = s0 * (s2 * r2 - s3 * r1) - s1 * (s1 * r2 - s2 * r1) + r0 * (s1 * s3 - s2 * s2);
+  const all = s0 * (s2 * s4 - s3 * s3) - s1 * (s1 * s4 - s2 * s3) + s2 * (s1 * s3 - s2 * s2);
+  const shift = c2 / all > 0 ? Math.max(-half, Math.min(half, -0.5 * c1 / c2)) : 0;
+  return { frequency: (best + shift) * df, value: Math.sqrt(top) };
 }
 
 /** Measured and simulated density over frequency, with the modes of the twin. */

@@ -121,6 +121,7 @@ std::string spectrum_text(const PageSpectrum &spectrum)
   out.open('{').member("place", spectrum.place).member("utc", spectrum.utc, 15).member("df", spectrum.df, 12);
   out.member("window", spectrum.window).whole("segments", spectrum.segments).member("enbw", spectrum.enbw);
   out.floats("measured", spectrum.measured).floats("simulated", spectrum.simulated);
+  out.floats("latest", spectrum.latest);
   out.member("wave_step", spectrum.wave_step).floats("wave_measured", spectrum.wave_measured);
   out.floats("wave_simulated", spectrum.wave_simulated);
   return out.close('}').str();

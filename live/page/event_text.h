@@ -120,14 +120,15 @@ std::string levels_text(const PageLevels &levels);
 /// One-sided amplitude density of one place; at most 1024 points from 0 on.
 struct PageSpectrum {
   std::string place;
-  double utc         = 0;                            ///< s since 1970
-  double df          = 0;                            ///< Hz between points
-  std::string window = "Hann";                       ///< by name
-  int segments       = 1;                            ///< averaged
-  double enbw        = 0;                            ///< Hz, equivalent noise bandwidth
-  std::vector<float> measured;                       ///< m/s2 per sqrt(Hz); empty: not measured
-  std::vector<float> simulated;                      ///< m/s2 per sqrt(Hz)
-  double wave_step = 0;                              ///< s between the points of the waves; 0: none
+  double utc         = 0;        ///< s since 1970
+  double df          = 0;        ///< Hz between points
+  std::string window = "Hann";   ///< by name
+  int segments       = 1;        ///< averaged
+  double enbw        = 0;        ///< Hz, equivalent noise bandwidth
+  std::vector<float> measured;   ///< m/s2 per sqrt(Hz); empty: not measured
+  std::vector<float> simulated;  ///< m/s2 per sqrt(Hz)
+  std::vector<float> latest;     ///< the same of the last piece alone, of what is measured, else simulated
+  double wave_step = 0;          ///< s between the points of the waves; 0: none
   std::vector<float> wave_measured, wave_simulated;  ///< m/s2, at most 512 consecutive samples
 };
 std::string spectrum_text(const PageSpectrum &spectrum);

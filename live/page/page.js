@@ -49,6 +49,7 @@ const takes = {
   numbers(data) {
     if (!mill.numbers || mill.numbers.state !== data.state)
       mark("answers");
+    data.measured.forEach((trace, i) => { if (trace.length && mill.stand && mill.stand.places[i] && !mill.stand.places[i].measured) seenMeasured(i); });
     mill.numbers = data;
     mill.heard = performance.now();
     view.setNumbers(data);
@@ -65,13 +66,15 @@ const takes = {
     mark("answers", "levels", "shares", "stand");
   },
   spectrum(data) {
-    mill.spectrum = { ...data, measured: floats(data.measured), simulated: floats(data.simulated),
+    const chosen = mill.parameters && mill.parameters.place;
+    if (chosen && data.place !== chosen && mill.spectrumPlace === chosen)
+      return;  // of a place that is not shown
+    mill.spectrum = { ...data, measured: floats(data.measured), simulated: floats(data.simulated), latest: floats(data.latest),
       wave_measured: floats(data.wave_measured), wave_simulated: floats(data.wave_simulated) };
     if (mill.spectrumPlace !== data.place)
       waterfall.clear();
     mill.spectrumPlace = data.place;
-    const shown = mill.spectrum.measured.length ? mill.spectrum.measured : mill.spectrum.simulated;
-    waterfall.add(shown, data.df, data.utc);
+    waterfall.add(mill.spectrum.latest, data.df, data.utc);
     spectrum.set(mill.spectrum);
     mark("spectrum", "wave", "place");
   },
@@ -82,6 +85,7 @@ const takes = {
   proposal(data) { mill.proposals.set(data.id, data); mark("alarms", "answers"); },
   parameters(data) {
     mill.parameters = data;
+    readStand().catch(() => {});  // a source may have said what it measures
     sliders.take(data);
     view.moved = new Set(data.sliders.filter(p => Math.abs(p.factor - 1) > 1e-9).map(p => p.key));
     mark("modes", "answers", "spectrum", "place", "stand");
@@ -121,9 +125,11 @@ async function readStand() {
   const answer = await fetch("/stand", { headers: { "X-Millstand-Token": token } });
   if (!answer.ok)
     throw new Error((await answer.json().catch(() => ({}))).error || `refused (${answer.status})`);
-  const stand = await answer.json(), same = JSON.stringify(stand) === JSON.stringify(mill.stand);
-  if (same)
+  const text = await answer.text();
+  if (text === mill.standText)
     return;
+  const stand = JSON.parse(text);
+  mill.standText = text;
   mill.stand = stand;
   view.setStand(stand);
   sliders.set(stand);
@@ -132,8 +138,21 @@ async function readStand() {
   tell(byId("sliders-note"), `${stand.source}${stand.version ? `; millstand ${stand.version}` : ""}`);
   if (mill.parameters)
     takes.parameters(mill.parameters);
-  byId("place").replaceChildren(...stand.places.map(place => new Option(`${place.label}${place.measured ? "" : " (twin only)"}`, place.place)));
+  listPlaces();
   mark("stand", "modes", "traces");
+}
+
+function listPlaces() {
+  const chosen = byId("place").value;
+  byId("place").replaceChildren(...mill.stand.places.map(place => new Option(`${place.label}${place.measured ? "" : " (twin only)"}`, place.place)));
+  byId("place").value = chosen || mill.spectrumPlace || "";
+}
+
+// Which places have a sensor shows with the first data of the source.
+function seenMeasured(index) {
+  mill.stand.places[index].measured = true;
+  listPlaces();
+  mark("stand", "traces", "answers");
 }
 
 // First what is drawn, then what moves in it.
@@ -379,7 +398,9 @@ for (const button of document.querySelectorAll('[role="tab"]'))
   button.addEventListener("click", () => tab(button.dataset.tab));
 byId("place").addEventListener("change", () => send({ command: "place", place: byId("place").value }));
 spectrum.onRange = () => mark("spectrum");
-window.addEventListener("resize", () => mark(...Object.keys(draws)));
+// A line of alarm above, another window: whatever changes the room of a canvas.
+const room = new ResizeObserver(() => mark(...Object.keys(draws)));
+document.querySelectorAll("canvas").forEach(canvas => room.observe(canvas));
 window.addEventListener("hashchange", () => location.reload());
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => theme());
 window.addEventListener("pagehide", () => { try { sessionStorage.setItem("millstand.history", JSON.stringify(mill.history)); } catch { /* then not */ } });

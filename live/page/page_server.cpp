@@ -554,6 +554,13 @@ PageServer::~PageServer()
     state_->thread.join();
 }
 
+void PageServer::set_stand(std::string stand_json)
+{
+  asio::post(state_->io, [state = state_.get(), text = std::move(stand_json)]() mutable {
+    state->shared.stand = std::move(text);
+  });
+}
+
 void PageServer::publish(const std::string &event, const std::string &json)
 {
   asio::post(state_->io,

@@ -62,6 +62,10 @@ public:
   PageServer(const PageServer &)            = delete;
   PageServer &operator=(const PageServer &) = delete;
 
+  /// Another stand_text(), when more is known of it; who shows the old one reads it with the next "parameters".
+  /// From any thread.
+  void set_stand(std::string stand_json);
+
   /// Sends an event to every browser, and keeps the latest of its kind for those that come later (of alarms and
   /// proposals the last 200).  From any thread; returns at once.  Fits live::Publish.
   /// @param event  a name of event_names (event_text.h)

@@ -59,7 +59,7 @@ export function fillModes(mill) {
     if (!seen)
       return [name, plain(twin, 4), "–", "–", "", stateWord("")];
     return [name, plain(twin, 4), seen.measured === null ? "–" : `${plain(seen.measured, 4)} ± ${plain(seen.sd, 2)}`,
-      seen.deviation === null ? "–" : `${seen.deviation > 0 ? "+" : ""}${plain(seen.deviation, 2)}`, cusum(seen), stateWord(seen.state)];
+      seen.deviation === null ? "–" : signed(seen.deviation), cusum(seen), stateWord(seen.state)];
   });
   fill(byId("modes"), ["mode", "twin Hz", "measured Hz", "in sd", "CUSUM", "state"], rows, [5]);
   const because = data && data.modes.map(mode => mode.because).find(text => text);
@@ -70,11 +70,13 @@ export function fillLevels(mill) {
   const data = mill.levels;
   const rows = ((data && data.places) || []).map(place => [mill.label(place.place),
     plain(place.measured[0]), plain(place.simulated[0]), plain(place.measured[1]), plain(place.simulated[1]), plain(place.measured[2], 2), plain(place.simulated[2], 2),
-    place.ratio_db === null ? "–" : `${place.ratio_db > 0 ? "+" : ""}${place.ratio_db.toFixed(1).replace("-", "−")}`,
+    place.ratio_db === null ? "–" : signed(place.ratio_db),
     place.delay === null ? "–" : `${(place.delay * 1000).toFixed(2).replace("-", "−")}`]);
   fill(byId("levels"), ["m/s²", "rms", "twin", "peak", "twin", "crest", "twin", "dB", "delay ms"], rows);
 }
 
+const lasting = seconds => seconds < 120 ? `${seconds.toFixed(0)} s` : seconds < 7200 ? `${(seconds / 60).toFixed(0)} min` : `${(seconds / 3600).toFixed(1)} h`;
+const signed = value => `${value < 0 ? "−" : "+"}${Math.abs(value).toFixed(1)}`;
 const count = value => String(value).replace(/\B(?=(\d{3})+$)/g, " ");
 
 export function fillAccount(mill) {
@@ -82,7 +84,7 @@ export function fillAccount(mill) {
   if (!data)
     return tell(byId("account-say"), "not told yet");
   const parts = [data.source, data.connected ? "connected" : "not connected", `queue ${plain(data.queue, 2)} of ${plain(data.queue_limit, 2)} s`,
-    data.recording ? `recording to ${data.recording}, ${plain(data.recorded / 3600, 3)} h` : "not recording"];
+    data.recording ? `recording to ${data.recording}, ${lasting(data.recorded)}` : "not recording"];
   if (data.load !== null)
     parts.push(`${plain(data.load * 100, 2)} % of a core`);
   if (data.trouble)
@@ -168,7 +170,10 @@ export class Sliders {
     node.className = "slider";
     const label = document.createElement("label");
     label.htmlFor = id;
-    label.append(cell("b", slider.key), slider.label && slider.label !== slider.key ? ` ${slider.label}` : "");
+    if (slider.label.includes(slider.key))
+      label.append(cell("b", slider.label));
+    else
+      label.append(cell("b", slider.key), ` ${slider.label}`);
     const input = document.createElement("input");
     Object.assign(input, { type: "range", id, min: 0.5, max: 1.5, step: 0.01, value: 1, title: `the model's own value: ${scaled(slider.value, slider.unit)}` });
     const value = document.createElement("output"), factor = cell("em", "");

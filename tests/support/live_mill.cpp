@@ -296,6 +296,7 @@ void LiveMill::tell_spectrum(const Tell &to)
   out.window    = "none";
   out.enbw      = 1;
   out.simulated = spectrum_of(simulated_, place_);
+  out.latest    = is_measured(place_) ? spectrum_of(measured_, place_) : out.simulated;
   out.wave_step = 1 / rate;
   for (auto k = s_ - 511; k <= s_; ++k)
     out.wave_simulated.push_back(float(simulated_[place_][std::size_t((k + second) % second)]));

@@ -51,8 +51,10 @@ std::string Browser::missing()
 
 Browser::Browser()
 {
-  char folder[]         = "/tmp/millstand-browser-XXXXXX";
-  folder_               = mkdtemp(folder);
+  std::string folder = (std::filesystem::temp_directory_path() / "millstand-browser-XXXXXX").string();
+  if (!mkdtemp(folder.data()))
+    throw std::runtime_error("no folder for the browser at " + folder);
+  folder_               = folder;
   const std::string log = folder_ + "/driver.txt", program = program_in_path({driver_program});
   process_ = fork();
   if (process_ == 0) {  // a group of its own, that ends with this program

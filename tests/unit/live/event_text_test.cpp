@@ -112,7 +112,7 @@ TEST(EventText, EveryEventIsAnObjectWithItsMembers)
   EXPECT_EQ(json::parse(live::levels_text(levels)).at("places").at(0).at("incoherent"),
             json::parse("[[125,0.25]]"));
   EXPECT_EQ(members(live::spectrum_text({})),
-            "df enbw measured place segments simulated utc wave_measured wave_simulated wave_step window ");
+            "df enbw latest measured place segments simulated utc wave_measured wave_simulated wave_step window ");
   EXPECT_EQ(members(live::account_text(account)),
             "channels connected load queue queue_limit recorded recording source trouble utc ");
   EXPECT_EQ(json::parse(live::account_text(account)).at("channels").at(0).at("overrun"), 1);

@@ -67,7 +67,7 @@ const std::vector<std::string> commands{
 TEST(PageFuzz, CommandsAreReadOrRefused)
 {
   Mutator mutator(1);
-  const int n = 10 * inputs();
+  const int n = inputs();
   int read    = 0;
   for (int k = 0; k < n; ++k) {
     const std::string text = mutator.changed(commands[mutator.below(commands.size())], commands);

@@ -299,6 +299,19 @@ TEST_F(LivePage, NothingIsCutAtAnySizeOrTheme)
       "'inline')"
       "  out.push('cut: ' + node.outerHTML.slice(0, 120)); }"
       "return out;";
+  // The picture keeps its shape when an alarm or a lost link takes a line from it.
+  const auto shape = [&] {
+    return browser->run("const c = document.getElementById('stand'); return c.width * c.clientHeight / (c.height "
+                        "* c.clientWidth)");
+  };
+  browser->type("1");
+  browser->run("const b = document.getElementById('banner'); b.hidden = false; b.textContent = 'a line'");
+  EXPECT_TRUE(browser->wait_for(
+      "const c = document.getElementById('stand'); return Math.abs(c.width - c.clientWidth) < 1 && "
+      "Math.abs(c.height - c.clientHeight) < 1",
+      1))
+      << shape();
+  browser->run("document.getElementById('banner').hidden = true");
   for (const auto &[width, height] : {
            std::pair{1400, 900 },
            {400,  800 },

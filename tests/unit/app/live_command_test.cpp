@@ -1,0 +1,275 @@
+#include "app/live/live_command.h"
+#include "core/model/case.h"
+#include "live/recording/npy_header.h"
+#include "tests/support/program.h"
+#include "twin/records/raw_record.h"
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+using namespace mill;
+namespace fs = std::filesystem;
+
+namespace {
+const std::string stand = "cases/published-1400.toml";
+
+// A record of force and one roll, 1 kHz.
+std::string record(const std::string &folder, const int samples, const std::string &head = "force [kN]")
+{
+  const std::string path = folder + "/mill.csv";
+  std::ofstream file(path);
+  file << "time [s]," << head << ",upper_work_roll [g]\n";
+  for (int k = 0; k < samples; ++k)
+    file << fmt::format("{:.3f},{:.3f},{:.4f}\n", k * 1e-3, 976 + 5 * std::sin(0.3 * k), 0.1 * std::sin(0.2 * k));
+  return path;
+}
+
+// What is wrong with a case and its options, said before anything runs.
+std::string refused(const LiveOptions &options, const std::string &case_file = stand,
+                    const std::vector<std::string> &sets = {})
+{
+  CommandLine command;
+  command.target = case_file;
+  command.sets   = sets;
+  command.quiet  = true;
+  command.live   = options;
+  if (command.live.listen.empty())
+    command.live.listen = "none";
+  try {
+    const Case the_case = read_case(case_file, sets);
+    return "it ran to " + std::to_string(live_command(command, the_case));
+  } catch (const InputError &error) {
+    const Problem &problem = error.problems.front();
+    return problem.place.line > 0 ? fmt::format("{}:{}:{}: {}", problem.place.file, problem.place.line,
+                                                problem.place.column, problem.message)
+                                  : problem.message;
+  }
+}
+
+LiveOptions input(const std::string &text)
+{
+  LiveOptions options;
+  options.input = text;
+  return options;
+}
+
+std::string sidecar_of(const std::string &npy)
+{
+  return npy.substr(0, npy.size() - 4) + ".json";
+}
+
+// The program as a child that is killed.
+class Child {
+public:
+  Child(const std::vector<std::string> &arguments, const std::string &log)
+  {
+    pid_ = fork();
+    if (pid_ == 0) {
+      const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0666);
+      dup2(file, 1);
+      dup2(file, 2);
+      std::vector<char *> words{const_cast<char *>(MILLSTAND_PROGRAM)};
+      for (const std::string &word : arguments)
+        words.push_back(const_cast<char *>(word.c_str()));
+      words.push_back(nullptr);
+      execv(MILLSTAND_PROGRAM, words.data());
+      _exit(127);
+    }
+  }
+  // True when it ended by itself before.
+  bool kill_after(const double seconds)
+  {
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    int status = 0;
+    if (waitpid(pid_, &status, WNOHANG) == pid_)
+      return true;
+    kill(pid_, SIGKILL);
+    waitpid(pid_, &status, 0);
+    return false;
+  }
+  int end()
+  {
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+  }
+
+private:
+  pid_t pid_;
+};
+
+// Numbers of all samples in the files of an ending; each file is one that the reader of records takes.
+std::vector<std::int64_t> recorded(const std::string &folder, const std::string &ending)
+{
+  std::vector<std::int64_t> numbers;
+  std::error_code not_made_yet;
+  for (const auto &entry : fs::directory_iterator(folder, not_made_yet)) {
+    const std::string path = entry.path().string();
+    if (path.size() < ending.size() || path.compare(path.size() - ending.size(), ending.size(), ending) != 0)
+      continue;
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    live::NpyHeader header;
+    if (bytes.empty() && ending != ".npy")
+      continue;  // killed between its creation and the header
+    EXPECT_TRUE(live::read_npy_header(bytes, header)) << path;
+    EXPECT_GE(bytes.size(), header.bytes + std::size_t(header.rows) * header.row_bytes()) << path;
+    if (ending == ".npy") {
+      EXPECT_EQ(bytes.size(), header.bytes + std::size_t(header.rows) * header.row_bytes()) << path;
+      EXPECT_EQ(twin::read_npy_record(path, {}).n_samples(), header.rows);
+    }
+    for (std::int64_t i = 0; i < header.rows; ++i) {
+      std::uint64_t s = 0;
+      for (std::size_t b = 0; b < 8; ++b)
+        s |= std::uint64_t((unsigned char)bytes[header.bytes + std::size_t(i + 1) * header.row_bytes() - 8 + b])
+             << 8 * b;
+      numbers.push_back(std::int64_t(s));
+    }
+  }
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+}  // namespace
+
+TEST(LiveCommand, RefusesWhatCannotBeRun)
+{
+  const std::string folder = scratch("live-refused"), file = record(folder, 100);
+  EXPECT_EQ(
+      refused(input(file), "cases/cold-strip.toml"),
+      "millstand live: the case cases/cold-strip.toml has no chain of six masses; name a case of kind four-high, "
+      "or of kind lumped with [given]");
+  EXPECT_EQ(refused(input(file), "cases/four-high-1400.toml", {"dynamics.modal_damping=0 %"}),
+            "millstand live: the case has no damping, so that the twin would never forget how it started; give "
+            "dynamics.modal_damping, for example --set dynamics.modal_damping=\"1 %\"");
+  EXPECT_EQ(
+      refused(input("opc:mill")),
+      "--input \"opc:mill\": a record (FILE.csv), a growing one (tail:FILE.csv), - for lines on standard input, "
+      "tcp:127.0.0.1:8461 or mqtt:127.0.0.1:1883/STAND is needed");
+  EXPECT_EQ(refused(input("nowhere.csv")), "there is no file nowhere.csv");
+  EXPECT_EQ(refused(input("tcp:8461")),
+            "--input \"8461\": an address and a port are needed, for example --input tcp:127.0.0.1:8461");
+  EXPECT_EQ(refused(input("tcp:0.0.0.0:0")),
+            "--input tcp:0.0.0.0:0: this address is reached from other machines, so a "
+            "token is needed that the senders know: --token-file FILE");
+  LiveOptions options = input(file);
+  options.speed       = "fast";
+  EXPECT_EQ(refused(options), "--speed \"fast\": a number above zero (1 is real time) or max is needed");
+  options       = input("-");
+  options.speed = "2";
+  EXPECT_EQ(refused(options),
+            "--speed belongs to a record that is played (--input FILE.csv); other sources set their own pace");
+  options      = input(file);
+  options.keep = "24h";
+  EXPECT_EQ(refused(options), "--keep says how much of a recording is kept; name its folder with --record");
+  options          = input(file);
+  options.response = file;
+  EXPECT_EQ(refused(options),
+            "the file " + file + " exists; choose another with --response, or give --force-overwrite");
+  const std::string wrong = record(scratch("live-unit"), 100, "force [furlong]");
+  EXPECT_EQ(refused(input(wrong)),
+            wrong + ":1:1: channel \"force\" has the unit \"furlong\"; a force (N, kN, MN) is needed");
+}
+
+TEST(LiveCommand, RefusesAPortThatIsTaken)
+{
+  const int other = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family      = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size          = sizeof address;
+  ASSERT_EQ(bind(other, reinterpret_cast<sockaddr *>(&address), size), 0);
+  ASSERT_EQ(listen(other, 1), 0);
+  getsockname(other, reinterpret_cast<sockaddr *>(&address), &size);
+  const std::string port = std::to_string(ntohs(address.sin_port));
+  EXPECT_EQ(refused(input("tcp:127.0.0.1:" + port)),
+            "--input tcp:127.0.0.1:" + port +
+                ": the port is taken, perhaps by another millstand live; choose another one");
+  LiveOptions options = input("-");
+  options.listen      = "127.0.0.1:" + port;
+  EXPECT_EQ(refused(options).rfind("--listen: port " + port, 0), 0u);
+  close(other);
+}
+
+// A record through the verb: account, accelerations as a table, a recording that analyse reads.
+TEST(LiveCommand, PlaysARecordAndRecordsIt)
+{
+  const std::string folder = scratch("live-plays"), file = record(folder, 4000), out = folder + "/rec";
+  const Outcome outcome = millstand("live " + stand + " --input " + file + " --speed max --listen none --record " +
+                                    out + " --response " + folder + "/twin.csv");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find(
+                "force                            4000         4000            0            0            0"),
+            std::string::npos)
+      << outcome.out;
+  std::ifstream table(folder + "/twin.csv");
+  EXPECT_EQ(std::count(std::istreambuf_iterator<char>(table), {}, '\n'), 4001);
+  const auto numbers = recorded(out, ".npy");
+  ASSERT_EQ(numbers.size(), 4000u);
+  EXPECT_EQ(numbers.back(), 3999);
+  std::string npy;
+  for (const auto &entry : fs::directory_iterator(out))
+    if (entry.path().extension() == ".npy")
+      npy = entry.path().string();
+  EXPECT_TRUE(fs::exists(sidecar_of(npy)));
+  const Outcome analysed = millstand("analyse " + npy + " -o " + folder + "/analysis");
+  EXPECT_EQ(analysed.exit_code, 0) << analysed.err;
+  const Outcome again =
+      millstand("live " + stand + " --input " + file + " --speed max --listen none --record " + out);
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_NE(again.out.find("goes on at s = 4000 of source \"" + file + "\"\n"), std::string::npos) << again.out;
+  EXPECT_EQ(recorded(out, ".npy").size(), 4000u) << "nothing is there twice";
+}
+
+// TW-29, short form: MILLSTAND_PASSES = 10 kills it fifty times.  Whenever it is killed the files of full minutes
+// are whole and the part is readable; it goes on where its state was, and in the end every sample is recorded
+// once.
+TEST(LiveCommand, LosesNothingWhenItIsKilled)
+{
+  const char *const passes = std::getenv("MILLSTAND_PASSES");
+  const int kills          = 5 * (passes ? std::max(1, std::atoi(passes)) : 1);
+  const int samples        = 80000 + 20000 * kills;
+  const std::string folder = scratch("live-killed"), file = record(folder, samples), out = folder + "/rec";
+  const std::vector<std::string> command{
+      "live", fs::absolute(stand).string(), "--input", file, "--speed", "20", "--listen", "none", "--record", out,
+      "-q"};
+  std::mt19937 random(29);
+  std::int64_t before = 0;
+  int killed          = 0;
+  for (int k = 0; k < kills; ++k) {
+    Child child(command, folder + "/log");
+    const double after = 0.2 + 1.2 * double(random() % 1000) / 1000;
+    if (child.kill_after(after))
+      break;
+    ++killed;
+    const auto whole = recorded(out, ".npy");
+    recorded(out, ".part");  // readable
+    if (!whole.empty())
+      EXPECT_GE(whole.back(), before) << "a finished file went";
+    before = whole.empty() ? 0 : whole.back();
+  }
+  EXPECT_EQ(killed, kills);
+  auto last = command;
+  last[5]   = "max";
+  Child child(last, folder + "/log");
+  ASSERT_EQ(child.end(), 0);
+  const auto numbers = recorded(out, ".npy");
+  ASSERT_EQ(numbers.size(), std::size_t(samples));
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    ASSERT_EQ(numbers[i], std::int64_t(i));
+  for (const auto &entry : fs::directory_iterator(out))
+    EXPECT_NE(entry.path().extension(), ".part");
+}
