@@ -8,6 +8,7 @@ namespace {
 constexpr double least_kept  = 0.3;  // correlation left at the second lag, theory.md 41.5
 constexpr int growth_every   = 10;   // s, of a band
 constexpr int times_near     = 2;    // growth rates in a row before it is a warning
+constexpr double least_time  = 30;   // s, of record behind a growth rate that warns
 constexpr double calm_again  = 0.2;  // 1/s, below the limit of the warning
 constexpr double warned_from = -0.5;
 
@@ -115,7 +116,7 @@ void OnsetMonitor::renew_growth(const std::size_t band, const double utc, AlarmB
   for (std::size_t c = 0; c < channels.size(); ++c) {
     Watched &one = at(band, c);
     one.growth   = one.watch.growth();
-    if (one.growth.kept >= least_kept && one.growth.upper() > highest) {
+    if (one.growth.kept >= least_kept && one.growth.duration >= least_time && one.growth.upper() > highest) {
       highest  = one.growth.upper();
       at_place = c;
     }
