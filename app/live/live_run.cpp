@@ -207,7 +207,9 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
   setup.wait     = command_.live.speed == "max";
   setup.chain_at = [this](const double load) { return chain_at_load(the_case_, model_, load); };
   if (auto chatter = live_chatter(the_case_, model_)) {
-    for (const std::string &note : chatter->notes)
+    const auto is_speed = [](const live::LiveChannel &c) { return c.name == "speed" || c.name == "exit_speed"; };
+    const bool used     = std::any_of(source.channels.begin(), source.channels.end(), is_speed);
+    for (const std::string &note : used ? chatter->notes : std::vector<std::string>{})
       print("note: " + visible(note, true) + "\n");
     setup.chatter = std::move(chatter->setup);
     setup.bands   = chatter->bands;

@@ -97,9 +97,13 @@ Comparison::Comparison(ComparisonSetup setup)
   if (setup_.chatter) {
     setup_.chatter->wait = setup_.wait;
     chatter.emplace(*setup_.chatter, setup_.channels, setup_.rate);
-    said.insert(said.end(), chatter->notes().begin(), chatter->notes().end());
-    if (!chatter->has_speed())
-      said.push_back("no channel speed or exit_speed: no distance to the critical speed");
+    if (chatter->has_speed())
+      said.insert(said.end(), chatter->notes().begin(), chatter->notes().end());
+    else {
+      chatter.reset();
+      no_chatter = "no channel speed or exit_speed: no distance to the critical speed";
+      said.push_back(no_chatter);
+    }
   }
 }
 
@@ -196,7 +200,7 @@ void Comparison::add_chatter(ComparisonNews &news, const LiveBlock &block, const
     chatter_second        = second;
     news.chatter          = PageChatter{};
     news.chatter->utc     = utc;
-    news.chatter->because = "the case says nothing of chatter";
+    news.chatter->because = no_chatter;
   }
   if (news.chatter) {
     news.chatter->growth = growth;

@@ -94,6 +94,7 @@ private:
   LowPriorityTask<twin::Recalibration> task;
   std::vector<double> baseline;  // m/s2, rms of the pairs while the mill was calm
   std::int64_t chatter_second = -1;
+  std::string no_chatter      = "the case says nothing of chatter";
   double spent                = 0;
 };
 }  // namespace mill::live
