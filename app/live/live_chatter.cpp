@@ -23,15 +23,18 @@ LiveChatter of_condition(const ChatterCase &spec)
 {
   const ChatterQuestion question = chatter_question(spec, 0);
   LiveChatter chatter;
-  chatter.setup.model = {question.stand,
-                         question.bite,
-                         question.scheme,
-                         {question.analysis.speeds[0], question.analysis.speeds[1]},
-                         question.numbers};
+  chatter.setup.model = {
+      question.stand,
+      question.bite,
+      question.scheme,
+      {question.analysis.speeds[0], question.analysis.speeds[1]},
+      question.numbers
+  };
   if (spec.conditions.size() > 1)
-    chatter.notes.push_back(fmt::format("the critical speed is that of {}, the first of {}; tensions and thicknesses "
-                                        "of the stream take the place of its own",
-                                        question.label, spec.conditions.size()));
+    chatter.notes.push_back(
+        fmt::format("the critical speed is that of {}, the first of {}; tensions and thicknesses "
+                    "of the stream take the place of its own",
+                    question.label, spec.conditions.size()));
   return chatter;
 }
 
@@ -43,16 +46,16 @@ LiveChatter of_pass(const FourHigh &stand, const live::TwinModel &model)
     if (!std::isnan(given))
       return given;
     chatter.notes.push_back(fmt::format("stand.{} is not given: {:g} m of free strip are assumed for the critical "
-                                        "speed",
-                                        key, usual_distance));
+                                                        "speed",
+                                                key, usual_distance));
     return usual_distance;
   };
   DynamicsSettings settings = model.dynamics;
   settings.force_meaning    = "measured";  // the bite is what chatter adds
-  watched.bite  = bite_of(stand.strip, stand.passes.front(), stand.work_roll.barrel_diameter, stand.steel);
-  watched.stand = {dynamics::structure_of(dynamics::mill_model(model.chain, settings)),
-                   distance(stand.span.entry_distance, "entry_distance"),
-                   distance(stand.span.exit_distance, "exit_distance"), watched.bite.strip.youngs_modulus};
+  watched.bite    = bite_of(stand.strip, stand.passes.front(), stand.work_roll.barrel_diameter, stand.steel);
+  watched.stand   = {dynamics::structure_of(dynamics::mill_model(model.chain, settings)),
+                     distance(stand.span.entry_distance, "entry_distance"),
+                     distance(stand.span.exit_distance, "exit_distance"), watched.bite.strip.youngs_modulus};
   watched.scheme  = linearisation_of(stand.analysis);
   watched.range   = {stand.analysis.speeds[0], stand.analysis.speeds[1]};
   watched.numbers = dynamics::chain_numbers(model.chain, settings);
@@ -67,12 +70,13 @@ std::optional<LiveChatter> live_chatter(const Case &the_case, const live::TwinMo
     chatter = of_condition(*spec);
   else if (const auto *stand = std::get_if<FourHigh>(&the_case.spec); stand && !stand->passes.empty()) {
     try {
-      chatter = of_pass(*stand, model);
+      chatter                     = of_pass(*stand, model);
       const twin::ChatterModel &m = chatter->setup.model;
       (void)dynamics::working_point(m.bite, 0.5 * (m.range.from + m.range.to), m.scheme);
     } catch (const InputError &) {  // the case says too little of its strip, as most that only vibrate
       return {};
-    } catch (const SolverError &) {  // no steady bite in the middle of the range; a search finds where there is one
+    } catch (
+        const SolverError &) {  // no steady bite in the middle of the range; a search finds where there is one
     }
   }
   if (chatter)

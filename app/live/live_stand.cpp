@@ -120,7 +120,7 @@ twin::ModesAtLoad modes_at_load(const Case &the_case, const live::TwinModel &mod
   for (Eigen::Index i = 0; i < at.load.size(); ++i) {
     live::TwinModel loaded = model;
     loaded.chain           = chain_at_load(the_case, model, at.load[i]);
-    at.frequency.row(i) = dynamics::modes(live::tuned(loaded, tuning)).frequency.transpose();
+    at.frequency.row(i)    = dynamics::modes(live::tuned(loaded, tuning)).frequency.transpose();
   }
   return at;
 }
