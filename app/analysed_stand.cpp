@@ -5,9 +5,9 @@
 #include "core/model/case.h"
 #include "core/records/csv.h"
 #include "core/records/lumped_model.h"
+#include "dynamics/chatter/stand_structure.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modes.h"
-#include "dynamics/chatter/stand_structure.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -67,8 +67,8 @@ void add_chain(twin::CaseModel &stand, const LumpedModel &model, const DynamicsS
   stand.kinetic_share = modes.kinetic_share;
 }
 
-// The stand of a chatter case without its bite.  Its dampers lie between single masses; what a chain in modes keeps
-// of them is the mean of the modes' ratios.
+// The stand of a chatter case without its bite.  Its dampers lie between single masses; what a chain in modes
+// keeps of them is the mean of the modes' ratios.
 AnalysedChain chain_of(const ChatterCase &spec)
 {
   AnalysedChain chain;
@@ -95,7 +95,8 @@ AnalysedChain chain_of(const ChatterCase &spec)
     const auto modes  = dynamics::modes(dynamics::mill_model(chain.model, chain.dynamics));
     double sum        = 0;
     for (Eigen::Index i = 0; i < modes.frequency.size(); ++i) {
-      const Eigen::VectorXd shape = modes.shape.col(i);  // no damper joins the two halves: their signs do not matter
+      const Eigen::VectorXd shape =
+          modes.shape.col(i);  // no damper joins the two halves: their signs do not matter
       sum += shape.dot(damped.C * shape) / shape.dot(damped.M * shape) / (4 * M_PI * modes.frequency[i]);
     }
     chain.dynamics.modal_damping = sum / double(modes.frequency.size());
@@ -133,8 +134,9 @@ AnalysedChain analysed_chain(const Case &the_case, const std::string &verb, cons
   }
   const auto *lumped = std::get_if<Lumped>(&the_case.spec);
   if (!lumped || lumped->detailed)
-    throw InputError("millstand " + verb + ": the case " + the_case.path +
-                     " has no chain of six masses; name a case of kind four-high or chatter, or of kind lumped with [given]");
+    throw InputError(
+        "millstand " + verb + ": the case " + the_case.path +
+        " has no chain of six masses; name a case of kind four-high or chatter, or of kind lumped with [given]");
   return {lumped_model_of(the_case), lumped->dynamics, "six masses as given", not_given};
 }
 
