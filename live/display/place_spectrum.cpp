@@ -152,7 +152,6 @@ void PlaceSpectrum::add_piece(const Place &place)
   pieces_.push_back(std::move(piece));
   if (pieces_.size() > most_pieces)
     pieces_.pop_front();
-  since_ = 0;
 }
 
 PageSpectrum PlaceSpectrum::text_of(const Place &place) const
@@ -185,6 +184,8 @@ std::optional<PageSpectrum> PlaceSpectrum::take(const LiveBlock &block, const do
   const bool enough = filled_ >= std::int64_t(length_);
   if (!enough || (!pieces_.empty() && double(since_) < pieces_every * rate_) || now - sent_ < shown_at_most)
     return {};
+  const double late = double(since_) - pieces_every * rate_;  // blocks end when they end: the next is in time
+  since_            = !pieces_.empty() && late < pieces_every * rate_ ? std::int64_t(late) : 0;
   add_piece(places_[chosen_]);
   sent_ = now;
   return text_of(places_[chosen_]);

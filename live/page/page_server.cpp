@@ -1,6 +1,7 @@
 #include "live/page/page_server.h"
 #include "core/case/errors.h"
 #include "live/page/event_frames.h"
+#include "live/page/http_answer.h"
 #include "live/page/page_rules.h"
 #include <algorithm>
 #include <atomic>
@@ -9,7 +10,6 @@
 #include <boost/beast/http.hpp>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <thread>
@@ -32,38 +32,6 @@ constexpr int most_refusals        = 16;  // beyond those, connections that are 
 constexpr int most_streams         = 16;
 constexpr int send_buffer          = 64 * 1024;  // bytes: what lies in the system's buffer is late already
 constexpr Seconds request_time{5000}, answer_time{5000}, stream_time{30000}, farewell_time{1000}, heartbeat{10000};
-
-const char *const security_lines =
-    "Content-Security-Policy: default-src 'self'; base-uri 'none'; form-action 'none'; "
-    "frame-ancestors 'none'\r\n"
-    "X-Content-Type-Options: nosniff\r\n"
-    "Referrer-Policy: no-referrer\r\n"
-    "Cross-Origin-Resource-Policy: same-origin\r\n"
-    "Cache-Control: no-store\r\n";
-
-const char *reason(const int status)
-{
-  return http::int_to_status(unsigned(status)) == http::status::unknown
-             ? "Refused"
-             : http::obsolete_reason(http::int_to_status(unsigned(status))).data();
-}
-
-// Head and body of an answer as they go over the line.
-std::string answer_text(const int status, const std::string &type, const std::string &body, const bool keep,
-                        const std::string &more_lines = "")
-{
-  return fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\n{}{}Connection: {}\r\n\r\n{}",
-                     status, reason(status), type, body.size(), security_lines, more_lines,
-                     keep ? "keep-alive" : "close", body);
-}
-
-std::string error_json(const std::string &message)
-{
-  return nlohmann::json{
-      {"error", message}
-  }
-      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
 
 class PageConnection;
 
@@ -306,14 +274,14 @@ private:
   void refuse(const int status, const std::string &message, const std::string &more_lines = "")
   {
     ++shared_.refused;
-    send(answer_text(status, "application/json", error_json(message), false, more_lines), false);
+    send(http_answer(status, "application/json", error_json(message), false, more_lines), false);
   }
 
   void respond(const int status, const std::string &type, const std::string &body)
   {
     ++(status < 400 ? shared_.requests : shared_.refused);
     const bool keep = parser_->get().keep_alive();
-    send(answer_text(status, type, body, keep), keep);
+    send(http_answer(status, type, body, keep), keep);
   }
 
   void send(std::string text, const bool keep)
@@ -361,10 +329,7 @@ private:
     shared_.open_streams = int(shared_.streams.size());
     Failure ignored;
     socket_.set_option(asio::socket_base::send_buffer_size(send_buffer), ignored);
-    answer_ = fmt::format(
-        "HTTP/1.1 200 OK\r\nContent-Type: text/event-stream; charset=utf-8\r\n{}Connection: close\r\n\r\n"
-        "retry: 1000\n\n",
-        security_lines);
+    answer_  = event_stream_head();
     sending_ = shared_.store.present_state();
     read_and_forget();  // so that a browser that goes is noticed
     write_frames();

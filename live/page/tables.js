@@ -162,6 +162,10 @@ export class Sliders {
     this.rows = new Map();
   }
   set(stand) {
+    const key = JSON.stringify(stand.sliders);
+    if (key === this.key)
+      return;  // what has the focus keeps it
+    this.key = key;
     this.rows.clear();
     this.box.replaceChildren(...stand.sliders.map(slider => this.row(slider)));
   }

@@ -105,8 +105,13 @@ Browser::~Browser()
   }
   kill(-process_, SIGTERM);
   waitpid(process_, nullptr, 0);
+  // What the browser still writes while it ends may come after a first try.
   std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
+  for (int tries = 0; tries < 20 && std::filesystem::exists(folder_, ignored); ++tries) {
+    std::filesystem::remove_all(folder_, ignored);
+    if (std::filesystem::exists(folder_, ignored))
+      wait_a_little();
+  }
 }
 
 json Browser::call(const std::string &method, const std::string &path, const json &body)
@@ -182,10 +187,21 @@ bool Browser::wait_for(const std::string &script, const double seconds)
 
 void Browser::type(const std::string &keys)
 {
-  const json active = session("GET", "/element/active");
-  session("POST", "/element/" + active.begin().value().get<std::string>() + "/value",
+  json steps = json::array();
+  for (std::size_t at = 0; at < keys.size();) {  // one key for each code point of UTF-8
+    std::size_t n = 1;
+    while (at + n < keys.size() && (static_cast<unsigned char>(keys[at + n]) & 0xC0) == 0x80)
+      ++n;
+    for (const char *step : {"keyDown", "keyUp"})
+      steps.push_back({
+          {"type",          step},
+          { "value", keys.substr(at,   n)}
+      });
+    at += n;
+  }
+  session("POST", "/actions",
           {
-              {"text", keys}
+              {"actions", json::array({{{"type", "key"}, {"id", "keyboard"}, {"actions", steps}}})}
   });
 }
 
