@@ -15,7 +15,7 @@ struct LiveChatter {
   std::vector<live::WatchedBand> bands;  ///< third and fifth octave
   std::vector<std::string> notes;        ///< what the case leaves open
 };
-/// Of kind chatter: its first condition.  Of kind four-high: its first pass on the six masses of the twin, where the
-/// case says enough of the strip for a steady bite.  Nothing for others.
+/// Of kind chatter: its first condition.  Of kind four-high: its first pass on the six masses of the twin, where
+/// the case says enough of the strip for a steady bite.  Nothing for others.
 std::optional<LiveChatter> live_chatter(const Case &the_case, const live::TwinModel &model);
 }  // namespace mill

@@ -61,7 +61,7 @@ void LiveRun::open_folder()
     refuse_file(error.value(), "the folder " + folder + " cannot be made" + (error ? ": " + error.message() : "") +
                                    "; choose another with --record");
   state_.emplace(folder);
-  live::finish_parts(folder, [&](const std::string &text) { print(text + "\n"); });
+  finished_ = live::finish_parts(folder, [&](const std::string &text) { print(text + "\n"); });
   live::RecorderSettings settings;
   settings.folder    = folder;
   settings.case_name = the_case_.name;
@@ -78,23 +78,25 @@ void LiveRun::resume()
 {
   if (!state_ || command_.fresh)
     return;
-  const auto stored = state_->read();
-  if (!stored)
-    return;
-  const std::string said = engine_->resume(*stored);
+  const auto stored      = state_->read();
+  const std::string said = stored ? engine_->resume(*stored) : "";
   if (!said.empty())
     print(said + "\n");
-  if (engine_->resumed_at() == 0 || !engine_->source())
+  if (engine_->resumed_at() == 0 || !engine_->source()) {
+    // killed before a state was there: what its last file holds is not recorded again
+    for (const live::FinishedPart &part : finished_)
+      if (part.source == input_.target)
+        recorder_->resume(part.next);
     return;
+  }
   const live::LiveSource &source = *engine_->source();
   next_                          = engine_->resumed_at();
   if (source.name == input_.target)
     skip_to_ = engine_->resumed_at();
-  assumed_ = live::SourceHead{source.rate, source.start_time, source.name, source.channels, source.factor};
-  const auto minutes = std::int64_t(120 * source.rate);
-  const auto from = engine_->resumed_at() - minutes, to = engine_->resumed_at() + minutes;
-  if (const auto recorded = recorded_up_to(command_.live.record, from, to); recorded && *recorded <= to)
-    recorder_->resume(*recorded);
+  assumed_        = live::SourceHead{source.rate, source.start_time, source.name, source.channels, source.factor};
+  const auto some = std::int64_t(120 * source.rate);  // a file is no longer than that
+  const auto recorded = recorded_up_to(command_.live.record, source, engine_->resumed_at() - some);
+  recorder_->resume(std::max(recorded.value_or(0), stored->value("recorded", std::int64_t(0))));
 }
 
 live::SourceRules LiveRun::rules() const
@@ -208,7 +210,9 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
   setup.wait     = command_.live.speed == "max";
   setup.chain_at = [this](const double load) { return chain_at_load(the_case_, model_, load); };
   if (auto chatter = live_chatter(the_case_, model_)) {
-    for (const std::string &note : chatter->notes)
+    const auto is_speed = [](const live::LiveChannel &c) { return c.name == "speed" || c.name == "exit_speed"; };
+    const bool used     = std::any_of(source.channels.begin(), source.channels.end(), is_speed);
+    for (const std::string &note : used ? chatter->notes : std::vector<std::string>{})
       print("note: " + visible(note, true) + "\n");
     setup.chatter = std::move(chatter->setup);
     setup.bands   = chatter->bands;
@@ -264,7 +268,7 @@ int LiveRun::until_the_end()
   if (response_)
     response_->finish();
   if (state_)
-    state_->write(engine_->state(), *background_, [this](const std::string &why) { say("recording", why); });
+    store_state();
   if (recorder_)
     recorder_->finish();
   summary();
@@ -280,17 +284,26 @@ void LiveRun::tick(const double now)
   if (page_)
     if (const auto numbers = feed_.numbers(now))
       publish(live::event_names::numbers, live::numbers_text(*numbers));
-  if (now - last_second_ < 1)
+  const bool first_state = !has_state_ && next_ >= 0;
+  if (now - last_second_ < 1 && !first_state)
     return;
+  has_state_   = has_state_ || next_ >= 0;
   last_second_ = now;
   each_second();
+}
+
+void LiveRun::store_state()
+{
+  auto state        = engine_->state();
+  state["recorded"] = recorder_->next();
+  state_->write(state, *background_, [this](const std::string &why) { say("recording", why); });
 }
 
 void LiveRun::each_second()
 {
   if (state_ && engine_->source()) {
     recorder_->tick(std::numeric_limits<double>::infinity());  // what the state has seen is recorded
-    state_->write(engine_->state(), *background_, [this](const std::string &why) { say("recording", why); });
+    store_state();
   }
   publish(live::event_names::account, live::account_text(page_account()));
   {

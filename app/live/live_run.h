@@ -43,6 +43,7 @@ private:
   live::CommandReply take_command(const std::string &json);
   void tick(double now);
   void each_second();
+  void store_state();
   void begin_comparison(const live::LiveSource &source);
   std::optional<live::TwinModel> adopt(std::int64_t proposal);
   void changed_model(const live::TwinModel &model, const live::Tuning &tuning);
@@ -83,6 +84,8 @@ private:
   std::unique_ptr<live::Engine> engine_;
   std::unique_ptr<LiveSources> sources_;
   std::int64_t skip_to_ = 0;
+  std::vector<live::FinishedPart> finished_;  // of a program that was killed
+  bool has_state_ = false;
   std::optional<live::SourceHead> assumed_;
   std::atomic<std::int64_t> next_{-1};  // told to senders
   double last_second_ = 0;

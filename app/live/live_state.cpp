@@ -2,6 +2,7 @@
 #include "core/case/errors.h"
 #include "core/records/files.h"
 #include "live/recording/npy_header.h"
+#include "live/recording/recorder.h"
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -37,8 +38,8 @@ void LiveState::write(const nlohmann::json &state, live::Background &background,
   });
 }
 
-std::optional<std::int64_t> recorded_up_to(const std::string &folder, const std::int64_t from,
-                                           const std::int64_t to)
+std::optional<std::int64_t> recorded_up_to(const std::string &folder, const live::LiveSource &source,
+                                           const std::int64_t from)
 {
   std::optional<std::int64_t> last;
   std::error_code error;
@@ -48,7 +49,12 @@ std::optional<std::int64_t> recorded_up_to(const std::string &folder, const std:
     if (at == std::string::npos || entry.path().extension() != ".npy")
       continue;
     const std::int64_t first = std::strtoll(name.c_str() + at + 2, nullptr, 10);
-    if (first < from || first > to)
+    if (first < from)
+      continue;
+    const auto text    = text_if_readable(entry.path().parent_path() / (entry.path().stem().string() + ".json"));
+    const auto sidecar = nlohmann::json::parse(text ? *text : "", nullptr, false);
+    const auto start   = live::utc_text(source.start_time + double(first) / source.rate);
+    if (!sidecar.is_object() || sidecar.value("start", "") != start)
       continue;
     std::ifstream file(entry.path(), std::ios::binary);
     std::string bytes(1 << 17, '\0');

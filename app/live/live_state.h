@@ -1,4 +1,5 @@
 #pragma once
+#include "live/engine/engine.h"
 #include "live/recording/background.h"
 #include <functional>
 #include <map>
@@ -21,7 +22,8 @@ private:
   std::string path_;
 };
 
-/// Number behind the last sample that recordings of a folder hold, of those that begin between `from` and `to`;
-/// nothing when there are none.
-std::optional<std::int64_t> recorded_up_to(const std::string &folder, std::int64_t from, std::int64_t to);
+/// Number behind the last sample that recordings of this source hold, of those that begin at `from` or later:
+/// files whose start is that of the source at their first number.  Nothing when there are none.
+std::optional<std::int64_t> recorded_up_to(const std::string &folder, const live::LiveSource &source,
+                                           std::int64_t from);
 }  // namespace mill

@@ -9,14 +9,15 @@
 
 namespace mill::live {
 namespace {
-constexpr double calm_growth    = -0.5;  // 1/s, as for the growth rate of a band
-constexpr double agree          = 1e-6;  // -, of what is followed and what a search finds
-constexpr int seconds_beyond    = 1;
+constexpr double calm_growth     = -0.5;  // 1/s, as for the growth rate of a band
+constexpr double agree           = 1e-6;  // -, of what is followed and what a search finds
+constexpr int seconds_beyond     = 1;
 constexpr std::size_t steady_for = 60;    // s, over which a growth rate is measured
 constexpr double steady_within   = 0.01;  // -, of the speed meanwhile
-constexpr double search_unknown = 10;  // s, from search to search while there is nothing to follow
+constexpr double search_unknown  = 10;    // s, from search to search while there is nothing to follow
 
-const char *names[] = {"speed", "exit_speed", "entry_thickness", "exit_thickness", "entry_tension", "exit_tension"};
+const char *names[] = {"speed",          "exit_speed",    "entry_thickness",
+                       "exit_thickness", "entry_tension", "exit_tension"};
 }  // namespace
 
 ChatterWatch::ChatterWatch(Setup setup, const std::vector<LiveChannel> &channels, const double rate)
@@ -33,9 +34,10 @@ ChatterWatch::ChatterWatch(Setup setup, const std::vector<LiveChannel> &channels
       const Unit *is   = find_unit(channels[c].unit);
       const bool force = is && i >= entry_tension && is->dimension == unit("N").dimension;
       if (!is || (!(is->dimension == unit(units[i]).dimension) && !force)) {
-        said.push_back(fmt::format("channel {} is in \"{}\"; the distance to the critical speed needs {}{}: the value "
-                                   "of the case is taken",
-                                   names[i], channels[c].unit, units[i], i >= entry_tension ? " or N" : ""));
+        said.push_back(
+            fmt::format("channel {} is in \"{}\"; the distance to the critical speed needs {}{}: the value "
+                        "of the case is taken",
+                        names[i], channels[c].unit, units[i], i >= entry_tension ? " or N" : ""));
         continue;
       }
       column[std::size_t(i)]   = int(c);
@@ -70,14 +72,15 @@ std::optional<PageChatter> ChatterWatch::take(const LiveBlock &block, const doub
     const std::int64_t at = block.first + done, this_second = at / per_second;
     const auto end = std::min<Eigen::Index>(rows, done + Eigen::Index((this_second + 1) * per_second - at));
     if (second >= 0 && this_second != second) {  // after a gap the rest of a second counts as one
-      row    = close_second(block.start_time + double(at) / double(per_second), growth, book);
+      row = close_second(block.start_time + double(at) / double(per_second), growth, book);
     }
     second = this_second;
     for (int i = 0; i < n_inputs; ++i) {
       if (column[std::size_t(i)] < 0)
         continue;
       for (Eigen::Index k = done; k < end; ++k)
-        if (const double x = block.measured(k, column[std::size_t(i)]) * to_si_[std::size_t(i)]; std::isfinite(x)) {
+        if (const double x = block.measured(k, column[std::size_t(i)]) * to_si_[std::size_t(i)];
+            std::isfinite(x)) {
           sum[std::size_t(i)] += x;
           ++n[std::size_t(i)];
         }
@@ -207,23 +210,23 @@ void ChatterWatch::judge(const double utc, const double growth, AlarmBook &book)
     speeds.clear();
     return;
   }
-  const std::string interval = fmt::format(
-      "95 % {:.2f} to {:.2f} by {:.1f} % of what is measured and {:.1f} % of the model{}", now.interval.low,
-      now.interval.high, 100 * now.interval.streamed, 100 * now.interval.model,
-      std::isfinite(now.spread)
-          ? fmt::format("; linearisations of the bite differ by +-{:.1f} % besides", 100 * now.spread)
-          : "");
+  const std::string interval =
+      fmt::format("95 % {:.2f} to {:.2f} by {:.1f} % of what is measured and {:.1f} % of the model{}",
+                  now.interval.low, now.interval.high, 100 * now.interval.streamed, 100 * now.interval.model,
+                  std::isfinite(now.spread)
+                      ? fmt::format("; linearisations of the bite differ by +-{:.1f} % besides", 100 * now.spread)
+                      : "");
   // a growth rate of the last minute says nothing of a speed that was not there for a minute
   speeds.push_back(now.speed);
   if (speeds.size() > steady_for)
     speeds.pop_front();
   const auto [slowest, fastest] = std::minmax_element(speeds.begin(), speeds.end());
-  const bool steady = speeds.size() == steady_for && *fastest - *slowest < steady_within * now.speed;
-  const bool calm   = steady && growth < calm_growth;
-  const std::string level = beyond >= seconds_beyond         ? (calm ? "warning" : "alarm")
-                            : now.speed > now.interval.low   ? "warning"
-                            : now.speed < 0.995 * now.interval.low ? ""
-                                                                  : judged;
+  const bool steady             = speeds.size() == steady_for && *fastest - *slowest < steady_within * now.speed;
+  const bool calm               = steady && growth < calm_growth;
+  const std::string level       = beyond >= seconds_beyond               ? (calm ? "warning" : "alarm")
+                                  : now.speed > now.interval.low         ? "warning"
+                                  : now.speed < 0.995 * now.interval.low ? ""
+                                                                         : judged;
   if (level.empty())
     book.end(cause);
   else if (level != judged && beyond >= seconds_beyond)
@@ -232,10 +235,11 @@ void ChatterWatch::judge(const double utc, const double growth, AlarmBook &book)
                            now.speed, vc, now.critical.frequency, interval,
                            calm ? "; the measured vibration still dies away" : ""));
   else if (level != judged)
-    book.raise(cause, utc, "chatter", level,
-               fmt::format("the speed of {:.2f} m/s is {:.1f} % below the critical speed of {:.2f} m/s at {:.1f} Hz, "
-                           "within its interval ({})",
-                           now.speed, 100 * (1 - now.speed / vc), vc, now.critical.frequency, interval));
+    book.raise(
+        cause, utc, "chatter", level,
+        fmt::format("the speed of {:.2f} m/s is {:.1f} % below the critical speed of {:.2f} m/s at {:.1f} Hz, "
+                    "within its interval ({})",
+                    now.speed, 100 * (1 - now.speed / vc), vc, now.critical.frequency, interval));
   judged = level;
 }
 }  // namespace mill::live

@@ -19,12 +19,12 @@ public:
   struct Setup {
     twin::ChatterModel model;
     std::vector<twin::InputDoubt> doubts = twin::usual_doubts();
-    double rescan = 60;    ///< s, from search to search of the whole range
-    bool wait     = false; ///< for every search, as tests want it; otherwise it runs beside
+    double rescan                        = 60;  ///< s, from search to search of the whole range
+    bool wait = false;                          ///< for every search, as tests want it; otherwise it runs beside
   };
   /// Channels that count: speed (of the roll's surface) or exit_speed, entry_thickness, exit_thickness (lengths),
-  /// entry_tension, exit_tension (stresses, or forces over the section of the strip).  Others are left alone; what is not there
-  /// is taken from the case.
+  /// entry_tension, exit_tension (stresses, or forces over the section of the strip).  Others are left alone; what
+  /// is not there is taken from the case.
   ChatterWatch(Setup setup, const std::vector<LiveChannel> &channels, double rate);
 
   /// @param growth  measured in the watched bands, for the judgement beside it: upper end of the 95 % interval,
@@ -38,9 +38,9 @@ public:
     double speed = unknown;  ///< m/s, of the roll's surface
     twin::CriticalPoint critical;
     twin::CriticalInterval interval;
-    double spread    = unknown;  ///< -, of the three linearisations, at the last search
-    double growth    = unknown;  ///< 1/s, computed at the speed of this second
-    double took      = 0;        ///< s, of the computation
+    double spread = unknown;  ///< -, of the three linearisations, at the last search
+    double growth = unknown;  ///< 1/s, computed at the speed of this second
+    double took   = 0;        ///< s, of the computation
   };
   const Second &last() const;
   const std::vector<std::string> &notes() const;  ///< what of the channels is not understood
@@ -50,7 +50,7 @@ private:
   enum Input { speed, exit_speed, entry_thickness, exit_thickness, entry_tension, exit_tension, n_inputs };
   struct Search {
     dynamics::CriticalSpeed found;
-    double spread = unknown;
+    double spread   = unknown;
     double followed = unknown;  // m/s, what was followed at the same inputs
     std::string trouble;
   };
@@ -69,10 +69,10 @@ private:
   std::array<double, n_inputs> sum{}, mean{};
   std::array<std::int64_t, n_inputs> n{};
   std::int64_t second = -1;
-  double since_search = 0;  // s
-  int beyond = 0;           // seconds in a row above the critical speed
+  double since_search = 0;    // s
+  int beyond          = 0;    // seconds in a row above the critical speed
   std::deque<double> speeds;  // m/s, of the last minute
-  std::string judged;       // level of the alarm that is open; empty: none
+  std::string judged;         // level of the alarm that is open; empty: none
   twin::CriticalTrack track;
   std::string no_speed;  // why there is no critical speed
   LowPriorityTask<Search> task;

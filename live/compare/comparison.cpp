@@ -97,9 +97,13 @@ Comparison::Comparison(ComparisonSetup setup)
   if (setup_.chatter) {
     setup_.chatter->wait = setup_.wait;
     chatter.emplace(*setup_.chatter, setup_.channels, setup_.rate);
-    said.insert(said.end(), chatter->notes().begin(), chatter->notes().end());
-    if (!chatter->has_speed())
-      said.push_back("no channel speed or exit_speed: no distance to the critical speed");
+    if (chatter->has_speed())
+      said.insert(said.end(), chatter->notes().begin(), chatter->notes().end());
+    else {
+      chatter.reset();
+      no_chatter = "no channel speed or exit_speed: no distance to the critical speed";
+      said.push_back(no_chatter);
+    }
   }
 }
 
@@ -196,7 +200,7 @@ void Comparison::add_chatter(ComparisonNews &news, const LiveBlock &block, const
     chatter_second        = second;
     news.chatter          = PageChatter{};
     news.chatter->utc     = utc;
-    news.chatter->because = "the case says nothing of chatter";
+    news.chatter->because = no_chatter;
   }
   if (news.chatter) {
     news.chatter->growth = growth;
@@ -220,10 +224,10 @@ void Comparison::watch_drift(const double utc)
 void Comparison::begin_recalibration(const ModeDrift &drift)
 {
   twin::DriftRecord record;
-  record.rate = setup_.rate;
-  double seconds = 0;
+  record.rate        = setup_.rate;
+  double seconds     = 0;
   const auto sensors = modes.blocks().empty() ? std::vector<std::size_t>{} : modes.blocks().back().sensors;
-  load_ = 0;
+  load_              = 0;
   for (const ModeBlock &block : modes.blocks())
     if (block.number >= drift.from && block.sensors == sensors) {
       if (record.blocks.empty())
@@ -243,7 +247,8 @@ void Comparison::begin_recalibration(const ModeDrift &drift)
   const LumpedModel chain = setup_.chain_at ? setup_.chain_at(load_) : setup_.chain;
   twin::FittedStand stand{dynamics::mill_model(chain, setup_.dynamics), setup_.modes.damping};
   std::vector<twin::Unknown> unknowns;
-  for (const twin::Unknown &unknown : setup_.unknowns)  // K4 belongs to the chain by the meaning of the force alone
+  for (const twin::Unknown &unknown :
+       setup_.unknowns)  // K4 belongs to the chain by the meaning of the force alone
     if (unknown.name == "zeta" ||
         std::any_of(stand.chain.springs.begin(), stand.chain.springs.end(), [&](const dynamics::Spring &spring) {
           return spring.name == unknown.name && spring.stiffness > 0;
@@ -268,14 +273,15 @@ void Comparison::end_recalibration(const double utc, twin::Recalibration found)
 {
   const ModeDrift drift = *answered;
   answered.reset();
-  const std::string name = drift.mode < setup_.mode_names.size() && !setup_.mode_names[drift.mode].empty()
-                               ? setup_.mode_names[drift.mode]
-                               : fmt::format("Mode {}", drift.mode + 1);
+  const std::string name   = drift.mode < setup_.mode_names.size() && !setup_.mode_names[drift.mode].empty()
+                                 ? setup_.mode_names[drift.mode]
+                                 : fmt::format("Mode {}", drift.mode + 1);
   const twin::ModeRow &row = modes.rows()[drift.mode];
   std::string reason       = fmt::format("{} moved {} by {:.1f} standard deviations on average", name,
-                                         drift.shift.sign < 0 ? "down" : "up", std::abs(drift.shift.mean));
+                                   drift.shift.sign < 0 ? "down" : "up", std::abs(drift.shift.mean));
   if (row.measured.why_not.empty())
-    reason += fmt::format(", to {:.5g} Hz against {:.5g} Hz of the twin", row.measured.frequency, row.twin.frequency);
+    reason +=
+        fmt::format(", to {:.5g} Hz against {:.5g} Hz of the twin", row.measured.frequency, row.twin.frequency);
   reason += ".";
   if (!found.refused.empty()) {
     book.raise("re-calibration", utc, "drift", "warning", reason + " Nothing is proposed: " + found.refused + ".");
@@ -295,8 +301,7 @@ void Comparison::end_recalibration(const double utc, twin::Recalibration found)
   offered.add(std::move(proposal));
 }
 
-void Comparison::set_twin(const LumpedModel &chain, const DynamicsSettings &dynamics,
-                          const twin::ModesAtLoad &now)
+void Comparison::set_twin(const LumpedModel &chain, const DynamicsSettings &dynamics, const twin::ModesAtLoad &now)
 {
   const bool same = now.frequency.cols() == setup_.modes.frequency.cols() &&
                     now.frequency.rows() == setup_.modes.frequency.rows() &&

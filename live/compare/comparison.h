@@ -21,10 +21,10 @@ struct ComparisonSetup {
   std::vector<std::string> places;    ///< columns of LiveBlock::simulated
   twin::ModesAtLoad modes;            ///< of the twin
   std::vector<std::string> mode_names;
-  std::vector<WatchedBand> bands;     ///< besides one at each mode
-  std::optional<double> limit;        ///< m/s2, 0-peak: the mill's own limit of chatter
+  std::vector<WatchedBand> bands;  ///< besides one at each mode
+  std::optional<double> limit;     ///< m/s2, 0-peak: the mill's own limit of chatter
   std::optional<ChatterWatch::Setup> chatter;
-  LumpedModel chain;                  ///< the twin's
+  LumpedModel chain;                                 ///< the twin's
   std::function<LumpedModel(double load)> chain_at;  ///< the same at another force, N; empty: it does not change
   DynamicsSettings dynamics;
   std::vector<twin::Unknown> unknowns;  ///< that a re-calibration may move, with the last posterior's standard
@@ -65,7 +65,7 @@ public:
 
   const std::vector<Proposal> &proposals() const;
   const std::vector<std::string> &notes() const;  ///< what cannot be compared, and why
-  double busy() const;  ///< s of this thread spent here so far
+  double busy() const;                            ///< s of this thread spent here so far
 
 private:
   struct Pair {
@@ -92,8 +92,9 @@ private:
   double from_ = 0, to_ = 0;          // s since 1970, of its data
   double load_ = 0;                   // N
   LowPriorityTask<twin::Recalibration> task;
-  std::vector<double> baseline;       // m/s2, rms of the pairs while the mill was calm
+  std::vector<double> baseline;  // m/s2, rms of the pairs while the mill was calm
   std::int64_t chatter_second = -1;
-  double spent = 0;
+  std::string no_chatter      = "the case says nothing of chatter";
+  double spent                = 0;
 };
 }  // namespace mill::live

@@ -159,18 +159,17 @@ struct ModeTracker::State {
   // The blocks in which this mode was told are numbered by its sums; those of the record are told by their time.
   void add_drift(const std::size_t m, const twin::Shift &shift, AlarmBook &book)
   {
-    const auto ago = shift.at - shift.since;
+    const auto ago          = shift.at - shift.since;
     const std::int64_t from = std::max<std::int64_t>(0, count - ago);
     ModeDrift drift{m, shift, ends[std::size_t(from)] - block->spectra.duration, block->utc, from};
     drifted.push_back(drift);
     const double off = std::log(rows[m].measured.frequency / rows[m].twin.frequency);
     const double ref = watches[m].reference();
-    std::string text =
-        fmt::format("{} is at {:.5g} Hz, {:.2f} % {} the twin at {:.4g} kN, since about {}: its sum passed {:.0f} "
-                    "standard deviations, on average {:.1f}; the twin is not changed",
-                    name_of(m), rows[m].measured.frequency, 100 * std::abs(std::expm1(off)),
-                    off < 0 ? "below" : "above", block->load / 1e3, clock_text(drift.since), setup.rule.threshold,
-                    shift.mean);
+    std::string text = fmt::format(
+        "{} is at {:.5g} Hz, {:.2f} % {} the twin at {:.4g} kN, since about {}: its sum passed {:.0f} "
+        "standard deviations, on average {:.1f}; the twin is not changed",
+        name_of(m), rows[m].measured.frequency, 100 * std::abs(std::expm1(off)), off < 0 ? "below" : "above",
+        block->load / 1e3, clock_text(drift.since), setup.rule.threshold, shift.mean);
     if (ref != 0)
       text += fmt::format("; it was {:.2f} % {} it at the start", 100 * std::abs(std::expm1(ref)),
                           ref < 0 ? "below" : "above");
@@ -194,14 +193,14 @@ struct ModeTracker::State {
     page.measured  = row.measured.frequency;
     page.sd        = row.measured.sd * row.measured.frequency;
     page.deviation = row.deviation;
-    page.state     = drifted_before                                        ? "drifted"
+    page.state     = drifted_before                                            ? "drifted"
                      : std::max(row.up, row.down) > 0.5 * setup.rule.threshold ? "drifting"
-                                                                           : "calm";
+                                                                               : "calm";
     if (row.learning)
       page.because = "its mean deviation from the twin is being learned";
     else if (const double ref = watches[m].reference(); ref != 0)
-      page.because = fmt::format("sums are about {:+.2f} % from the twin, its deviation at the start",
-                                 100 * std::expm1(ref));
+      page.because =
+          fmt::format("sums are about {:+.2f} % from the twin, its deviation at the start", 100 * std::expm1(ref));
     return page;
   }
 };
@@ -234,8 +233,8 @@ std::optional<PageModes> ModeTracker::take(const std::int64_t first, const doubl
   s.next = first + force.size();
   std::optional<PageModes> table;
   for (Eigen::Index done = 0; done < force.size();) {
-    const Eigen::Index now                       = std::min(force.size() - done, s.n - s.filled);
-    s.collected.col(0).segment(s.filled, now)    = force.segment(done, now);
+    const Eigen::Index now                    = std::min(force.size() - done, s.n - s.filled);
+    s.collected.col(0).segment(s.filled, now) = force.segment(done, now);
     s.collected.rightCols(measured.cols()).middleRows(s.filled, now) = measured.middleRows(done, now);
     s.filled += now;
     done += now;

@@ -13,19 +13,19 @@
 namespace mill::live {
 /// Lines of ten seconds, and when that was.
 struct ModeBlock {
-  std::int64_t number = 0;      ///< counts the blocks
-  double utc          = 0;      ///< s since 1970, of its end
-  double load         = 0;      ///< N, mean force
-  twin::BlockSpectra spectra;   ///< up to 1.3 times the highest mode
+  std::int64_t number = 0;           ///< counts the blocks
+  double utc          = 0;           ///< s since 1970, of its end
+  double load         = 0;           ///< N, mean force
+  twin::BlockSpectra spectra;        ///< up to 1.3 times the highest mode
   std::vector<std::size_t> sensors;  ///< of the channels, columns of the response: those without a missing sample
 };
 
 /// A mode that moved away.
 struct ModeDrift {
   std::size_t mode;
-  twin::Shift shift;     ///< in blocks
-  double since, at;      ///< s since 1970
-  std::int64_t from;     ///< number of the first block after the change
+  twin::Shift shift;  ///< in blocks
+  double since, at;   ///< s since 1970
+  std::int64_t from;  ///< number of the first block after the change
 };
 
 /// Every ten seconds the frequency of each mode against the twin at the present load, and its cumulative sums.
@@ -33,12 +33,12 @@ struct ModeDrift {
 class ModeTracker {
 public:
   struct Setup {
-    double rate = 0;                      ///< Hz
-    std::vector<std::string> places;      ///< of the channels
-    twin::ModesAtLoad modes;              ///< of the twin
-    std::vector<std::string> names;       ///< of the modes; empty: by number
-    double seconds  = 10;                 ///< of a block
-    int kept_blocks = 18;                 ///< for a re-calibration
+    double rate = 0;                  ///< Hz
+    std::vector<std::string> places;  ///< of the channels
+    twin::ModesAtLoad modes;          ///< of the twin
+    std::vector<std::string> names;   ///< of the modes; empty: by number
+    double seconds       = 10;        ///< of a block
+    int kept_blocks      = 18;        ///< for a re-calibration
     int reference_blocks = 12;
     twin::CusumRule rule;
   };
@@ -56,8 +56,8 @@ public:
   /// The twin was changed: other frequencies, sums at zero, new references.
   void set_twin(const twin::ModesAtLoad &modes);
 
-  std::vector<ModeDrift> drifts();           ///< since the last call
-  const std::deque<ModeBlock> &blocks() const;  ///< the last ones, oldest first
+  std::vector<ModeDrift> drifts();                 ///< since the last call
+  const std::deque<ModeBlock> &blocks() const;     ///< the last ones, oldest first
   const std::vector<twin::ModeRow> &rows() const;  ///< of the last block
   const Setup &setup() const;
 

@@ -8,6 +8,7 @@ namespace {
 constexpr double least_kept  = 0.3;  // correlation left at the second lag, theory.md 41.5
 constexpr int growth_every   = 10;   // s, of a band
 constexpr int times_near     = 2;    // growth rates in a row before it is a warning
+constexpr double least_time  = 30;   // s, of record behind a growth rate that warns
 constexpr double calm_again  = 0.2;  // 1/s, below the limit of the warning
 constexpr double warned_from = -0.5;
 
@@ -86,9 +87,9 @@ void OnsetMonitor::take_value(const double time, const double utc, const Eigen::
     for (std::size_t c = 0; c < channels.size(); ++c) {
       Watched &one = at(b, c);
       if (const auto alarm = one.watch.take(time, z(Eigen::Index(b), Eigen::Index(c)))) {
-        std::string text =
-            fmt::format("{} at {:.1f} Hz, {}: {:.3g} m/s2 is {:.1f} times the level while it was calm", watched[b].name,
-                        watched[b].frequency, channels[c], alarm->level, alarm->level / alarm->baseline);
+        std::string text = fmt::format(
+            "{} at {:.1f} Hz, {}: {:.3g} m/s2 is {:.1f} times the level while it was calm", watched[b].name,
+            watched[b].frequency, channels[c], alarm->level, alarm->level / alarm->baseline);
         text += alarm->sigma > 0 ? fmt::format(", growing at {:.1f} 1/s", alarm->sigma) : ", not growing";
         if (std::isfinite(alarm->to_limit))
           text += fmt::format("; the limit of {:.3g} m/s2 in {:.2f} s", *limit, alarm->to_limit);
@@ -115,7 +116,7 @@ void OnsetMonitor::renew_growth(const std::size_t band, const double utc, AlarmB
   for (std::size_t c = 0; c < channels.size(); ++c) {
     Watched &one = at(band, c);
     one.growth   = one.watch.growth();
-    if (one.growth.kept >= least_kept && one.growth.upper() > highest) {
+    if (one.growth.kept >= least_kept && one.growth.duration >= least_time && one.growth.upper() > highest) {
       highest  = one.growth.upper();
       at_place = c;
     }

@@ -17,7 +17,8 @@ struct WatchedBand {
 /// Bands side by side that cover low .. high, 32 Hz apart.
 std::vector<WatchedBand> bands_over(const std::string &name, double low, double high);
 
-/// Onset of chatter in bands of the measured channels: alarms and growth rates of theory.md 41.5, second by second.
+/// Onset of chatter in bands of the measured channels: alarms and growth rates of theory.md 41.5, second by
+/// second.
 class OnsetMonitor {
 public:
   /// @param places  names of the channels, for the sentences

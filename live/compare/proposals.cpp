@@ -58,8 +58,8 @@ LumpedModel recalibrated(LumpedModel chain, const twin::Recalibration &found, co
   for (const twin::RecalibratedValue &value : found.values) {
     if (!value.told || !is_spring(value.name))
       continue;
-    Parameter &K     = chain.K[spring_index(value.name)];
-    K.value          *= std::exp(value.change);
+    Parameter &K = chain.K[spring_index(value.name)];
+    K.value *= std::exp(value.change);
     K.error_estimate = value.sd;
     K.source         = Source::measured;
     K.method         = fmt::format("re-calibration on {:.0f} s beside the mill", found.seconds);
@@ -79,14 +79,14 @@ double recalibrated(double damping, const twin::Recalibration &found)
 std::string calibrated_case(const Proposal &p, const Case &origin, const std::string &directory)
 {
   std::string text = "# Re-calibrated beside the mill.  " + p.reason + "\n";
-  text += fmt::format("# Data: {} to {}, {:.0f} s at {:.1f} kN; misfit {:.3f} before, {:.3f} after.\n", utc_text(p.from),
-                      utc_text(p.to), p.found.seconds, p.found.load / 1e3, p.found.misfit_before,
+  text += fmt::format("# Data: {} to {}, {:.0f} s at {:.1f} kN; misfit {:.3f} before, {:.3f} after.\n",
+                      utc_text(p.from), utc_text(p.to), p.found.seconds, p.found.load / 1e3, p.found.misfit_before,
                       p.found.misfit_after);
   std::string kept;
   for (const twin::RecalibratedValue &value : p.found.values)
     if (value.told)
-      text += fmt::format("# {}: {:+.2f} %, standard deviation {:.2f} %\n", value.name, 100 * std::expm1(value.change),
-                          100 * value.sd);
+      text += fmt::format("# {}: {:+.2f} %, standard deviation {:.2f} %\n", value.name,
+                          100 * std::expm1(value.change), 100 * value.sd);
     else
       kept += (kept.empty() ? "" : ", ") + value.name;
   if (!kept.empty())
@@ -129,10 +129,10 @@ Proposals::adopt(const std::int64_t id, const double utc, const std::string &fol
   write_atomically(adopted.file, text(adopted, folder));
   const std::string line = fmt::format("{} proposal {} adopted: {}; {}\n", utc_text(utc), id,
                                        std::filesystem::path(adopted.file).filename().string(), adopted.reason);
-  const std::string log = folder + "/adopted.log";
+  const std::string log  = folder + "/adopted.log";
   write_atomically(log, text_if_readable(log).value_or("") + line);
-  adopted.state              = "adopted";
-  list[std::size_t(id - 1)]  = adopted;
+  adopted.state             = "adopted";
+  list[std::size_t(id - 1)] = adopted;
   changed.push_back(std::size_t(id - 1));
   return adopted;
 }
@@ -161,10 +161,10 @@ PageProposal page_proposal(const Proposal &p)
   page.utc   = p.utc;
   page.state = p.state;
   page.file  = p.file.empty() ? "" : std::filesystem::path(p.file).filename().string();
-  page.text  = fmt::format("{} On {:.0f} s from {} to {} the misfit falls from {:.3f} to {:.3f}. Nothing is changed "
-                            "until it is adopted.",
-                           p.reason, p.found.seconds, utc_text(p.from), utc_text(p.to), p.found.misfit_before,
-                           p.found.misfit_after);
+  page.text  = fmt::format(
+       "{} On {:.0f} s from {} to {} the misfit falls from {:.3f} to {:.3f}. Nothing is changed "
+        "until it is adopted.",
+       p.reason, p.found.seconds, utc_text(p.from), utc_text(p.to), p.found.misfit_before, p.found.misfit_after);
   for (const twin::RecalibratedValue &value : p.found.values) {
     ProposedValue row;
     row.key          = value.name == "zeta" ? "damping" : value.name;

@@ -16,14 +16,14 @@ namespace mill::live {
 /// A re-calibration that may be adopted, by somebody.  Nothing here changes the twin by itself.
 struct Proposal {
   std::int64_t id = 0;
-  double utc      = 0;         ///< s since 1970, when it was made
-  double from = 0, to = 0;     ///< s since 1970, of the data behind it
-  std::string reason;          ///< which mode moved, since when
+  double utc      = 0;      ///< s since 1970, when it was made
+  double from = 0, to = 0;  ///< s since 1970, of the data behind it
+  std::string reason;       ///< which mode moved, since when
   twin::Recalibration found;
-  LumpedModel before, chain;   ///< the twin's, and that with what is told replaced
+  LumpedModel before, chain;               ///< the twin's, and that with what is told replaced
   double damping_before = 0, damping = 0;  ///< -, modal damping ratio
-  std::string state = "open";  ///< open, adopted, refused, out of date
-  std::string file;            ///< where it was written
+  std::string state = "open";              ///< open, adopted, refused, out of date
+  std::string file;                        ///< where it was written
 };
 
 /// Chain with the told springs of a re-calibration.
@@ -48,8 +48,9 @@ public:
   /// @param text  of the file
   /// @returns the proposal, adopted; nothing where there is none of this number that is open
   /// @throws InputError, SystemError  it cannot be written; the proposal stays open
-  std::optional<Proposal> adopt(std::int64_t id, double utc, const std::string &folder,
-                                const std::function<std::string(const Proposal &, const std::string &folder)> &text);
+  std::optional<Proposal>
+  adopt(std::int64_t id, double utc, const std::string &folder,
+        const std::function<std::string(const Proposal &, const std::string &folder)> &text);
   bool refuse(std::int64_t id);
 
   /// What changed since the last call, as the page is told.

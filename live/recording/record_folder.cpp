@@ -65,16 +65,18 @@ bool mend_part(const int file, NpyHeader &header)
          ::pwrite(file, mended.data(), mended.size(), 0) == ssize_t(mended.size()) && ::fsync(file) == 0;
 }
 
-void mark_finished(const std::string &sidecar, const std::int64_t rows)
+// The name of its source.
+std::string mark_finished(const std::string &sidecar, const std::int64_t rows)
 {
   const auto text = text_if_readable(sidecar);
   auto json       = nlohmann::ordered_json::parse(text ? *text : "", nullptr, false);
   if (!json.is_object())
-    return;
+    return "";
   json["samples"]  = rows;
   json["complete"] = true;
   json["note"]     = "the program was interrupted; the file was finished at the next start";
-  write_atomically(sidecar, json.dump(2) + "\n");
+  write_atomically(sidecar, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  return json.contains("source") && json["source"].is_string() ? json["source"].get<std::string>() : "";
 }
 }  // namespace
 
@@ -108,8 +110,8 @@ std::vector<FinishedPart> finish_parts(const std::string &folder,
       said(path + " stays: " + stem + ".npy exists");
     } else {
       fs::rename(path, stem + ".npy", error);
-      mark_finished(stem + ".json", header.rows);
-      finished.push_back({stem + ".npy", header.rows, last_number(file, header) + 1});
+      const std::string source = mark_finished(stem + ".json", header.rows);
+      finished.push_back({stem + ".npy", header.rows, last_number(file, header) + 1, source});
       said(fmt::format("{}.npy was finished: {} samples up to s = {}", stem, header.rows,
                        finished.back().next - 1));
     }

@@ -13,11 +13,14 @@
 #include <nlohmann/json.hpp>
 #include <sys/file.h>
 #include <unistd.h>
+#include <utility>
 
 namespace fs = std::filesystem;
 
 namespace mill::live {
 namespace {
+constexpr std::int64_t first_of_all = std::numeric_limits<std::int64_t>::min();
+
 // All bytes at a place of a file, or the error number.
 int write_at(const int file, const char *bytes, std::size_t n, std::int64_t at)
 {
@@ -71,7 +74,7 @@ struct Recorder::State {
   std::optional<LiveSource> source;
   std::optional<OpenPart> part;
   std::string unsaved;
-  std::int64_t next = std::numeric_limits<std::int64_t>::min(), unsaved_rows = 0;
+  std::int64_t next = first_of_all, resumed = first_of_all, unsaved_rows = 0;
   double saved_at = 0, written = 0;
   std::atomic<bool> stopped{false};
   std::string trouble;
@@ -84,10 +87,8 @@ struct Recorder::State {
 
 Recorder::Recorder(RecorderSettings settings, Background &background,
                    std::function<void(const std::string &, const std::string &)> said, AccountText account)
-    : state_(new State{
-          std::move(settings), background, std::move(said), std::move(account), {}, {}, "", {}, 0, 0, 0, {}, ""})
+    : state_(new State{std::move(settings), background, std::move(said), std::move(account)})
 {
-  state_->next = std::numeric_limits<std::int64_t>::min();
 }
 
 Recorder::~Recorder()
@@ -217,12 +218,12 @@ void Recorder::begin(const LiveSource &source)
   State &s = *state_;
   s.close();
   s.source = source;
-  s.next   = std::numeric_limits<std::int64_t>::min();
+  s.next   = std::exchange(s.resumed, first_of_all);
 }
 
 void Recorder::resume(const std::int64_t next)
 {
-  state_->next = next;
+  (state_->source ? state_->next : state_->resumed) = next;
 }
 
 void Recorder::add(const std::int64_t first, const Eigen::MatrixXd &rows)
@@ -258,6 +259,11 @@ void Recorder::tick(const double now)
 void Recorder::finish()
 {
   state_->close();
+}
+
+std::int64_t Recorder::next() const
+{
+  return state_->next;
 }
 
 bool Recorder::stopped() const

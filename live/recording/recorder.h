@@ -39,7 +39,8 @@ public:
   Recorder &operator=(const Recorder &) = delete;
 
   void begin(const LiveSource &source);
-  /// Rows before `next` are on the disk already, from before a restart.
+  /// Rows before `next` are on the disk already, from before a restart: of the source that records, or of the one
+  /// that begins next.
   void resume(std::int64_t next);
   /// @param rows  (n, channels), samples first, first + 1, ..
   void add(std::int64_t first, const Eigen::MatrixXd &rows);
@@ -47,8 +48,9 @@ public:
   void tick(double now);
   void finish();  ///< the file takes its name
 
-  bool stopped() const;    ///< the disk refused
-  double seconds() const;  ///< s of record written
+  std::int64_t next() const;  ///< rows before it are not recorded again
+  bool stopped() const;       ///< the disk refused
+  double seconds() const;     ///< s of record written
   const std::string &trouble() const;
 
 private:
@@ -61,6 +63,7 @@ struct FinishedPart {
   std::string file;       ///< that it became
   std::int64_t rows = 0;  ///< -
   std::int64_t next = 0;  ///< number behind its last sample
+  std::string source;     ///< as its sidecar names it
 };
 /// Finishes the files of programs that were killed: whole rows are counted into the header, the rest is cut off.
 /// Those of a living program stay.  @param said  what was done

@@ -1,5 +1,4 @@
 #include "twin/chatter/critical_track.h"
-#include "bite/linear/linear_sensitivity.h"
 #include "core/case/errors.h"
 #include <algorithm>
 #include <cmath>
@@ -52,12 +51,12 @@ struct Slope {
 std::vector<Slope> slopes_of(const ChatterModel &model, const bite::RollBite &bite, const CriticalPoint &at,
                              double &by_speed)
 {
-  const auto point       = dynamics::working_point(bite, at.speed, model.scheme);
-  const auto pass        = bite::linear_sensitivity(point.bite, point.state, model.scheme);
-  const auto A           = dynamics::chatter_matrix(model.stand, point.by);
-  const auto root        = dynamics::slope_of_eigenvalue(A, at.root);
-  const Eigen::Index n   = model.stand.structure.n();
-  const auto of_number   = [&](const bite::PassNumber number) {
+  const auto point     = dynamics::working_point(bite, at.speed, model.scheme);
+  const auto pass      = bite::linear_sensitivity(point.bite, point.state, model.scheme);
+  const auto A         = dynamics::chatter_matrix(model.stand, point.by);
+  const auto root      = dynamics::slope_of_eigenvalue(A, at.root);
+  const Eigen::Index n = model.stand.structure.n();
+  const auto of_number = [&](const bite::PassNumber number) {
     return root.by(dynamics::chatter_matrix_by(model.stand, pass.by[std::size_t(number)])).real();
   };
   by_speed = of_number(bite::PassNumber::roll_speed);
@@ -70,10 +69,12 @@ std::vector<Slope> slopes_of(const ChatterModel &model, const bite::RollBite &bi
   for (const auto &number : model.numbers)
     slopes.push_back(
         {number.key, number.name, root.by(dynamics::chatter_matrix_by(model.stand, point.by, number)).real()});
-  const char *span[][2] = {{"stand.entry_distance", "distance to the stand before"},
-                           {"stand.exit_distance", "distance to the stand behind"}};
+  const char *span[][2] = {
+      {"stand.entry_distance", "distance to the stand before"},
+      {"stand.exit_distance",  "distance to the stand behind"}
+  };
   for (int side = 0; side < 2; ++side) {  // the row of a tension goes with E/L, (27.7)
-    Eigen::MatrixXd row  = Eigen::MatrixXd::Zero(A.rows(), A.cols());
+    Eigen::MatrixXd row   = Eigen::MatrixXd::Zero(A.rows(), A.cols());
     row.row(2 * n + side) = -A.row(2 * n + side);
     slopes.push_back({span[side][0], span[side][1], root.by(row).real()});
   }
@@ -98,15 +99,24 @@ bite::RollBite with_inputs(bite::RollBite bite, const ChatterInputs &in)
 const std::vector<InputDoubt> &usual_doubts()
 {
   static const std::vector<InputDoubt> doubts = {
-      {"condition.entry_thickness", 0.005, true}, {"condition.exit_thickness", 0.005, true},
-      {"condition.entry_tension", 0.03, true},    {"condition.exit_tension", 0.03, true},
-      {"condition.width", 0.001, true},           {"oil.", 0.10, false},
-      {"strip.friction", 0.10, false},            {"strip.flow_stress", 0.03, false},
-      {"strip.initial_thickness", 0.01, false},   {"stand.masses[", 0.02, false},
-      {"lumped.M", 0.02, false},                  {"stand.stiffnesses[", 0.05, false},
-      {"lumped.K", 0.05, false},                  {"stand.modes[", 0.03, false},
-      {"stand.dampings[", 0.30, false},           {"dynamics.modal_damping", 0.30, false},
-      {"stand.entry_distance", 0.01, false},      {"stand.exit_distance", 0.01, false},
+      {"condition.entry_thickness", 0.005, true },
+      {"condition.exit_thickness",  0.005, true },
+      {"condition.entry_tension",   0.03,  true },
+      {"condition.exit_tension",    0.03,  true },
+      {"condition.width",           0.001, true },
+      {"oil.",                      0.10,  false},
+      {"strip.friction",            0.10,  false},
+      {"strip.flow_stress",         0.03,  false},
+      {"strip.initial_thickness",   0.01,  false},
+      {"stand.masses[",             0.02,  false},
+      {"lumped.M",                  0.02,  false},
+      {"stand.stiffnesses[",        0.05,  false},
+      {"lumped.K",                  0.05,  false},
+      {"stand.modes[",              0.03,  false},
+      {"stand.dampings[",           0.30,  false},
+      {"dynamics.modal_damping",    0.30,  false},
+      {"stand.entry_distance",      0.01,  false},
+      {"stand.exit_distance",       0.01,  false},
   };
   return doubts;
 }
@@ -173,7 +183,7 @@ bool CriticalTrack::follow(const bite::RollBite &bite)
                          model.range.to);
       return false;
     }
-    const double noise = std::max(1e-9 * std::abs(next.root), 1e-13 * roots.cwiseAbs().maxCoeff()) + 1e-6;
+    const double noise  = std::max(1e-9 * std::abs(next.root), 1e-13 * roots.cwiseAbs().maxCoeff()) + 1e-6;
     const bool vibrates = next.root.imag() != 0;
     if ((roots.array().real() > noise).any() || (vibrates && std::abs(next.frequency / at.frequency - 1) > 0.1)) {
       lost = "another mode became critical";
@@ -236,8 +246,8 @@ CriticalInterval CriticalTrack::interval(const bite::RollBite &bite, const std::
 double scheme_spread(const ChatterModel &model, const bite::RollBite &bite)
 {
   double low = ChatterInputs::none, high = ChatterInputs::none;
-  for (const auto scheme : {bite::Linearisation::sequential, bite::Linearisation::implicit,
-                            bite::Linearisation::frozen_friction}) {
+  for (const auto scheme :
+       {bite::Linearisation::sequential, bite::Linearisation::implicit, bite::Linearisation::frozen_friction}) {
     const auto found = dynamics::critical_speed(model.stand, bite, scheme, model.range);
     if (found.verdict != dynamics::Verdict::crossing)
       return ChatterInputs::none;

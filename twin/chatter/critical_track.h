@@ -29,9 +29,10 @@ bite::RollBite with_inputs(bite::RollBite bite, const ChatterInputs &inputs);
 
 /// Relative standard deviation of an input, by the key of a case file.
 struct InputDoubt {
-  std::string key;  ///< "condition.entry_tension", "stand.dampings"; a beginning of it stands for all that begin so
-  double sd;        ///< -
-  bool streamed;    ///< measured with the speed; false: a number of the model
+  std::string
+      key;        ///< "condition.entry_tension", "stand.dampings"; a beginning of it stands for all that begin so
+  double sd;      ///< -
+  bool streamed;  ///< measured with the speed; false: a number of the model
 };
 /// Assumed where nobody states better: thicknesses 0.5 %, tensions 3 %, friction and oil 10 %, flow stress 3 %,
 /// masses 2 %, springs 5 %, dampings 30 %, distances 1 %.
@@ -50,8 +51,8 @@ struct CriticalInterval {
   double streamed = ChatterInputs::none;  ///< -, relative standard deviation by what is measured
   double model    = ChatterInputs::none;  ///< -, by the numbers of the model
   double low = ChatterInputs::none, high = ChatterInputs::none;  ///< m/s, 95 % by both
-  std::string largest;        ///< input that adds most, in words
-  double largest_share = 0;   ///< -, of the variance
+  std::string largest;                                           ///< input that adds most, in words
+  double largest_share = 0;                                      ///< -, of the variance
 };
 
 /// Follows one critical speed from inputs to inputs.

@@ -25,7 +25,7 @@ std::array<double, 3> correlation_at(const Eigen::ArrayXcd &xy, const double ste
   const Complex turn = std::polar(1.0, step * tau);
   Complex phase      = turn;
   // products by hand: those of std::complex look after infinities at ten times the price
-  const auto turned  = [&] {
+  const auto turned = [&] {
     return Complex(phase.real() * turn.real() - phase.imag() * turn.imag(),
                    phase.real() * turn.imag() + phase.imag() * turn.real());
   };
@@ -41,8 +41,8 @@ std::array<double, 3> correlation_at(const Eigen::ArrayXcd &xy, const double ste
 }
 
 struct Extremum {
-  Eigen::Index lag = 0;             // samples
-  double height    = 0, rival = 0;  // with the sign of the correlation; the next highest of its sign
+  Eigen::Index lag = 0;          // samples
+  double height = 0, rival = 0;  // with the sign of the correlation; the next highest of its sign
 };
 
 // Highest |R| within the lags, and the next maximum of the same sign.  Of maxima as high as each other within a

@@ -9,9 +9,9 @@ struct IncoherentShare;
 
 /// Sums over n Hann segments of |X|^2, |Y|^2 and X conj(Y), X measured, Y simulated.
 struct CrossSums {
-  Eigen::ArrayXd xx, yy;   ///< (L/2 + 1)
-  Eigen::ArrayXcd xy;      ///< (L/2 + 1)
-  double n = 0;            ///< segments
+  Eigen::ArrayXd xx, yy;  ///< (L/2 + 1)
+  Eigen::ArrayXcd xy;     ///< (L/2 + 1)
+  double n = 0;           ///< segments
   explicit CrossSums(Eigen::Index bins);
   void clear();
   void add(const CrossSums &other);

@@ -8,11 +8,11 @@
 
 namespace mill::twin {
 namespace {
-using Complex                  = std::complex<double>;
-constexpr double reach         = 0.05;  // s, of delays
-constexpr std::size_t seconds_kept = 10;  // of the coherence
-constexpr Eigen::Index most_bins = 1024;
-constexpr double display_mean    = 0.5;  // s, time constant of the spectra for the eye
+using Complex                      = std::complex<double>;
+constexpr double reach             = 0.05;  // s, of delays
+constexpr std::size_t seconds_kept = 10;    // of the coherence
+constexpr Eigen::Index most_bins   = 1024;
+constexpr double display_mean      = 0.5;  // s, time constant of the spectra for the eye
 
 // Sums of one signal over a second.
 struct RunningLevel {
@@ -45,9 +45,9 @@ struct RunningLevel {
 struct PlaceSums {
   RunningLevel measured, simulated;
   CrossSums second, known;
-  std::deque<CrossSums> kept;         // of the last seconds
-  Eigen::ArrayXd seen_x, seen_y;      // for the eye
-  double seen = 0;                    // weight so far
+  std::deque<CrossSums> kept;     // of the last seconds
+  Eigen::ArrayXd seen_x, seen_y;  // for the eye
+  double seen = 0;                // weight so far
   explicit PlaceSums(const Eigen::Index bins) : second(bins), known(bins) {}
 };
 
@@ -61,18 +61,18 @@ struct RunningComparison::State {
   double rate;
   Eigen::Index L, second;  // samples of a segment, of a second
   Eigen::ArrayXd window;
-  Eigen::MatrixXd x, y;            // (L, places) the last samples
-  Eigen::Index filled = 0;
-  std::int64_t next   = -1;        // number of the sample that comes next; -1: any
-  std::int64_t quarter = -1;       // of a second, the last one reported
+  Eigen::MatrixXd x, y;  // (L, places) the last samples
+  Eigen::Index filled  = 0;
+  std::int64_t next    = -1;  // number of the sample that comes next; -1: any
+  std::int64_t quarter = -1;  // of a second, the last one reported
   std::vector<PlaceSums> places;
   Fourier fourier;
   std::vector<Complex> pair, lines;
 
   State(const double rate_, const Eigen::Index n)
       : rate(rate_), L(segment_of(rate_)), second(std::max<Eigen::Index>(1, Eigen::Index(std::lround(rate_)))),
-        window(0.5 - 0.5 * (Eigen::ArrayXd::LinSpaced(L, 0, double(L - 1)) * (2 * M_PI / double(L))).cos()), x(L, n),
-        y(L, n), places(std::size_t(n), PlaceSums(L / 2 + 1)), pair(static_cast<std::size_t>(L))
+        window(0.5 - 0.5 * (Eigen::ArrayXd::LinSpaced(L, 0, double(L - 1)) * (2 * M_PI / double(L))).cos()),
+        x(L, n), y(L, n), places(std::size_t(n), PlaceSums(L / 2 + 1)), pair(static_cast<std::size_t>(L))
   {
   }
 
@@ -106,7 +106,8 @@ struct RunningComparison::State {
       const double xx = std::norm(X), yy = std::norm(Y);
       p.second.xx[k] += xx;
       p.second.yy[k] += yy;
-      p.second.xy[k] += Complex(X.real() * Y.real() + X.imag() * Y.imag(), X.imag() * Y.real() - X.real() * Y.imag());
+      p.second.xy[k] +=
+          Complex(X.real() * Y.real() + X.imag() * Y.imag(), X.imag() * Y.real() - X.real() * Y.imag());
       if (k < p.seen_x.size()) {
         p.seen_x[k] = kept * p.seen_x[k] + xx;
         p.seen_y[k] = kept * p.seen_y[k] + yy;
@@ -174,7 +175,7 @@ RunningComparison::RunningComparison(const double rate, const Eigen::Index place
     : state(std::make_unique<State>(rate, places))
 {
 }
-RunningComparison::~RunningComparison()                                  = default;
+RunningComparison::~RunningComparison()                             = default;
 RunningComparison::RunningComparison(RunningComparison &&) noexcept = default;
 
 void RunningComparison::restart()
@@ -197,8 +198,8 @@ RunningComparison::News RunningComparison::take(const std::int64_t first, const 
   s.next = first;
   for (Eigen::Index done = 0; done < measured.rows();) {
     // up to the end of the segment or of the second, whichever comes first
-    const Eigen::Index to_second = s.second - Eigen::Index(s.next % s.second);
-    const Eigen::Index now       = std::min({measured.rows() - done, s.L - s.filled, to_second});
+    const Eigen::Index to_second  = s.second - Eigen::Index(s.next % s.second);
+    const Eigen::Index now        = std::min({measured.rows() - done, s.L - s.filled, to_second});
     s.x.middleRows(s.filled, now) = measured.middleRows(done, now);
     s.y.middleRows(s.filled, now) = simulated.middleRows(done, now);
     for (std::size_t i = 0; i < s.places.size(); ++i)

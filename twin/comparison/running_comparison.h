@@ -24,10 +24,10 @@ struct Delay {
 
 /// Share of the measured energy of a third octave that no linear relation to the simulated explains.  (50.4)
 struct IncoherentShare {
-  double centre;    ///< Hz
-  double low, high; ///< Hz
-  double share;     ///< -, unbiased; of a pure model 0, of unrelated signals 1; NaN: less than 4 s of data
-  double energy;    ///< -, of the measured energy, which part lies in this band
+  double centre;     ///< Hz
+  double low, high;  ///< Hz
+  double share;      ///< -, unbiased; of a pure model 0, of unrelated signals 1; NaN: less than 4 s of data
+  double energy;     ///< -, of the measured energy, which part lies in this band
 };
 
 /// One place over one second.
@@ -43,8 +43,8 @@ struct PlaceSecond {
 /// Densities for the eye: mean over about a second, at most 1024 bins from 0 on.
 struct SpectrumPair {
   Eigen::Index place;
-  double resolution;                      ///< Hz, from bin to bin
-  Eigen::VectorXf measured, simulated;    ///< unit^2/Hz
+  double resolution;                    ///< Hz, from bin to bin
+  Eigen::VectorXf measured, simulated;  ///< unit^2/Hz
 };
 
 /// Levels, delay and incoherent shares while the samples come.
@@ -57,10 +57,10 @@ public:
 
   /// What a block completed.
   struct News {
-    std::vector<double> time;               ///< (s) s from sample 0, end of each second
+    std::vector<double> time;                       ///< (s) s from sample 0, end of each second
     std::vector<std::vector<PlaceSecond>> seconds;  ///< (s) one row per place of which half the second is there
-    std::vector<SpectrumPair> spectra;      ///< 4 times a second, of every place; the latest only
-    double spectra_time = 0;                ///< s
+    std::vector<SpectrumPair> spectra;              ///< 4 times a second, of every place; the latest only
+    double spectra_time = 0;                        ///< s
   };
   /// @param first      number of the first sample; other than the one after the last begins anew
   /// @param measured   (n, places) NaN: missing

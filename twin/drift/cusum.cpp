@@ -57,21 +57,20 @@ std::optional<Shift> Cusum::take(const double z)
   one_side(-z, s.down, s.sum_down, s.since_down);
   if (s.alarm || std::max(s.up, s.down) <= rule.threshold)
     return {};
-  s.alarm       = true;
-  const bool up = s.up > s.down;
+  s.alarm          = true;
+  const bool up    = s.up > s.down;
   const auto since = up ? s.since_up : s.since_down;
-  return Shift{up ? 1 : -1, since, at, up ? s.up : s.down,
-               (up ? s.sum_up : -s.sum_down) / double(at - since + 1)};
+  return Shift{up ? 1 : -1, since, at, up ? s.up : s.down, (up ? s.sum_up : -s.sum_down) / double(at - since + 1)};
 }
 
 // L(u) = 1 + L(0) P(sum falls to zero) + int_0^h L(x) phi(x + k - u - shift) dx, with L(0) as one more unknown.
 double cusum_run_length(const double shift, const CusumRule &rule)
 {
-  constexpr int n = 64;
-  const GaussRule on_unit      = gauss_legendre(n);
-  const Eigen::ArrayXd point   = 0.5 * rule.threshold * (on_unit.node.array() + 1),
-                       weight  = 0.5 * rule.threshold * on_unit.weight.array();
-  Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n + 1, n + 1);
+  constexpr int n             = 64;
+  const GaussRule on_unit     = gauss_legendre(n);
+  const Eigen::ArrayXd point  = 0.5 * rule.threshold * (on_unit.node.array() + 1),
+                       weight = 0.5 * rule.threshold * on_unit.weight.array();
+  Eigen::MatrixXd A           = Eigen::MatrixXd::Identity(n + 1, n + 1);
   for (int i = 0; i <= n; ++i) {
     const double u = i < n ? point[i] : 0;
     A(i, n) -= normal_below(rule.slack - shift - u);

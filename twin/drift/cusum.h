@@ -11,11 +11,11 @@ struct CusumRule {
 
 /// An alarm: which way, and since when.
 struct Shift {
-  int sign;              ///< 1: upward, -1: downward
-  std::int64_t since;    ///< number of the first value after the sum left zero for the last time
-  std::int64_t at;       ///< number of the value that raised the alarm
-  double sum;            ///< standard deviations, above the threshold
-  double mean;           ///< standard deviations, mean of the values since the change
+  int sign;            ///< 1: upward, -1: downward
+  std::int64_t since;  ///< number of the first value after the sum left zero for the last time
+  std::int64_t at;     ///< number of the value that raised the alarm
+  double sum;          ///< standard deviations, above the threshold
+  double mean;         ///< standard deviations, mean of the values since the change
 };
 
 /// Both one-sided sums.  Stays in alarm until restart().

@@ -10,8 +10,8 @@ namespace {
 using Complex = std::complex<double>;
 using Columns = Eigen::MatrixXd;  // (2 lines, columns): real parts above imaginary parts
 
-constexpr double half_widths = 5;    // of the band on each side
-constexpr Eigen::Index least_lines = 100, mode_columns = 4;
+constexpr double half_widths       = 5;  // of the band on each side
+constexpr Eigen::Index least_lines = 240, mode_columns = 4;
 constexpr double least_significance = 60;
 
 Eigen::VectorXd parts(const Eigen::ArrayXcd &a)
@@ -28,7 +28,8 @@ struct Band {
 
 Band band_around(const BlockSpectra &block, const ExpectedMode &mode)
 {
-  const double reach = std::max(half_widths * mode.damping * mode.frequency * block.duration, double(least_lines) / 2),
+  const double reach =
+                   std::max(half_widths * mode.damping * mode.frequency * block.duration, double(least_lines) / 2),
                centre = mode.frequency * block.duration;
   const auto first    = std::max<Eigen::Index>(1, Eigen::Index(std::ceil(centre - reach)));
   const auto last     = std::min(block.force.size() - 1, Eigen::Index(std::floor(centre + reach)));
@@ -60,7 +61,8 @@ public:
       columns.push_back(a);
       columns.push_back(a * Complex(0, 1));
     };
-    for (const Eigen::ArrayXcd &a : {Eigen::ArrayXcd(force), Eigen::ArrayXcd(force * across), one, across})
+    for (const Eigen::ArrayXcd &a : {Eigen::ArrayXcd(force), Eigen::ArrayXcd(force * across),
+                                     Eigen::ArrayXcd(force * across.square()), one, across})
       both(a);
     for (const ExpectedMode &other : others) {
       const Eigen::ArrayXcd d = dynamic_stiffness(w, other) / (2 * other.damping * std::pow(middle, 2));
@@ -84,8 +86,8 @@ public:
   }
 
   struct Point {
-    double cost = 0;         // half the weighted squares
-    Eigen::VectorXd squares; // (sensors) not weighted
+    double cost = 0;          // half the weighted squares
+    Eigen::VectorXd squares;  // (sensors) not weighted
     Eigen::Vector2d slope;
     Eigen::Matrix2d information;
   };
@@ -94,7 +96,7 @@ public:
   Point at(const ExpectedMode &mode, const bool slopes) const
   {
     const double w0 = 2 * M_PI * mode.frequency, scale = 2 * mode.damping * w0 * w0;
-    const Eigen::ArrayXcd d = dynamic_stiffness(w, mode) / scale;
+    const Eigen::ArrayXcd d       = dynamic_stiffness(w, mode) / scale;
     const Eigen::ArrayXcd shape[] = {force * (w / w0).square(), force * (w / w0).square() * Complex(0, 1),
                                      Eigen::ArrayXcd::Ones(w.size()), (w / w0).cast<Complex>() * Complex(0, 1)};
     Columns own(2 * w.size(), mode_columns);
@@ -111,7 +113,8 @@ public:
     point.cost    = 0.5 * (point.squares.array() / noise.array()).sum();
     if (!slopes)
       return point;
-    const Eigen::ArrayXcd by_damping = Complex(0, 2 * mode.damping * w0) * w / scale, by_frequency = 2 * w0 * w0 / scale + by_damping;
+    const Eigen::ArrayXcd by_damping   = Complex(0, 2 * mode.damping * w0) * w / scale,
+                          by_frequency = 2 * w0 * w0 / scale + by_damping;
     point.slope.setZero();
     point.information.setZero();
     Columns moved[2] = {Columns(own.rows(), mode_columns), Columns(own.rows(), mode_columns)};
@@ -182,11 +185,12 @@ NarrowBand::Point minimise(NarrowBand &band, ExpectedMode &mode)
   double lambda = 1e-3;
   for (int i = 0; i < 30; ++i) {
     band.weigh(here.squares);
-    here                        = band.at(mode, true);
-    const Eigen::Matrix2d A     = here.information + lambda * Eigen::Matrix2d(here.information.diagonal().asDiagonal());
-    const Eigen::Vector2d move  = (-A.inverse() * here.slope).cwiseMax(-0.5).cwiseMin(0.5);
+    here = band.at(mode, true);
+    const Eigen::Matrix2d A =
+        here.information + lambda * Eigen::Matrix2d(here.information.diagonal().asDiagonal());
+    const Eigen::Vector2d move = (-A.inverse() * here.slope).cwiseMax(-0.5).cwiseMin(0.5);
     ExpectedMode next{mode.frequency * std::exp(move[0]), mode.damping * std::exp(move[1])};
-    next.damping = std::clamp(next.damping, 1e-5, 0.3);
+    next.damping     = std::clamp(next.damping, 1e-5, 0.3);
     const auto there = band.at(next, false);
     if (!(there.cost < here.cost)) {
       lambda *= 10;
@@ -236,11 +240,11 @@ ModeFit fit_mode(const BlockSpectra &block, const ExpectedMode &expected, const 
     if (std::abs(mode.frequency / centre.frequency - 1) < 0.5 * half_widths * centre.damping)
       break;
   }
-  fit.frequency  = mode.frequency;
-  fit.damping    = mode.damping;
+  fit.frequency                    = mode.frequency;
+  fit.damping                      = mode.damping;
   const Eigen::Matrix2d covariance = point.information.inverse();
-  fit.sd         = std::sqrt(covariance(0, 0));
-  fit.damping_sd = std::sqrt(covariance(1, 1));
+  fit.sd                           = std::sqrt(covariance(0, 0));
+  fit.damping_sd                   = std::sqrt(covariance(1, 1));
   if (!(fit.significance > least_significance))
     fit.why_not = "the force does not move it above the noise";
   else if (!(fit.sd < 0.25 * mode.damping))

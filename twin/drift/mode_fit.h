@@ -8,9 +8,9 @@
 namespace mill::twin {
 /// Lines of a block's discrete Fourier transform, whole and without a window.
 struct BlockSpectra {
-  double duration = 0;       ///< s, T: line k is at k/T
-  Eigen::VectorXcd force;    ///< (lines) N
-  Eigen::MatrixXcd response; ///< (lines, sensors)
+  double duration = 0;        ///< s, T: line k is at k/T
+  Eigen::VectorXcd force;     ///< (lines) N
+  Eigen::MatrixXcd response;  ///< (lines, sensors)
 };
 
 /// What the twin says of a mode.
@@ -22,19 +22,19 @@ struct ExpectedMode {
 /// What a block says of it.
 struct ModeFit {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  double frequency  = unknown;  ///< Hz
+  double frequency                = unknown;  ///< Hz
   double sd         = unknown;  ///< -, relative standard deviation of it, by the information of the block
   double damping    = unknown;  ///< -, ratio of critical
   double damping_sd = unknown;  ///< -, relative standard deviation of it
-  /// -, twice the logarithm of the likelihood that the mode gains: 60 and more is a mode
-  double significance = 0;
-  Eigen::Index lines  = 0;   ///< used
-  std::string why_not;       ///< it is not told; empty: it is
+  double significance =
+      0;                   ///< -, twice the logarithm of the likelihood that the mode gains: 60 and more is a mode
+  Eigen::Index lines = 0;  ///< used
+  std::string why_not;     ///< it is not told; empty: it is
 };
 
-/// The likelihood of theory.md 50.4 in the band of one mode: free are its frequency, its damping, its residues at the
-/// sensors (complex, so that gains and a delay between two clocks do not count), its motion at both ends of the
-/// block, and beside it straight lines over the band for what the other modes and the ends add.
+/// The likelihood of theory.md 50.4 in the band of one mode: free are its frequency, its damping, its residues at
+/// the sensors (complex, so that gains and a delay between two clocks do not count), its motion at both ends of
+/// the block, and beside it straight lines over the band for what the other modes and the ends add.
 /// @param expected  where to look: up to 5 half widths away, further when the minimum lies at the edge
 /// @param others    modes that may lie in the same band; their frequencies are not changed
 /// Cost: 1 ms for 700 lines and 4 sensors.

@@ -15,8 +15,8 @@ std::vector<ExpectedMode> ModesAtLoad::at(const double force) const
     share = std::min(1.0, std::log(force / load[i]) / std::log(load[i + 1] / load[i]));
   }
   for (Eigen::Index m = 0; m < frequency.cols(); ++m)
-    modes.push_back({k > 1 ? frequency(i, m) + share * (frequency(i + 1, m) - frequency(i, m)) : frequency(0, m),
-                     damping[m]});
+    modes.push_back(
+        {k > 1 ? frequency(i, m) + share * (frequency(i + 1, m) - frequency(i, m)) : frequency(0, m), damping[m]});
   return modes;
 }
 
@@ -42,7 +42,7 @@ ModeRow ModeWatch::take(const ModeFit &measured, const ExpectedMode &twin)
   row.twin     = twin;
   if (measured.why_not.empty()) {
     const double off = std::log(measured.frequency / twin.frequency), sd = measured.sd;
-    row.deviation    = off / std::hypot(sd, twin_sd);
+    row.deviation = off / std::hypot(sd, twin_sd);
     if (reference_is == Reference::undecided)
       reference_is = twin_sd <= sd ? Reference::twin : Reference::first_blocks;
     if (reference_is == Reference::twin) {

@@ -12,7 +12,8 @@ struct ModesAtLoad {
   Eigen::VectorXd load;       ///< (k) N, rising; one: the same at every load
   Eigen::MatrixXd frequency;  ///< (k, modes) Hz
   Eigen::VectorXd damping;    ///< (modes) -, ratio of critical
-  Eigen::VectorXd sd;         ///< (modes) -, relative standard deviation of the twin's frequency; 0: calibrated on this stand
+  Eigen::VectorXd
+      sd;  ///< (modes) -, relative standard deviation of the twin's frequency; 0: calibrated on this stand
   /// Between the loads by straight lines in ln load, outside the end's.
   std::vector<ExpectedMode> at(double force) const;
 };
@@ -20,7 +21,7 @@ struct ModesAtLoad {
 /// One block's word on one mode.
 struct ModeRow {
   ModeFit measured;
-  ExpectedMode twin;                 ///< at the block's load
+  ExpectedMode twin;                    ///< at the block's load
   double deviation = ModeFit::unknown;  ///< -, ln(measured/twin) over the standard deviation of both
   double z         = ModeFit::unknown;  ///< -, what is summed: deviation from the reference over the block's own
   double up = 0, down = 0;              ///< -, sums
@@ -29,7 +30,8 @@ struct ModeRow {
 };
 
 /// Sums the deviations of one mode.  Against the twin itself where it knows the frequency as well as a block does;
-/// otherwise against the mean deviation of the first blocks, which is reported as such and not taken for the twin's.
+/// otherwise against the mean deviation of the first blocks, which is reported as such and not taken for the
+/// twin's.
 class ModeWatch {
 public:
   /// @param twin_sd  -, relative, of the twin's frequency
@@ -46,8 +48,8 @@ private:
   int wanted;
   Cusum cusum;
   enum class Reference { undecided, twin, first_blocks } reference_is = Reference::undecided;
-  int n = 0;             // blocks of the reference
+  int n                                                               = 0;  // blocks of the reference
   double mean = 0, squares = 0, weight = 0;
-  double scatter = 1;    // of the reference blocks over their own standard deviation, at least one
+  double scatter = 1;  // of the reference blocks over their own standard deviation, at least one
 };
 }  // namespace mill::twin

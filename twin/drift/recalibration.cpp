@@ -18,7 +18,8 @@ MeasuredResponse response_of(const DriftRecord &record, const double low)
     const double scale = std::sqrt(2 / block.duration) / record.rate;  // |.|^2 a one-sided density
     BandRecord band;
     band.duration = block.duration;
-    band.angular  = Eigen::VectorXd::LinSpaced(n, double(first), double(first + n - 1)) * (2 * M_PI / block.duration);
+    band.angular =
+        Eigen::VectorXd::LinSpaced(n, double(first), double(first + n - 1)) * (2 * M_PI / block.duration);
     band.force        = block.force.tail(n) * scale;
     band.acceleration = block.response.bottomRows(n) * scale;
     data.pieces.push_back(std::move(band));
@@ -44,7 +45,7 @@ Eigen::VectorXd start_of(const FittedStand &stand, const std::vector<Unknown> &u
       if (!record.modes[i].why_not.empty())
         continue;
       const double w = at.frequency[Eigen::Index(i)], off = std::log(2 * M_PI * record.modes[i].frequency / w),
-                   sd = std::max(record.modes[i].sd, frequency_floor);
+                   sd     = std::max(record.modes[i].sd, frequency_floor);
       Eigen::VectorXd row = Eigen::VectorXd::Zero(p);  // d ln w / d theta: half the strain share
       for (Eigen::Index j = 0; j < p; ++j)
         if (const auto &K = at.stiffness[std::size_t(j)]; K.size())
@@ -69,8 +70,9 @@ void judge(Recalibration &result, const Fit &fit, const RecalibrationSettings &s
         value.sd     = sd[i];
         value.told   = shrink[i] <= settings.told;
         if (std::abs(value.change) > beyond * value.prior_sd)
-          result.refused = fmt::format("{} would move by {:+.1f} %, beyond {:.0f} of its prior standard deviations",
-                                       value.name, 100 * std::expm1(value.change), beyond);
+          result.refused =
+              fmt::format("{} would move by {:+.1f} %, beyond {:.0f} of its prior standard deviations", value.name,
+                          100 * std::expm1(value.change), beyond);
       }
 }
 }  // namespace

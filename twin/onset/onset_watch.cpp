@@ -71,13 +71,13 @@ std::optional<Alarm> OnsetWatch::take(const double time, const std::complex<doub
     return {};
   }
   ring[taken++ % kept_values] = z;
-  const std::size_t k = taken - 1;
+  const std::size_t k         = taken - 1;
   if (k < left_out + least)
     return {};
   if ((k - left_out - least) % values_per_baseline == 0)
     renew_baseline();
   const double level = std::abs(z), threshold = rule.threshold * baseline_;
-  const bool above   = level > threshold;
+  const bool above = level > threshold;
   std::optional<Alarm> alarm;
   if (armed && above && above_before) {
     const double sigma = slope_of_log();
@@ -110,7 +110,7 @@ bool OnsetWatch::above_half_threshold() const
 GrowthRate OnsetWatch::growth() const
 {
   const std::size_t n = std::min(taken, kept_values - 1);
-  Eigen::VectorXcd z = Eigen::VectorXcd::Zero(Eigen::Index(n));
+  Eigen::VectorXcd z  = Eigen::VectorXcd::Zero(Eigen::Index(n));
   for (std::size_t i = 0; i < n; ++i)
     z[Eigen::Index(i)] = before(n - 1 - i);
   return growth_rate({band, rate_, {z}, {0}});

@@ -5,8 +5,8 @@
 #include <vector>
 
 namespace mill::twin {
-/// Alarm and growth rate of one mode at one channel, value after value of its envelope.  theory.md (41.13), (41.14)
-/// Memory: the last 60 s of the envelope.
+/// Alarm and growth rate of one mode at one channel, value after value of its envelope.  theory.md (41.13),
+/// (41.14) Memory: the last 60 s of the envelope.
 class OnsetWatch {
 public:
   /// @param frequency  Hz, of the band; @param rate  1/s, of the values
@@ -16,8 +16,8 @@ public:
   std::optional<Alarm> take(double time, std::complex<double> z);
   /// Begins a new piece, as after a gap: no alarm before settings.least of baseline.
   void restart();
-  double level() const;     ///< 0-peak, of the last value; NaN: none
-  double baseline() const;  ///< 0-peak; NaN: not enough of it yet
+  double level() const;               ///< 0-peak, of the last value; NaN: none
+  double baseline() const;            ///< 0-peak; NaN: not enough of it yet
   bool above_half_threshold() const;  ///< an alarm that began is not over
   /// Over the last 60 s of this piece; sigma NaN below 8 s.  Cost: 0.4 ms.
   GrowthRate growth() const;
@@ -31,10 +31,10 @@ private:
   double band, rate_;
   std::size_t window, left_out, least, slope_values, kept_values;
   std::vector<std::complex<double>> ring;
-  std::size_t taken = 0;           // values of this piece
-  std::size_t in_median = 0;       // values of this piece that have entered `squares`
-  std::size_t out_of_median = 0;   // and those that have left it
-  std::vector<double> squares;     // of the baseline's window, ascending
+  std::size_t taken         = 0;  // values of this piece
+  std::size_t in_median     = 0;  // values of this piece that have entered `squares`
+  std::size_t out_of_median = 0;  // and those that have left it
+  std::vector<double> squares;    // of the baseline's window, ascending
   double baseline_ = 0;
   bool armed = true, above_before = false;
 };

@@ -42,13 +42,13 @@ void RunningEnvelopes::take(const std::int64_t first, const Eigen::MatrixXd &sam
   Eigen::MatrixXcd z(m, buffer.cols());
   for (Eigen::Index done = 0; done < samples.rows();) {
     if (end == buffer.rows()) {
-      const Eigen::MatrixXd rest       = buffer.middleRows(begin, end - begin);
-      buffer.topRows(rest.rows())      = rest;
-      begin                            = 0;
-      end                              = rest.rows();
+      const Eigen::MatrixXd rest  = buffer.middleRows(begin, end - begin);
+      buffer.topRows(rest.rows()) = rest;
+      begin                       = 0;
+      end                         = rest.rows();
     }
-    const Eigen::Index now          = std::min(samples.rows() - done, buffer.rows() - end);
-    buffer.middleRows(end, now)     = samples.middleRows(done, now);
+    const Eigen::Index now      = std::min(samples.rows() - done, buffer.rows() - end);
+    buffer.middleRows(end, now) = samples.middleRows(done, now);
     end += now;
     done += now;
     for (; end - begin >= n; begin += step, number += step) {

@@ -26,8 +26,8 @@ public:
 private:
   double sample_rate;
   std::vector<EnvelopeFilter> filters;
-  Eigen::MatrixXd taps;    // (n, 2 m)
-  Eigen::MatrixXd buffer;  // (capacity, channels), the last samples
+  Eigen::MatrixXd taps;             // (n, 2 m)
+  Eigen::MatrixXd buffer;           // (capacity, channels), the last samples
   Eigen::Index begin = 0, end = 0;  // of what is still needed in the buffer
   std::int64_t number = -1;         // of the sample at `begin`; -1: none
 };

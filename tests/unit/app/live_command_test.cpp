@@ -148,10 +148,9 @@ std::vector<std::int64_t> recorded(const std::string &folder, const std::string 
 TEST(LiveCommand, RefusesWhatCannotBeRun)
 {
   const std::string folder = scratch("live-refused"), file = record(folder, 100);
-  EXPECT_EQ(
-      refused(input(file), "cases/cold-strip.toml"),
-      "millstand live: the case cases/cold-strip.toml has no chain of six masses; name a case of kind four-high, "
-      "or of kind lumped with [given]");
+  EXPECT_EQ(refused(input(file), "cases/cold-strip.toml"), "millstand live: the case cases/cold-strip.toml has no "
+                                                           "chain of six masses; name a case of kind four-high or "
+                                                           "chatter, or of kind lumped with [given]");
   EXPECT_EQ(refused(input(file), "cases/four-high-1400.toml", {"dynamics.modal_damping=0 %"}),
             "millstand live: the case has no damping, so that the twin would never forget how it started; give "
             "dynamics.modal_damping, for example --set dynamics.modal_damping=\"1 %\"");

@@ -1,4 +1,5 @@
-// Runs into chatter of the linear stand with its bite: announced before the limit in 20 of 20, none in a calm hour.
+// Runs into chatter of the linear stand with its bite: announced before the limit in 20 of 20, none in a calm
+// hour.
 #include "dynamics/chatter/chatter.h"
 #include "live/compare/comparison.h"
 #include "tests/support/film_pass.h"
@@ -13,8 +14,8 @@ using namespace mill;
 using namespace mill::live;
 
 namespace {
-constexpr double rate = 500;            // Hz
-constexpr double limit_over_calm = 40;  // of the amplitude: the strip of a calm mill has no marks yet
+constexpr double rate            = 500;  // Hz
+constexpr double limit_over_calm = 40;   // of the amplitude: the strip of a calm mill has no marks yet
 
 twin::ChatterModel model_of_stand()
 {
@@ -32,7 +33,7 @@ twin::ChatterModel model_of_stand()
 // exp(A dt) by squaring and the series, written apart from the program.
 Eigen::MatrixXd exponential(const Eigen::MatrixXd &A, const double dt)
 {
-  const int halvings      = std::max(0, int(std::ceil(std::log2(A.cwiseAbs().rowwise().sum().maxCoeff() * dt))) + 3);
+  const int halvings = std::max(0, int(std::ceil(std::log2(A.cwiseAbs().rowwise().sum().maxCoeff() * dt))) + 3);
   const Eigen::MatrixXd X = A * (dt / std::exp2(halvings));
   Eigen::MatrixXd sum = Eigen::MatrixXd::Identity(A.rows(), A.cols()), term = sum;
   for (int k = 1; k < 14; ++k) {
@@ -55,11 +56,11 @@ class Stand {
 public:
   Stand() : model(model_of_stand()) {}
 
-  ChatterRun run(const std::uint64_t seed, const double from, const double to, const double start, const double ramp,
-                 const double T, const double noise) const
+  ChatterRun run(const std::uint64_t seed, const double from, const double to, const double start,
+                 const double ramp, const double T, const double noise) const
   {
-    const auto n         = Eigen::Index(T * rate);
-    const Eigen::Index d = model.stand.structure.n();
+    const auto n                = Eigen::Index(T * rate);
+    const Eigen::Index d        = model.stand.structure.n();
     const Eigen::VectorXd white = synthetic::normals(seed, n), meter = synthetic::normals(seed + 1, 7 * n);
     const Eigen::VectorXd kick = model.stand.structure.M.partialPivLu().solve(model.stand.structure.b);
     Eigen::VectorXd z = Eigen::VectorXd::Zero(2 * d + 2), size(2 * d + 2);  // m, m/s, Pa: like sizes of the states
@@ -73,16 +74,22 @@ public:
       if (std::abs(v - old_speed) > 0.02) {
         old_speed = v;
         A         = dynamics::chatter_matrix(model.stand, dynamics::working_point(model.bite, v, model.scheme).by);
-        step      = size.asDiagonal() * exponential(size.cwiseInverse().asDiagonal() * A * size.asDiagonal(), 1 / rate) *
+        step      = size.asDiagonal() *
+               exponential(size.cwiseInverse().asDiagonal() * A * size.asDiagonal(), 1 / rate) *
                size.cwiseInverse().asDiagonal();
       }
       z.segment(d, d) += kick * (noise * white[k] / std::sqrt(rate));
-      z                        = step * z;
-      const Eigen::VectorXd by = A.middleRows(d, d) * z;
-      const double instrument[] = {0.01, 0.01, 0.002 * v, 0.01 * strip.entry_tension, 0.01 * strip.exit_tension,
-                                   0.002 * strip.entry_thickness, 0.002 * strip.exit_thickness};
-      const double value[] = {by[3], by[2], v, strip.entry_tension, strip.exit_tension, strip.entry_thickness,
-                              strip.exit_thickness};
+      z                         = step * z;
+      const Eigen::VectorXd by  = A.middleRows(d, d) * z;
+      const double instrument[] = {0.01,
+                                   0.01,
+                                   0.002 * v,
+                                   0.01 * strip.entry_tension,
+                                   0.01 * strip.exit_tension,
+                                   0.002 * strip.entry_thickness,
+                                   0.002 * strip.exit_thickness};
+      const double value[]      = {
+               by[3], by[2], v, strip.entry_tension, strip.exit_tension, strip.entry_thickness, strip.exit_thickness};
       for (int c = 0; c < 7; ++c)
         record.measured(k, c) = value[c] + instrument[c] * meter[7 * k + c];
       smoothed += (2 * by[3] * by[3] - smoothed) / (0.05 * rate);  // over six periods
@@ -106,13 +113,13 @@ ComparisonSetup setup_of(const Stand &stand, const double limit)
       {"entry_thickness", "m"   },
       {"exit_thickness",  "m"   }
   };
-  setup.places  = {"upper_work_roll", "lower_work_roll"};
-  setup.bands   = {
-      {"third octave", 128.1}
+  setup.places = {"upper_work_roll", "lower_work_roll"};
+  setup.bands  = {
+       {"third octave", 128.1}
   };
-  setup.limit   = limit;
-  setup.chatter = ChatterWatch::Setup{stand.model};
-  setup.wait    = true;
+  setup.limit           = limit;
+  setup.chatter         = ChatterWatch::Setup{stand.model};
+  setup.wait            = true;
   setup.modes.load      = Eigen::VectorXd::Constant(1, 1.0);
   setup.modes.frequency = Eigen::MatrixXd(1, 0);
   return setup;
@@ -194,8 +201,7 @@ TEST(ChatterWatch, NoneInACalmHour)
   const double calm = std::sqrt(2.) * rms(stand.run(1, 17, 17, 0, 1, 60, 1e4).measured.col(0));
   for (int part = 0; part < parts; ++part) {
     Comparison comparison(setup_of(stand, limit_over_calm * calm));
-    const Announced told =
-        watched(comparison, stand.run(std::uint64_t(50000 + part), 17, 17, 0, 1, 300, 1e4));
+    const Announced told = watched(comparison, stand.run(std::uint64_t(50000 + part), 17, 17, 0, 1, 300, 1e4));
     EXPECT_LT(told.first, 0) << "part " << part;
     ASSERT_EQ(told.alarms.size(), 1u) << "part " << part;
     EXPECT_EQ(told.alarms[0].level, "warning");
@@ -227,15 +233,16 @@ TEST(ChatterWatch, InputsOfTheStream)
   ChatterWatch watch({stand.model, twin::usual_doubts(), 60, true}, channels, 100);
   ASSERT_EQ(watch.notes().size(), 2u);
   EXPECT_EQ(watch.notes()[0], "no channel exit_thickness: the value of the case is taken");
-  EXPECT_EQ(watch.notes()[1], "channel exit_tension is in \"s\"; the distance to the critical speed needs Pa or N: "
-                              "the value of the case is taken");
+  EXPECT_EQ(watch.notes()[1],
+            "channel exit_tension is in \"s\"; the distance to the critical speed needs Pa or N: "
+            "the value of the case is taken");
   const Strip &strip = stand.model.bite.strip;
   AlarmBook book;
   LiveBlock block;
-  block.rate     = 100;
-  block.measured = Eigen::MatrixXd::Zero(100, 4);
-  block.measured.rowwise() = Eigen::RowVector4d(17.5, 0.9 * strip.entry_tension * strip.width * strip.entry_thickness,
-                                                7, 1e3 * strip.entry_thickness);
+  block.rate               = 100;
+  block.measured           = Eigen::MatrixXd::Zero(100, 4);
+  block.measured.rowwise() = Eigen::RowVector4d(
+      17.5, 0.9 * strip.entry_tension * strip.width * strip.entry_thickness, 7, 1e3 * strip.entry_thickness);
   block.measured(50, 0) = NAN;
   const auto row        = watch.take(block, NAN, book);
   ASSERT_TRUE(row);

@@ -42,8 +42,8 @@ ComparisonSetup setup_of(const SixMasses &stand)
       {"lower_work_roll", "m/s2"},
       {"speed",           "m/s" }
   };
-  setup.places = {"upper_frame",     "upper_backup_roll", "upper_work_roll",
-                  "lower_work_roll", "lower_backup_roll", "lower_frame"};
+  setup.places          = {"upper_frame",     "upper_backup_roll", "upper_work_roll",
+                           "lower_work_roll", "lower_backup_roll", "lower_frame"};
   const auto modes      = stand.chain(1);
   setup.modes.load      = Eigen::VectorXd::Constant(1, 1e6);
   setup.modes.frequency = modes.frequency.transpose();
@@ -74,10 +74,10 @@ struct Told {
 };
 
 Told run(Comparison &comparison, const SixMasses &stand, const double k3, const std::uint64_t seed,
-        const double seconds, const double from)
+         const double seconds, const double from)
 {
-  const auto n              = Eigen::Index(seconds * rate);
-  const auto force          = synthetic::band_force(seed, n, rate, 1000, 0, 1000);
+  const auto n               = Eigen::Index(seconds * rate);
+  const auto force           = synthetic::band_force(seed, n, rate, 1000, 0, 1000);
   const Eigen::MatrixXd mill = synthetic::response(stand.chain(k3), force.drive, rate),
                         twin = synthetic::response(stand.chain(1), force.drive, rate);
   Eigen::MatrixXd measured(n, 4);
@@ -186,15 +186,15 @@ TEST(LiveComparison, AdoptedByHandIsACase)
   const Case origin = given_case(folder);
   Proposals proposals;
   Proposal proposal;
-  proposal.utc    = 1.7e9;
-  proposal.from   = 1.7e9 - 60;
-  proposal.to     = 1.7e9;
-  proposal.reason = "Mode 6 moved down by 8.0 standard deviations on average.";
+  proposal.utc           = 1.7e9;
+  proposal.from          = 1.7e9 - 60;
+  proposal.to            = 1.7e9;
+  proposal.reason        = "Mode 6 moved down by 8.0 standard deviations on average.";
   proposal.found.seconds = 60;
   proposal.found.values  = {
-      {"K3",   0.06, std::log(0.95), 0.001, true },
-      {"K1",   0.06, 0,              0.02,  false},
-      {"zeta", 2,    std::log(1.2),  0.01,  true }
+       {"K3",   0.06, std::log(0.95), 0.001, true },
+       {"K1",   0.06, 0,              0.02,  false},
+       {"zeta", 2,    std::log(1.2),  0.01,  true }
   };
   proposal.before         = lumped_model_of(origin);
   proposal.chain          = recalibrated(proposal.before, proposal.found, 976.2e3);
@@ -238,14 +238,13 @@ TEST(LiveComparison, SaysWhatCannotBeCompared)
   const SixMasses stand;
   ComparisonSetup setup = setup_of(stand);
   setup.channels        = {
-      {"force",           "N"},
-      {"upper_work_roll", "V"}
+             {"force",           "N"},
+             {"upper_work_roll", "V"}
   };
   Comparison comparison(setup);
   ASSERT_EQ(comparison.notes().size(), 2u);
   EXPECT_EQ(comparison.notes()[0], "channel upper_work_roll is in \"V\" and not in m/s2: it is not compared");
-  EXPECT_EQ(comparison.notes()[1],
-            "no channel is an acceleration at a place of the model: nothing is compared");
+  EXPECT_EQ(comparison.notes()[1], "no channel is an acceleration at a place of the model: nothing is compared");
   LiveBlock block;
   block.rate      = rate;
   block.force     = Eigen::VectorXd::Zero(100);

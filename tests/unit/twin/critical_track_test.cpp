@@ -65,8 +65,8 @@ TEST(CriticalTrack, SaysWhenItIsLost)
   EXPECT_FALSE(track.follow(model.bite));
   EXPECT_EQ(track.why(), "not searched yet");
   track.begin(searched(model, model.bite));
-  auto thicker                  = model.bite;
-  thicker.strip.exit_thickness  = 1.01 * thicker.strip.entry_thickness;
+  auto thicker                 = model.bite;
+  thicker.strip.exit_thickness = 1.01 * thicker.strip.entry_thickness;
   EXPECT_FALSE(track.follow(thicker)) << "an exit thicker than the entry";
   EXPECT_FALSE(track.why().empty());
   track.begin(searched(model, model.bite));
@@ -93,7 +93,9 @@ TEST(CriticalTrack, IntervalIsThatOfChangedInputs)
   // one doubt alone: half the difference of two searches
   for (const char *key : {"condition.entry_tension", "oil.viscosity", "stand.masses[4]", "stand.entry_distance"}) {
     const double d = 0.002;
-    const auto one = track.interval(model.bite, {{key, d, true}});
+    const auto one = track.interval(model.bite, {
+                                                    {key, d, true}
+    });
     const auto at  = [&](const double factor) {
       ChatterModel changed = model;
       if (std::string(key) == "condition.entry_tension")
@@ -106,7 +108,8 @@ TEST(CriticalTrack, IntervalIsThatOfChangedInputs)
         changed.stand.structure = model.numbers[4].scaled(factor);
       return searched(changed, changed.bite).speed;
     };
-    EXPECT_TRUE(near(one.streamed, std::abs(std::log(at(1 + d) / at(1 - d))) / 2, within(1e-3, "difference of 0.2 %")))
+    EXPECT_TRUE(
+        near(one.streamed, std::abs(std::log(at(1 + d) / at(1 - d))) / 2, within(1e-3, "difference of 0.2 %")))
         << key;
     EXPECT_EQ(one.model, 0);
     EXPECT_NEAR(one.largest_share, 1, 1e-12);

@@ -14,8 +14,9 @@ namespace {
 // Mean number of values to the alarm over `runs` sequences of one stream of normals.
 double simulated_length(const std::uint64_t seed, const int runs, const double shift)
 {
-  const Eigen::VectorXd x = synthetic::normals(seed, Eigen::Index(runs * (siegmund_run_length(shift) * 1.3 + 100)));
-  Eigen::Index at         = 0;
+  const Eigen::VectorXd x =
+      synthetic::normals(seed, Eigen::Index(runs * (siegmund_run_length(shift) * 1.3 + 100)));
+  Eigen::Index at = 0;
   for (int run = 0; run < runs; ++run) {
     Cusum cusum;
     while (!cusum.take(x[at++] + shift))
@@ -33,7 +34,8 @@ TEST(Cusum, BlocksToAlarm)
     EXPECT_TRUE(near(siegmund_run_length(shift), law, within(1e-12, "the same closed form")));
     EXPECT_TRUE(near(cusum_run_length(shift), simulated, within(0.05, "asked for; 2000 runs")));
     EXPECT_TRUE(near(simulated_length(701, 2000, shift), simulated, within(0.05, "asked for")));
-    EXPECT_TRUE(near(simulated_length(11, 2000, shift), cusum_run_length(shift), within(0.02, "3 sd of 2000 runs")));
+    EXPECT_TRUE(
+        near(simulated_length(11, 2000, shift), cusum_run_length(shift), within(0.02, "3 sd of 2000 runs")));
   }
   const double false_alarm = known["in_control_two_sided"];
   EXPECT_TRUE(near(siegmund_run_length(0) / 2, false_alarm, within(1e-9, "the same closed form")));
@@ -47,7 +49,7 @@ TEST(Cusum, LengthOfAShortRuleAgainstSimulation)
   const CusumRule rule{0.5, 3};
   const Eigen::VectorXd x = synthetic::normals(5, 600000);
   Cusum cusum(rule);
-  int alarms = 0;
+  int alarms        = 0;
   Eigen::Index last = 0;
   for (Eigen::Index k = 0; k < x.size(); ++k)
     if (cusum.take(x[k])) {
@@ -87,15 +89,16 @@ synthetic::Chain six_masses(const double k3)
   const auto in = reference("oma.inputs", "twin");
   auto M = in["M"].get<std::vector<double>>(), K = in["K"].get<std::vector<double>>();
   K[2] *= k3;
-  return synthetic::chain(Eigen::Map<Eigen::VectorXd>(M.data(), 6), Eigen::Map<Eigen::VectorXd>(K.data(), 7), 0.01);
+  return synthetic::chain(Eigen::Map<Eigen::VectorXd>(M.data(), 6), Eigen::Map<Eigen::VectorXd>(K.data(), 7),
+                          0.01);
 }
 
 // Blocks of 10 s of one record at both work rolls, in the noise of TW-15.
 std::vector<BlockSpectra> blocks_of(const synthetic::Chain &chain, const std::uint64_t seed, const int count)
 {
   constexpr double rate = 4000, T = 10;
-  const auto n           = Eigen::Index(T * rate);
-  const auto force       = synthetic::band_force(seed, count * n, rate, 1000, 0, 1600);
+  const auto n              = Eigen::Index(T * rate);
+  const auto force          = synthetic::band_force(seed, count * n, rate, 1000, 0, 1600);
   const Eigen::MatrixXd all = synthetic::response(chain, force.drive, rate);
   Eigen::FFT<double> fft;
   const auto lines = [&](const Eigen::VectorXd &x) {

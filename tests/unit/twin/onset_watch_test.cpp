@@ -51,14 +51,19 @@ TEST(OnsetWatch, SameAsTheWholeRecord)
   AlarmSettings rule;
   rule.limit = 2;
   for (Eigen::Index column = 0; column < 2; ++column) {
-    const auto whole = complex_envelope(x.col(column), {{0, n}}, rate, band);
+    const auto whole = complex_envelope(x.col(column),
+                                        {
+                                            {0, n}
+    },
+                                        rate, band);
     const auto found = alarms(whole, rule);
     ASSERT_FALSE(found.empty());
     for (const Eigen::Index block : {Eigen::Index(1), Eigen::Index(333), n}) {
       const Told told = streamed(x, column, block);
       ASSERT_EQ(Eigen::Index(told.level.size()), whole.z[0].size());
       for (std::size_t k = 0; k < told.level.size(); ++k)
-        ASSERT_TRUE(near(told.level[k], std::abs(whole.z[0][Eigen::Index(k)]), within(1e-11, "sums in another order")));
+        ASSERT_TRUE(
+            near(told.level[k], std::abs(whole.z[0][Eigen::Index(k)]), within(1e-11, "sums in another order")));
       EXPECT_NEAR(told.time.back(), whole.start[0] + double(told.level.size() - 1) / 50, 1e-9);
       ASSERT_EQ(told.alarms.size(), found.size());
       EXPECT_NEAR(told.alarms[0].time, found[0].time, 1e-9);

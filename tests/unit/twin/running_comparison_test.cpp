@@ -1,4 +1,5 @@
-// Measured beside simulated: levels, delay with its uncertainty, incoherent shares; any block length gives the same.
+// Measured beside simulated: levels, delay with its uncertainty, incoherent shares; any block length gives the
+// same.
 #include "tests/support/near.h"
 #include "tests/support/synthetic_record.h"
 #include "twin/comparison/running_comparison.h"
@@ -20,8 +21,8 @@ Eigen::VectorXd delayed(const Eigen::VectorXd &x, const double tau)
   fft.fwd(X, in);
   const auto n = x.size();
   for (Eigen::Index k = 0; k <= n / 2; ++k) {
-    const auto turned       = X[std::size_t(k)] * std::polar(1.0, -2 * M_PI * double(k) * rate / double(n) * tau);
-    X[std::size_t(k)]       = turned;
+    const auto turned = X[std::size_t(k)] * std::polar(1.0, -2 * M_PI * double(k) * rate / double(n) * tau);
+    X[std::size_t(k)] = turned;
     if (k > 0 && k < n / 2)
       X[std::size_t(n - k)] = std::conj(turned);
   }
@@ -70,14 +71,14 @@ TEST(RunningComparison, LevelsOfASecond)
 TEST(RunningComparison, DelayBetweenSamplesAndItsUncertainty)
 {
   // noise of 30 to 800 Hz, late by 6.74 samples, in as much noise of the sensor: 40 records of one second
-  constexpr double tau = 3.37e-3;
-  const Eigen::Index n = 100000;
-  const auto force     = synthetic::band_force(11, n, rate, 1, 30, 800).force;
+  constexpr double tau    = 3.37e-3;
+  const Eigen::Index n    = 100000;
+  const auto force        = synthetic::band_force(11, n, rate, 1, 30, 800).force;
   const Eigen::VectorXd x = delayed(force, tau) + synthetic::white(12, n, rate, 1 / std::sqrt(770.));
   const auto all          = rows(x, force);
   ASSERT_EQ(all.size(), 50u);
   double squares = 0, sum = 0;
-  int counted    = 0;
+  int counted = 0;
   for (std::size_t i = 9; i < all.size(); ++i, ++counted) {
     const double z = (all[i].delay.value - tau) / all[i].delay.sd;
     squares += z * z;
@@ -103,11 +104,11 @@ TEST(RunningComparison, UpsideDownIsTold)
 TEST(RunningComparison, IncoherentShareIsUnbiased)
 {
   // a third of the energy in every band has nothing to do with the simulation
-  const Eigen::Index n = 40000;
-  const auto y         = synthetic::white(31, n, rate, 1);
-  const auto rest      = synthetic::white(32, n, rate, 1);
+  const Eigen::Index n    = 40000;
+  const auto y            = synthetic::white(31, n, rate, 1);
+  const auto rest         = synthetic::white(32, n, rate, 1);
   const Eigen::VectorXd x = std::sqrt(2. / 3) * y + std::sqrt(1. / 3) * rest;
-  const auto all       = rows(x, y);
+  const auto all          = rows(x, y);
   ASSERT_EQ(all.size(), 20u);
   EXPECT_TRUE(std::isnan(all[0].bands.back().share)) << "not known from one second";
   int bands = 0;
@@ -121,7 +122,7 @@ TEST(RunningComparison, IncoherentShareIsUnbiased)
   EXPECT_NEAR(all.back().bands.back().centre, 630.957, 0.01) << "centres are ten to a decade";
   for (const auto &band : rows(y, y).back().bands)
     EXPECT_NEAR(band.share, 0, 1e-12);
-  double mean = 0;
+  double mean          = 0;
   const auto unrelated = rows(y, rest).back().bands;
   for (const auto &band : unrelated)
     mean += band.share / double(unrelated.size());
