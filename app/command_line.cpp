@@ -64,6 +64,7 @@ void add_analyse(CLI::App &app, CommandLine &c)
   analyse->add_option("--speed", c.speed, "of the rolls' surface, where it was not recorded, \"4 m/s\"");
   analyse->add_option("--limit", c.limit, "the mill's own limit of a vibration, 0-peak, \"2 g\"");
   repeatable("--severity", c.severity, "upper end of a zone, \"2.3 mm/s\", repeatable; none is built in");
+  analyse->add_flag("--align", c.align, "take the delay between the clocks of force and vibrations out of H1");
   analyse->add_option("--baseline", c.baseline, "folder of an earlier analysis, for changes and bearings");
   repeatable("--set", c.sets, "override section.key=value of the case, repeatable");
   add_output(analyse, c, "folder of the results (default out/<record>-analysis)");

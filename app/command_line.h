@@ -30,6 +30,7 @@ struct CommandLine {
   std::string limit;               ///< analyse --limit
   std::vector<std::string> channels, channel_units;       ///< analyse --channel, --unit: NAME=PLACE, NAME=UNIT
   std::vector<std::string> severity;                      ///< analyse --severity: upper ends of zones
+  bool align = false;                                     ///< analyse --align
   std::string baseline;                                   ///< analyse --baseline: folder of an earlier analysis
   std::map<std::string, std::vector<std::string>> words;  ///< completion: options by verb
   bool list            = false;                           ///< verify --list
