@@ -18,9 +18,13 @@ protected:
   // A case of given masses and springs with lines of [monitoring].
   std::string with(const std::string &lines)
   {
-    std::ofstream(path) << std::ifstream(MILLSTAND_SOURCE_DIR "/cases/published-1400.toml").rdbuf()
-                        << "\n[monitoring]\n"
-                        << lines;
+    std::ofstream out(path);
+    out << "schema = 1\nkind = \"lumped\"\n[given]\n";
+    for (int i = 1; i <= 6; ++i)
+      out << "M" << i << " = \"5000 kg\"\n";
+    for (int i = 1; i <= 7; ++i)
+      out << "K" << i << " = \"1e4 kN/mm\"\n";
+    out << "[monitoring]\n" << lines;
     return path;
   }
   std::string refusal(const std::string &lines)
@@ -56,7 +60,7 @@ TEST_F(MonitoringSection, NamesZonesAndBands)
   ASSERT_EQ(the_case.warnings.size(), 1u);
   EXPECT_EQ(the_case.warnings[0].message.find("monitoring.baseline = \"before\" holds no analysis.json"), 0u)
       << the_case.warnings[0].message;
-  EXPECT_TRUE(monitoring_of(MILLSTAND_SOURCE_DIR "/cases/published-1400.toml").channels().empty());
+  EXPECT_TRUE(monitoring_of(with("severity = [\"2.3 mm/s\"]\n")).channels().empty());
 }
 
 TEST_F(MonitoringSection, Refusals)
@@ -69,13 +73,14 @@ TEST_F(MonitoringSection, Refusals)
   EXPECT_EQ(refusal("channels = { AI_07 = 3 }\n"),
             "monitoring.channels.AI_07 = 3 is no name; a table of names such as "
             "{ \"AI_07\" = \"upper_work_roll\", \"AI_08\" = \"lower_work_roll\" } is needed");
-  EXPECT_EQ(
-      refusal("severity = [\"2.3 mm\"]\n"),
-      "monitoring.severity = [...] holds '2.3 mm'; a velocity above zero is needed, for example \"2.3 mm/s\"");
+  EXPECT_EQ(refusal("severity = [\"2.3 mm\"]\n"), "monitoring.severity = [\"2.3 mm\"] holds '2.3 mm'; a velocity "
+                                                  "above zero is needed, for example \"2.3 mm/s\"");
   EXPECT_EQ(refusal("severity = [\"4.5 mm/s\", \"2.3 mm/s\"]\n"),
-            "monitoring.severity = [...] does not increase; write the upper end of the lowest zone first");
-  EXPECT_EQ(refusal("fifth_octave = [\"650 Hz\", \"550 Hz\"]\n"),
-            "monitoring.fifth_octave = [...] does not increase; write the lower frequency first");
+            "monitoring.severity = [\"4.5 mm/s\", \"2.3 mm/s\"] does not increase; write the upper end of the "
+            "lowest zone first");
+  EXPECT_EQ(
+      refusal("fifth_octave = [\"650 Hz\", \"550 Hz\"]\n"),
+      "monitoring.fifth_octave = [\"650 Hz\", \"550 Hz\"] does not increase; write the lower frequency first");
   EXPECT_EQ(refusal("third_octave = \"125 Hz\"\n").find("monitoring.third_octave = \"125 Hz\" is not a pair"), 0u);
   EXPECT_NE(refusal("chanels = { AI_07 = \"force\" }\n").find("did you mean 'channels'?"), std::string::npos);
 }
