@@ -40,7 +40,7 @@ TEST(Onset, GrowthRateOfStationaryNoise)
   const auto known = reference("onset.stationary", "twin");
   const auto in    = reference("onset.inputs", "twin");
   // the envelope does not know at which frequency it was: a low one costs little
-  constexpr int runs        = 60;                 // as many as the reference
+  constexpr int runs        = 120;
   constexpr double low_rate = 200, f0 = 45.1174;  // Hz
   for (const auto &entry : known) {
     const double sigma = entry["sigma"], T = entry["T"];
