@@ -43,6 +43,7 @@ twin::AnalysisSettings settings_of(const CommandLine &command, const Monitoring 
   if (const std::string &folder = command.baseline.empty() ? monitoring.baseline : command.baseline;
       !folder.empty())
     settings.baseline = twin::read_baseline(folder);
+  settings.align = command.align;
   const int wanted =
       command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
   settings.threads = threads_that_start(threads_that_fit(wanted));

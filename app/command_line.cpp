@@ -116,6 +116,7 @@ void add_analyse(CLI::App &app, CommandLine &c)
   analyse->add_option("--limit", c.limit, "the mill's own limit of a vibration, 0-peak, \"2 g\"");
   add_repeatable(analyse, "--severity", c.severity,
                  "upper end of a zone, \"2.3 mm/s\", repeatable; none is built in");
+  analyse->add_flag("--align", c.align, "take the delay between the clocks of force and vibrations out of H1");
   analyse->add_option("--baseline", c.baseline, "folder of an earlier analysis, for changes and bearings");
   add_repeatable(analyse, "--set", c.sets, "override section.key=value of the case, repeatable");
   add_output(analyse, c, "folder of the results (default out/<record>-analysis)");

@@ -38,6 +38,7 @@ struct CommandLine {
       channel_units;                  ///< analyse, calibrate, advise --channel, --unit: NAME=PLACE, NAME=UNIT
   std::vector<std::string> severity;  ///< analyse --severity: upper ends of zones
   std::string baseline;               ///< analyse --baseline: folder of an earlier analysis
+  bool align = false;                 ///< analyse --align
   std::map<std::string, std::vector<std::string>> words;  ///< completion: options by verb
   bool list            = false;                           ///< verify --list
   bool full            = false;                           ///< trace --full

@@ -38,7 +38,7 @@ std::string levels_text(const PriorChain &chain, const RecordSet &set)
       unknowns.push_back(spring);
     }
   const double rms  = std::isnan(set.level_force) ? 1000 : set.level_force;
-  const auto slopes = level_slopes(chain.stand, places, rms, set.level_bandwidth, contacts);
+  const auto slopes = white_force_levels(chain.stand, places, rms, set.level_bandwidth, contacts);
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(Eigen::Index(unknowns.size()), Eigen::Index(unknowns.size()));
   std::string text  = fmt::format("Levels alone: {} numbers; {}, white force of {:.4g} kN rms up to {:.4g} Hz{}\n",
                                   set.levels.size(), chain.source, rms / 1e3, set.level_bandwidth,

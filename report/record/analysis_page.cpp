@@ -209,12 +209,15 @@ void spectra(Page &page, const json &document, const std::map<std::string, Table
 {
   page.section("spectra", "Spectra");
   if (const auto found = tables.find("spectrum"); found != tables.end())
-    for (std::size_t c = 1; c < found->second.columns.size(); ++c)
+    for (std::size_t c = 1; c < found->second.columns.size(); ++c) {
+      if (!(found->second.columns[c].maxCoeff() > 0))
+        continue;  // a speed that stands still
       page.figure(
           {spectrum_drawing(found->second, c, document["findings"], false)},
           "One-sided density of " + escaped(found->second.names[c]) +
               ", Hann window, half-overlapping segments, the mean of each taken off. Marks are findings; length "
               "and number of segments and the noise bandwidth stand in the table below.");
+    }
   page.table(convention_table(document["conventions"]),
              "Convention of each spectrum. Amplitudes of findings are 0-peak.");
   if (const auto found = tables.find("distance"); found != tables.end())

@@ -75,7 +75,7 @@ Analysis analyse(const CleanRecord &record, const CaseModel *stand, const Analys
                            : settings.speed && speed.size() == 0 ? *settings.speed
                                                                  : std::nan("");
   progress.at("modes", 0);
-  add_mode_findings(analysis, record, stand, settings.threads);
+  add_mode_findings(analysis, record, stand, settings);
   progress.at("findings", 0);
   add_peak_findings(analysis, record, stand, one_speed);
   add_locked_findings(analysis, stand);

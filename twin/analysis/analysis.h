@@ -3,7 +3,7 @@
 #include "twin/analysis/baseline.h"
 #include "twin/bearings/fault_lines.h"
 #include "twin/cleaning/clean_record.h"
-#include "twin/modes/force_modes.h"
+#include "twin/modes/force_delay.h"
 #include "twin/modes/subspace.h"
 #include "twin/onset/growth.h"
 #include "twin/spectra/marks.h"
@@ -47,6 +47,7 @@ struct AnalysisSettings {
       {"fifth_octave", 550, 650}
   };
   std::optional<Baseline> baseline;  ///< an earlier analysis of the same mill
+  bool align  = false;               ///< takes the delay out of the response to the force
   int threads = 1;
 };
 
@@ -86,6 +87,7 @@ struct Analysis {
   std::vector<ChannelAnalysis> channels;
   ModeSearch modes;                        ///< from the response alone
   ForcedModes forced;                      ///< from the response to the recorded force
+  ForceDelay delay;                        ///< of the vibrations behind that force
   std::vector<double> force_edges;         ///< Hz, where the density of a recorded force changes by 10 dB
   std::vector<std::string> mode_channels;  ///< rows of the shapes
   std::vector<BearingScore> bearings;      ///< of all families, indicated or not

@@ -314,15 +314,19 @@ std::string analysis_json(const CleanRecord &record, const Analysis &analysis, c
         {"score",     one.score    },
         {"speed",     one.speed    }
     });
-  json["response_to_force"] = analysis.forced.response.n == 0
-                                  ? ordered_json(nullptr)
-                                  : ordered_json{
-                                        {"window",         "Hann, periodic"                           },
-                                        {"L",              analysis.forced.response.L                 },
-                                        {"rate",           analysis.forced.response.rate              },
-                                        {"segments",       analysis.forced.response.n                 },
-                                        {"enbw",           1.5 * analysis.forced.response.resolution()},
-                                        {"best_coherence", analysis.forced.best_coherence             }
+  json["response_to_force"] =
+      analysis.forced.response.n == 0
+          ? ordered_json(nullptr)
+          : ordered_json{
+                {"window",         "Hann, periodic"                                                                    },
+                {"L",              analysis.forced.response.L                                                          },
+                {"rate",           analysis.forced.response.rate                                                       },
+                {"segments",       analysis.forced.response.n                                                          },
+                {"enbw",           1.5 * analysis.forced.response.resolution()                                         },
+                {"delay",          analysis.delay.told ? ordered_json(analysis.delay.seconds) : ordered_json(nullptr)  },
+                {"delay_sd",       analysis.delay.told ? ordered_json(analysis.delay.deviation) : ordered_json(nullptr)},
+                {"aligned",        settings.align                                                                      },
+                {"best_coherence", analysis.forced.best_coherence                                                      }
   };
   json["baseline"] = settings.baseline ? ordered_json{{"folder", settings.baseline->folder},
                                                       {"record", settings.baseline->record}}

@@ -5,7 +5,8 @@
 namespace mill::twin {
 /// Modes confirmed by both halves, with their owners: from the recorded force where one is there, else and beside
 /// it from the response alone.
-void add_mode_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand, int threads);
+void add_mode_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand,
+                       const AnalysisSettings &settings);
 /// Lines and resonances that are no confirmed mode: fixed or locked to the speed, and whose they are.
 void add_peak_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand, double speed);
 /// What is locked to the speed: waves per turn of each roll.

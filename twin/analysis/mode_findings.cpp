@@ -76,12 +76,13 @@ const CleanChannel *recorded_force(const Analysis &analysis, const CleanRecord &
 }
 
 void find_forced_modes(Analysis &analysis, const CleanRecord &record,
-                       const std::vector<const CleanChannel *> &channels, const double highest, const int threads)
+                       const std::vector<const CleanChannel *> &channels, const double highest,
+                       const AnalysisSettings &settings)
 {
   const CleanChannel *force = recorded_force(analysis, record);
   if (!force)
     return;
-  analysis.forced = forced_modes(channels, *force, record.rate, highest, threads);
+  analysis.forced = forced_modes(channels, *force, record.rate, highest, analysis.modes.modes, settings.threads);
   if (analysis.forced.response.n == 0)
     analysis.notes.push_back("the force was recorded, but no piece of it is long enough for a response to it");
   else if (analysis.forced.best_coherence < 0.3)
@@ -89,6 +90,28 @@ void find_forced_modes(Analysis &analysis, const CleanRecord &record,
                                          "third octave): modes are those of the "
                                          "response alone; see whether both come from one clock (--align)",
                                          force->name, analysis.forced.best_coherence));
+}
+
+// Two clocks, told and taken out where that was asked.
+void find_delay(Analysis &analysis, const CleanRecord &record, const CleanChannel &of_modes,
+                const AnalysisSettings &settings)
+{
+  analysis.delay = force_delay(analysis.forced.modes, of_modes.quantity == Quantity::acceleration ? 2 : 1);
+  const ForceDelay &delay = analysis.delay;
+  const bool matters      = std::abs(delay.seconds) > std::max(3 * delay.deviation, 0.5 / record.rate);
+  if (!delay.told || !matters) {
+    if (settings.align)
+      analysis.notes.push_back(delay.told ? "--align: no delay between force and vibrations is seen"
+                                          : "--align: the record does not tell the delay between force and "
+                                            "vibrations; two modes at least have to follow the force");
+    return;
+  }
+  if (settings.align)
+    align(analysis.forced.response, delay.seconds);
+  analysis.notes.push_back(
+      fmt::format("the vibrations come {:.3f} ms {} than the force drives them (standard deviation {:.3f} ms); {}",
+                  1e3 * std::abs(delay.seconds), delay.seconds > 0 ? "later" : "earlier", 1e3 * delay.deviation,
+                  settings.align ? "this was taken out of H1" : "--align takes it out of H1"));
 }
 
 Finding finding_of(const Analysis &analysis, const double frequency, const double sd, const double damping,
@@ -193,7 +216,8 @@ double speed_span(const Analysis &analysis)
   return std::isnan(analysis.lowest_speed) ? 0 : analysis.highest_speed / analysis.lowest_speed - 1;
 }
 
-void add_mode_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand, const int threads)
+void add_mode_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand,
+                       const AnalysisSettings &settings)
 {
   double highest      = 1000;
   const auto channels = channels_for_modes(analysis, record, highest);
@@ -206,8 +230,10 @@ void add_mode_findings(Analysis &analysis, const CleanRecord &record, const Case
     return;
   }
   analysis.force_edges = force_edges(analysis);
-  find_forced_modes(analysis, record, channels, highest, threads);
-  analysis.modes = find_modes(channels, record.rate, highest, threads);
+  analysis.modes       = find_modes(channels, record.rate, highest, settings.threads);
+  find_forced_modes(analysis, record, channels, highest, settings);
+  if (analysis.forced.response.n > 0)
+    find_delay(analysis, record, *channels.front(), settings);
   add_forced(analysis, stand);
   add_of_response_alone(analysis, stand);
   std::stable_sort(analysis.findings.begin(), analysis.findings.end(),

@@ -32,9 +32,23 @@ std::vector<Loudest> merged_peaks(const Analysis &analysis)
   return kept;
 }
 
+// A line where bins are too wide to tell it from a confirmed mode.
+bool is_unresolved_mode(const Analysis &analysis, const Peak &peak)
+{
+  const auto is_it = [&](const auto &mode) {
+    return mode.confirmed && std::abs(mode.frequency - peak.frequency) <= peak.width &&
+           2 * mode.damping * mode.frequency < 3 * peak.resolution;
+  };
+  const auto &forced = analysis.forced.modes;
+  const auto &alone  = analysis.modes.modes;
+  return std::any_of(forced.begin(), forced.end(), is_it) || std::any_of(alone.begin(), alone.end(), is_it);
+}
+
 // A confirmed mode, or the edge of the force band, explains it.
 bool is_known(const Analysis &analysis, const Peak &peak)
 {
+  if (peak.line && is_unresolved_mode(analysis, peak))
+    return true;
   return std::any_of(analysis.findings.begin(), analysis.findings.end(), [&](const Finding &finding) {
     return !peak.line && std::abs(finding.frequency - peak.frequency) <=
                              std::max({peak.width, 0.01 * peak.frequency, finding.high - finding.low});

@@ -146,8 +146,9 @@ std::vector<NextSensor> next_sensors(const FittedStand &stand, const std::vector
   return sensors;
 }
 
-LevelSlopes level_slopes(const FittedStand &stand, const std::vector<Eigen::Index> &places, const double force_rms,
-                         const double bandwidth, const std::vector<std::string> &springs)
+WhiteForceLevels white_force_levels(const FittedStand &stand, const std::vector<Eigen::Index> &places,
+                                    const double force_rms, const double bandwidth,
+                                    const std::vector<std::string> &springs)
 {
   std::vector<Unknown> unknowns{{"zeta"}};
   for (const std::string &name : springs)
@@ -165,7 +166,7 @@ LevelSlopes level_slopes(const FittedStand &stand, const std::vector<Eigen::Inde
     for (Eigen::Index q = 0; q < p; ++q)
       slope.col(q) += SF * width * (at.H.conjugate().cwiseProduct(at.slope.col(q))).real();
   }
-  LevelSlopes levels{
+  WhiteForceLevels levels{
       square.cwiseSqrt(), {"zeta", "bandwidth"},
        Eigen::MatrixXd(m, p + 1)
   };

@@ -46,13 +46,13 @@ std::vector<NextSensor> next_sensors(const FittedStand &stand, const std::vector
                                      const PlannedRecord &record);
 
 /// Root mean square of accelerations under white force up to a frequency, with their slopes.
-struct LevelSlopes {
+struct WhiteForceLevels {
   Eigen::VectorXd rms;             ///< (m) m/s2
   std::vector<std::string> names;  ///< (p) "zeta", "bandwidth", then springs
   Eigen::MatrixXd slope;           ///< (m, p) -, dln rms/dln
 };
 /// @param bandwidth  Hz; its slope keeps the rms of the force: a wider force has less density
 /// (45.6); midpoints of 0.02 Hz
-LevelSlopes level_slopes(const FittedStand &stand, const std::vector<Eigen::Index> &places, double force_rms,
-                         double bandwidth, const std::vector<std::string> &springs);
+WhiteForceLevels white_force_levels(const FittedStand &stand, const std::vector<Eigen::Index> &places,
+                                    double force_rms, double bandwidth, const std::vector<std::string> &springs);
 }  // namespace mill::twin

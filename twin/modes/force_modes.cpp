@@ -30,24 +30,31 @@ std::vector<bool> driven_bins(const ForceResponse &response)
   return driven;
 }
 
-// Impulse responses of the channels, each lag (p, 1), from H up to twice the upper edge of a band.
+// Impulse responses of the channels, each lag (p, 1), from H in a band and a little beside it.
 struct ImpulseResponses {
   double rate;                         // Hz
   std::vector<Eigen::MatrixXd> value;  // [m] of lag m; [0] unused
 };
+
+// 1 inside the band, 0 at 0.4 times its lower and 1.45 times its upper edge.
+double taper(const ModeBand &band, const double f, const double top)
+{
+  const auto fall  = [](const double x) { return 0.5 + 0.5 * std::cos(M_PI * std::clamp(x, 0.0, 1.0)); };
+  const double low = 0.9 * band.low, full = std::min(1.05 * band.high, 0.85 * top);
+  return fall((low - f) / (0.5 * band.low)) * fall((f - full) / (top - full));
+}
+
 ImpulseResponses impulse_responses(const ForceResponse &response, const std::vector<bool> &driven,
                                    const ModeBand &band)
 {
   const Eigen::Index p = response.H.cols();
-  const auto last      = std::min(Eigen::Index(2 * band.high / response.resolution()), response.H.rows() - 1);
-  const double top = double(last) * response.resolution(), full = std::min(1.2 * band.high, 0.85 * top);
+  const auto last      = std::min(Eigen::Index(1.45 * band.high / response.resolution()), response.H.rows() - 1);
+  const double top     = double(last) * response.resolution();
   Eigen::MatrixXcd weighted = Eigen::MatrixXcd::Zero(last + 1, p);
-  for (Eigen::Index k = 1; k <= last; ++k) {
-    const double beyond = (double(k) * response.resolution() - full) / (top - full);
-    const double taper  = beyond > 0 ? 0.5 + 0.5 * std::cos(M_PI * beyond) : 1;
+  for (Eigen::Index k = 1; k <= last; ++k)
     if (driven[std::size_t(k)])
-      weighted.row(k) = taper * response.H.row(k).cwiseProduct(response.coherence.row(k));
-  }
+      weighted.row(k) = taper(band, double(k) * response.resolution(), top) *
+                        response.H.row(k).cwiseProduct(response.coherence.row(k));
   ImpulseResponses h{2 * top, {}};
   const int n = 2 * block_rows(h.rate, band.low) - 1;
   h.value.assign(std::size_t(n + 1), Eigen::MatrixXd::Zero(p, 1));
@@ -136,7 +143,8 @@ ForcedMode mode_of_pole(const ForceResponse &response, const FittedPole &pole, c
           pole.sd_residue / std::abs(unit),
           response.coherence(k, largest),
           orders,
-          false};
+          false,
+          pole};
 }
 
 // Mean over the third octave and the channel in which it is largest.
@@ -157,21 +165,25 @@ double best_mean_coherence(const ForceResponse &response, const std::vector<bool
   return best;
 }
 
-// Candidates of all bands, each once.
+// Candidates of all bands and those of the response alone, each once.
 std::vector<IdentifiedMode> all_candidates(const ForceResponse &response, const std::vector<bool> &driven,
-                                           const double highest, const double T)
+                                           const double highest, const double T,
+                                           const std::vector<IdentifiedMode> &of_response)
 {
-  std::vector<IdentifiedMode> candidates;
+  std::vector<IdentifiedMode> candidates, tried;
   for (const ModeBand &band : mode_bands(highest))
-    for (IdentifiedMode &mode : candidates_in(response, driven, band, T)) {
-      const auto k     = std::min(Eigen::Index(mode.frequency / response.resolution()), response.H.rows() - 1);
-      const bool known = std::any_of(candidates.begin(), candidates.end(), [&](const IdentifiedMode &other) {
-        return std::abs(other.frequency / mode.frequency - 1) < 0.01 &&
-               modal_assurance(other.shape, mode.shape) > 0.9;
-      });
-      if (!known && driven[std::size_t(k)])
-        candidates.push_back(std::move(mode));
-    }
+    for (IdentifiedMode &mode : candidates_in(response, driven, band, T))
+      tried.push_back(std::move(mode));
+  tried.insert(tried.end(), of_response.begin(), of_response.end());
+  for (const IdentifiedMode &mode : tried) {
+    const auto k     = std::min(Eigen::Index(mode.frequency / response.resolution()), response.H.rows() - 1);
+    const bool known = std::any_of(candidates.begin(), candidates.end(), [&](const IdentifiedMode &other) {
+      return std::abs(other.frequency / mode.frequency - 1) < 0.015 &&
+             (mode.shape.size() < 3 || modal_assurance(other.shape, mode.shape) > 0.8);
+    });
+    if (!known && mode.frequency < highest && driven[std::size_t(k)])
+      candidates.push_back(mode);
+  }
   std::sort(candidates.begin(), candidates.end(),
             [](const auto &a, const auto &b) { return a.frequency < b.frequency; });
   return candidates;
@@ -202,7 +214,8 @@ void fit_group(ForcedModes &found, const Group &group, const std::vector<ForceRe
 }  // namespace
 
 ForcedModes forced_modes(const std::vector<const CleanChannel *> &channels, const CleanChannel &force,
-                         const double rate, const double highest, const int threads)
+                         const double rate, const double highest, const std::vector<IdentifiedMode> &of_response,
+                         const int threads)
 {
   ForcedModes found;
   std::vector<const CleanChannel *> all = channels;
@@ -224,7 +237,7 @@ ForcedModes forced_modes(const std::vector<const CleanChannel *> &channels, cons
   });
   if (std::any_of(of_halves.begin(), of_halves.end(), [](const auto &half) { return half.n == 0; }))
     return found;
-  const auto candidates = all_candidates(found.response, driven, highest, record.duration());
+  const auto candidates = all_candidates(found.response, driven, highest, record.duration(), of_response);
   for (const Group &group : groups_of(found.response, candidates))
     fit_group(found, group, of_halves);
   std::sort(found.modes.begin(), found.modes.end(),

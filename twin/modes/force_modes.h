@@ -13,6 +13,7 @@ struct ForcedMode {
   double coherence;                ///< -, at the mode, of the channel that moves most
   int orders;                      ///< of fifteen that show the pole
   bool confirmed;                  ///< both halves of the record show it
+  FittedPole pole;                 ///< of the fit, residues in units of the channels
 };
 
 /// Modes of H1 and the response they were read from.
@@ -28,6 +29,8 @@ struct ForcedModes {
 /// and dampings of the halves within six standard deviations of the whole, MAC 0.9.  theory.md (42.8) to (42.12)
 /// @param channels  vibrations of one unit; @param force  of the same record
 /// @param highest   Hz
+/// @param of_response  modes of the response alone, tried too: one that the force hardly drives may stand out
+/// there
 ForcedModes forced_modes(const std::vector<const CleanChannel *> &channels, const CleanChannel &force, double rate,
-                         double highest, int threads);
+                         double highest, const std::vector<IdentifiedMode> &of_response, int threads);
 }  // namespace mill::twin

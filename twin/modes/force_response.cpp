@@ -14,7 +14,7 @@ Eigen::Index segment_of(const DecimatedRecord &record)
     all += piece.cols();
     longest = std::max(longest, piece.cols());
   }
-  Eigen::Index L = default_segment(all) / 2;
+  Eigen::Index L = default_segment(all);
   while (L > longest || double(L) > longest_segment * record.rate)
     L /= 2;
   return L;

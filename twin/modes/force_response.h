@@ -19,7 +19,7 @@ struct ForceResponse {
 
 /// @param record   rows: channels, then the force last
 /// @param highest  Hz, bins above it are left out
-/// @param L        0: half of default_segment(), at most 10 s
+/// @param L        0: default_segment(), at most 10 s
 /// Cost (p + 1) transforms of each segment.
 ForceResponse force_response(const DecimatedRecord &record, double highest, Eigen::Index L, Fourier &fourier);
 }  // namespace mill::twin

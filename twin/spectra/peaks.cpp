@@ -39,11 +39,20 @@ Eigen::Index skirt(const Eigen::VectorXd &density, const Eigen::Index k, const d
   return std::abs(i - k);
 }
 
+// Few segments leave a resonance of some bins as one high bin: its neighbours stand out of the floor with it,
+// those of a line do not.
+bool is_of_resonance(const WelchSpectrum &s, const Eigen::Index k, const double rise)
+{
+  constexpr double out_of_floor = 3, out_of_flank = 13;  // dB
+  const double over_flank = decibel(s.density[k] / median_around(s.density, k, 2, 6));
+  return rise - over_flank > out_of_floor && over_flank < out_of_flank;
+}
+
 Peak peak_at(const WelchSpectrum &s, const Eigen::Index k, const double rise)
 {
   const SpectralLine line = line_at(s, k);
-  Peak peak{line.frequency, line.amplitude, s.density[k], rise, line.width, line.width < 1.6 * s.enbw(), k,
-            s.resolution()};
+  const bool narrow       = line.width < 1.6 * s.enbw() && !is_of_resonance(s, k, rise);
+  Peak peak{line.frequency, line.amplitude, s.density[k], rise, line.width, narrow, k, s.resolution()};
   if (!peak.line) {
     peak.frequency   = s.at(k);
     const auto half  = std::max<Eigen::Index>(1, Eigen::Index(std::lround(0.5 * line.width / s.resolution())));

@@ -51,6 +51,13 @@ TEST(Analyse, LeavesFindingsTablesAndAPage)
   fs::remove(out + "report.html");
   EXPECT_EQ(millstand("report out/pass-analysis", folder).exit_code, 0);
   EXPECT_TRUE(fs::exists(out + "report.html"));
+  // the same record against itself
+  const Outcome again = millstand(
+      "analyse pass.csv --channel AI_07=upper_work_roll --baseline out/pass-analysis -o again -q", folder);
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const auto held = nlohmann::json::parse(mill::read_text(folder + "/again/analysis.json"));
+  EXPECT_DOUBLE_EQ(held["values"]["upper_work_roll.velocity_rms_ratio"]["value"].get<double>(), 1);
+  EXPECT_EQ(held["baseline"]["folder"], "out/pass-analysis");
 }
 
 TEST(Analyse, Refusals)
@@ -71,6 +78,8 @@ TEST(Analyse, Refusals)
   refused("pass.csv --channel AI_07",
           "error: --channel \"AI_07\": a name and what it stands for are needed, for example "
           "--channel AI_07=upper_work_roll");
+  refused("pass.csv --baseline nowhere",
+          "error: the baseline nowhere holds no analysis.json; name the folder of an earlier millstand analyse");
   std::ofstream(folder + "/text.csv") << "time [s],a [g]\n0,1\n1,x\n2,3\n3,4\n";
   refused("text.csv",
           "text.csv:3:3: error: 'x' in column 'a' is no number; leave the cell empty where there is no value");

@@ -128,7 +128,7 @@ TEST(Plan, TheSensorThatHelpsMostIsTheOneThatPartsTheValley)
 TEST(Levels, TwoOfThemDetermineOneNumber)
 {
   const auto known  = reference("levels", "twin");
-  const auto slopes = level_slopes(calibration::stand_r(), {2, 3}, 1000, 1000, {"K3", "K5"});
+  const auto slopes = white_force_levels(calibration::stand_r(), {2, 3}, 1000, 1000, {"K3", "K5"});
   for (Eigen::Index j = 0; j < 2; ++j) {
     EXPECT_TRUE(near(slopes.rms[j], known["rms"][std::size_t(j)], within(1e-3, "integral over frequency")));
     for (Eigen::Index q = 0; q < 4; ++q)

@@ -2,7 +2,7 @@
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include "tests/support/synthetic_record.h"
-#include "twin/modes/force_modes.h"
+#include "twin/modes/force_delay.h"
 #include <cmath>
 #include <cstdlib>
 
@@ -52,7 +52,7 @@ ForcedModes modes_of(const Record &record, const std::size_t sensors = 6)
   std::vector<const CleanChannel *> channels;
   for (std::size_t j = 0; j < sensors; ++j)
     channels.push_back(&record.channels[j]);
-  return forced_modes(channels, record.force, rate, rate / 2.56, 1);
+  return forced_modes(channels, record.force, rate, rate / 2.56, {}, 1);
 }
 }  // namespace
 
@@ -124,6 +124,32 @@ TEST(ForceModes, TheEdgeOfTheForceIsNoMode)
       ++confirmed;
     }
   EXPECT_GE(confirmed, 2) << "of three below 300 Hz";
+}
+
+TEST(ForceModes, ADelayOfTheOtherClockIsTold)
+{
+  const auto chain = chain_of_reference();
+  Record late      = record(chain, 57, 0.002);
+  const auto none  = force_delay(modes_of(late).modes, 2);
+  EXPECT_TRUE(none.told);
+  EXPECT_LT(std::abs(none.seconds), std::max(4 * none.deviation, 2e-5));
+  constexpr Eigen::Index samples = 7;
+  late.force.value = late.force.value.tail(late.force.value.size() - samples).eval();  // the force comes early
+  late.force.pieces[0].end -= samples;
+  for (CleanChannel &channel : late.channels) {
+    channel.value.conservativeResize(late.force.value.size());
+    channel.pieces[0].end -= samples;
+  }
+  ForcedModes found      = modes_of(late);
+  const ForceDelay delay = force_delay(found.modes, 2);
+  EXPECT_TRUE(delay.told);
+  EXPECT_NEAR(delay.seconds, samples / rate, std::max(4 * delay.deviation, 2e-5));
+  EXPECT_LT(delay.deviation, 1e-4);
+  // what is left after aligning: response of mode 6 in its middle is imaginary for an acceleration
+  align(found.response, delay.seconds);
+  const auto k = Eigen::Index(std::lround(chain.frequency[5] / found.response.resolution()));
+  EXPECT_LT(std::abs(std::abs(std::arg(found.response.H(k, 2))) - M_PI / 2), 0.25);
+  EXPECT_FALSE(force_delay({}, 2).told);
 }
 
 TEST(ForceModes, NothingFollowsAForceOfAnotherMill)

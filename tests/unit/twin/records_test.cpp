@@ -2,6 +2,7 @@
 #include "tests/support/near.h"
 #include "twin/records/raw_record.h"
 #include "twin/records/time_zone.h"
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -296,6 +297,115 @@ TEST_F(Records, RefusalsOfBinaryFiles)
   empty[127] = 'M';
   EXPECT_EQ(refusal("r.mat", empty), "r.mat holds no numeric vector; save the channels as vectors of numbers with "
                                      "save('record.mat', '-v6')");
+}
+
+// What section 1 of the description calls bad, in the formats that are not text: TW-35.
+TEST_F(Records, RefusalsOfEveryFormat)
+{
+  const auto little = [](const double x) {
+    std::string bytes(8, ' ');
+    std::memcpy(bytes.data(), &x, 8);
+    return bytes;
+  };
+  // numpy: a plain array of n rows and as many columns as there are units
+  const auto npy = [&](const int n, const std::string &units, const int columns) {
+    file("r.json", "{\"rate\": 1000, \"units\": " + units + "}");
+    std::string head = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(n) + ", " +
+                       std::to_string(columns) + "), }";
+    head.resize(117, ' ');
+    std::string bytes = "\x93NUMPY" + std::string("\1\0", 2) + std::string("\x76\0", 2) + head + "\n";
+    for (int i = 0; i < n * columns; ++i)
+      bytes += little(i % 7);
+    return refusal("r.npy", bytes);
+  };
+  EXPECT_EQ(npy(3000, R"({"a": "", "b": "level"})", 2),
+            "no column of this record has a known unit; write it into \"units\" of r.json");
+  EXPECT_EQ(npy(100, R"({"a": "g"})", 1),
+            "1:1: the record has 100 samples; at least 2048 are needed for a spectrum");
+  EXPECT_EQ(npy(3000, R"({"a": "g", "b": "g"})", 1),
+            "r.npy holds 1 column, its sidecar names 2 units; one for each column, in their order, is needed");
+  // universal file: channels of the same name, without units, of few samples
+  const auto uff = [&](const int n, const std::vector<std::string> &names, const std::string &unit) {
+    std::string text;
+    for (const std::string &name : names) {
+      char line[200];
+      text += "    -1\n    58\n" + name + "\nNONE\nNONE\nNONE\nNONE\n" +
+              "    1         0    0         0 NONE                0   0 NONE                0   0\n";
+      std::snprintf(line, sizeof line, "%10d%10d%10d%13.5E%13.5E%13.5E\n", 4, n, 1, 0.0, 1e-3, 0.0);
+      text += line;
+      text += "        17    0    0    0 TIME                 s                   \n";
+      text += "        12    0    0    0 Acceleration         " + unit + "\n";
+      text += "         0    0    0    0 NONE                 NONE\n         0    0    0    0 NONE                "
+              " NONE\n";
+      for (int i = 0; i < n; ++i) {
+        std::snprintf(line, sizeof line, "%20.12E%s", double(i % 7), i % 4 == 3 || i + 1 == n ? "\n" : "");
+        text += line;
+      }
+      text += "    -1\n";
+    }
+    return refusal("r.uff", text);
+  };
+  EXPECT_EQ(uff(3000, {"a"}, "NONE"), "2:1: no column of this record has a known unit; export the label of the "
+                                      "ordinate's unit, for example g or m/s2");
+  EXPECT_EQ(uff(100, {"a"}, "g"), "1:1: the record has 100 samples; at least 2048 are needed for a spectrum");
+  EXPECT_EQ(uff(2100, {"a", "a"}, "g"),
+            "541:1: the channel 'a' stands twice in this record; rename one of the two columns");
+}
+
+TEST_F(Records, RefusalsOfMatlabFiles)
+{
+  // level 5, little-endian: a head of 128 byte, then one array after the other
+  const auto word = [](const std::uint32_t x) {
+    return std::string{char(x & 0xFF), char(x >> 8 & 0xFF), char(x >> 16 & 0xFF), char(x >> 24)};
+  };
+  const auto array = [&](const std::string &name, const std::vector<double> &values) {
+    std::string padded = name;
+    padded.resize((name.size() + 7) / 8 * 8, '\0');
+    std::string body = word(6) + word(8) + word(6) + word(0) + word(5) + word(8) +
+                       word(std::uint32_t(values.size())) + word(1) + word(1) + word(std::uint32_t(name.size())) +
+                       padded + word(9) + word(std::uint32_t(8 * values.size()));
+    for (const double x : values) {
+      char bytes[8];
+      std::memcpy(bytes, &x, 8);
+      body.append(bytes, 8);
+    }
+    return word(14) + word(std::uint32_t(body.size())) + body;
+  };
+  std::string head(128, ' ');
+  head[124] = '\0';
+  head[125] = '\1';
+  head[126] = 'I';
+  head[127] = 'M';
+  std::vector<double> many(3000), backwards(3000), few(100);
+  for (std::size_t i = 0; i < many.size(); ++i) {
+    many[i]      = double(i % 7);
+    backwards[i] = i == 1000 ? 0.5 : 1e-3 * double(i);
+  }
+  const auto mat = [&](const std::string &arrays, const ReadOptions &options = {}) {
+    return refusal("r.mat", head + arrays, options);
+  };
+  ReadOptions in_g;
+  in_g.units = {
+      {"a", "g"},
+      {"b", "g"}
+  };
+  EXPECT_EQ(mat(array("fs", {1000}) + array("a", many), in_g), "accepted");
+  EXPECT_EQ(mat(array("fs", {1000}) + array("a", many)),
+            "no column of this record has a known unit; name it, for example --unit upper_work_roll=g");
+  EXPECT_EQ(mat(array("a", many), in_g),
+            "r.mat holds neither a vector 'time' in seconds nor a number 'fs'; give the "
+            "samples per second with --rate 20000");
+  EXPECT_EQ(mat(array("fs", {1000}) + array("a", few), in_g),
+            "1:1: the record has 100 samples; at least 2048 are needed for a spectrum");
+  EXPECT_EQ(
+      mat(array("time", backwards) + array("a", many), in_g),
+      "the time goes backwards at sample 1001, by 0.499 s; sort the samples by time, or split the record where "
+      "the recorder started again");
+  EXPECT_EQ(mat(array("fs", {1000}) + array("a", many) + array("a", many), in_g),
+            "the channel 'a' stands twice in this record; rename one of the two columns");
+  EXPECT_EQ(
+      mat(array("fs", {1000})),
+      "r.mat holds no numeric vector; save the channels as vectors of numbers with save('record.mat', '-v6')");
 }
 
 // Whatever a file holds, it is read or refused.

@@ -6,6 +6,7 @@
 #include "twin/spectra/peaks.h"
 #include "twin/spectra/speed.h"
 #include <array>
+#include <map>
 
 using namespace mill;
 using namespace mill::twin;
@@ -39,21 +40,29 @@ RunUp run_up(const std::uint64_t seed)
   const double rate = in["fs"], T = in["T"], v0 = in["v0"], v1 = in["v1"];
   const auto n = Eigen::Index(T * rate);
   RunUp r{synthetic::white(seed, n, rate, in["density"]), Eigen::VectorXd(n), rate};
+  const double mains = in["mains"][1], w_mains = 2 * M_PI * in["mains"][0].get<double>();
+  struct Locked {
+    double per_metre, amplitude;  // rad/m, m/s2
+  };
+  std::vector<Locked> lines;
+  for (const auto &line : in["locked"])
+    lines.push_back({2 / in["D"][line[0].get<std::string>()].get<double>() * line[1].get<double>(), line[2]});
+  // the structure: real normals through one complex pole, scaled to its rms
   const double w = 2 * M_PI * in["structure"][0].get<double>(), z = in["structure"][1], rms = in["structure"][2];
-  const Eigen::VectorXd kick = synthetic::normals(seed + 1, 2 * n);
-  std::complex<double> mode(0, 0);
-  const std::complex<double> turn = std::exp(std::complex<double>(-z, 1) * (w / rate));
-  const double drive              = rms * std::sqrt(2 * z * w / rate);
+  const Eigen::VectorXd kick      = synthetic::normals(seed + 1, n);
+  const std::complex<double> turn = std::exp(std::complex<double>(-z, std::sqrt(1 - z * z)) * (w / rate));
+  std::complex<double> mode       = 0;
+  Eigen::VectorXd structure(n);
   for (Eigen::Index k = 0; k < n; ++k) {
+    mode           = mode * turn + kick[k];
+    structure[k]   = mode.real();
     const double t = double(k) / rate, s = v0 * t + (v1 - v0) * t * t / (2 * T);
     r.speed[k] = v0 + (v1 - v0) * t / T;
-    for (const auto &line : in["locked"])
-      r.value[k] += line[2].get<double>() *
-                    std::cos(2 * s / in["D"][line[0].get<std::string>()].get<double>() * line[1].get<double>());
-    r.value[k] +=
-        in["mains"][1].get<double>() * std::cos(2 * M_PI * in["mains"][0].get<double>() * t) + mode.real();
-    mode = mode * turn + drive * std::complex<double>(kick[2 * k], kick[2 * k + 1]);
+    for (const auto &line : lines)
+      r.value[k] += line.amplitude * std::cos(line.per_metre * s);
+    r.value[k] += mains * std::cos(w_mains * t);
   }
+  r.value += structure * (rms / std::sqrt((structure.array() - structure.mean()).square().mean()));
   return r;
 }
 }  // namespace
@@ -83,8 +92,9 @@ TEST(Spectra, LinesBetweenBins)
     EXPECT_TRUE(found[i].line);
     EXPECT_TRUE(near(found[i].frequency, known[i]["frequency"], within(1e-8, "same arithmetic")));
     EXPECT_TRUE(near(found[i].amplitude, known[i]["amplitude"], within(1e-8, "same arithmetic")));
-    EXPECT_NEAR(found[i].frequency, known[i]["frequency_true"].get<double>(), 0.025)
-        << "0.02 Hz and the noise of the weakest";
+    // the weakest is 0.0223 Hz off in the reference as well: its noise
+    EXPECT_NEAR(found[i].frequency, known[i]["frequency_true"].get<double>(), i < 2 ? 0.02 : 0.0224)
+        << "TW-03, asked for";
     EXPECT_TRUE(near(line_at(s, found[i].bin).amplitude_bin, known[i]["amplitude_raw_bin"], within(1e-8, "same")));
   }
   EXPECT_TRUE(near(found[0].amplitude, 11.76798, within(0.005, "TW-03, asked for")));
@@ -96,6 +106,18 @@ TEST(Spectra, WhiteNoiseHasNoPeaks)
   for (int seed = 1; seed <= 10; ++seed)
     for (const Eigen::Index n : {4096, 40000})
       EXPECT_TRUE(peaks(spectrum_of(synthetic::normals(std::uint64_t(seed), n), 2000), 5, 900).empty()) << seed;
+}
+
+TEST(Spectra, TheRunUpIsThatOfTheReference)
+{
+  const auto known = reference("runup.samples", "twin");
+  const RunUp r    = run_up(111);
+  const auto n     = r.value.size();
+  const double rms = std::sqrt((r.value.array() - r.value.mean()).square().mean());
+  EXPECT_TRUE(near(rms, known["rms"], within(1e-9, "TW-01")));
+  for (int i = 0; i < 3; ++i)
+    EXPECT_TRUE(near(r.value[i], known["x"][std::size_t(i)], within(1e-9, "TW-01", 1)));
+  EXPECT_TRUE(near(r.value[n - 1], known["x"][3], within(1e-9, "TW-01", 1)));
 }
 
 TEST(Spectra, WhatFollowsTheSpeed)
@@ -117,6 +139,13 @@ TEST(Spectra, WhatFollowsTheSpeed)
     ASSERT_EQ(fixed.size(), 2u) << "seed " << seed;
     ASSERT_EQ(locked.size(), 2u) << "seed " << seed;
     EXPECT_NEAR(fixed[0].frequency, 50.0, time.resolution());
+    if (seed == 111)
+      for (std::size_t i = 0; i < 2; ++i) {
+        const auto one = reference("runup.fixed", "twin")[i], other = reference("runup.locked", "twin")[i];
+        EXPECT_NEAR(fixed[i].frequency, one["frequency"].get<double>(), time.resolution()) << "TW-06, one bin";
+        EXPECT_NEAR(fixed[i].prominence, one["prominence_db"].get<double>(), 1.5);
+        EXPECT_NEAR(locked[i].prominence, other["prominence_db"].get<double>(), 1.5);
+      }
     EXPECT_NEAR(fixed[1].frequency, 218.25, 218.25 * 0.01 + time.resolution()) << "half a half-power width";
     const double backup = M_PI * in["D"]["backup"].get<double>(), work = M_PI * in["D"]["work"].get<double>();
     EXPECT_NEAR(locked[0].frequency * backup, 80, 0.01);
@@ -138,21 +167,25 @@ TEST(Spectra, WhatFollowsTheSpeed)
 
 TEST(Spectra, SpacingOfMarks)
 {
-  const auto known = reference("marks", "twin");
-  // rolls of cluster.md 8 and of the chatter case: diameters follow from the waves of the table, which they do not
-  // enter; checked is the arithmetic between waves, neighbours and spacing
-  for (const auto &entry : known) {
+  // diameters of the stack of cluster.md 8 (cases/z-mill.toml) and of the chatter case
+  const std::map<std::string, double> z_mill{
+      {"work",         0.0696 },
+      {"intermediate", 0.13995},
+      {"external",     0.45031},
+      {"control",      0.051  }
+  };
+  for (const auto &entry : reference("marks", "twin")) {
+    const bool of_stack = entry["waves"].contains("control");
     std::vector<TurningRoll> rolls;
-    const double f = entry["frequency"], v = entry["speed"];
-    for (const auto &[roll, frequencies] : entry["regenerative"].items())
-      rolls.push_back({roll, v / (M_PI * (frequencies[1].get<double>() - frequencies[0].get<double>()))});
-    const MarkSpacing marks = mark_spacing(f, v, rolls);
-    EXPECT_TRUE(near(marks.spacing, entry["spacing"], within(1e-12, "closed form")));
+    for (const auto &[roll, waves] : entry["waves"].items())
+      rolls.push_back({roll, of_stack ? z_mill.at(roll) : 0.6});
+    const MarkSpacing marks = mark_spacing(entry["frequency"], entry["speed"], rolls);
+    const Tolerance exact   = within(1e-12, "TW-07, closed form");
+    EXPECT_TRUE(near(marks.spacing, entry["spacing"], exact));
     for (const auto &waves : marks.rolls) {
-      EXPECT_TRUE(near(waves.waves, entry["waves"][waves.roll],
-                       within(1e-9, "diameter from a difference of two numbers")));
-      EXPECT_TRUE(near(waves.below, entry["regenerative"][waves.roll][0], within(1e-9, "same")));
-      EXPECT_TRUE(near(waves.above, entry["regenerative"][waves.roll][1], within(1e-9, "same")));
+      EXPECT_TRUE(near(waves.waves, entry["waves"][waves.roll], exact)) << waves.roll;
+      EXPECT_TRUE(near(waves.below, entry["regenerative"][waves.roll][0], exact)) << waves.roll;
+      EXPECT_TRUE(near(waves.above, entry["regenerative"][waves.roll][1], exact)) << waves.roll;
     }
   }
 }

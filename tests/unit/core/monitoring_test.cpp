@@ -1,0 +1,86 @@
+// [monitoring] of a case: what it gives, and what is refused word for word.
+#include "core/case/monitoring.h"
+#include "core/model/case.h"
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+
+using namespace mill;
+
+namespace {
+class MonitoringSection : public testing::Test {
+protected:
+  std::string path = testing::TempDir() + "millstand_monitoring_test.toml";
+  void TearDown() override
+  {
+    std::filesystem::remove(path);
+  }
+  // A case of given masses and springs with lines of [monitoring].
+  std::string with(const std::string &lines)
+  {
+    std::ofstream out(path);
+    out << "schema = 1\nkind = \"lumped\"\n[given]\n";
+    for (int i = 1; i <= 6; ++i)
+      out << "M" << i << " = \"5000 kg\"\n";
+    for (int i = 1; i <= 7; ++i)
+      out << "K" << i << " = \"1e4 kN/mm\"\n";
+    out << "[monitoring]\n" << lines;
+    return path;
+  }
+  std::string refusal(const std::string &lines)
+  {
+    try {
+      read_case(with(lines));
+    } catch (const InputError &error) {
+      return error.problems.at(0).message;
+    }
+    return "accepted";
+  }
+};
+}  // namespace
+
+TEST_F(MonitoringSection, NamesZonesAndBands)
+{
+  with(
+      "channels = { \"AI_07\" = \"upper_work_roll\", \"Kraft 1\" = \"force\" }\n"
+      "severity = [\"2.3 mm/s\", \"4.5 mm/s\"]\nthird_octave = [\"100 Hz\", \"300 Hz\"]\nbaseline = \"before\"\n");
+  const Monitoring m = monitoring_of(path);
+  EXPECT_EQ(m.channels(), (std::map<std::string, std::string>{
+                              {"AI_07",   "upper_work_roll"},
+                              {"Kraft 1", "force"          }
+  }));
+  ASSERT_EQ(m.zones().size(), 2u);
+  EXPECT_DOUBLE_EQ(m.zones()[1], 4.5e-3);
+  EXPECT_EQ(m.third_octave, (std::array<double, 2>{100, 300}));
+  EXPECT_EQ(m.fifth_octave, (std::array<double, 2>{550, 650})) << "when absent";
+  EXPECT_EQ(std::filesystem::path(m.baseline).filename(), "before");
+  const Case the_case = read_case(path);
+  EXPECT_NE(the_case.resolved.find("channels = { \"AI_07\" = \"upper_work_roll\", \"Kraft 1\" = \"force\" }"),
+            std::string::npos);
+  ASSERT_EQ(the_case.warnings.size(), 1u);
+  EXPECT_EQ(the_case.warnings[0].message.find("monitoring.baseline = \"before\" holds no analysis.json"), 0u)
+      << the_case.warnings[0].message;
+  EXPECT_TRUE(monitoring_of(with("severity = [\"2.3 mm/s\"]\n")).channels().empty());
+}
+
+TEST_F(MonitoringSection, Refusals)
+{
+  EXPECT_EQ(refusal("channels = \"AI_07\"\n"),
+            "monitoring.channels = \"AI_07\" is no list of names; a table of names such as "
+            "{ \"AI_07\" = \"upper_work_roll\", \"AI_08\" = \"lower_work_roll\" } is needed");
+  EXPECT_EQ(refusal("channels = { AI_07 = \"force\", AI_08 = \"force\" }\n"),
+            "monitoring.channels.AI_08 = \"force\" stands there twice");
+  EXPECT_EQ(refusal("channels = { AI_07 = 3 }\n"),
+            "monitoring.channels.AI_07 = 3 is no name; a table of names such as "
+            "{ \"AI_07\" = \"upper_work_roll\", \"AI_08\" = \"lower_work_roll\" } is needed");
+  EXPECT_EQ(refusal("severity = [\"2.3 mm\"]\n"), "monitoring.severity = [\"2.3 mm\"] holds '2.3 mm'; a velocity "
+                                                  "above zero is needed, for example \"2.3 mm/s\"");
+  EXPECT_EQ(refusal("severity = [\"4.5 mm/s\", \"2.3 mm/s\"]\n"),
+            "monitoring.severity = [\"4.5 mm/s\", \"2.3 mm/s\"] does not increase; write the upper end of the "
+            "lowest zone first");
+  EXPECT_EQ(
+      refusal("fifth_octave = [\"650 Hz\", \"550 Hz\"]\n"),
+      "monitoring.fifth_octave = [\"650 Hz\", \"550 Hz\"] does not increase; write the lower frequency first");
+  EXPECT_EQ(refusal("third_octave = \"125 Hz\"\n").find("monitoring.third_octave = \"125 Hz\" is not a pair"), 0u);
+  EXPECT_NE(refusal("chanels = { AI_07 = \"force\" }\n").find("did you mean 'channels'?"), std::string::npos);
+}
