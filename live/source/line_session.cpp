@@ -152,8 +152,8 @@ LineSession::Answer LineSession::block(const LineContent &content)
   const auto rows = std::int64_t(n);
   SourceBlock block;
   block.first = s;
-  block.value =
-      Eigen::MatrixXd::Constant(rows, Eigen::Index(head_->factor.size()), std::numeric_limits<double>::quiet_NaN());
+  block.value = Eigen::MatrixXd::Constant(rows, Eigen::Index(head_->factor.size()),
+                                          std::numeric_limits<double>::quiet_NaN());
   for (const auto &[sent, list] : content.values) {
     const auto mapped       = rules_.reading.channels.find(sent);
     const std::string &name = mapped != rules_.reading.channels.end() ? mapped->second : sent;

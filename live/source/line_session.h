@@ -15,7 +15,7 @@ struct SourceRules {
   std::string token;                                  ///< that a head has to bring; empty: none
   bool closes = true;                                 ///< five bad lines in a row end the connection
   std::function<std::optional<std::int64_t>()> next;  ///< sample that the twin waits for, told to the sender
-  std::optional<SourceHead> assumed;                  ///< of before a restart, for a sender that will not say it again
+  std::optional<SourceHead> assumed;  ///< of before a restart, for a sender that will not say it again
 };
 
 /// Head of a source from names and units as it writes them.
