@@ -92,7 +92,7 @@ int advise_command(const CommandLine &command, const Case &the_case)
         "--measured " + command.measured +
         ": a critical speed does not follow from a measured force; leave it out, or name a case of kind "
         "four-high or lumped for the level of a place");
-  const twin::ReadOptions reading = read_options(command, monitoring_of(command.target, command.sets));
+  const twin::ReadOptions reading = read_options(command, monitoring_of(the_case.path, command.sets));
   const std::string folder        = command.output.empty() ? "out/" + the_case.name + "-advice" : command.output;
   const twin::AdviceRecord record = chatter ? critical_speed_advice(the_case, threads_for(command))
                                             : stand_advice(the_case, command.measured, reading);

@@ -43,11 +43,9 @@ std::string comment_of(const Case &origin, const twin::Calibration &result, cons
 
 PriorChain prior_chain(const Case &the_case, const double load)
 {
-  if (std::holds_alternative<ChatterCase>(the_case.spec))
-    throw InputError(
-        "millstand calibrate: a case of kind chatter (" + the_case.path +
-        ") has its stand as numbers of its own; name a case of kind four-high, or of kind lumped with "
-        "[given]");
+  if (!std::holds_alternative<FourHigh>(the_case.spec) && !std::holds_alternative<Lumped>(the_case.spec))
+    throw InputError("millstand calibrate: the case " + the_case.path +
+                     " has no chain of six masses; name a case of kind four-high, or of kind lumped with [given]");
   PriorChain chain;
   const CaseChain analysed  = case_chain(the_case, "calibrate", load);
   chain.model               = analysed.model;

@@ -170,6 +170,8 @@ live::EngineHooks LiveRun::hooks()
   hooks.models = {
       [this](const live::TwinModel &model, const live::Tuning &tuning) { changed_model(model, tuning); }};
   hooks.others = [this](const live::PageCommand &command) {
+    if (command.kind == live::PageCommandKind::advice)
+      return begin_advice();
     if (command.kind == live::PageCommandKind::place) {
       spectrum_.choose(command.place);
       place_ = spectrum_.place();
@@ -284,6 +286,8 @@ void LiveRun::tick(const double now)
   if (page_)
     if (const auto numbers = feed_.numbers(now))
       publish(live::event_names::numbers, live::numbers_text(*numbers));
+  if (const auto advice = advice_.finished())
+    publish(live::event_names::advice, live::advice_text(*advice));
   const bool first_state = !has_state_ && next_ >= 0;
   if (now - last_second_ < 1 && !first_state)
     return;

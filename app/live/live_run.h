@@ -6,6 +6,7 @@
 #include "app/live/live_state.h"
 #include "app/live/response_file.h"
 #include "live/compare/comparison.h"
+#include "live/compare/low_priority_task.h"
 #include "live/display/page_feed.h"
 #include "live/display/place_spectrum.h"
 #include "live/engine/command_queue.h"
@@ -48,6 +49,7 @@ private:
   std::optional<live::TwinModel> adopt(std::int64_t proposal);
   void changed_model(const live::TwinModel &model, const live::Tuning &tuning);
   void publish_parameters();
+  void begin_advice();
   void show_source(const live::LiveSource &source);
   void publish(const std::string &event, const std::string &json);
   void show_alarm(live::PageAlarm alarm);
@@ -73,6 +75,7 @@ private:
   live::SampleQueue queue_;
   std::optional<live::PageServer> page_;
   live::PageFeed feed_;
+  live::LowPriorityTask<live::PageAdvice> advice_;
   live::PlaceSpectrum spectrum_;
   std::optional<live::Comparison> comparison_;
   live::AlarmBook alarms_{

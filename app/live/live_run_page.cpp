@@ -1,4 +1,5 @@
 #include "app/console.h"
+#include "app/live/live_advice.h"
 #include "app/live/live_run.h"
 #include "app/live/live_stand.h"
 #include "app/run_setup.h"
@@ -99,8 +100,6 @@ live::CommandReply LiveRun::take_command(const std::string &json)
     if ((command.kind == Kind::set && !has_key) ||
         (command.kind == Kind::reset && !command.key.empty() && !has_key))
       return refuse("there is no key \"" + visible(command.key, true) + "\"; K1 to K7 and damping can be set");
-    if (command.kind == Kind::advice)
-      return live::CommandReply{409, nlohmann::json{{"error", "millstand advise CASE computes this"}}.dump()};
     if (command.kind == Kind::acknowledge)
       return acknowledge(command.id) ? live::CommandReply{}
                                      : refuse(fmt::format("there is no alarm {}", command.id));
@@ -110,6 +109,18 @@ live::CommandReply LiveRun::take_command(const std::string &json)
   } catch (const InputError &error) {
     return refuse(error.problems.front().message);
   }
+}
+
+void LiveRun::begin_advice()
+{
+  const bool begun = advice_.start([model = engine_->model(), tuning = engine_->tuning(), place = place_] {
+    return live_advice(model, tuning, place, utc_now());
+  });
+  live::PageAdvice computing;
+  computing.utc   = utc_now();
+  computing.state = "computing";
+  if (begun)
+    publish(live::event_names::advice, live::advice_text(computing));
 }
 
 // An alarm that was seen stays seen when it changes or ends.

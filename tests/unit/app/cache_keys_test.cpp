@@ -172,7 +172,8 @@ std::vector<std::string> of(const std::string &section, const std::string &rows)
   return keys_in(section, rows);
 }
 
-const std::vector<std::string> head{"schema", "kind", "title", "confirmed", "bearing.another.*"};
+const std::vector<std::string> head{"schema",       "kind",    "title", "confirmed", "bearing.another.*",
+                                    "monitoring.*", "advice.*"};
 // Of a pass what is neither its load nor a number of the bite.  What was measured moves the strip, where a fit is
 // asked, and the strip is seen.
 const std::vector<std::string> records =
