@@ -8,14 +8,16 @@
 namespace mill {
 namespace {
 constexpr double up_to             = 1000;  // Hz, of the force
+constexpr double noticed           = 1e-3;  // -, change of a level
 constexpr std::size_t most_helping = 8, most_refused = 4;
 
 live::AdviceRow row_of(const twin::RatedAction &action)
 {
   live::AdviceRow row{action.name, action.change, action.first_order, action.means, {}, "chain only", {}};
   for (const twin::SideEffect &effect : action.effects)
-    row.side_effects +=
-        fmt::format("{}{} {:+.1f} %", row.side_effects.empty() ? "" : "; ", effect.name, 100 * effect.value);
+    if (std::abs(effect.value) > noticed)
+      row.side_effects +=
+          fmt::format("{}{} {:+.1f} %", row.side_effects.empty() ? "" : "; ", effect.name, 100 * effect.value);
   for (const std::string &sentence : action.against)
     row.against += (row.against.empty() ? "" : "; ") + sentence;
   return row;
@@ -27,7 +29,8 @@ void add_rows(live::PageAdvice &advice, const std::vector<twin::RatedAction> &ac
   const std::size_t helping = twin::above_the_line(actions);
   std::size_t refused       = 0;
   for (std::size_t i = 0; i < actions.size(); ++i)
-    if (i < std::min(helping, most_helping) || (i >= helping && actions[i].change < 0 && refused++ < most_refused))
+    if (i < std::min(helping, most_helping) ||
+        (i >= helping && actions[i].change < -noticed && refused++ < most_refused))
       advice.rows.push_back(row_of(actions[i]));
 }
 }  // namespace
