@@ -167,8 +167,16 @@ TEST(Calibration, AStandWithAnotherFrameIsNotExplained)
   const auto r     = recipe("closed");
   const auto known = reference("calibrate.closed.result", "twin");
   const auto made  = calibration::record(r);
-  const Fit fit    = fit_of(r, made);
-  double worst     = 0;
+  const auto shown = reference("calibrate.closed.record", "twin");
+  for (Eigen::Index j = 0; j < made.acceleration.cols(); ++j) {  // TW-01 of this entry
+    const Eigen::VectorXd x = made.acceleration.col(j);
+    for (int i = 0; i < 3; ++i)
+      EXPECT_TRUE(near(x[i], shown["first"][std::size_t(j)][std::size_t(i)], within(1e-9, "response", 1)));
+    EXPECT_TRUE(near(std::sqrt((x.array() - x.mean()).square().mean()), shown["rms"][std::size_t(j)],
+                     within(1e-9, "response")));
+  }
+  const Fit fit = fit_of(r, made);
+  double worst  = 0;
   Fourier fourier;
   const MeasuredResponse data = {{band_record(made.force, made.acceleration, r.rate, 20, 900, fourier)}, r.places};
   const auto left = residuals(calibration::stand_r(), calibration::unknowns_r(), fit.estimate, data, fit.noise);

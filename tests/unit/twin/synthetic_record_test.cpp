@@ -33,7 +33,7 @@ TEST(SyntheticRecord, LinesAndNoise)
   EXPECT_TRUE(near(std::sqrt(record.squaredNorm() / double(n)), known["rms"], digits));
 }
 
-// Records that a calibration is tried on, but that of the closed frame, whose chain has another spring.
+// Records that a calibration is tried on; that of the closed frame is held against its entry by calibration_test.
 TEST(SyntheticRecord, ResponseOfTheChain)
 {
   const char *const places[] = {"upper_frame",     "upper_backup_roll", "upper_work_roll",
