@@ -39,7 +39,7 @@ struct FourHigh {
   StandSpan span;            ///< strip before and behind the stand, for chatter
   ChatterAnalysis analysis;  ///< of chatter
   StandAdvice advice;
-  Estimates estimates;       ///< values of the records above that nobody gave
+  Estimates estimates;  ///< values of the records above that nobody gave
   GivenValues given;
   GivenValues published;  ///< same names; only shown beside the computed values
 };

@@ -83,7 +83,7 @@ FaultLines best_slip(const Lines &lines, const std::string &family, const double
       tried.ratio[std::size_t(h - 1)] = lines.ratio(h * frequency * (1 + slip));
     auto sorted = tried.ratio;
     std::sort(sorted.rbegin(), sorted.rend());
-    tried.score = sorted[2];
+    tried.score       = sorted[2];
     const auto sum_of = [](const FaultLines &lines) {
       return std::accumulate(lines.ratio.begin(), lines.ratio.end(), 0.0);
     };

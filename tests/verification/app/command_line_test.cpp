@@ -122,7 +122,7 @@ TEST(Run, ResolvedCaseAndCacheGiveTheSameBytes)
   const std::string again = run_demo(scratch("again"));
   EXPECT_EQ(mill::read_text(first + "/results.json"), mill::read_text(again + "/results.json"));
   const std::string out = scratch("resolved");
-  const auto outcome = millstand("run " + first + "/resolved.toml -q -o " + out + " --cache " + shared_cache());
+  const auto outcome    = millstand("run " + first + "/resolved.toml -q -o " + out + " --cache " + shared_cache());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   auto a = json_of(first + "/results.json"), b = json_of(out + "/results.json");
   EXPECT_EQ(a["values"], b["values"]);
