@@ -1,6 +1,6 @@
 # mill_library(name [NUMBERS] [EXTRA sources...] [PUBLIC targets...] [PRIVATE targets...])
 # The library of one folder: every source below it, mill::<name>.
-# NUMBERS   compiled with -O3; everything else makes text, tables and pages and takes half the time at -O1.
+# NUMBERS   compiled with -O2; everything else makes text, tables and pages and takes half the time at -O1.
 # A release build joins sources to units of several files (MILLSTAND_UNITY), because half of each compile is headers;
 # names in anonymous namespaces are therefore unique in a folder, which the compiler says and tests/rules keeps.
 function(mill_library name)
