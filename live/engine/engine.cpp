@@ -125,6 +125,15 @@ void Engine::lose()
   n_waiting_ = 0;
 }
 
+// Samples between the last row that the twin has and this one: those that nobody sent, and those that the book has
+// already counted as refused or overrun.
+Eigen::Index Engine::samples_before(const std::int64_t first, const AccountBook::Part &part) const
+{
+  if (part.take == 0 || (n_waiting_ == 0 && !stepping_))
+    return part.gap;
+  return Eigen::Index(first - (n_waiting_ > 0 ? first_waiting_ + n_waiting_ : stepped_));
+}
+
 void Engine::take_block(const SourceBlock &block)
 {
   if (!book_ || block.value.cols() != Eigen::Index(source_->channels.size()))
@@ -146,10 +155,11 @@ void Engine::take_block(const SourceBlock &block)
   if (book_->begun() && book_->next() == std::numeric_limits<std::int64_t>::min())
     book_->renumber(first);
   const AccountBook::Part part = book_->arrive(first, block.value.rows());
-  if (part.gap > most_bridged || (part.gap > 0 && !stepping_ && n_waiting_ == 0)) {
+  const Eigen::Index gap       = samples_before(first + part.skip, part);
+  if (gap > most_bridged || (gap > 0 && !stepping_ && n_waiting_ == 0)) {
     flush();
     lose();
-    say("gap", fmt::format("{} samples before s = {} are missing", part.gap, first));
+    say("gap", fmt::format("{} samples before s = {} are missing", gap, first + part.skip));
   }
   if (part.take == 0)
     return;
@@ -158,10 +168,11 @@ void Engine::take_block(const SourceBlock &block)
   if (hooks_.rows)
     hooks_.rows(first, fresh);
   book_->take(fresh);
-  if (part.gap > 0 && (stepping_ || n_waiting_ > 0)) {  // so few that the force is drawn across
-    waiting_.push_back(
-        Eigen::MatrixXd::Constant(part.gap, fresh.cols(), std::numeric_limits<double>::quiet_NaN()));
-    n_waiting_ += part.gap;
+  if (gap > 0 && (stepping_ || n_waiting_ > 0)) {  // so few that the force is drawn across
+    if (n_waiting_ == 0)
+      first_waiting_ = first - gap;
+    waiting_.push_back(Eigen::MatrixXd::Constant(gap, fresh.cols(), std::numeric_limits<double>::quiet_NaN()));
+    n_waiting_ += gap;
   }
   if (n_waiting_ == 0)
     first_waiting_ = first;

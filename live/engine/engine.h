@@ -89,6 +89,7 @@ public:
 private:
   void take_head(const SourceHead &head);
   void take_block(const SourceBlock &block);
+  Eigen::Index samples_before(std::int64_t first, const AccountBook::Part &part) const;
   void begin_source(const SourceHead &head);
   bool continues(const SourceHead &head, std::int64_t &offset) const;
   void lose();

@@ -1,5 +1,7 @@
 #pragma once
+#include "core/case/errors.h"
 #include "live/source/line_session.h"
+#include "live/source/row_times.h"
 #include "twin/records/csv_rows.h"
 #include <deque>
 #include <optional>
@@ -8,12 +10,6 @@
 #include <vector>
 
 namespace mill::live {
-/// Samples per second of the times of some rows: the slope of the counter, rounded to the fewest digits that the
-/// resolution of the times allows.  theory.md (48.9)
-/// @param seconds  ascending but for slips, two at least
-/// @throws InputError  half of the times stand still
-double rate_of_times(const std::vector<double> &seconds);
-
 /// Lines of a CSV record that is played or that grows, to messages.  Nothing here reads a file.
 class CsvFeed {
 public:
@@ -26,6 +22,8 @@ public:
   void settle();
   /// Lines of another file of the same recorder come next.
   void new_file();
+  /// No more lines at all.
+  void finish();
   /// Messages that are ready.
   std::vector<Message> take();
   bool has_head() const
@@ -47,12 +45,27 @@ public:
   }
 
 private:
+  struct TimedRow {
+    double seconds;
+    std::vector<double> values;
+    int number;  // of its line
+  };
   void make_rows();
+  void make_channels();
   void make_head();
   void row(std::string_view text, int number);
-  void add(double seconds, const std::vector<double> &values);
+  void bad_row(std::string_view text, int number, const Problem &problem);
+  bool is_other_head(std::string_view text) const;
+  void begin_again(std::string_view head, int number);
+  void take_time(double seconds, const std::vector<double> &values, int number);
+  void refuse_held();
+  void say_jump(const TimedRow &row);
+  void go_on_from(const TimedRow &row);
+  void believe(const TimedRow &row);
+  void change_rate(double rate, int number);
+  void add(std::int64_t s, const std::vector<double> &values);
   void emit();
-  void refuse(const std::string &reason);
+  void refuse(const std::string &reason, std::int64_t first = 0, std::int64_t n = 0);
 
   std::string name_;
   SourceRules rules_;
@@ -60,13 +73,15 @@ private:
   std::vector<std::string> head_lines_;  // before the first row of numbers
   std::optional<twin::CsvRows> rows_;
   std::optional<SourceHead> head_;
-  std::vector<double> early_seconds_;
-  std::vector<std::vector<double>> early_values_;  // until the rate is known
-  std::vector<double> block_;                      // row by row
+  std::vector<TimedRow> early_;   // until the rate is known
+  std::optional<TimedRow> held_;  // after a jump, until the next row follows it or does not
+  RowTimes times_;
+  double shift_ = 0;           // s, of a clock without a date that began again
+  std::vector<double> block_;  // row by row
   std::int64_t block_first_ = 0, block_rows_ = 0, next_ = 0, skip_to_ = 0;
   std::vector<Message> ready_;
-  std::size_t head_line_ = 0;  // of a new file, that is expected to be said again
-  int bad_in_a_row_      = 0;
-  bool new_file_ = false, closed_ = false, said_back_ = false;
+  int first_number_ = 1;  // line of first_lines_.front()
+  int bad_in_a_row_ = 0;
+  bool closed_ = false, said_back_ = false, new_file_ = false;
 };
 }  // namespace mill::live

@@ -1,5 +1,6 @@
 #include "live/source/line_content.h"
 #include "core/case/visible_text.h"
+#include "live/source/quick_line.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -181,6 +182,8 @@ bool read_line(const std::string_view line, LineContent &content, std::string &p
     problem = "longer than 1 MiB";
     return false;
   }
+  if (read_plain_block(line, content))
+    return true;
   std::string reason;
   LineHandler handler(content, reason);
   const bool good = nlohmann::json::sax_parse(line.begin(), line.end(), &handler);

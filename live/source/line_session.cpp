@@ -2,6 +2,7 @@
 #include "core/case/errors.h"
 #include "core/case/visible_text.h"
 #include "live/page/page_rules.h"
+#include "live/source/row_times.h"
 #include "twin/records/channel_names.h"
 #include "twin/records/record_clock.h"
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace {
 constexpr double largest_s    = 9007199254740992.0;  // 2^53: beyond, not every number is one
 constexpr double highest_rate = 1e6;                 // Hz
 constexpr double lowest_rate  = 10;                  // Hz
-constexpr double longest_jump = 3600;                // s, inside one connection
 constexpr int bad_lines       = 5;
 
 std::string one_line(const std::string &text)
@@ -146,7 +146,8 @@ LineSession::Answer LineSession::block(const LineContent &content)
   if (n == 0)
     return refuse("no samples");
   const double ahead = last_end_ < 0 ? 0 : double(s - last_end_) / head_->rate;
-  if (ahead > longest_jump)  // a slip of the sender: what is new is not believed, and what was lost not counted
+  if (ahead >
+      RowTimes::longest_jump)  // a slip of the sender: what is new is not believed, and what was lost not counted
     return refuse(fmt::format(
         "\"s\":{} is {:.0f} s ahead of the block before; send a new head to go on from there", s, ahead));
   const auto rows = std::int64_t(n);

@@ -55,7 +55,7 @@ void replay_csv(const FileSource &source, SampleQueue &queue, const std::atomic<
     if (!pass_on())
       return;
   }
-  feed.settle();
+  feed.finish();
   pass_on();
 }
 }  // namespace mill::live

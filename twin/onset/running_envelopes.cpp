@@ -52,7 +52,8 @@ void RunningEnvelopes::take(const std::int64_t first, const Eigen::MatrixXd &sam
     end += now;
     done += now;
     for (; end - begin >= n; begin += step, number += step) {
-      mixed.noalias() = taps.transpose() * buffer.middleRows(begin, n);
+      for (Eigen::Index c = 0; c < z.cols(); ++c)  // one product for all would copy the taps at every value
+        mixed.col(c).noalias() = taps.transpose() * buffer.col(c).segment(begin, n);
       for (Eigen::Index i = 0; i < m; ++i) {
         const std::complex<double> back = filters[std::size_t(i)].turned_back(number);
         for (Eigen::Index c = 0; c < z.cols(); ++c)

@@ -1,6 +1,7 @@
 #include "core/case/errors.h"
 #include "live/source/csv_feed.h"
 #include "live/source/file_sources.h"
+#include "tests/support/came_messages.h"
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
@@ -13,29 +14,6 @@ using namespace mill;
 namespace fs = std::filesystem;
 
 namespace {
-// What came out of a feed or a queue.
-struct Came {
-  std::vector<live::SourceHead> heads;
-  std::vector<double> force;
-  std::vector<std::int64_t> numbers;
-  std::vector<std::string> refused, notes;
-
-  void add(const live::Message &message)
-  {
-    if (const auto *head = std::get_if<live::SourceHead>(&message))
-      heads.push_back(*head);
-    if (const auto *block = std::get_if<live::SourceBlock>(&message))
-      for (Eigen::Index i = 0; i < block->value.rows(); ++i) {
-        force.push_back(block->value(i, 0));
-        numbers.push_back(block->first + i);
-      }
-    if (const auto *line = std::get_if<live::RefusedLine>(&message))
-      refused.push_back(line->reason);
-    if (const auto *note = std::get_if<live::SourceNote>(&message))
-      notes.push_back(note->kind + ": " + note->text);
-  }
-};
-
 struct Folder {
   fs::path path = fs::temp_directory_path() / ("millstand-tail-" + std::to_string(getpid()));
   Folder()
@@ -89,7 +67,7 @@ public:
         came.add(*message);
     return came.numbers.size() == samples;
   }
-  const Came &end()
+  const CameMessages &end()
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     stop = true;
@@ -99,7 +77,7 @@ public:
     thread.join();
     return came;
   }
-  Came came;
+  CameMessages came;
 
 private:
   live::FileSource source;
@@ -138,7 +116,7 @@ TEST(CsvFeed, NumbersSamplesByTheirTimes)
        {"time [s],force [kN]", "0,900", "0.001,901", "0.002,902", "0.005,905", "0.006,", "0.004,904", "0.007,907"})
     feed.line(line, ++number);
   feed.settle();
-  Came came;
+  CameMessages came;
   for (const auto &message : feed.take())
     came.add(message);
   ASSERT_EQ(came.heads.size(), 1u);
@@ -164,7 +142,7 @@ TEST(CsvFeed, FiveBadLinesInARowCloseIt)
   for (int k = 0; k < 5; ++k)
     feed.line("<html>", ++number);
   EXPECT_TRUE(feed.closed());
-  Came came;
+  CameMessages came;
   for (const auto &message : feed.take())
     came.add(message);
   ASSERT_EQ(came.refused.size(), 7u);
@@ -213,7 +191,7 @@ TEST(GrowingFile, IsFollowedThroughARename)
   append(folder.file("force.csv.1"), rows(1100, 1300));  // the writer has not noticed
   append(file, "time [s],force [kN]\n" + rows(1300, 2000));
   ASSERT_TRUE(follower.has(2000));
-  const Came &came = follower.end();
+  const CameMessages &came = follower.end();
   for (std::size_t k = 0; k < came.numbers.size(); ++k) {
     ASSERT_EQ(came.numbers[k], std::int64_t(k));
     ASSERT_EQ(came.force[k], 1e3 * double(900 + k % 100));
@@ -234,7 +212,7 @@ TEST(GrowingFile, SaysThatItWasTruncated)
     const std::string more = rows(1000, refilled ? 3000 : 1010);  // longer, or shorter than before
     std::ofstream(file, std::ios::trunc | std::ios::binary) << more;
     ASSERT_TRUE(follower.has(refilled ? 3000u : 1010u));
-    const Came &came = follower.end();
+    const CameMessages &came = follower.end();
     EXPECT_EQ(came.numbers.back(), refilled ? 2999 : 1009);
     ASSERT_EQ(came.notes.size(), 1u);
     EXPECT_EQ(came.notes[0].rfind("loss: " + file + " was truncated in place at byte ", 0), 0u) << came.notes[0];

@@ -2,6 +2,7 @@
 #include "live/page/page_command.h"
 #include "live/page/page_server.h"
 #include "tests/support/live_mill.h"
+#include "tests/support/live_page_look.h"
 #include "tests/support/near.h"
 #include "tests/support/raw_client.h"
 #include "tests/support/web_driver.h"
@@ -160,31 +161,11 @@ protected:
   }
   static double number(const std::string &canvas, const std::string &name)
   {
-    return std::atof(browser->run("return document.getElementById('" + canvas + "').dataset." + name)
-                         .get<std::string>()
-                         .c_str());
+    return number_of_canvas(*browser, canvas, name);
   }
 };
 std::unique_ptr<Plant> LivePage::plant;
 std::unique_ptr<Browser> LivePage::browser;
-
-// Row of pixels at which the line through a mass stands: the brightest of a column that crosses nothing else
-// bright.
-// @param beside  m from the middle of the stand;  @param from, to  m above the pass line
-double line_of_mass(Browser &browser, const double beside, const double from, const double to)
-{
-  const std::string script =
-      "const c = document.getElementById('stand'), d = c.dataset, s = +d.scale;"
-      "const x = Math.round(+d.middle + " +
-      std::to_string(beside) + " * s), top = Math.round(+d.line - " + std::to_string(to) +
-      " * s), n = Math.round(" + std::to_string(to - from) +
-      " * s);"
-      "const p = c.getContext('2d').getImageData(x, top, 1, n).data; let sum = 0, moment = 0;"
-      "for (let i = 0; i < n; ++i) { const bright = Math.max(0, Math.min(p[4 * i], p[4 * i + 1], p[4 * i + 2]) - "
-      "165);"
-      " sum += bright; moment += bright * (top + i + 0.5); } return sum ? moment / sum : -1;";
-  return browser.run(script).get<double>();
-}
 }  // namespace
 
 TEST_F(LivePage, MassesMoveByTheStatedAmplification)
@@ -228,12 +209,7 @@ TEST_F(LivePage, ASliderMovesThePeakToWhereTheModesSayItIs)
   browser->type("2");
   const double before = plant->highest_frequency();
   EXPECT_TRUE(near(before, 745.8, within(1e-4, "the description of the twin rounds to 0.1 Hz")));
-  const auto peak_at = [&](const double frequency) {
-    return "const d = document.getElementById('spectrum').dataset; return +d.df === 1 && Math.abs(d.peakSimulated "
-           "- " +
-           std::to_string(frequency) + ") < 1";  // one bin
-  };
-  ASSERT_TRUE(browser->wait_for(peak_at(before))) << number("spectrum", "peakSimulated");
+  ASSERT_TRUE(browser->wait_for(peak_of_twin_is_at(before))) << number("spectrum", "peakSimulated");
   browser->run("document.getElementById('slider-K3').focus()");
   for (int k = 0; k < 10; ++k)
     browser->type("\uE014");  // arrow to the right, 0.01 each
@@ -242,7 +218,7 @@ TEST_F(LivePage, ASliderMovesThePeakToWhereTheModesSayItIs)
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   const double after = plant->highest_frequency();
   EXPECT_GT(after, before + 10);
-  EXPECT_TRUE(browser->wait_for(peak_at(after))) << number("spectrum", "peakSimulated") << " " << after;
+  EXPECT_TRUE(browser->wait_for(peak_of_twin_is_at(after))) << number("spectrum", "peakSimulated") << " " << after;
   EXPECT_NE(text("changed-list").find("K3 × 1.10"), std::string::npos) << text("changed-list");
 }
 

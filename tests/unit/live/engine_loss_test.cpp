@@ -1,0 +1,62 @@
+#include "tests/support/live_samples.h"
+#include "tests/support/published_stand.h"
+#include <gtest/gtest.h>
+
+using namespace mill;
+
+namespace {
+live::TwinModel stand_of_r3()
+{
+  const ParameterSet set = parameter_set("R3");
+  return {"test", "as published", set.stand, set.dynamics, "hash"};
+}
+
+Eigen::VectorXd waves_of_force(const Eigen::Index n)
+{
+  return Eigen::VectorXd::LinSpaced(n, 0, 0.3 * double(n - 1)).array().sin() * 5e3 + 976e3;
+}
+}  // namespace
+
+// Samples that were refused or dropped are no time that did not pass: the twin stands still behind them as behind
+// a gap, and its samples keep their numbers.
+TEST(LiveLosses, ARefusedOrDroppedBlockIsAGap)
+{
+  for (const bool dropped : {false, true}) {
+    LiveSamples run(stand_of_r3(), 1000);
+    run.send(waves_of_force(1000), 100);
+    if (dropped)
+      run.engine().take(live::DroppedBlock{1000, 400});
+    else
+      run.engine().take(live::RefusedLine{"line 12: no JSON", 1000, 400});
+    run.send(waves_of_force(1000), 100, 1400);
+    int gaps = 0;
+    for (const live::LiveBlock &block : run.blocks)
+      if (block.after_gap && ++gaps == 2) {
+        EXPECT_EQ(block.first, 1400);
+        EXPECT_EQ(block.simulated.row(0).cwiseAbs().maxCoeff(), 0) << "equilibrium";
+      }
+    EXPECT_EQ(gaps, 2) << dropped;
+    EXPECT_EQ(run.blocks.back().first + run.blocks.back().force.size(), 2400);
+    EXPECT_EQ(run.said.back(), "gap: 400 samples before s = 1400 are missing");
+    EXPECT_TRUE(run.engine().book()->balanced());
+    EXPECT_EQ(run.engine().book()->channels()[0].missing, 0);
+  }
+}
+
+TEST(LiveLosses, TwoRefusedSamplesAreDrawnAcross)
+{
+  const Eigen::VectorXd force = waves_of_force(1002);
+  LiveSamples run(stand_of_r3(), 1000);
+  run.send(force.head(500), 100);
+  run.engine().take(live::RefusedLine{"mill.csv:502:1: no number", 500, 2});
+  run.send(force.tail(500), 100, 502);
+  ASSERT_EQ(run.simulated().rows(), 1002);
+  std::int64_t next = 0;
+  for (const live::LiveBlock &block : run.blocks) {
+    EXPECT_EQ(block.first, next);
+    next = block.first + block.force.size();
+    if (block.first == 500)
+      EXPECT_NEAR(block.force[0], force[499] + (force[502] - force[499]) / 3, 1e-6);
+  }
+  EXPECT_EQ(run.engine().book()->channels()[0].rejected, 2);
+}
