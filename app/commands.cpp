@@ -59,7 +59,7 @@ void print_table(const Results &results)
       continue;  // side by side in the report
     print(fmt::format("{:<34} {:>22} {:>9}  {}\n", visible(name, true), engineering(p),
                       std::isnan(p.error_estimate) ? "-" : fmt::format("{:.2g} %", 100 * p.error_estimate),
-                      visible(p.at, true)));
+                      visible(p.at.text(), true)));
   }
   for (const std::string &warning : results.warnings)
     print("warning: " + visible(warning, true) + "\n");

@@ -52,7 +52,7 @@ void set_beside(RunContext &run, const GivenValues &published)
   for (auto &[name, parameter] : run.results.values)
     for (const auto &[key, value] : published)
       if (name == key || name == key + ".tangent" || name == key + ".combined")
-        parameter.checks.push_back(check(CheckId::published, value.parameter.value, value.parameter.at));
+        parameter.checks.push_back(check(CheckId::published, value.parameter.value, value.parameter.at.text()));
 }
 
 void write_shapes(RunContext &run, const reduce::LumpedStand &s)
@@ -173,7 +173,7 @@ reduce::ChainInputs chain_inputs(const FourHigh &stand, const StandParts &parts,
   in.Kzc        = parts.bearings[p].Kzc;
   in.Kzc_across = parts.bearings[p].Kzc_across;
   in.solid      = solid_rolls(parts.components);
-  in.at         = in_kN(load);
+  in.at         = at_force(load);
   set_inputs(in, stand, p);
   return in;
 }

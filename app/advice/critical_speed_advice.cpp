@@ -144,7 +144,7 @@ Parameter speed_of(const twin::CriticalState &state, const std::string &method, 
   p.value       = state.found.verdict == dynamics::Verdict::crossing ? state.speed : not_given;
   p.unit        = "m/s";
   p.method      = method;
-  p.at          = fmt::format("working speed {:.4g} m/s", at);
+  p.at          = {"working speed {}", {{at, "m/s", ".4g"}}};
   p.error_lacks = {"errors of stand, friction law and flow stress"};
   return p;
 }

@@ -15,7 +15,7 @@ Parameter parameter(const ClusterPassRun &pass, const double value, const char *
   p.value  = value;
   p.unit   = unit;
   p.method = method;
-  p.at     = fmt::format("{:.5g} kN", 1e-3 * pass.force.value);
+  p.at     = {"{}", {{pass.force.value, "kN", ".5g"}}};
   p.inputs = pass.keys;
   return p;
 }
@@ -139,7 +139,7 @@ void add_state_results(RunContext &run, const ClusterStand &stand, const Cluster
 {
   Parameter force = parameter(pass, pass.force.value, "N", pass.force.method);
   force.source    = pass.force.given ? Source::given : Source::computed;
-  force.at.clear();
+  force.at        = {};
   if (!std::isnan(pass.force.closed))
     force.checks.push_back({pass.force.closed_method + ", same stress", pass.force.closed,
                             "the closed theory of the static half leaves one term of the slab equation out"});

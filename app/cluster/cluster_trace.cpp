@@ -22,7 +22,7 @@ ClosedFormResult result_of(const KeyList &keys, const std::string &name, const d
   r.parameter.value  = value;
   r.parameter.unit   = unit;
   r.parameter.method = "equilibrium and modes of the stack";
-  r.parameter.at     = fmt::format("{:.5g} kN", 1e-3 * force);
+  r.parameter.at     = {"{}", {{force, "kN", ".5g"}}};
   r.parameter.inputs = keys;
   r.closed           = keys;
   r.relation         = "balance of all rolls";

@@ -68,8 +68,10 @@ void add_velocities(RunContext &run, const ClusterStand &stand, const ClusterPas
       p.value  = steady;
       p.unit   = "m/s";
       p.method = "harmonic response with complex stiffness (38.16)";
-      p.at =
-          fmt::format("{:.5g} kN, {:.4g} N at {:.5g} Hz", 1e-3 * pass.force.value, record.force, record.frequency);
+      p.at     = {
+              "{}, {} at {}",
+              {{pass.force.value, "kN", ".5g"}, {record.force, "N", ".4g"}, {record.frequency, "Hz", ".5g"}}
+      };
       p.inputs      = pass.driven_keys;
       p.error_lacks = {"response.loss_factor"};
       if (nonlinear.size() > 0) {

@@ -75,7 +75,7 @@ Parameter bearing_across(RunContext &run, const BearingStudy &s, const std::vect
   p.value          = all[0];
   p.unit           = "N/m";
   p.method         = model_name(q.bearing) + ", across the load" + (liner ? ", chock on its liner" : "");
-  p.at             = fmt::format("{:.6g} kN on one bearing", q.radial / 1e3);
+  p.at             = {"{} on one bearing", {{q.radial, "kN"}}};
   p.inputs         = inputs;
   const double iso = all[1], palmgren = all[2];
   p.error_estimate = s.parts.roller ? std::abs(s.slice_deviation) : std::abs(iso / palmgren - 1);

@@ -57,8 +57,9 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
     p.value  = value;
     p.unit   = unit;
     p.method = method;
-    p.at =
-        fmt::format("{:.4g} kN, {:.4g} kN at {:.4g} Hz", spec.load.radial / 1e3, e.amplitude / 1e3, e.frequency);
+    p.at     = {
+            "{}, {} at {}", {{spec.load.radial, "kN", ".4g"}, {e.amplitude, "kN", ".4g"}, {e.frequency, "Hz", ".4g"}}
+    };
     p.checks = std::move(checks);
     p.inputs = {"dynamics.mass",      "dynamics.damping",   "dynamics.amplitude",
                 "dynamics.frequency", "dynamics.direction", "load.radial"};

@@ -124,7 +124,7 @@ void add_published_results(RunContext &run, const std::string &prefix, const Bea
     sum += published(s, row_key(r));
   Parameter p;
   p.unit         = "N/m";
-  p.at           = fmt::format("{:.6g} kN on one bearing", s.question.radial / 1e3);
+  p.at           = {"{} on one bearing", {{s.question.radial, "kN"}}};
   p.inputs       = inputs;
   const auto add = [&](const std::string &name, const double value, const std::string &method,
                        std::vector<Check> checks) {
@@ -150,7 +150,7 @@ void add_published_results(RunContext &run, const std::string &prefix, const Bea
   if (!std::isfinite(total) || s.curve.states.empty())
     return;
   p.unit = "N";
-  p.at   = fmt::format("{:.4g} kN/mm", total / 1e6);
+  p.at   = {"{}", {{total, "kN/mm", ".4g"}}};
   std::vector<bearing::AssemblyState> beyond_curve;
   const auto beyond_it = [&](const std::string &name, const Stiffness &stiffness) {
     return s.readings->numbers(fmt::format("{} {:a} beyond the curve", name, total), [&] {

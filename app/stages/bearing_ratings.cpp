@@ -60,7 +60,7 @@ struct RatingResults {
     p.value          = value;
     p.unit           = unit;
     p.method         = method;
-    p.at             = load_text(study);
+    p.at             = operating_point(study);
     p.inputs         = inputs;
     p.checks         = std::move(checks);
     p.error_estimate = error;
@@ -95,7 +95,7 @@ void add_basic_ratings(RatingResults &out, const RatedBearing &r)
                    {standard, formula, b.estimated.empty() ? "from the rollers" : "the rollers are estimated from it"});
     Parameter &p = out.add(name, "N", value, by_maker ? said : std::string(standard) + " from the rollers, (5.29)",
                                     checks, by_maker && b.estimated.empty() ? ratio_error(formula, published) : not_given);
-    p.at.clear();
+    p.at         = {};
     if (by_maker)
       p.source = b.catalogue_source.empty() ? Source::given : Source::published;
     if (std::isnan(p.error_estimate))
@@ -253,7 +253,7 @@ void add_estimates(RatingResults &out, const RollerBearing &b)
     },
                            std::max(high / value - 1, 1 - low / value));
     p.source     = Source::estimated;
-    p.at.clear();
+    p.at         = {};
   };
   one("rollers_per_row", "1", b.rollers_per_row, nullptr);
   one("roller_diameter", "m", b.roller_diameter, &RollerCandidate::roller_diameter);
@@ -274,7 +274,7 @@ void add_estimates(RatingResults &out, const RollerBearing &b)
                   {"stiffest set over the one taken", high, ""}
   });
   p.source = Source::estimated;
-  p.at.clear();
+  p.at     = {};
 }
 }  // namespace
 

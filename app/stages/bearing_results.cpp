@@ -16,7 +16,7 @@ Parameter plain(const BearingStudy &s, const std::vector<std::string> &inputs)
   Parameter p;
   p.unit   = "N/m";
   p.method = model_name(s.question.bearing);
-  p.at     = load_text(s);
+  p.at     = operating_point(s);
   p.inputs = inputs;
   return p;
 }

@@ -165,19 +165,29 @@ bearing::RingLoading drive_of(const BearingQuestion &q, const double radial)
   return loading;
 }
 
-std::string load_text(const BearingStudy &s)
+OperatingPoint operating_point(const BearingStudy &s)
 {
   const BearingQuestion &q = s.question;
-  std::string text = q.radial > 0 ? fmt::format("{:.6g} kN on one bearing", q.radial / 1e3) : "no radial load";
+  OperatingPoint at        = "no radial load";
+  if (q.radial > 0)
+    at = {"{} on one bearing", {{q.radial, "kN"}}};
   if (std::isfinite(q.axial_displacement))
-    text += fmt::format(", {:.4g} um along the axis", q.axial_displacement * 1e6);
+    at.add(", {} along the axis", {
+                                      {q.axial_displacement, "um", ".4g"}
+    });
   else if (q.axial != 0)
-    text += fmt::format(", {:.6g} kN axial", q.axial / 1e3);
+    at.add(", {} axial", {
+                             {q.axial, "kN"}
+    });
   if (std::isfinite(q.moment))
-    text += fmt::format(", moment {:.4g} kN m", q.moment / 1e3);
+    at.add(", moment {}", {
+                              {q.moment, "kN m", ".4g"}
+    });
   else if (q.tilt != 0)
-    text += fmt::format(", tilted by {:.4g} mrad", q.tilt * 1e3);
-  return text;
+    at.add(", tilted by {}", {
+                                 {q.tilt, "mrad", ".4g"}
+    });
+  return at;
 }
 
 std::string model_name(const RollerBearing &b)

@@ -62,7 +62,7 @@ BearingQuestion question_of(const BearingCase &spec);
 bearing::RingLoading drive_of(const BearingQuestion &question, double radial);
 
 /// "1000 kN on one bearing, 50 kN axial": what a result of the study belongs to.
-std::string load_text(const BearingStudy &study);
+OperatingPoint operating_point(const BearingStudy &study);
 
 /// Largest roller load, N, the question may lead to: for the mesh.
 double largest_roller_load(const BearingQuestion &question);

@@ -13,18 +13,22 @@ namespace {
 using bite::by;
 using bite::Input;
 
-std::string at_text(const BiteStudy &s)
+OperatingPoint operating_point(const BiteStudy &s)
 {
   const Strip &strip = s.question.bite.strip;
-  return fmt::format("{}, {:.4g} -> {:.4g} mm, {}", s.question.pass, 1e3 * strip.entry_thickness,
-                     1e3 * strip.exit_thickness, in_kN(s.chosen().state.force));
+  return OperatingPoint(s.question.pass)
+      .add(", {} -> {}, {}", {
+                                 {strip.entry_thickness,  "mm", ".4g"},
+                                 {strip.exit_thickness,   "mm", ".4g"},
+                                 {s.chosen().state.force, "kN", ".1f"}
+  });
 }
 
 Parameter plain(const BiteStudy &s, const BiteAnswer &answer)
 {
   Parameter p;
   p.method = model_text(answer);
-  p.at     = at_text(s);
+  p.at     = operating_point(s);
   return p;
 }
 

@@ -146,7 +146,9 @@ void add_results(RunContext &run, const CampbellRecord &record, const TurningSta
     p.unit  = "m/s";
     p.method =
         fmt::format("{} ({:.5g} per turn of the {}) meets {}", line.name, line.per_turn, line.shaft, mode.name);
-    p.at             = fmt::format("working range {:g} .. {:g} m/s", record.working[0], record.working[1]);
+    p.at = {
+        "working range {} .. {}", {{record.working[0], "m/s", "g"}, {record.working[1], "m/s", "g"}}
+    };
     p.error_estimate = mode.error_estimate;
     if (std::isnan(p.error_estimate))
       p.error_lacks = run.find(result_name({family::mode, mode.key, "frequency"}))->error_lacks;

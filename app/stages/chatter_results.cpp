@@ -17,9 +17,9 @@ double apart(const double a, const double b)
   return std::abs(a / b - 1);
 }
 
-std::string speed_text(const double speed)
+OperatingPoint at_speed(const double speed)
 {
-  return fmt::format("{:.4g} m/s", speed);
+  return {"{}", {{speed, "m/s", ".4g"}}};
 }
 
 // How far the other linearisations and the other models of the same stand are from the chosen one; without a film
@@ -41,7 +41,8 @@ struct ChatterAdder {
   RunContext &run;
   const ChatterStudy &study;
   std::string family;  // "bite" or "chatter"
-  std::string method, at;
+  std::string method;
+  OperatingPoint at;
   void operator()(const std::string &name, const std::string &unit, const double value,
                   const double error = not_given, std::vector<Check> checks = {}) const
   {
@@ -78,7 +79,7 @@ void add_bite(RunContext &run, const ChatterStudy &s)
     return;
   const RollingCondition &c    = s.question.condition;
   const bite::BiteState &state = s.working->state;
-  const ChatterAdder add{run, s, "bite", state.model, speed_text(c.speed)};
+  const ChatterAdder add{run, s, "bite", state.model, at_speed(c.speed)};
   const auto by_karman = [&](const char *name, const char *unit, const double value, const double karman,
                              const double published, const double measured) {
     if (has_own_bite(run.the_case))
@@ -104,7 +105,7 @@ void add_bite(RunContext &run, const ChatterStudy &s)
   by_karman("torque", "N m", state.torque, other(k.torque), not_given, not_given);
   const ChatterAdder slope{run, s, "bite",
                            "exact derivative, " + s.question.analysis.linearisation + " linearisation",
-                           speed_text(c.speed)};
+                           at_speed(c.speed)};
   const auto &[P, Q, F, mu, xn] = s.working->by;
   const char *by[]              = {"gap", "gap_rate", "entry_tension", "exit_tension", "entry_thickness"};
   const char *P_unit[]          = {"1/s", "1", "m/(s Pa)", "m/(s Pa)", "1/s"};
@@ -127,7 +128,7 @@ void add_searches(RunContext &run, const ChatterStudy &s, const std::string &gro
     const std::string scheme = schemes ? other.name : s.question.analysis.linearisation;
     const ChatterAdder add{run, s, "chatter",
                            "eigenvalues of stand, bite and strip; " + stand + ", " + scheme + " linearisation",
-                           speed_text(other.found.speed)};
+                           at_speed(other.found.speed)};
     const std::string name = group + "." + other.name + ".";
     add(name + "critical_speed", "m/s", other.found.speed);
     add(name + "frequency", "Hz", other.found.frequency);
@@ -146,7 +147,7 @@ bool grows(const std::complex<double> &root)
 void add_growth(RunContext &run, const ChatterStudy &s, const std::string &method)
 {
   const RollingCondition &c = s.question.condition;
-  const ChatterAdder working{run, s, "chatter", method, speed_text(c.speed)};
+  const ChatterAdder working{run, s, "chatter", method, at_speed(c.speed)};
   std::vector<Check> growth, frequency;
   if (s.in_time) {
     beside(growth, "record of the time simulation", s.in_time->growth);
@@ -171,7 +172,7 @@ void add_stability(RunContext &run, const ChatterStudy &s)
   const RollingCondition &c = s.question.condition;
   const std::string system  = s.question.structure + ", " + s.question.analysis.linearisation + " linearisation";
   const ChatterAdder critical{run, s, "chatter", "eigenvalues of stand, bite and strip; " + system,
-                              s.found.verdict == Verdict::crossing ? speed_text(s.found.speed) : ""};
+                              s.found.verdict == Verdict::crossing ? at_speed(s.found.speed) : OperatingPoint()};
   std::vector<Check> checks;
   beside(checks, "Routh's array in extended precision", s.speed_by_routh);
   for (const OtherSearch &other : s.schemes)
@@ -207,7 +208,7 @@ void add_stability(RunContext &run, const ChatterStudy &s)
     add_growth(run, s, critical.method);
   if (s.mode) {
     const ChatterAdder shape{run, s, "chatter", "eigenvector of the least stable mode; " + system,
-                             speed_text(s.found.at ? s.found.speed : c.speed)};
+                             at_speed(s.found.at ? s.found.speed : c.speed)};
     shape("work_roll_ratio", "1", s.mode->work_roll_ratio);
     shape("force_phase", "deg", s.mode->force_phase);
     shape("entry_tension_phase", "deg", s.mode->entry_tension_phase);
@@ -219,7 +220,7 @@ void add_stability(RunContext &run, const ChatterStudy &s)
   }
   if (s.run && s.cycle.settled && s.cycle.amplitude > 0) {
     const ChatterAdder cycle{run, s, "chatter", "time simulation with the whole bite; " + system,
-                             speed_text(s.run_speed)};
+                             at_speed(s.run_speed)};
     cycle("limit_cycle_amplitude", "m", s.cycle.amplitude);
     cycle("limit_cycle_frequency", "Hz", s.cycle.frequency);
   }
@@ -235,9 +236,9 @@ void add_sensitivities(RunContext &run, const ChatterStudy &s)
   if (!s.sensitivities)
     return;
   const ChatterAdder working{run, s, "chatter", "exact derivative d ln / d ln",
-                             speed_text(s.question.condition.speed)};
+                             at_speed(s.question.condition.speed)};
   const ChatterAdder critical{run, s, "chatter", "exact derivative d ln / d ln",
-                              s.found.verdict == Verdict::crossing ? speed_text(s.found.speed) : ""};
+                              s.found.verdict == Verdict::crossing ? at_speed(s.found.speed) : OperatingPoint()};
   for (const ChatterSensitivity &one : s.sensitivities->inputs) {
     const auto halves = [&](double FiniteChange::*member) {
       std::vector<Check> checks;

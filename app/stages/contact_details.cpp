@@ -19,7 +19,7 @@ Parameter computed(const std::string &unit, const double value, const double err
   p.value          = value;
   p.unit           = unit;
   p.method         = method;
-  p.at             = in_kN(load);
+  p.at             = at_force(load);
   p.error_estimate = error;
   return p;
 }

@@ -65,7 +65,7 @@ Parameter blank(const std::string &unit, const double load, const std::string &r
   Parameter p;
   p.unit   = unit;
   p.method = "contact FEM, " + reference;
-  p.at     = in_kN(load);
+  p.at     = at_force(load);
   return p;
 }
 

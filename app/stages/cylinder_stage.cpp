@@ -140,7 +140,7 @@ void add_results(RunContext &run, const TwoCylinders &spec, const PlaneEngine en
     s.value          = a.value.*member;
     s.unit           = unit;
     s.method         = a.method;
-    s.at             = fmt::format("{:.6g} N/mm", c.at / 1e3);
+    s.at             = {"{}", {{c.at, "N/mm"}}};
     s.error_estimate = mesh_pair_error(s.value, a.second.*member);
     if (what == "half_width" || what == "peak_pressure")
       s.error_estimate = std::max(s.error_estimate, misfit);

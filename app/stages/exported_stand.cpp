@@ -70,7 +70,7 @@ std::map<std::string, std::string> sources(const DrivenStand &stand)
 {
   std::map<std::string, std::string> all;
   const auto add = [&](const std::string &name, const Parameter &p) {
-    all[name] = name + " of the case, " + source_text(p) + (p.at.empty() ? "" : ", at " + p.at);
+    all[name] = name + " of the case, " + source_text(p) + (p.at.empty() ? "" : ", at " + p.at.text());
   };
   for (std::size_t i = 0; i < 6; ++i)
     add("M" + std::to_string(i + 1), stand.chain.M[i]);
@@ -116,7 +116,7 @@ fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of)
   model.step          = 1 / stand.dynamics.output_rate;
   model.source        = sources(stand);
   model.origin        = "case " + of.name + (stand.pass.name.empty() ? "" : ", " + stand.pass.name) +
-                 (stand.chain.at.empty() ? "" : " at " + stand.chain.at);
+                 (stand.chain.at.empty() ? "" : " at " + stand.chain.at.text());
   const auto chain  = dynamics::mill_model(stand.chain, stand.dynamics);
   const auto driven = stand.modes ? dynamics::driven_model(*stand.modes) : dynamics::driven_model(chain);
   model.data        = stand.modes ? modal_data(*stand.modes) : chain_data(chain, stand);

@@ -157,7 +157,7 @@ void add_line_load_spread(RunContext &run, const std::string &name, const Barrel
   p.unit   = "1";
   p.method = "largest difference of the line load between the two engines over the largest line load, held as in "
              "the stand, nine half widths at each end of the contact left out";
-  p.at     = in_kN(first.load);
+  p.at     = at_force(first.load);
   p.checks.push_back({"two engines that agree", 0, "meshes, elements and treatment of the contact differ"});
   run.results.add("contact." + name + ".line_load_spread", p);
 }

@@ -16,7 +16,7 @@ struct RespondingStand {
   std::vector<reduce::ModalSensitivity> uncertain;  ///< inputs of the first one
   double gap_damper = 0;                            ///< N s/m
   double limit      = not_given;                    ///< Hz, up to which its modes are right; NaN: all are
-  std::string at;                                   ///< load of the tangents, "976.2 kN"
+  OperatingPoint at;                                ///< load of the tangents, "976.2 kN"
   KeyList inputs;                                   ///< keys behind the first model
 };
 

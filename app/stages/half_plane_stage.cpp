@@ -91,8 +91,9 @@ void add_slip(RunContext &run, const TwoCylinders &pair, const SlipValues &s)
     p.value  = value;
     p.unit   = unit;
     p.method = "half planes with stick and slip (sec. 33.4), displacements with the datum of the normal approach";
-    p.at =
-        fmt::format("{:.6g} N/mm, {:.6g} N/mm across", pair.contact.at / 1e3, pair.contact.tangential_load / 1e3);
+    p.at     = {
+            "{}, {} across", {{pair.contact.at, "N/mm"}, {pair.contact.tangential_load, "N/mm"}}
+    };
     p.error_estimate = mesh_pair_error(value, other);
     p.checks         = {
                 {form,                   check, coupled ? "equal materials: pressure and shear apart" : ""},

@@ -13,9 +13,11 @@ std::string result_word(std::string name)
   return name;
 }
 
-std::string at_text(const MarksQuestion &q)
+OperatingPoint operating_point(const MarksQuestion &q)
 {
-  return fmt::format("{:.6g} mm at {:.6g} m/s", 1e3 * q.spacing, q.speed);
+  return {
+      "{} at {}", {{q.spacing, "mm"}, {q.speed, "m/s"}}
+  };
 }
 
 // The numbers of the record as results, each with its keys.
@@ -29,7 +31,7 @@ void add_results(Results &results, const MarksRecord &record, const dynamics::Ma
     p.value          = value;
     p.unit           = unit;
     p.method         = method;
-    p.at             = at_text(q);
+    p.at             = operating_point(q);
     p.error_estimate = error;
     if (std::isnan(error))
       p.error_lacks = {"its own accuracy is not known"};

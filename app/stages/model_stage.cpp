@@ -209,7 +209,7 @@ ModelsRecord comparison(const FourHigh &stand, const reduce::LumpedStand &chain,
   const double limit = stand.dynamics.frequency_limit;
   ModelsRecord record;
   record.frequency_limit = limit;
-  record.at              = chain.model.at;
+  record.at              = chain.model.at.text();
   record.driven          = stand.dynamics.model;
   record.masses_needed   = reduce::masses_needed(models.craig_bampton, limit, most_masses, &models.chain);
   record.answer          = answer(models, record.masses_needed, limit);

@@ -24,7 +24,7 @@ using reduce::PathPart;
 constexpr double width_step = 0.01;  // relative, of central differences
 constexpr double force_step = 0.02;
 
-Parameter made(const char *unit, const double value, const std::string &method, const std::string &at)
+Parameter made(const char *unit, const double value, const std::string &method, const OperatingPoint &at)
 {
   Parameter p;
   p.unit   = unit;
@@ -72,7 +72,7 @@ const Component *solid_work_roll(const FourHigh &stand, const ModulusParts &part
 class Modulus {
 public:
   Modulus(RunContext &context, const FourHigh &s, const ModulusParts &p)
-      : run(context), stand(s), parts(p), at(in_kN(p.load))
+      : run(context), stand(s), parts(p), at(at_force(p.load))
   {
   }
   void add()

@@ -199,7 +199,7 @@ public:
     p.value          = value;
     p.unit           = unit;
     p.method         = record_.model + ", " + method;
-    p.at             = in_kN(record_.load);
+    p.at             = at_force(record_.load);
     p.error_estimate = error;
     if (std::isnan(error))
       p.error_lacks = {"dynamics.modal_damping", "curves of the contacts"};

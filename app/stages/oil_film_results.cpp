@@ -97,8 +97,9 @@ Parameter plain_film(const OilFilmStudy &s, const std::vector<std::string> &inpu
 {
   Parameter p;
   p.method = film_model(s.question);
-  p.at     = fmt::format("{:.6g} kN on one bearing, {}", s.question.load.load / 1e3,
-                         speed_text(s.question, s.question.load.speed));
+  p.at     = {
+          "{} on one bearing, {}", {{s.question.load.load, "kN"}, shown_speed(s.question, s.question.load.speed)}
+  };
   p.inputs = inputs;
   return p;
 }

@@ -53,10 +53,15 @@ std::optional<OilFilmState> state_or_none(const OilFilmBearing &b, const OilFilm
 }
 }  // namespace
 
+StatedQuantity shown_speed(const OilFilmQuestion &q, const double speed)
+{
+  return std::isnan(q.surface_radius) ? StatedQuantity{speed / (2 * M_PI), "rpm", ".4g"}
+                                      : StatedQuantity{speed * q.surface_radius, "m/s", ".4g"};
+}
+
 std::string speed_text(const OilFilmQuestion &q, const double speed)
 {
-  return std::isnan(q.surface_radius) ? fmt::format("{:.4g} rpm", speed * 30 / M_PI)
-                                      : fmt::format("{:.4g} m/s", speed * q.surface_radius);
+  return OperatingPoint("{}", {shown_speed(q, speed)}).text();
 }
 
 OilFilmStudy study_oil_film(RunContext &run, const OilFilmQuestion &q)

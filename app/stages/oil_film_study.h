@@ -24,6 +24,7 @@ struct OilFilmStudy {
 };
 
 /// "65.9 rpm", or "0.5 m/s" of a roll's surface.
+StatedQuantity shown_speed(const OilFilmQuestion &question, double speed);
 std::string speed_text(const OilFilmQuestion &question, double speed);
 
 /// @throws InputError  no film carries at this speed: with the speed at which one does

@@ -12,15 +12,17 @@ std::string fit_text(const std::string &what, const PassForce &pass, const std::
                      pass.fitted_to_what, in_kN(pass.fitted_to), arc);
 }
 
-std::string pass_at(const PassForce &pass)
+OperatingPoint pass_at(const PassForce &pass)
 {
-  return fmt::format("{:.4g} -> {:.4g} mm", 1e3 * pass.entry_thickness, 1e3 * pass.exit_thickness);
+  return {
+      "{} -> {}", {{pass.entry_thickness, "mm", ".4g"}, {pass.exit_thickness, "mm", ".4g"}}
+  };
 }
 
 /// Adds results of one pass, or of all of them.
 class ScheduleAdder {
 public:
-  ScheduleAdder(RunContext &run_, const ScheduleQuestion &question_, std::string subject_, std::string at_,
+  ScheduleAdder(RunContext &run_, const ScheduleQuestion &question_, std::string subject_, OperatingPoint at_,
                 KeyList keys_)
       : run(run_), question(question_), subject(std::move(subject_)), at(std::move(at_)), keys(std::move(keys_))
   {
@@ -47,7 +49,8 @@ public:
 private:
   RunContext &run;
   const ScheduleQuestion &question;
-  std::string subject, at;
+  std::string subject;
+  OperatingPoint at;
   KeyList keys;
 };
 

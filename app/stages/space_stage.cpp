@@ -58,7 +58,7 @@ void add(RunContext &run, const SpaceRun &s, const std::string &what, const std:
   p.value          = value;
   p.unit           = unit;
   p.method         = "half spaces, boundary elements (sec. 33.3), between points far from the contact";
-  p.at             = fmt::format("{:.6g} N", s.load());
+  p.at             = {"{}", {{s.load(), "N"}}};
   p.error_estimate = mesh_pair_error(value, coarse);
   if (s.point && !checks.empty())  // Hertz is exact there
     p.error_estimate = std::max(p.error_estimate, difference(checks.front().value, value));
@@ -287,7 +287,9 @@ void solve_slip(RunContext &run, const SpaceRun &s)
     p.value  = value;
     p.unit   = unit;
     p.method = "half spaces with stick and slip (sec. 33.4), between points far from the contact";
-    p.at     = fmt::format("{:.6g} N, {:.6g} N {} the axes", c.at, c.tangential_load, c.tangential_direction);
+    p.at     = {
+            "{}, {} " + c.tangential_direction + " the axes", {{c.at, "N"}, {c.tangential_load, "N"}}
+    };
     p.error_estimate = mesh_pair_error(value, other);
     p.checks         = std::move(checks);
     p.checks.push_back({"coarser grid", other, ""});

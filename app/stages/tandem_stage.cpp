@@ -12,6 +12,11 @@
 
 namespace mill {
 namespace {
+OperatingPoint at_last_stand(const double speed)
+{
+  return {"{} of the last stand", {{speed, "m/s", ".4g"}}};
+}
+
 // Conditions from the first stand to the last one, by what comes after what; empty: no tandem.
 std::vector<std::size_t> stands_in_order(const std::vector<RollingCondition> &all)
 {
@@ -46,8 +51,7 @@ void add_results(RunContext &run, const dynamics::TandemStudy &study, const dyna
     p.value  = value;
     p.unit   = unit;
     p.method = method;
-    p.at     = unit == std::string("m/s") ? fmt::format("{:.4g} m/s of the last stand", value)
-                                          : fmt::format("{:.4g} m/s of the last stand", study.full.speed);
+    p.at     = at_last_stand(unit == std::string("m/s") ? value : study.full.speed);
     p.inputs = inputs;
     p.checks = std::move(beside);
     run.results.add(std::string("chatter.tandem.") + name, p);
@@ -69,7 +73,7 @@ void judge_working_speed(RunContext &run, const dynamics::TandemLine &line, cons
     growth.value  = root.real();
     growth.unit   = "1/s";
     growth.method = "rightmost root of the coupled stands with the delay of the strip";
-    growth.at     = fmt::format("{:.4g} m/s of the last stand", speed);
+    growth.at     = at_last_stand(speed);
     run.results.add("chatter.tandem.growth_rate", growth);
     if (root.real() > 1e-9 * std::abs(root))
       run.warn(fmt::format(

@@ -90,7 +90,7 @@ ClosedFormResult closed_form_film(const char *name, const OilFilmBearing &film, 
   r.parameter.value  = bearing::coarse_oil_film(film, load).at.stiffness(across, across);
   r.parameter.unit   = "N/m";
   r.parameter.method = across ? "oil film on one grid, across the load" : "oil film on one grid";
-  r.parameter.at     = in_kN(load.load) + " on one bearing";
+  r.parameter.at     = {"{} on one bearing", {{load.load, "kN", ".1f"}}};
   r.closed           = keys;
   r.relation         = "oil film";
   r.file             = "bearing/oil_film/film_reactions";
@@ -152,7 +152,7 @@ std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const 
     r.parameter.value  = bearing::radial_tangent(state, loading);
     r.parameter.unit   = "N/m";
     r.parameter.method = closed_method(b);
-    r.parameter.at     = in_kN(load) + " on one bearing";
+    r.parameter.at     = {"{} on one bearing", {{load, "kN", ".1f"}}};
     r.load             = load;
     r.closed =
         joined(seat_load_keys(stand, backup, i < 2 ? "upper" : "lower", pass), closed_bearing_keys(b, false));

@@ -206,7 +206,7 @@ Parameter bent_beam(const FourHigh &stand, const SpringFactors &factors)
 
 // The chain twice: with the keys that closed forms follow, whose numbers count, and with all keys of a run.
 reduce::LumpedStand add_chain(ClosedFormResults &all, const FourHigh &stand, const std::string &prefix,
-                              const std::string &at, const SpringFactors &factors)
+                              const OperatingPoint &at, const SpringFactors &factors)
 {
   const auto made = [&](const std::string &name) {
     const ClosedFormResult *spring = find(all, prefix + name);

@@ -32,7 +32,7 @@ ClosedFormResult closed_form_contact(const FourHigh &stand, const std::string &n
   r.parameter.value  = reduce::line_contact(pair, load).tangent;
   r.parameter.unit   = "N/m";
   r.parameter.method = "Hertz line contact, infinitely long, reduce/chain/line_contact (3.5b)";
-  r.parameter.at     = in_kN(load);
+  r.parameter.at     = at_force(load);
   r.load             = load;
   r.closed           = joined(keys_in("steel", "youngs_modulus poisson_ratio"),
                               keys_in("work_roll", "barrel_diameter barrel_length axial_shift"),
@@ -89,7 +89,9 @@ KeyList closed_keys(const TwoCylinders &pair)
 struct ClosedFormContact {
   const TwoCylinders &pair;
   KeyList closed;
-  std::string prefix, at, method, file;
+  std::string prefix;
+  OperatingPoint at;
+  std::string method, file;
   std::vector<ClosedFormResult> all = {};
   void add(const char *name, const char *unit, const double value, const char *equation)
   {
@@ -115,8 +117,10 @@ std::vector<ClosedFormResult> closed_form_space(const TwoCylinders &pair)
 {
   const SpaceShape shape = space_shape(pair);
   const double load      = pair.space.at;
-  ClosedFormContact c{pair, closed_keys(pair),         "contact.space.", fmt::format("{:.6g} N", load),
-                      "",   "app/stages/space_contact"};
+  ClosedFormContact c{
+      pair, closed_keys(pair), "contact.space.", {"{}", {{load, "N"}}},
+         "", "app/stages/space_contact"
+  };
   c.closed = joined(c.closed, keys_in("contact.space", "at"));
   if (shape.is_point(load, pair.space.tilt)) {
     const auto e = contact::hertz_point(load, shape.radius, 1 / shape.curvature, shape.modulus);
@@ -154,12 +158,14 @@ std::vector<ClosedFormResult> closed_form_cylinders(const TwoCylinders &pair)
     return closed_form_space(pair);
   const double q  = pair.contact.at;
   const auto line = contact::line_bodies(line_bodies_of(pair), q);
-  ClosedFormContact c{pair,
-                      joined(closed_keys(pair), keys_in("contact.line", "at")),
-                      "contact.line.",
-                      fmt::format("{:.6g} N/mm", q / 1e3),
-                      "Hertz and Johnson, contact/line_bodies (3.2) to (3.5b)",
-                      "fem/roll/contact_study"};
+  ClosedFormContact c{
+      pair,
+      joined(closed_keys(pair), keys_in("contact.line", "at")),
+      "contact.line.",
+      {"{}", {{q, "N/mm"}}},
+      "Hertz and Johnson, contact/line_bodies (3.2) to (3.5b)",
+      "fem/roll/contact_study"
+  };
   c.add("half_width", "m", line.half_width, "(3.2)");
   c.add("peak_pressure", "Pa", line.peak_pressure, "(3.3)");
   if (holds(cylinder_keys(pair, "contact.line.approach"), "contact.line.plane_depth"))

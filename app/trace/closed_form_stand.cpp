@@ -11,7 +11,7 @@
 namespace mill {
 namespace {
 ClosedFormResult made(const std::string &name, const char *unit, const double value, const char *method,
-                      const std::string &at)
+                      const OperatingPoint &at)
 {
   ClosedFormResult r;
   r.name             = name;
@@ -27,7 +27,7 @@ struct ClosedFormModulus {
   std::vector<ClosedFormResult> &all;
   const FourHigh &stand;
   const SpringFactors &factors;
-  std::string at;
+  OperatingPoint at;
   double load;
 
   std::string own(const std::string &quantity, const std::string &aspect = "") const

@@ -75,7 +75,7 @@ Parameter read_table(const Row &row, const Section &section, Reading &reading)
                     reading.said(section.key("source"))));
   if (!input.method.empty())
     parameter.method = input.method;
-  parameter.at             = input.at;
+  parameter.at             = operating_point_of(input.at);
   parameter.error_estimate = input.error_estimate;
   parameter.inputs         = read_inputs(section, reading);
   return parameter;
@@ -187,7 +187,7 @@ std::string given_toml(const Row &row, const Parameter &parameter)
       from != parameter.checks.end() && to != parameter.checks.end())
     text += ", interval = [" + toml_of(row, from->value) + ", " + toml_of(row, to->value) + "]";
   if (!parameter.at.empty())
-    text += ", at = " + quoted(parameter.at);
+    text += ", at = " + quoted(parameter.at.text());
   if (!std::isnan(parameter.error_estimate))
     text += ", error_estimate = " + number_text(parameter.error_estimate);
   if (!parameter.inputs.empty()) {

@@ -242,16 +242,21 @@ std::string number_text(const double value)
   return std::string(text, result.ptr);
 }
 
+const Unit &si_unit(const Unit &u)
+{
+  for (const Unit &other : all_units())
+    if (other.dimension == u.dimension && other.multiply == 1 && other.divide == 1 && other.offset == 0)
+      return other;
+  return u;
+}
+
 std::string quantity_text(const double value, const Unit &u)
 {
   const double number = from_si(value, u);
   for (const double near : {number, std::nextafter(number, -HUGE_VAL), std::nextafter(number, HUGE_VAL)})
     if (const std::string text = exact_text(value, near, u); !text.empty())
       return text + " " + u.symbol;
-  for (const Unit &other : all_units())
-    if (other.dimension == u.dimension && other.multiply == 1 && other.divide == 1 && other.offset == 0)
-      return number_text(value) + " " + other.symbol;
-  return number_text(number) + " " + u.symbol;
+  return number_text(value) + " " + si_unit(u).symbol;
 }
 
 std::string units_like(const Unit &u)

@@ -30,6 +30,9 @@ const Unit *find_unit(std::string_view spelling);
 /// Unit named in this program's own tables; an unknown one is our bug and is caught by an assertion.
 const Unit &unit(std::string_view symbol);
 
+/// The SI unit of the same dimension; the first of the list where several share one.
+const Unit &si_unit(const Unit &unit);
+
 double to_si(double number, const Unit &unit);
 double from_si(double value, const Unit &unit);
 

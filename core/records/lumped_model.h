@@ -14,7 +14,7 @@ struct LumpedModel {
       Kzc;  ///< N/m, one bearing along its load: upper backup, upper work, lower work, lower backup; NaN: unknown
   std::array<Parameter, 4> Kzc_across;  ///< N/m, the same across the load, chock on its liners; NaN: unknown
   Parameter C;                          ///< N s/m, damper beside K4
-  std::string at;                       ///< working load, "976.2 kN"; empty for a given model
+  OperatingPoint at;                    ///< working load, "976.2 kN"; empty for a given model
 };
 
 /// A given model of kind = "lumped": every missing M1..M6, K1..K7 has been reported by the reader.

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/records/operating_point.h"
 #include <limits>
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ struct Parameter {
   std::string unit;                                         ///< SI unit as text: "N/m", "kg", "Hz", "m/s2", "1"
   Source source = Source::computed;
   std::string method;  ///< "contact FEM", "series springs"; empty when given
-  std::string at;      ///< load or state it belongs to, with unit: "976.2 kN"; empty when it has none
+  OperatingPoint at;   ///< load or state it belongs to, "976.2 kN"; empty when it has none
   double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< relative; NaN: none can be stated
   /// Why none can be stated: keys of the case file, or results, whose own error is not known.  Empty beside a
   /// number.

@@ -12,8 +12,13 @@ ordered_json json_of(const Parameter &parameter)
       {"value",  parameter.value       },
       {"unit",   parameter.unit        },
       {"source", source_text(parameter)},
-      {"at",     parameter.at          }
+      {"at",     parameter.at.text()   }
   };
+  for (const OperatingPoint::Value &at : parameter.at.values())  // the numbers of that text
+    json["at_values"].push_back({
+        {"value", at.value},
+        {"unit",  at.unit }
+    });
   json["error_estimate"] = parameter.error_estimate;  // NaN, none can be stated, becomes null
   if (!parameter.error_lacks.empty())
     json["error_lacks"] = parameter.error_lacks;  // why there is none

@@ -147,9 +147,12 @@ Eigen::VectorXd legendre(const double s, const int modes)
 
 Eigen::VectorXd line_shape(const Eigen::Index n_nodes, const double s)
 {
+  Eigen::VectorXd N(n_nodes);
   if (n_nodes == 2)
-    return Eigen::Vector2d(1 - s, s);
-  return Eigen::Vector3d((1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1));
+    N << 1 - s, s;
+  else
+    N << (1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1);
+  return N;
 }
 
 Eigen::MatrixXd raceway_loads(const SectionBody &body, const std::string &group, const RacewayLine &line,

@@ -186,7 +186,7 @@ void add_shapes(LumpedStand &result, const FourHigh &stand, const Reduced &r)
 }
 
 Parameter computed_parameter(const double value, const char *unit, const std::string &method,
-                             const std::string &at, const Keys &keys)
+                             const OperatingPoint &at, const Keys &keys)
 {
   Parameter p;
   p.value  = value;
@@ -250,8 +250,8 @@ void stand_beside(Parameter &p, const double beams, const bool solid)
 LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
 {
   LumpedStand result;
-  LumpedModel &model   = result.model;
-  const std::string at = model.at = inputs.at;
+  LumpedModel &model      = result.model;
+  const OperatingPoint at = model.at = inputs.at;
   const Parameter K3 = given_or(stand, "K3", inputs.K3), K4 = given_or(stand, "K4", inputs.K4),
                   K5 = given_or(stand, "K5", inputs.K5);
   result.K_Zy_upper  = given_or(stand, "K_Zy", inputs.K_Zy_upper);
@@ -318,8 +318,8 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
   };
   for (std::size_t i = 0; i < 6; ++i) {
     const bool frame = i == 0 || i == 5;
-    Parameter mass =
-        with_error(computed_parameter(values[i], "kg", mass_method(i, reference), frame ? "" : at, keys[i]), i);
+    Parameter mass   = with_error(
+          computed_parameter(values[i], "kg", mass_method(i, reference), frame ? OperatingPoint() : at, keys[i]), i);
     if (!frame) {
       mass.checks.push_back(other_reference(i, reference, other));
       if (inputs.solid)
@@ -330,7 +330,8 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
   for (std::size_t i = 0; i < 7; ++i) {
     const bool frame = i == 0 || i == 6;
     Parameter p      = with_error(
-             computed_parameter(values[6 + i], "N/m", "series springs", frame ? "" : at, keys[6 + i]), 6 + i);
+             computed_parameter(values[6 + i], "N/m", "series springs", frame ? OperatingPoint() : at, keys[6 + i]),
+             6 + i);
     if (inputs.solid && (i == 1 || i == 5))
       stand_beside(p, beside[6 + i], solid);
     model.K[i] = given_or(stand, "K" + std::to_string(i + 1), p);

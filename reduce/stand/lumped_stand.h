@@ -31,8 +31,8 @@ struct ChainInputs {
   Parameter K_Zy_lower;                 ///< both bearings of the lower backup roll together, tangent
   std::array<Parameter, 4> Kzc;         ///< one bearing: upper backup, upper work, lower work, lower backup
   std::array<Parameter, 4> Kzc_across;  ///< the same across the load
-  SolidRolls solid;  ///< without them the closed forms stand in, whatever backup_roll.bending_model says
-  std::string at;    ///< working load, "976.2 kN"
+  SolidRolls solid;   ///< without them the closed forms stand in, whatever backup_roll.bending_model says
+  OperatingPoint at;  ///< working load, "976.2 kN"
 };
 
 /// The springs among them by their names in the results.  A member that is added and not named here does not

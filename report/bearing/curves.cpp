@@ -1,5 +1,5 @@
-#include "report/bearing/figures.h"
 #include "report/page/curves.h"
+#include "report/bearing/figures.h"
 #include "report/page/number.h"
 #include "report/plot/svg.h"
 #include <algorithm>
@@ -38,7 +38,7 @@ std::vector<Mark> bearing_loads(const Run &run, const std::string &bearing)
   std::vector<Mark> marks;
   for (const std::string &name : results_of_bearing(run, bearing)) {
     const Result *tangent = run.find(name + ".tangent");
-    const double load     = quantity_in_text((tangent ? tangent : run.find(name))->at, "kN");
+    const double load     = quantity_at(tangent ? *tangent : *run.find(name), "kN");
     if (!marks.empty() && std::abs(marks.back().x - load) <= 1e-9 * load)
       marks.back().label += ", " + name;
     else

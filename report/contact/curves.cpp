@@ -30,7 +30,7 @@ std::vector<WorkingLoad> working_loads(const Run &run, const std::string &contac
     return loads;
   for (const Result &result : run.results)
     if (is_of(result.name, result_name({family::contact, contact})) && !result.at.empty()) {
-      const double load = quantity_in_text(result.at, unit);
+      const double load = quantity_at(result, unit);
       if (std::isfinite(load))
         return std::vector<WorkingLoad>(1, {result.at, load, not_stored, not_stored});
     }

@@ -73,15 +73,12 @@ double factor_between(const std::string &from, const std::string &to)
   return a->si / b->si;
 }
 
-double quantity_in_text(const std::string &text, const std::string &unit)
+double quantity_at(const Result &result, const std::string &unit)
 {
-  double value   = 0;
-  const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end.ec != std::errc())
-    return std::numeric_limits<double>::quiet_NaN();
-  std::string written(end.ptr, text.data() + text.size());
-  written.erase(0, written.find_first_not_of(' '));
-  return value * factor_between(written.substr(0, written.find_first_of(" ,;")), unit);
+  for (const OperatingPoint::Value &at : result.at_values)
+    if (const double value = at.value * factor_between(at.unit, unit); !std::isnan(value))
+      return value;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 Eigen::VectorXd values_of(const Table &table, const Column &column)

@@ -20,9 +20,9 @@ struct Column {
 /// Factor from one unit to another of the same dimension; NaN when the program knows no such conversion.
 double factor_between(const std::string &from, const std::string &to);
 
-/// A quantity at the beginning of a text that the program wrote, "976.2 kN on one bearing", in the wanted unit;
-/// NaN when the text begins otherwise.
-double quantity_in_text(const std::string &text, const std::string &unit);
+/// The first quantity of the operating point of a result that has the dimension of the unit, in that unit; NaN
+/// when none has.
+double quantity_at(const Result &result, const std::string &unit);
 
 /// (n) in the wanted unit; (0) when the column is absent or its unit is of another dimension.
 Eigen::VectorXd values_of(const Table &table, const Column &column);

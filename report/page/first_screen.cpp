@@ -67,7 +67,7 @@ std::vector<Condition> conditions(const Run &run)
     if (parts.size() != 3 || parts[0] != family::chatter || parts[2] != "growth_rate")
       continue;
     Condition one{parts[1], run.find(result_name({family::chatter, parts[1], "critical_speed"})), &result,
-                  quantity_in_text(result.at, "m/s")};
+                  quantity_at(result, "m/s")};
     all.push_back(one);
   }
   std::stable_sort(all.begin(), all.end(), [](const Condition &a, const Condition &b) {

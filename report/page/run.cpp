@@ -93,6 +93,8 @@ Result result_of(const std::string &name, const Json &entry)
                 {},
                 texts_at(entry, "error_lacks"),
                 texts_at(entry, "estimated")};
+  for (const Json &at : list_at(entry, "at_values"))
+    result.at_values.push_back({number_at(at, "value"), text_at(at, "unit")});
   for (const Json &check : list_at(entry, "checks"))
     result.checks.push_back({text_at(check, "name"), number_at(check, "value"), text_at(check, "note")});
   return result;

@@ -9,16 +9,17 @@
 namespace mill::report {
 /// One entry of results.json.
 struct Result {
-  std::string name;                         ///< "K3.tangent"
-  double value;                             ///< SI; NaN when the run stored none
-  std::string unit;                         ///< SI unit, "N/m", "1"
-  std::string source;                       ///< "computed: contact FEM", "given", ...
-  std::string at;                           ///< load or state, "976.2 kN"; empty when it has none
-  double error_estimate;                    ///< relative; NaN: none can be stated
-  std::vector<std::string> inputs;          ///< keys of the case file
-  std::vector<Check> checks;                ///< independent values beside it
-  std::vector<std::string> error_lacks;     ///< why none can be stated: inputs whose own error is not known
-  std::vector<std::string> estimated = {};  ///< those of the inputs that are estimates
+  std::string name;                      ///< "K3.tangent"
+  double value;                          ///< SI; NaN when the run stored none
+  std::string unit;                      ///< SI unit, "N/m", "1"
+  std::string source;                    ///< "computed: contact FEM", "given", ...
+  std::string at;                        ///< load or state, "976.2 kN"; empty when it has none
+  double error_estimate;                 ///< relative; NaN: none can be stated
+  std::vector<std::string> inputs;       ///< keys of the case file
+  std::vector<Check> checks;             ///< independent values beside it
+  std::vector<std::string> error_lacks;  ///< why none can be stated: inputs whose own error is not known
+  std::vector<std::string> estimated           = {};  ///< those of the inputs that are estimates
+  std::vector<OperatingPoint::Value> at_values = {};  ///< the numbers of `at`
 };
 
 /// A value that no drawing gave: results.json, "estimates".

@@ -21,8 +21,8 @@ std::string modulus_plot(const Run &run, const Table &curve)
   add_line(plot, curve, load, {"kiss_tangent", "kN/mm"}, "work rolls touching, tangent", Pen::warm);
   add_line(plot, curve, load, {"kiss_secant", "kN/mm"}, "work rolls touching, secant", Pen::warm_dashed);
   for (const char *name : {"stand.modulus.tangent", "stand.modulus.kiss"})
-    if (const Result *m = run.find(name); m && std::isfinite(quantity_in_text(m->at, "kN")))
-      plot.points.push_back({quantity_in_text(m->at, "kN"), 1e-6 * m->value, ""});
+    if (const Result *m = run.find(name); m && std::isfinite(quantity_at(*m, "kN")))
+      plot.points.push_back({quantity_at(*m, "kN"), 1e-6 * m->value, ""});
   return svg_plot(plot);
 }
 

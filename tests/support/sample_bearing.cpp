@@ -203,8 +203,8 @@ void write_whole_bearing(const fs::path &run, const SampleRun &)
 ordered_json sample_bearing_results()
 {
   ordered_json v;
-  const std::string by = "computed: FE law of one roller, elastic rings in their chock",
-                    at = "1000 kN on one bearing";
+  const std::string by = "computed: FE law of one roller, elastic rings in their chock";
+  const mill::OperatingPoint at("{} on one bearing", {{1e6, "kN"}});
   const auto add       = [&](const std::string &name, const double number, const std::string &unit,
                        const double standard) {
     v["Kzc." + name] = value(number, unit, by, at, 0.02,

@@ -23,24 +23,25 @@ ordered_json chain_results(const SampleChain &chain)
     if (i == 3 || i == 5) {
       const double K = hertz_tangent(F) / softer;
       v[name + ".tangent"] =
-          value(K, "N/m", "computed: contact FEM", "976.2 kN", 0.004, rolls,
+          value(K, "N/m", "computed: contact FEM", mill::at_force(976.2e3), 0.004, rolls,
                 {
                     {"Hertz line contact, axis to axis", "plane strain; the barrel ends are not in it"},
                     {"published",                        "no line contact of solid rolls reaches it"  }
       },
                 {hertz_tangent(F), published[i - 1]});
       v[name + ".secant"] =
-          value(hertz_secant(F) / softer, "N/m", "computed: contact FEM", "976.2 kN", 0.004, rolls,
+          value(hertz_secant(F) / softer, "N/m", "computed: contact FEM", mill::at_force(976.2e3), 0.004, rolls,
                 {
                     {"F\u00f6ppl", ""},
                     {"half space", ""}
       },
                 {foeppl_secant(F), half_space_secant(F)});
     } else if (i == 4) {
-      v["K4.plastic_slope"] = value(2.1e8, "N/m", "computed: slab model", "976.2 kN", 0.02, {"strip.flow_stress"});
-      v["K4"]               = value(0, "N/m", "assumed: measured force holds the reaction of K4", "976.2 kN");
+      v["K4.plastic_slope"] =
+          value(2.1e8, "N/m", "computed: slab model", mill::at_force(976.2e3), 0.02, {"strip.flow_stress"});
+      v["K4"] = value(0, "N/m", "assumed: measured force holds the reaction of K4", mill::at_force(976.2e3));
     } else
-      v[name] = value(chain.K[i - 1], "N/m", "computed: series springs", "976.2 kN", NAN,
+      v[name] = value(chain.K[i - 1], "N/m", "computed: series springs", mill::at_force(976.2e3), NAN,
                       {
                           "frame.upper_post_stiffness"
       },
@@ -50,22 +51,25 @@ ordered_json chain_results(const SampleChain &chain)
     const bool work = i == 2 || i == 3;
     v["Kzc" + std::to_string(i) + ".tangent"] =
         value(work ? 1.669e10 : 5.114e10, "N/m", "computed: roller law, rigid rings",
-              work ? "48.81 kN" : "488.1 kN", 0.03,
+              mill::operating_point_of(work ? "48.81 kN" : "488.1 kN"), 0.03,
               {
                   work ? "bearing.trb.rollers_per_row" : "bearing.crb.rollers_per_row"
     },
               {{"Palmgren", "3.3 % apart at fixed load"}}, {work ? 1.72e10 : 5.28e10});
   }
-  v["Kzc2.row1_share"]  = value(0.27, "1", "computed: roller law, rigid rings", "48.81 kN");
+  v["Kzc2.row1_share"] =
+      value(0.27, "1", "computed: roller law, rigid rings", mill::operating_point_of("48.81 kN"));
   const double masses[] = {9321.943, 59716.884, 1888.705, 3094.684, 42200.563, 4663.29};
   for (int i = 0; i < 6; ++i)
-    v["M" + std::to_string(i + 1)] = value(chain.M[i], "kg", "computed: shape integrals", "976.2 kN", 0.002,
-                                           {
-                                               "work_roll.neck_diameter"
+    v["M" + std::to_string(i + 1)] =
+        value(chain.M[i], "kg", "computed: shape integrals", mill::at_force(976.2e3), 0.002,
+              {
+                  "work_roll.neck_diameter"
     },
-                                           {{"published", ""}}, {masses[i]});
+              {{"published", ""}}, {masses[i]});
   for (int i = 0; i < 6; ++i)
-    v["f" + std::to_string(i + 1)] = value(chain.frequency[i], "Hz", "computed: eigenvalues", "976.2 kN", 0.03);
+    v["f" + std::to_string(i + 1)] =
+        value(chain.frequency[i], "Hz", "computed: eigenvalues", mill::at_force(976.2e3), 0.03);
   return v;
 }
 
@@ -96,26 +100,29 @@ void add_peaks(ordered_json &v)
 ordered_json two_cylinder_results()
 {
   ordered_json v;
-  constexpr double F              = working_load;
-  v["contact.line.half_width"]    = value(half_width(F), "m", "computed: contact FEM", "697.298 N/mm", 0.004,
-                                          {
-                                              "upper.diameter"
+  constexpr double F = working_load;
+  v["contact.line.half_width"] =
+      value(half_width(F), "m", "computed: contact FEM", mill::operating_point_of("697.298 N/mm"), 0.004,
+            {
+                "upper.diameter"
   },
-                                          {{"Hertz", ""}}, {half_width(F)});
-  v["contact.line.peak_pressure"] = value(peak_pressure(F), "Pa", "computed: contact FEM", "697.298 N/mm", 0.004,
-                                          {
-                                              "upper.diameter"
+            {{"Hertz", ""}}, {half_width(F)});
+  v["contact.line.peak_pressure"] =
+      value(peak_pressure(F), "Pa", "computed: contact FEM", mill::operating_point_of("697.298 N/mm"), 0.004,
+            {
+                "upper.diameter"
   },
-                                          {{"Hertz", ""}}, {peak_pressure(F)});
-  v["contact.line.approach"] = value(softer * approach(F), "m", "computed: contact FEM", "697.298 N/mm", 0.004,
-                                     {
-                                         "upper.diameter"
+            {{"Hertz", ""}}, {peak_pressure(F)});
+  v["contact.line.approach"] =
+      value(softer * approach(F), "m", "computed: contact FEM", mill::operating_point_of("697.298 N/mm"), 0.004,
+            {
+                "upper.diameter"
   },
-                                     {{"Johnson", ""}}, {approach(F)});
-  v["contact.line.tangent"]  = value(hertz_tangent(F) / (softer * L), "N/m2", "computed: contact FEM",
-                                     "697.298 N/mm", 0.004, {"upper.diameter"});
-  v["contact.line.secant"] = value(hertz_secant(F) / (softer * L), "N/m2", "computed: contact FEM", "697.298 N/mm",
-                                   0.004, {"upper.diameter"});
+            {{"Johnson", ""}}, {approach(F)});
+  v["contact.line.tangent"] = value(hertz_tangent(F) / (softer * L), "N/m2", "computed: contact FEM",
+                                    mill::operating_point_of("697.298 N/mm"), 0.004, {"upper.diameter"});
+  v["contact.line.secant"]  = value(hertz_secant(F) / (softer * L), "N/m2", "computed: contact FEM",
+                                    mill::operating_point_of("697.298 N/mm"), 0.004, {"upper.diameter"});
   return v;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/records/operating_point.h"
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -10,7 +11,7 @@ namespace sample {
 /// @param checks  name and note of each, with their values after them
 // clang-format off: lists of lists of different lengths crash clang-format 14 with AlignArrayOfStructures
 inline nlohmann::ordered_json value(const double number, const std::string &unit, const std::string &source,
-                                    const std::string &at = "", const double error = NAN,
+                                    const mill::OperatingPoint &at = {}, const double error = NAN,
                                     const std::vector<std::string> &inputs                = {},
                                     const std::vector<std::array<std::string, 2>> &checks = {},
                                     const std::vector<double> &check_values               = {})
@@ -21,7 +22,12 @@ inline nlohmann::ordered_json value(const double number, const std::string &unit
       {"source", source}
   };
   if (!at.empty())
-    json["at"] = at;
+    json["at"] = at.text();
+  for (const auto &quantity : at.values())
+    json["at_values"].push_back({
+        {"value", quantity.value},
+        {"unit",  quantity.unit }
+    });
   json["error_estimate"] = error;
   json["inputs"]         = inputs;
   for (std::size_t i = 0; i < checks.size(); ++i)

@@ -17,7 +17,9 @@ ordered_json finite(const double value)
 Results values_of(const Calibration &result)
 {
   Results values;
-  const std::string at = fmt::format("{:.4g} s of the records", result.fit_seconds);
+  const OperatingPoint at("{} of the records", {
+                                                   {result.fit_seconds, "s", ".4g"}
+  });
   for (const Calibrated &u : result.unknowns) {
     const bool delay = u.name == "delay";
     Parameter p;
@@ -44,7 +46,7 @@ Results values_of(const Calibration &result)
     p.unit        = "1";
     p.source      = Source::measured;
     p.method      = of;
-    p.at          = fmt::format("{:.4g} s of the records", seconds);
+    p.at          = {"{} of the records", {{seconds, "s", ".4g"}}};
     p.error_lacks = {"one record has one misfit"};
     values.add(name, p);
   };

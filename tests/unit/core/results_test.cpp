@@ -13,7 +13,7 @@ Results sample()
   k3.value          = 1.0 / 3.0 * 1e11;
   k3.unit           = "N/m";
   k3.method         = "contact FEM";
-  k3.at             = "976.2 kN";
+  k3.at             = at_force(976.2e3);
   k3.error_estimate = 0.004;
   k3.inputs         = {"work_roll.barrel_diameter", "backup_roll.barrel_diameter"};
   k3.checks         = {
@@ -41,6 +41,9 @@ TEST(Results, JsonHasEveryPart)
   EXPECT_EQ(k3.at("unit"), "N/m");
   EXPECT_EQ(k3.at("source"), "computed: contact FEM");
   EXPECT_EQ(k3.at("at"), "976.2 kN");
+  ASSERT_EQ(k3.at("at_values").size(), 1u);
+  EXPECT_EQ(k3.at("at_values").at(0).at("value"), 976.2e3);
+  EXPECT_EQ(k3.at("at_values").at(0).at("unit"), "N");
   EXPECT_EQ(k3.at("error_estimate"), 0.004);
   EXPECT_EQ(k3.at("inputs").size(), 2u);
   EXPECT_EQ(k3.at("checks").at(0).at("name"), "Hertz line contact");
@@ -58,6 +61,7 @@ TEST(Results, WhatIsUnknownIsNull)
   EXPECT_TRUE(none.at("error_estimate").is_null());
   EXPECT_EQ(none.at("source"), "assumed");
   EXPECT_EQ(none.at("at"), "");
+  EXPECT_FALSE(none.contains("at_values"));
 }
 
 TEST(Results, OrderIsThatOfTheComputation)

@@ -29,14 +29,25 @@ TEST(Curves, FactorsOfEveryDimension)
   EXPECT_TRUE(std::isnan(factor_between("furlong", "mm")));
 }
 
-TEST(Curves, QuantityInText)
+TEST(Curves, QuantityOfAnOperatingPoint)
 {
-  EXPECT_TRUE(near(quantity_in_text("976.2 kN", "N"), 976200, within(1e-14, "one multiplication")));
-  EXPECT_TRUE(near(quantity_in_text("48.8 kN on one bearing", "kN"), 48.8, within(0, "no conversion")));
-  EXPECT_TRUE(near(quantity_in_text("1.2 MN, pass 1", "kN"), 1200, within(1e-14, "one multiplication")));
-  EXPECT_TRUE(near(quantity_in_text("1000 N/mm", "N/m"), 1e6, within(1e-14, "one multiplication")));
-  EXPECT_TRUE(std::isnan(quantity_in_text("1000 N/mm", "kN"))) << "a line load is no load";
-  EXPECT_TRUE(std::isnan(quantity_in_text("rest", "kN")));
+  const auto in = [](const mill::OperatingPoint &at, const char *unit) {
+    Result result;
+    result.at_values = at.values();
+    return quantity_at(result, unit);
+  };
+  EXPECT_EQ(in(mill::at_force(976.2e3), "N"), 976.2e3);
+  EXPECT_TRUE(near(in({"{} on one bearing", {{48.8e3, "kN"}}}, "kN"), 48.8, within(1e-15, "one division")));
+  EXPECT_TRUE(near(in(
+                       {
+                           "{}, {}", {{8e-3, "mm"}, {1.2e6, "MN"}}
+  },
+                       "kN"),
+                   1200, within(1e-15, "one division")))
+      << "the thickness before it is no load";
+  EXPECT_TRUE(near(in({"{}", {{1e6, "N/mm"}}}, "N/m"), 1e6, within(1e-15, "one division")));
+  EXPECT_TRUE(std::isnan(in({"{}", {{1e6, "N/mm"}}}, "kN"))) << "a line load is no load";
+  EXPECT_TRUE(std::isnan(in("rest", "kN")));
 }
 
 // A column in another unit of the same dimension is converted, one of another dimension is not drawn.

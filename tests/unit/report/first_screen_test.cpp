@@ -4,7 +4,7 @@
 using namespace mill::report;
 
 namespace {
-Result result(const char *name, const double value, const char *unit, const char *at = "",
+Result result(const char *name, const double value, const char *unit, const mill::OperatingPoint &at = {},
               const double error = 0.01)
 {
   Result r{};
@@ -12,7 +12,8 @@ Result result(const char *name, const double value, const char *unit, const char
   r.value          = value;
   r.unit           = unit;
   r.source         = "computed: test";
-  r.at             = at;
+  r.at             = at.text();
+  r.at_values      = at.values();
   r.error_estimate = error;
   return r;
 }
@@ -32,8 +33,8 @@ Run four_high()
   run.status        = "ok";
   run.manifest.kind = "four-high";
   run.results       = {result("M1", 9000, "kg"),
-                       result("stand.modulus.tangent", 4.5e9, "N/m", "10 MN"),
-                       result("stand.modulus.kiss", 5.0e9, "N/m", "10 MN"),
+                       result("stand.modulus.tangent", 4.5e9, "N/m", mill::operating_point_of("10 MN")),
+                       result("stand.modulus.kiss", 5.0e9, "N/m", mill::operating_point_of("10 MN")),
                        mode("frame_upper", "frame, upper", 60),
                        mode("fifth_octave_upper", "fifth octave, upper stack", 620),
                        mode("third_octave", "third octave", 128)};
@@ -59,18 +60,18 @@ TEST(FirstScreen, NamesModulusAndModes)
 TEST(FirstScreen, TheWorstConditionGivesTheVerdict)
 {
   mill::report::Run run = four_high();
-  run.results.push_back(result("chatter.1.growth_rate", -3, "1/s", "20 m/s"));
-  run.results.push_back(result("chatter.1.critical_speed", 25, "m/s", "25 m/s"));
-  run.results.push_back(result("chatter.2.growth_rate", -1, "1/s", "20 m/s"));
-  run.results.push_back(result("chatter.2.critical_speed", 21, "m/s", "21 m/s"));
+  run.results.push_back(result("chatter.1.growth_rate", -3, "1/s", mill::operating_point_of("20 m/s")));
+  run.results.push_back(result("chatter.1.critical_speed", 25, "m/s", mill::operating_point_of("25 m/s")));
+  run.results.push_back(result("chatter.2.growth_rate", -1, "1/s", mill::operating_point_of("20 m/s")));
+  run.results.push_back(result("chatter.2.critical_speed", 21, "m/s", mill::operating_point_of("21 m/s")));
   std::string html = first_screen(run);
   EXPECT_TRUE(says(html,
                    "Quiet at the working speed of 20.0\u00a0m/s; chatter begins at 21.00\u00a0m/s, 5.0\u00a0% "
                    "above it (condition 2)"))
       << html;
   EXPECT_TRUE(says(html, "card fair")) << "a margin below a tenth";
-  run.results.push_back(result("chatter.3.growth_rate", 2, "1/s", "20 m/s"));
-  run.results.push_back(result("chatter.3.critical_speed", 18, "m/s", "18 m/s"));
+  run.results.push_back(result("chatter.3.growth_rate", 2, "1/s", mill::operating_point_of("20 m/s")));
+  run.results.push_back(result("chatter.3.critical_speed", 18, "m/s", mill::operating_point_of("18 m/s")));
   html = first_screen(run);
   EXPECT_TRUE(says(html, "verdict failed\"><p><b>Chatter.</b> The stand chatters at its working speed of "
                          "20.0\u00a0m/s (condition 3); the limit is 18.00\u00a0m/s"))
