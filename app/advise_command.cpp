@@ -3,7 +3,10 @@
 #include "app/advice/critical_speed_advice.h"
 #include "app/advice/stand_advice.h"
 #include "app/console.h"
+#include "app/driven_case.h"
 #include "app/record_options.h"
+#include "app/stages/stand_components.h"
+#include "core/case/advice_rows.h"
 #include "core/case/monitoring.h"
 #include "core/case/visible_text.h"
 #include "core/model/case.h"
@@ -94,8 +97,22 @@ int advise_command(const CommandLine &command, const Case &the_case)
         "four-high or lumped for the level of a place");
   const twin::ReadOptions reading = read_options(command, monitoring_of(the_case.path, command.sets));
   const std::string folder        = command.output.empty() ? "out/" + the_case.name + "-advice" : command.output;
-  const twin::AdviceRecord record = chatter ? critical_speed_advice(the_case, threads_for(command))
-                                            : stand_advice(the_case, command.measured, reading);
+  const auto rolled               = std::holds_alternative<FourHigh>(the_case.spec)
+                                        ? rolled_advice_of(the_case.path, command.sets)
+                                        : RolledAdvice();
+  const auto components           = [&] {
+    reduce::StandComponents rolls;
+    run_in_scratch(
+                  command, the_case,
+                  {
+            {"components", 1}
+    },
+                  [&](RunContext &run) { rolls = stand_components(run, std::get<FourHigh>(the_case.spec), false).fine; });
+    return rolls;
+  };
+  const twin::AdviceRecord record = chatter
+                                        ? critical_speed_advice(the_case, threads_for(command))
+                                        : stand_advice(the_case, command.measured, reading, rolled, components);
   require_result_folder(folder, "advice.json", "advice", command.force_overwrite);
   write_advice(folder, record);
   if (!command.quiet)

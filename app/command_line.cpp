@@ -62,6 +62,16 @@ void add_record_options(CLI::App *verb, CommandLine &c)
                  "a column and its unit, AI_07=g, where the source says none, repeatable");
 }
 
+// What verbs that read records or give advice have in common behind their own options.
+void add_folder_of_records(CLI::App *verb, CommandLine &c, const char *folder, const char *quiet)
+{
+  add_repeatable(verb, "--set", c.sets, "override section.key=value of the case, repeatable");
+  add_output(verb, c, folder);
+  verb->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
+  verb->add_flag("-q,--quiet", c.quiet, quiet);
+  verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
+}
+
 void add_calibrate(CLI::App &app, CommandLine &c)
 {
   auto *verb = app.add_subcommand(
@@ -80,11 +90,8 @@ void add_calibrate(CLI::App &app, CommandLine &c)
   verb->add_option("--force-up-to", o.highest, "with --plan: where the force ends (default \"1500 Hz\")");
   verb->add_flag("--without-force", o.without_force, "with --plan: the force is not recorded");
   add_record_options(verb, c);
-  add_repeatable(verb, "--set", c.sets, "override section.key=value of the case, repeatable");
-  add_output(verb, c, "folder of the results (default out/<case name>-calibration)");
-  verb->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
-  verb->add_flag("-q,--quiet", c.quiet, "no progress, no table");
-  verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
+  add_folder_of_records(verb, c, "folder of the results (default out/<case name>-calibration)",
+                        "no progress, no table");
 }
 
 void add_advise(CLI::App &app, CommandLine &c)
@@ -98,11 +105,7 @@ void add_advise(CLI::App &app, CommandLine &c)
       ->required();
   advise->add_option("--measured", c.measured, "folder of records with the rolling force that shakes the stand");
   add_record_options(advise, c);
-  add_repeatable(advise, "--set", c.sets, "override section.key=value, repeatable");
-  add_output(advise, c, "folder of the results (default out/<case name>-advice)");
-  advise->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
-  advise->add_flag("-q,--quiet", c.quiet, "no table");
-  advise->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
+  add_folder_of_records(advise, c, "folder of the results (default out/<case name>-advice)", "no table");
 }
 
 void add_analyse(CLI::App &app, CommandLine &c)
@@ -118,11 +121,8 @@ void add_analyse(CLI::App &app, CommandLine &c)
                  "upper end of a zone, \"2.3 mm/s\", repeatable; none is built in");
   analyse->add_flag("--align", c.align, "take the delay between the clocks of force and vibrations out of H1");
   analyse->add_option("--baseline", c.baseline, "folder of an earlier analysis, for changes and bearings");
-  add_repeatable(analyse, "--set", c.sets, "override section.key=value of the case, repeatable");
-  add_output(analyse, c, "folder of the results (default out/<record>-analysis)");
-  analyse->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
-  analyse->add_flag("-q,--quiet", c.quiet, "no progress, no table");
-  analyse->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
+  add_folder_of_records(analyse, c, "folder of the results (default out/<record>-analysis)",
+                        "no progress, no table");
 }
 
 void add_live(CLI::App &app, CommandLine &c)

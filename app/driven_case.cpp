@@ -31,7 +31,9 @@ private:
 };
 }  // namespace
 
-DrivenStand driven_case(const CommandLine &command, const Case &the_case)
+void run_in_scratch(const CommandLine &command, const Case &the_case,
+                    const std::vector<std::pair<std::string, double>> &stages,
+                    const std::function<void(RunContext &run)> &work)
 {
   const ScratchFolder scratch;
   const OutputDir out(scratch.path(), the_case, true, run_id_of(the_case, command.verb, ""));
@@ -40,13 +42,21 @@ DrivenStand driven_case(const CommandLine &command, const Case &the_case)
   open_cache(run, out.staging());
   set_up_threads(run, command);
   run.started = local_time();
-  console::ProgressBar bar(run_kind(the_case).stages(the_case), command.quiet);
-  run.progress.step  = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
-  run.progress.log   = [&](const std::string &line) { log.line(line); };
-  DrivenStand driven = run_kind(the_case).driven(run, command.pass);
+  console::ProgressBar bar(stages, command.quiet);
+  run.progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
+  run.progress.log  = [&](const std::string &line) { log.line(line); };
+  work(run);
   bar.finish();
   for (const std::string &warning : run.results.warnings)
     console::say("warning: " + visible(warning, true) + "\n");
+}
+
+DrivenStand driven_case(const CommandLine &command, const Case &the_case)
+{
+  DrivenStand driven;
+  const RunKind &kind = run_kind(the_case);
+  run_in_scratch(command, the_case, kind.stages(the_case),
+                 [&](RunContext &run) { driven = kind.driven(run, command.pass); });
   return driven;
 }
 }  // namespace mill

@@ -1,6 +1,11 @@
 #pragma once
 #include "app/command_line.h"
 #include "app/pipeline.h"
+#include "app/run_context.h"
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace mill {
 struct Case;
@@ -9,4 +14,11 @@ struct Case;
 /// and no run folder.
 /// @throws InputError, SolverError as the stages; no pass of that name
 DrivenStand driven_case(const CommandLine &command, const Case &the_case);
+
+/// Stages for a verb that keeps no run folder: with cache, threads, progress and warnings on the console.
+/// @param stages  with their weights, as RunKind::stages
+/// @throws what `work` throws
+void run_in_scratch(const CommandLine &command, const Case &the_case,
+                    const std::vector<std::pair<std::string, double>> &stages,
+                    const std::function<void(RunContext &run)> &work);
 }  // namespace mill

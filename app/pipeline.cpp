@@ -1,5 +1,6 @@
 #include "app/pipeline.h"
 #include "app/case_kinds.h"
+#include "app/chatter/chatter_model.h"
 #include "app/review/estimate_review.h"
 #include "app/stages/bearing_stage.h"
 #include "app/stages/bite_stage.h"
@@ -301,15 +302,7 @@ namespace {
 // K4 makes the strip optional, chatter does not.
 void require_bite(const Case &the_case)
 {
-  std::string missing;
-  for (const char *key :
-       {"strip.entry_thickness", "strip.exit_thickness", "strip.friction", "strip.flow_stress"}) {
-    const bool is_there = std::any_of(the_case.places.begin(), the_case.places.end(), [&](const auto &entry) {
-      return entry.first == key || entry.first.rfind(std::string(key) + ".", 0) == 0;
-    });
-    if (!is_there)
-      missing += (missing.empty() ? "" : ", ") + std::string(key);
-  }
+  const std::string missing = missing_of_bite(the_case);
   if (!missing.empty())
     throw InputError("millstand chatter needs " + missing + " (" + the_case.path +
                      "): given.K4 is the slope of a bite, not how it follows speed and tension");

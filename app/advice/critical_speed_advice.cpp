@@ -1,4 +1,5 @@
 #include "app/advice/critical_speed_advice.h"
+#include "app/chatter/chatter_model.h"
 #include "app/stages/chatter_question.h"
 #include "core/model/case.h"
 #include <algorithm>
@@ -52,29 +53,48 @@ void scale(ChatterCase &spec, const std::string &key, const double factor)
     spec.modal_damping *= factor;
 }
 
+// Of the six springs of a chatter stand the one that is spring j of a lumped model; K4 is the bite's.
+std::string spring_key(const std::size_t j)
+{
+  return j == 3 ? "" : fmt::format("stand.stiffnesses[{}]", j < 3 ? j : j - 1);
+}
+
+ProcessAdvice process_of(const ChatterAdvice &asked)
+{
+  ProcessAdvice process;
+  process.wanted_speed    = asked.wanted_speed;
+  process.force_rise      = asked.force_rise;
+  process.torque_rise     = asked.torque_rise;
+  process.speed           = asked.speed;
+  process.entry_thickness = asked.entry_thickness;
+  process.entry_tension   = asked.entry_tension;
+  process.exit_tension    = asked.exit_tension;
+  process.viscosity       = asked.viscosity;
+  process.friction        = {1, 1};
+  return process;
+}
+
 CriticalQuestion question_of(const ChatterCase &spec, const std::size_t condition)
 {
   const ChatterQuestion chatter = chatter_question(spec, condition);
-  const ChatterAdvice &asked    = spec.advice;
   CriticalQuestion q;
-  q.stand         = chatter.stand;
-  q.bite          = chatter.bite;
-  q.scheme        = chatter.scheme;
-  q.range         = chatter_range(chatter);
-  q.numbers       = chatter.numbers;
-  q.working_speed = chatter.condition.speed;
-  q.wanted_speed  = std::isnan(asked.wanted_speed) ? q.working_speed : asked.wanted_speed;
-  q.margin        = asked.margin;
-  q.force_rise    = asked.force_rise;
-  q.torque_rise   = asked.torque_rise;
-  q.speed = asked.speed, q.entry_thickness = asked.entry_thickness, q.entry_tension = asked.entry_tension,
-  q.exit_tension = asked.exit_tension, q.viscosity = asked.viscosity, q.stiffness = asked.stiffness,
-  q.damping = asked.damping;
+  static_cast<twin::ChatterModel &>(q) = chatter_model(chatter);
+  q.working_speed                      = chatter.condition.speed;
+  q.margin                             = spec.advice.margin;
+  q.process                            = process_of(spec.advice);
+  q.stiffness                          = spec.advice.stiffness;
+  q.damping                            = spec.advice.damping;
+  if (spec.model)
+    for (std::size_t j = 0; j < spec.model->K.size(); ++j)
+      for (const std::string &key : {fmt::format("K{}", j + 1), spring_key(j)})
+        if (const double error = spec.model->K[j].error_estimate; std::isfinite(error) && !key.empty())
+          q.doubts.push_back({key, error, false});
   q.changed = [&spec, condition](const twin::StructureChanges &changes) {
     ChatterCase changed = spec;
     for (const auto &[key, factor] : changes)
       scale(changed, key, factor);
-    return chatter_question(changed, condition).stand.structure;
+    ChatterQuestion after = chatter_question(changed, condition);
+    return twin::NumberedStructure{std::move(after.stand.structure), std::move(after.numbers)};
   };
   return q;
 }
@@ -138,17 +158,25 @@ Table growth_table(const CriticalAdvice &advice)
   return table;
 }
 
-Parameter speed_of(const twin::CriticalState &state, const std::string &method, const double at)
+Parameter speed_of(const twin::CriticalState &state, const std::string &method, const double at,
+                   const double spread = not_given)
 {
   Parameter p;
-  p.value       = state.found.verdict == dynamics::Verdict::crossing ? state.speed : not_given;
-  p.unit        = "m/s";
-  p.method      = method;
-  p.at          = {"working speed {}", {{at, "m/s", ".4g"}}};
-  p.error_lacks = {"errors of stand, friction law and flow stress"};
+  p.value          = state.found.verdict == dynamics::Verdict::crossing ? state.speed : not_given;
+  p.unit           = "m/s";
+  p.method         = method;
+  p.at             = {"working speed {}", {{at, "m/s", ".4g"}}};
+  p.error_estimate = spread;
+  if (std::isnan(spread))
+    p.error_lacks = {"errors of stand, friction law and flow stress"};
   return p;
 }
 }  // namespace
+
+std::string no_torque_limit()
+{
+  return "advice.torque_rise is not given: the torque is shown and limits nothing";
+}
 
 twin::AdviceRecord critical_speed_advice(const Case &the_case, const int threads)
 {
@@ -168,7 +196,7 @@ twin::AdviceRecord critical_speed_advice(const Case &the_case, const int threads
                   own.name, 100 * question.margin, question.working_speed, 1e3 * own.exit_thickness);
   record.answer    = critical_answer(advice, question);
   const auto input = [&](const char *key) { return fmt::format("condition.{}.{}", condition, key); };
-  Parameter now    = speed_of(advice.now, "search over the speed", question.working_speed);
+  Parameter now    = speed_of(advice.now, "search over the speed", question.working_speed, advice.spread);
   now.inputs       = {input("entry_thickness"), input("exit_thickness"), input("entry_tension"),
                       input("exit_tension"),    input("width"),          "analysis.speeds"};
   record.results.add("advice.critical_speed", now);
@@ -178,6 +206,10 @@ twin::AdviceRecord critical_speed_advice(const Case &the_case, const int threads
     Parameter change = speed_of(advice.states.front(), advice.actions.front().name, question.working_speed);
     change.value     = advice.actions.front().change;
     change.unit      = "1";
+    if (const double sd = advice.actions.front().spread; std::isfinite(sd)) {
+      change.error_estimate = std::abs(sd / change.value);
+      change.error_lacks.clear();
+    }
     change.checks.push_back({"first order, by exact slopes", advice.actions.front().first_order,
                              "not the answer: second order is left out"});
     record.results.add("advice.best.change", change);
@@ -189,7 +221,7 @@ twin::AdviceRecord critical_speed_advice(const Case &the_case, const int threads
                            sentence(advice.now.found, question.range) +
                            "): slopes and first order are left out, and changes count from the end of the range");
   if (std::isnan(spec.advice.torque_rise))
-    record.notes.push_back("advice.torque_rise is not given: the torque is shown and limits nothing");
+    record.notes.push_back(no_torque_limit());
   record.notes.push_back("what the stand before or behind does with another thickness or tension is not computed");
   record.tables["growth"] = growth_table(advice);
   record.actions          = advice.actions;

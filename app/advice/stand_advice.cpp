@@ -1,13 +1,14 @@
 #include "app/advice/stand_advice.h"
-#include "app/advice/advised_model.h"
+#include "app/advice/critical_speed_advice.h"
 #include "app/advice/measured_levels.h"
-#include "app/advice/repeated_in_beams.h"
+#include "app/advice/repeated_in_detail.h"
 #include "core/case/fields.h"
 #include "core/model/case.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
+#include <optional>
 
 namespace mill {
 namespace {
@@ -127,7 +128,7 @@ Table spectrum_table(const twin::LevelAdvice &advice, const twin::ForceBand &for
   table.add("frequency", "Hz", f).add("as it is", unit, of(advice.stand, {}));
   std::size_t drawn = 0;
   for (const RatedAction &action : advice.actions)
-    if (action.against.empty() && drawn < 2 && (drawn == 0 || !action.pair)) {
+    if (action.against.empty() && action.process.empty() && drawn < 2 && (drawn == 0 || !action.pair)) {
       table.add(action.name, unit, of(action.stand, action.joined));
       ++drawn;
     }
@@ -258,13 +259,60 @@ std::string level_answer(const twin::LevelAdvice &advice)
                      best.name, 100 * best.verified, best.repeated.back().name, 100 * best.change,
                      100 * best.first_order);
 }
+// The pass beside the level: its critical speed, or why there is none.
+void add_pass_notes(twin::AdviceRecord &record, const twin::LevelAdvice &advice,
+                    const std::optional<twin::CriticalState> &detailed, const AdvisedModel &model)
+{
+  if (!advice.pass) {
+    record.notes.push_back(
+        "force, torque, tensions and critical speed do not follow from a stand alone: process actions "
+        "are judged where the case has a pass with its speed and a strip with friction and flow stress, "
+        "or in a case of kind chatter");
+    return;
+  }
+  const twin::CriticalState &now = *advice.pass;
+  const double speed             = model.pass->working_speed;
+  if (now.no_bite) {
+    record.notes.push_back(fmt::format("there is no steady bite at the working speed of {:.4g} m/s ({}): process "
+                                       "actions and the critical speed are not judged",
+                                       speed, now.why));
+    return;
+  }
+  const auto critical_speed = [&](const std::string &name, const twin::CriticalState &state) {
+    record.notes.push_back("critical speed as it is, " + name + ": " +
+                           sentence(state.found, model.pass->model.range));
+  };
+  critical_speed(model.advised.chain ? "six masses" : model.source, now);
+  if (detailed)
+    critical_speed(model.detailed->name, *detailed);
+  if (now.growth >= 0)
+    record.notes.push_back(
+        fmt::format("vibration grows by itself at the working speed of {:.4g} m/s: it has no level that a process "
+                    "action could lower; raise the critical speed first",
+                    speed));
+  else
+    record.notes.push_back(
+        "process actions: the disturbance that makes the force as it is stays, the bite answers it anew, contacts "
+        "follow the rolling force; first order is a slope by differences");
+  if (std::isnan(model.pass->process.torque_rise))
+    record.notes.push_back(no_torque_limit());
+  if (now.found.verdict == dynamics::Verdict::crossing) {
+    Parameter critical;
+    critical.value       = now.speed;
+    critical.unit        = "m/s";
+    critical.method      = "search over the speed";
+    critical.error_lacks = {"errors of stand, friction law and flow stress"};
+    record.results.add("advice.critical_speed", critical);
+  }
+}
 }  // namespace
 
 twin::AdviceRecord stand_advice(const Case &the_case, const std::string &measured,
-                                const twin::ReadOptions &reading)
+                                const twin::ReadOptions &reading, const RolledAdvice &rolled,
+                                const Components &components)
 {
   const StandAdvice &asked  = asked_of(the_case);
-  const AdvisedModel model  = advised_model(the_case, asked);
+  const AdvisedModel model  = advised_model(the_case, asked, rolled, components);
   const VibratingStand &own = model.advised.stand;
   twin::LevelQuestion question;
   question.place    = place_in(own, the_case, "advice.place", asked.place);
@@ -297,26 +345,25 @@ twin::AdviceRecord stand_advice(const Case &the_case, const std::string &measure
   question.rise_elsewhere  = asked.rise_elsewhere;
   question.softening       = asked.softening;
   question.untold          = model.untold;
+  question.pass            = model.pass;
   twin::LevelAdvice advice = twin::level_advice(model.advised, question);
-  const bool as_white      = measured.empty() && model.beam;  // the sums need no finer steps
-  repeat_in_beams(advice.actions, model, question.place,
-                  as_white ? twin::white_force(low, high, twin::resolving_step(*model.beam, high))
-                           : question.force);
-  record.question = fmt::format("lowest rms acceleration of the {} from {:g} to {:g} Hz",
-                                own.places[std::size_t(question.place)], low,
+  const bool as_white      = measured.empty() && model.detailed;  // the sums need no finer steps
+  const auto white = as_white ? twin::white_force(low, high, twin::resolving_step(model.detailed->as_it_is, high))
+                              : twin::ForceBand();
+  const auto detailed = repeat_in_detail(advice.actions, model, question.place, as_white ? white : question.force);
+  record.question     = fmt::format("lowest rms acceleration of the {} from {:g} to {:g} Hz",
+                                    own.places[std::size_t(question.place)], low,
                                 measured.empty() ? high : std::min(high, question.force.frequency.maxCoeff()));
-  record.answer   = level_answer(advice);
+  record.answer       = level_answer(advice);
   if (!measured.empty())
     add_level(record, advice, records);
   add_results(record, advice);
+  add_pass_notes(record, advice, detailed, model);
   for (auto &value : record.results.values) {
     value.second.at     = record.stand;
     value.second.inputs = {"advice.place", "advice.band", "dynamics.modal_damping"};
   }
   add_slopes(record, advice);
-  record.notes.push_back(
-      "force, torque, tensions and critical speed do not follow from a stand alone: process actions "
-      "are judged in a case of kind chatter");
   record.tables["spectrum"] = spectrum_table(advice, question.force, !measured.empty());
   if (!advice.tuned.empty())
     record.tables["detuning"] = detuning_table(advice);

@@ -1,16 +1,13 @@
 #include "app/live/live_chatter.h"
-#include "app/stages/bite_stage.h"
+#include "app/chatter/chatter_model.h"
 #include "app/stages/chatter_question.h"
 #include "core/case/errors.h"
 #include "core/model/case.h"
 #include "dynamics/chatter/chatter.h"
-#include <cmath>
 #include <fmt/format.h>
 
 namespace mill {
 namespace {
-constexpr double usual_distance = 5;  // m, as `millstand chatter` takes it
-
 std::vector<live::WatchedBand> chatter_bands()
 {
   auto bands       = live::bands_over("third octave", 125, 240);
@@ -23,13 +20,7 @@ LiveChatter of_condition(const ChatterCase &spec)
 {
   const ChatterQuestion question = chatter_question(spec, 0);
   LiveChatter chatter;
-  chatter.setup.model = {
-      question.stand,
-      question.bite,
-      question.scheme,
-      {question.analysis.speeds[0], question.analysis.speeds[1]},
-      question.numbers
-  };
+  chatter.setup.model = chatter_model(question);
   if (spec.conditions.size() > 1)
     chatter.notes.push_back(
         fmt::format("the critical speed is that of {}, the first of {}; tensions and thicknesses "
@@ -41,24 +32,9 @@ LiveChatter of_condition(const ChatterCase &spec)
 LiveChatter of_pass(const FourHigh &stand, const live::TwinModel &model)
 {
   LiveChatter chatter;
-  twin::ChatterModel &watched = chatter.setup.model;
-  const auto distance         = [&](const double given, const char *key) {
-    if (!std::isnan(given))
-      return given;
-    chatter.notes.push_back(fmt::format("stand.{} is not given: {:g} m of free strip are assumed for the critical "
-                                                        "speed",
-                                                key, usual_distance));
-    return usual_distance;
-  };
-  DynamicsSettings settings = model.dynamics;
-  settings.force_meaning    = "measured";  // the bite is what chatter adds
-  watched.bite    = bite_of(stand.strip, stand.passes.front(), stand.work_roll.barrel_diameter, stand.steel);
-  watched.stand   = {dynamics::structure_of(dynamics::mill_model(model.chain, settings)),
-                     distance(stand.span.entry_distance, "entry_distance"),
-                     distance(stand.span.exit_distance, "exit_distance"), watched.bite.strip.youngs_modulus};
-  watched.scheme  = linearisation_of(stand.analysis);
-  watched.range   = {stand.analysis.speeds[0], stand.analysis.speeds[1]};
-  watched.numbers = dynamics::chain_numbers(model.chain, settings);
+  const FreeStrip strip = free_strip(stand);
+  chatter.setup.model   = chatter_model(stand, stand.passes.front(), model.chain, model.dynamics, strip);
+  chatter.notes         = strip.assumed;
   return chatter;
 }
 }  // namespace

@@ -1,4 +1,5 @@
 #include "app/stages/chatter_question.h"
+#include "app/chatter/chatter_model.h"
 #include "app/stages/bite_stage.h"
 #include "app/stages/detailed_model_stage.h"
 #include "core/records/provenance.h"
@@ -161,18 +162,10 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
                     "searched, represents it",
                     pass.name, c.speed));
   }
-  constexpr double usual_distance = 5;  // m
-  const auto distance             = [&](const double given, const char *key) {
-    if (!std::isnan(given))
-      return given;
-    asked.assumed.push_back(
-                    fmt::format("stand.{} is not given: {:g} m of free strip are assumed", key, usual_distance));
-    return usual_distance;
-  };
-  const double entry = distance(stand.span.entry_distance, "entry_distance");
-  const double exit  = distance(stand.span.exit_distance, "exit_distance");
-  const auto around  = [&](dynamics::StandStructure structure) {
-    return ChatterStandModel{std::move(structure), entry, exit, strip.youngs_modulus};
+  const FreeStrip free = free_strip(stand);
+  asked.assumed.insert(asked.assumed.end(), free.assumed.begin(), free.assumed.end());
+  const auto around = [&](dynamics::StandStructure structure) {
+    return ChatterStandModel{std::move(structure), free.entry_distance, free.exit_distance, strip.youngs_modulus};
   };
   const auto settings = chain_settings(stand.dynamics.modal_damping, stand.dynamics.frame);
   const auto modal    = [&](const reduce::StandWithModes &model) {

@@ -60,18 +60,46 @@ void check_dampers(const std::vector<DamperProposal> &dampers, Reading &reading)
       contradict(reading, to, "is the place where the damper begins", {from});
   }
 }
-}  // namespace
 
-StandAdvice read_stand_advice(const Node &root, Reading &reading)
+template <class T> T read_level_advice(const Node &root, const std::vector<Field<T>> &rows, Reading &reading)
 {
-  StandAdvice advice;
+  T advice;
   const Section section = section_at(root, "advice", reading);
-  read_and_echo(section, section.header(), stand_advice_rows(), advice, reading, {"damper", "tuned_damper"});
-  check_bounds(stand_advice_rows(), advice, reading);
+  read_and_echo(section, section.header(), rows, advice, reading, {"damper", "tuned_damper"});
+  check_bounds(rows, advice, reading);
   advice.dampers = read_list(section, "damper", damper_proposal_rows(), reading);
   advice.tuned   = read_list(section, "tuned_damper", tuned_proposal_rows(), reading);
   check_dampers(advice.dampers, reading);
   return advice;
+}
+
+void check_wanted_speed(const double wanted, const double speed, const char *what, const std::string &speed_key,
+                        Reading &reading)
+{
+  if (reading.usable({"advice.wanted_speed"}) && wanted > speed)  // NaN: not asked, not given
+    contradict(reading, "advice.wanted_speed",
+               fmt::format("is above the speed at which the {} rolls; raise that first", what), {speed_key});
+}
+}  // namespace
+
+StandAdvice read_stand_advice(const Node &root, Reading &reading)
+{
+  return read_level_advice(root, stand_advice_rows(), reading);
+}
+
+FourHighAdvice read_four_high_advice(const Node &root, const std::vector<Pass> &passes, Reading &reading)
+{
+  auto advice = read_level_advice(root, four_high_advice_rows(), reading);
+  if (!passes.empty())
+    check_wanted_speed(advice.wanted_speed, passes.front().speed, "pass", "pass.0.speed", reading);
+  return advice;
+}
+
+RolledAdvice rolled_advice_of(const std::string &path, const std::vector<std::string> &sets)
+{
+  Reading reading;
+  reading.file = path;
+  return read_four_high_advice(read_case_file(path, sets), {}, reading);
 }
 
 ChatterAdvice read_chatter_advice(const Node &root, const std::vector<RollingCondition> &conditions,
@@ -86,9 +114,9 @@ ChatterAdvice read_chatter_advice(const Node &root, const std::vector<RollingCon
   const bool known = named != conditions.end();
   if (!advice.condition.empty() && reading.usable({"advice.condition"}) && !known)
     contradict(reading, "advice.condition", "is not the name of a [[condition]]", {});
-  if (known && reading.usable({"advice.wanted_speed"}) && advice.wanted_speed > named->speed)
-    contradict(reading, "advice.wanted_speed", "is above the speed at which the condition rolls; raise that first",
-               {fmt::format("condition.{}.speed", named - conditions.begin())});
+  if (known)
+    check_wanted_speed(advice.wanted_speed, named->speed, "condition",
+                       fmt::format("condition.{}.speed", named - conditions.begin()), reading);
   return advice;
 }
 }  // namespace mill

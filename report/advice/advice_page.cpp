@@ -150,8 +150,8 @@ std::string bar_drawing(const json &document)
   plot.x.quantity = "rank of the action";
   plot.x.unit     = "-";
   plot.y          = {"change", "%"};
-  plot.bars.push_back(
-      {has_other_models(document) ? "what counts, in beams" : "computed anew", column(really), Pen::dark});
+  plot.bars.push_back({has_other_models(document) ? "what counts, in the detailed model" : "computed anew",
+                       column(really), Pen::dark});
   plot.bars.push_back({"first order, by slopes", column(slope), Pen::pale});
   return svg_plot(plot);
 }
@@ -173,11 +173,11 @@ std::string curves_drawing(const Table &table, const Axis &x, const Axis &y, con
   return svg_plot(plot);
 }
 
-// Figures and tunings are those of the six masses, also where the beams count.
+// Figures and tunings are those of the six masses, also where a detailed model counts.
 std::string of_six_masses(const json &document)
 {
   return has_other_models(document)
-             ? " These are the six masses; what counts, with rolls as beams, stands in the table "
+             ? " These are the six masses; what counts, in the detailed model, stands in the table "
                "of the actions."
              : "";
 }

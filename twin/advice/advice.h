@@ -1,7 +1,9 @@
 #pragma once
 #include "dynamics/response/mill_model.h"
+#include "twin/advice/changed_stand.h"
 #include "twin/advice/joined_stand.h"
 #include "twin/advice/level_slopes.h"
+#include "twin/advice/rolled_level.h"
 #include "twin/advice/tuned_damper.h"
 #include <Eigen/Core>
 #include <array>
@@ -9,7 +11,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 // What would lower the vibration of a stand: every action computed anew, first order beside it.  theory.md 46
@@ -37,16 +38,21 @@ struct RatedAction {
   std::vector<std::string> against;  ///< what it violates, one sentence each; empty: above the line
   std::vector<std::string> remarks;  ///< what the number rests on, one sentence each
   bool pair       = false;
-  bool kept_apart = false;           ///< violates what no partner can mend: it is not paired
-  std::vector<Attachment> joined;    ///< dampers that it adds
-  std::vector<SideEffect> repeated;  ///< the same change in other models of the stand, by their names
-  std::vector<std::pair<std::string, double>> springs;  ///< factors that it puts on springs of the chain
-  double damping = 1;                                   ///< factor that it puts on the ratios of all modes
-  VibratingStand stand;                                 ///< after it, without `joined`; empty for a critical speed
+  bool kept_apart = false;             ///< violates what no partner can mend: it is not paired
+  std::vector<Attachment> joined;      ///< dampers that it adds
+  std::vector<SideEffect> repeated;    ///< the same change in other models of the stand, by their names
+  StandChange of_stand;                ///< what it does to springs and damping
+  std::vector<ProcessAction> process;  ///< and to the pass
+  double nearer = std::numeric_limits<double>::quiet_NaN();  ///< -, change of critical over working speed
+  VibratingStand stand;  ///< after it, without `joined` and process; empty for a critical speed
 };
 
 /// The gain of an action on a level by its verified change, and whether it helps at all.
 void judge_gain(RatedAction &action);
+
+/// Whether an action on a level brings the critical speed too near.
+/// @param allowed  -, most that critical over working speed may fall
+void judge_nearer(RatedAction &action, double allowed);
 
 /// Best first: those that help and violate nothing, then the others, by falling gain.
 void rank(std::vector<RatedAction> &actions);
@@ -56,6 +62,7 @@ std::size_t above_the_line(const std::vector<RatedAction> &ranked);
 struct AdvisedStand {
   VibratingStand stand;
   std::optional<dynamics::MillModel> chain;  ///< whose springs may be changed; none for a stand in files
+  OpenStand open;                            ///< it without its bite; empty where no pass is asked
 };
 
 /// A spring of the chain and the factors on it that are tried; 1 is not tried.
@@ -91,9 +98,10 @@ struct LevelQuestion {
   std::array<double, 2> damping = {1, 1};  ///< -, factors on the damping ratio of all modes
   std::vector<DamperChoice> dampers;
   std::vector<TunedChoice> tuned;
-  double rise_elsewhere = 0.10;  ///< -, most that the level of another roll may rise
-  double softening      = 0.10;  ///< -, most that the stiffness of the stand under the bite force may fall
-  int paired            = 3;     ///< so many of the best single actions are tried in pairs
+  double rise_elsewhere = 0.10;    ///< -, most that the level of another roll may rise
+  double softening      = 0.10;    ///< -, most that the stiffness of the stand under the bite force may fall
+  std::optional<RolledPass> pass;  ///< that it rolls; needs AdvisedStand::open
+  int paired = 3;                  ///< so many of the best single actions are tried in pairs
   std::vector<UntoldParameter> untold;
   std::map<std::string, double> spring_error;  ///< -, relative sd of springs; one that is not there counts 10 %
   double damping_error = 0.7;                  ///< -, sd of ln of the damping ratios: a factor of two
@@ -103,14 +111,15 @@ struct LevelAdvice {
   int place = 0;
   VibratingStand stand;                  ///< as it is
   Eigen::VectorXd level;                 ///< (m) m/s2, of every place as it is
+  std::optional<CriticalState> pass;     ///< as it is
   LevelSlopes slopes;                    ///< empty without a chain
   std::vector<RatedAction> actions;      ///< ranked
   std::vector<std::string> tuned_names;  ///< by `tuned`, names of the single actions
   std::vector<TunedDamper> tuned;
 };
 
-/// Single actions at their bounds, then pairs of the best, each with the response of the changed stand.  (46.1)
-/// ff.
+/// Single actions at their bounds, then pairs of the best, each with the response of the changed stand, and with
+/// its critical speed where a pass is given.  (46.1) ff.
 /// @throws InputError  a mode without damping; a place that is none
 /// Cost: 20 ms for each action and 0.3 s for each tuned damper with 50 000 frequencies and six masses.
 LevelAdvice level_advice(const AdvisedStand &advised, const LevelQuestion &question);

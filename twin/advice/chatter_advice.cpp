@@ -2,31 +2,23 @@
 #include "core/case/errors.h"
 #include "core/numerics/require.h"
 #include "core/process/parallel.h"
+#include "twin/advice/process_action.h"
+#include "twin/chatter/critical_slopes.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <utility>
 
 namespace mill::twin {
 namespace {
-using bite::PassNumber;
-
 constexpr double least_rise = 1e-5;  // relative change of a critical speed that is only its search
 
-// One thing to do to mill or process.
+// One thing to do: to the process, or to a number of the structure.
 struct ProcessStep {
-  std::string name, parameter, means;
-  std::string slope_key;  // of the exact slopes
-  double factor = 1;
-  bool of_speed = false;  // factor on the working speed
-  std::string structure;  // key of a number of the structure; empty: none
-  int number = -1;        // PassNumber; -1: none
+  ProcessAction action;   // name, parameter, means and slope_key also of the structure
+  std::string structure;  // key of a number of the structure; empty: a process action
 };
-
-std::string percent(const double part)
-{
-  return fmt::format("{:.3g} %", 100 * part);
-}
 
 class CriticalAdviser {
 public:
@@ -49,6 +41,11 @@ public:
       request.threads       = asked_.threads;
       advice_.slopes        = chatter_sensitivities(asked_.stand, asked_.numbers, asked_.bite, request);
     }
+    now_errors_ = errors_of(asked_, advice_.now);
+    if (!now_errors_.empty())
+      advice_.spread = spread_of({
+          {1, &now_errors_}
+      });  // (46.10)
     const std::vector<ProcessStep> steps = all_steps();
     std::vector<std::vector<const ProcessStep *>> sets;
     for (const ProcessStep &step : steps)
@@ -67,13 +64,17 @@ public:
   }
 
 private:
+  // By the key of a number: d ln v_crit of its error of one standard deviation.
+  using Errors = std::map<std::string, double>;
   struct Rated {
     RatedAction action;
     CriticalState state;
     bool reaches = false;
+    Errors errors;
   };
   const CriticalQuestion &asked_;
   CriticalAdvice advice_;
+  Errors now_errors_;
 
   bool reaches(const CriticalState &state, const double speed_factor) const
   {
@@ -89,6 +90,7 @@ private:
         return a.action.against.empty();
       return a.action.gain > b.action.gain;
     });
+    say_what_cannot_be_told_apart(all);
     for (Rated &one : all) {
       advice_.actions.push_back(std::move(one.action));
       advice_.states.push_back(std::move(one.state));
@@ -100,56 +102,32 @@ private:
   std::vector<ProcessStep> all_steps() const
   {
     std::vector<ProcessStep> steps;
-    const auto add = [&](const ProcessStep &like, const std::array<double, 2> &factors) {
-      for (const double factor : factors)
-        if (factor != 1) {
-          ProcessStep step = like;
-          step.factor      = factor;
-          step.name        = fmt::format("{} x {:g}", like.name, factor);
-          steps.push_back(step);
-        }
-    };
-    const auto of_pass = [&](const char *name, const char *means, const PassNumber number,
-                             const std::array<double, 2> &factors) {
-      const double value = value_of(asked_.bite, number);
-      if (!(value > 0))
-        return;  // no tension, no oil
-      ProcessStep step{name, name, means, bite::name_of(number).key};
-      step.number = int(number);
-      add(step, factors);
-    };
-    ProcessStep speed{"speed", "speed", "set point of the mill", ""};
-    speed.of_speed = true;
-    add(speed, asked_.speed);
-    of_pass("entry thickness", "exit thickness of the stand before, whose reduction changes instead",
-            PassNumber::entry_thickness, asked_.entry_thickness);
-    of_pass("entry tension", "tension set point between this stand and the one before", PassNumber::entry_tension,
-            asked_.entry_tension);
-    of_pass("exit tension", "tension set point between this stand and the next one", PassNumber::exit_tension,
-            asked_.exit_tension);
-    const auto known = bite::numbers_of(asked_.bite);
-    if (std::count(known.begin(), known.end(), PassNumber::viscosity) > 0)
-      of_pass("oil viscosity", "other oil, its temperature, concentration of the emulsion", PassNumber::viscosity,
-              asked_.viscosity);
+    for (ProcessAction &action : process_actions(asked_.bite, asked_.process))
+      steps.push_back({std::move(action), ""});
     for (const dynamics::StructureNumber &number : asked_.numbers) {
       if (number.key == "stand.dampings" || number.unit == "Hz" || number.M_by.size() > 0 || !(number.value > 0))
         continue;
-      ProcessStep step{number.name, number.key, "", number.key};
-      step.structure       = number.key;
       const bool of_spring = number.K_by.size() > 0;
-      step.means = of_spring ? "part of the stand that this spring stands for" : "dampers, liners, cylinders";
-      add(step, of_spring ? asked_.stiffness : asked_.damping);
+      for (const double factor : of_spring ? asked_.stiffness : asked_.damping)
+        if (factor != 1)
+          steps.push_back({
+              {fmt::format("{} x {:g}", number.name, factor), number.key,
+               of_spring ? "part of the stand that this spring stands for" : "dampers, liners, cylinders",
+               number.key, factor},
+              number.key
+          });
     }
     return steps;
   }
 
   double foretold(const ProcessStep &step) const
   {
-    if (step.of_speed)
-      return -std::log(step.factor);
+    const auto &[name, parameter, means, slope_key, factor, number] = step.action;
+    if (slope_key.empty())  // the speed
+      return -std::log(factor);
     for (const ChatterSensitivity &input : advice_.slopes.inputs)
-      if (input.key == step.slope_key)
-        return input.critical_speed * std::log(step.factor);
+      if (input.key == slope_key)
+        return input.critical_speed * std::log(factor);
     return std::numeric_limits<double>::quiet_NaN();
   }
 
@@ -166,42 +144,48 @@ private:
     Rated r;
     RatedAction &action = r.action;
     action.pair         = steps.size() > 1;
-    bite::RollBite bite = asked_.bite;
+    std::vector<ProcessAction> process;
     StructureChanges structure;
-    double speed_factor = 1, log_change = 0;
+    double log_change = 0;
     for (const ProcessStep *step : steps) {
-      action.name += (action.name.empty() ? "" : " and ") + step->name;
-      action.means += (action.means.empty() ? "" : "; ") + step->means;
-      action.parameters.push_back(step->parameter);
+      action.name += (action.name.empty() ? "" : " and ") + step->action.name;
+      action.means += (action.means.empty() ? "" : "; ") + step->action.means;
+      action.parameters.push_back(step->action.parameter);
       log_change += foretold(*step);
-      if (step->of_speed)
-        speed_factor *= step->factor;
-      if (!step->structure.empty())
-        structure.emplace_back(step->structure, step->factor);
-      if (step->number >= 0)
-        bite = with_number_scaled(bite, PassNumber(step->number), step->factor);
+      if (step->structure.empty())
+        process.push_back(step->action);
+      else
+        structure.emplace_back(step->structure, step->action.factor);
     }
-    action.first_order = std::expm1(log_change);
-    if (const double initial = bite.strip.initial_thickness; bite.strip.entry_thickness > initial) {
-      action.against.push_back("the strip would be thicker than before all rolling");
-      action.kept_apart = true;
+    action.first_order     = std::expm1(log_change);
+    const ChangedPass pass = changed_pass(asked_.bite, process);
+    ChatterModel model{asked_.stand, pass.bite, asked_.scheme, asked_.range, asked_.numbers};
+    if (!structure.empty()) {
+      NumberedStructure changed = asked_.changed(structure);
+      model.stand.structure     = std::move(changed.structure);
+      model.numbers             = std::move(changed.numbers);
     }
-    dynamics::ChatterStandModel stand = asked_.stand;
-    if (!structure.empty())
-      stand.structure = asked_.changed(structure);
-    r.state = critical_state(stand, bite, asked_.scheme, asked_.range, asked_.working_speed * speed_factor);
-    judge(r, speed_factor);
+    r.state = critical_state(model.stand, pass.bite, model.scheme, model.range,
+                             asked_.working_speed * pass.speed_factor);
+    judge(r, pass);
+    r.errors = errors_of(model, r.state);
+    if (!r.errors.empty() && !now_errors_.empty())
+      action.spread = (1 + action.change) * spread_of({
+                                                {1,  &r.errors   },
+                                                {-1, &now_errors_}
+      });  // (46.11)
     return r;
   }
 
-  void judge(Rated &r, const double speed_factor) const
+  void judge(Rated &r, const ChangedPass &pass) const
   {
     RatedAction &action        = r.action;
     const CriticalState &state = r.state, &now = advice_.now;
-    action.change = action.verified = action.gain = state.speed / speed_factor / now.speed - 1;
-    r.reaches                                     = reaches(state, speed_factor);
+    const double speed = asked_.working_speed * pass.speed_factor;
+    action.change = action.verified = action.gain = state.speed / pass.speed_factor / now.speed - 1;
+    r.reaches                                     = reaches(state, pass.speed_factor);
     action.effects.push_back({"critical speed", state.speed, "m/s"});
-    action.effects.push_back({"margin", state.speed / (asked_.working_speed * speed_factor) - 1, "1"});
+    action.effects.push_back({"margin", state.speed / speed - 1, "1"});
     action.effects.push_back({"force", state.force / now.force - 1, "1"});
     action.effects.push_back({"torque", state.torque / now.torque - 1, "1"});
     action.effects.push_back({"friction", state.friction / now.friction - 1, "1"});
@@ -210,7 +194,12 @@ private:
     if (state.at_least)
       action.remarks.push_back(
           fmt::format("nothing grows up to {:.4g} m/s: the rise is at least this", state.speed));
-    limits(action, state, speed_factor);
+    Violations violated = violations(pass, now, state, asked_.working_speed, asked_.process);
+    action.against      = std::move(violated.against);
+    action.kept_apart   = violated.kept_apart;
+    if (!state.no_bite && !(action.gain > least_rise))
+      action.against.push_back(action.gain < -least_rise ? "lowers the critical speed"
+                                                         : "does nothing to the critical speed");
     if (const double f = state.found.frequency; std::isfinite(f) && std::isfinite(now.found.frequency))
       action.modes = std::abs(f / now.found.frequency - 1) < 0.05
                          ? fmt::format("{:.1f} Hz stays the critical mode", f)
@@ -218,29 +207,55 @@ private:
                                        now.found.frequency);
   }
 
-  void limits(RatedAction &action, const CriticalState &state, const double speed_factor) const
+  // Empty where there is no slope.
+  Errors errors_of(const ChatterModel &model, const CriticalState &state) const
   {
-    const CriticalState &now = advice_.now;
-    if (state.no_bite) {
-      action.against.push_back("no steady bite at the working speed: " + state.why);
-      action.kept_apart = true;
-      return;
+    Errors errors;
+    const auto at = critical_point(state.found);
+    if (!at)
+      return errors;
+    try {
+      for (const CriticalSlope &slope : critical_slopes(model, model.bite, *at))
+        if (const InputDoubt *doubt = doubt_of(asked_.doubts, slope.key))
+          errors[slope.key] = slope.slope * doubt->sd;
+    } catch (const SolverError &) {  // two roots in one
+      errors.clear();
     }
-    if (const double speed = asked_.working_speed * speed_factor; speed < asked_.wanted_speed * (1 - 1e-12)) {
-      action.against.push_back(
-          fmt::format("rolls at {:.4g} m/s, at least {:.4g} m/s are wanted", speed, asked_.wanted_speed));
-      action.kept_apart = true;
+    return errors;
+  }
+
+  // sd of a sum of critical speeds, which one error moves together.
+  static double spread_of(const std::vector<std::pair<double, const Errors *>> &parts)
+  {
+    Errors sum;
+    for (const auto &[factor, errors] : parts)
+      for (const auto &[key, error] : *errors)
+        sum[key] += factor * error;
+    double variance = 0;
+    for (const auto &[key, error] : sum)
+      variance += error * error;
+    return std::sqrt(variance);
+  }
+
+  // An action beside the next better one, where the errors of mill and bite may turn their order.  (46.12)
+  void say_what_cannot_be_told_apart(std::vector<Rated> &ranked) const
+  {
+    for (std::size_t i = 1; i < ranked.size() && ranked[i].action.against.empty(); ++i) {
+      const Rated &better = ranked[i - 1];
+      Rated &one          = ranked[i];
+      if (better.errors.empty() || one.errors.empty() || now_errors_.empty())
+        continue;
+      const double a = 1 + better.action.change, b = 1 + one.action.change;
+      const double apart = a - b, sd = spread_of({
+                                      {a,     &better.errors},
+                                      {-b,    &one.errors   },
+                                      {b - a, &now_errors_  }
+      });
+      if (apart < sd)
+        one.action.remarks.push_back(fmt::format("not distinguishable from {}: {:.2g} % apart, with a standard "
+                                                 "deviation of {:.2g} % by what is not known of mill and bite",
+                                                 better.action.name, 100 * apart, 100 * sd));
     }
-    if (const double rise = state.force / now.force - 1; rise > asked_.force_rise)
-      action.against.push_back(
-          fmt::format("the force rises by {}, at most {} are allowed", percent(rise), percent(asked_.force_rise)));
-    if (const double rise = state.torque / now.torque - 1; rise > asked_.torque_rise)  // NaN: any
-      action.against.push_back(fmt::format("the torque rises by {}, at most {} are allowed", percent(rise),
-                                           percent(asked_.torque_rise)));
-    if (action.gain < -least_rise)
-      action.against.push_back("lowers the critical speed");
-    else if (!(action.gain > least_rise))
-      action.against.push_back("does nothing to the critical speed");
   }
 
   // Change of the force by an action that helps and keeps every limit; 0 where it does not.
@@ -262,7 +277,7 @@ private:
     for (const std::size_t i : order)
       if (singles[i].action.gain > least_rise && !singles[i].action.kept_apart &&
           int(best.size()) < asked_.paired && std::none_of(best.begin(), best.end(), [&](const std::size_t j) {
-            return steps[j].parameter == steps[i].parameter;
+            return steps[j].action.parameter == steps[i].action.parameter;
           }))
         best.push_back(i);
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
@@ -277,38 +292,12 @@ private:
     if (relief != order.end() && relieved(singles[*relief]) < 0 &&
         std::count(best.begin(), best.end(), *relief) == 0)
       for (const std::size_t i : best)
-        if (!singles[i].action.against.empty() && steps[i].parameter != steps[*relief].parameter)
+        if (!singles[i].action.against.empty() && steps[i].action.parameter != steps[*relief].action.parameter)
           pairs.emplace_back(i, *relief);
     return pairs;
   }
 };
 }  // namespace
-
-CriticalState critical_state(const dynamics::ChatterStandModel &stand, const bite::RollBite &bite,
-                             const bite::Linearisation scheme, const dynamics::SpeedRange &range,
-                             const double working_speed)
-{
-  using dynamics::Verdict;
-  CriticalState s;
-  s.found    = dynamics::critical_speed(stand, bite, scheme, range);
-  s.at_least = s.found.verdict == Verdict::stable;
-  s.speed = s.found.verdict == Verdict::crossing ? s.found.speed : s.at_least ? s.found.highest_bite : range.from;
-  try {
-    const auto point = dynamics::working_point(bite, working_speed, scheme);
-    s.force          = point.state.force;
-    s.torque         = point.state.torque;
-    s.friction       = point.state.friction;
-    s.growth         = dynamics::growth_rate(chatter_matrix(stand, point.by));
-    s.output         = point.state.exit_speed * bite.strip.exit_thickness * bite.strip.width;
-  } catch (const InputError &error) {
-    s.no_bite = true;
-    s.why     = error.problems.front().message;
-  } catch (const SolverError &error) {
-    s.no_bite = true;
-    s.why     = error.report.what;
-  }
-  return s;
-}
 
 CriticalAdvice critical_advice(const CriticalQuestion &question)
 {

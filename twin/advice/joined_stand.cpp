@@ -177,6 +177,35 @@ Eigen::VectorXd amplitude(const VibratingStand &stand, const std::vector<Attachm
   return a;
 }
 
+Eigen::MatrixXcd bite_receptances(const VibratingStand &stand, const std::vector<Attachment> &joined,
+                                  const Eigen::VectorXd &frequency)
+{
+  Eigen::MatrixXd seen(stand.point.rows() + 1, stand.force.size());
+  seen << stand.point, stand.force.transpose();
+  Receptances response(stand, joined, seen, stand.force);
+  Eigen::MatrixXcd X(frequency.size(), seen.rows());
+  for (Eigen::Index k = 0; k < frequency.size(); ++k)
+    X.row(k) = response.at(2 * M_PI * frequency[k]).col(0).head(seen.rows()).transpose();
+  return X;
+}
+
+dynamics::StandStructure joined_structure(const VibratingStand &stand, const std::vector<Attachment> &joined)
+{
+  JoinedMatrices s     = joined_matrices(stand, joined);
+  const Eigen::Index n = stand.frequency.size();
+  dynamics::StandStructure structure;
+  structure.name              = "with what is joined";
+  structure.labels            = stand.places;
+  structure.b                 = Eigen::VectorXd::Zero(s.M.rows());
+  structure.b.head(n)         = stand.force;
+  structure.point             = Eigen::MatrixXd::Zero(stand.point.rows(), s.M.rows());
+  structure.point.leftCols(n) = stand.point;
+  structure.M                 = std::move(s.M);
+  structure.C                 = std::move(s.C);
+  structure.K                 = std::move(s.K);
+  return structure;
+}
+
 Eigen::VectorXd first_order(const VibratingStand &stand, const std::vector<Attachment> &joined,
                             const std::vector<Attachment> &added, const ForceBand &force)
 {

@@ -1,4 +1,5 @@
 #pragma once
+#include "dynamics/chatter/stand_structure.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modal_model.h"
 #include "dynamics/response/modes.h"
@@ -49,6 +50,13 @@ Eigen::VectorXd levels(const VibratingStand &stand, const std::vector<Attachment
 /// (k) m/s2 per N: amplitude of the acceleration of a place at the frequencies of a force.
 Eigen::VectorXd amplitude(const VibratingStand &stand, const std::vector<Attachment> &joined, int place,
                           const Eigen::VectorXd &frequency);
+
+/// (k, m + 1) m/N: displacement of every place, and last of the gap, per newton of bite force.
+Eigen::MatrixXcd bite_receptances(const VibratingStand &stand, const std::vector<Attachment> &joined,
+                                  const Eigen::VectorXd &frequency);
+
+/// The stand with what is joined as the bite feels it: modes, and one more unknown for each tuned damper, (46.5).
+dynamics::StandStructure joined_structure(const VibratingStand &stand, const std::vector<Attachment> &joined);
 
 /// d ln level of every place when `added` is joined to the stand with `joined`, to first order in its damper or
 /// its mass: (m) -, negative where it helps.  theory.md (46.6)

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <map>
+#include <limits>
 
 namespace mill::twin {
 namespace {
@@ -12,6 +12,7 @@ constexpr double nothing         = 1e-3;  // relative change below which an acti
 constexpr double unknown_error   = 0.10;  // relative, of a spring whose accuracy nobody states
 constexpr double notable_slope   = 0.05;  // of the level by a parameter, from which the result rests on it
 constexpr const char *of_damping = "modal damping";
+constexpr const char *critical_over_working = "critical over working speed";
 
 // One thing to do, before anybody knows what it brings.
 struct Part {
@@ -23,6 +24,7 @@ struct Part {
   double damping = 1;  // factor on the ratios of all modes
   std::vector<Attachment> dampers;
   std::optional<Attachment> tuned;  // starting values, or those found for it alone
+  std::optional<ProcessAction> process;
 };
 
 // Two dampers between the same places are one parameter.
@@ -36,22 +38,6 @@ bool share_one(const Part &a, const Part &b)
   return std::any_of(a.parameters.begin(), a.parameters.end(), [&](const std::string &name) {
     return std::count(b.parameters.begin(), b.parameters.end(), name) > 0;
   });
-}
-
-dynamics::MillModel scaled(dynamics::MillModel model, const std::string &name, const double factor)
-{
-  for (dynamics::Spring &spring : model.springs) {
-    if (spring.name != name)
-      continue;
-    Eigen::VectorXd ends = Eigen::VectorXd::Zero(model.M.size());
-    if (spring.from != dynamics::ground)
-      ends[spring.from] = -1;
-    if (spring.to != dynamics::ground)
-      ends[spring.to] = 1;
-    model.K += (factor - 1) * spring.stiffness * ends * ends.transpose();
-    spring.stiffness *= factor;
-  }
-  return model;
 }
 
 // N/m: stiffness of the stand against the bite force.
@@ -105,6 +91,12 @@ public:
     if (advised.chain)
       advice_.slopes = level_slopes(*advised.chain, stand.damping, stand.gap_damper, question.force);
     poles_ = poles(stand, {});
+    if (question.pass) {
+      rolled_.emplace(*question.pass, advised.open, question.force);
+      advice_.pass = rolled_->now();
+      if (advice_.pass->no_bite)
+        rolled_.reset();
+    }
   }
 
   LevelAdvice advise()
@@ -131,6 +123,7 @@ private:
   const LevelQuestion &asked_;
   LevelAdvice advice_;
   std::vector<dynamics::Pole> poles_;
+  std::optional<RolledLevel> rolled_;
 
   std::vector<Part> all_parts()
   {
@@ -156,6 +149,11 @@ private:
     }
     for (const TunedChoice &tuned : asked_.tuned)
       parts.push_back(tuned_part(tuned));
+    if (rolled_ && rolled_->settled())
+      for (const ProcessAction &action : process_actions(asked_.pass->model.bite, asked_.pass->process)) {
+        parts.push_back({action.name, {action.parameter}, action.means});
+        parts.back().process = action;
+      }
     return parts;
   }
 
@@ -189,7 +187,7 @@ private:
     std::stable_sort(order.begin(), order.end(),
                      [&](const auto a, const auto b) { return singles[a].gain > singles[b].gain; });
     for (const std::size_t i : order)
-      if (singles[i].gain > nothing && int(best.size()) < asked_.paired &&
+      if (singles[i].gain > nothing && !singles[i].kept_apart && int(best.size()) < asked_.paired &&
           std::none_of(best.begin(), best.end(), [&](const auto j) { return share_one(parts[j], parts[i]); }))
         best.push_back(i);
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
@@ -214,7 +212,7 @@ private:
     }
     dynamics::MillModel model = *own_.chain;
     for (const Part *part : parts)
-      model = scaled(std::move(model), part->spring, part->factor);
+      model = with_spring_scaled(std::move(model), part->spring, part->factor);
     return vibrating_stand(model, damping, own_.stand.gap_damper);
   }
 
@@ -229,6 +227,11 @@ private:
       sum += slope(part.spring) * std::log(part.factor);
     if (part.damping != 1)
       sum += slope("zeta") * std::log(part.damping);
+    if (part.process) {
+      const Eigen::VectorXd slopes = rolled_->slope(*part.process);
+      sum += slopes.size() > 0 ? slopes[asked_.place] * std::log(part.process->factor)
+                               : std::numeric_limits<double>::quiet_NaN();
+    }
     return sum;
   }
 
@@ -248,8 +251,10 @@ private:
       log_change += foretold(*part, own);
       action.joined.insert(action.joined.end(), part->dampers.begin(), part->dampers.end());
       if (!part->spring.empty())
-        action.springs.emplace_back(part->spring, part->factor);
-      action.damping *= part->damping;
+        action.of_stand.springs.emplace_back(part->spring, part->factor);
+      action.of_stand.damping *= part->damping;
+      if (part->process)
+        action.process.push_back(*part->process);
     }
     action.first_order = std::expm1(log_change);
     for (const Part *part : parts)  // in a pair tuned anew, since the other action moves the mode
@@ -264,7 +269,9 @@ private:
 
   void judge(RatedAction &action) const
   {
-    const Eigen::VectorXd after = levels(action.stand, action.joined, asked_.force);
+    const auto rolled =
+        rolled_ ? rolled_->after(action.of_stand, action.joined, action.process) : std::optional<RolledState>();
+    const Eigen::VectorXd after = level_after(action, rolled);
     action.change               = after[asked_.place] / advice_.level[asked_.place] - 1;
     action.verified             = action.change;
     const auto rolls            = std::min<Eigen::Index>(6, after.size());
@@ -283,16 +290,47 @@ private:
     if (softer > asked_.softening)
       action.against.push_back(fmt::format("the stand gets softer by {:.3g} %, at most {:.3g} % are allowed",
                                            100 * softer, 100 * asked_.softening));
+    if (rolled)
+      judge_pass(action, *rolled);
     judge_gain(action);
     action.modes = mode_words(poles_, poles(action.stand, action.joined));
     remark(action);
+  }
+
+  // (m) m/s2; NaN where vibration grows.
+  Eigen::VectorXd level_after(const RatedAction &action, const std::optional<RolledState> &rolled) const
+  {
+    if (action.process.empty())
+      return levels(action.stand, action.joined, asked_.force);
+    return rolled && rolled->level.size() > 0
+               ? rolled->level
+               : Eigen::VectorXd::Constant(advice_.level.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+
+  // Every action of one advice has these effects, in this order.
+  void judge_pass(RatedAction &action, const RolledState &rolled) const
+  {
+    const CriticalState &now = rolled_->now(), &after = rolled.critical;
+    action.nearer = rolled.nearer;
+    action.effects.push_back({critical_over_working, rolled.nearer, "1"});
+    action.effects.push_back({"force", after.force / now.force - 1, "1"});
+    action.effects.push_back({"torque", after.torque / now.torque - 1, "1"});
+    action.effects.push_back({"production", after.output / now.output - 1, "1"});
+    if (!action.process.empty()) {
+      const auto &against = rolled.violated.against;
+      action.against.insert(action.against.end(), against.begin(), against.end());
+      action.kept_apart = rolled.violated.kept_apart;
+      if (rolled.level.size() == 0 && !after.no_bite)
+        action.against.push_back("vibration grows at the working speed");
+    }
+    judge_nearer(action, asked_.pass->nearer_chatter);
   }
 
   // sd of the change by errors of springs and damping, each moved by one of its own, (46.9).  What is joined keeps
   // its numbers: a tuned damper is then out of tune.
   double spread(const RatedAction &action) const
   {
-    if (!own_.chain)
+    if (!own_.chain || !action.process.empty())
       return std::numeric_limits<double>::quiet_NaN();
     const Eigen::VectorXd &all = asked_.force.frequency;
     const Eigen::Index every =
@@ -303,10 +341,10 @@ private:
     sparse.square    = Eigen::VectorXd(asked_.force.square(Eigen::seq(every / 2, Eigen::last, every)));
     const auto level = [&](dynamics::MillModel model, const double damping, const bool after) {
       if (after)
-        for (const auto &[name, factor] : action.springs)
-          model = scaled(std::move(model), name, factor);
+        for (const auto &[name, factor] : action.of_stand.springs)
+          model = with_spring_scaled(std::move(model), name, factor);
       const VibratingStand stand = vibrating_stand(
-          model, damping * (after ? action.damping : 1) * own_.stand.damping, own_.stand.gap_damper);
+          model, damping * (after ? action.of_stand.damping : 1) * own_.stand.damping, own_.stand.gap_damper);
       return levels(stand, after ? action.joined : std::vector<Attachment>(), sparse)[asked_.place];
     };
     const auto change = [&](const dynamics::MillModel &model, const double damping) {
@@ -319,7 +357,7 @@ private:
         continue;
       const auto known   = asked_.spring_error.find(spring.name);
       const double error = known == asked_.spring_error.end() ? unknown_error : known->second;
-      variance += std::pow(change(scaled(*own_.chain, spring.name, 1 + error), 1) - as_it_is, 2);
+      variance += std::pow(change(with_spring_scaled(*own_.chain, spring.name, 1 + error), 1) - as_it_is, 2);
     }
     return std::sqrt(variance);
   }
@@ -346,11 +384,30 @@ void judge_gain(RatedAction &action)
   against.erase(std::remove_if(against.begin(), against.end(),
                                [&](const std::string &reason) { return reason == little || reason == more; }),
                 against.end());
+  if (std::isnan(action.verified)) {
+    action.gain = -std::numeric_limits<double>::infinity();
+    return;
+  }
   action.gain = -action.verified;
   if (std::abs(action.gain) <= nothing)
     against.push_back(little);
   else if (action.gain < 0)
     against.push_back(more);
+}
+
+void judge_nearer(RatedAction &action, const double allowed)
+{
+  const std::string nearer = "brings the critical speed nearer by ";
+  auto &against            = action.against;
+  against.erase(std::remove_if(against.begin(), against.end(),
+                               [&](const std::string &reason) { return reason.find(nearer) == 0; }),
+                against.end());
+  for (SideEffect &effect : action.effects)
+    if (effect.name == critical_over_working)
+      effect.value = action.nearer;
+  if (-action.nearer > allowed)
+    against.push_back(
+        fmt::format("{}{:.3g} %, at most {:.3g} % are allowed", nearer, -100 * action.nearer, 100 * allowed));
 }
 
 void rank(std::vector<RatedAction> &actions)
@@ -371,70 +428,6 @@ std::size_t above_the_line(const std::vector<RatedAction> &ranked)
 LevelAdvice level_advice(const AdvisedStand &advised, const LevelQuestion &question)
 {
   return LevelAdviser(advised, question).advise();
-}
-
-double resolving_step(const VibratingStand &stand, const double high)
-{
-  const double half_width = stand.damping.cwiseProduct(stand.frequency).minCoeff() / (2 * M_PI);
-  return std::max(0.25 * half_width, high / 200000);
-}
-
-std::string means_of_spring(const std::string &name)
-{
-  static const std::map<std::string, std::string> means{
-      {"K1", "posts and beam of the upper housing"                                                        },
-      {"K2", "height of the oil column, cylinder, chock and bearing of the upper backup roll, its bending"},
-      {"K3", "contact of the upper rolls: load and common length; diameters hardly move it"               },
-      {"K4", "bite: reduction, width, friction"                                                           },
-      {"K5", "contact of the lower rolls: load and common length; diameters hardly move it"               },
-      {"K6", "chock and bearing of the lower backup roll, its bending"                                    },
-      {"K7", "lower housing and its foundation"                                                           },
-  };
-  const auto found = means.find(name);
-  return found == means.end() ? "" : found->second;
-}
-
-std::string damper_name(const VibratingStand &stand, const Attachment &damper)
-{
-  const auto place = [&](const int i) { return i < 0 ? std::string("ground") : stand.places[std::size_t(i)]; };
-  return fmt::format("damper {:g} kN s/m, {} to {}", damper.damper / 1e3, place(damper.from), place(damper.to));
-}
-
-std::vector<DamperChoice> usual_dampers(const VibratingStand &stand, const double damper)
-{
-  std::vector<DamperChoice> choices;
-  const auto between = [&](const char *from, const char *to) {
-    Attachment a;
-    a.from   = stand.place(from);
-    a.to     = stand.place(to);
-    a.damper = damper;
-    return a;
-  };
-  const Attachment upper = between("upper work roll", "upper backup roll"),
-                   lower = between("lower work roll", "lower backup roll"),
-                   rolls = between("upper work roll", "lower work roll");
-  for (const Attachment &a : {upper, lower, rolls})
-    if (a.from >= 0 && a.to >= 0)
-      choices.push_back({damper_name(stand, a), {a}});
-  if (choices.size() == 3)
-    choices.push_back({
-        fmt::format("dampers {:g} kN s/m, both work rolls to their backup rolls", damper / 1e3), {upper, lower}
-    });
-  return choices;
-}
-
-LevelQuestion usual_question(const AdvisedStand &advised, const double low, const double high)
-{
-  LevelQuestion q;
-  q.place = std::max(0, advised.stand.place("upper work roll"));
-  q.force = white_force(low, high, resolving_step(advised.stand, high));
-  if (advised.chain)
-    for (const dynamics::Spring &spring : advised.chain->springs)
-      if (spring.stiffness > 0 && spring.name != "K4")
-        q.springs.push_back({spring.name, 0.8, 1.2, means_of_spring(spring.name)});
-  q.dampers = usual_dampers(advised.stand, 1e5);
-  q.tuned   = {TunedChoice{q.place}};
-  return q;
 }
 
 LevelAdvice ranked_actions(const dynamics::MillModel &model, const Eigen::VectorXd &damping,

@@ -1,5 +1,6 @@
 #include "twin/chatter/critical_track.h"
 #include "core/case/errors.h"
+#include "twin/chatter/critical_slopes.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -31,55 +32,6 @@ std::complex<double> nearest_root(const Eigen::VectorXcd &roots, const std::comp
   (roots.array() - to).abs().minCoeff(&i);
   return roots[i];
 }
-
-double doubt_of(const std::vector<InputDoubt> &doubts, const std::string &key, bool &streamed)
-{
-  const InputDoubt *best = nullptr;
-  for (const InputDoubt &doubt : doubts)
-    if (key.compare(0, doubt.key.size(), doubt.key) == 0 && (!best || doubt.key.size() > best->key.size()))
-      best = &doubt;
-  streamed = best && best->streamed;
-  return best ? best->sd : 0;
-}
-
-// d(growth)/d ln p at the critical speed of everything that has a doubt, with its name.
-struct Slope {
-  std::string key, name;
-  double growth;  // 1/s
-};
-
-std::vector<Slope> slopes_of(const ChatterModel &model, const bite::RollBite &bite, const CriticalPoint &at,
-                             double &by_speed)
-{
-  const auto point     = dynamics::working_point(bite, at.speed, model.scheme);
-  const auto pass      = bite::linear_sensitivity(point.bite, point.state, model.scheme);
-  const auto A         = dynamics::chatter_matrix(model.stand, point.by);
-  const auto root      = dynamics::slope_of_eigenvalue(A, at.root);
-  const Eigen::Index n = model.stand.structure.n();
-  const auto of_number = [&](const bite::PassNumber number) {
-    return root.by(dynamics::chatter_matrix_by(model.stand, pass.by[std::size_t(number)])).real();
-  };
-  by_speed = of_number(bite::PassNumber::roll_speed);
-  std::vector<Slope> slopes;
-  for (const bite::PassNumber number : bite::numbers_of(point.bite))
-    if (number != bite::PassNumber::roll_speed) {
-      const auto name = name_of(number);
-      slopes.push_back({name.key, name.name, of_number(number)});
-    }
-  for (const auto &number : model.numbers)
-    slopes.push_back(
-        {number.key, number.name, root.by(dynamics::chatter_matrix_by(model.stand, point.by, number)).real()});
-  const char *span[][2] = {
-      {"stand.entry_distance", "distance to the stand before"},
-      {"stand.exit_distance",  "distance to the stand behind"}
-  };
-  for (int side = 0; side < 2; ++side) {  // the row of a tension goes with E/L, (27.7)
-    Eigen::MatrixXd row   = Eigen::MatrixXd::Zero(A.rows(), A.cols());
-    row.row(2 * n + side) = -A.row(2 * n + side);
-    slopes.push_back({span[side][0], span[side][1], root.by(row).real()});
-  }
-  return slopes;
-}
 }  // namespace
 
 bite::RollBite with_inputs(bite::RollBite bite, const ChatterInputs &in)
@@ -109,9 +61,9 @@ const std::vector<InputDoubt> &usual_doubts()
       {"strip.flow_stress",         0.03,  false},
       {"strip.initial_thickness",   0.01,  false},
       {"stand.masses[",             0.02,  false},
-      {"lumped.M",                  0.02,  false},
+      {"M",                         0.02,  false},
       {"stand.stiffnesses[",        0.05,  false},
-      {"lumped.K",                  0.05,  false},
+      {"K",                         0.05,  false},
       {"stand.modes[",              0.03,  false},
       {"stand.dampings[",           0.30,  false},
       {"dynamics.modal_damping",    0.30,  false},
@@ -142,13 +94,10 @@ void CriticalTrack::begin(const dynamics::CriticalSpeed &found)
 {
   at   = {};
   lost = dynamics::sentence(found, model.range);
-  if (found.verdict != dynamics::Verdict::crossing)
-    return;
-  for (const dynamics::Crossing &c : found.crossings)
-    if (c.speed == found.speed && c.slope > 0) {
-      at = {c.speed, c.frequency, c.root, c.slope};
-      lost.clear();
-    }
+  if (const auto critical = critical_point(found)) {
+    at = *critical;
+    lost.clear();
+  }
 }
 
 bool CriticalTrack::follow(const bite::RollBite &bite)
@@ -219,13 +168,14 @@ CriticalInterval CriticalTrack::interval(const bite::RollBite &bite, const std::
   CriticalInterval interval;
   if (!following())
     return interval;
-  double by_speed = 0, streamed = 0, model_part = 0, largest = 0;
+  double streamed = 0, model_part = 0, largest = 0;
   try {
-    for (const Slope &slope : slopes_of(model, bite, at, by_speed)) {
-      bool is_streamed  = false;
-      const double sd   = doubt_of(doubts, slope.key, is_streamed);
-      const double part = std::pow(slope.growth / by_speed * sd, 2);  // (27.4)
-      (is_streamed ? streamed : model_part) += part;
+    for (const CriticalSlope &slope : critical_slopes(model, bite, at)) {
+      const InputDoubt *doubt = doubt_of(doubts, slope.key);
+      if (!doubt)
+        continue;
+      const double part = std::pow(slope.slope * doubt->sd, 2);
+      (doubt->streamed ? streamed : model_part) += part;
       if (part > largest) {
         largest          = part;
         interval.largest = slope.name;

@@ -112,7 +112,7 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   stand.span               = read_stand_span(root, reading);
   read_monitoring(root, reading);  // checked here, used by those who read records
   stand.analysis  = read_chatter_analysis(root, reading);
-  stand.advice    = read_stand_advice(root, reading);
+  stand.advice    = read_four_high_advice(root, stand.passes, reading);
   stand.given     = read_given(root, "given", "four-high", reading);
   stand.published = read_given(root, "published", "four-high", reading);
   share_given_bearings(stand);
@@ -172,7 +172,7 @@ std::vector<SectionRows> four_high_sections()
       published_section(stand_published_rows())
   };
   all.insert(all.end(), std::begin(rest), std::end(rest));
-  for (const SectionRows &section : stand_advice_sections())
+  for (const SectionRows &section : four_high_advice_sections())
     all.push_back(section);
   return all;
 }

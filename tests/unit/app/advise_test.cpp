@@ -138,6 +138,38 @@ TEST(Advise, OfADrawingTheChocksCount)
             "not repeated in the beams: its spring is several parts of the drawing");
 }
 
+// A pass with speed and strip: process actions among the others, in both models, and the limits of the pass.
+TEST(Advise, OfAPassTheProcessIsAnActionAndChatterALimit)
+{
+  const std::string folder = scratch("advise-pass");
+  const std::string stand  = std::string(MILLSTAND_SOURCE_DIR) + "/cases/cold-tandem-2030.toml";
+  const Outcome run        = millstand("advise " + stand +
+                                           " --set 'pass.0.speed=\"12 m/s\"' --set 'advice.springs=[\"K1\"]' --set "
+                                                  "'advice.band=[\"20 Hz\",\"400 Hz\"]' --set 'advice.tuned_mass=\"0 %\"' --set "
+                                                  "'advice.speed=[0.9,1]' -q -o out",
+                                       folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto advice    = advice_in(folder + "/out");
+  const auto &thinner  = action(advice, "entry thickness x 0.95");
+  const auto effect_of = [](const nlohmann::json &one, const std::string &name) {
+    for (const auto &effect : one["effects"])
+      if (effect["name"] == name)
+        return effect["value"].get<double>();
+    throw std::logic_error("no effect " + name);
+  };
+  ASSERT_EQ(thinner["in_other_models"].size(), 1u);
+  EXPECT_EQ(thinner["in_other_models"][0]["name"], "beams");
+  EXPECT_EQ(thinner["verified_change"], thinner["in_other_models"][0]["value"]);
+  EXPECT_LT(effect_of(thinner, "force"), 0) << "less reduction";
+  EXPECT_GT(effect_of(thinner, "critical over working speed"), 0);
+  EXPECT_EQ(action(advice, "speed x 0.9")["against"][0], "rolls at 10.8 m/s, at least 12 m/s are wanted");
+  EXPECT_NEAR(effect_of(action(advice, "speed x 0.9"), "critical over working speed"), 1 / 0.9 - 1, 1e-6);
+  bool said = false;
+  for (const auto &note : advice["notes"])
+    said = said || note.get<std::string>().find("critical speed as it is, beams: unstable above ") == 0;
+  EXPECT_TRUE(said) << advice["notes"];
+}
+
 TEST(Advise, PlacesThatSixMassesLackAreThoseOfTheBeams)
 {
   const std::string folder = scratch("advise-chock");

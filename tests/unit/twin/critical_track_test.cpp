@@ -2,6 +2,7 @@
 #include "tests/support/film_pass.h"
 #include "tests/support/near.h"
 #include "tests/support/synthetic_record.h"
+#include "twin/chatter/critical_slopes.h"
 #include "twin/chatter/critical_track.h"
 #include <cmath>
 
@@ -121,4 +122,24 @@ TEST(CriticalTrack, IntervalIsThatOfChangedInputs)
   const double spread = scheme_spread(model, model.bite);
   EXPECT_GT(spread, 0.02) << "frozen friction 17.5, implicit 18.9 m/s";
   EXPECT_LT(spread, 0.08);
+}
+
+// Whatever the structure is given by, its masses, springs and dampers are in doubt.
+TEST(CriticalTrack, EveryNumberOfAStructureHasADoubt)
+{
+  LumpedModel chain;
+  for (std::size_t i = 0; i < chain.M.size(); ++i)
+    chain.M[i].value = 1e4;
+  for (std::size_t i = 0; i < chain.K.size(); ++i)
+    chain.K[i].value = 1e10;
+  DynamicsSettings settings;
+  settings.modal_damping = 0.02;
+  settings.force_meaning = "measured";
+  auto numbers           = published_stand().numbers;
+  for (const auto &number : dynamics::chain_numbers(chain, settings))
+    numbers.push_back(number);
+  ASSERT_EQ(numbers.size(), 19u + 13u);
+  for (const auto &number : numbers)
+    EXPECT_EQ(doubt_of(usual_doubts(), number.key) != nullptr, number.key != "stand.dampings")
+        << number.key << ": those together are each of them already";
 }

@@ -3,6 +3,7 @@
 #include "core/case/errors.h"
 #include "tests/support/film_pass.h"
 #include "tests/support/near.h"
+#include "tests/support/rated_action.h"
 #include "tests/support/reference.h"
 #include "twin/advice/chatter_advice.h"
 #include <algorithm>
@@ -23,8 +24,8 @@ CriticalQuestion condition_2()
   q.stand         = {dynamics::six_mass_structure(mass, stiffness, damping), 4.95, 4.95, 210e9};
   q.bite          = film_pass();
   q.numbers       = dynamics::six_mass_numbers(mass, stiffness, damping);
-  q.working_speed = q.wanted_speed = 18.2;
-  q.changed                        = [=](const StructureChanges &changes) {
+  q.working_speed = q.process.wanted_speed = 18.2;
+  q.changed                                = [=](const StructureChanges &changes) {
     auto m = mass, k = stiffness, c = damping;
     for (const auto &[key, factor] : changes)
       for (std::size_t i = 0; i < 6; ++i) {
@@ -33,13 +34,13 @@ CriticalQuestion condition_2()
         k[i] *= key == "stand.stiffnesses" + number ? factor : 1;
         c[i] *= key == "stand.dampings" + number ? factor : 1;
       }
-    return dynamics::six_mass_structure(m, k, c);
+    return NumberedStructure{dynamics::six_mass_structure(m, k, c), dynamics::six_mass_numbers(m, k, c)};
   };
-  q.speed           = {0.9, 1};
-  q.entry_thickness = {0.95, 1.05};
-  q.entry_tension = q.exit_tension = q.viscosity = {0.8, 1.2};
-  q.stiffness                                    = {1, 1.1};
-  q.damping                                      = {1, 2};
+  q.process.speed           = {0.9, 1};
+  q.process.entry_thickness = {0.95, 1.05};
+  q.process.entry_tension = q.process.exit_tension = q.process.viscosity = {0.8, 1.2};
+  q.stiffness                                                            = {1, 1.1};
+  q.damping                                                              = {1, 2};
   return q;
 }
 
@@ -68,22 +69,6 @@ std::string said(const std::string &reference)
     --at;  // there is no k3
   const std::string key = (number[0] == 'k' ? "stand.stiffnesses[" : "stand.dampings[") + std::to_string(at) + "]";
   return std::find_if(all.begin(), all.end(), [&](const auto &n) { return n.key == key; })->name + times;
-}
-
-double effect(const RatedAction &action, const std::string &name)
-{
-  for (const SideEffect &one : action.effects)
-    if (one.name == name)
-      return one.value;
-  throw std::logic_error("no effect " + name);
-}
-
-const RatedAction &action(const CriticalAdvice &advice, const std::string &name)
-{
-  for (const RatedAction &one : advice.actions)
-    if (one.name == name)
-      return one;
-  throw std::logic_error("no action " + name);
 }
 
 // Reference entries use eta0, se, he; a pair may be named either way round.
@@ -116,7 +101,7 @@ TEST(ChatterAdvice, EverySingleActionIsTheReference)
 TEST(ChatterAdvice, PairsAreComputedAnewAndRankedByWhatTheyDo)
 {
   CriticalQuestion q    = condition_2();
-  q.force_rise          = 0.05;
+  q.process.force_rise  = 0.05;
   CriticalAdvice advice = critical_advice(q);
   const auto wanted     = reference("advice_chatter", "twin");
   ASSERT_EQ(wanted["pairs"].size(), 3u);
@@ -138,8 +123,8 @@ TEST(ChatterAdvice, PairsAreComputedAnewAndRankedByWhatTheyDo)
   EXPECT_EQ(action(advice, "oil viscosity x 0.8").against,
             std::vector<std::string>{"the force rises by 10.8 %, at most 5 % are allowed"});
   // Without that limit the order of the reference, gain by gain.
-  q.force_rise = 1;
-  advice       = critical_advice(q);
+  q.process.force_rise = 1;
+  advice               = critical_advice(q);
   std::vector<std::string> here, there;
   for (const RatedAction &one : advice.actions)
     if (!one.pair && one.against.empty())
@@ -159,7 +144,7 @@ TEST(ChatterAdvice, SlowerThanWantedStaysBelowTheLineAndOutOfPairs)
             std::vector<std::string>{"rolls at 16.38 m/s, at least 18.2 m/s are wanted"});
   for (const RatedAction &one : advice.actions)
     EXPECT_TRUE(!one.pair || one.name.find("speed x") == std::string::npos) << one.name;
-  q.wanted_speed            = 16;
+  q.process.wanted_speed    = 16;
   advice                    = critical_advice(q);
   const RatedAction &slower = action(advice, "speed x 0.9");
   EXPECT_TRUE(slower.against.empty());
@@ -173,11 +158,11 @@ TEST(ChatterAdvice, SlowerThanWantedStaysBelowTheLineAndOutOfPairs)
 // order.
 TEST(ChatterAdvice, FirstOrderIsTheTangentOfWhatReallyHappens)
 {
-  CriticalQuestion q = condition_2();
-  q.force_rise       = 1;
-  q.speed = q.entry_thickness = q.exit_tension = q.stiffness = q.damping = {1, 1};
-  const auto change                                                      = [&](const double factor) {
-    q.viscosity = q.entry_tension = {factor, 1};
+  CriticalQuestion q   = condition_2();
+  q.process.force_rise = 1;
+  q.process.speed = q.process.entry_thickness = q.process.exit_tension = q.stiffness = q.damping = {1, 1};
+  const auto change = [&](const double factor) {
+    q.process.viscosity = q.process.entry_tension = {factor, 1};
     return critical_advice(q);
   };
   const CriticalAdvice large = change(0.98), small = change(0.99);
@@ -207,10 +192,10 @@ TEST(ChatterAdvice, WithoutABiteNoAdvice)
 TEST(ChatterAdvice, ActionsThatTakeTheBiteAwaySayWhy)
 {
   CriticalQuestion q = condition_2();
-  q.stiffness = q.damping = q.viscosity = q.exit_tension = {1, 1};
-  q.entry_tension                                        = {1, 5};  // above the flow stress
-  q.entry_thickness                                      = {1, 4};  // thicker than the hot strip
-  const auto advice                                      = critical_advice(q);
+  q.stiffness = q.damping = q.process.viscosity = q.process.exit_tension = {1, 1};
+  q.process.entry_tension                                                = {1, 5};  // above the flow stress
+  q.process.entry_thickness                                              = {1, 4};  // thicker than the hot strip
+  const auto advice                                                      = critical_advice(q);
   EXPECT_NE(action(advice, "entry tension x 5").against.front().find("no steady bite at the working speed: "),
             std::string::npos);
   EXPECT_EQ(action(advice, "entry thickness x 4").against.front(),
@@ -221,11 +206,11 @@ TEST(ChatterAdvice, ActionsThatTakeTheBiteAwaySayWhy)
 // three.
 TEST(ChatterAdvice, ViolatorsFindThePartnerThatTakesTheForceAway)
 {
-  CriticalQuestion q    = condition_2();
-  q.damping             = {1, 8};  // dampers push the thinner entry out of the best three
-  q.entry_tension       = {1, 1};
-  const auto advice     = critical_advice(q);
-  const RatedAction &on = pair(advice, "oil viscosity x 0.8", "entry thickness x 0.95");
+  CriticalQuestion q      = condition_2();
+  q.damping               = {1, 8};  // dampers push the thinner entry out of the best three
+  q.process.entry_tension = {1, 1};
+  const auto advice       = critical_advice(q);
+  const RatedAction &on   = pair(advice, "oil viscosity x 0.8", "entry thickness x 0.95");
   EXPECT_TRUE(on.against.empty());
   std::size_t better = 0;
   for (const RatedAction &one : advice.actions)
@@ -237,10 +222,10 @@ TEST(ChatterAdvice, ViolatorsFindThePartnerThatTakesTheForceAway)
 TEST(ChatterAdvice, NothingCriticalInTheRangeIsALowerBound)
 {
   CriticalQuestion q = condition_2();
-  q.stiffness = q.damping = q.speed = q.exit_tension = {1, 1};
-  q.range.to                                         = 15;
-  q.working_speed = q.wanted_speed = 12;
-  const auto advice                = critical_advice(q);
+  q.stiffness = q.damping = q.process.speed = q.process.exit_tension = {1, 1};
+  q.range.to                                                         = 15;
+  q.working_speed = q.process.wanted_speed = 12;
+  const auto advice                        = critical_advice(q);
   EXPECT_TRUE(advice.now.at_least);
   EXPECT_TRUE(advice.reached);
   EXPECT_TRUE(advice.slopes.inputs.empty());
@@ -248,4 +233,116 @@ TEST(ChatterAdvice, NothingCriticalInTheRangeIsALowerBound)
   EXPECT_EQ(oil.change, 0);
   EXPECT_TRUE(std::isnan(oil.first_order));
   EXPECT_EQ(oil.remarks, std::vector<std::string>{"nothing grows up to 15 m/s: the rise is at least this"});
+}
+
+namespace {
+// The bite or the stand of condition 2 with one number times a factor, by the names that doubts have.
+CriticalQuestion perturbed(const std::string &key, const double factor)
+{
+  CriticalQuestion q = condition_2();
+  for (const bite::PassNumber number : bite::numbers_of(q.bite))
+    if (name_of(number).key == key)
+      q.bite = with_number_scaled(q.bite, number, factor);
+  const auto changed = q.changed;
+  if (key.find("stand.") == 0) {
+    NumberedStructure stand = changed({
+        {key, factor}
+    });
+    q.stand.structure       = stand.structure;
+    q.numbers               = stand.numbers;
+    q.changed               = [=](StructureChanges changes) {
+      changes.emplace_back(key, factor);
+      return changed(changes);
+    };
+  }
+  return q;
+}
+
+// Some doubts of both kinds; the dampers by one beginning of their keys.
+const std::vector<InputDoubt> some_doubts{
+    {"condition.entry_tension", 0.03, true },
+    {"oil.viscosity",           0.10, false},
+    {"stand.stiffnesses[1]",    0.05, false},
+    {"stand.dampings[",         0.30, false},
+};
+}  // namespace
+
+// Each number moved by a twentieth of its doubt both ways, mill and action computed anew: no derivative is used.
+TEST(ChatterAdvice, SpreadOfAChangeIsWhatItsNumbersDo)
+{
+  const std::vector<std::string> names{"oil viscosity x 0.8", "entry tension x 0.8"};
+  const auto with = [&](CriticalQuestion q) {
+    q.process       = ProcessAdvice();
+    q.process.speed = q.process.entry_thickness = q.process.exit_tension = {1, 1};
+    q.process.viscosity = q.process.entry_tension = {0.8, 1};
+    q.process.force_rise                          = 1;
+    q.stiffness = q.damping = {1, 1};
+    q.paired                = 0;
+    q.doubts                = some_doubts;
+    return critical_advice(q);
+  };
+  const CriticalAdvice advice = with(condition_2());
+  std::vector<std::string> keys{"condition.entry_tension", "oil.viscosity", "stand.stiffnesses[1]"};
+  std::vector<double> doubts{0.03, 0.10, 0.05};
+  for (int i = 0; i < 6; ++i) {
+    keys.push_back("stand.dampings[" + std::to_string(i) + "]");
+    doubts.push_back(0.30);
+  }
+  double of_speed = 0, of_oil = 0, of_both = 0;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const double step         = 0.05 * doubts[i];
+    const CriticalAdvice more = with(perturbed(keys[i], 1 + step)), less = with(perturbed(keys[i], 1 - step));
+    const auto moved = [&](const std::string &name) {
+      return (action(more, name).change - action(less, name).change) / 0.1;
+    };
+    of_speed += std::pow(std::log(more.now.speed / less.now.speed) / 0.1, 2);
+    of_oil += std::pow(moved(names[0]), 2);
+    of_both += std::pow(moved(names[0]) - moved(names[1]), 2);
+  }
+  const Tolerance differences = within(5e-3, "differences of a twentieth of each doubt");
+  EXPECT_TRUE(near(advice.spread, std::sqrt(of_speed), differences));
+  EXPECT_TRUE(near(action(advice, names[0]).spread, std::sqrt(of_oil), differences));
+  // 6.4 and 2.7 %: told apart by these doubts if their difference is above its own deviation.
+  const double apart = action(advice, names[0]).change - action(advice, names[1]).change;
+  const bool said    = !action(advice, names[1]).remarks.empty();
+  EXPECT_EQ(said, apart < std::sqrt(of_both)) << apart << " " << std::sqrt(of_both);
+}
+
+TEST(ChatterAdvice, WhatCannotBeToldApartSaysSo)
+{
+  CriticalQuestion q   = condition_2();
+  q.process.speed      = {1, 1};
+  q.process.force_rise = 1;
+  q.paired             = 0;
+  const auto remarks   = [&](const double times) {
+    q.doubts = usual_doubts();
+    for (InputDoubt &doubt : q.doubts)
+      doubt.sd *= times;
+    const CriticalAdvice advice = critical_advice(q);
+    int n                       = 0;
+    for (std::size_t i = 0; i < advice.actions.size(); ++i)
+      for (const std::string &remark : advice.actions[i].remarks)
+        if (remark.find("not distinguishable from ") == 0) {
+          EXPECT_NE(remark.find("not distinguishable from " + advice.actions[i - 1].name + ": "),
+                      std::string::npos);
+          EXPECT_TRUE(advice.actions[i].against.empty());
+          ++n;
+        }
+    return n;
+  };
+  EXPECT_EQ(remarks(0), 0) << "without doubts every order is sure";
+  const int usual = remarks(1), large = remarks(100);
+  EXPECT_LE(usual, large);
+  EXPECT_GE(large, 5) << "with doubts a hundred times as large nearly none is";
+}
+
+// Nothing of mill and bite moves the change by another speed: it is that of the speed.
+TEST(ChatterAdvice, RollingSlowerIsSure)
+{
+  CriticalQuestion q     = condition_2();
+  q.process.wanted_speed = 10;
+  const auto advice      = critical_advice(q);
+  EXPECT_NEAR(action(advice, "speed x 0.9").spread, 0, 1e-9);
+  EXPECT_GT(action(advice, "oil viscosity x 0.8").spread, 1e-4);
+  EXPECT_GT(advice.spread, 0.01);
 }

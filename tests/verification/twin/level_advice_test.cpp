@@ -2,6 +2,7 @@
 // equations of motion with dampers and added masses solved frequency by frequency.
 #include "core/case/errors.h"
 #include "tests/support/near.h"
+#include "tests/support/rated_action.h"
 #include "tests/support/reference.h"
 #include "twin/advice/advice.h"
 #include <Eigen/LU>
@@ -42,22 +43,6 @@ const SetR &set_r()
 {
   static const SetR set;
   return set;
-}
-
-const RatedAction &action(const LevelAdvice &advice, const std::string &name)
-{
-  for (const RatedAction &one : advice.actions)
-    if (one.name == name)
-      return one;
-  throw std::logic_error("no action " + name);
-}
-
-double effect(const RatedAction &action, const std::string &name)
-{
-  for (const SideEffect &one : action.effects)
-    if (one.name == name)
-      return one.value;
-  throw std::logic_error("no effect " + name);
 }
 
 // The equations of motion themselves: masses, springs and dampers in physical unknowns, one more for a tuned

@@ -1,0 +1,29 @@
+#pragma once
+#include "core/model/advice.h"
+#include <array>
+#include <string>
+
+// What millstand advise may do to a pass and what that must keep: [advice].
+namespace mill {
+/// Bounds are factors on the present value.
+struct ProcessAdvice {
+  double wanted_speed                   = not_given;  ///< m/s, least working speed; NaN: the present one
+  double force_rise                     = 0.05;       ///< -, most that the rolling force may rise
+  double torque_rise                    = not_given;  ///< -, most that the rolling torque may rise; NaN: any
+  std::array<double, 2> speed           = {0.9, 1};
+  std::array<double, 2> entry_thickness = {0.95, 1.05};
+  std::array<double, 2> entry_tension   = {0.8, 1.2};
+  std::array<double, 2> exit_tension    = {0.8, 1.2};
+  std::array<double, 2> viscosity       = {0.8, 1.2};  ///< of the oil, where friction follows its film
+  std::array<double, 2> friction        = {0.8, 1.2};  ///< where it does not
+};
+
+/// What a level asks of the pass that is rolled.  No run of a stand uses it, so that it is no part of a Case.
+struct RolledAdvice : ProcessAdvice {
+  std::string model     = "beam";  ///< in which every action is repeated, and which counts
+  double nearer_chatter = 0.01;    ///< -, most that critical over working speed may fall
+};
+
+/// [advice] of kind four-high as it is read.
+struct FourHighAdvice : StandAdvice, RolledAdvice {};
+}  // namespace mill

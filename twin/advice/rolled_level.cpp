@@ -1,0 +1,131 @@
+#include "twin/advice/rolled_level.h"
+#include "core/case/errors.h"
+#include "dynamics/chatter/loop.h"
+#include <array>
+#include <cmath>
+#include <complex>
+#include <utility>
+
+namespace mill::twin {
+namespace {
+using Complex = std::complex<double>;
+
+// N, rolling force over the one before; 1 where there is no bite.
+double force_ratio(const ChangedPass &pass, const double speed, const ChatterModel &model, const double before)
+{
+  try {
+    return dynamics::working_point(pass.bite, speed, model.scheme).state.force / before;
+  } catch (const InputError &) {  // the search says why
+  } catch (const SolverError &) {
+  }
+  return 1;
+}
+// There is a critical speed, or nothing grows up to the end of the range.
+bool told(const CriticalState &state)
+{
+  return state.at_least || state.found.verdict == dynamics::Verdict::crossing;
+}
+}  // namespace
+
+RolledLevel::RolledLevel(const RolledPass &pass, OpenStand open, const ForceBand &force)
+    : pass_(pass), open_(std::move(open)), force_(force)
+{
+  const auto own = open_({});
+  if (!own)
+    throw InputError("the stand has no model without its bite");
+  const auto model = around(*own, {});
+  now_ = critical_state(model, pass.model.bite, pass.model.scheme, pass.model.range, pass.working_speed);
+  if (!settled())
+    return;
+  const auto by            = dynamics::working_point(pass.model.bite, pass.working_speed, pass.model.scheme).by;
+  const Eigen::MatrixXcd X = bite_receptances(*own, {}, force.frequency);
+  weight_.resize(force.frequency.size());
+  for (Eigen::Index k = 0; k < weight_.size(); ++k) {  // (46.13)
+    const double w  = 2 * M_PI * force.frequency[k];
+    const Complex G = X(k, X.cols() - 1), held(pass.bite_spring, w * pass.bite_damper);
+    weight_[k]      = force.square[k] * std::pow(w, 4) *
+                 std::norm((1.0 - dynamics::process_stiffness(model, by, Complex(0, w)) * G) / (1.0 + held * G));
+  }
+}
+
+const CriticalState &RolledLevel::now() const
+{
+  return now_;
+}
+
+bool RolledLevel::settled() const
+{
+  return !now_.no_bite && now_.growth < 0;
+}
+
+dynamics::ChatterStandModel RolledLevel::around(const VibratingStand &open,
+                                                const std::vector<Attachment> &joined) const
+{
+  dynamics::ChatterStandModel model = pass_.model.stand;
+  model.structure                   = joined_structure(open, joined);
+  return model;
+}
+
+std::optional<RolledState> RolledLevel::after(StandChange change, const std::vector<Attachment> &joined,
+                                              const std::vector<ProcessAction> &process) const
+{
+  const ChangedPass pass = changed_pass(pass_.model.bite, process);
+  const double speed     = pass_.working_speed * pass.speed_factor;
+  const auto scheme      = pass_.model.scheme;
+  if (!process.empty())
+    change.force = force_ratio(pass, speed, pass_.model, now_.force);
+  const auto open = open_(change);
+  if (!open)
+    return {};
+  RolledState state;
+  const auto model = around(*open, joined);
+  state.critical   = critical_state(model, pass.bite, scheme, pass_.model.range, speed);
+  state.violated   = violations(pass, now_, state.critical, pass_.working_speed, pass_.process);
+  if (told(now_) && told(state.critical))
+    state.nearer = state.critical.speed / pass.speed_factor / now_.speed - 1;
+  if (process.empty() || !settled() || state.critical.no_bite || !(state.critical.growth < 0))
+    return state;
+  state.level = level(*open, joined, dynamics::working_point(pass.bite, speed, scheme));
+  return state;
+}
+
+Eigen::VectorXd RolledLevel::level(const VibratingStand &open, const std::vector<Attachment> &joined,
+                                   const dynamics::WorkingPoint &point) const
+{
+  const auto model         = around(open, joined);
+  const Eigen::MatrixXcd X = bite_receptances(open, joined, force_.frequency);
+  const Eigen::Index m     = X.cols() - 1;
+  Eigen::VectorXd square   = Eigen::VectorXd::Zero(m);
+  for (Eigen::Index k = 0; k < weight_.size(); ++k) {  // (46.14)
+    const Complex s(0, 2 * M_PI * force_.frequency[k]);
+    const double answer = std::norm(1.0 - dynamics::process_stiffness(model, point.by, s) * X(k, m));
+    square += weight_[k] / answer * X.row(k).head(m).cwiseAbs2().transpose();
+  }
+  return square.cwiseSqrt();
+}
+
+Eigen::VectorXd RolledLevel::slope(ProcessAction action) const
+{
+  constexpr double step = 1e-3;  // of the logarithm
+  std::array<Eigen::VectorXd, 2> beside;
+  try {
+    for (const int side : {0, 1}) {
+      action.factor         = std::exp(side == 0 ? -step : step);
+      const ChangedPass one = changed_pass(pass_.model.bite, {action});
+      const auto point =
+          dynamics::working_point(one.bite, pass_.working_speed * one.speed_factor, pass_.model.scheme);
+      StandChange change;
+      change.force    = point.state.force / now_.force;
+      const auto open = open_(change);
+      if (!open)
+        return {};
+      beside[std::size_t(side)] = level(*open, {}, point);
+    }
+  } catch (const InputError &) {
+    return {};
+  } catch (const SolverError &) {
+    return {};
+  }
+  return (beside[1].array() / beside[0].array()).log() / (2 * step);
+}
+}  // namespace mill::twin
