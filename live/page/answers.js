@@ -27,6 +27,19 @@ function answer(tile, state, word, sentence) {
 /** Alarms and warnings whose cause is still there. */
 export const active = mill => [...mill.alarms.values()].filter(alarm => !alarm.over && alarm.level !== "note");
 
+const alarmRatio = mill => (mill.chatter && mill.chatter.alarm_ratio) || 5;
+
+/** Whole clauses of a long text; the rest stands in the list of alarms. */
+export function beginning(text, longest = 160) {
+  if (text.length <= longest)
+    return text;
+  const clauses = text.split("; ");
+  let kept = clauses.shift();
+  while (clauses.length && kept.length + clauses[0].length + 2 <= longest)
+    kept += `; ${clauses.shift()}`;
+  return clauses.length ? `${kept} …` : kept;
+}
+
 /** Why there are no data that could be judged; empty when there are. */
 function silence(mill) {
   if (mill.link !== "open")
@@ -38,12 +51,34 @@ function silence(mill) {
     settling: ["settling", "two seconds after a gap nothing is judged"] }[state] || null;
 }
 
-/** Largest level over its calm level, of bands and places; null when no calm level is known. */
+// The amplitude of a narrow band swings by itself: of eight calm bands one stands above twice its calm level every few
+// seconds.  Its mean square over five events does so once in hours.
+const swing = 0.2;
+
+/** Takes the bands of an event into their mean squares. */
+export function takeBands(mill, chatter) {
+  const before = mill.bandSquares || new Map();
+  mill.bandSquares = new Map();
+  for (const band of chatter.bands)
+    if (band.amplitude !== null && band.baseline > 0) {
+      const key = `${band.name} ${band.frequency}`, square = (band.amplitude / band.baseline) ** 2, mean = before.get(key) ?? square;
+      mill.bandSquares.set(key, mean + swing * (square - mean));
+    }
+}
+
+/** Largest level over its calm level, of bands and places; null when no calm level is known.  What stands at the limit
+    of an alarm counts at once. */
 export function loudest(mill) {
   let best = null;
-  for (const band of (mill.chatter && mill.chatter.bands) || [])
-    if (band.amplitude !== null && band.baseline > 0 && (!best || band.amplitude / band.baseline > best.ratio))
-      best = { ratio: band.amplitude / band.baseline, of: `${band.name}${band.frequency ? `, ${plain(band.frequency, 3)} Hz` : ""}` };
+  const limit = alarmRatio(mill);
+  for (const band of (mill.chatter && mill.chatter.bands) || []) {
+    const square = mill.bandSquares && mill.bandSquares.get(`${band.name} ${band.frequency}`);
+    if (square === undefined || band.amplitude === null || !(band.baseline > 0))
+      continue;
+    const now = band.amplitude / band.baseline, ratio = now >= limit ? now : Math.sqrt(square);
+    if (!best || ratio > best.ratio)
+      best = { ratio, of: `${band.name}${band.frequency ? `, ${plain(band.frequency, 3)} Hz` : ""}` };
+  }
   for (const place of (mill.levels && mill.levels.places) || [])
     if (place.measured[0] !== null && place.baseline > 0 && (!best || place.measured[0] / place.baseline > best.ratio))
       best = { ratio: place.measured[0] / place.baseline, of: mill.label(place.place) };
@@ -51,7 +86,7 @@ export function loudest(mill) {
 }
 
 function quiet(mill) {
-  const none = silence(mill), now = loudest(mill), limit = (mill.chatter && mill.chatter.alarm_ratio) || 5;
+  const none = silence(mill), now = loudest(mill), limit = alarmRatio(mill);
   drawLevel(byId("quiet-gauge"), mill.history, limit);
   const alarms = active(mill).filter(alarm => alarm.kind === "chatter" || alarm.kind === "level");
   if (none)
@@ -111,13 +146,13 @@ export function changes(mill) {
   const out = [];
   for (const proposal of mill.proposals.values())
     if (proposal.state === "open")
-      out.push({ state: "fair", text: proposal.text, adopt: proposal.id });
+      out.push({ state: "fair", text: proposal.text.split(/(?<=\.) /)[0], whole: proposal.text, adopt: proposal.id });
   for (const mode of (mill.modes && mill.modes.modes) || []) {
     if (mode.state !== "drifting" && mode.state !== "drifted")
       continue;
     const name = mode.name || `mode at ${plain(mode.twin, 4)} Hz`;
     out.push({ state: mode.state === "drifted" ? "bad" : "fair",
-      text: `${name}: ${plain(mode.measured, 4)} Hz, twin ${plain(mode.twin, 4)} Hz (${plain(Math.abs(mode.deviation), 2)} sd ${mode.deviation < 0 ? "lower" : "higher"})` });
+      text: `${name}: ${plain(mode.measured, 4)} Hz, ${plain(100 * Math.abs(mode.measured / mode.twin - 1), 2)} % ${mode.measured < mode.twin ? "below" : "above"} the twin` });
   }
   for (const alarm of active(mill))
     if (alarm.kind !== "chatter" && alarm.kind !== "level" && alarm.kind !== "drift")
@@ -143,9 +178,12 @@ function changed(mill, send) {
     return;
   shownChanges = key + word;
   const list = byId("changed-list");
-  list.replaceChildren(...all.slice(0, 3).map(entry => {
-    const item = document.createElement("li");
-    item.append(entry.text);
+  const more = all.length > 3 ? `; ${all.length - 3} more: key 2` : "";
+  list.replaceChildren(...all.slice(0, 3).map((entry, i) => {
+    const item = document.createElement("li"), words = document.createElement("span");
+    words.textContent = entry.text + (i === 2 ? more : "");
+    item.append(words);
+    item.title = entry.whole || "";
     if (entry.adopt !== undefined) {
       const button = document.createElement("button");
       button.textContent = "Adopt";
@@ -155,9 +193,7 @@ function changed(mill, send) {
     return item;
   }));
   const rest = document.createElement("li");
-  if (all.length > 3)
-    rest.textContent = `and ${all.length - 3} more: second screen`;
-  else if (!all.length)
+  if (!all.length)
     rest.textContent = mill.link !== "open" ? "" : told ? "frequencies, parameters and source are as they were" : "no mode has been measured yet";
   if (rest.textContent)
     list.append(rest);

@@ -4,7 +4,7 @@ import { SpectrumChart, Waterfall } from "./charts.js";
 import { TraceChart, drawShares, drawWave } from "./histories.js";
 import { StandView } from "./stand.js";
 import { Sliders, fillAccount, fillAdvice, fillAlarms, fillLevels, fillModes } from "./tables.js";
-import { active, clock, drawAnswers, loudest, tell } from "./answers.js";
+import { active, beginning, clock, drawAnswers, loudest, takeBands, tell } from "./answers.js";
 
 const byId = id => document.getElementById(id);
 const token = decodeURIComponent(location.hash.slice(1));
@@ -80,7 +80,7 @@ const takes = {
   },
   account(data) { mill.account = data; mark("account", "facts", "answers"); },
   modes(data) { mill.modes = data; mark("modes", "answers"); },
-  chatter(data) { mill.chatter = data; mark("answers"); },
+  chatter(data) { mill.chatter = data; takeBands(mill, data); mark("answers"); },
   alarm(data) { mill.alarms.set(data.id, data); mark("alarms", "answers"); },
   proposal(data) { mill.proposals.set(data.id, data); mark("alarms", "answers"); },
   parameters(data) {
@@ -253,7 +253,8 @@ const draws = {
     if (worst) {
       box.dataset.level = worst.level;
       tell(byId("alarm-word"), worst.level);
-      tell(byId("alarm-text"), `${clock(worst.utc)} ${worst.text}`);
+      tell(byId("alarm-text"), `${clock(worst.utc)} ${beginning(worst.text)}`);
+      byId("alarm-text").title = worst.text;
     }
   },
   facts() {

@@ -128,7 +128,7 @@ export function fillAlarms(mill, send) {
 }
 
 function values(proposal) {
-  return proposal.values.map(v => ` ${v.key} ${scaled(v.from, v.unit)} → ${scaled(v.to, v.unit)}${v.told ? "" : " (not told)"}`).join(";").replace(/^/, proposal.values.length ? ":" : "");
+  return proposal.values.map(v => ` ${v.key} ${scaled(v.from, v.unit)} → ${scaled(v.to, v.unit)}${v.told ? "" : " (not told)"}`).join(";");
 }
 
 export function fillAdvice(mill) {

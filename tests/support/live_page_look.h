@@ -23,11 +23,11 @@ inline double line_of_mass(Browser &browser, const double beside, const double f
   return browser.run(script).get<double>();
 }
 
-/// A number that a canvas says of itself: "amplification", "scale", "peakSimulated".
+/// A number that a canvas says of itself once it is drawn: "amplification", "scale", "peakSimulated".
 inline double number_of_canvas(Browser &browser, const std::string &canvas, const std::string &name)
 {
-  return std::atof(
-      browser.run("return document.getElementById('" + canvas + "').dataset." + name).get<std::string>().c_str());
+  const std::string value = "return document.getElementById('" + canvas + "').dataset." + name;
+  return browser.wait_for(value) ? std::atof(browser.run(value).get<std::string>().c_str()) : -1;
 }
 
 /// True in the page when the highest resonance of the twin is within one line of the spectrum of a frequency, Hz.

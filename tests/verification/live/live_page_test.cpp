@@ -275,6 +275,22 @@ TEST_F(LivePage, NothingIsCutAtAnySizeOrTheme)
       "'inline')"
       "  out.push('cut: ' + node.outerHTML.slice(0, 120)); }"
       "return out;";
+  // With the longest alarm and proposal that a drift brings.
+  live::PageAlarm alarm{
+      9, 1.7676e9, "drift",
+      "mode 6 is at 733.78 Hz, 1.95 % below the twin at 976.2 kN, since about 2026-11-23 18:28:18 UTC: its "
+      "sum passed 12 standard deviations, on average -6340.4; the twin is not changed; it was 0.01 % below "
+      "it at the start",
+      "alarm"};
+  live::PageProposal proposal{
+      3, 1.7676e9,
+      "Mode 6 moved down by 6340.4 standard deviations on average, to 733.78 Hz against 748.39 Hz of "
+      "the twin. On 60 s from 2026-11-23T18:28:18Z to 2026-11-23T18:29:18Z the misfit falls from "
+      "6.537 to 0.980. Nothing is changed until it is adopted."};
+  plant->publish("alarm", live::alarm_text(alarm));
+  plant->publish("proposal", live::proposal_text(proposal));
+  EXPECT_TRUE(browser->wait_for("return document.querySelector('#changed-list button') && "
+                                "!document.getElementById('alarm-banner').hidden"));
   // The picture keeps its shape when an alarm or a lost link takes a line from it.
   const auto shape = [&] {
     return browser->run("const c = document.getElementById('stand'); return c.width * c.clientHeight / (c.height "
@@ -305,6 +321,29 @@ TEST_F(LivePage, NothingIsCutAtAnySizeOrTheme)
         browser->screenshot(std::string(folder) + "/" + std::to_string(width) + "-" + screen + ".png");
     }
   browser->size(1400, 900);
+  alarm.acknowledged = alarm.over = true;
+  proposal.state                  = "refused";
+  plant->publish("alarm", live::alarm_text(alarm));
+  plant->publish("proposal", live::proposal_text(proposal));
+  EXPECT_TRUE(browser->wait_for("return document.getElementById('alarm-banner').hidden"));
+}
+
+// A narrow band swings above twice its calm level by itself: one event of it is no louder mill; at the limit of an
+// alarm one is enough.
+TEST_F(LivePage, OneSwingOfABandIsNotLouder)
+{
+  live::PageChatter swing;
+  swing.bands = {
+      {"third octave", 218.3, 2.4 * 0.26, 0.26, -1.85, -1.42, "calm"}
+  };
+  plant->publish("chatter", live::chatter_text(swing));
+  EXPECT_TRUE(browser->wait_for("return document.getElementById('quiet-say').textContent.startsWith('1.5 ×')", 1))
+      << text("quiet-say");
+  EXPECT_EQ(text("quiet-word"), "Quiet");
+  swing.bands[0].amplitude = 5.2 * 0.26;
+  plant->publish("chatter", live::chatter_text(swing));
+  EXPECT_TRUE(browser->wait_for("return document.getElementById('quiet-word').textContent === 'Loud'", 1));
+  EXPECT_TRUE(browser->wait_for(present, 15));
 }
 
 TEST_F(LivePage, NoAnswerIsGivenFromOldOrAbsentData)
