@@ -4,7 +4,7 @@
 #include "core/case/fields.h"
 #include "core/numerics/sparse.h"
 #include "fem/body/elastic_body.h"
-#include "meshes/common/gmsh_scope.h"
+#include "meshes/common/mesher.h"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>

@@ -7,7 +7,7 @@
 #include "core/records/files.h"
 #include "core/records/run_identity.h"
 #include "fem/body/elastic_body.h"
-#include "meshes/common/gmsh_scope.h"
+#include "meshes/common/mesher.h"
 #include <Eigen/Core>
 #include <algorithm>
 #include <atomic>

@@ -9,9 +9,10 @@
 // The upper roll is the mesh of the smaller one, mirrored.  Units of the deck: mm, N, MPa.
 #include "core/case/errors.h"
 #include "core/numerics/sparse.h"
+#include "core/process/parallel.h"
 #include "fem/body/elastic_body.h"
 #include "fem/roll/contact_study.h"
-#include "meshes/common/gmsh_scope.h"
+#include "meshes/gmsh/gmsh_scope.h"
 #include "meshes/roll/contact_mesh_size.h"
 #include "reduce/chain/line_contact.h"
 #include <algorithm>
@@ -23,6 +24,7 @@
 #include <functional>
 #include <gmsh.h>
 #include <map>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -98,6 +100,7 @@ constexpr int faces[6][4] = {
 
 DeckMesh read_mesh(const MeshFile &file)
 {
+  const std::lock_guard alone(random_numbers_of_c());
   const meshes::GmshScope gmsh_is_open;
   gmsh::open(file.path);
   DeckMesh mesh;

@@ -6,7 +6,7 @@ set(manual_groups ClosedForms HalfSpace Section Solid Friction Nonlinear Roll
                   ChatterStand ChatterMotion ChatterSensitivity ChatterTandem)
 # verification_test compares this list with the groups of the program: a group that is missing here would never run.
 string(REPLACE ";" "," all_groups "${manual_groups};Peer")
-mill_tests(verify LINK mill::verify mill::bite SUPPORT manual/manual_test.cpp DEFINE MANUAL_GROUPS="${all_groups}")
+mill_tests(verify LINK mill::verify mill::bite mill::fem_linked SUPPORT manual/manual_test.cpp DEFINE MANUAL_GROUPS="${all_groups}")
 
 foreach(group ${manual_groups})
   add_test(NAME manual_${group}

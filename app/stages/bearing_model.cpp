@@ -13,7 +13,7 @@
 #include "meshes/bearing/bearing_rings.h"
 #include "meshes/bearing/chock.h"
 #include "meshes/bearing/roller.h"
-#include "meshes/common/gmsh_scope.h"
+#include "meshes/common/mesher.h"
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>

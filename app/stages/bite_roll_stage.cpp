@@ -5,7 +5,7 @@
 #include "core/records/record_text.h"
 #include "fem/body/archive.h"
 #include "fem/body/elastic_body.h"
-#include "meshes/common/gmsh_scope.h"
+#include "meshes/common/mesher.h"
 #include "meshes/roll/bite_roll.h"
 #include <algorithm>
 #include <cmath>
@@ -62,7 +62,24 @@ meshes::BiteRollSize section_size(const BiteQuestion &q)
     size.reach = std::clamp(0.6 * size.radius / size.arc, 1.2, 4.8);  // within 40 degrees of the roll
   return size;
 }
+
+fem::BiteRoll roll_in_section(const BiteQuestion &q, const meshes::BiteRollSize &size)
+{
+  const auto points = meshes::arc_points(size);
+  fem::BiteRoll roll;
+  roll.radius            = size.radius;
+  roll.material          = q.bite.roll;
+  roll.arc               = size.arc;
+  roll.position          = Eigen::Map<const Eigen::VectorXd>(points.data(), Eigen::Index(points.size()));
+  roll.backup_half_width = q.backup_half_width;
+  return roll;
+}
 }  // namespace
+
+void require_section(const BiteQuestion &q)
+{
+  fem::require_roll(roll_in_section(q, section_size(q)));
+}
 
 std::string section_inputs(const BiteQuestion &q)
 {
@@ -76,13 +93,7 @@ fem::BiteRollResult roll_flexibility(RunContext &run, const BiteQuestion &q)
   const meshes::BiteRollSize size = section_size(q);
   const std::string key           = hash_of(section_inputs(q));
   const auto make                 = [&] {
-    const auto points = meshes::arc_points(size);
-    fem::BiteRoll roll;
-    roll.radius               = size.radius;
-    roll.material             = q.bite.roll;
-    roll.arc                  = size.arc;
-    roll.position             = Eigen::Map<const Eigen::VectorXd>(points.data(), Eigen::Index(points.size()));
-    roll.backup_half_width    = q.backup_half_width;
+    const fem::BiteRoll roll  = roll_in_section(q, size);
     meshes::BiteRollSize fine = size;
     fine.elements_per_spacing = 2;
     fine.far_growth           = std::sqrt(size.far_growth);

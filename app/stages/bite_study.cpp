@@ -72,13 +72,15 @@ void add_section(RunContext &run, BiteStudy &study)
   if (study.flexibility.position.size() > 0)
     return;
   try {
-    auto roll               = roll_flexibility(run, study.question);
-    study.flexibility       = std::move(roll.flexibility);
-    study.flexibility_error = mesh_pair_safety * roll.error_estimate;
+    require_section(study.question);
   } catch (const InputError &e) {  // an arc too long for a section: the models take a half plane instead
     run.assume("bite of " + study.question.pass +
                ": the roll's surface is that of a half plane: " + e.problems.front().message);
+    return;
   }
+  auto roll               = roll_flexibility(run, study.question);
+  study.flexibility       = std::move(roll.flexibility);
+  study.flexibility_error = mesh_pair_safety * roll.error_estimate;
 }
 
 // The finite elements of one setting; what they say is kept where they find no answer.
@@ -97,6 +99,8 @@ std::optional<FlowAnswer> try_flow(RunContext &run, BiteStudy &study, const Bite
     return solve_flow(run, q, shaped && study.flexibility.position.size() > 0 ? &study.flexibility : nullptr);
   } catch (const SolverError &e) {
     study.failures.push_back(setup.strip + " strip: " + e.report.what);
+  } catch (const SystemError &) {  // a full disk is no answer of the strip's
+    throw;
   } catch (const InputError &e) {
     study.failures.push_back(setup.strip + " strip: " + e.problems.front().message);
   }

@@ -4,8 +4,8 @@
 #include "core/records/record_text.h"
 #include "fem/body/members.h"
 #include "fem/roll/roll_cache.h"
-#include "meshes/common/gmsh_scope.h"
 #include "meshes/common/members.h"
+#include "meshes/common/mesher.h"
 #include "meshes/roll/contact_mesh_size.h"
 #include <filesystem>
 #include <fmt/format.h>

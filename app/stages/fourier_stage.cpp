@@ -9,7 +9,7 @@
 #include "fem/roll/fourier_contact.h"
 #include "fem/roll/roll_cache.h"
 #include "meshes/bearing/meridian.h"
-#include "meshes/common/gmsh_scope.h"
+#include "meshes/common/mesher.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

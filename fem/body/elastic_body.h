@@ -1,7 +1,5 @@
 #pragma once
-#include "core/model/surface.h"
-#include "core/numerics/sparse.h"
-#include "core/records/mesh_file.h"
+#include "fem/body/on_mesh.h"
 #include <Eigen/Core>
 #include <functional>
 #include <memory>
@@ -9,12 +7,6 @@
 #include <vector>
 
 namespace mill::fem {
-/// A quadrature point of a cell of n nodes.
-struct SolidPoint {
-  Eigen::Matrix<double, 3, Eigen::Dynamic> gradient;  ///< (3, n) 1/m, of the nodes' shape functions
-  double weight;                                      ///< m3
-};
-
 /// Linear elastic body on a mesh: nodes of the chosen degree, stiffness, boundary groups.  Unknown 3 n + c is the
 /// displacement of node n in direction c.  theory.md 1
 class ElasticBody {
@@ -54,8 +46,7 @@ public:
   Eigen::VectorXd volume_load(const std::function<double(const Eigen::Vector3d &)> &weight) const;
   int degree() const;
   /// Quadrature of the stiffness, cell by cell: visit(nodes of the cell, its points).
-  void each_cell(const std::function<void(const std::vector<int> &nodes, const std::vector<SolidPoint> &points)>
-                     &visit) const;
+  void each_cell(const VisitSolid &visit) const;
   double volume() const;  ///< m3, by the quadrature of the assembly
 
   /// (6N, k) Pa: stress xx yy zz xy xz yz at the nodes, mean of the cells around, by displacements (3N, k) m.
@@ -70,9 +61,4 @@ private:
   struct Implementation;
   std::unique_ptr<Implementation> self;
 };
-
-std::string library_version();  ///< of deal.II, "9.4.1"
-
-/// Threads that assembly may use.
-void set_assembly_threads(int n);
 }  // namespace mill::fem

@@ -1,32 +1,11 @@
 #pragma once
-#include "core/model/surface.h"
-#include "core/numerics/sparse.h"
-#include "core/records/mesh_file.h"
+#include "fem/body/on_mesh.h"
 #include <Eigen/Core>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace mill::fem {
-enum class Section {
-  plane_strain,  ///< mesh coordinates x, y; everything per metre of thickness
-  axisymmetric   ///< mesh coordinates r, z; everything over the whole circumference
-};
-
-/// Boundary group of a section that lies on a circle: the mesh gives its corners, the circle the rest.
-struct Circle {
-  std::string group;
-  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< m
-  double radius          = 0;                        ///< m, corners of the group are moved onto it
-};
-
-/// A quadrature point of a cell of n nodes.
-struct CellPoint {
-  Eigen::Matrix<double, Eigen::Dynamic, 2> gradient;  ///< (n, 2) 1/m, of the nodes' shape functions
-  double weight;  ///< m2; m3 on the whole circumference of a body of revolution
-};
-
 /// Linear elastic body in a plane or meridian section: quadrilaterals of degree 1 or 2.  theory.md 11
 class SectionBody {
 public:
@@ -58,8 +37,7 @@ public:
   int degree() const;
   Section section() const;
   /// Quadrature of the stiffness, cell by cell: visit(nodes of the cell, its points).
-  void each_cell(
-      const std::function<void(const std::vector<int> &nodes, const std::vector<CellPoint> &points)> &visit) const;
+  void each_cell(const VisitSection &visit) const;
   /// m2: area of the section; m3: volume of the solid of revolution.
   double measure() const;
 

@@ -3,8 +3,6 @@
 #include "core/numerics/mesh_pair.h"
 #include "fem/body/held_stiffness.h"
 #include <cmath>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q.h>
 #include <stdexcept>
 
 namespace mill::fem {
@@ -17,13 +15,6 @@ void add_parts(HousingStatics &out, const MillHousing &h, const ElasticBody &qua
 {
   const double E = h.steel.youngs_modulus, nu = h.steel.poisson_ratio;
   const double lambda = E * nu / ((1 + nu) * (1 - 2 * nu)), mu = E / (2 * (1 + nu));
-  const dealii::FE_Q<3> fe(unsigned(quarter.degree()));
-  const dealii::QGauss<3> rule(fe.degree + 1);
-  Eigen::MatrixXd shape(fe.n_dofs_per_cell(), rule.size());
-  for (unsigned q = 0; q < rule.size(); ++q)
-    for (unsigned a = 0; a < fe.n_dofs_per_cell(); ++a)
-      shape(a, q) = fe.shape_value(a, rule.point(q));
-
   std::array<double, n_housing_parts> moving{}, rising{};
   quarter.each_cell([&](const std::vector<int> &nodes, const std::vector<SolidPoint> &points) {
     Eigen::Matrix3Xd u(3, Eigen::Index(nodes.size()));
@@ -36,7 +27,7 @@ void add_parts(HousingStatics &out, const MillHousing &h, const ElasticBody &qua
     for (std::size_t q = 0; q < points.size(); ++q) {
       const Eigen::Matrix3d gradient = u * points[q].gradient.transpose();
       const Eigen::Matrix3d strain   = 0.5 * (gradient + gradient.transpose());
-      const Eigen::Vector3d at       = u * shape.col(Eigen::Index(q));
+      const Eigen::Vector3d at       = u * points[q].value;
       const double weight            = n_quarters * points[q].weight;
       out.energy[part] += weight * (lambda * strain.trace() * strain.trace() + 2 * mu * strain.squaredNorm());
       out.mass[part] += weight * h.steel.density;

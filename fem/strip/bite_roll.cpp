@@ -15,21 +15,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-void require_roll(const BiteRoll &roll)
-{
-  const VectorXd &x = roll.position;
-  const Index n     = x.size();
-  if (n < 3 || n % 2 == 0)
-    throw InputError("roll in the bite: the arc needs an odd number of points, three at least, one of them on the "
-                     "line of centres");
-  for (Index i = 0; i < n; ++i)
-    if ((i > 0 && !(x[i] > x[i - 1])) || std::abs(x[i] + x[n - 1 - i]) > 1e-9 * x[n - 1])
-      throw InputError(
-          "roll in the bite: the points of the arc must rise and be symmetric about the line of centres");
-  if (!(roll.backup_half_width >= 0 && roll.backup_half_width < 0.5 * roll.radius))
-    throw InputError("roll in the bite: the contact with the back-up roll must be narrower than half the radius");
-}
-
 // A point of the quarter circle as its face sees it.
 struct OnFace {
   Index face;
@@ -366,6 +351,21 @@ double arc_difference(const bite::ArcFlexibility &a, const bite::ArcFlexibility 
       difference = std::max(difference, std::abs((u[i] - u[zero]) - (v[i] - v[zero])));
     }
   return difference / range;
+}
+
+void require_roll(const BiteRoll &roll)
+{
+  const VectorXd &x = roll.position;
+  const Index n     = x.size();
+  if (n < 3 || n % 2 == 0)
+    throw InputError("roll in the bite: the arc needs an odd number of points, three at least, one of them on the "
+                     "line of centres");
+  for (Index i = 0; i < n; ++i)
+    if ((i > 0 && !(x[i] > x[i - 1])) || std::abs(x[i] + x[n - 1 - i]) > 1e-9 * x[n - 1])
+      throw InputError(
+          "roll in the bite: the points of the arc must rise and be symmetric about the line of centres");
+  if (!(roll.backup_half_width >= 0 && roll.backup_half_width < 0.5 * roll.radius))
+    throw InputError("roll in the bite: the contact with the back-up roll must be narrower than half the radius");
 }
 
 BiteRollResult bite_roll_flexibility(const BiteRoll &roll, const MeshFile &mesh, const MeshFile *coarse)

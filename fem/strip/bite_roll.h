@@ -16,6 +16,10 @@ struct BiteRoll {
   bool with_shear = false;       ///< also what friction on the arc does to the shape
 };
 
+/// @throws InputError   an even number of points or fewer than three, points that do not rise or are not
+///                      symmetric, a back-up contact wider than half the radius
+void require_roll(const BiteRoll &roll);
+
 struct BiteRollResult {
   bite::ArcFlexibility flexibility;
   /// (n, n) m/Pa: displacement towards the axis at i by unit friction stress at j, on the strip towards the exit
@@ -35,8 +39,7 @@ struct BiteRollResult {
 ///
 /// @param mesh    meshes::mesh_bite_roll of the same radius
 /// @param coarse  a coarser one for the error estimate; null: none
-/// @throws InputError   an even number of points or fewer than three, points that do not rise or are not
-///                      symmetric, a back-up contact wider than half the radius
+/// @throws InputError   as require_roll()
 /// @throws SolverError  the stiffness is not positive definite
 /// Cost: four factorisations of some 10^4 unknowns and (n + 1)/2 solutions each: below one second.
 BiteRollResult bite_roll_flexibility(const BiteRoll &roll, const MeshFile &mesh, const MeshFile *coarse = nullptr);

@@ -1,12 +1,10 @@
 #include "meshes/common/cells.h"
 #include "core/case/errors.h"
-#include "meshes/common/gmsh_scope.h"
-#include "meshes/common/write_mesh.h"
+#include "meshes/common/mesher.h"
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
-#include <gmsh.h>
 #include <map>
 
 namespace mill::meshes {
@@ -74,20 +72,19 @@ MeshFile write_cells(const CellMesh &mesh, const std::string &path)
   file.n_cells           = int(mesh.cells.size());
   file.smallest_jacobian = 1;
   std::vector<int> tag(mesh.points.size(), 0);
-  std::vector<std::size_t> tags, cells;
-  std::vector<double> coordinates;
+  PlainMesh plain;
+  plain.dimension = solid ? 3 : 2;
   std::map<std::vector<int>, std::pair<int, std::vector<int>>> faces;  // by sorted corners: count, corners
   for (const auto &cell : mesh.cells) {
     file.smallest_jacobian = std::min(file.smallest_jacobian, jacobian_ratio(mesh, cell));
     for (const int point : cell) {
       int &t = tag[std::size_t(point)];
       if (t == 0) {
-        t = int(tags.size()) + 1;
-        tags.push_back(std::size_t(t));
+        t             = ++file.n_nodes;
         const auto &p = mesh.points[std::size_t(point)];
-        coordinates.insert(coordinates.end(), p.begin(), p.end());
+        plain.coordinates.insert(plain.coordinates.end(), p.begin(), p.end());
       }
-      cells.push_back(std::size_t(t));
+      plain.cells.push_back(std::size_t(t));
     }
     for (const auto &face : solid ? hex_faces : sides) {
       std::vector<int> corners, key;
@@ -103,30 +100,12 @@ MeshFile write_cells(const CellMesh &mesh, const std::string &path)
   if (!(file.smallest_jacobian > 0))
     throw SolverError({"mesh of " + path + ": an element is inverted", "", "dimensions that contradict each other",
                        "check diameters, angles and the chock", ""});
-  file.n_nodes = int(tags.size());
-  std::map<std::string, std::vector<std::size_t>> groups;
   for (const auto &[key, face] : faces)
     if (face.first == 1)
       if (const std::string name = mesh.group(face.second); !name.empty())
         for (const int point : face.second)
-          groups[name].push_back(std::size_t(tag[std::size_t(point)]));
-
-  const GmshScope gmsh_is_open;
-  namespace model = gmsh::model;
-  const int dim   = solid ? 3 : 2;
-  model::addDiscreteEntity(dim, 1);
-  model::mesh::addNodes(dim, 1, tags, coordinates);
-  model::mesh::addElementsByType(1, solid ? hex_type : quad_type, {}, cells);
-  model::addPhysicalGroup(dim, {1}, 1);
-  int id = 0;
-  for (const auto &[name, nodes] : groups) {
-    file.groups[name] = ++id;
-    model::addDiscreteEntity(dim - 1, id);
-    model::mesh::addElementsByType(id, solid ? quad_type : line_type, {}, nodes);
-    model::addPhysicalGroup(dim - 1, {id}, id);
-    model::setPhysicalName(dim - 1, id, name);
-  }
-  write_mesh(path);
+          plain.group_faces[name].push_back(std::size_t(tag[std::size_t(point)]));
+  file.groups = write_plain(std::move(plain), path);
   return file;
 }
 }  // namespace mill::meshes

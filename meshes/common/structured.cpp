@@ -1,11 +1,8 @@
 #include "meshes/common/structured.h"
 #include "core/case/errors.h"
-#include "meshes/common/gmsh_scope.h"
-#include "meshes/common/write_mesh.h"
+#include "meshes/common/mesher.h"
 #include <Eigen/Geometry>
-#include <gmsh.h>
 #include <limits>
-#include <map>
 
 namespace mill::meshes {
 namespace {
@@ -94,18 +91,18 @@ MeshFile write_grid(const StructuredGrid &grid, const std::string &path)
   mesh.path              = path;
   mesh.n_nodes           = int(grid.points.size());
   mesh.smallest_jacobian = 1;
-  std::vector<std::size_t> cells;
+  PlainMesh plain;
+  plain.dimension = walk.dim;
   walk.each(all, -1, 0, [&](const int first) {
     ++mesh.n_cells;
     mesh.smallest_jacobian = std::min(mesh.smallest_jacobian, jacobian_ratio(walk, first));
     for (const std::size_t node : walk.corners(first, all))
-      cells.push_back(node);
+      plain.cells.push_back(node);
   });
   if (!(mesh.smallest_jacobian > 0))
     throw SolverError({"structured mesh: an element is inverted", "", "mesh lines that do not ascend",
                        "check the coordinates of the mesh lines", ""});
 
-  std::map<std::string, std::vector<std::size_t>> faces;
   for (int d = 0; d < walk.dim; ++d) {
     std::vector<int> along;
     for (int other = 0; other < walk.dim; ++other)
@@ -118,33 +115,15 @@ MeshFile write_grid(const StructuredGrid &grid, const std::string &path)
         for (const std::size_t node : corners)
           for (int c = 0; c < 3; ++c)
             middle[c] += grid.points[node - 1][c] / double(corners.size());
-        auto &group = faces[grid.group(d, side, middle)];
+        auto &group = plain.group_faces[grid.group(d, side, middle)];
         group.insert(group.end(), corners.begin(), corners.end());
       });
   }
 
-  const GmshScope gmsh_is_open;
-  namespace model = gmsh::model;
-  std::vector<std::size_t> tags(grid.points.size());
-  std::vector<double> coordinates;
-  coordinates.reserve(3 * tags.size());
-  for (std::size_t i = 0; i < tags.size(); ++i) {
-    tags[i] = i + 1;
-    coordinates.insert(coordinates.end(), grid.points[i].begin(), grid.points[i].end());
-  }
-  model::addDiscreteEntity(walk.dim, 1);
-  model::mesh::addNodes(walk.dim, 1, tags, coordinates);
-  model::mesh::addElementsByType(1, walk.dim == 3 ? hex_type : quad_type, {}, cells);
-  model::addPhysicalGroup(walk.dim, {1}, 1);
-  int id = 0;
-  for (const auto &[name, nodes] : faces) {
-    mesh.groups[name] = ++id;
-    model::addDiscreteEntity(walk.dim - 1, id);
-    model::mesh::addElementsByType(id, walk.dim == 3 ? quad_type : line_type, {}, nodes);
-    model::addPhysicalGroup(walk.dim - 1, {id}, id);
-    model::setPhysicalName(walk.dim - 1, id, name);
-  }
-  write_mesh(path);
+  plain.coordinates.reserve(3 * grid.points.size());
+  for (const auto &point : grid.points)
+    plain.coordinates.insert(plain.coordinates.end(), point.begin(), point.end());
+  mesh.groups = write_plain(std::move(plain), path);
   return mesh;
 }
 }  // namespace mill::meshes

@@ -1,10 +1,11 @@
 #include "meshes/common/write_mesh.h"
 #include "core/case/errors.h"
+#include "core/process/parallel.h"
 #include "core/records/files.h"
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <gmsh.h>
+#include <mutex>
 
 namespace mill::meshes {
 namespace {
@@ -41,13 +42,17 @@ std::string missing_of_mesh(const std::string &text)
   return nodes.empty() ? missing_of(text, "Elements", 1) : nodes;
 }
 
-void write_mesh(const std::string &path)
+void write_mesh(const std::string &path, const std::function<std::string(const std::string &aside)> &write)
 {
   const std::string aside = name_aside(path, ".msh");  // Gmsh goes by the ending
   std::string missing;
+  {
+    const std::lock_guard alone(random_numbers_of_c());
+    missing = write(aside);
+  }
   try {
-    gmsh::write(aside);
-    missing = missing_of_mesh(read_text(aside));
+    if (missing.empty())
+      missing = missing_of_mesh(read_text(aside));
   } catch (const std::exception &e) {
     missing = e.what();
   }

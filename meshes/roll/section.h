@@ -1,8 +1,6 @@
 #pragma once
 #include "core/model/roll_geometry.h"
-#include <array>
-#include <utility>
-#include <vector>
+#include "meshes/roll/series.h"
 
 namespace mill::meshes {
 /// Sizes of the quarter section of a roll: contact point at (0, radius), symmetry lines x = 0 and y = 0.
@@ -20,18 +18,21 @@ struct SectionSize {
 };
 
 /// Half width of the patch: sum of its elements.
-double patch_half_width(const SectionSize &size);
+inline double patch_half_width(const SectionSize &size)
+{
+  return sum_of(size.first_element, size.growth, size.patch_elements);
+}
 
 /// Fewest elements, multiple of 3, whose patch reaches half_width.
 int patch_elements_for(double first_element, double growth, double half_width);
 
-/// Surfaces of the section in the current Gmsh model (built-in kernel, synchronised by the caller): all
-/// quadrilateral, transfinite, conforming.  core: inside the core circle; rim: between it and the barrel.
-struct SectionSurfaces {
-  std::vector<int> core, rim;
-};
-SectionSurfaces add_section(const RollGeometry &roll, const SectionSize &size);
-
 /// m, circle that is kept as a mesh line: the neck, or one inside a roll without necks.
-double core_radius_of(const RollGeometry &roll);
+inline double core_radius_of(const RollGeometry &roll)
+{
+  return roll.neck_radius > 0 ? roll.neck_radius : 0.6 * roll.radius;
+}
+
+/// x of the place where the outer circle of a section without contact is divided, m: the part above it counts as
+/// contact, that below as barrel.
+double plain_contact_half_width(double radius);
 }  // namespace mill::meshes

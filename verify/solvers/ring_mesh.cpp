@@ -1,8 +1,9 @@
 #include "verify/solvers/ring_mesh.h"
 #include "core/case/errors.h"
-#include "meshes/common/gmsh_scope.h"
 #include "meshes/common/structured.h"
 #include "meshes/common/write_mesh.h"
+#include "meshes/gmsh/gmsh_scope.h"
+#include "meshes/gmsh/roll_section.h"
 #include <algorithm>
 #include <cmath>
 #include <gmsh.h>
@@ -28,9 +29,10 @@ MeshFile mesh_ring(const std::vector<double> &radii, const int n_angle, const st
   return write_grid(grid, path);
 }
 
-MeshFile mesh_disc(const double radius, const SectionSize &size, const std::string &path)
+namespace {
+// In the current Gmsh model; the contact patch and its fineness besides.
+MeshFile disc_in_gmsh(const double radius, const SectionSize &size)
 {
-  const GmshScope gmsh_is_open;
   RollGeometry disc;
   disc.radius                    = radius;
   const SectionSurfaces surfaces = add_section(disc, size);
@@ -56,7 +58,6 @@ MeshFile mesh_disc(const double radius, const SectionSize &size, const std::stri
         .push_back(curve.second);
   }
   MeshFile mesh;
-  mesh.path = path;
   for (const auto &[name, lines] : members) {
     const int id      = int(mesh.groups.size()) + 1;
     mesh.groups[name] = id;
@@ -87,7 +88,19 @@ MeshFile mesh_disc(const double radius, const SectionSize &size, const std::stri
   mesh.n_cells            = int(elements.size());
   mesh.contact_element    = size.first_element;
   mesh.contact_half_width = patch;
-  write_mesh(path);
+  return mesh;
+}
+}  // namespace
+
+MeshFile mesh_disc(const double radius, const SectionSize &size, const std::string &path)
+{
+  MeshFile mesh;
+  write_mesh(path, [&](const std::string &aside) {
+    const GmshScope gmsh_is_open;
+    mesh = disc_in_gmsh(radius, size);
+    return write_model(aside);
+  });
+  mesh.path = path;
   return mesh;
 }
 }  // namespace mill::meshes

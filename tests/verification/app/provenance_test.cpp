@@ -9,6 +9,7 @@
 #include "core/records/files.h"
 #include "core/records/record_text.h"
 #include "tests/support/changed_rows.h"
+#include "tests/support/short_records.h"
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -264,9 +265,10 @@ TEST(Provenance, OfTheOtherKinds)
       {{"upper.length", "lower.length", "upper.profile", "lower.profile", "lower.shape"}, {}});
   // The springs to the ground move the highest modes by less than their rounding; under another meaning of the
   // force K4 joins the work rolls and no mode of the chain bears a name that it had.
+  const ShortRecords published("published-1400");
   expect_complete(
       {
-          "cases/published-1400.toml", {}
+          published.file, {}
   },
       {{"given.K1 of f5", "given.K1 of f6", "given.K7 of f6", "given.K1 of mode.fifth_octave*",
         "given.K7 of mode.fifth_octave.frequency", "dynamics.force_meaning of mode.*"},

@@ -1,6 +1,7 @@
 #include "app/trace/trace_text.h"
 #include "core/model/case.h"
 #include "tests/support/near.h"
+#include "tests/support/short_records.h"
 #include <gtest/gtest.h>
 
 // Every input of every kind of case, and the roads against the lists that results carry.
@@ -34,8 +35,9 @@ void compare_with_lists(const Trace &t)
 
 TEST(TraceRoads, EveryKeyOfTheDemoStandIsTraced)
 {
-  const std::string file = "cases/four-high-1400.toml";
-  const auto keys        = keys_of(read_case(file));
+  const ShortRecords demo("four-high-1400");
+  const std::string &file = demo.file;
+  const auto keys         = keys_of(read_case(file));
   EXPECT_GT(keys.size(), 200u);
   ClosedFormMemory memory;
   int sizes = 0;
@@ -55,7 +57,8 @@ TEST(TraceRoads, EveryKeyOfTheDemoStandIsTraced)
 
 TEST(TraceRoads, AGivenValueMovesWithItselfAndWithWhatIsMadeOfIt)
 {
-  const std::string file = "cases/four-high-1400.toml";
+  const ShortRecords demo("four-high-1400");
+  const std::string &file = demo.file;
   ClosedFormMemory memory;
   for (const char *name : {"M1", "M2", "M3", "M4", "M5", "M6", "K1", "K2", "K3", "K4", "K5", "K6", "K7", "K_Zy",
                            "K_ZW", "Kzc1", "Kzc2", "Kzc3", "Kzc4"}) {
@@ -72,12 +75,13 @@ TEST(TraceRoads, AGivenValueMovesWithItselfAndWithWhatIsMadeOfIt)
 
 TEST(TraceRoads, EveryKeyOfTheOtherKindsIsTraced)
 {
-  for (const char *file : {"cases/published-1400.toml", "cases/two-cylinders.toml", "cases/bearing-266.toml",
-                           "cases/cold-strip.toml"}) {
+  const ShortRecords published("published-1400");
+  for (const std::string &file : {published.file, std::string("cases/two-cylinders.toml"),
+                                  std::string("cases/bearing-266.toml"), std::string("cases/cold-strip.toml")}) {
     ClosedFormMemory memory;
     int reached = 0;
     for (const TraceKey &key : keys_of(read_case(file))) {
-      SCOPED_TRACE(std::string(file) + " " + key.name);
+      SCOPED_TRACE(file + " " + key.name);
       Trace t;
       ASSERT_NO_THROW(t = trace({file, key.name, {}, "no such folder"}, memory));
       EXPECT_FALSE(trace_text(t).empty());
@@ -93,7 +97,8 @@ TEST(TraceRoads, EveryKeyOfTheOtherKindsIsTraced)
 TEST(TraceRoads, FrequenciesFollowStiffnessAndMassByHalf)
 {
   // Sum over all springs of d ln f / d ln K is 1/2, over all masses -1/2: Rayleigh's quotient is of degree one.
-  const std::string file = "cases/published-1400.toml";
+  const ShortRecords published("published-1400");
+  const std::string &file = published.file;
   ClosedFormMemory memory;
   double springs = 0, masses = 0;
   for (int i = 1; i <= 7; ++i)

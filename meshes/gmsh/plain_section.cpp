@@ -1,15 +1,10 @@
-#include "meshes/roll/plain_section.h"
+#include "meshes/gmsh/roll_section.h"
 #include <algorithm>
 #include <cmath>
 #include <gmsh.h>
 
 namespace mill::meshes {
 namespace geo = gmsh::model::geo;
-
-double plain_contact_half_width(const double radius)
-{
-  return radius * std::sqrt(0.5);
-}
 
 namespace {
 // Elements along a line whose first ones are short: at the shoulder's reentrant edge the stress has no limit.

@@ -1,9 +1,9 @@
-#include "meshes/common/gmsh_scope.h"
-#include "core/process/parallel.h"
+#include "meshes/gmsh/gmsh_scope.h"
+#include <exception>
 #include <gmsh.h>
 
 namespace mill::meshes {
-GmshScope::GmshScope() : alone(random_numbers_of_c())
+GmshScope::GmshScope()
 {
   gmsh::initialize(0, nullptr,
                    false);  // false: do not read the user's Gmsh options, results must not depend on them
@@ -15,13 +15,18 @@ GmshScope::GmshScope() : alone(random_numbers_of_c())
   gmsh::model::add("millstand");
 }
 
-std::string library_version()
-{
-  return GMSH_API_VERSION;
-}
-
 GmshScope::~GmshScope()
 {
   gmsh::finalize();
+}
+
+std::string write_model(const std::string &path)
+{
+  try {
+    gmsh::write(path);
+  } catch (const std::exception &e) {
+    return e.what();
+  }
+  return "";
 }
 }  // namespace mill::meshes

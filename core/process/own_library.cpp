@@ -1,0 +1,36 @@
+#include "core/process/own_library.h"
+#include "core/case/errors.h"
+#include <cerrno>
+#include <cstring>
+#include <dlfcn.h>
+#include <filesystem>
+#include <new>
+#include <string>
+
+namespace mill {
+namespace {
+[[noreturn]] void refuse_library(const std::string &path, const std::string &why)
+{
+  throw SystemError("the finite elements are a library beside the program, '" + path +
+                    "', which cannot be used: " + why +
+                    "; build or copy both together (cmake --build --preset release --target millstand)");
+}
+}  // namespace
+
+void *function_of_own_library(const char *library, const char *function)
+{
+  const std::string path = std::filesystem::read_symlink("/proc/self/exe").parent_path() / library;
+  void *const opened     = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
+  if (opened == nullptr) {
+    const std::string why = dlerror();
+    if (why.find(std::strerror(ENOMEM)) != std::string::npos)
+      throw std::bad_alloc();
+    refuse_library(path, why);
+  }
+  const auto *build = static_cast<const char *const *>(dlsym(opened, "millstand_build"));
+  void *const found = dlsym(opened, function);
+  if (build == nullptr || found == nullptr || std::string(*build) != MILLSTAND_BUILD)
+    refuse_library(path, "it is of another build");
+  return found;
+}
+}  // namespace mill

@@ -1,0 +1,26 @@
+#include "fem/dealii/dealii_bodies.h"
+#include <deal.II/base/multithread_info.h>
+
+namespace mill::fem {
+void dealii_use_threads(const int n)
+{
+  dealii::MultithreadInfo::set_thread_limit(unsigned(n));
+}
+
+// For a program that is linked with deal.II; one that opens it has that of fem/body/opened_on_mesh.cpp.
+const OnMesh &found_on_mesh()
+{
+  return *millstand_on_mesh();
+}
+}  // namespace mill::fem
+
+/// By which a program tells whether a library is of its own build.
+extern "C" __attribute__((visibility("default"))) const char *const millstand_build;
+const char *const millstand_build = MILLSTAND_BUILD;
+
+extern "C" __attribute__((visibility("default"))) const mill::fem::OnMesh *millstand_on_mesh()
+{
+  using namespace mill::fem;
+  static const OnMesh all{dealii_use_threads, dealii_solid, dealii_section};
+  return &all;
+}

@@ -1,0 +1,10 @@
+#pragma once
+#include <cmath>
+
+namespace mill::meshes {
+/// m, sum of n elements of which the first has the size `first` and each is `ratio` times the one before.
+inline double sum_of(const double first, const double ratio, const int n)
+{
+  return std::abs(ratio - 1) < 1e-12 ? first * n : first * (std::pow(ratio, n) - 1) / (ratio - 1);
+}
+}  // namespace mill::meshes
