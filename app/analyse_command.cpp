@@ -27,8 +27,7 @@ twin::AnalysisSettings settings_of(const CommandLine &command, const Monitoring 
   twin::AnalysisSettings settings;
   if (!command.speed.empty())
     settings.speed = option_quantity("--speed", command.speed, "4 m/s");
-  if (!command.limit.empty())
-    settings.limit = option_quantity("--limit", command.limit, "2 g");
+  settings.limit = own_limit(command, monitoring);
   for (const std::string &zone : command.severity)
     settings.severity.push_back(option_quantity("--severity", zone, "2.3 mm/s"));
   if (!std::is_sorted(settings.severity.begin(), settings.severity.end()))

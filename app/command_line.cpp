@@ -130,7 +130,7 @@ void add_live(CLI::App &app, CommandLine &c)
   auto *live =
       app.add_subcommand("live", "the chain of a stand beside the mill, driven by its force as it is measured");
   LiveOptions &o = c.live;
-  live->add_option("CASE", c.target, "case file of kind four-high or lumped")->required();
+  live->add_option("CASE", c.target, "case file of kind four-high, chatter or lumped")->required();
   live->add_option(
       "--input", o.input,
       "FILE.csv (played), tail:FILE.csv (growing), - (lines on standard input), tcp:ADDR:PORT (default "
@@ -139,6 +139,8 @@ void add_live(CLI::App &app, CommandLine &c)
   live->add_option("--record", o.record, "folder for recordings and the state for a restart");
   live->add_option("--keep", o.keep, "of the recordings: 24h, 7d, 50GB (default: all)");
   live->add_option("--speed", o.speed, "of a record that is played: times real time, or max (default 1)");
+  live->add_option("--limit", c.limit,
+                   "the mill's own limit of a vibration in a band, 0-peak, \"2 g\" (default monitoring.limit)");
   live->add_option("--token-file", o.token_file,
                    "file with the token of page and data port; needed for addresses that are not loopback");
   live->add_option("--host", o.host, "name by which a proxy in front asks for the page");

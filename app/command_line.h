@@ -33,7 +33,7 @@ struct CommandLine {
   std::string record_rate;         ///< analyse, calibrate, advise --rate
   std::string zone;                ///< analyse, calibrate, advise --zone
   std::string speed;               ///< analyse --speed
-  std::string limit;               ///< analyse --limit
+  std::string limit;               ///< analyse, live --limit
   std::vector<std::string> channels,
       channel_units;                  ///< analyse, calibrate, advise --channel, --unit: NAME=PLACE, NAME=UNIT
   std::vector<std::string> severity;  ///< analyse --severity: upper ends of zones

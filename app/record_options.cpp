@@ -1,6 +1,7 @@
 #include "app/record_options.h"
 #include "core/case/units.h"
 #include "core/records/files.h"
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <map>
@@ -35,6 +36,13 @@ double option_quantity(const std::string &option, const std::string &text, const
     throw InputError(fmt::format("{} \"{}\": {} above zero is needed, for example {} \"{}\"", option, text,
                                  wanted.quantity, option, sample));
   return parsed.value();
+}
+
+std::optional<double> own_limit(const CommandLine &command, const Monitoring &monitoring)
+{
+  if (!command.limit.empty())
+    return option_quantity("--limit", command.limit, "2 g");
+  return std::isnan(monitoring.limit) ? std::nullopt : std::optional(monitoring.limit);
 }
 
 twin::ReadOptions read_options(const CommandLine &command, const Monitoring &monitoring)

@@ -16,6 +16,17 @@ std::vector<live::WatchedBand> chatter_bands()
   return bands;
 }
 
+// Springs that were adopted beside the mill, and their damping in modes, in place of what the case gives.
+ChatterCase with_adopted(ChatterCase spec, const live::TwinModel &model)
+{
+  if (model.adopted.empty())
+    return spec;
+  spec.model         = model.chain;
+  spec.modal_damping = model.dynamics.modal_damping;
+  spec.stand.dampings.fill(not_given);
+  return spec;
+}
+
 LiveChatter of_condition(const ChatterCase &spec)
 {
   const ChatterQuestion question = chatter_question(spec, 0);
@@ -43,7 +54,7 @@ std::optional<LiveChatter> live_chatter(const Case &the_case, const live::TwinMo
 {
   std::optional<LiveChatter> chatter;
   if (const auto *spec = std::get_if<ChatterCase>(&the_case.spec))
-    chatter = of_condition(*spec);
+    chatter = of_condition(with_adopted(*spec, model));
   else if (const auto *stand = std::get_if<FourHigh>(&the_case.spec); stand && !stand->passes.empty()) {
     try {
       chatter                     = of_pass(*stand, model);

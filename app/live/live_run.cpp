@@ -18,11 +18,21 @@
 namespace fs = std::filesystem;
 
 namespace mill {
+namespace {
+live::ClockReading clock_now()
+{
+  return {std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(), utc_now()};
+}
+}  // namespace
+
 LiveRun::LiveRun(const CommandLine &command, const Case &the_case)
     : command_(command), the_case_(the_case), input_(live_input(command.live.input)), model_(live_model(the_case))
 {
   const LiveOptions &options = command.live;
   replay_speed(options.speed);
+  limit_ = own_limit(command, monitoring_of(command.target, command.sets));
+  if (input_.kind != LiveInput::Kind::replay)
+    arrival_.emplace();
   if (!options.keep.empty() && options.record.empty())
     throw InputError("--keep says how much of a recording is kept; name its folder with --record");
   if (!options.token_file.empty())
@@ -73,32 +83,6 @@ void LiveRun::open_folder()
       [this] { return account_json(); });
 }
 
-// What an earlier program of the same case left beside its recording.
-void LiveRun::resume()
-{
-  if (!state_ || command_.fresh)
-    return;
-  const auto stored      = state_->read();
-  const std::string said = stored ? engine_->resume(*stored) : "";
-  if (!said.empty())
-    print(said + "\n");
-  if (engine_->resumed_at() == 0 || !engine_->source()) {
-    // killed before a state was there: what its last file holds is not recorded again
-    for (const live::FinishedPart &part : finished_)
-      if (part.source == input_.target)
-        recorder_->resume(part.next);
-    return;
-  }
-  const live::LiveSource &source = *engine_->source();
-  next_                          = engine_->resumed_at();
-  if (source.name == input_.target)
-    skip_to_ = engine_->resumed_at();
-  assumed_        = live::SourceHead{source.rate, source.start_time, source.name, source.channels, source.factor};
-  const auto some = std::int64_t(120 * source.rate);  // a file is no longer than that
-  const auto recorded = recorded_up_to(command_.live.record, source, engine_->resumed_at() - some);
-  recorder_->resume(std::max(recorded.value_or(0), stored->value("recorded", std::int64_t(0))));
-}
-
 live::SourceRules LiveRun::rules() const
 {
   live::SourceRules rules;
@@ -130,10 +114,15 @@ live::EngineHooks LiveRun::hooks()
       recorder_->begin(source);
     if (response_)
       response_->begin(source);
+    if (arrival_)
+      arrival_->begin(source.rate);
   });
   hooks.rows = [this](const std::int64_t first, const Eigen::MatrixXd &rows) {
     if (recorder_)
       recorder_->add(first, rows);
+    if (arrival_)
+      tell_arrival(arrival_->arrived(first + rows.rows(), rows.rows(), clock_now(),
+                                     double(queue_.samples()) / engine_->source()->rate));
   };
   hooks.observers.push_back([this](const live::LiveBlock &block) {
     if (response_)
@@ -199,15 +188,17 @@ std::vector<twin::Unknown> fitted_springs(const live::TwinModel &model)
 
 void LiveRun::begin_comparison(const live::LiveSource &source)
 {
+  model_       = engine_->model();
+  critical_of_ = model_.adopted;
   live::ComparisonSetup setup;
   setup.rate     = source.rate;
   setup.channels = source.channels;
   setup.places   = source.places;
-  setup.modes    = modes_at_load(the_case_, model_, engine_ ? engine_->tuning() : live::Tuning{});
-  setup.chain    = model_.chain;
-  setup.dynamics = model_.dynamics;
-  if (!std::holds_alternative<ChatterCase>(the_case_.spec))  // whose dampers a chain in modes cannot give back
-    setup.unknowns = fitted_springs(model_);
+  setup.modes    = modes_at_load(the_case_, model_, engine_->tuning());
+  setup.chain    = live::tuned_chain(model_, engine_->tuning());
+  setup.dynamics = live::tuned_dynamics(model_, engine_->tuning());
+  setup.limit    = limit_;
+  setup.unknowns = fitted_springs(model_);
   // faster than real time nothing would be ready when it is needed; and so a record gives the same twice
   setup.wait     = command_.live.speed == "max";
   setup.chain_at = [this](const double load) { return chain_at_load(the_case_, model_, load); };
@@ -219,9 +210,15 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
     setup.chatter = std::move(chatter->setup);
     setup.bands   = chatter->bands;
   }
+  if (comparison_)  // another source, or the same one anew: of the same mill
+    learned_ = std::make_unique<nlohmann::json>(comparison_->state());
   comparison_.emplace(std::move(setup));
   for (const std::string &note : comparison_->notes())
     print("note: " + visible(note, true) + "\n");
+  if (learned_)
+    if (const std::string trouble = comparison_->resume(*learned_); !trouble.empty())
+      print(visible(trouble, true) + "\n");
+  learned_.reset();
 }
 
 std::optional<live::TwinModel> LiveRun::adopt(const std::int64_t id)
@@ -235,8 +232,9 @@ std::optional<live::TwinModel> LiveRun::adopt(const std::int64_t id)
       return {};
     model_.chain                  = proposal->chain;
     model_.dynamics.modal_damping = proposal->damping;
-    origin_                       = proposal->file;
-    model_.source                 = "six masses of " + proposal->file;
+    model_.adopted                = fs::path(proposal->file).filename().string();
+    origin_                       = model_.adopted;
+    model_.source                 = "six masses of " + model_.adopted;
     return model_;
   } catch (const std::exception &error) {  // what cannot be written is not adopted
     say("refused", error.what());
@@ -249,6 +247,11 @@ void LiveRun::changed_model(const live::TwinModel &model, const live::Tuning &tu
   if (comparison_)
     comparison_->set_twin(live::tuned_chain(model, tuning), live::tuned_dynamics(model, tuning),
                           modes_at_load(the_case_, model, tuning));
+  if (comparison_ && model.adopted != critical_of_) {
+    if (auto chatter = live_chatter(the_case_, model))
+      comparison_->set_chatter(std::move(chatter->setup.model));
+    critical_of_ = model.adopted;
+  }
   spectrum_.twin_changed();
   publish_parameters();
 }
@@ -296,15 +299,23 @@ void LiveRun::tick(const double now)
   each_second();
 }
 
-void LiveRun::store_state()
+// A rate that is wrong stays an alarm until it is right; a jump is told and was.
+void LiveRun::tell_arrival(const std::optional<live::ArrivalWatch::News> &news)
 {
-  auto state        = engine_->state();
-  state["recorded"] = recorder_->next();
-  state_->write(state, *background_, [this](const std::string &why) { say("recording", why); });
+  using Kind = live::ArrivalWatch::News::Kind;
+  if (!news)
+    return;
+  if (news->kind == Kind::right_again) {
+    const std::lock_guard lock(alarm_lock_);
+    alarms_.end("rate");
+  }
+  say(news->kind == Kind::wrong_rate ? "rate" : news->kind == Kind::jump ? "clock" : "note", news->text);
 }
 
 void LiveRun::each_second()
 {
+  if (arrival_)
+    tell_arrival(arrival_->look(clock_now()));
   if (state_ && engine_->source()) {
     recorder_->tick(std::numeric_limits<double>::infinity());  // what the state has seen is recorded
     store_state();

@@ -13,14 +13,19 @@
 #include "live/engine/engine.h"
 #include "live/page/page_server.h"
 #include "live/recording/recorder.h"
+#include "live/source/arrival_watch.h"
 #include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 namespace mill {
 struct Case;
+namespace live {
+class StoredObject;
+}
 
 double utc_now();  ///< s since 1970
 
@@ -38,6 +43,8 @@ private:
   void open_folder();
   live::EngineHooks hooks();
   void resume();
+  void resume_alarms(const live::StoredObject &run);
+  void resume_recording(std::int64_t recorded);
   live::SourceRules rules() const;
   void open_page();
   std::string token_keeper(int port) const;
@@ -45,6 +52,7 @@ private:
   void tick(double now);
   void each_second();
   void store_state();
+  void tell_arrival(const std::optional<live::ArrivalWatch::News> &news);
   void begin_comparison(const live::LiveSource &source);
   std::optional<live::TwinModel> adopt(std::int64_t proposal);
   void changed_model(const live::TwinModel &model, const live::Tuning &tuning);
@@ -59,6 +67,7 @@ private:
   void summary();
   std::string account_json() const;
   std::string metrics() const;
+  live::PageStand own_stand() const;
   live::PageAccount page_account() const;
 
   const CommandLine &command_;
@@ -78,9 +87,14 @@ private:
   live::LowPriorityTask<live::PageAdvice> advice_;
   live::PlaceSpectrum spectrum_;
   std::optional<live::Comparison> comparison_;
+  std::unique_ptr<nlohmann::json> learned_;    // of a comparison before, for the next one
+  std::optional<live::ArrivalWatch> arrival_;  // of a source that sets its own pace
+  std::optional<double> limit_;                // m/s2, 0-peak: the mill's own
+  std::string critical_of_;                    // adopted springs that the critical speed is computed with
+  std::int64_t states_ = 0;                    // written
   live::AlarmBook alarms_{
       1'000'000};  // of source and recording; those of the comparison have numbers of their own
-  std::mutex alarm_lock_;
+  mutable std::mutex alarm_lock_;
   std::map<std::int64_t, live::PageAlarm> shown_alarms_;  // as the page was told last
   std::string origin_ = "the case", place_ = "upper_work_roll";
   live::TwinModel model_;

@@ -1,5 +1,6 @@
 #include "app/console.h"
 #include "app/live/live_advice.h"
+#include "app/live/live_metrics.h"
 #include "app/live/live_run.h"
 #include "app/live/live_stand.h"
 #include "app/run_setup.h"
@@ -39,12 +40,19 @@ std::string LiveRun::token_keeper(const int port) const
   return error || access(folder.c_str(), W_OK) != 0 ? "" : keeper;
 }
 
+live::PageStand LiveRun::own_stand() const
+{
+  live::PageStand stand = page_stand(the_case_, model_);
+  stand.amplitude_limit = limit_.value_or(live::unknown);
+  return stand;
+}
+
 // What the source measures is known when it has begun.
 void LiveRun::show_source(const live::LiveSource &source)
 {
   if (!page_)
     return;
-  live::PageStand stand = page_stand(the_case_, model_);
+  live::PageStand stand = own_stand();
   stand.rate            = source.rate;
   for (live::StandPlace &place : stand.places)
     place.measured = std::any_of(source.channels.begin(), source.channels.end(), [&](const live::LiveChannel &c) {
@@ -72,8 +80,7 @@ void LiveRun::open_page()
   if (token_.empty())
     settings.token_keeper = token_keeper(settings.port);
   page_.emplace(
-      settings, live::stand_text(page_stand(the_case_, model_)),
-      [this](const std::string &json) { return take_command(json); },
+      settings, live::stand_text(own_stand()), [this](const std::string &json) { return take_command(json); },
       [this] {
         const std::lock_guard lock(metrics_lock_);
         return metrics_text_;
@@ -84,6 +91,8 @@ void LiveRun::open_page()
   publish_parameters();
   if (engine_->source())
     show_source(*engine_->source());
+  for (const auto &[id, alarm] : shown_alarms_)  // of before a restart
+    publish(live::event_names::alarm, live::alarm_text(alarm));
 }
 
 // In the thread of the server.
@@ -179,7 +188,8 @@ void LiveRun::say(const std::string &kind, const std::string &text)
     const std::lock_guard lock(console_);
     times = ++said_[kind];
   }
-  if (kind == "recording" || kind == "loss" || kind == "gap" || kind == "overrun") {
+  if (kind == "recording" || kind == "loss" || kind == "gap" || kind == "overrun" || kind == "rate" ||
+      kind == "clock") {
     const std::lock_guard lock(alarm_lock_);
     alarms_.raise(kind, utc_now(),
                   kind == "recording" ? "recording"
@@ -245,33 +255,21 @@ std::string LiveRun::account_json() const
 // OpenMetrics without its end, which the server adds.
 std::string LiveRun::metrics() const
 {
-  const auto &of = engine_->source();
-  std::string text;
-  if (of) {
-    const auto family = [&](const char *name, std::int64_t live::ChannelAccount::*member) {
-      text += fmt::format("# TYPE millstand_{0} counter\n", name);
-      for (std::size_t c = 0; c < of->channels.size(); ++c) {
-        std::string label;
-        for (const char letter : of->channels[c].name)
-          label += letter == '"' || letter == '\\' || (unsigned char)letter < ' ' ? '_' : letter;
-        text += fmt::format("millstand_{}_total{{channel=\"{}\"}} {}\n", name, label,
-                            engine_->book()->channels()[c].*member);
-      }
-    };
-    family("samples_offered", &live::ChannelAccount::offered);
-    family("samples_processed", &live::ChannelAccount::processed);
-    family("samples_missing", &live::ChannelAccount::missing);
-    family("samples_rejected", &live::ChannelAccount::rejected);
-    family("samples_overrun", &live::ChannelAccount::overrun);
-  }
-  const std::int64_t doubled = engine_->book() ? engine_->book()->doubled() : 0;
-  const std::int64_t gaps    = engine_->book() ? engine_->book()->gaps() : 0;
-  text += fmt::format("# TYPE millstand_samples_doubled counter\nmillstand_samples_doubled_total {}\n", doubled);
-  text += fmt::format("# TYPE millstand_gaps counter\nmillstand_gaps_total {}\n", gaps);
-  text += fmt::format("# TYPE millstand_lines_refused counter\nmillstand_lines_refused_total {}\n",
-                      engine_->refused_lines());
-  text += fmt::format("# TYPE millstand_queue_samples gauge\nmillstand_queue_samples {}\n", queue_.samples());
-  return text;
+  MetricsInput input;
+  input.source        = engine_->source() ? &*engine_->source() : nullptr;
+  input.book          = engine_->book();
+  input.comparison    = comparison_ ? &*comparison_ : nullptr;
+  input.adopted       = model_.adopted;
+  input.limit         = limit_;
+  input.refused_lines = engine_->refused_lines();
+  input.queued        = queue_.samples();
+  input.states        = states_;
+  if (arrival_)
+    input.arrival_rate = arrival_->rate();
+  const std::lock_guard lock(alarm_lock_);
+  for (const auto &[cause, alarm] : alarms_.state().now)
+    input.own_alarms.push_back(alarm);
+  return metrics_text(input);
 }
 
 void LiveRun::summary()

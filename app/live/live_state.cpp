@@ -5,37 +5,51 @@
 #include "live/recording/recorder.h"
 #include <cstdlib>
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace fs = std::filesystem;
 
 namespace mill {
-LiveState::LiveState(std::string folder) : path_(std::move(folder) + "/state.json") {}
-
-std::optional<nlohmann::json> LiveState::read() const
-{
-  const auto text = text_if_readable(path_);
-  if (!text)
-    return {};
-  auto json = nlohmann::json::parse(*text, nullptr, false);
-  if (!json.is_object())
-    return {};
-  return json;
+namespace {
+constexpr std::uintmax_t largest_file = std::uintmax_t(64) << 20;  // bytes
 }
 
-void LiveState::write(const nlohmann::json &state, live::Background &background,
+LiveState::LiveState(std::string folder) : path_(std::move(folder) + "/state.json") {}
+
+std::optional<nlohmann::json> LiveState::read(const std::function<void(const std::string &)> &said) const
+{
+  std::error_code error;
+  if (!fs::exists(path_, error))
+    return {};
+  const bool small = fs::file_size(path_, error) <= largest_file && !error;
+  const auto text  = small ? text_if_readable(path_) : std::nullopt;
+  auto json        = nlohmann::json::parse(text ? *text : "", nullptr, false);
+  if (json.is_object())
+    return json;
+  const std::string aside = path_ + ".damaged";
+  fs::rename(path_, aside, error);
+  said(fmt::format("the stored state {} is damaged and cannot be read; the twin starts anew{}", path_,
+                   error ? "" : ", it is kept as " + aside));
+  return {};
+}
+
+bool LiveState::write(const nlohmann::json &state, live::Background &background,
                       std::function<void(const std::string &)> failed) const
 {
   if (background.waiting() > 2)
-    return;
-  background.run([path = path_, text = state.dump(), failed = std::move(failed)] {
+    return false;
+  // names that are no UTF-8 are stored with marks in their places rather than not at all
+  background.run([path = path_, text = state.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
+                  failed = std::move(failed)] {
     try {
       write_atomically(path, text + "\n");
     } catch (const std::exception &error) {
       failed(error.what());
     }
   });
+  return true;
 }
 
 std::optional<std::int64_t> recorded_up_to(const std::string &folder, const live::LiveSource &source,

@@ -12,10 +12,13 @@ namespace mill {
 class LiveState {
 public:
   explicit LiveState(std::string folder);
-  /// What was stored; nothing where there is none that can be read.
-  std::optional<nlohmann::json> read() const;
+  /// What was stored; nothing where there is none, or where it cannot be read: then it is put aside as
+  /// state.json.damaged.
+  /// @param said  why it cannot be read, a sentence
+  std::optional<nlohmann::json> read(const std::function<void(const std::string &)> &said) const;
   /// In the background, unless an earlier one is still being written.
-  void write(const nlohmann::json &state, live::Background &background,
+  /// @returns whether it will be written
+  bool write(const nlohmann::json &state, live::Background &background,
              std::function<void(const std::string &)> failed) const;
 
 private:

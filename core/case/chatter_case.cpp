@@ -1,5 +1,6 @@
 #include "core/case/advice_rows.h"
 #include "core/case/given.h"
+#include "core/case/monitoring.h"
 #include "core/case/stand_reader.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
@@ -340,7 +341,8 @@ ChatterCase read_chatter(const Node &root, Reading &reading)
   read_variants(root, spec, reading);
   read_conditions(root, spec, reading);
   spec.analysis = read_chatter_analysis(root, reading);
-  spec.advice   = read_chatter_advice(root, spec.conditions, reading);
+  read_monitoring(root, reading);  // checked here, used by those who read records
+  spec.advice = read_chatter_advice(root, spec.conditions, reading);
   return spec;
 }
 }  // namespace mill

@@ -83,6 +83,11 @@ const std::vector<Field<Monitoring>> &monitoring_rows()
         "band of third-octave chatter; when absent 125 to 240 Hz");
     add("fifth_octave", &T::fifth_octave, "Hz", hertz, R"(["550 Hz", "650 Hz"])",
         "band of fifth-octave chatter; when absent 550 to 650 Hz");
+    add("limit", &T::limit, "m/s2", {1e-3, 1e5}, "20 m/s2",
+        "level of a vibration in one band, 0-peak, that this mill shall not exceed: above it live raises an alarm "
+        "whatever the level was before, and to it the time that a growing vibration leaves is counted; when "
+        "absent "
+        "there is none");
     add("baseline", &T::baseline, "path", any, "out/first-week-analysis",
         "folder of an earlier analysis of the same mill: changes of the rms velocity are told, and an indication "
         "of "

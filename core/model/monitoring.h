@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -7,12 +8,13 @@
 namespace mill {
 /// [monitoring]: how the records of a mill are named and judged.
 struct Monitoring {
-  std::vector<std::string> channel_pairs;               ///< "AI_07=upper_work_roll"
-  std::vector<std::string> severity;                    ///< "2.3 mm/s", upper ends of zones A, B, C, as written
-  std::array<double, 2> third_octave = {125, 240};      ///< Hz
-  std::array<double, 2> fifth_octave = {550, 650};      ///< Hz
-  std::string baseline;                                 ///< folder of an earlier analysis; empty: none
-  std::map<std::string, std::string> channels() const;  ///< plant's name -> place
-  std::vector<double> zones() const;                    ///< m/s
+  std::vector<std::string> channel_pairs;           ///< "AI_07=upper_work_roll"
+  std::vector<std::string> severity;                ///< "2.3 mm/s", upper ends of zones A, B, C, as written
+  std::array<double, 2> third_octave = {125, 240};  ///< Hz
+  std::array<double, 2> fifth_octave = {550, 650};  ///< Hz
+  double limit = std::numeric_limits<double>::quiet_NaN();  ///< m/s2, 0-peak, the mill's own; NaN: none
+  std::string baseline;                                     ///< folder of an earlier analysis; empty: none
+  std::map<std::string, std::string> channels() const;      ///< plant's name -> place
+  std::vector<double> zones() const;                        ///< m/s
 };
 }  // namespace mill

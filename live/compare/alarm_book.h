@@ -18,12 +18,21 @@ public:
   /// Its cause is gone; nothing where there is none.
   void end(const std::string &cause);
   bool open(const std::string &cause) const;
+  std::string level(const std::string &cause) const;  ///< empty: not open
   /// What changed since the last call, in order.
   std::vector<PageAlarm> news();
 
+  /// What a restarted program goes on from.
+  struct State {
+    std::int64_t next = 1;                 ///< number of the next alarm
+    std::map<std::string, PageAlarm> now;  ///< open ones, by cause
+  };
+  const State &state() const;
+  /// The alarms of before count as told; those of now keep their causes and get no number twice.
+  void resume(State stored);
+
 private:
-  std::int64_t next;
-  std::map<std::string, PageAlarm> now;
+  State all;
   std::vector<PageAlarm> changed;
 };
 }  // namespace mill::live

@@ -21,7 +21,8 @@ const char *names[] = {"speed",          "exit_speed",    "entry_thickness",
 }  // namespace
 
 ChatterWatch::ChatterWatch(Setup setup, const std::vector<LiveChannel> &channels, const double rate)
-    : setup_(std::move(setup)), per_second(std::max<std::int64_t>(1, std::lround(rate))), track(setup_.model)
+    : setup_(std::move(setup)), per_second(std::max<std::int64_t>(1, std::lround(rate))),
+      track(std::in_place, setup_.model)
 {
   const char *units[] = {"m/s", "m/s", "m", "m", "Pa", "Pa"};
   for (int i = 0; i < n_inputs; ++i) {
@@ -129,12 +130,22 @@ double ChatterWatch::roll_speed(const bite::RollBite &bite) const
   return v;
 }
 
+// What is followed belongs to the stand of before, and so does a search that still runs.
+void ChatterWatch::set_model(twin::ChatterModel model)
+{
+  setup_.model = std::move(model);
+  track.emplace(setup_.model);
+  no_speed.clear();
+  ++model_number;
+}
+
 void ChatterWatch::search(const bite::RollBite &bite)
 {
-  const double followed = track.following() ? track.point().speed : unknown;
-  const auto work       = [model = setup_.model, bite, followed] {
+  const double followed = track->following() ? track->point().speed : unknown;
+  const auto work       = [model = setup_.model, number = model_number, bite, followed] {
     Search search;
-    search.followed = followed;
+    search.model_number = number;
+    search.followed     = followed;
     try {
       search.found  = dynamics::critical_speed(model.stand, bite, model.scheme, model.range);
       search.spread = twin::scheme_spread(model, bite);
@@ -152,17 +163,19 @@ void ChatterWatch::search(const bite::RollBite &bite)
 
 void ChatterWatch::take_search(Search found)
 {
+  if (found.model_number != model_number)
+    return;
   if (!found.trouble.empty()) {
     no_speed = found.trouble;
     return;
   }
   now.spread = found.spread;
   // at the same inputs the one that is followed has to be the one that a search finds
-  const bool same = found.found.verdict == dynamics::Verdict::crossing && track.following() &&
+  const bool same = found.found.verdict == dynamics::Verdict::crossing && track->following() &&
                     std::abs(found.followed / found.found.speed - 1) < agree;
   if (!same)
-    track.begin(found.found);
-  no_speed = track.why();
+    track->begin(found.found);
+  no_speed = track->why();
 }
 
 PageChatter ChatterWatch::close_second(const double utc, const double growth, AlarmBook &book)
@@ -173,16 +186,16 @@ PageChatter ChatterWatch::close_second(const double utc, const double growth, Al
   const auto bite = twin::with_inputs(setup_.model.bite, now.inputs);
   if (auto found = task.finished())
     take_search(std::move(*found));
-  if (track.following() && !track.follow(bite))
-    no_speed = track.why();
-  const bool first = !track.following() && no_speed.empty();
-  if (first || since_search >= (track.following() ? setup_.rescan : search_unknown) ||
-      (!track.following() && since_search >= 1 && now.critical.speed == now.critical.speed))
+  if (track->following() && !track->follow(bite))
+    no_speed = track->why();
+  const bool first = !track->following() && no_speed.empty();
+  if (first || since_search >= (track->following() ? setup_.rescan : search_unknown) ||
+      (!track->following() && since_search >= 1 && now.critical.speed == now.critical.speed))
     search(bite);
   now.speed    = roll_speed(bite);
-  now.critical = track.following() ? track.point() : twin::CriticalPoint{};
-  now.interval = track.following() ? track.interval(bite, setup_.doubts) : twin::CriticalInterval{};
-  now.growth   = now.speed > 0 ? track.growth_at(bite, now.speed) : unknown;
+  now.critical = track->following() ? track->point() : twin::CriticalPoint{};
+  now.interval = track->following() ? track->interval(bite, setup_.doubts) : twin::CriticalInterval{};
+  now.growth   = now.speed > 0 ? track->growth_at(bite, now.speed) : unknown;
   now.took     = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   judge(utc, growth, book);
   PageChatter page;
@@ -192,7 +205,7 @@ PageChatter ChatterWatch::close_second(const double utc, const double growth, Al
   page.low      = now.interval.low;
   page.high     = now.interval.high;
   page.distance = (now.critical.speed - now.speed) / now.speed;
-  if (!track.following())
+  if (!track->following())
     page.because = no_speed.empty() ? "the range of speeds is being searched" : no_speed;
   else if (!(now.speed > 0))
     page.because = "no channel speed or exit_speed with a value";
@@ -201,12 +214,13 @@ PageChatter ChatterWatch::close_second(const double utc, const double growth, Al
 
 void ChatterWatch::judge(const double utc, const double growth, AlarmBook &book)
 {
-  const std::string cause = "critical speed";
-  const double vc         = now.critical.speed;
-  beyond                  = now.speed > vc ? beyond + 1 : 0;
+  const double vc          = now.critical.speed;
+  const std::string judged = book.level(cause);
+  beyond                   = now.speed > vc ? beyond + 1 : 0;
   if (!(now.speed > 0) || !(vc > 0)) {
+    if (now.speed > 0 && no_speed.empty())
+      return;  // the first search runs: an alarm of before a restart stands until it is answered
     book.end(cause);
-    judged.clear();
     speeds.clear();
     return;
   }
@@ -240,6 +254,5 @@ void ChatterWatch::judge(const double utc, const double growth, AlarmBook &book)
         fmt::format("the speed of {:.2f} m/s is {:.1f} % below the critical speed of {:.2f} m/s at {:.1f} Hz, "
                     "within its interval ({})",
                     now.speed, 100 * (1 - now.speed / vc), vc, now.critical.frequency, interval));
-  judged = level;
 }
 }  // namespace mill::live

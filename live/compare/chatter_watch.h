@@ -16,6 +16,7 @@ namespace mill::live {
 /// theory.md 50.6
 class ChatterWatch {
 public:
+  static constexpr const char *cause = "critical speed";  ///< of its alarm
   struct Setup {
     twin::ChatterModel model;
     std::vector<twin::InputDoubt> doubts = twin::usual_doubts();
@@ -31,6 +32,9 @@ public:
   ///                1/s, NaN: not known
   /// A row where a second is over.  Cost of it: 1 ms.
   std::optional<PageChatter> take(const LiveBlock &block, double growth, AlarmBook &book);
+
+  /// The stand has other springs from now on: it is searched anew.
+  void set_model(twin::ChatterModel model);
 
   /// Of the last second.
   struct Second {
@@ -53,6 +57,7 @@ private:
     double spread   = unknown;
     double followed = unknown;  // m/s, what was followed at the same inputs
     std::string trouble;
+    int model_number = 0;
   };
   PageChatter close_second(double utc, double growth, AlarmBook &book);
   twin::ChatterInputs inputs_of_second();
@@ -69,11 +74,11 @@ private:
   std::array<double, n_inputs> sum{}, mean{};
   std::array<std::int64_t, n_inputs> n{};
   std::int64_t second = -1;
-  double since_search = 0;    // s
-  int beyond          = 0;    // seconds in a row above the critical speed
-  std::deque<double> speeds;  // m/s, of the last minute
-  std::string judged;         // level of the alarm that is open; empty: none
-  twin::CriticalTrack track;
+  double since_search = 0;                   // s
+  int beyond          = 0;                   // seconds in a row above the critical speed
+  std::deque<double> speeds;                 // m/s, of the last minute
+  std::optional<twin::CriticalTrack> track;  // always there; made anew with another stand
+  int model_number = 0;
   std::string no_speed;  // why there is no critical speed
   LowPriorityTask<Search> task;
   Second now;

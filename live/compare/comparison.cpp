@@ -277,8 +277,8 @@ void Comparison::end_recalibration(const double utc, twin::Recalibration found)
                                  ? setup_.mode_names[drift.mode]
                                  : fmt::format("Mode {}", drift.mode + 1);
   const twin::ModeRow &row = modes.rows()[drift.mode];
-  std::string reason       = fmt::format("{} moved {} by {:.1f} standard deviations on average", name,
-                                   drift.shift.sign < 0 ? "down" : "up", std::abs(drift.shift.mean));
+  std::string reason       = fmt::format("{} has {} by {:.2f} %", name, drift.change < 0 ? "fallen" : "risen",
+                                         100 * std::abs(std::expm1(drift.change)));
   if (row.measured.why_not.empty())
     reason +=
         fmt::format(", to {:.5g} Hz against {:.5g} Hz of the twin", row.measured.frequency, row.twin.frequency);
@@ -314,7 +314,13 @@ void Comparison::set_twin(const LumpedModel &chain, const DynamicsSettings &dyna
   modes.set_twin(now);
   waiting.reset();
   for (std::size_t m = 0; m < std::size_t(now.frequency.cols()); ++m)
-    book.end(fmt::format("drift {}", m));
+    book.end(ModeTracker::cause_of(m));
+}
+
+void Comparison::set_chatter(twin::ChatterModel model)
+{
+  if (chatter)
+    chatter->set_model(std::move(model));
 }
 
 std::optional<Proposal> Comparison::adopt(const std::int64_t id, const double utc, const std::string &folder,
@@ -333,6 +339,24 @@ bool Comparison::refuse(const std::int64_t id)
 const std::vector<Proposal> &Comparison::proposals() const
 {
   return offered.all();
+}
+
+std::vector<PageAlarm> Comparison::open_alarms() const
+{
+  std::vector<PageAlarm> open;
+  for (const auto &[cause, alarm] : book.state().now)
+    open.push_back(alarm);
+  return open;
+}
+
+TrackedModes Comparison::drift() const
+{
+  return modes.tracked();
+}
+
+std::vector<ChatterBand> Comparison::bands() const
+{
+  return onset.bands();
 }
 
 const std::vector<std::string> &Comparison::notes() const

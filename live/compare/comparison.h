@@ -9,6 +9,7 @@
 #include "live/page/event_text.h"
 #include "twin/comparison/running_comparison.h"
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +23,7 @@ struct ComparisonSetup {
   twin::ModesAtLoad modes;            ///< of the twin
   std::vector<std::string> mode_names;
   std::vector<WatchedBand> bands;  ///< besides one at each mode
-  std::optional<double> limit;     ///< m/s2, 0-peak: the mill's own limit of chatter
+  std::optional<double> limit;     ///< m/s2, 0-peak in a band: the mill's own
   std::optional<ChatterWatch::Setup> chatter;
   LumpedModel chain;                                 ///< the twin's
   std::function<LumpedModel(double load)> chain_at;  ///< the same at another force, N; empty: it does not change
@@ -59,11 +60,24 @@ public:
   /// The twin was changed by hand or by a proposal: sums and references begin anew, open proposals are out of date
   /// when the chain is another one.
   void set_twin(const LumpedModel &chain, const DynamicsSettings &dynamics, const twin::ModesAtLoad &modes);
+  /// The stand of the critical speed has other springs; nothing where none is watched.
+  void set_chatter(twin::ChatterModel model);
   /// As Proposals::adopt().  The twin goes on as it is until set_twin() is called with the chain returned.
   std::optional<Proposal> adopt(std::int64_t id, double utc, const std::string &folder, const Case &origin);
   bool refuse(std::int64_t id);
 
   const std::vector<Proposal> &proposals() const;
+  std::vector<PageAlarm> open_alarms() const;
+  TrackedModes drift() const;
+  std::vector<ChatterBand> bands() const;
+
+  /// Sums, references and baselines, open alarms, proposals: what a restarted program goes on from.
+  nlohmann::json state() const;
+  /// Before the first block.  Channels and bands are told by their names; what is not there any more is left out.
+  /// Of a state that is not whole nothing is taken.
+  /// @return why nothing was taken, a sentence; empty: it was
+  std::string resume(const nlohmann::json &state);
+
   const std::vector<std::string> &notes() const;  ///< what cannot be compared, and why
   double busy() const;                            ///< s of this thread spent here so far
 
@@ -72,6 +86,8 @@ private:
     Eigen::Index channel, place;
     std::string name;
   };
+  struct Stored;
+  Stored read_state(const nlohmann::json &state) const;
   void add_levels(ComparisonNews &news, const twin::RunningComparison::News &found, double start_time);
   void add_chatter(ComparisonNews &news, const LiveBlock &block, double utc);
   void watch_drift(double utc);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <utility>
 
 namespace mill::live {
 namespace {
@@ -41,7 +42,10 @@ struct ModeTracker::State {
   std::vector<twin::ModeRow> rows, coming;
   std::vector<ModeDrift> drifted;
   std::deque<ModeBlock> kept;
-  std::vector<double> ends;  // s since 1970, by number of the block
+  struct BothSides {
+    TrackedModes::Since up, down;
+  };
+  std::vector<BothSides> since;  // by mode
   std::int64_t count = 0;
   twin::Fourier fourier;
   std::vector<double> samples;  // and their lines: kept, since pages of memory are dear
@@ -68,6 +72,7 @@ struct ModeTracker::State {
       watches.emplace_back(setup.modes.sd.size() ? setup.modes.sd[m] : 1.0, setup.rule, setup.reference_blocks);
     coming.clear();
     rows.assign(watches.size(), {});
+    since.assign(watches.size(), {});
   }
 
   void begin_block(const double utc)
@@ -129,12 +134,18 @@ struct ModeTracker::State {
   PageModes end_block(AlarmBook &book)
   {
     rows = coming;
-    ends.push_back(block->utc);
     PageModes table;
     table.utc = block->utc;
     for (std::size_t m = 0; m < rows.size(); ++m) {
+      for (auto *side : {&since[m].up, &since[m].down})
+        if (std::isnan(side->utc))
+          *side = {block->utc - block->spectra.duration, count};
       if (const auto shift = rows[m].shift)
         add_drift(m, *shift, book);
+      if (rows[m].up == 0)
+        since[m].up = {block->utc, count + 1};
+      if (rows[m].down == 0)
+        since[m].down = {block->utc, count + 1};
       table.modes.push_back(page_row(m, book.open(cause_of(m))));
     }
     kept.push_back(std::move(*block));
@@ -145,35 +156,36 @@ struct ModeTracker::State {
     return table;
   }
 
-  static std::string cause_of(const std::size_t mode)
-  {
-    return fmt::format("drift {}", mode);
-  }
-
   std::string name_of(const std::size_t mode) const
   {
     return mode < setup.names.size() && !setup.names[mode].empty() ? setup.names[mode]
                                                                    : fmt::format("mode {}", mode + 1);
   }
 
-  // The blocks in which this mode was told are numbered by its sums; those of the record are told by their time.
   void add_drift(const std::size_t m, const twin::Shift &shift, AlarmBook &book)
   {
-    const auto ago          = shift.at - shift.since;
-    const std::int64_t from = std::max<std::int64_t>(0, count - ago);
-    ModeDrift drift{m, shift, ends[std::size_t(from)] - block->spectra.duration, block->utc, from};
+    const auto &began = shift.sign > 0 ? since[m].up : since[m].down;
+    const double now = rows[m].measured.frequency, reference = watches[m].reference();
+    const double was = rows[m].twin.frequency * std::exp(reference);
+    const ModeDrift drift{m, shift, std::log(now / was), began.utc, block->utc, began.block};
     drifted.push_back(drift);
-    const double off = std::log(rows[m].measured.frequency / rows[m].twin.frequency);
-    const double ref = watches[m].reference();
+    book.raise(cause_of(m), block->utc, "drift", "alarm", drift_text(drift, was, now, reference != 0));
+  }
+
+  // For whoever stands at the mill: what changed, by how much, since when, what to do.
+  std::string drift_text(const ModeDrift &drift, const double was, const double now, const bool learned) const
+  {
+    const bool fell  = now < was;
     std::string text = fmt::format(
-        "{} is at {:.5g} Hz, {:.2f} % {} the twin at {:.4g} kN, since about {}: its sum passed {:.0f} "
-        "standard deviations, on average {:.1f}; the twin is not changed",
-        name_of(m), rows[m].measured.frequency, 100 * std::abs(std::expm1(off)), off < 0 ? "below" : "above",
-        block->load / 1e3, clock_text(drift.since), setup.rule.threshold, shift.mean);
-    if (ref != 0)
-      text += fmt::format("; it was {:.2f} % {} it at the start", 100 * std::abs(std::expm1(ref)),
-                          ref < 0 ? "below" : "above");
-    book.raise(cause_of(m), block->utc, "drift", "alarm", text);
+        "{} has {} by {:.2f} %, from {:.5g} Hz{} to {:.5g} Hz at {:.4g} kN, since about {}. ", name_of(drift.mode),
+        fell ? "fallen" : "risen", 100 * std::abs(std::expm1(drift.change)), was,
+        learned ? " when the watch began" : " by the twin", now, block->load / 1e3, clock_text(drift.since));
+    text +=
+        fmt::format("Something in the stand has become {}: look for what was changed then at rolls, chocks, "
+                    "bearings, wedges or liners, and for loose parts. The twin is as it was; new springs are "
+                    "proposed when a minute since the change was measured, and hold when somebody adopts them.",
+                    fell ? "softer or heavier" : "stiffer or lighter");
+    return text;
   }
 
   PageMode page_row(const std::size_t m, const bool drifted_before) const
@@ -204,6 +216,31 @@ struct ModeTracker::State {
     return page;
   }
 };
+
+std::string ModeTracker::cause_of(const std::size_t mode)
+{
+  return fmt::format("drift {}", mode);
+}
+
+TrackedModes ModeTracker::tracked() const
+{
+  TrackedModes now;
+  now.blocks = state->count;
+  for (std::size_t m = 0; m < state->watches.size(); ++m)
+    now.modes.push_back({state->watches[m].state(), state->since[m].up, state->since[m].down});
+  return now;
+}
+
+void ModeTracker::resume(const TrackedModes &stored)
+{
+  if (stored.modes.size() != state->watches.size())
+    return;
+  state->count = stored.blocks;
+  for (std::size_t m = 0; m < stored.modes.size(); ++m) {
+    state->watches[m].resume(stored.modes[m].watch);
+    state->since[m] = {stored.modes[m].up, stored.modes[m].down};
+  }
+}
 
 ModeTracker::ModeTracker(Setup setup) : state(std::make_unique<State>(std::move(setup))) {}
 ModeTracker::~ModeTracker() = default;

@@ -24,8 +24,24 @@ struct ModeBlock {
 struct ModeDrift {
   std::size_t mode;
   twin::Shift shift;  ///< in blocks
+  double change;      ///< -, ln of the frequency now over what it was before
   double since, at;   ///< s since 1970
   std::int64_t from;  ///< number of the first block after the change
+};
+
+/// Sums of all modes, what a restarted program goes on from.  A block that was being collected is not among it.
+struct TrackedModes {
+  /// Where a sum left zero for the last time: end of the block before, number of the block behind.
+  struct Since {
+    double utc         = unknown;  ///< s since 1970; NaN: no block yet
+    std::int64_t block = 0;
+  };
+  struct Mode {
+    twin::ModeWatch::State watch;
+    Since up, down;
+  };
+  std::int64_t blocks = 0;  ///< so far
+  std::vector<Mode> modes;
 };
 
 /// Every ten seconds the frequency of each mode against the twin at the present load, and its cumulative sums.
@@ -56,6 +72,11 @@ public:
   /// The twin was changed: other frequencies, sums at zero, new references.
   void set_twin(const twin::ModesAtLoad &modes);
 
+  /// An alarm is known by this cause.
+  static std::string cause_of(std::size_t mode);
+
+  TrackedModes tracked() const;
+  void resume(const TrackedModes &stored);         ///< of as many modes; otherwise nothing is taken
   std::vector<ModeDrift> drifts();                 ///< since the last call
   const std::deque<ModeBlock> &blocks() const;     ///< the last ones, oldest first
   const std::vector<twin::ModeRow> &rows() const;  ///< of the last block

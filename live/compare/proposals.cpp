@@ -7,6 +7,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fstream>
+#include <numeric>
 #include <utility>
 
 namespace mill::live {
@@ -32,9 +33,12 @@ bool is_spring(const std::string &name)
   return name.size() == 2 && name[0] == 'K' && name[1] >= '1' && name[1] <= '7';
 }
 
-// The case with another damping ratio, since the chain is written with the dynamics of the case.
+// The case with another damping ratio, since the chain is written with the dynamics of the case.  A chatter case
+// has dampers between single masses, of which a record tells the modes alone: its chain stands by itself.
 Case with_damping(Case origin, const double damping)
 {
+  if (std::holds_alternative<ChatterCase>(origin.spec))
+    origin.spec = Lumped{};
   if (auto *four = std::get_if<FourHigh>(&origin.spec))
     four->dynamics.modal_damping = damping;
   else if (auto *lumped = std::get_if<Lumped>(&origin.spec))
@@ -91,6 +95,8 @@ std::string calibrated_case(const Proposal &p, const Case &origin, const std::st
       kept += (kept.empty() ? "" : ", ") + value.name;
   if (!kept.empty())
     text += "# not told by these data, as before: " + kept + "\n";
+  if (std::holds_alternative<ChatterCase>(origin.spec))
+    text += "# For a chatter case: [stand] from = \"this file\" in place of masses, stiffnesses and dampings.\n";
   return text + lumped_model_toml(p.chain, with_damping(origin, p.damping), directory);
 }
 
@@ -101,7 +107,7 @@ const Proposal &Proposals::add(Proposal proposal)
       list[i].state = "out of date";
       changed.push_back(i);
     }
-  proposal.id = std::int64_t(list.size()) + 1;
+  proposal.id = list.empty() ? 1 : list.back().id + 1;
   list.push_back(std::move(proposal));
   changed.push_back(list.size() - 1);
   return list.back();
@@ -109,7 +115,20 @@ const Proposal &Proposals::add(Proposal proposal)
 
 const Proposal *Proposals::find(const std::int64_t id) const
 {
-  return id >= 1 && id <= std::int64_t(list.size()) ? &list[std::size_t(id - 1)] : nullptr;
+  const auto found = std::find_if(list.begin(), list.end(), [&](const Proposal &p) { return p.id == id; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+Proposal *Proposals::known(const std::int64_t id)
+{
+  return const_cast<Proposal *>(find(id));
+}
+
+void Proposals::resume(std::vector<Proposal> stored)
+{
+  list = std::move(stored);
+  changed.resize(list.size());
+  std::iota(changed.begin(), changed.end(), std::size_t(0));
 }
 
 const std::vector<Proposal> &Proposals::all() const
@@ -121,28 +140,29 @@ std::optional<Proposal>
 Proposals::adopt(const std::int64_t id, const double utc, const std::string &folder,
                  const std::function<std::string(const Proposal &, const std::string &folder)> &text)
 {
-  const Proposal *known = find(id);
-  if (!known || known->state != "open")
+  Proposal *open = known(id);
+  if (!open || open->state != "open")
     return {};
-  Proposal adopted = *known;
+  Proposal adopted = *open;
   adopted.file     = free_name(folder, utc);
   write_atomically(adopted.file, text(adopted, folder));
   const std::string line = fmt::format("{} proposal {} adopted: {}; {}\n", utc_text(utc), id,
                                        std::filesystem::path(adopted.file).filename().string(), adopted.reason);
   const std::string log  = folder + "/adopted.log";
   write_atomically(log, text_if_readable(log).value_or("") + line);
-  adopted.state             = "adopted";
-  list[std::size_t(id - 1)] = adopted;
-  changed.push_back(std::size_t(id - 1));
+  adopted.state = "adopted";
+  *open         = adopted;
+  changed.push_back(std::size_t(open - list.data()));
   return adopted;
 }
 
 bool Proposals::refuse(const std::int64_t id)
 {
-  if (!find(id) || find(id)->state != "open")
+  Proposal *open = known(id);
+  if (!open || open->state != "open")
     return false;
-  list[std::size_t(id - 1)].state = "refused";
-  changed.push_back(std::size_t(id - 1));
+  open->state = "refused";
+  changed.push_back(std::size_t(open - list.data()));
   return true;
 }
 

@@ -32,7 +32,7 @@ LumpedModel recalibrated(LumpedModel chain, const twin::Recalibration &found, do
 double recalibrated(double damping, const twin::Recalibration &found);
 
 /// A case of kind lumped: the chain of a proposal with passes and dynamics of the case it came from, and comments
-/// that say of what.
+/// that say of what.  A case of kind chatter takes it as its stand.from.
 /// @param directory  of the file, for the paths of passes
 std::string calibrated_case(const Proposal &proposal, const Case &origin, const std::string &directory);
 
@@ -43,6 +43,8 @@ public:
   const Proposal &add(Proposal proposal);
   const Proposal *find(std::int64_t id) const;
   const std::vector<Proposal> &all() const;
+  /// Of a program before this one: told again as they are, their numbers are not given twice.
+  void resume(std::vector<Proposal> stored);
 
   /// Writes FOLDER/calibrated-<time>.toml, aside and renamed, and a line of FOLDER/adopted.log.
   /// @param text  of the file
@@ -57,7 +59,9 @@ public:
   std::vector<PageProposal> news();
 
 private:
-  std::vector<Proposal> list;
+  Proposal *known(std::int64_t id);
+
+  std::vector<Proposal> list;  // by rising number
   std::vector<std::size_t> changed;
 };
 PageProposal page_proposal(const Proposal &proposal);

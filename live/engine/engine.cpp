@@ -6,9 +6,7 @@
 
 namespace mill::live {
 namespace {
-constexpr Eigen::Index most_bridged = 2;     // samples of force, as where records are cleaned
-constexpr double joined             = 0.02;  // s of rows
-constexpr double mean_over          = 1;     // s
+constexpr double joined = 0.02;  // s of rows
 
 bool same_channels(const std::vector<LiveChannel> &a, const std::vector<LiveChannel> &b)
 {
@@ -161,8 +159,11 @@ void Engine::take_block(const SourceBlock &block)
     lose();
     say("gap", fmt::format("{} samples before s = {} are missing", gap, first + part.skip));
   }
-  if (part.take == 0)
+  if (part.take == 0) {
+    tell_repetition(block);
     return;
+  }
+  repeated_                   = 0;
   const Eigen::MatrixXd fresh = block.value.bottomRows(part.take);
   first += part.skip;
   if (hooks_.rows)
@@ -180,6 +181,21 @@ void Engine::take_block(const SourceBlock &block)
   n_waiting_ += fresh.rows();
   if (double(n_waiting_) >= joined * source_->rate)
     flush();
+}
+
+// A minute of samples that were taken already is no sender that makes sure: nothing of it moves the twin.
+void Engine::tell_repetition(const SourceBlock &block)
+{
+  const auto minute = std::llround(60 * source_->rate);
+  const bool told   = repeated_ > minute;
+  repeated_ += block.value.rows();
+  if (!told && repeated_ > minute)
+    say("clock",
+        fmt::format(
+            "a minute of samples that were taken already has come again, up to s = {} where {} is the next: "
+            "they count as doubled and move nothing. If the clock of the source was set back, let it send a "
+            "head without \"start\", or start the twin with --fresh",
+            block.first + block.value.rows(), book_->next() - offset_));
 }
 
 // Cuts the rows that wait where the force is missing for longer than two samples, draws it straight across fewer,

@@ -77,9 +77,11 @@ public:
   }
   bool settling() const;
 
-  /// Modal motion, numbers, parameters, account, to go on from.  Rows that wait are stepped first.
+  /// Modal motion, numbers, parameters, account, adopted springs, to go on from.  Rows that wait are stepped
+  /// first.
   nlohmann::json state();
-  /// Before the first message.  @return what was taken over, or why nothing was, a sentence
+  /// Before the first message.  Of a state that is not whole nothing is taken.
+  /// @return what was taken over, or why nothing was, sentences
   std::string resume(const nlohmann::json &state);
   std::int64_t resumed_at() const  ///< s of the next sample after resume(); 0: none
   {
@@ -87,11 +89,17 @@ public:
   }
 
 private:
+  static constexpr Eigen::Index most_bridged = 2;  // samples of force, as where records are cleaned
+  static constexpr double mean_over          = 1;  // s, of the force
+  struct Stored;
+  Stored read_state(const nlohmann::json &state) const;
+  void take_stored(Stored stored);
   void take_head(const SourceHead &head);
   void take_block(const SourceBlock &block);
   Eigen::Index samples_before(std::int64_t first, const AccountBook::Part &part) const;
   void begin_source(const SourceHead &head);
   bool continues(const SourceHead &head, std::int64_t &offset) const;
+  void tell_repetition(const SourceBlock &block);
   void lose();
   void emit(std::int64_t first, const Eigen::MatrixXd &rows, const Eigen::VectorXd &force);
   void emit_part(std::int64_t first, const Eigen::Ref<const Eigen::MatrixXd> &rows,
@@ -119,7 +127,8 @@ private:
   std::int64_t first_waiting_ = 0;
   double mean_ = 0, forget_ = 0;  // N, running mean of the force; its share per sample
   std::int64_t settled_at_ = 0, refused_lines_ = 0, resumed_at_ = 0, stepped_ = 0;
-  bool ended_ = false;
+  std::int64_t repeated_ = 0;  // samples in a row that had come before
+  bool ended_            = false;
   Eigen::MatrixXd motion_;  // (places, instants) that are being collected
   Eigen::Index instants_    = 0;
   std::int64_t motion_from_ = 0, motion_due_ = 0;

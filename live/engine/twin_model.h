@@ -16,6 +16,7 @@ struct TwinModel {
   std::string hash;           ///< of the resolved case: state and recordings say what they belong to
   double load       = 0;      ///< N, at which its springs were taken; NaN: not known
   bool follows_load = false;  ///< the case says how the springs change with the force
+  std::string adopted;        ///< file of the proposal whose springs and damping these are; empty: the case's own
 };
 
 /// What was changed of it on the run: factors on the model's own values.

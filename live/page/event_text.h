@@ -58,7 +58,7 @@ struct PageStand {
   double rate            = 0;        ///< Hz, of the samples
   double strip_width     = unknown;  ///< m
   double force_limit     = unknown;  ///< N, of the case
-  double amplitude_limit = unknown;  ///< m/s2 rms, own limit of the mill; NaN: none
+  double amplitude_limit = unknown;  ///< m/s2, 0-peak in a band, own limit of the mill; NaN: none
   std::vector<StandPlace> places;
   std::vector<StandSpring> springs;
   std::vector<StandMode> modes;

@@ -16,6 +16,7 @@ constexpr double largest_s    = 9007199254740992.0;  // 2^53: beyond, not every 
 constexpr double highest_rate = 1e6;                 // Hz
 constexpr double lowest_rate  = 10;                  // Hz
 constexpr int bad_lines       = 5;
+constexpr double silent       = 5;  // s, after which another source may begin where lines have no sender
 
 std::string one_line(const std::string &text)
 {
@@ -114,6 +115,11 @@ LineSession::Answer LineSession::head(const LineContent &content)
   } catch (const InputError &error) {
     return refuse(error.problems.front().message);
   }
+  if (rules_.clock && head_ && head_->source != content.source && rules_.clock() - last_block_ < silent)
+    return refuse(
+        fmt::format("source \"{}\" begins while \"{}\" sends, which goes on; blocks of two cannot be told "
+                    "apart here: stop one of them, or give it a stand of its own",
+                    one_line(content.source), one_line(head_->source)));
   head.rate     = *content.rate;
   head.source   = content.source;
   head.channels = known.channels;
@@ -175,7 +181,9 @@ LineSession::Answer LineSession::block(const LineContent &content)
   }
   if ((block.value.array().abs() == std::numeric_limits<double>::infinity()).any())
     return refuse("a number that is not finite in SI", s, rows);
-  last_end_     = s + rows;
+  last_end_ = s + rows;
+  if (rules_.clock)
+    last_block_ = rules_.clock();
   bad_in_a_row_ = 0;
   Answer answer;
   answer.message = std::move(block);

@@ -3,6 +3,7 @@
 #include "live/source/messages.h"
 #include "twin/records/raw_record.h"
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,9 @@ struct SourceRules {
   std::string token;                                  ///< that a head has to bring; empty: none
   bool closes = true;                                 ///< five bad lines in a row end the connection
   std::function<std::optional<std::int64_t>()> next;  ///< sample that the twin waits for, told to the sender
+  /// s, steady.  Given where lines of several senders cannot be told apart: then a second one that says a head
+  /// while the first sends is refused.  None: heads follow each other.
+  std::function<double()> clock;
   std::optional<SourceHead> assumed;  ///< of before a restart, for a sender that will not say it again
 };
 
@@ -55,7 +59,8 @@ private:
   SourceRules rules_;
   std::optional<SourceHead> head_;
   std::int64_t lines_ = 0, last_end_ = -1;
-  int bad_in_a_row_ = 0;
+  double last_block_ = -std::numeric_limits<double>::infinity();  // s, steady
+  int bad_in_a_row_  = 0;
 };
 
 /// Cuts a stream of bytes into lines; one that is longer than the limit comes out as far as the limit and a byte.

@@ -1,6 +1,7 @@
 #include "live/source/mqtt_source.h"
 #include "core/case/errors.h"
 #include "core/case/units.h"
+#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <thread>
@@ -83,6 +84,9 @@ struct MqttSource::State {
   {
     SourceRules its = settings.rules;
     its.closes      = false;  // there is no sender to be cut off
+    its.clock       = [] {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    };
     return its;
   }
   std::string topic(const char *end) const

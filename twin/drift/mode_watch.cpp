@@ -32,7 +32,20 @@ void ModeWatch::restart(const double twin_sd_)
 
 double ModeWatch::reference() const
 {
-  return weight > 0 ? mean : 0;
+  return reference_state.weight > 0 ? reference_state.mean : 0;
+}
+
+ModeWatch::State ModeWatch::state() const
+{
+  State now = reference_state;
+  now.sums  = cusum.state;
+  return now;
+}
+
+void ModeWatch::resume(const State &stored)
+{
+  reference_state = stored;
+  cusum.state     = stored.sums;
 }
 
 ModeRow ModeWatch::take(const ModeFit &measured, const ExpectedMode &twin)
@@ -41,24 +54,25 @@ ModeRow ModeWatch::take(const ModeFit &measured, const ExpectedMode &twin)
   row.measured = measured;
   row.twin     = twin;
   if (measured.why_not.empty()) {
+    State &s         = reference_state;
     const double off = std::log(measured.frequency / twin.frequency), sd = measured.sd;
     row.deviation = off / std::hypot(sd, twin_sd);
-    if (reference_is == Reference::undecided)
-      reference_is = twin_sd <= sd ? Reference::twin : Reference::first_blocks;
-    if (reference_is == Reference::twin) {
+    if (s.reference_is == Reference::undecided)
+      s.reference_is = twin_sd <= sd ? Reference::twin : Reference::first_blocks;
+    if (s.reference_is == Reference::twin) {
       row.z     = off / std::hypot(sd, twin_sd);
       row.shift = cusum.take(row.z);
-    } else if (n < wanted) {
+    } else if (s.n < wanted) {
       row.learning = true;
-      ++n;
-      const double w = 1 / (sd * sd), before = mean;
-      weight += w;
-      mean += w / weight * (off - mean);
-      squares += w * (off - before) * (off - mean);
-      if (n == wanted)
-        scatter = std::max(1.0, std::sqrt(squares / (n - 1)));
+      ++s.n;
+      const double w = 1 / (sd * sd), before = s.mean;
+      s.weight += w;
+      s.mean += w / s.weight * (off - s.mean);
+      s.squares += w * (off - before) * (off - s.mean);
+      if (s.n == wanted)
+        s.scatter = std::max(1.0, std::sqrt(s.squares / (s.n - 1)));
     } else {
-      row.z     = (off - mean) / (scatter * std::sqrt(sd * sd + 1 / weight));
+      row.z     = (off - s.mean) / (s.scatter * std::sqrt(sd * sd + 1 / s.weight));
       row.shift = cusum.take(row.z);
     }
   }

@@ -42,14 +42,23 @@ public:
   /// -, ln(measured/twin) of the reference; 0 where the twin itself is it.
   double reference() const;
 
+  enum class Reference { undecided, twin, first_blocks };
+  /// What a restarted program goes on from.
+  struct State {
+    Cusum::State sums;
+    Reference reference_is = Reference::undecided;
+    int n                  = 0;                ///< blocks of the reference
+    double mean = 0, squares = 0, weight = 0;  ///< -, of the reference: mean, weighted squares, sum of weights
+    double scatter = 1;  ///< -, of the reference blocks over their own standard deviation, at least one
+  };
+  State state() const;
+  void resume(const State &stored);
+
 private:
   CusumRule rule;
   double twin_sd;
   int wanted;
   Cusum cusum;
-  enum class Reference { undecided, twin, first_blocks } reference_is = Reference::undecided;
-  int n                                                               = 0;  // blocks of the reference
-  double mean = 0, squares = 0, weight = 0;
-  double scatter = 1;  // of the reference blocks over their own standard deviation, at least one
+  State reference_state;  // its sums are those of `cusum`
 };
 }  // namespace mill::twin

@@ -1,5 +1,6 @@
 #include "twin/onset/growth.h"
 #include "twin/onset/onset_watch.h"
+#include "twin/spectra/fourier.h"
 #include <algorithm>
 #include <cmath>
 
@@ -34,19 +35,8 @@ Complex step_factor(const std::vector<Complex> &R, const int last)
   }
   return weight > 0 ? sum / weight : 0;
 }
-}  // namespace
-
-bool GrowthRate::near_instability() const
-{
-  return upper() > warned_from;
-}
-
-double GrowthRate::upper() const
-{
-  return sigma + 1.96 * scatter_over_law * law;
-}
-
-GrowthRate growth_rate(const ComplexEnvelope &envelope)
+// Growth of what an envelope holds, whatever it is.
+GrowthRate growth_of_all(const ComplexEnvelope &envelope)
 {
   GrowthRate growth;
   for (const auto &z : envelope.z)
@@ -71,6 +61,90 @@ GrowthRate growth_rate(const ComplexEnvelope &envelope)
   growth.sigma = sigma;
   growth.law   = std::sqrt(std::abs(sigma) / growth.duration);
   return growth;
+}
+
+// The strongest line of a piece: exp(2 pi i f k) with its amplitude, and whether it is the same in both halves.
+struct Line {
+  Eigen::VectorXcd value;
+  double square = 0;  // mean
+  bool steady   = false;
+};
+
+Eigen::VectorXcd turn(const double cycles, const Eigen::Index n)
+{
+  Eigen::VectorXcd z(n);
+  const Complex step = std::polar(1.0, 2 * M_PI * cycles);
+  Complex now        = 1;
+  for (Eigen::Index k = 0; k < n; ++k, now *= step)
+    z[k] = now;
+  return z;
+}
+
+Line strongest_line(const Eigen::VectorXcd &z)
+{
+  constexpr double agree = 0.3;  // -, of the amplitudes of both halves
+  const Eigen::Index n   = z.size();
+  std::vector<Complex> x(std::size_t(2 * n)), X;  // twice as long with zeros: bins half as far apart
+  std::copy(z.begin(), z.end(), x.begin());
+  Fourier().forward(x, X);
+  const auto highest = std::max_element(
+      X.begin(), X.end(), [](const Complex &p, const Complex &q) { return std::norm(p) < std::norm(q); });
+  double cycles = double(highest - X.begin()) / double(2 * n);
+  double step   = 1 / double(4 * n);
+  const auto at = [&](const double f) { return std::norm(turn(f, n).dot(z)); };
+  for (int i = 0; i < 8; ++i, step /= 2) {  // parabola through three points around the highest
+    const double low = at(cycles - step), mid = at(cycles), high = at(cycles + step);
+    const double bend = low - 2 * mid + high;
+    cycles += bend < 0 ? step * std::clamp(0.5 * (low - high) / bend, -1.0, 1.0) : 0;
+  }
+  Line line;
+  const Eigen::VectorXcd e = turn(cycles, n);
+  const Eigen::Index half  = n / 2;
+  const Complex amplitude  = e.dot(z) / double(n);
+  const Complex first      = e.head(half).dot(z.head(half)) / double(half),
+                second     = e.tail(n - half).dot(z.tail(n - half)) / double(n - half);
+  line.value               = amplitude * e;
+  line.square              = std::norm(amplitude);
+  line.steady              = std::abs(first - second) < agree * std::abs(amplitude);
+  return line;
+}
+}  // namespace
+
+bool GrowthRate::near_instability() const
+{
+  return upper() > warned_from;
+}
+
+double GrowthRate::upper() const
+{
+  return sigma + 1.96 * scatter_over_law * law;
+}
+
+// (41.18): a line that is far stronger than the strongest that noise makes of the mode left behind.
+GrowthRate growth_rate(const ComplexEnvelope &envelope)
+{
+  constexpr int most_tones      = 2;
+  constexpr double beyond_noise = 10;  // times the mean square of a line: noise exceeds it once in exp(10)
+  GrowthRate plain              = growth_of_all(envelope);
+  if (!plain.near_instability() || envelope.z.size() != 1)
+    return plain;
+  const double all = envelope.z[0].squaredNorm() / double(envelope.z[0].size());
+  double taken = 0, weakest = all;
+  ComplexEnvelope rest = envelope;
+  for (int i = 0; i < most_tones; ++i) {
+    const Line line = strongest_line(rest.z[0]);
+    if (!line.steady)
+      break;
+    rest.z[0] -= line.value;
+    taken += line.square;
+    weakest           = std::min(weakest, line.square);
+    GrowthRate growth = growth_of_all(rest);
+    if (!(weakest > beyond_noise * 2 * (all - taken) / (std::abs(growth.sigma) * growth.duration)))
+      continue;
+    growth.tone = taken / all;
+    return growth;
+  }
+  return plain;
 }
 
 std::vector<Alarm> alarms(const ComplexEnvelope &envelope, const AlarmSettings &settings)

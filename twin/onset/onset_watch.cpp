@@ -26,9 +26,20 @@ void OnsetWatch::restart()
 {
   taken = in_median = out_of_median = 0;
   squares.clear();
-  baseline_    = 0;
-  armed        = true;
-  above_before = false;
+  baseline_ = carried = 0;
+  armed               = true;
+  above_before        = false;
+}
+
+void OnsetWatch::carry(const double baseline)
+{
+  carried = baseline > 0 ? baseline : 0;
+}
+
+// 0: nothing to hold a level against yet.
+double OnsetWatch::held_against() const
+{
+  return squares.empty() ? carried : baseline_;
 }
 
 std::complex<double> OnsetWatch::before(const std::size_t values) const
@@ -72,11 +83,12 @@ std::optional<Alarm> OnsetWatch::take(const double time, const std::complex<doub
   }
   ring[taken++ % kept_values] = z;
   const std::size_t k         = taken - 1;
-  if (k < left_out + least)
-    return {};
-  if ((k - left_out - least) % values_per_baseline == 0)
+  if (k >= left_out + least && (k - left_out - least) % values_per_baseline == 0)
     renew_baseline();
-  const double level = std::abs(z), threshold = rule.threshold * baseline_;
+  const double baseline = held_against();
+  if (squares.empty() && !(baseline > 0 && taken >= slope_values))
+    return {};
+  const double level = std::abs(z), threshold = rule.threshold * baseline;
   const bool above = level > threshold;
   std::optional<Alarm> alarm;
   if (armed && above && above_before) {
@@ -84,7 +96,7 @@ std::optional<Alarm> OnsetWatch::take(const double time, const std::complex<doub
     double to_limit    = std::numeric_limits<double>::quiet_NaN();
     if (rule.limit && sigma > 0)
       to_limit = std::max(0.0, std::log(*rule.limit / level) / sigma);
-    alarm = Alarm{time, level, baseline_, sigma, to_limit};
+    alarm = Alarm{time, level, baseline, sigma, to_limit};
     armed = false;
   }
   armed        = armed || level < 0.5 * threshold;
@@ -99,12 +111,12 @@ double OnsetWatch::level() const
 
 double OnsetWatch::baseline() const
 {
-  return squares.empty() ? std::numeric_limits<double>::quiet_NaN() : baseline_;
+  return squares.empty() && !(carried > 0) ? std::numeric_limits<double>::quiet_NaN() : held_against();
 }
 
 bool OnsetWatch::above_half_threshold() const
 {
-  return !squares.empty() && level() >= 0.5 * rule.threshold * baseline_;
+  return (!squares.empty() || carried > 0) && level() >= 0.5 * rule.threshold * held_against();
 }
 
 GrowthRate OnsetWatch::growth() const

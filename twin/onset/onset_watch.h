@@ -16,6 +16,9 @@ public:
   std::optional<Alarm> take(double time, std::complex<double> z);
   /// Begins a new piece, as after a gap: no alarm before settings.least of baseline.
   void restart();
+  /// Of a new piece: the baseline of before a gap or a restart of the program holds until the piece has its own.
+  /// @param baseline  0-peak; not above zero: none
+  void carry(double baseline);
   double level() const;               ///< 0-peak, of the last value; NaN: none
   double baseline() const;            ///< 0-peak; NaN: not enough of it yet
   bool above_half_threshold() const;  ///< an alarm that began is not over
@@ -25,6 +28,7 @@ public:
 private:
   std::complex<double> before(std::size_t values) const;  // the value so many before the last
   void renew_baseline();
+  double held_against() const;
   double slope_of_log() const;
 
   AlarmSettings rule;
@@ -35,7 +39,7 @@ private:
   std::size_t in_median     = 0;  // values of this piece that have entered `squares`
   std::size_t out_of_median = 0;  // and those that have left it
   std::vector<double> squares;    // of the baseline's window, ascending
-  double baseline_ = 0;
+  double baseline_ = 0, carried = 0;
   bool armed = true, above_before = false;
 };
 }  // namespace mill::twin

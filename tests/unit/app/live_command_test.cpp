@@ -40,13 +40,14 @@ std::string record(const std::string &folder, const int samples, const std::stri
 
 // What is wrong with a case and its options, said before anything runs.
 std::string refused(const LiveOptions &options, const std::string &case_file = stand,
-                    const std::vector<std::string> &sets = {})
+                    const std::vector<std::string> &sets = {}, const std::string &limit = "")
 {
   CommandLine command;
   command.target = case_file;
   command.sets   = sets;
   command.quiet  = true;
   command.live   = options;
+  command.limit  = limit;
   if (command.live.listen.empty())
     command.live.listen = "none";
   try {
@@ -174,6 +175,8 @@ TEST(LiveCommand, RefusesWhatCannotBeRun)
   options      = input(file);
   options.keep = "24h";
   EXPECT_EQ(refused(options), "--keep says how much of a recording is kept; name its folder with --record");
+  EXPECT_EQ(refused(input(file), stand, {}, "2 mm/s"),
+            "--limit \"2 mm/s\": an acceleration above zero is needed, for example --limit \"2 g\"");
   options          = input(file);
   options.response = file;
   EXPECT_EQ(refused(options),
@@ -231,6 +234,79 @@ TEST(LiveCommand, PlaysARecordAndRecordsIt)
   EXPECT_EQ(again.exit_code, 0);
   EXPECT_NE(again.out.find("goes on at s = 4000 of source \"" + file + "\"\n"), std::string::npos) << again.out;
   EXPECT_EQ(recorded(out, ".npy").size(), 4000u) << "nothing is there twice";
+}
+
+// What an earlier program left: springs that were adopted, an alarm that is open, or a file that is damaged.
+TEST(LiveCommand, GoesOnFromItsStateOrSaysWhyNot)
+{
+  const std::string folder = scratch("live-state"), file = record(folder, 4000), out = folder + "/rec";
+  const std::string command =
+      "live " + stand + " --input " + file + " --speed max --listen none --limit \"0.01 m/s2\" --record " + out;
+  const Outcome first = millstand(command);
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_NE(first.out.find(" is above the limit of 0.01 m/s2 that is set for this mill\n"), std::string::npos)
+      << first.out;
+  const auto read = [&] {
+    std::ifstream state(out + "/state.json");
+    return nlohmann::json::parse(state);
+  };
+  const auto write = [&](const std::string &text) {
+    std::ofstream state(out + "/state.json");
+    state << text;
+  };
+  auto state = read();
+  EXPECT_EQ(state["format"], 2);
+  const auto open = state["comparison"]["book"]["open"];
+  ASSERT_FALSE(open.empty());
+  ASSERT_EQ(state["run"]["alarms"].size(), open.size());
+  state["run"]["alarms"][0]["acknowledged"] = true;
+  nlohmann::json springs                    = nlohmann::json::array();
+  for (const Parameter &K : lumped_model_of(read_case(stand)).K)
+    springs.push_back({
+        {"value",    K.value   },
+        {"error",    0.01      },
+        {"measured", true      },
+        {"method",   "made"    },
+        {"at",       "976.2 kN"}
+    });
+  state["adopted"] = {
+      {"file",    "calibrated-20260105T100000Z.toml"              },
+      {"source",  "six masses of calibrated-20260105T100000Z.toml"},
+      {"damping", 0.02                                            },
+      {"springs", springs                                         }
+  };
+  write(state.dump());
+  const Outcome again = millstand(command);
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_NE(
+      again.out.find("springs and damping as adopted in calibrated-20260105T100000Z.toml; --fresh goes back to "
+                     "those of the case\ngoes on at s = 4000 of source \"" +
+                     file + "\"\n"),
+      std::string::npos)
+      << again.out;
+  EXPECT_NE(again.out.find("(six masses of calibrated-20260105T100000Z.toml)\n"), std::string::npos) << again.out;
+  EXPECT_EQ(read()["adopted"]["file"], "calibrated-20260105T100000Z.toml") << "and the next one too";
+  EXPECT_EQ(read()["comparison"]["book"]["open"], open) << "the same alarms, with their numbers";
+  EXPECT_EQ(read()["run"]["alarms"][0]["acknowledged"], true);
+
+  state           = read();
+  state["format"] = 1;
+  write(state.dump());
+  const Outcome older = millstand(command);
+  EXPECT_EQ(older.exit_code, 0);
+  EXPECT_NE(older.out.find("the stored state is of another version of this program; the twin starts anew\n"),
+            std::string::npos)
+      << older.out;
+  write("{\"format\": 2, \"case_ha");
+  const Outcome damaged = millstand(command);
+  EXPECT_EQ(damaged.exit_code, 0);
+  const std::string path = out + "/state.json";
+  EXPECT_NE(damaged.out.find("the stored state " + path +
+                             " is damaged and cannot be read; the twin starts anew, it is kept as " + path +
+                             ".damaged"),
+            std::string::npos)
+      << damaged.out;
+  EXPECT_TRUE(fs::exists(path + ".damaged"));
 }
 
 // TW-29, short form: MILLSTAND_PASSES = 10 kills it fifty times.  Whenever it is killed the files of full minutes

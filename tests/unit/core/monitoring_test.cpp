@@ -41,9 +41,9 @@ protected:
 
 TEST_F(MonitoringSection, NamesZonesAndBands)
 {
-  with(
-      "channels = { \"AI_07\" = \"upper_work_roll\", \"Kraft 1\" = \"force\" }\n"
-      "severity = [\"2.3 mm/s\", \"4.5 mm/s\"]\nthird_octave = [\"100 Hz\", \"300 Hz\"]\nbaseline = \"before\"\n");
+  with("channels = { \"AI_07\" = \"upper_work_roll\", \"Kraft 1\" = \"force\" }\n"
+       "severity = [\"2.3 mm/s\", \"4.5 mm/s\"]\nthird_octave = [\"100 Hz\", \"300 Hz\"]\nlimit = \"2 "
+       "g\"\nbaseline = \"before\"\n");
   const Monitoring m = monitoring_of(path);
   EXPECT_EQ(m.channels(), (std::map<std::string, std::string>{
                               {"AI_07",   "upper_work_roll"},
@@ -53,6 +53,7 @@ TEST_F(MonitoringSection, NamesZonesAndBands)
   EXPECT_DOUBLE_EQ(m.zones()[1], 4.5e-3);
   EXPECT_EQ(m.third_octave, (std::array<double, 2>{100, 300}));
   EXPECT_EQ(m.fifth_octave, (std::array<double, 2>{550, 650})) << "when absent";
+  EXPECT_DOUBLE_EQ(m.limit, 2 * 9.80665);
   EXPECT_EQ(std::filesystem::path(m.baseline).filename(), "before");
   const Case the_case = read_case(path);
   EXPECT_NE(the_case.resolved.find("channels = { \"AI_07\" = \"upper_work_roll\", \"Kraft 1\" = \"force\" }"),
@@ -81,6 +82,9 @@ TEST_F(MonitoringSection, Refusals)
   EXPECT_EQ(
       refusal("fifth_octave = [\"650 Hz\", \"550 Hz\"]\n"),
       "monitoring.fifth_octave = [\"650 Hz\", \"550 Hz\"] does not increase; write the lower frequency first");
+  EXPECT_EQ(refusal("limit = \"20 mm/s\"\n"), "monitoring.limit = \"20 mm/s\" is a velocity; an acceleration is "
+                                              "needed, for example \"20 m/s2\"");
+  EXPECT_EQ(refusal("limit = \"0 g\"\n"), "monitoring.limit = \"0 g\" is outside 0.001 m/s2 .. 100000 m/s2");
   EXPECT_EQ(refusal("third_octave = \"125 Hz\"\n").find("monitoring.third_octave = \"125 Hz\" is not a pair"), 0u);
   EXPECT_NE(refusal("chanels = { AI_07 = \"force\" }\n").find("did you mean 'channels'?"), std::string::npos);
 }

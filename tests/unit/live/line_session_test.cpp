@@ -158,6 +158,31 @@ TEST(LineSession, ANumberFarAheadIsNotBelieved)
   EXPECT_EQ(reason_of(session, R"({"s":40001,"force":[1]})"), "taken");
 }
 
+// Messages of a broker do not say who sent them.
+TEST(LineSession, ASecondSourceIsRefusedWhileTheFirstSends)
+{
+  double now = 100;
+  auto its   = rules();
+  its.closes = false;
+  its.clock  = [&] { return now; };
+  live::LineSession session(its);
+  std::string other = good_head;
+  other.replace(other.find("daq-1"), 5, "daq-2");
+  EXPECT_EQ(reason_of(session, good_head), "taken");
+  EXPECT_EQ(reason_of(session, other), "taken") << "the first has not sent anything";
+  EXPECT_EQ(reason_of(session, good_head), "taken");
+  EXPECT_EQ(reason_of(session, R"({"s":0,"force":[1]})"), "taken");
+  now += 4;
+  EXPECT_EQ(
+      reason_of(session, other),
+      "line 5: source \"daq-2\" begins while \"daq-1\" sends, which goes on; blocks of two cannot be told apart "
+      "here: stop one of them, or give it a stand of its own");
+  EXPECT_EQ(reason_of(session, good_head), "taken") << "the first may say its head again";
+  EXPECT_EQ(reason_of(session, R"({"s":1,"force":[1]})"), "taken") << "and goes on";
+  now += 6;
+  EXPECT_EQ(reason_of(session, other), "taken") << "it has been silent";
+}
+
 TEST(LineSession, AskForTheToken)
 {
   auto its  = rules();

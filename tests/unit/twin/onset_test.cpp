@@ -115,3 +115,71 @@ TEST(Onset, NoAlarmInACalmHour)
   }
   EXPECT_EQ(n_alarms, 0);
 }
+
+namespace {
+constexpr double tone_rate = 50;  // 1/s, of values of an envelope
+
+// A mode under noise as (41.13) sees it: one pole, mean square one.
+Eigen::VectorXcd noisy_mode(const std::uint64_t seed, const double sigma, const Eigen::Index n = 3000)
+{
+  const double pole       = std::exp(sigma / tone_rate);
+  const Eigen::VectorXd w = synthetic::normals(seed, 2 * (n + 2000)) * std::sqrt((1 - pole * pole) / 2);
+  Eigen::VectorXcd z(n);
+  std::complex<double> now = 0;
+  for (Eigen::Index k = 0; k < n + 2000; ++k) {
+    now = pole * now + std::complex<double>(w[2 * k], w[2 * k + 1]);
+    if (k >= 2000)
+      z[k - 2000] = now;
+  }
+  return z;
+}
+
+GrowthRate growth_of_values(const Eigen::VectorXcd &z)
+{
+  return growth_rate({100, tone_rate, {z}, {0}});
+}
+
+Eigen::VectorXcd steady_tone(const double amplitude, const double frequency, const Eigen::Index n = 3000)
+{
+  Eigen::VectorXcd z(n);
+  for (Eigen::Index k = 0; k < n; ++k)
+    z[k] = std::polar(amplitude, 2 * M_PI * frequency * double(k) / tone_rate + 1);
+  return z;
+}
+}  // namespace
+
+// A steady tone beside a calm mode, from a tenth to ten times its level: alone it would read as a growth rate of
+// about zero, and the mill would be warned for ever.
+TEST(Onset, ASteadyToneIsNoInstability)
+{
+  for (const double amplitude : {0.5, 1.0, 3.0, 10.0})
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      const Eigen::VectorXcd mode = noisy_mode(seed, -3);
+      const GrowthRate growth     = growth_of_values(mode + steady_tone(amplitude, 3.3));
+      EXPECT_FALSE(growth.near_instability()) << amplitude << ", seed " << seed << ": " << growth.sigma;
+      if (growth.tone > 0)
+        EXPECT_NEAR(growth.tone, amplitude * amplitude / (1 + amplitude * amplitude), 0.1);
+      const GrowthRate two = growth_of_values(mode + steady_tone(amplitude, 3.3) + steady_tone(amplitude, -7.1));
+      EXPECT_FALSE(two.near_instability())
+          << "two tones of " << amplitude << ", seed " << seed << ": " << two.sigma;
+    }
+}
+
+// What is near instability is told as before: no line of it is taken for a tone.
+TEST(Onset, AModeNearInstabilityIsNoTone)
+{
+  for (const double sigma : {-0.02, -0.05, -0.1, -0.2, -0.3}) {
+    int told = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      const GrowthRate growth = growth_of_values(noisy_mode(seed, sigma));
+      told += growth.near_instability();
+    }
+    EXPECT_GE(told, 19) << "sigma " << sigma;
+  }
+  for (const double sigma : {0.02, 0.1}) {
+    Eigen::VectorXcd growing = steady_tone(1, 2) + 0.1 * noisy_mode(3, -3);
+    for (Eigen::Index k = 0; k < growing.size(); ++k)
+      growing[k] *= std::exp(sigma * double(k) / tone_rate);
+    EXPECT_TRUE(growth_of_values(growing).near_instability()) << "growing at " << sigma;
+  }
+}

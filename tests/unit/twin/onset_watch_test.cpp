@@ -116,3 +116,26 @@ TEST(OnsetWatch, MissingValuesBeginAnew)
   EXPECT_EQ(missing, 16) << "every tenth of the 151 places of the missing sample below the filter";
   EXPECT_GT(finite, 50);
 }
+
+TEST(OnsetWatch, ACarriedBaselineHoldsUntilThereIsAnother)
+{
+  OnsetWatch watch(band, 50, {});
+  const Eigen::VectorXd noise = synthetic::normals(5, 2000);
+  watch.carry(0.1);
+  EXPECT_DOUBLE_EQ(watch.baseline(), 0.1);
+  std::optional<Alarm> alarm;
+  for (Eigen::Index k = 0; k < 20 && !alarm; ++k)
+    alarm = watch.take(double(k) / 50, {1, 0});
+  ASSERT_TRUE(alarm) << "ten times what was calm";
+  EXPECT_DOUBLE_EQ(alarm->baseline, 0.1);
+  EXPECT_TRUE(watch.above_half_threshold());
+  watch.restart();
+  EXPECT_TRUE(std::isnan(watch.baseline())) << "a restart forgets it";
+  watch.carry(0.1);
+  for (Eigen::Index k = 0; k < 400; ++k)
+    watch.take(double(k) / 50, {noise[2 * k], noise[2 * k + 1]});
+  EXPECT_NEAR(watch.baseline(), std::sqrt(2.), 0.3) << "its own, after six seconds";
+  OnsetWatch other(band, 50, {});
+  other.carry(std::nan(""));
+  EXPECT_TRUE(std::isnan(other.baseline()));
+}
