@@ -35,8 +35,11 @@ twin::CalibrationInput input_of(const CommandLine &command, const PriorChain &ch
                                 MeasuredPieces pieces)
 {
   twin::CalibrationInput input;
-  input.stand    = chain.stand;
-  input.unknowns = chosen(chain, command.calibrate.free);
+  input.stand          = chain.stand;
+  input.unknowns       = chosen(chain, command.calibrate.free);
+  input.force_recorded = pieces.force_recorded;
+  if (command.calibrate.align && !input.force_recorded)
+    throw InputError("--align: no force was recorded, so that there are no two clocks");
   if (command.calibrate.align)
     input.unknowns.push_back({"delay", 0.05, 0});
   input.sensors = pieces.sensors;
@@ -62,7 +65,8 @@ void write_calibration(const std::string &folder, const std::string &json,
                        const std::map<std::string, Table> &tables, const std::string &calibrated)
 {
   std::error_code ignored;
-  for (const char *old : {"calibration.json", "response.csv", "profiles.csv", "report.html", "calibrated.toml"})
+  for (const char *old :
+       {"calibration.json", "response.csv", "profiles.csv", "force.csv", "report.html", "calibrated.toml"})
     fs::remove(folder + "/" + old, ignored);
   for (const auto &[name, table] : tables)
     write_atomically(folder + "/" + name + ".csv", csv_text(table));
@@ -98,6 +102,14 @@ void say(const twin::Calibration &result, const twin::CalibrationFacts &facts, c
   print("report: " + folder + "/report.html\n");
 }
 
+void add_notes_without_force(std::vector<std::string> &notes, const Case &the_case, const bool load_given)
+{
+  if (std::holds_alternative<FourHigh>(the_case.spec) && !load_given)
+    notes.insert(notes.begin(), "the contacts are those at the load of the first pass; where the records had "
+                                "another, give it in records.toml, for example load = \"976 kN\"");
+  notes.insert(notes.begin(), twin::without_force_words());
+}
+
 int calibrate_records(const CommandLine &command, const Case &the_case, const RecordSet &set)
 {
   const std::string folder = command.output.empty() ? "out/" + the_case.name + "-calibration" : command.output;
@@ -123,6 +135,8 @@ int calibrate_records(const CommandLine &command, const Case &the_case, const Re
   twin::CalibrationFacts facts{the_case.name, chain.source, pieces.files,
                                pieces.notes,  "",           command.calibrate.accept};
   facts.notes.insert(facts.notes.end(), chain.notes.begin(), chain.notes.end());
+  if (!pieces.force_recorded)
+    add_notes_without_force(facts.notes, the_case, pieces.load > 0);
   const twin::CalibrationInput input = input_of(command, chain, set, std::move(pieces));
   for (const twin::Unknown &unknown : input.unknowns)
     if (unknown.name.size() > 4 && unknown.name.compare(0, 4, "zeta") == 0)

@@ -27,6 +27,8 @@ std::string comment_of(const Case &origin, const twin::Calibration &result, cons
   std::string text = "# Calibrated case: " + origin.path + " with\n";
   for (const std::string &file : files)
     text += "#   " + file + "\n";
+  if (!result.force_recorded())
+    text += "# " + twin::without_force_words() + "\n";
   for (const twin::Calibrated &u : result.unknowns)
     if (const twin::ShownChange shown = twin::shown_change(u); u.told)
       text += fmt::format("# {:<5} {} (95 % {} .. {})\n", u.name, shown.kept, shown.low, shown.high);
@@ -109,6 +111,8 @@ std::string calibrated_toml(const PriorChain &chain, const Case &origin, const t
   for (const twin::Calibrated &u : result.unknowns)
     if (!u.told)
       not_told += (not_told.empty() ? "" : ", ") + u.name;
+  if (!result.force_recorded())
+    method += "; no force recorded";
   method += "; not told: " + (not_told.empty() ? "none" : not_told);
   if (accepted)
     method += "; refused, accepted by the user";

@@ -153,11 +153,18 @@ std::vector<twin::Span> common_pieces(const twin::CleanRecord &record, const std
   return common;
 }
 
+bool has_force(const twin::CleanRecord &record)
+{
+  const twin::CleanChannel *force = record.find("force");
+  return force && force->quantity == twin::Quantity::force;
+}
+
 twin::ForcedSamples samples_of(const twin::CleanRecord &record, const std::vector<std::string> &sensors,
                                const twin::Span &span)
 {
   twin::ForcedSamples samples;
-  samples.force = record.find("force")->value.segment(span.begin, span.size());
+  if (has_force(record))
+    samples.force = record.find("force")->value.segment(span.begin, span.size());
   samples.acceleration.resize(span.size(), Eigen::Index(sensors.size()));
   for (std::size_t j = 0; j < sensors.size(); ++j)
     samples.acceleration.col(Eigen::Index(j)) = record.find(sensors[j])->value.segment(span.begin, span.size());
@@ -171,20 +178,25 @@ bool is_sensor(const twin::CleanRecord &record, const std::string &place)
          !channel->pieces.empty();
 }
 
-void require_force(const twin::CleanRecord &record)
+/// With force or without: one likelihood for all records.
+void require_all_or_none(const std::vector<twin::CleanRecord> &records)
 {
-  const twin::CleanChannel *force = record.find("force");
-  if (!force || force->quantity != twin::Quantity::force)
-    throw InputError(record.file + ": no channel \"force\" in N or kN; without the rolling force the records show "
-                                   "K/M and damping times force only, and nothing is calibrated. Name the channel "
-                                   "with --channel AI_01=force");
+  for (const twin::CleanRecord &record : records)
+    if (has_force(record) != has_force(records.front())) {
+      const bool first = has_force(records.front());
+      throw InputError(fmt::format("{}: no channel \"force\" in N or kN, which {} has; name it with --channel "
+                                   "AI_01=force, or calibrate records with and without force one after the other",
+                                   first ? record.file : records.front().file,
+                                   first ? records.front().file : record.file));
+    }
 }
 
 /// Splits pieces of one record by its role; without roles the last third of the samples is the check.
 void divide(const twin::CleanRecord &record, const RecordEntry &entry, const bool roles, MeasuredPieces &into)
 {
   std::vector<std::string> names = into.sensors;
-  names.push_back("force");
+  if (into.force_recorded)
+    names.push_back("force");
   const auto least  = Eigen::Index(shortest_piece * record.rate);
   const auto pieces = common_pieces(record, names);
   Eigen::Index all  = 0;
@@ -242,7 +254,6 @@ MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::stri
     own.channels.insert(entry.channels.begin(), entry.channels.end());
     records.push_back(twin::clean_record(twin::read_record(entry.file, own)));
     const twin::CleanRecord &record = records.back();
-    require_force(record);
     for (const twin::CleanChannel &channel : record.channels)
       if (channel.clipped > 0 &&
           (channel.name == "force" || std::find(places.begin(), places.end(), channel.name) != places.end()))
@@ -258,6 +269,8 @@ MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::stri
     for (const std::string &note : record.notes)
       result.notes.push_back(result.files.back() + ": " + note);
   }
+  require_all_or_none(records);
+  result.force_recorded = has_force(records.front());
   for (const std::string &place : places) {
     const auto shown = std::count_if(records.begin(), records.end(),
                                      [&](const twin::CleanRecord &r) { return is_sensor(r, place); });
@@ -280,8 +293,9 @@ MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::stri
   int loads   = 0;
   for (std::size_t i = 0; i < records.size(); ++i) {
     divide(records[i], set.entries[i], roles, result);
-    if (set.entries[i].role != "check") {
-      load += std::isnan(set.entries[i].load) ? records[i].find("force")->offset : set.entries[i].load;
+    const bool given = !std::isnan(set.entries[i].load);
+    if (set.entries[i].role != "check" && (given || result.force_recorded)) {
+      load += given ? set.entries[i].load : records[i].find("force")->offset;
       ++loads;
     }
   }

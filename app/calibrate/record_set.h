@@ -37,11 +37,12 @@ struct RecordSet {
 /// @throws InputError  no folder, no record, a wrong records.toml with file:line:column
 RecordSet read_record_set(const std::string &folder);
 
-/// Pieces of all records with force and the same sensors.
+/// Pieces of all records with the same sensors, and with force where it was recorded.
 struct MeasuredPieces {
   std::vector<std::string> sensors;  ///< places, in the order of the chain
   double rate                  = 0;  ///< Hz
-  double load                  = 0;  ///< N, mean force of the fitted records
+  double load                  = 0;  ///< N, mean force of the fitted records; 0: not recorded, nor given
+  bool force_recorded          = true;
   twin::BetweenSamples between = twin::BetweenSamples::smooth;
   std::vector<twin::ForcedSamples> fit, check;
   std::vector<std::string> clipped;  ///< channels
@@ -51,7 +52,7 @@ struct MeasuredPieces {
 
 /// Reads and cleans the records.
 /// @param places  of the chain, "upper_frame" ..
-/// @throws InputError  no force, no common sensor, different rates, pieces that are too short
+/// @throws InputError  force in some records only, no common sensor, different rates, pieces that are too short
 MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::string> &places,
                                const twin::ReadOptions &options);
 }  // namespace mill

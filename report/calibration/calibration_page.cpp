@@ -107,17 +107,33 @@ std::string list_of(const json &items)
   return "<ul>\n" + list + "</ul>";
 }
 
+bool force_recorded(const json &document)
+{
+  return document.value("force_recorded", true);
+}
+
+/// Sensors that third octaves are told of: each, or all together.
+json sensors_of(const json &bands)
+{
+  json sensors = json::array();
+  for (const json &band : bands)
+    if (std::find(sensors.begin(), sensors.end(), band["sensor"]) == sensors.end())
+      sensors.push_back(band["sensor"]);
+  return sensors;
+}
+
 std::string head_of(const json &document)
 {
   std::string files;
   for (const json &file : document["records"])
     files += (files.empty() ? "" : ", ") + escaped(file.get<std::string>());
-  std::string text = "<header><h1>Calibration of " + escaped(document["case"].get<std::string>()) +
-                     "</h1></header>\n<p>" + escaped(document["stand"].get<std::string>()) + "; records " + files +
-                     ": " + significant(real(document["seconds"][0]), 3) + " s fitted, " +
-                     significant(real(document["seconds"][1]), 3) + " s held back as a check; " +
-                     fixed(real(document["band"][0]), 0) + " to " + fixed(real(document["band"][1]), 0) +
-                     " Hz</p>\n";
+  std::string text =
+      "<header><h1>Calibration of " + escaped(document["case"].get<std::string>()) + "</h1></header>\n<p>" +
+      escaped(document["stand"].get<std::string>()) + "; records " + files + ": " +
+      significant(real(document["seconds"][0]), 3) + " s fitted, " + significant(real(document["seconds"][1]), 3) +
+      " s held back as a check; " + fixed(real(document["band"][0]), 0) + " to " +
+      fixed(real(document["band"][1]), 0) + " Hz</p>\n" +
+      (force_recorded(document) ? "" : "<p>" + escaped(document["without_force"].get<std::string>()) + ".</p>\n");
   const std::string status = document["status"];
   int told                 = 0;
   for (const json &u : document["unknowns"])
@@ -126,7 +142,8 @@ std::string head_of(const json &document)
       fmt::format("{} of {} unknowns are told by these records", told, document["unknowns"].size());
   if (status == "ok")
     return text + "<div class=\"verdict ok\"><p>" + count +
-           "; the calibrated stand explains the check records as well as a linear model can.</p></div>\n";
+           "; the calibrated stand explains the check records as well as " +
+           (force_recorded(document) ? "a linear model" : "any one force") + " can.</p></div>\n";
   return text + "<div class=\"verdict warnings\"><p>" +
          (status == "accepted" ? "Refused, and written all the same because of <code>--accept</code>: "
                                : "Refused, no case was written: ") +
@@ -166,14 +183,32 @@ void is_it_right(Page &page, const json &document, const std::map<std::string, T
                  "; 1 is what the noise of the fitted records leaves. No sample of the check was fitted.");
   if (const auto found = tables.find("response"); found != tables.end())
     for (const std::string &drawing : response_drawings(found->second, document["sensors"]))
-      page.figure({drawing}, "Acceleration per bite force: the check records against the stand before and after. "
-                             "Averaged over Hann segments, which lowers sharp resonances of the measured line.");
+      page.figure({drawing},
+                  std::string(force_recorded(document)
+                                  ? "Acceleration per bite force: the check records"
+                                  : "Acceleration: the check records, with the density of the force "
+                                    "that suits them best,") +
+                      " against the stand before and after. "
+                      "Averaged over Hann segments, which lowers sharp resonances of the measured line.");
+  if (const auto found = tables.find("force"); found != tables.end())
+    page.figure(
+        {force_drawing(found->second)},
+        "Density of the force behind the fitted records, which nobody recorded: smooth over a third octave.");
   page.section("residuals", "What is left, by third octave");
+  const json &bands = document["bands"];
   page.figure(
-      {residual_drawing(document["bands"]["fit"], document["sensors"], "fitted records"),
-       residual_drawing(document["bands"]["check"], document["sensors"], "check records")},
-      "What the stand leaves over what any linear model with this force must leave, over its limit 1.05 + 4/"
-      "√bins. Above 1 the model is wrong there, whatever the misfit says.");
+      {residual_drawing(bands["fit"], sensors_of(bands["fit"]), "fitted records"),
+       residual_drawing(bands["check"], sensors_of(bands["check"]), "check records")},
+      std::string("What the stand leaves over what any ") +
+          (force_recorded(document) ? "linear model with this force" : "one force") +
+          " must leave, over its limit 1.05 + 4/√bins. Above 1 the model is wrong there, whatever the misfit "
+          "says.");
+  if (document.contains("levels"))
+    page.figure(
+        {level_drawing(document["levels"]["fit"], "fitted records"),
+         level_drawing(document["levels"]["check"], "check records")},
+        "Level of the force in narrow bands over its surroundings: 1 where the resonances of the stand are "
+        "those of the records and the force is smooth.");
   if (const std::string table = bands_table(document["bands"]); !table.empty())
     page.table(table, "Third octaves at 0.9 of their limit and above.");
 }
@@ -228,7 +263,7 @@ std::string calibration_page(const std::string &directory, const std::string &te
 std::string calibration_page(const std::string &directory)
 {
   std::map<std::string, Table> tables;
-  for (const char *name : {"response", "profiles"})
+  for (const char *name : {"response", "profiles", "force"})
     if (const std::string path = directory + "/" + name + ".csv"; std::filesystem::exists(path))
       tables.emplace(name, read_table(path));
   return calibration_page(directory, read_text(directory + "/calibration.json"), tables);

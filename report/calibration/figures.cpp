@@ -30,21 +30,42 @@ std::vector<std::string> response_drawings(const Table &response, const json &se
                *after = response.column(name + ".after");
     if (!frequency || !measured || !before || !after)
       continue;
-    constexpr double per_kN = 1000;
+    const bool per_force = response.units.size() > 1 && response.units[1] == "m/s2/N";  // else its level
+    const double scale   = per_force ? 1000 : 1;                                        // per kN
     Plot plot;
     plot.title  = spoken(name);
     plot.width  = 1000;
     plot.height = 330;
     plot.x      = {"frequency", "Hz", Scale::logarithmic};
-    plot.y      = {"acceleration per bite force", "m/s²/kN", Scale::logarithmic};
+    plot.y      = per_force ? Axis{"acceleration per bite force", "m/s²/kN", Scale::logarithmic}
+                            : Axis{"acceleration", "m/s²/√Hz", Scale::logarithmic};
     plot.lines  = {
-         {"measured (check records)", *frequency, per_kN * *measured, Pen::pale  },
-         {"case as it was",           *frequency, per_kN * *before,   Pen::dashed},
-         {"calibrated",               *frequency, per_kN * *after,    Pen::dark  }
+         {"measured (check records)", *frequency, scale * *measured, Pen::pale  },
+         {"case as it was",           *frequency, scale * *before,   Pen::dashed},
+         {"calibrated",               *frequency, scale * *after,    Pen::dark  }
     };
     drawings.push_back(svg_plot(plot));
   }
   return drawings;
+}
+
+std::string force_drawing(const Table &force)
+{
+  const auto *frequency = force.column("frequency"), *density = force.column("density"),
+             *low = force.column("low"), *high = force.column("high");
+  if (!frequency || !density || !low || !high)
+    return "";
+  Plot plot;
+  plot.width  = 1000;
+  plot.height = 300;
+  plot.x      = {"frequency", "Hz", Scale::logarithmic};
+  plot.y      = {"force", "N/√Hz", Scale::logarithmic};
+  plot.lines  = {
+       {"estimate", *frequency, *density, Pen::dark  },
+       {"95 %",     *frequency, *low,     Pen::dotted},
+       {"",         *frequency, *high,    Pen::dotted}
+  };
+  return svg_plot(plot);
 }
 
 std::string moved_drawing(const json &unknowns)
@@ -115,6 +136,34 @@ std::string residual_drawing(const json &bands, const json &sensors, const std::
   }
   if (!std::isnan(from))
     plot.lines.push_back({"limit", Eigen::Vector2d(from, to), Eigen::Vector2d(1, 1), Pen::dotted});
+  plot.y.low = 0;
+  return svg_plot(plot);
+}
+
+std::string level_drawing(const json &bands, const std::string &title)
+{
+  std::vector<double> x, ratio, high, low;
+  for (const json &band : bands)
+    if (band["counts"].get<bool>()) {
+      x.push_back(value_of(band["centre"]));
+      ratio.push_back(value_of(band["ratio"]));
+      high.push_back(value_of(band["limit"]));
+      low.push_back(1 / high.back());
+    }
+  const auto column = [](const std::vector<double> &values) {
+    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(values.data(), Eigen::Index(values.size())));
+  };
+  Plot plot;
+  plot.title  = title;
+  plot.width  = 490;
+  plot.height = 300;
+  plot.x      = {"band", "Hz", Scale::logarithmic};
+  plot.y      = {"level over its surroundings", "-"};
+  plot.lines  = {
+       {"twelfth octaves", column(x), column(ratio), Pen::dark,       true, true},
+       {"limits",             column(x),                      column(high),                            Pen::dotted                     },
+       {"",      column(x),               column(low),Pen::dotted}
+  };
   plot.y.low = 0;
   return svg_plot(plot);
 }

@@ -26,12 +26,30 @@ Eigen::Index segment_of(const std::vector<ForcedSamples> &pieces)
     samples += piece.force.size();
     longest = std::max(longest, piece.force.size());
   }
+  return segment_for(samples, longest);
+}
+}  // namespace
+
+std::vector<ThirdOctave> third_octaves(const double low, const double high)
+{
+  const double half = std::pow(2.0, 1.0 / 6);
+  std::vector<ThirdOctave> thirds;
+  for (int third = -20; third <= 10; ++third) {
+    const double centre = 1000 * std::pow(2.0, third / 3.0);
+    const ThirdOctave part{centre, std::max(low, centre / half), std::min(high, centre * half)};
+    if (part.to > part.from)
+      thirds.push_back(part);
+  }
+  return thirds;
+}
+
+Eigen::Index segment_for(const Eigen::Index samples, const Eigen::Index longest_piece)
+{
   Eigen::Index L = 1 << 16;
-  while (L > 256 && (L > longest || samples < 9 * L / 2))
+  while (L > 256 && (L > longest_piece || samples < 9 * L / 2))
     L /= 2;
   return L;
 }
-}  // namespace
 
 std::vector<BandResidual> band_residuals(const MeasuredResponse &data,
                                          const std::vector<Eigen::MatrixXcd> &residual,
@@ -39,17 +57,12 @@ std::vector<BandResidual> band_residuals(const MeasuredResponse &data,
                                          const double low, const double high)
 {
   const CrossSpectra spectra = cross_spectra(pieces, rate, segment_of(pieces));
-  const double half          = std::pow(2.0, 1.0 / 6);
   std::vector<BandResidual> bands;
   const auto m        = Eigen::Index(data.places.size());
   Eigen::VectorXd all = Eigen::VectorXd::Zero(m);
   for (const BandRecord &band : data.pieces)
     all += band.acceleration.colwise().squaredNorm().transpose() / band.duration;
-  for (int third = -20; third <= 10; ++third) {
-    const double centre = 1000 * std::pow(2.0, third / 3.0), from = std::max(low, centre / half),
-                 to = std::min(high, centre * half);
-    if (to <= from)
-      continue;
+  for (const auto &[centre, from, to] : third_octaves(low, high)) {
     for (Eigen::Index j = 0; j < m; ++j) {
       BandResidual r{centre, j, 0, 0, 0, 0, 0, 0, false};
       double energy = 0, left = 0;

@@ -8,7 +8,7 @@ namespace mill::twin {
 /// What a fit leaves in one third octave of one sensor, beside what no linear model with this force explains.
 struct BandResidual {
   double centre;        ///< Hz
-  Eigen::Index sensor;  ///< from 0
+  Eigen::Index sensor;  ///< from 0; -1: all together
   Eigen::Index bins;    ///< of the whole record's transform
   double energy;        ///< -, share of the sensor's energy in the whole band
   double left;          ///< -, share of the band's energy that the fit leaves
@@ -21,6 +21,15 @@ struct BandResidual {
     return counts && ratio > limit;
   }
 };
+
+/// The part of a third octave that lies in the band that is fitted.
+struct ThirdOctave {
+  double centre, from, to;  ///< Hz
+};
+std::vector<ThirdOctave> third_octaves(double low, double high);
+
+/// Samples of the segments of a coherence: 2^16, fewer in a record that does not hold eight of them.
+Eigen::Index segment_for(Eigen::Index samples, Eigen::Index longest_piece);
 
 /// @param residual  of the whole pieces, as `data`
 /// @param pieces    the same pieces in samples; the coherence comes from segments of 2^16 samples, shorter ones in

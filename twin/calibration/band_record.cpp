@@ -20,8 +20,8 @@ Eigen::Index quick_length(const Eigen::Index n)
 BandRecord band_record(const Eigen::VectorXd &force, const Eigen::MatrixXd &acceleration, const double rate,
                        const double low, const double high, Fourier &fourier, const BetweenSamples between)
 {
-  require(force.size() == acceleration.rows(), "force and accelerations are of one length");
-  const Eigen::Index n     = quick_length(force.size());
+  require(force.size() == acceleration.rows() || force.size() == 0, "force and accelerations are of one length");
+  const Eigen::Index n     = quick_length(acceleration.rows());
   const double df          = rate / double(n);
   const Eigen::Index first = std::max<Eigen::Index>(1, Eigen::Index(std::ceil(low / df - 1e-9))),
                      last  = std::min<Eigen::Index>(n / 2 - 1, Eigen::Index(std::floor(high / df + 1e-9))),
@@ -46,8 +46,9 @@ BandRecord band_record(const Eigen::VectorXd &force, const Eigen::MatrixXd &acce
                                          [&](const Eigen::Index i) { return scale * X[std::size_t(first + i)]; })
         .eval();
   };
-  band.force = transform(force);
-  if (between == BetweenSamples::lines)
+  if (force.size())
+    band.force = transform(force);
+  if (force.size() && between == BetweenSamples::lines)
     for (Eigen::Index i = 0; i < k; ++i) {
       const double half = 0.5 * band.angular[i] / rate, sinc = std::sin(half) / half;
       band.force[i] *= sinc * sinc;

@@ -9,7 +9,7 @@ namespace mill::twin {
 struct BandRecord {
   double duration = 0;            ///< s
   Eigen::VectorXd angular;        ///< (k) rad/s
-  Eigen::VectorXcd force;         ///< (k) N / sqrt(Hz)
+  Eigen::VectorXcd force;         ///< (k) N / sqrt(Hz); empty: not recorded
   Eigen::MatrixXcd acceleration;  ///< (k, m) m/s2 / sqrt(Hz)
 };
 
@@ -22,7 +22,7 @@ enum class BetweenSamples {
 /// No window, no averaging: what the piece carries over from before is taken off by the fit (44.5).
 /// Of n samples the first 2^a 3^b 5^c, even, are used (at least 98 % of a long piece), since the transform of a
 /// large prime takes hours.
-/// @param force         (n) N
+/// @param force         (n) N; empty: not recorded
 /// @param acceleration  (n, m) m/s2
 /// @param low, high     Hz, bins from `low` to `high`, both included
 BandRecord band_record(const Eigen::VectorXd &force, const Eigen::MatrixXd &acceleration, double rate, double low,

@@ -13,15 +13,14 @@ constexpr double interval_rise = 3.84;  // chi-square of one, 95 %
 constexpr double lower_by      = 0.5;   // of the cost: a minimum that is worth another scan
 
 struct Scan {
-  const FittedStand &stand;
+  const FitProblem &problem;
   const Fit &fit;
-  const MeasuredResponse &data;
   FitSettings settings;
   Fit at(const Eigen::VectorXd &start, const Eigen::Index fixed) const
   {
     FitSettings own = settings;
     own.covariance  = fixed < 0;
-    return minimised(stand, fit.unknowns, start, data, fit.noise, own, fixed);
+    return minimised(problem, start, fit.noise, own, fixed);
   }
   double deviance(const Fit &other) const
   {
@@ -66,7 +65,7 @@ Eigen::VectorXd grid_of(const Unknown &unknown)
 
 /// Where the deviance reaches 3.84 on one side of the minimum, others fitted: secant of its root, which is
 /// straight where the valley is.
-double end_of_interval(const Scan &scan, const Eigen::Index spring, const double side)
+Eigen::VectorXd end_of_interval(const Scan &scan, const Eigen::Index spring, const double side)
 {
   const double centre = scan.fit.estimate[spring], wanted = std::sqrt(interval_rise);
   double reach = wanted * scan.fit.sd()[spring], inside = 0, inside_root = 0;
@@ -76,7 +75,7 @@ double end_of_interval(const Scan &scan, const Eigen::Index spring, const double
     const Fit found   = scan.at(theta, spring);
     const double root = std::sqrt(std::max(0.0, scan.deviance(found)));
     if (std::abs(root - wanted) < 0.01 * wanted)
-      break;
+      return found.estimate;
     double next = inside + (reach - inside) * (wanted - inside_root) / std::max(root - inside_root, 1e-6);
     if (root < wanted) {
       inside      = reach;
@@ -87,7 +86,8 @@ double end_of_interval(const Scan &scan, const Eigen::Index spring, const double
       next = std::max(next, inside + 0.1 * (reach - inside));
     reach = next;
   }
-  return centre + side * reach;
+  theta[spring] = centre + side * reach;
+  return theta;
 }
 
 /// Minima of a profile between whose and any lower point the curve rises by at least 1.
@@ -160,17 +160,46 @@ std::vector<Basin> basins_of(const Fit &best, std::vector<Candidate> candidates,
         return b.name == best.unknowns[std::size_t(c.spring)].name && std::abs(b.theta - theta) < 0.5 * step;
       });
       if (!known && std::abs(theta - best.estimate[c.spring]) > 0.5 * step)
-        basins.push_back({best.unknowns[std::size_t(c.spring)].name, theta, 2 * (fit->cost - best.cost)});
+        basins.push_back(
+            {best.unknowns[std::size_t(c.spring)].name, theta, 2 * (fit->cost - best.cost), fit->estimate});
     }
   std::sort(basins.begin(), basins.end(), [](const Basin &a, const Basin &b) { return a.deviance < b.deviance; });
   return basins;
 }
 }  // namespace
 
+void set_intervals(const FitProblem &problem, const FitSettings &settings, ScannedFit &scan)
+{
+  const Eigen::VectorXd sd = scan.best.sd();
+  scan.interval.resize(sd.size(), 2);
+  scan.interval.col(0) = scan.best.estimate - 1.96 * sd;
+  scan.interval.col(1) = scan.best.estimate + 1.96 * sd;
+  std::vector<Eigen::Index> springs;
+  for (const Profile &profile : scan.profiles)
+    for (std::size_t i = 0; i < scan.best.unknowns.size(); ++i)
+      if (scan.best.unknowns[i].name == profile.name)
+        springs.push_back(Eigen::Index(i));
+  scan.ends.assign(2 * springs.size(), scan.best.estimate);
+  FitSettings single = settings;
+  single.threads     = 1;  // the ends share the threads
+  const Scan last{problem, scan.best, single};
+  share_tasks(long(2 * springs.size()), settings.threads, [&](const long t) {
+    const Eigen::Index spring    = springs[std::size_t(t / 2)];
+    scan.ends[std::size_t(t)]    = end_of_interval(last, spring, t % 2 == 0 ? -1 : 1);
+    scan.interval(spring, t % 2) = scan.ends[std::size_t(t)][spring];
+  });
+}
+
 ScannedFit scanned(const FittedStand &stand, const Fit &first, const MeasuredResponse &data,
                    const FitSettings &settings, const std::function<void(double)> &progress)
 {
-  ScannedFit result{first, {}, {}, {}, 0};
+  return scanned(recorded_force(stand, first.unknowns, data), first, settings, progress);
+}
+
+ScannedFit scanned(const FitProblem &problem, const Fit &first, const FitSettings &settings,
+                   const std::function<void(double)> &progress)
+{
+  ScannedFit result{first, {}, {}, {}, {}, 0};
   FitSettings single = settings;
   single.threads     = 1;  // the walks share the threads
   std::vector<Eigen::Index> springs;
@@ -188,7 +217,7 @@ ScannedFit scanned(const FittedStand &stand, const Fit &first, const MeasuredRes
       if (progress)
         progress(double(++done) / double(2 * springs.size()));
     };
-    const Scanned scan = scan_once({stand, scanned_fit, data, single}, springs, settings.threads, one_done);
+    const Scanned scan = scan_once({problem, scanned_fit, single}, springs, settings.threads, one_done);
     result.profiles    = scan.profiles;
     for (const Candidate &c : scan.candidates)
       if (c.fit.cost < result.best.cost)
@@ -200,18 +229,10 @@ ScannedFit scanned(const FittedStand &stand, const Fit &first, const MeasuredRes
       result.basins = basins_of(result.best, scan.candidates, scanned_fit);
       break;
     }
-    result.best = fitted(stand, first.unknowns, result.best.estimate, data, settings);
+    result.best = fitted(problem, result.best.estimate, settings);
     ++result.starts_over;
   }
-  const Eigen::VectorXd sd = result.best.sd();
-  result.interval.resize(sd.size(), 2);
-  result.interval.col(0) = result.best.estimate - 1.96 * sd;
-  result.interval.col(1) = result.best.estimate + 1.96 * sd;
-  const Scan last{stand, result.best, data, single};
-  share_tasks(long(2 * springs.size()), settings.threads, [&](const long t) {
-    result.interval(springs[std::size_t(t / 2)], t % 2) =
-        end_of_interval(last, springs[std::size_t(t / 2)], t % 2 == 0 ? -1 : 1);
-  });
+  set_intervals(problem, settings, result);
   return result;
 }
 }  // namespace mill::twin

@@ -15,23 +15,30 @@ struct Profile {
 
 /// A minimum of its own on a profile.
 struct Basin {
-  std::string name;  ///< of the unknown that was scanned
-  double theta;      ///< of that unknown
-  double deviance;   ///< over the lowest minimum
+  std::string name;    ///< of the unknown that was scanned
+  double theta;        ///< of that unknown
+  double deviance;     ///< over the lowest minimum
+  Eigen::VectorXd at;  ///< (p) all unknowns there
 };
 
 struct ScannedFit {
-  Fit best;                       ///< the lowest minimum of all
-  std::vector<Profile> profiles;  ///< of springs whose sd is more than 0.01 of the prior's
-  std::vector<Basin> basins;      ///< minima with a deviance below 100 besides the lowest; lowest first
-  Eigen::MatrixXd interval;       ///< (p, 2) theta, 95 %: deviance 3.84 of scanned springs, else 1.96 sd
-  int starts_over = 0;            ///< how often a scan found a lower minimum and all began again
+  Fit best;                           ///< the lowest minimum of all
+  std::vector<Profile> profiles;      ///< of springs whose sd is more than 0.01 of the prior's
+  std::vector<Basin> basins;          ///< minima with a deviance below 100 besides the lowest; lowest first
+  Eigen::MatrixXd interval;           ///< (p, 2) theta, 95 %: deviance 3.84 of scanned springs, else 1.96 sd
+  std::vector<Eigen::VectorXd> ends;  ///< (p) all unknowns at the ends of the intervals that profiles gave
+  int starts_over = 0;                ///< how often a scan found a lower minimum and all began again
 };
+
+/// Intervals of the best fit: by profiles of the springs that were scanned.
+void set_intervals(const FitProblem &problem, const FitSettings &settings, ScannedFit &scan);
 
 /// Scans around a fit: each spring with sd > 0.01 prior sd over +-2.5 prior sd in 17 steps, walked from both ends,
 /// each step fitted from the one before.  A lower minimum replaces the fit (noise renewed) and is scanned again,
 /// at most three times. Cost: some 250 descents; 5 s for 20 s, two sensors, seven unknowns, on two threads.
 /// @param progress  called with the fraction done
+ScannedFit scanned(const FitProblem &problem, const Fit &first, const FitSettings &settings,
+                   const std::function<void(double)> &progress = {});
 ScannedFit scanned(const FittedStand &stand, const Fit &first, const MeasuredResponse &data,
                    const FitSettings &settings, const std::function<void(double)> &progress = {});
 }  // namespace mill::twin

@@ -1,5 +1,7 @@
 #include "twin/calibration/calibration.h"
 #include "dynamics/response/response_slopes.h"
+#include "twin/calibration/calibration_parts.h"
+#include "twin/calibration/output_only_calibration.h"
 #include "twin/calibration/words.h"
 #include <algorithm>
 #include <cmath>
@@ -7,9 +9,10 @@
 
 namespace mill::twin {
 namespace {
-constexpr double told_shrink = 0.5, other_basin = 9, far_from_prior = 3;
+constexpr double told_shrink = 0.5;
+}  // namespace
 
-MeasuredResponse band_of(const CalibrationInput &in, const std::vector<ForcedSamples> &pieces)
+MeasuredResponse measured_response(const CalibrationInput &in, const std::vector<ForcedSamples> &pieces)
 {
   Fourier fourier;
   MeasuredResponse data{{}, in.places};
@@ -19,7 +22,7 @@ MeasuredResponse band_of(const CalibrationInput &in, const std::vector<ForcedSam
   return data;
 }
 
-double seconds(const MeasuredResponse &data)
+double seconds_of(const MeasuredResponse &data)
 {
   double sum = 0;
   for (const BandRecord &band : data.pieces)
@@ -27,6 +30,7 @@ double seconds(const MeasuredResponse &data)
   return sum;
 }
 
+namespace {
 /// A delay of two clocks: where the case explains most of the record, over +-50 ms.
 double first_delay(const CalibrationInput &in, const MeasuredResponse &data, const NoiseDensity &noise,
                    Eigen::VectorXd theta, const Eigen::Index delay)
@@ -64,22 +68,23 @@ Eigen::VectorXd start_of(const CalibrationInput &in, const MeasuredResponse &dat
   return coarse_start(in.stand, moved.unknowns, in.fit, in.places, in.rate, in.low, in.high);
 }
 
-/// What is told, what is not, and why.
-std::vector<Calibrated> judged(const ScannedFit &scan)
+}  // namespace
+
+std::vector<Calibrated> judged(const ScannedFit &scan, const Eigen::VectorXd &sd)
 {
-  const Fit &fit               = scan.best;
-  const Eigen::VectorXd shrink = fit.shrink(), sd = fit.sd();
+  const Fit &fit = scan.best;
   std::vector<Calibrated> all;
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
-    const auto j = Eigen::Index(i);
+    const auto j        = Eigen::Index(i);
+    const double shrink = sd[j] / fit.unknowns[i].prior_sd;
     Calibrated c{fit.unknowns[i].name,
                  fit.unknowns[i].prior_sd,
                  fit.estimate[j],
                  sd[j],
                  scan.interval(j, 0),
                  scan.interval(j, 1),
-                 shrink[j],
-                 shrink[j] <= told_shrink,
+                 shrink,
+                 shrink <= told_shrink,
                  fit.estimate[j],
                  ""};
     if (!c.told)
@@ -95,29 +100,29 @@ std::vector<Calibrated> judged(const ScannedFit &scan)
   return all;
 }
 
-/// What is told fitted again with the rest at its prior.
-void keep_priors(const CalibrationInput &in, const MeasuredResponse &data, Calibration &result)
+Eigen::VectorXd keep_priors(const ProblemOf &problem_of, const Fit &joint, const int threads, Calibration &result)
 {
-  const Fit &joint          = result.scan.best;
   std::vector<Unknown> held = joint.unknowns;
   Eigen::VectorXd theta     = joint.estimate;
   bool any                  = false;
-  for (std::size_t i = 0; i < held.size(); ++i)
+  for (std::size_t i = 0; i < result.unknowns.size(); ++i)
     if (!result.unknowns[i].told) {
       held[i].prior_sd       = 1e-6;  // a prior that no record moves
       theta[Eigen::Index(i)] = held[i].prior;
       any                    = true;
     }
   if (!any)
-    return;
-  const Fit kept = minimised(in.stand, held, theta, data, joint.noise, {3, 60, 1e-4, in.threads});
+    return joint.estimate;
+  const Fit kept = minimised(problem_of(held), theta, joint.noise, {3, 60, 1e-4, threads});
   const double cost =
-      likelihood(in.stand, joint.unknowns, kept.estimate, data, joint.noise, Wanted::cost, in.threads).cost;
+      problem_of(joint.unknowns).likelihood(kept.estimate, joint.noise, Wanted::cost, threads).cost;
   result.kept_deviance = 2 * (cost - joint.cost);
-  for (std::size_t i = 0; i < held.size(); ++i)
+  for (std::size_t i = 0; i < result.unknowns.size(); ++i)
     result.unknowns[i].kept = result.unknowns[i].told ? kept.estimate[Eigen::Index(i)] : held[i].prior;
+  return kept.estimate;
 }
 
+namespace {
 Held held_against(const CalibrationInput &in, const Eigen::VectorXd &theta, const MeasuredResponse &data,
                   const std::vector<ForcedSamples> &pieces, const MeasuredResponse &fit_data,
                   const NoiseDensity &noise)
@@ -156,11 +161,10 @@ void add_band_refusals(std::vector<std::string> &refusals, const CalibrationInpu
                                    in.sensors[std::size_t(worst->sensor)], worst->ratio, worst->limit));
 }
 
-std::vector<std::string> refusals_of(const CalibrationInput &in, const Calibration &c)
+}  // namespace
+
+void add_other_refusals(std::vector<std::string> &refusals, const CalibrationInput &in, const Calibration &c)
 {
-  std::vector<std::string> refusals;
-  add_band_refusals(refusals, in, c.fit, "fitted records");
-  add_band_refusals(refusals, in, c.check, "check records");
   if (!(c.check.after < c.check.before))
     refusals.push_back(fmt::format("the check records fit no better than before: misfit {:.4g}, before {:.4g}",
                                    c.check.after, c.check.before));
@@ -182,8 +186,9 @@ std::vector<std::string> refusals_of(const CalibrationInput &in, const Calibrati
     refusals.push_back(channel + " is clipped");
   if (!c.scan.best.converged)
     refusals.push_back("the fit did not converge");
-  return refusals;
 }
+
+namespace {
 
 /// |H1| of the check records beside the case and the calibrated case.
 Table response_table(const CalibrationInput &in, const Eigen::VectorXd &theta)
@@ -232,32 +237,37 @@ Table response_table(const CalibrationInput &in, const Eigen::VectorXd &theta)
 
 Calibration calibrate(const CalibrationInput &in, const Progress &progress)
 {
+  if (!in.force_recorded)
+    return calibrate_output_only(in, progress);
   Calibration result;
   progress.at("start", 0);
-  const MeasuredResponse data = band_of(in, in.fit);
+  const MeasuredResponse data = measured_response(in, in.fit);
   const Eigen::VectorXd start = start_of(in, data);
   const FitSettings settings{3, 60, 1e-4, in.threads};
   progress.at("fit", 0);
   const Fit first = fitted(in.stand, in.unknowns, start, data, settings);
   result.scan     = scanned(in.stand, first, data, settings, [&](const double f) { progress.at("basins", f); });
-  result.unknowns = judged(result.scan);
+  result.unknowns = judged(result.scan, result.scan.best.sd());
   result.told     = told(result.scan.best.information, in.unknowns);
   result.unseen   = unseen_directions(result.told, in.stand);
   const Eigen::VectorXd scale = result.scan.best.sd().cwiseInverse();
   result.correlation          = scale.asDiagonal() * result.scan.best.covariance * scale.asDiagonal();
-  keep_priors(in, data, result);
+  keep_priors([&](const std::vector<Unknown> &unknowns) { return recorded_force(in.stand, unknowns, data); },
+              result.scan.best, in.threads, result);
   progress.at("check", 0);
-  const MeasuredResponse check = band_of(in, in.check);
+  const MeasuredResponse check = measured_response(in, in.check);
   Eigen::VectorXd theta(Eigen::Index(in.unknowns.size()));
   for (std::size_t i = 0; i < result.unknowns.size(); ++i)
     theta[Eigen::Index(i)] = result.unknowns[i].kept;
   const NoiseDensity &noise = result.scan.best.noise;
   result.fit                = held_against(in, theta, data, in.fit, data, noise);
   result.check              = held_against(in, theta, check, in.check, data, noise);
-  result.fit_seconds        = seconds(data);
-  result.check_seconds      = seconds(check);
+  result.fit_seconds        = seconds_of(data);
+  result.check_seconds      = seconds_of(check);
   result.response           = response_table(in, theta);
-  result.refusals           = refusals_of(in, result);
+  add_band_refusals(result.refusals, in, result.fit, "fitted records");
+  add_band_refusals(result.refusals, in, result.check, "check records");
+  add_other_refusals(result.refusals, in, result);
   return result;
 }
 }  // namespace mill::twin

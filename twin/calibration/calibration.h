@@ -3,6 +3,7 @@
 #include "core/records/csv.h"
 #include "twin/calibration/adequacy.h"
 #include "twin/calibration/basins.h"
+#include "twin/calibration/output_only_adequacy.h"
 #include "twin/calibration/plan.h"
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ struct CalibrationInput {
   BetweenSamples between = BetweenSamples::smooth;
   std::vector<std::string> clipped;  ///< channels of the records that are clipped; they are not among the sensors
   int threads = 1;
+  /// false: pieces have no force; it is eliminated (44.5), and no delay is among the unknowns
+  bool force_recorded = true;
 };
 
 /// One unknown after the record.
@@ -39,7 +42,15 @@ struct Calibrated {
 struct Held {
   double before = 0, after = 0;  ///< mean of |r|^2 over the noise that the fit left
   std::vector<BandResidual> bands;
-  double worst = 0;  ///< ratio over its limit, of bands that count
+  double worst = 0;               ///< ratio over its limit, of bands that count
+  std::vector<LevelBand> levels;  ///< of a force that was not recorded; empty where it was
+};
+
+/// Density of a force that was not recorded, as the fitted accelerations show it.
+struct EstimatedForce {
+  Eigen::VectorXd frequency;  ///< (q) Hz, knots between which ln of the density is linear in ln of the frequency
+  Eigen::VectorXd density;    ///< (q) N^2/Hz, one-sided
+  Eigen::VectorXd sd;         ///< (q) -, of its logarithm
 };
 
 struct Calibration {
@@ -53,6 +64,11 @@ struct Calibration {
   std::vector<std::string> refusals;          ///< why no case is written; empty: none
   Table response;                             ///< check record: |H1| measured, before, after by sensor
   double fit_seconds = 0, check_seconds = 0;  ///< s, of the pieces
+  EstimatedForce force;                       ///< where none was recorded; empty where one was
+  bool force_recorded() const
+  {
+    return force.frequency.size() == 0;
+  }
 };
 
 /// Start, fit, basins, what is told, and whether the model is right.

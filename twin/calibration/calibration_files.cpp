@@ -9,6 +9,8 @@ namespace mill::twin {
 namespace {
 using nlohmann::ordered_json;
 
+const std::string all_sensors = "all sensors together";
+
 ordered_json finite(const double value)
 {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
@@ -50,7 +52,9 @@ Results values_of(const Calibration &result)
     p.error_lacks = {"one record has one misfit"};
     values.add(name, p);
   };
-  misfit("misfit.check.before", result.check.before, "mean of |r|^2 over the noise of the fit, case as it was",
+  misfit("misfit.check.before", result.check.before,
+         result.force_recorded() ? "mean of |r|^2 over the noise of the fit, case as it was"
+                                 : "the same of what no force explains, case as it was",
          result.check_seconds);
   misfit("misfit.check.after", result.check.after, "the same, calibrated", result.check_seconds);
   misfit("worst_band.fit", result.fit.worst, "what is left over what a linear model must leave, over its limit",
@@ -88,15 +92,29 @@ ordered_json bands_of(const CalibrationInput &input, const Held &held)
   ordered_json all = ordered_json::array();
   for (const BandResidual &band : held.bands)
     all.push_back({
-        {"centre", finite(band.centre)                    },
-        {"sensor", input.sensors[std::size_t(band.sensor)]},
-        {"bins",   band.bins                              },
-        {"energy", finite(band.energy)                    },
-        {"left",   finite(band.left)                      },
-        {"floor",  finite(band.floor)                     },
-        {"ratio",  finite(band.ratio)                     },
-        {"limit",  finite(band.limit)                     },
-        {"counts", band.counts                            }
+        {"centre", finite(band.centre)                                                    },
+        {"sensor", band.sensor < 0 ? all_sensors : input.sensors[std::size_t(band.sensor)]},
+        {"bins",   band.bins                                                              },
+        {"energy", finite(band.energy)                                                    },
+        {"left",   finite(band.left)                                                      },
+        {"floor",  finite(band.floor)                                                     },
+        {"ratio",  finite(band.ratio)                                                     },
+        {"limit",  finite(band.limit)                                                     },
+        {"counts", band.counts                                                            }
+    });
+  return all;
+}
+
+ordered_json levels_of(const Held &held)
+{
+  ordered_json all = ordered_json::array();
+  for (const LevelBand &band : held.levels)
+    all.push_back({
+        {"centre", finite(band.centre)},
+        {"bins",   band.bins          },
+        {"ratio",  finite(band.ratio) },
+        {"limit",  finite(band.limit) },
+        {"counts", band.counts        }
     });
   return all;
 }
@@ -145,6 +163,14 @@ std::string calibration_json(const CalibrationInput &input, const Calibration &r
               {"fit",   bands_of(input, result.fit)  },
               {"check", bands_of(input, result.check)}
   };
+  document["force_recorded"] = result.force_recorded();
+  if (!result.force_recorded()) {
+    document["without_force"] = without_force_words();
+    document["levels"]        = {
+               {"fit",   levels_of(result.fit)  },
+               {"check", levels_of(result.check)}
+    };
+  }
   document["refusals"] = result.refusals;
   document["notes"]    = facts.notes;
   document["written"]  = facts.written;
@@ -156,6 +182,16 @@ std::map<std::string, Table> calibration_tables(const Calibration &result)
   std::map<std::string, Table> tables;
   if (!result.response.columns.empty())
     tables.emplace("response", result.response);
+  if (!result.force_recorded()) {
+    const EstimatedForce &f   = result.force;
+    const Eigen::VectorXd mid = f.density.cwiseSqrt(), reach = (0.98 * f.sd).array().exp().matrix();
+    Table force;  // amplitudes: half the logarithm, 1.96 sd
+    force.add("frequency", "Hz", f.frequency);
+    force.add("density", "N/sqrt(Hz)", mid);
+    force.add("low", "N/sqrt(Hz)", mid.cwiseQuotient(reach));
+    force.add("high", "N/sqrt(Hz)", mid.cwiseProduct(reach));
+    tables.emplace("force", force);
+  }
   Table profiles;
   for (const Profile &profile : result.scan.profiles) {
     profiles.add(profile.name + ".theta", "", profile.theta);

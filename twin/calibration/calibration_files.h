@@ -20,6 +20,6 @@ struct CalibrationFacts {
 std::string calibration_json(const CalibrationInput &input, const Calibration &result,
                              const CalibrationFacts &facts);
 
-/// Tables by name without ".csv": response, profiles.
+/// Tables by name without ".csv": response, profiles; force where none was recorded.
 std::map<std::string, Table> calibration_tables(const Calibration &result);
 }  // namespace mill::twin

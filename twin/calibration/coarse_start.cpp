@@ -1,5 +1,6 @@
 #include "twin/calibration/coarse_start.h"
 #include "twin/calibration/fit.h"
+#include "twin/calibration/hann_window.h"
 #include "twin/calibration/modal_columns.h"
 #include <algorithm>
 #include <cmath>
@@ -7,21 +8,6 @@
 
 namespace mill::twin {
 namespace {
-constexpr Eigen::Index reach = 6, parts = 4;  // bins on either side, steps of a bin
-
-/// |W|^2 of a periodic Hann window at quarter bins, of sum 1.
-Eigen::VectorXd hann_weights()
-{
-  Eigen::VectorXd w(2 * reach * parts + 1);
-  for (Eigen::Index q = 0; q < w.size(); ++q) {
-    const double x    = double(q - reach * parts) / parts;
-    const double sinc = x == 0 ? 1 : std::sin(M_PI * x) / (M_PI * x);
-    const double W    = std::abs(std::abs(x) - 1) < 1e-12 ? 0.5 : sinc / (1 - x * x);
-    w[q]              = W * W;
-  }
-  return w / w.sum();
-}
-
 /// H1 of one length of segment with its variance.
 struct Estimate {
   Eigen::Index first = 0;    ///< bin
@@ -47,15 +33,6 @@ Estimate h1_of(const CrossSpectra &s, const double low, const double high)
       e.variance(b, j)  = std::max(left / (FF * std::max(1.0, s.averages() - 1)), 1e-300);
     }
   return e;
-}
-
-/// Column of the fine grid seen through the window at the bins of the estimate.
-Eigen::VectorXcd seen_through(const Eigen::VectorXcd &fine, const Eigen::VectorXd &weights, const Eigen::Index k)
-{
-  Eigen::VectorXcd out(k);
-  for (Eigen::Index b = 0; b < k; ++b)
-    out[b] = (fine.segment(b * parts, weights.size()).array() * weights.array()).sum();
-  return out;
 }
 
 Likelihood windowed_cost(const FittedStand &stand, const std::vector<Unknown> &unknowns,
@@ -146,13 +123,8 @@ Eigen::VectorXd coarse_start(const FittedStand &stand, const std::vector<Unknown
     const Estimate e = h1_of(s, low, high);
     if (e.H.rows() < 4)
       continue;
-    BandRecord fine;  // of unit force
-    const Eigen::Index k = (e.H.rows() - 1) * parts + weights.size();
-    fine.angular         = Eigen::VectorXd::NullaryExpr(k, [&](const Eigen::Index q) {
-      return std::max(1e-3, e.bin * (double(e.first) + double(q - reach * parts) / parts));
-    });
-    fine.force           = Eigen::VectorXcd::Ones(k);
-    theta                = descend([&](const Eigen::VectorXd &at,
+    const BandRecord fine = fine_grid(e.bin, e.first, e.H.rows());
+    theta                 = descend([&](const Eigen::VectorXd &at,
                         Wanted) { return windowed_cost(stand, unknowns, at, e, fine, weights, places); },
                     unknowns, theta, 60, 1e-3)
                 .theta;

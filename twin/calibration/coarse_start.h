@@ -6,7 +6,7 @@
 namespace mill::twin {
 /// Samples of one piece of a record.
 struct ForcedSamples {
-  Eigen::VectorXd force;         ///< (n) N
+  Eigen::VectorXd force;         ///< (n) N; empty: not recorded
   Eigen::MatrixXd acceleration;  ///< (n, m) m/s2
 };
 

@@ -41,7 +41,6 @@ Eigen::MatrixXd posterior_covariance(const Eigen::MatrixXd &information, const s
          scale.asDiagonal();
 }
 
-namespace {
 double number_of_values(const MeasuredResponse &data)
 {
   double n = 0;
@@ -49,7 +48,6 @@ double number_of_values(const MeasuredResponse &data)
     n += double(band.acceleration.size());
   return n;
 }
-}  // namespace
 
 Eigen::VectorXd Fit::sd() const
 {
@@ -100,42 +98,62 @@ Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns
   return descent;
 }
 
-Fit minimised(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
-              const MeasuredResponse &data, const NoiseDensity &noise, const FitSettings &settings,
-              const Eigen::Index fixed)
+FitProblem recorded_force(const FittedStand &stand, const std::vector<Unknown> &unknowns,
+                          const MeasuredResponse &data)
 {
-  const Descent found = descend(
-      [&](const Eigen::VectorXd &theta, const Wanted wanted) {
-        return likelihood(stand, unknowns, theta, data, noise, wanted, settings.threads);
-      },
-      unknowns, start, settings.steps, settings.decrease, fixed);
+  FitProblem problem;
+  problem.unknowns   = unknowns;
+  problem.likelihood = [&stand, &data, unknowns](const Eigen::VectorXd &theta, const NoiseDensity &noise,
+                                                 const Wanted wanted, const int threads) {
+    return likelihood(stand, unknowns, theta, data, noise, wanted, threads);
+  };
+  problem.renewed = [&stand, &data, unknowns](const Eigen::VectorXd &theta, const NoiseDensity &noise) {
+    return noise_of(residuals(stand, unknowns, theta, data, noise));
+  };
+  problem.before = noise_before(data);
+  problem.values = number_of_values(data);
+  return problem;
+}
+
+Fit minimised(const FitProblem &problem, const Eigen::VectorXd &start, const NoiseDensity &noise,
+              const FitSettings &settings, const Eigen::Index fixed)
+{
+  const Descent found =
+      descend([&](const Eigen::VectorXd &theta,
+                  const Wanted wanted) { return problem.likelihood(theta, noise, wanted, settings.threads); },
+              problem.unknowns, start, settings.steps, settings.decrease, fixed);
   Fit fit;
-  fit.unknowns  = unknowns;
+  fit.unknowns  = problem.unknowns;
   fit.estimate  = found.theta;
   fit.steps     = found.steps;
   fit.converged = found.converged;
   fit.cost      = found.at.cost;
-  fit.misfit    = found.at.residual / number_of_values(data);
+  fit.misfit    = found.at.residual / problem.values;
   fit.noise     = noise;
   if (!settings.covariance)
     return fit;
-  fit.information =
-      likelihood(stand, unknowns, found.theta, data, noise, Wanted::information, settings.threads).information;
-  fit.covariance = posterior_covariance(fit.information, unknowns);
+  fit.information = problem.likelihood(found.theta, noise, Wanted::information, settings.threads).information;
+  fit.covariance  = posterior_covariance(fit.information, problem.unknowns);
   return fit;
 }
 
-Fit fitted(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
-           const MeasuredResponse &data, const FitSettings &settings)
+Fit minimised(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
+              const MeasuredResponse &data, const NoiseDensity &noise, const FitSettings &settings,
+              const Eigen::Index fixed)
+{
+  return minimised(recorded_force(stand, unknowns, data), start, noise, settings, fixed);
+}
+
+Fit fitted(const FitProblem &problem, const Eigen::VectorXd &start, const FitSettings &settings)
 {
   Fit fit;
   Eigen::VectorXd theta = start;
-  NoiseDensity noise    = noise_before(data);
+  NoiseDensity noise    = problem.before;
   int steps             = 0;
   bool converged        = true;
   for (int round = 0; round <= settings.renewals; ++round) {
-    noise = noise_of(residuals(stand, unknowns, theta, data, noise));
-    fit   = minimised(stand, unknowns, theta, data, noise, settings);
+    noise = problem.renewed(theta, noise);
+    fit   = minimised(problem, theta, noise, settings);
     theta = fit.estimate;
     steps += fit.steps;
     converged = fit.converged;
@@ -145,24 +163,36 @@ Fit fitted(const FittedStand &stand, const std::vector<Unknown> &unknowns, const
   return fit;
 }
 
-double misfit_on(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta,
-                 const MeasuredResponse &data, const MeasuredResponse &fit_data, const NoiseDensity &noise)
+Fit fitted(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
+           const MeasuredResponse &data, const FitSettings &settings)
 {
-  // The longest piece of the fit says the noise best.
+  return fitted(recorded_force(stand, unknowns, data), start, settings);
+}
+
+NoiseDensity carried_noise(const NoiseDensity &noise, const MeasuredResponse &from, const MeasuredResponse &to)
+{
+  // The longest piece says the noise best.
   std::size_t longest = 0;
-  for (std::size_t i = 0; i < fit_data.pieces.size(); ++i)
-    if (fit_data.pieces[i].angular.size() > fit_data.pieces[longest].angular.size())
+  for (std::size_t i = 0; i < from.pieces.size(); ++i)
+    if (from.pieces[i].angular.size() > from.pieces[longest].angular.size())
       longest = i;
-  const Eigen::VectorXd &from = fit_data.pieces[longest].angular;
+  const Eigen::VectorXd &known = from.pieces[longest].angular;
   NoiseDensity carried;
-  for (const BandRecord &band : data.pieces) {
+  for (const BandRecord &band : to.pieces) {
     Eigen::MatrixXd there(band.angular.size(), band.acceleration.cols());
     for (Eigen::Index b = 0; b < there.rows(); ++b) {
-      const auto at = std::lower_bound(from.data(), from.data() + from.size(), band.angular[b]) - from.data();
-      there.row(b)  = noise[longest].row(std::min<Eigen::Index>(at, from.size() - 1));
+      const auto at = std::lower_bound(known.data(), known.data() + known.size(), band.angular[b]) - known.data();
+      there.row(b)  = noise[longest].row(std::min<Eigen::Index>(at, known.size() - 1));
     }
     carried.push_back(std::move(there));
   }
-  return likelihood(stand, unknowns, theta, data, carried, Wanted::cost).residual / number_of_values(data);
+  return carried;
+}
+
+double misfit_on(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta,
+                 const MeasuredResponse &data, const MeasuredResponse &fit_data, const NoiseDensity &noise)
+{
+  return likelihood(stand, unknowns, theta, data, carried_noise(noise, fit_data, data), Wanted::cost).residual /
+         number_of_values(data);
 }
 }  // namespace mill::twin

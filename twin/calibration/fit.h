@@ -43,16 +43,40 @@ struct Descent {
 Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
                 int most_steps, double decrease, Eigen::Index fixed = -1);
 
+/// What is fitted: how records weigh theta, with and without a recorded force.
+struct FitProblem {
+  std::vector<Unknown> unknowns;
+  std::function<Likelihood(const Eigen::VectorXd &theta, const NoiseDensity &noise, Wanted wanted, int threads)>
+      likelihood;
+  /// Noise that what is left at theta shows, weighed with `noise` until then.
+  std::function<NoiseDensity(const Eigen::VectorXd &theta, const NoiseDensity &noise)> renewed;
+  NoiseDensity before;  ///< noise for the first renewal
+  double values = 0;    ///< complex numbers that are weighed
+};
+
+/// Records whose force was recorded.  `stand` and `data` stay where they are while the problem is used.
+FitProblem recorded_force(const FittedStand &stand, const std::vector<Unknown> &unknowns,
+                          const MeasuredResponse &data);
+
 /// One minimisation with fixed noise.
 /// @param fixed  index of an unknown that stays at its start; -1: none
+Fit minimised(const FitProblem &problem, const Eigen::VectorXd &start, const NoiseDensity &noise,
+              const FitSettings &settings = {}, Eigen::Index fixed = -1);
 Fit minimised(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
               const MeasuredResponse &data, const NoiseDensity &noise, const FitSettings &settings = {},
               Eigen::Index fixed = -1);
 
 /// From `start`: noise from the residuals there, minimised, noise renewed, minimised, ..
-/// The minimum beside the start; other basins: basins.h.  Cost: some 20 evaluations of likelihood().
+/// The minimum beside the start; other basins: basins.h.  Cost: some 20 evaluations of the likelihood.
+Fit fitted(const FitProblem &problem, const Eigen::VectorXd &start, const FitSettings &settings = {});
 Fit fitted(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
            const MeasuredResponse &data, const FitSettings &settings = {});
+
+/// Noise of one record for the bins of another, carried over by frequency.
+NoiseDensity carried_noise(const NoiseDensity &noise, const MeasuredResponse &from, const MeasuredResponse &to);
+
+/// Complex accelerations of all pieces and sensors.
+double number_of_values(const MeasuredResponse &data);
 
 /// Mean of |r|^2 over the noise that another record left, carried over by frequency: 1 where the stand explains
 /// this record as well.  theory.md 45.3

@@ -1,8 +1,8 @@
 #include "twin/calibration/likelihood.h"
 #include "core/numerics/require.h"
 #include "core/process/parallel.h"
+#include "twin/calibration/elimination.h"
 #include "twin/calibration/modal_columns.h"
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -76,24 +76,6 @@ Eigen::MatrixXd products(const StandAt &at, const std::vector<Unknown> *unknowns
     sum += part;
   return sum.selfadjointView<Eigen::Lower>();
 }
-
-/// Least squares for the transients from products.  A mode that no sensor sees gets none.
-struct Elimination {
-  Eigen::VectorXd scale;
-  Eigen::LDLT<Eigen::MatrixXd> factor;
-  explicit Elimination(const Eigen::MatrixXd &normal) : scale(normal.rows())
-  {
-    for (Eigen::Index i = 0; i < scale.size(); ++i)
-      scale[i] = normal(i, i) > 0 ? 1 / std::sqrt(normal(i, i)) : 0;
-    Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
-    scaled.diagonal().array() += 1e-12;
-    factor.compute(scaled);
-  }
-  Eigen::MatrixXd solve(const Eigen::MatrixXd &right) const
-  {
-    return scale.asDiagonal() * factor.solve(scale.asDiagonal() * right);
-  }
-};
 }  // namespace
 
 void add_prior(Likelihood &sum, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta)

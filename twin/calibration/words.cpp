@@ -71,6 +71,13 @@ ShownChange shown_change(const Calibrated &unknown)
   return {formatted(unknown.kept), formatted(unknown.estimate), formatted(unknown.low), formatted(unknown.high)};
 }
 
+std::string without_force_words()
+{
+  return "no force was recorded; the force was eliminated: at each frequency the ratios of the accelerations "
+         "count, and their level as far as the force is smooth over a third octave. Where a channel holds the "
+         "force, name it with --channel AI_01=force";
+}
+
 std::string weakest_direction(const Told &told, const FittedStand &stand)
 {
   return words_of(told, told.singular.size() - 1, stand, false);

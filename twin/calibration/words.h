@@ -15,6 +15,9 @@ struct ShownChange {
 };
 ShownChange shown_change(const Calibrated &unknown);
 
+/// What is done where no force was recorded, and the remedy where one was under another name.
+std::string without_force_words();
+
 /// The weakest direction, whether or not it is seen, as a sum alone.
 std::string weakest_direction(const Told &told, const FittedStand &stand);
 }  // namespace mill::twin

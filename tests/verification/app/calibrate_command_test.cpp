@@ -3,6 +3,7 @@
 #include "core/case/case_file.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
+#include "core/records/csv.h"
 #include "core/records/files.h"
 #include "tests/support/calibration_record.h"
 #include "tests/support/program.h"
@@ -124,6 +125,51 @@ TEST(CalibrateCommand, AStandThatCannotExplainTheRecordsIsRefused)
   EXPECT_NE(text.find("; refused, accepted by the user\""), std::string::npos);
 }
 
+// The column of the force is under a name that nobody gave, so that it is none.
+TEST(CalibrateCommand, RecordsWithoutForceBecomeACase)
+{
+  const Stand stand;
+  stand.records("measured", "AI_03 [kN]");
+  const auto done = stand.calibrate("--measured measured --free K3,zeta -o out");
+  ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
+  const std::string words =
+      "no force was recorded; the force was eliminated: at each frequency the ratios of the accelerations count, "
+      "and their level as far as the force is smooth over a third octave. Where a channel holds the force, name "
+      "it "
+      "with --channel AI_01=force";
+  EXPECT_NE(done.out.find("note: " + words + "\n"), std::string::npos) << done.out;
+  const std::string path = stand.folder + "/out/calibrated.toml", text = read_text(path);
+  EXPECT_NE(text.find("# " + words + "\n"), std::string::npos);
+  EXPECT_NE(text.find("source = \"calibrated: records pass.csv; no force recorded; not told: none\""),
+            std::string::npos)
+      << text;
+  const Case calibrated = read_case(path);
+  const auto &lumped    = std::get<Lumped>(calibrated.spec);
+  const Parameter &K3   = lumped.given.at("K3").parameter;
+  const double truth    = calibration::set_r().K[2].value * std::exp(-0.04);
+  EXPECT_LT(std::abs(K3.value / truth - 1), 4 * K3.error_estimate);
+  EXPECT_GT(K3.error_estimate, 1e-4);  // with the force it is known twenty times better
+  EXPECT_NEAR(std::log(lumped.dynamics.modal_damping / 0.01), 0.25, 4 * 0.02);  // the plan of 2 s: 0.017
+  const Table force          = read_table(stand.folder + "/out/force.csv");
+  const Eigen::VectorXd &low = *force.column("low"), &high = *force.column("high");
+  int held = 0;  // 1 kN rms up to 1500 Hz
+  for (Eigen::Index i = 0; i < low.size(); ++i)
+    held += low[i] < 1000 / std::sqrt(1500.0) && high[i] > 1000 / std::sqrt(1500.0);
+  EXPECT_GE(held, int(0.8 * double(low.size())));
+  const auto page = read_text(stand.folder + "/out/report.html");
+  EXPECT_NE(page.find("<p>" + words + ".</p>"), std::string::npos);
+  EXPECT_NE(page.find("as well as any one force can"), std::string::npos);
+  EXPECT_EQ(millstand("report out", stand.folder).exit_code, 0);
+  EXPECT_EQ(read_text(stand.folder + "/out/report.html"), page);
+  expect_said(stand.calibrate("--measured measured --align -q -o out"), 2,
+              "error: --align: no force was recorded, so that there are no two clocks");
+  stand.records("both");
+  fs::copy(stand.folder + "/measured/pass.csv", stand.folder + "/both/second.csv");
+  expect_said(stand.calibrate("--measured both -q -o out"), 2,
+              "both/second.csv: no channel \"force\" in N or kN, which both/pass.csv has; name it with --channel "
+              "AI_01=force, or calibrate records with and without force one after the other");
+}
+
 TEST(CalibrateCommand, LevelsAloneDetermineOneNumber)
 {
   const auto said = millstand("calibrate cases/published-levels.toml --measured cases/data/published-levels");
@@ -224,14 +270,6 @@ TEST(CalibrateCommand, WrongInputIsNamedWithItsRemedy)
   expect_refused(plan_of(stand, "K1,K1", ""), "--free K1,K1: K1 is there twice");
   expect_refused(plan_of(stand, "", "20"),
                  "--duration \"20\": a time above zero is needed, for example --duration \"20 s\"");
-  std::string rows = "time [s],upper_work_roll [m/s2]\n";
-  for (int k = 0; k < 4000; ++k)
-    rows += fmt::format("{:.4f},{:.3f}\n", k / 1000., std::sin(k * 0.7));
-  stand.file("forceless/pass.csv", rows);
-  expect_said(
-      stand.calibrate("--measured forceless -q"), 2,
-      "forceless/pass.csv: no channel \"force\" in N or kN; without the rolling force the records show K/M "
-      "and damping times force only, and nothing is calibrated. Name the channel with --channel AI_01=force");
   expect_said(
       millstand("calibrate cases/two-cylinders.toml --plan"), 2,
       "millstand calibrate: the case cases/two-cylinders.toml has no chain of six masses; name a case of kind "

@@ -1,0 +1,308 @@
+#include "twin/calibration/output_only_calibration.h"
+#include "twin/calibration/calibration_parts.h"
+#include "twin/calibration/output_only_start.h"
+#include "twin/calibration/words.h"
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <memory>
+
+namespace mill::twin {
+namespace {
+FitSettings settings_with(const int threads)
+{
+  return {3, 60, 1e-4, threads};
+}
+
+/// The accelerations as a problem of minimisation by unknowns of the stand with these priors and the knots.
+FitProblem problem_of(const OutputOnly &record, const std::vector<Unknown> &all, const NoiseDensity &before)
+{
+  FitProblem problem;
+  OutputOnly own     = record;
+  own.unknowns       = {all.begin(), all.begin() + long(record.unknowns.size())};
+  const auto kept    = std::make_shared<const OutputOnly>(std::move(own));
+  problem.unknowns   = all;
+  problem.likelihood = [kept](const Eigen::VectorXd &theta, const NoiseDensity &noise, const Wanted wanted,
+                              const int threads) {
+    return output_only_likelihood(*kept, theta, noise, wanted, threads);
+  };
+  problem.renewed = [kept](const Eigen::VectorXd &theta, const NoiseDensity &noise) {
+    return renewed_noise(*kept, theta, noise);
+  };
+  problem.before = before;
+  problem.values = number_of_values(record.data);
+  return problem;
+}
+
+/// Furthest unknown of the stand from its prior, in its deviations.
+double furthest(const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta)
+{
+  double most = 0;
+  for (std::size_t i = 0; i < unknowns.size(); ++i)
+    most = std::max(most, std::abs(theta[Eigen::Index(i)] - unknowns[i].prior) / unknowns[i].prior_sd);
+  return most;
+}
+
+/// Where a minimum that is no correction of this stand and one that is explain the records alike, the latter is
+/// the fit and the former another minimum.  theory.md 45.5
+void prefer_a_correction(const OutputOnly &record, const FitProblem &problem, const FitSettings &settings,
+                         ScannedFit &scan)
+{
+  if (furthest(record.unknowns, scan.best.estimate) <= far_from_prior)
+    return;
+  for (const Basin &basin : scan.basins) {
+    if (basin.deviance >= other_basin || furthest(record.unknowns, basin.at) > far_from_prior)
+      continue;
+    const Fit beyond       = scan.best;
+    const std::string name = basin.name;
+    const Fit nearer       = minimised(problem, basin.at, beyond.noise, settings);
+    const double rise      = 2 * (nearer.cost - beyond.cost);
+    std::vector<Basin> basins;
+    for (Basin other : scan.basins) {
+      other.deviance -= rise;
+      if ((other.at - nearer.estimate).norm() > 0.05 * nearer.estimate.norm())
+        basins.push_back(other);
+    }
+    for (std::size_t i = 0; i < record.unknowns.size(); ++i)
+      if (record.unknowns[i].name == name)
+        basins.insert(basins.begin(), {name, beyond.estimate[Eigen::Index(i)], -rise, beyond.estimate});
+    scan.best   = nearer;
+    scan.basins = std::move(basins);
+    set_intervals(problem, settings, scan);
+    return;
+  }
+}
+
+/// The scan without the knots of the force, which are fitted beside the stand.
+ScannedFit of_the_stand(const ScannedFit &scan, const std::vector<Unknown> &unknowns)
+{
+  const auto p           = Eigen::Index(unknowns.size());
+  ScannedFit stand       = scan;
+  stand.best.unknowns    = unknowns;
+  stand.best.estimate    = scan.best.estimate.head(p);
+  stand.best.covariance  = scan.best.covariance.topLeftCorner(p, p);
+  stand.interval         = scan.interval.topRows(p);
+  Eigen::MatrixXd inside = stand.best.covariance.ldlt().solve(Eigen::MatrixXd::Identity(p, p));
+  for (Eigen::Index i = 0; i < p; ++i)
+    inside(i, i) -= 1 / (unknowns[std::size_t(i)].prior_sd * unknowns[std::size_t(i)].prior_sd);
+  stand.best.information = inside;
+  return stand;
+}
+
+/// Intervals that also cover where other unknowns have the ends of theirs, and other minima below deviance 9; of
+/// the unknown that was scanned only those inside its interval, since one outside is a second value.
+Eigen::MatrixXd covering(const ScannedFit &scan)
+{
+  Eigen::MatrixXd interval = scan.interval;
+  const auto cover         = [&](const Eigen::Index i, const double value) {
+    interval(i, 0) = std::min(interval(i, 0), value);
+    interval(i, 1) = std::max(interval(i, 1), value);
+  };
+  for (const Eigen::VectorXd &end : scan.ends)
+    for (Eigen::Index i = 0; i < interval.rows(); ++i)
+      cover(i, end[i]);
+  for (const Basin &basin : scan.basins)
+    for (Eigen::Index i = 0; basin.deviance < other_basin && i < interval.rows(); ++i)
+      if (scan.best.unknowns[std::size_t(i)].name != basin.name)
+        cover(i, basin.at[i]);
+  return interval;
+}
+
+/// What is told.  A deviation is at least that of the interval, since the valley is curved.  theory.md 45.5
+std::vector<Calibrated> judged_without_force(const OutputOnly &record, const Fit &joint, const ScannedFit &scan)
+{
+  ScannedFit apart = scan;
+  apart.interval   = covering(scan);
+  apart.basins.clear();
+  for (const Basin &basin : scan.basins)
+    for (std::size_t i = 0; i < record.unknowns.size(); ++i)
+      if (const auto j = Eigen::Index(i); record.unknowns[i].name == basin.name &&
+                                          (basin.theta < scan.interval(j, 0) || basin.theta > scan.interval(j, 1)))
+        apart.basins.push_back(basin);
+  const Eigen::VectorXd wide = (apart.interval.col(1) - apart.interval.col(0)) / (2 * 1.96);
+  const Eigen::VectorXd recorded =
+      posterior_covariance(information_with_force(record, joint.estimate, joint.noise), record.unknowns)
+          .diagonal()
+          .cwiseSqrt();
+  std::vector<Calibrated> all = judged(apart, scan.best.sd().cwiseMax(wide));
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!all[i].told)
+      all[i].why_not += fmt::format("; had the force been recorded, {:.2g} % of the prior's deviation would be left",
+                                    100 * recorded[Eigen::Index(i)] / all[i].prior_sd);
+  return all;
+}
+
+/// The density of the force that suits another record, the stand unchanged.
+Eigen::VectorXd with_own_force(const OutputOnly &record, const Eigen::VectorXd &theta, const NoiseDensity &noise,
+                               const int threads)
+{
+  std::vector<Unknown> held = record.all_unknowns();
+  for (std::size_t i = 0; i < record.unknowns.size(); ++i)
+    held[i] = {held[i].name, 1e-9, theta[Eigen::Index(i)]};
+  FitSettings settings = settings_with(threads);
+  settings.covariance  = false;
+  Eigen::VectorXd own  = minimised(problem_of(record, held, noise), theta, noise, settings).estimate;
+  own.head(Eigen::Index(record.unknowns.size())) = theta.head(Eigen::Index(record.unknowns.size()));
+  return own;
+}
+
+struct HeldRecord {
+  Held held;
+  Eigen::VectorXd theta, before;  // with the density of the force of this record
+};
+
+HeldRecord held_against(const CalibrationInput &in, const OutputOnly &record, const Eigen::VectorXd &theta,
+                        const NoiseDensity &carried, const std::vector<ForcedSamples> &pieces)
+{
+  HeldRecord result;
+  Eigen::VectorXd case_itself = theta;
+  for (std::size_t i = 0; i < record.unknowns.size(); ++i)
+    case_itself[Eigen::Index(i)] = 0;
+  result.theta           = with_own_force(record, theta, carried, in.threads);
+  result.before          = with_own_force(record, case_itself, carried, in.threads);
+  result.held.before     = output_only_misfit(record, result.before, carried, in.low, in.high);
+  result.held.after      = output_only_misfit(record, result.theta, carried, in.low, in.high);
+  const NoiseDensity own = renewed_noise(record, result.theta, carried);
+  const auto seen        = seen_force(record, result.theta, own);
+  result.held.bands      = direction_residuals(record, seen, own, pieces, in.rate, in.low, in.high);
+  result.held.levels     = level_bands(record, seen, in.low, in.high);
+  for (const BandResidual &band : result.held.bands)
+    if (band.counts)
+      result.held.worst = std::max(result.held.worst, band.ratio / band.limit);
+  for (const LevelBand &band : result.held.levels)
+    if (band.counts)
+      result.held.worst = std::max(result.held.worst, band.excess());
+  return result;
+}
+
+void add_band_refusals(std::vector<std::string> &refusals, const Held &held, const std::string &records)
+{
+  const BandResidual *worst = nullptr;
+  int wrong                 = 0;
+  for (const BandResidual &band : held.bands)
+    if (band.wrong()) {
+      ++wrong;
+      if (!worst || band.ratio / band.limit > worst->ratio / worst->limit)
+        worst = &band;
+    }
+  if (worst)
+    refusals.push_back(fmt::format("in {} of {} third octaves of the {} the stand leaves more than some one force "
+                                   "must; the worst is {:.1f} Hz: {:.2f} times, limit {:.2f}",
+                                   wrong, held.bands.size(), records, worst->centre, worst->ratio, worst->limit));
+  const LevelBand *steep = nullptr;
+  int uneven             = 0;
+  for (const LevelBand &band : held.levels)
+    if (band.wrong()) {
+      ++uneven;
+      if (!steep || band.excess() > steep->excess())
+        steep = &band;
+    }
+  if (steep)
+    refusals.push_back(
+        fmt::format("in {} of {} narrow bands of the {} this stand needs a force that is not smooth over a third "
+                    "octave; the worst is {:.1f} Hz: {:.2f} times its surroundings, limit {:.2f}. Record the "
+                    "force, or leave out lines of the force by the band of records.toml",
+                    uneven, held.levels.size(), records, steep->centre, steep->ratio, steep->limit));
+}
+
+/// Levels of the check records beside those of the case and of the calibrated case, over Hann segments.
+Table response_table(const CalibrationInput &in, const OutputOnly &record, const HeldRecord &check,
+                     const NoiseDensity &noise)
+{
+  Eigen::Index longest = 0;
+  for (const ForcedSamples &piece : in.check)
+    longest = std::max(longest, piece.acceleration.rows());
+  Eigen::Index L = 1 << 15;
+  while (L > 512 && L > longest / 3)
+    L /= 2;
+  const SpectralMatrices s = spectral_matrices(in.check, in.rate, L);
+  const double df          = in.rate / double(L);
+  const auto first = Eigen::Index(std::ceil(in.low / df)), last = Eigen::Index(std::floor(in.high / df));
+  Table table;
+  if (s.n == 0 || last < first)
+    return table;
+  OutputOnly at_bins = record;
+  BandRecord bins;
+  bins.angular =
+      Eigen::VectorXd::LinSpaced(last - first + 1, 2 * M_PI * df * double(first), 2 * M_PI * df * double(last));
+  bins.acceleration   = Eigen::MatrixXcd::Zero(bins.angular.size(), Eigen::Index(in.places.size()));
+  at_bins.data.pieces = {bins};
+  set_unit_force(at_bins.data);
+  const NoiseDensity there = carried_noise(noise, record.data, at_bins.data);
+  table.add("frequency", "Hz", bins.angular / (2 * M_PI));
+  const SeenForce before = seen_force(at_bins, check.before, there).front(),
+                  after  = seen_force(at_bins, check.theta, there).front();
+  for (std::size_t j = 0; j < in.places.size(); ++j) {
+    const auto c = Eigen::Index(j);
+    Eigen::VectorXd measured(bins.angular.size());
+    for (Eigen::Index b = 0; b < measured.size(); ++b)
+      measured[b] = std::sqrt(s.density[std::size_t(first + b)](c, c).real());
+    const auto level = [&](const SeenForce &seen) {
+      return (seen.response.col(c).cwiseAbs2().cwiseProduct(seen.density) + there.front().col(c))
+          .cwiseSqrt()
+          .eval();
+    };
+    table.add(in.sensors[j] + ".measured", "m/s2/sqrt(Hz)", measured);
+    table.add(in.sensors[j] + ".before", "m/s2/sqrt(Hz)", level(before));
+    table.add(in.sensors[j] + ".after", "m/s2/sqrt(Hz)", level(after));
+  }
+  return table;
+}
+
+EstimatedForce estimated_force(const OutputOnly &record, const Fit &joint)
+{
+  const Eigen::Index q = record.force.knots.size();
+  return {record.force.knots, record.force.level * joint.estimate.tail(q).array().exp().matrix(),
+          joint.sd().tail(q)};
+}
+
+OutputOnly record_of(const CalibrationInput &in, const std::vector<ForcedSamples> &pieces,
+                     const ForceSpectrum &force)
+{
+  OutputOnly record{in.stand, in.unknowns, measured_response(in, pieces), force};
+  set_unit_force(record.data);
+  return record;
+}
+}  // namespace
+
+Calibration calibrate_output_only(const CalibrationInput &in, const Progress &progress)
+{
+  Calibration result;
+  progress.at("start", 0);
+  OutputOnly record           = record_of(in, in.fit, force_spectrum(in.low, in.high));
+  const Eigen::VectorXd start = output_only_start(record, in.fit, in.rate, in.low, in.high);
+  const FitSettings settings  = settings_with(in.threads);
+  const NoiseDensity before   = equal_noise(record, start);
+  const FitProblem problem    = problem_of(record, record.all_unknowns(), before);
+  progress.at("fit", 0);
+  const Fit first = fitted(problem, start, settings);
+  ScannedFit scan = scanned(problem, first, settings, [&](const double f) { progress.at("basins", f); });
+  prefer_a_correction(record, problem, settings, scan);
+  const Fit joint             = scan.best;
+  result.scan                 = of_the_stand(scan, in.unknowns);
+  result.unknowns             = judged_without_force(record, joint, result.scan);
+  result.told                 = told(result.scan.best.information, in.unknowns);
+  result.unseen               = unseen_directions(result.told, in.stand);
+  const Eigen::VectorXd scale = result.scan.best.sd().cwiseInverse();
+  result.correlation          = scale.asDiagonal() * result.scan.best.covariance * scale.asDiagonal();
+  keep_priors([&](const std::vector<Unknown> &all) { return problem_of(record, all, before); }, joint, in.threads,
+              result);
+  progress.at("check", 0);
+  // Is the model right?  What is not told may be anything, so it is asked with all freed.
+  const OutputOnly check      = record_of(in, in.check, record.force);
+  const NoiseDensity carried  = carried_noise(joint.noise, record.data, check.data);
+  const HeldRecord held_fit   = held_against(in, record, joint.estimate, joint.noise, in.fit),
+                   held_check = held_against(in, check, joint.estimate, carried, in.check);
+  result.fit                  = held_fit.held;
+  result.check                = held_check.held;
+  result.fit_seconds          = seconds_of(record.data);
+  result.check_seconds        = seconds_of(check.data);
+  result.response             = response_table(in, check, held_check, carried);
+  result.force                = estimated_force(record, joint);
+  add_band_refusals(result.refusals, result.fit, "fitted records");
+  add_band_refusals(result.refusals, result.check, "check records");
+  add_other_refusals(result.refusals, in, result);
+  return result;
+}
+}  // namespace mill::twin
