@@ -67,7 +67,7 @@ LumpedModel recalibrated(LumpedModel chain, const twin::Recalibration &found, co
     K.error_estimate = value.sd;
     K.source         = Source::measured;
     K.method         = fmt::format("re-calibration on {:.0f} s beside the mill", found.seconds);
-    K.at             = fmt::format("{:.1f} kN", load / 1e3);
+    K.at             = at_force(load);
   }
   return chain;
 }
