@@ -66,7 +66,7 @@ void CsvFeed::make_rows()
     make_head();
   const auto lines = std::exchange(first_lines_, {});
   for (std::size_t i = head_lines_.size(); i < lines.size(); ++i)
-    row(lines[i], lines_before + int(i) + 1);
+    line(lines[i], lines_before + int(i) + 1);  // among them may be another head
 }
 
 void CsvFeed::make_channels()
