@@ -10,6 +10,7 @@ namespace {
 constexpr std::size_t rows_for_rate = 4096;
 constexpr double block_length       = 0.02;  // s
 constexpr int bad_lines_of_a_file   = 5;
+constexpr double largest_number     = 9e15;  // of a sample, below 2^53
 }  // namespace
 
 CsvFeed::CsvFeed(std::string name, SourceRules rules) : name_(std::move(name)), rules_(std::move(rules)) {}
@@ -207,6 +208,10 @@ void CsvFeed::take_time(const double seconds, const std::vector<double> &values,
       if (closed_)
         return;
     }
+  }
+  if (!(std::abs(seconds + shift_) * head_->rate < largest_number)) {
+    refuse(fmt::format("{}:{}: the time is beyond what samples can be numbered to", name_, number));
+    return;
   }
   const TimedRow row{seconds, values, number};
   const bool begins_again = new_file_ && !head_->start && times_.last() && seconds + shift_ < *times_.last();

@@ -181,6 +181,19 @@ TEST(CsvFaults, ARateThatTheTimesDoNotTellIsRefused)
   }
 }
 
+TEST(CsvFaults, TimesThatRunBackTellNoRate)
+{
+  Lines lines(two_columns);
+  lines.rows(100, 9, -1e-3);
+  try {
+    lines.end();
+    FAIL() << "a rate was told";
+  } catch (const InputError &error) {
+    EXPECT_EQ(error.problems.front().message,
+              "the times do not increase; give the samples per second with --rate 20000");
+  }
+}
+
 TEST(CsvFaults, OneTimeThatJumpsIsRefused)
 {
   Lines lines(two_columns);
