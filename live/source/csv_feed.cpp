@@ -197,17 +197,13 @@ void CsvFeed::begin_again(const std::string_view head, const int number)
 // A time that jumps is believed when the next line follows it; alone, it is refused.
 void CsvFeed::take_time(const double seconds, const std::vector<double> &values, const int number)
 {
-  if (held_) {
-    const TimedRow held = *std::exchange(held_, {});
-    if (RowTimes::follows(held.seconds, seconds, head_->rate)) {
-      say_jump(held);
-      believe(held);
-    } else {
-      held_ = held;
-      refuse_held();
-      if (closed_)
-        return;
-    }
+  if (held_ && !RowTimes::follows(held_->seconds, seconds, head_->rate))
+    refuse_held();
+  if (closed_)
+    return;
+  if (const auto held = std::exchange(held_, {})) {
+    say_jump(*held);
+    believe(*held);
   }
   if (!(std::abs(seconds + shift_) * head_->rate < largest_number)) {
     refuse(fmt::format("{}:{}: the time is beyond what samples can be numbered to", name_, number));
