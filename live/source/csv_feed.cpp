@@ -10,6 +10,7 @@ namespace {
 constexpr std::size_t rows_for_rate = 4096;
 constexpr double block_length       = 0.02;  // s
 constexpr int bad_lines_of_a_file   = 5;
+constexpr double largest_number     = 9e15;  // of a sample, below 2^53
 }  // namespace
 
 CsvFeed::CsvFeed(std::string name, SourceRules rules) : name_(std::move(name)), rules_(std::move(rules)) {}
@@ -66,7 +67,7 @@ void CsvFeed::make_rows()
     make_head();
   const auto lines = std::exchange(first_lines_, {});
   for (std::size_t i = head_lines_.size(); i < lines.size(); ++i)
-    row(lines[i], lines_before + int(i) + 1);
+    line(lines[i], lines_before + int(i) + 1);  // among them may be another head
 }
 
 void CsvFeed::make_channels()
@@ -196,17 +197,17 @@ void CsvFeed::begin_again(const std::string_view head, const int number)
 // A time that jumps is believed when the next line follows it; alone, it is refused.
 void CsvFeed::take_time(const double seconds, const std::vector<double> &values, const int number)
 {
-  if (held_) {
-    const TimedRow held = *std::exchange(held_, {});
-    if (RowTimes::follows(held.seconds, seconds, head_->rate)) {
-      say_jump(held);
-      believe(held);
-    } else {
-      held_ = held;
-      refuse_held();
-      if (closed_)
-        return;
-    }
+  if (held_ && !RowTimes::follows(held_->seconds, seconds, head_->rate))
+    refuse_held();
+  if (closed_)
+    return;
+  if (const auto held = std::exchange(held_, {})) {
+    say_jump(*held);
+    believe(*held);
+  }
+  if (!(std::abs(seconds + shift_) * head_->rate < largest_number)) {
+    refuse(fmt::format("{}:{}: the time is beyond what samples can be numbered to", name_, number));
+    return;
   }
   const TimedRow row{seconds, values, number};
   const bool begins_again = new_file_ && !head_->start && times_.last() && seconds + shift_ < *times_.last();

@@ -20,7 +20,7 @@ public:
   void line(std::string_view text, int number);
   /// No more lines for now: what waits goes out, and the head is made of the rows there are.
   void settle();
-  /// Lines of another file of the same recorder come next.
+  /// Lines of another file of the same recorder come next: its head may be said again, its times may begin again.
   void new_file();
   /// No more lines at all.
   void finish();

@@ -13,6 +13,8 @@ constexpr double another_rate       = 0.05;  // share of the rate
 constexpr double longest_gap        = 1;     // s, within the rows of one look
 constexpr double longest_next_step  = 3;     // samples, of a row that follows another
 
+const char *const not_increasing = "the times do not increase; give the samples per second with --rate 20000";
+
 double median(std::vector<double> values)
 {
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
@@ -68,7 +70,7 @@ double rate_of_times(const std::vector<double> &t)
                                  still, steps.size()));
   const double step = median(steps);
   if (!(step > 0))
-    throw InputError("the times do not increase; give the samples per second with --rate 20000");
+    throw InputError(not_increasing);
   double k = 0;
   std::vector<double> counter{0};
   for (std::size_t i = 1; i < t.size(); ++i)
@@ -85,7 +87,9 @@ double rate_of_times(const std::vector<double> &t)
     kt += (counter[i] - mk) * (t[i] - mt);
   }
   const double slope = kt / kk;
-  double residual    = 0;
+  if (!(slope > 0) || !std::isfinite(1 / slope))
+    throw InputError(not_increasing);
+  double residual = 0;
   for (std::size_t i = 0; i < t.size(); ++i)
     residual = std::max(residual, std::abs(t[i] - mt - slope * (counter[i] - mk)));
   const double tolerance = 1e-10 + 2 * residual / (t.back() - t.front());

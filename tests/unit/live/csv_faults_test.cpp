@@ -3,8 +3,10 @@
 #include "tests/support/came_messages.h"
 #include "tests/support/published_stand.h"
 #include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <random>
 
 using namespace mill;
 
@@ -122,23 +124,26 @@ TEST(CsvFaults, AColumnThatIsMissingIsSaidLineByLine)
 // A recorder was started again with other columns, in the same file.
 TEST(CsvFaults, AnotherHeadBeginsANewRecord)
 {
-  Lines lines("time [s],upper_work_roll [g],force [kN]");
-  for (int k = 0; k < 100; ++k)
-    lines.line(fmt::format("{:.3f},0.1,{}", k * 1e-3, 900 + k));
-  lines.line("time [s],upper_work_roll [g],force [kN]");  // the same again is none
-  lines.line("0.100,0.1,1000");
-  lines.line(two_columns);
-  lines.rows(100, 7, 1e-3);
-  const CameMessages came = lines.end();
-  EXPECT_TRUE(came.refused.empty()) << came.refused.front();
-  ASSERT_EQ(came.heads.size(), 2u);
-  EXPECT_EQ(came.heads[0].channels.size(), 2u);
-  EXPECT_EQ(came.heads[1].channels.size(), 1u);
-  EXPECT_EQ(came.notes, std::vector<std::string>{
-                            "note: mill.csv:104: other columns from here on; it is read as a new record"});
-  ASSERT_EQ(came.numbers.size(), 201u);
-  EXPECT_EQ(came.numbers[200], 99);
-  EXPECT_EQ(came.force[101], 900e3) << "the force of the new columns";
+  for (const int n : {20, 100}) {  // within the lines that tell the columns, and behind them
+    Lines lines("time [s],upper_work_roll [g],force [kN]");
+    for (int k = 0; k < n; ++k)
+      lines.line(fmt::format("{:.3f},0.1,{}", k * 1e-3, 900 + k));
+    lines.line("time [s],upper_work_roll [g],force [kN]");  // the same again is none
+    lines.line(fmt::format("{:.3f},0.1,1000", n * 1e-3));
+    lines.line(two_columns);
+    lines.rows(100, 7, 1e-3);
+    const CameMessages came = lines.end();
+    EXPECT_TRUE(came.refused.empty()) << came.refused.front();
+    ASSERT_EQ(came.heads.size(), 2u);
+    EXPECT_EQ(came.heads[0].channels.size(), 2u);
+    EXPECT_EQ(came.heads[1].channels.size(), 1u);
+    EXPECT_EQ(came.notes,
+              std::vector<std::string>{fmt::format(
+                  "note: mill.csv:{}: other columns from here on; it is read as a new record", n + 4)});
+    ASSERT_EQ(came.numbers.size(), std::size_t(n + 101));
+    EXPECT_EQ(came.numbers.back(), 99);
+    EXPECT_EQ(came.force[std::size_t(n + 1)], 900e3) << "the force of the new columns";
+  }
 }
 
 TEST(CsvFaults, AnotherRateIsGoneOnWith)
@@ -173,6 +178,19 @@ TEST(CsvFaults, ARateThatTheTimesDoNotTellIsRefused)
               "20000");
     EXPECT_EQ(error.problems.front().place.file, "mill.csv");
     EXPECT_EQ(error.problems.front().place.column, 1);
+  }
+}
+
+TEST(CsvFaults, TimesThatRunBackTellNoRate)
+{
+  Lines lines(two_columns);
+  lines.rows(100, 9, -1e-3);
+  try {
+    lines.end();
+    FAIL() << "a rate was told";
+  } catch (const InputError &error) {
+    EXPECT_EQ(error.problems.front().message,
+              "the times do not increase; give the samples per second with --rate 20000");
   }
 }
 
@@ -272,4 +290,62 @@ TEST(CsvFaults, AHeadWithoutRowsIsWaitedFor)
   EXPECT_FALSE(lines.feed.has_head());
   lines.rows(10, 0, 1e-3);
   EXPECT_EQ(lines.end().numbers.size(), 10u);
+}
+
+// TW-31, short form of the fuzz run (MILLSTAND_PASSES times as many files): bytes that change, lines that are cut,
+// told twice or exchanged, times that jump.  Nothing but a sentence may come of it, and the account holds.
+TEST(CsvFaults, AnyFileIsReadOrRefused)
+{
+  const char *const passes = std::getenv("MILLSTAND_PASSES");
+  std::mt19937 random(31);
+  const std::string letters = "0123456789.,;-+eE \t\"[]#xT:Z/\r\x80\xff";
+  int read = 0, refused = 0;
+  for (int file = 0; file < 300 * (passes ? std::max(1, std::atoi(passes)) : 1); ++file) {
+    std::vector<std::string> text{two_columns};
+    const double step = file % 3 ? 1e-3 : 5e-4;
+    for (int k = 0; k < 20 + int(random() % 400); ++k)
+      text.push_back(fmt::format("{:.4f},{}", k * step + (random() % 100 ? 0 : double(random() % 9000)), 900 + k));
+    for (unsigned faults = random() % 12; faults > 0; --faults) {
+      const std::size_t at = random() % text.size(), other = random() % text.size();
+      std::string &line = text[at];
+      switch (random() % 5) {
+      case 0:
+        line = line.substr(0, random() % (line.size() + 1));
+        break;
+      case 1:
+        line = text[other];
+        break;
+      case 2:
+        std::swap(line, text[other]);
+        break;
+      case 3:
+        line.insert(random() % (line.size() + 1), 1, letters[random() % letters.size()]);
+        break;
+      default:
+        if (!line.empty())
+          line[random() % line.size()] = letters[random() % letters.size()];
+      }
+    }
+    live::SourceRules rules;
+    rules.closes = file % 2 == 0;
+    if (file % 5 == 0)
+      rules.reading.rate = 1000;
+    try {
+      Lines lines(text[0], rules);
+      for (std::size_t i = 1; i < text.size(); ++i) {
+        lines.line(text[i]);
+        if (random() % 50 == 0)
+          lines.feed.settle();
+        if (random() % 200 == 0)
+          lines.feed.new_file();
+      }
+      const CameMessages came = lines.end();
+      if (!came.heads.empty())
+        account_of(lines.messages);
+      ++read;
+    } catch (const InputError &) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(read, refused);
 }
