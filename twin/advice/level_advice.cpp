@@ -92,6 +92,7 @@ public:
       advice_.slopes = level_slopes(*advised.chain, stand.damping, stand.gap_damper, question.force);
     poles_ = poles(stand, {});
     if (question.pass) {
+      require(bool(advised.open), "a pass needs the stand without its bite");
       rolled_.emplace(*question.pass, advised.open, question.force);
       advice_.pass = rolled_->now();
       if (advice_.pass->no_bite)
