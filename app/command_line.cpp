@@ -24,15 +24,20 @@ void add_output(CLI::App *verb, CommandLine &c, const char *what)
   verb->add_option("-o,--output", c.output, what);
 }
 
+void add_cache(CLI::App *verb, CommandLine &c)
+{
+  verb->add_flag("--fresh", c.fresh, "compute everything anew, ignore the cache");
+  verb->add_option("--cache", c.cache, "folder of condensed rolls (default: the user's cache folder)");
+}
+
 void add_common(CLI::App *verb, CommandLine &c)
 {
   add_output(verb, c, "folder of the results (default out/<case name>)");
   verb->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
-  verb->add_flag("--fresh", c.fresh, "compute everything anew, ignore the cache");
+  add_cache(verb, c);
   verb->add_flag("-q,--quiet", c.quiet, "no progress, no table");
   verb->add_flag("-v,--verbose", c.verbose, "say what is reused and computed");
   verb->add_option("--log", c.log, "log file (besides DIR/millstand.log)");
-  verb->add_option("--cache", c.cache, "folder of condensed rolls (default: the user's cache folder)");
   verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
   verb->add_option("--set", c.sets, "override section.key=value, repeatable")
       ->expected(1)
@@ -105,6 +110,7 @@ void add_advise(CLI::App &app, CommandLine &c)
       ->required();
   advise->add_option("--measured", c.measured, "folder of records with the rolling force that shakes the stand");
   add_record_options(advise, c);
+  add_cache(advise, c);
   add_folder_of_records(advise, c, "folder of the results (default out/<case name>-advice)", "no table");
 }
 

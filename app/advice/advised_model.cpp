@@ -161,10 +161,8 @@ void add_pass(AdvisedModel &model, const Case &the_case, const FourHigh &four, c
   rolled.working_speed  = pass.speed;
   rolled.process        = asked;
   rolled.nearer_chatter = asked.nearer_chatter;
-  if (chain.dynamics.force_meaning != "measured")
-    rolled.bite_spring = chain.model.K[3].value;
-  rolled.bite_damper = gap_damper_of(chain.model, chain.dynamics);
-  model.pass         = rolled;
+  rolled.disturbance    = chain.dynamics.force_meaning != "measured";
+  model.pass            = rolled;
 }
 
 std::vector<std::string> asked_places(const StandAdvice &asked)

@@ -169,7 +169,8 @@ private:
     const double level = action.process.empty()               ? twin::levels(stand, joined, *force_)[place_]
                          : rolled && rolled->level.size() > 0 ? rolled->level[place_]
                                                               : not_given;
-    action.repeated.push_back({name_ + where, level / level_ - 1, "1"});
+    const double now   = action.process.empty() ? level_ : rolled_->level()[place_];
+    action.repeated.push_back({name_ + where, level / now - 1, "1"});
   }
 };
 

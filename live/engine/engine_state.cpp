@@ -46,7 +46,7 @@ Json adopted_json(const TwinModel &model)
         {"error",    K.error_estimate            },
         {"measured", K.source == Source::measured},
         {"method",   K.method                    },
-        {"at",       K.at                        }
+        {"at",       K.at.text()                 }
     });
   }
   return {
@@ -78,7 +78,7 @@ void adopt_stored(const StoredObject &stored, TwinModel &model)
     K.error_estimate = springs[i].number_or_unknown("error", 0, any_size);
     K.source         = springs[i].flag("measured") ? Source::measured : K.source;
     K.method         = springs[i].text("method");
-    K.at             = springs[i].text("at");
+    K.at             = operating_point_of(springs[i].text("at"));
   }
 }
 

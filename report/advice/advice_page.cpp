@@ -1,14 +1,13 @@
 #include "report/advice/advice_page.h"
-#include "core/case/errors.h"
 #include "core/records/files.h"
 #include "report/page/html.h"
 #include "report/page/number.h"
 #include "report/page/page.h"
 #include "report/plot/svg.h"
 #include "report/plot/svg_plot.h"
+#include "report/record/written_document.h"
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -17,11 +16,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t most_bars = 12;
-
-double advice_number(const json &value)
-{
-  return value.is_number() ? value.get<double>() : std::nan("");
-}
 
 std::string text_of(const json &value)
 {
@@ -40,7 +34,7 @@ std::string figure_cell(const std::string &text)
 
 std::string signed_percent(const json &value)
 {
-  const double part = advice_number(value);
+  const double part = number_in(value);
   return std::isfinite(part) ? percent(part) : "\u2013";
 }
 
@@ -49,7 +43,7 @@ std::string effects_of(const json &action)
 {
   std::string text;
   for (const json &effect : action["effects"]) {
-    const double value     = advice_number(effect["value"]);
+    const double value     = number_in(effect["value"]);
     const std::string unit = effect["unit"];
     if (!std::isfinite(value) || (unit == "1" && std::abs(value) < 5e-4))
       continue;
@@ -96,7 +90,7 @@ std::string action_row(const json &a, const bool above, const bool models, const
   std::string name = "<b>" + text_of(a["name"]) + "</b>";
   if (const std::string means = text_of(a["means"]); !means.empty())
     name += "<br/><small>" + means + "</small>";
-  const double spread    = advice_number(a["change_sd"]);
+  const double spread    = number_in(a["change_sd"]);
   const std::string anew = signed_percent(a["change"]),
                     sd   = std::isfinite(spread) ? "<br/>\u00b1" + significant(100 * spread, 2) : "";
   std::string row =
@@ -138,8 +132,8 @@ std::string bar_drawing(const json &document)
   std::vector<double> really, slope;
   for (const json &a : document["actions"])
     if (is_above(a) && really.size() < most_bars) {
-      really.push_back(100 * advice_number(a["verified_change"]));
-      slope.push_back(100 * advice_number(a["first_order"]));
+      really.push_back(100 * number_in(a["verified_change"]));
+      slope.push_back(100 * number_in(a["first_order"]));
       plot.x.categories.push_back(std::to_string(really.size()));
     }
   if (really.empty())
@@ -194,11 +188,10 @@ void before_and_after(Page &page, const json &document, const std::map<std::stri
     Axis x{"frequency", "Hz", Scale::logarithmic};
     x.low = std::max(table.columns[0][0], 1e-2 * table.columns[0][table.columns[0].size() - 1]);
     page.section("spectrum", "Before and after");
-    page.figure(
-        {curves_drawing(table, x, y, {})},
-        "Acceleration of the place as it is and with the best actions. Amplitude per newton of bite force; "
-        "with a measured force the root of the density." +
-            of_six_masses(document));
+    page.figure({curves_drawing(table, x, y, {})}, "Acceleration of the place as it is and with the best actions "
+                                                   "on the stand. Amplitude per newton of bite force; "
+                                                   "with a measured force the root of the density." +
+                                                       of_six_masses(document));
   }
   if (const auto found = tables.find("growth"); found != tables.end() && found->second.columns.size() > 1) {
     page.section("growth", "Before and after");
@@ -214,18 +207,16 @@ std::string tuned_rows(const json &dampers)
   std::string rows;
   for (const json &t : dampers) {
     const json &best = t["best"], &start = t["start"];
-    const auto shown = [](const json &value, const int digits) {
-      return significant(advice_number(value), digits);
-    };
+    const auto shown = [](const json &value, const int digits) { return significant(number_in(value), digits); };
     rows += "<tr><th scope=\"row\">" + text_of(t["action"]) + "</th>" +
             text_cell("mode " + std::to_string(t["mode"].get<int>()) + ", " +
-                      fixed(advice_number(t["mode_frequency"]), 1) + " Hz; effective mass " +
+                      fixed(number_in(t["mode_frequency"]), 1) + " Hz; effective mass " +
                       shown(t["effective_mass"], 5) + " kg") +
-            figure_cell(shown(t["mass"], 4)) + figure_cell(fixed(100 * advice_number(t["mass_ratio"]), 2)) +
-            figure_cell("<b>" + fixed(advice_number(best["frequency"]), 1) + "</b><br/>" +
-                        fixed(advice_number(start["frequency"]), 1)) +
-            figure_cell("<b>" + fixed(100 * advice_number(best["damping"]), 2) + "</b><br/>" +
-                        fixed(100 * advice_number(start["damping"]), 2)) +
+            figure_cell(shown(t["mass"], 4)) + figure_cell(fixed(100 * number_in(t["mass_ratio"]), 2)) +
+            figure_cell("<b>" + fixed(number_in(best["frequency"]), 1) + "</b><br/>" +
+                        fixed(number_in(start["frequency"]), 1)) +
+            figure_cell("<b>" + fixed(100 * number_in(best["damping"]), 2) + "</b><br/>" +
+                        fixed(100 * number_in(start["damping"]), 2)) +
             figure_cell("<b>" + signed_percent(best["change"]) + "</b><br/>" + signed_percent(start["change"])) +
             figure_cell(signed_percent(t["detuned_5_percent"][0]) + "<br/>" +
                         signed_percent(t["detuned_5_percent"][1])) +
@@ -266,7 +257,7 @@ void slope_section(Page &page, const json &document)
   std::string rows;
   for (const json &slope : document["slopes"])
     rows += "<tr><th scope=\"row\">" + text_of(slope["name"]) + "</th>" +
-            figure_cell(significant(advice_number(slope["slope"]), 4)) + "</tr>\n";
+            figure_cell(significant(number_in(slope["slope"]), 4)) + "</tr>\n";
   page.section("slopes", "Slopes", Depth::expert);
   page.table(
       "<table class=\"results\"><thead><tr><th>number</th><th>percent per percent</th></tr></thead>\n<tbody>\n" +
@@ -279,14 +270,14 @@ void value_section(Page &page, const json &values)
 {
   std::string rows;
   for (const auto &[name, v] : values.items()) {
-    const double error = advice_number(v["error_estimate"]);
+    const double error = number_in(v["error_estimate"]);
     std::string checks;
     if (v.contains("checks"))
       for (const json &check : v["checks"])
         checks += (checks.empty() ? "" : "<br/>") + text_of(check["name"]) + ": " +
-                  significant(advice_number(check["value"]), 4);
+                  significant(number_in(check["value"]), 4);
     rows += "<tr><th scope=\"row\"><code>" + escaped(name) + "</code></th>" +
-            figure_cell("<b>" + significant(advice_number(v["value"]), 5) + "</b>") +
+            figure_cell("<b>" + significant(number_in(v["value"]), 5) + "</b>") +
             text_cell(escaped(unit_sign(v["unit"].get<std::string>()))) +
             text_cell(std::isfinite(error) ? "\u00b1" + significant(100 * error, 2) + " %" : "\u2013") +
             text_cell(text_of(v["source"])) + text_cell(checks) + "</tr>\n";
@@ -323,14 +314,9 @@ void action_sections(Page &page, const json &document)
 std::string advice_page(const std::string &directory, const std::string &text,
                         const std::map<std::string, Table> &tables)
 {
-  const json document = json::parse(text, nullptr, false);
-  if (!document.is_object() || !document.contains("actions") || !document.contains("goal"))
-    throw InputError(Place{directory + "/advice.json", 1, 1},
-                     "this is no advice.json of this program; run millstand advise again");
-  Run run;
-  run.directory = directory;
-  run.case_name = document["case"].get<std::string>();
-  run.status    = "ok";
+  const json document =
+      written_document(directory, "advice.json", text, {"actions", "goal"}, "run millstand advise again");
+  const Run run = run_of(directory, document);
   Page page(run);
   action_sections(page, document);
   before_and_after(page, document, tables);
@@ -338,10 +324,7 @@ std::string advice_page(const std::string &directory, const std::string &text,
   slope_section(page, document);
   if (!document["notes"].empty()) {
     page.section("notes", "What was not computed, and why");
-    std::string list;
-    for (const json &note : document["notes"])
-      list += "<li>" + text_of(note) + "</li>\n";
-    page.html("<ul>\n" + list + "</ul>");
+    page.html(list_of(document["notes"]));
   }
   value_section(page, document["values"]);
   const bool any         = std::any_of(document["actions"].begin(), document["actions"].end(), is_above);
@@ -355,10 +338,7 @@ std::string advice_page(const std::string &directory, const std::string &text,
 
 std::string advice_page(const std::string &directory)
 {
-  std::map<std::string, Table> tables;
-  for (const char *name : {"spectrum", "detuning", "growth"})
-    if (const std::string path = directory + "/" + name + ".csv"; std::filesystem::exists(path))
-      tables.emplace(name, read_table(path));
-  return advice_page(directory, read_text(directory + "/advice.json"), tables);
+  return advice_page(directory, read_text(directory + "/advice.json"),
+                     written_tables(directory, {"spectrum", "detuning", "growth"}));
 }
 }  // namespace mill::report

@@ -1,25 +1,19 @@
 #include "report/calibration/calibration_page.h"
-#include "core/case/errors.h"
 #include "core/records/files.h"
 #include "report/calibration/figures.h"
 #include "report/page/html.h"
 #include "report/page/number.h"
 #include "report/page/page.h"
 #include "report/plot/svg.h"
+#include "report/record/written_document.h"
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace mill::report {
 namespace {
 using nlohmann::json;
-
-double real(const json &value)
-{
-  return value.is_number() ? value.get<double>() : std::nan("");
-}
 
 std::string data(const std::string &text, const char *kind = "")
 {
@@ -53,9 +47,9 @@ std::string unknowns_table(const json &unknowns)
     rows += "<tr><th scope=\"row\"><code>" + escaped(u["name"].get<std::string>()) + "</code></th>" +
             figure_cell(told ? "<b>" + change(u, "kept") + "</b>" : "kept") +
             figure_cell(change(u, "low") + " … " + change(u, "high")) +
-            figure_cell(u["name"] == "delay" ? significant(1e3 * real(u["prior_sd"]), 3) + " ms"
-                                             : significant(100 * real(u["prior_sd"]), 2) + " %") +
-            figure_cell(significant(real(u["shrink"]), 2)) + figure_cell(fixed(real(u["moved"]), 2)) +
+            figure_cell(u["name"] == "delay" ? significant(1e3 * number_in(u["prior_sd"]), 3) + " ms"
+                                             : significant(100 * number_in(u["prior_sd"]), 2) + " %") +
+            figure_cell(significant(number_in(u["shrink"]), 2)) + figure_cell(fixed(number_in(u["moved"]), 2)) +
             data(told ? "told" : escaped(u["why_not"].get<std::string>())) + "</tr>\n";
   }
   return table_of("<th>unknown</th><th>change of the case</th><th>95 %, all freed</th><th>deviation before</th>"
@@ -71,7 +65,7 @@ std::string correlation_table(const json &unknowns, const json &correlation)
   for (std::size_t i = 0; i < correlation.size(); ++i) {
     rows += "<tr><th scope=\"row\">" + escaped(unknowns[i]["name"].get<std::string>()) + "</th>";
     for (std::size_t j = 0; j < correlation[i].size(); ++j) {
-      const double r         = real(correlation[i][j]);
+      const double r         = number_in(correlation[i][j]);
       const std::string text = fixed(r, 2);
       rows += figure_cell(i != j && std::abs(r) > 0.9 ? "<b>" + text + "</b>" : text);
     }
@@ -85,26 +79,20 @@ std::string bands_table(const json &bands)
   std::string rows;
   for (const char *which : {"fit", "check"})
     for (const json &band : bands[which]) {
-      if (!band["counts"].get<bool>() || real(band["ratio"]) < 0.9 * real(band["limit"]))
+      if (!band["counts"].get<bool>() || number_in(band["ratio"]) < 0.9 * number_in(band["limit"]))
         continue;
       rows += "<tr>" + data(which) + data(escaped(band["sensor"].get<std::string>())) +
-              figure_cell(fixed(real(band["centre"]), 1)) + figure_cell(significant(real(band["energy"]), 2)) +
-              figure_cell(significant(real(band["left"]), 3)) + figure_cell(significant(real(band["floor"]), 3)) +
-              figure_cell("<b>" + fixed(real(band["ratio"]), 3) + "</b>") +
-              figure_cell(fixed(real(band["limit"]), 3)) + "</tr>\n";
+              figure_cell(fixed(number_in(band["centre"]), 1)) +
+              figure_cell(significant(number_in(band["energy"]), 2)) +
+              figure_cell(significant(number_in(band["left"]), 3)) +
+              figure_cell(significant(number_in(band["floor"]), 3)) +
+              figure_cell("<b>" + fixed(number_in(band["ratio"]), 3) + "</b>") +
+              figure_cell(fixed(number_in(band["limit"]), 3)) + "</tr>\n";
     }
   return rows.empty() ? ""
                       : table_of("<th>records</th><th>sensor</th><th>third octave [Hz]</th><th>share of the energy"
                                  "</th><th>left</th><th>must be left</th><th>ratio</th><th>limit</th>",
                                  rows);
-}
-
-std::string list_of(const json &items)
-{
-  std::string list;
-  for (const json &item : items)
-    list += "<li>" + escaped(item.get<std::string>()) + "</li>\n";
-  return "<ul>\n" + list + "</ul>";
 }
 
 bool force_recorded(const json &document)
@@ -130,9 +118,9 @@ std::string head_of(const json &document)
   std::string text =
       "<header><h1>Calibration of " + escaped(document["case"].get<std::string>()) + "</h1></header>\n<p>" +
       escaped(document["stand"].get<std::string>()) + "; records " + files + ": " +
-      significant(real(document["seconds"][0]), 3) + " s fitted, " + significant(real(document["seconds"][1]), 3) +
-      " s held back as a check; " + fixed(real(document["band"][0]), 0) + " to " +
-      fixed(real(document["band"][1]), 0) + " Hz</p>\n" +
+      significant(number_in(document["seconds"][0]), 3) + " s fitted, " +
+      significant(number_in(document["seconds"][1]), 3) + " s held back as a check; " +
+      fixed(number_in(document["band"][0]), 0) + " to " + fixed(number_in(document["band"][1]), 0) + " Hz</p>\n" +
       (force_recorded(document) ? "" : "<p>" + escaped(document["without_force"].get<std::string>()) + ".</p>\n");
   const std::string status = document["status"];
   int told                 = 0;
@@ -169,17 +157,17 @@ void what_is_told(Page &page, const json &document)
     page.heading("What these records do not show");
     page.html(list_of(document["unseen"]));
   }
-  if (real(document["kept_deviance"]) > 0)
+  if (number_in(document["kept_deviance"]) > 0)
     page.paragraph("To keep what is not told at its value costs a deviance of " +
-                   significant(real(document["kept_deviance"]), 2) + ".");
+                   significant(number_in(document["kept_deviance"]), 2) + ".");
 }
 
 void is_it_right(Page &page, const json &document, const std::map<std::string, Table> &tables)
 {
   page.section("check", "Before and after on the check records", Depth::manager);
   const json &values = document["values"];
-  page.paragraph("Misfit " + significant(real(values["misfit.check.after"]["value"]), 4) + ", before " +
-                 significant(real(values["misfit.check.before"]["value"]), 4) +
+  page.paragraph("Misfit " + significant(number_in(values["misfit.check.after"]["value"]), 4) + ", before " +
+                 significant(number_in(values["misfit.check.before"]["value"]), 4) +
                  "; 1 is what the noise of the fitted records leaves. No sample of the check was fitted.");
   if (const auto found = tables.find("response"); found != tables.end())
     for (const std::string &drawing : response_drawings(found->second, document["sensors"]))
@@ -228,8 +216,8 @@ void how_sure(Page &page, const json &document, const std::map<std::string, Tabl
   std::string basins;
   for (const json &basin : document["basins"])
     basins += "<tr><th scope=\"row\">" + escaped(basin["name"].get<std::string>()) + "</th>" +
-              figure_cell(percent(std::expm1(real(basin["theta"])))) +
-              figure_cell(significant(real(basin["deviance"]), 3)) + "</tr>\n";
+              figure_cell(percent(std::expm1(number_in(basin["theta"])))) +
+              figure_cell(significant(number_in(basin["deviance"]), 3)) + "</tr>\n";
   if (!basins.empty())
     page.table(table_of("<th>unknown</th><th>change there</th><th>deviance</th>", basins),
                "Other minima that the scans met.");
@@ -241,14 +229,9 @@ void how_sure(Page &page, const json &document, const std::map<std::string, Tabl
 std::string calibration_page(const std::string &directory, const std::string &text,
                              const std::map<std::string, Table> &tables)
 {
-  const json document = json::parse(text, nullptr, false);
-  if (!document.is_object() || !document.contains("unknowns") || !document.contains("refusals"))
-    throw InputError(Place{directory + "/calibration.json", 1, 1},
-                     "this is no calibration.json of this program; calibrate again");
-  Run run;
-  run.directory = directory;
-  run.case_name = document["case"].get<std::string>();
-  run.status    = "ok";
+  const json document =
+      written_document(directory, "calibration.json", text, {"unknowns", "refusals"}, "calibrate again");
+  const Run run = run_of(directory, document);
   Page page(run);
   what_is_told(page, document);
   is_it_right(page, document, tables);
@@ -262,10 +245,7 @@ std::string calibration_page(const std::string &directory, const std::string &te
 
 std::string calibration_page(const std::string &directory)
 {
-  std::map<std::string, Table> tables;
-  for (const char *name : {"response", "profiles", "force"})
-    if (const std::string path = directory + "/" + name + ".csv"; std::filesystem::exists(path))
-      tables.emplace(name, read_table(path));
-  return calibration_page(directory, read_text(directory + "/calibration.json"), tables);
+  return calibration_page(directory, read_text(directory + "/calibration.json"),
+                          written_tables(directory, {"response", "profiles", "force"}));
 }
 }  // namespace mill::report

@@ -1,5 +1,4 @@
 #include "report/record/analysis_page.h"
-#include "core/case/errors.h"
 #include "core/records/files.h"
 #include "report/page/html.h"
 #include "report/page/number.h"
@@ -8,9 +7,9 @@
 #include "report/plot/svg.h"
 #include "report/plot/svg_plot.h"
 #include "report/record/mode_figures.h"
+#include "report/record/written_document.h"
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -19,11 +18,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t most_listed = 40;  // faults of the record in the table
-
-double number(const json &value)
-{
-  return value.is_number() ? value.get<double>() : std::nan("");
-}
 
 std::string cell(const std::string &text)
 {
@@ -39,15 +33,15 @@ std::string findings_table(const json &findings)
 {
   std::string rows;
   for (const json &f : findings) {
-    const double frequency = number(f["frequency"]), amplitude = number(f["amplitude"]);
+    const double frequency = number_in(f["frequency"]), amplitude = number_in(f["amplitude"]);
     std::string evidence;
     for (const json &sentence : f["evidence"])
       evidence += (evidence.empty() ? "" : "<br/>") + escaped(sentence.get<std::string>());
     rows += "<tr><th scope=\"row\">" + escaped(f["kind"].get<std::string>()) + "</th>" +
             number_cell(std::isfinite(frequency) ? "<b>" + fixed(frequency, 2) + "</b>" : "\u2013") +
-            number_cell(std::isfinite(frequency)
-                            ? fixed(number(f["interval"][0]), 2) + " \u2026 " + fixed(number(f["interval"][1]), 2)
-                            : "\u2013") +
+            number_cell(std::isfinite(frequency) ? fixed(number_in(f["interval"][0]), 2) + " \u2026 " +
+                                                       fixed(number_in(f["interval"][1]), 2)
+                                                 : "\u2013") +
             number_cell(std::isfinite(amplitude)
                             ? significant(amplitude, 3) + " " + escaped(unit_sign(f["unit"].get<std::string>()))
                             : "\u2013") +
@@ -66,8 +60,8 @@ std::string cleaning_table(const json &events)
     const json &e             = events[i];
     const std::string channel = e["channel"].get<std::string>();
     rows += "<tr><th scope=\"row\">" + escaped(channel.empty() ? "all" : channel) + "</th>" +
-            cell(escaped(e["fault"].get<std::string>())) + number_cell(fixed(number(e["from"]), 4)) +
-            number_cell(fixed(number(e["to"]), 4)) + number_cell(std::to_string(e["count"].get<long>())) +
+            cell(escaped(e["fault"].get<std::string>())) + number_cell(fixed(number_in(e["from"]), 4)) +
+            number_cell(fixed(number_in(e["to"]), 4)) + number_cell(std::to_string(e["count"].get<long>())) +
             cell(escaped(e["done"].get<std::string>())) + "</tr>\n";
   }
   return "<table class=\"results\"><thead><tr><th>channel</th><th>fault</th><th>from [s]</th><th>to [s]</th>"
@@ -79,12 +73,13 @@ std::string convention_table(const json &conventions)
 {
   std::string rows;
   for (const json &c : conventions) {
-    const auto shown = [&](const char *key, const int digits) { return significant(number(c[key]), digits); };
+    const auto shown = [&](const char *key, const int digits) { return significant(number_in(c[key]), digits); };
     rows += "<tr><th scope=\"row\">" + escaped(c["channel"].get<std::string>()) + "</th>" +
             cell(escaped(c["quantity"].get<std::string>())) + cell(escaped(c["window"].get<std::string>())) +
             number_cell(shown("L", 6)) + number_cell(shown("segments", 4)) + number_cell(shown("enbw", 3)) +
             number_cell(shown("dof", 3)) +
-            number_cell(significant(number(c["band"][0]), 2) + " \u2026 " + significant(number(c["band"][1]), 2)) +
+            number_cell(significant(number_in(c["band"][0]), 2) + " \u2026 " +
+                        significant(number_in(c["band"][1]), 2)) +
             number_cell(shown("bandwidth", 4)) + "</tr>\n";
   }
   return "<table "
@@ -97,9 +92,9 @@ std::string value_table(const json &values)
 {
   std::string rows;
   for (const auto &[name, v] : values.items()) {
-    const double error = number(v["error_estimate"]);
+    const double error = number_in(v["error_estimate"]);
     rows += "<tr><th scope=\"row\"><code>" + escaped(name) + "</code></th>" +
-            number_cell("<b>" + significant(number(v["value"]), 4) + "</b>") +
+            number_cell("<b>" + significant(number_in(v["value"]), 4) + "</b>") +
             cell(escaped(unit_sign(v["unit"].get<std::string>()))) +
             cell(std::isfinite(error) ? "\u00b1" + significant(100 * error, 2) + " %" : "\u2013") +
             cell(escaped(v["source"].get<std::string>())) + cell(escaped(v["at"].get<std::string>())) + "</tr>\n";
@@ -127,7 +122,7 @@ std::string spectrum_drawing(const Table &table, const std::size_t column, const
   if (!length) {
     std::vector<double> marked;
     for (const json &f : findings)
-      if (const double at = number(f["frequency"]);
+      if (const double at = number_in(f["frequency"]);
           std::isfinite(at) && f["kind"] != "alarm" && f["kind"] != "bearing" && f["kind"] != "bearing fault" &&
           marked.size() < 12 && std::none_of(marked.begin(), marked.end(), [&](const double m) {
             return std::abs(m / at - 1) < 0.03;
@@ -197,8 +192,8 @@ std::string head_of_page(const json &document)
   const json &record = document["record"];
   std::string text = "<header><h1>Record " + escaped(document["case"].get<std::string>()) + "</h1></header>\n<p>" +
                      escaped(record["format"].get<std::string>()) + ", " +
-                     significant(number(record["duration"]), 4) + " s at " +
-                     significant(number(record["rate"]), 6) + " Hz";
+                     significant(number_in(record["duration"]), 4) + " s at " +
+                     significant(number_in(record["rate"]), 6) + " Hz";
   if (!document["stand"].is_null())
     text += "; stand " + escaped(document["stand"]["case"].get<std::string>()) + ", " +
             escaped(document["stand"]["source"].get<std::string>());
@@ -278,14 +273,9 @@ void modes(Page &page, const std::map<std::string, Table> &tables)
 std::string analysis_page(const std::string &directory, const std::string &text,
                           const std::map<std::string, Table> &tables)
 {
-  const json document = json::parse(text, nullptr, false);
-  if (!document.is_object() || !document.contains("findings") || !document.contains("record"))
-    throw InputError(Place{directory + "/analysis.json", 1, 1},
-                     "this is no analysis.json of this program; analyse the record again");
-  Run run;
-  run.directory = directory;
-  run.case_name = document["case"].get<std::string>();
-  run.status    = "ok";
+  const json document =
+      written_document(directory, "analysis.json", text, {"findings", "record"}, "analyse the record again");
+  const Run run = run_of(directory, document);
   Page page(run);
   page.section("findings", "What the record shows", Depth::manager);
   if (document["findings"].empty())
@@ -296,10 +286,7 @@ std::string analysis_page(const std::string &directory, const std::string &text,
                "interval is that of the frequency.");
   if (!document["notes"].empty()) {
     page.heading("What was not said, and why");
-    std::string list;
-    for (const json &note : document["notes"])
-      list += "<li>" + escaped(note.get<std::string>()) + "</li>\n";
-    page.html("<ul>\n" + list + "</ul>");
+    page.html(list_of(document["notes"]));
   }
   page.section("cleaning", "What was wrong with the record");
   if (document["cleaning"].empty())
@@ -320,10 +307,8 @@ std::string analysis_page(const std::string &directory, const std::string &text,
 
 std::string analysis_page(const std::string &directory)
 {
-  std::map<std::string, Table> tables;
-  for (const char *name : {"spectrum", "waterfall", "distance", "modes", "poles", "singular", "h1", "modes_h1"})
-    if (const std::string path = directory + "/" + name + ".csv"; std::filesystem::exists(path))
-      tables.emplace(name, read_table(path));
-  return analysis_page(directory, read_text(directory + "/analysis.json"), tables);
+  return analysis_page(directory, read_text(directory + "/analysis.json"),
+                       written_tables(directory, {"spectrum", "waterfall", "distance", "modes", "poles",
+                                                  "singular", "h1", "modes_h1"}));
 }
 }  // namespace mill::report

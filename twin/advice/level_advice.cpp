@@ -92,6 +92,7 @@ public:
       advice_.slopes = level_slopes(*advised.chain, stand.damping, stand.gap_damper, question.force);
     poles_ = poles(stand, {});
     if (question.pass) {
+      require(bool(advised.open), "a pass needs the stand without its bite");
       rolled_.emplace(*question.pass, advised.open, question.force);
       advice_.pass = rolled_->now();
       if (advice_.pass->no_bite)
@@ -271,14 +272,15 @@ private:
   {
     const auto rolled =
         rolled_ ? rolled_->after(action.of_stand, action.joined, action.process) : std::optional<RolledState>();
-    const Eigen::VectorXd after = level_after(action, rolled);
-    action.change               = after[asked_.place] / advice_.level[asked_.place] - 1;
+    const Eigen::VectorXd after = level_after(action, rolled),
+                          now   = action.process.empty() ? advice_.level : rolled_->level();
+    action.change               = after[asked_.place] / now[asked_.place] - 1;
     action.verified             = action.change;
     const auto rolls            = std::min<Eigen::Index>(6, after.size());
     for (Eigen::Index i = 0; i < rolls; ++i) {
-      if (i == asked_.place || !(advice_.level[i] > 0))
+      if (i == asked_.place || !(now[i] > 0))
         continue;
-      const double rise = after[i] / advice_.level[i] - 1;
+      const double rise = after[i] / now[i] - 1;
       action.effects.push_back({own_.stand.places[std::size_t(i)] + ", level", rise, "1"});
       if (rise > asked_.rise_elsewhere && i > 0 && i < 5)
         action.against.push_back(fmt::format("the level of the {} rises by {:.3g} %, at most {:.3g} % are allowed",

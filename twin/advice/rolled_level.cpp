@@ -37,15 +37,20 @@ RolledLevel::RolledLevel(const RolledPass &pass, OpenStand open, const ForceBand
   now_ = critical_state(model, pass.model.bite, pass.model.scheme, pass.model.range, pass.working_speed);
   if (!settled())
     return;
-  const auto by            = dynamics::working_point(pass.model.bite, pass.working_speed, pass.model.scheme).by;
+  const auto point         = dynamics::working_point(pass.model.bite, pass.working_speed, pass.model.scheme);
   const Eigen::MatrixXcd X = bite_receptances(*own, {}, force.frequency);
   weight_.resize(force.frequency.size());
   for (Eigen::Index k = 0; k < weight_.size(); ++k) {  // (46.13)
-    const double w  = 2 * M_PI * force.frequency[k];
-    const Complex G = X(k, X.cols() - 1), held(pass.bite_spring, w * pass.bite_damper);
-    weight_[k]      = force.square[k] * std::pow(w, 4) *
-                 std::norm((1.0 - dynamics::process_stiffness(model, by, Complex(0, w)) * G) / (1.0 + held * G));
+    const double w = 2 * M_PI * force.frequency[k];
+    const auto F   = 1.0 - dynamics::process_stiffness(model, point.by, Complex(0, w)) * X(k, X.cols() - 1);
+    weight_[k]     = force.square[k] * std::pow(w, 4) * (pass.disturbance ? 1 : std::norm(F));
   }
+  level_ = level_of(*own, {}, point);
+}
+
+const Eigen::VectorXd &RolledLevel::level() const
+{
+  return level_;
 }
 
 const CriticalState &RolledLevel::now() const
@@ -85,12 +90,12 @@ std::optional<RolledState> RolledLevel::after(StandChange change, const std::vec
     state.nearer = state.critical.speed / pass.speed_factor / now_.speed - 1;
   if (process.empty() || !settled() || state.critical.no_bite || !(state.critical.growth < 0))
     return state;
-  state.level = level(*open, joined, dynamics::working_point(pass.bite, speed, scheme));
+  state.level = level_of(*open, joined, dynamics::working_point(pass.bite, speed, scheme));
   return state;
 }
 
-Eigen::VectorXd RolledLevel::level(const VibratingStand &open, const std::vector<Attachment> &joined,
-                                   const dynamics::WorkingPoint &point) const
+Eigen::VectorXd RolledLevel::level_of(const VibratingStand &open, const std::vector<Attachment> &joined,
+                                      const dynamics::WorkingPoint &point) const
 {
   const auto model         = around(open, joined);
   const Eigen::MatrixXcd X = bite_receptances(open, joined, force_.frequency);
@@ -119,7 +124,7 @@ Eigen::VectorXd RolledLevel::slope(ProcessAction action) const
       const auto open = open_(change);
       if (!open)
         return {};
-      beside[std::size_t(side)] = level(*open, {}, point);
+      beside[std::size_t(side)] = level_of(*open, {}, point);
     }
   } catch (const InputError &) {
     return {};

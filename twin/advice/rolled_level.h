@@ -16,8 +16,7 @@ struct RolledPass {
   double working_speed = 0;      ///< m/s
   ProcessAdvice process;         ///< what is tried with the pass, and what it must keep
   double nearer_chatter = 0.01;  ///< -, most that critical over working speed may fall
-  double bite_spring = 0;  ///< N/m, of the strip in the stand of the level; 0: the force is that of the whole bite
-  double bite_damper = 0;  ///< N s/m
+  bool disturbance = false;  ///< the force of the level is the disturbance itself, without the answer of the bite
 };
 
 /// A pass after an action.
@@ -40,6 +39,10 @@ public:
   /// There is a steady bite and vibration decays: process actions have a level.
   bool settled() const;
 
+  /// (m) m/s2, of every place with the bite in the loop; empty unless settled.  Where the force is that of the
+  /// whole bite, the level of the stand without it.
+  const Eigen::VectorXd &level() const;
+
   /// After an action.  The level follows where the process changes: the disturbance that makes the force as it is
   /// stays, the bite answers it anew, contacts follow the rolling force.  (46.14)
   /// @returns nothing where `open` has no such stand
@@ -57,10 +60,11 @@ private:
   const OpenStand open_;
   const ForceBand &force_;
   CriticalState now_;
+  Eigen::VectorXd level_;
   Eigen::VectorXd weight_;  // (k) m2/s4 N2/N2: mean square of the disturbance, times w^4
 
-  Eigen::VectorXd level(const VibratingStand &open, const std::vector<Attachment> &joined,
-                        const dynamics::WorkingPoint &point) const;
+  Eigen::VectorXd level_of(const VibratingStand &open, const std::vector<Attachment> &joined,
+                           const dynamics::WorkingPoint &point) const;
   dynamics::ChatterStandModel around(const VibratingStand &open, const std::vector<Attachment> &joined) const;
 };
 }  // namespace mill::twin

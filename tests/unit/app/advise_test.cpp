@@ -170,6 +170,67 @@ TEST(Advise, OfAPassTheProcessIsAnActionAndChatterALimit)
   EXPECT_TRUE(said) << advice["notes"];
 }
 
+// The strip is in the stand once, by the bite that answers: what the case means by its force moves no critical
+// speed.
+TEST(Advise, TheBiteIsInTheStandOnce)
+{
+  const std::string folder = scratch("advise-once");
+  const std::string stand  = std::string(MILLSTAND_SOURCE_DIR) + "/cases/cold-tandem-2030.toml";
+  const auto asked         = [&](const std::string &meaning) {
+    const Outcome run = millstand(
+                "advise " + stand + " --set 'pass.0.speed=\"12 m/s\"' --set 'dynamics.force_meaning=\"" + meaning +
+                    "\"' --set 'advice.springs=[\"K1\"]' --set 'advice.band=[\"60 Hz\",\"90 Hz\"]' "
+                            "--set 'advice.tuned_mass=\"0 %\"' --set 'advice.usual_damper=\"0 N s/m\"' -q -o " +
+                    meaning,
+                folder);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return advice_in(folder + "/" + meaning);
+  };
+  const auto whole = asked("measured"), part = asked("disturbance");
+  const auto speed = whole["values"]["advice.critical_speed"]["value"].get<double>();
+  EXPECT_GT(speed, 12);
+  EXPECT_NEAR(part["values"]["advice.critical_speed"]["value"].get<double>(), speed, 1e-9 * speed);
+  const auto sentences = [](const nlohmann::json &advice) {
+    std::vector<std::string> said;
+    for (const auto &note : advice["notes"])
+      if (const auto text = note.get<std::string>(); text.find("critical speed as it is, ") == 0)
+        said.push_back(text);
+    return said;
+  };
+  ASSERT_EQ(sentences(whole).size(), 2u) << "six masses and beams";
+  EXPECT_EQ(sentences(part), sentences(whole));
+  EXPECT_NE(action(part, "K1 x 1.2")["change"], action(whole, "K1 x 1.2")["change"])
+      << "its spring is in the level";
+}
+
+// Beams and the finite elements are two theories of the same rolls: at mid-length, where no chock matters, dampers
+// do nearly the same, and both are far from the six masses on the chocks.
+TEST(Advise, RollsAsComponentModesCountWhereTheyAreAskedFor)
+{
+  const std::string folder = scratch("advise-components");
+  const std::string stand  = std::string(MILLSTAND_SOURCE_DIR) + "/cases/four-high-1400.toml";
+  const auto asked         = [&](const std::string &model) {
+    const Outcome run =
+        millstand("advise " + stand + " --set 'advice.model=\"" + model +
+                              "\"' --set 'advice.springs=[\"K3\"]' --set 'advice.tuned_mass=\"0 %\"' -q --cache " +
+                              shared_cache() + " -o " + model,
+                          folder);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return advice_in(folder + "/" + model);
+  };
+  const auto beams = asked("beam"), solid = asked("craig-bampton");
+  const char *name   = "damper 100 kN s/m, upper work roll to upper backup roll";
+  const auto &coarse = action(beams, name)["in_other_models"], &fine = action(solid, name)["in_other_models"];
+  ASSERT_EQ(fine.size(), 2u);
+  EXPECT_EQ(fine[0]["name"], "component modes, dampers at mid-length");
+  EXPECT_EQ(fine[1]["name"], "component modes, dampers on the chocks");
+  EXPECT_EQ(action(solid, name)["verified_change"], fine[1]["value"]);
+  EXPECT_NEAR(fine[0]["value"].get<double>(), coarse[0]["value"].get<double>(), 0.02);
+  EXPECT_NE(fine[0]["value"], coarse[0]["value"]);
+  EXPECT_GT(fine[1]["value"].get<double>(), 0.1 * action(solid, name)["change"].get<double>());
+  EXPECT_EQ(action(solid, "K3 x 0.8")["in_other_models"][0]["name"], "component modes");
+}
+
 TEST(Advise, PlacesThatSixMassesLackAreThoseOfTheBeams)
 {
   const std::string folder = scratch("advise-chock");

@@ -180,32 +180,49 @@ TEST(RolledLevel, ProcessActionsAreTheCoupledEquations)
       near(after->level[2], level_by_equations(pass.model.bite, 7.2, lumped(now, 0.8), 2e5, pass, force), same));
 }
 
-// A factor of one changes nothing, whatever of the bite the stand of the level holds.
+// A factor of one changes nothing.  Where the force is that of the whole bite, the loop leaves the stand without
+// it.
 TEST(RolledLevel, NothingDoneIsTheLevelAsItIs)
 {
   const ForceBand force = band();
-  ProcessAction nothing;  // speed x 1
-  for (const auto &[spring, damper] : {
-           std::pair(0., 0.), {8e9, 3e5}
-  }) {
-    RolledPass pass  = pass_at(8);
-    pass.bite_spring = spring;
-    pass.bite_damper = damper;
-    const auto after = RolledLevel(pass, open_chain, force).after({}, {}, {nothing});
-    ASSERT_TRUE(after && after->level.size() == 6);
-    const auto s  = joined_structure(*open_chain({}), {});
-    double square = 0;
-    for (Eigen::Index k = 0; k < force.frequency.size(); ++k) {
-      const double w           = 2 * M_PI * force.frequency[k];
-      const Eigen::MatrixXd bb = s.b * s.b.transpose();
-      const Eigen::MatrixXcd A =
-          (s.K + spring * bb - w * w * s.M).cast<Complex>() + Complex(0, w) * (s.C + damper * bb).cast<Complex>();
-      const Complex at = s.point.row(2).cast<Complex>() * A.partialPivLu().solve(s.b.cast<Complex>());
-      square += force.square[k] * std::norm(w * w * at);
-    }
-    EXPECT_TRUE(near(after->level[2], std::sqrt(square), within(1e-9, "nothing was done"))) << spring;
-    EXPECT_EQ(after->nearer, 0);
+  const RolledLevel level(pass_at(8), open_chain, force);
+  ASSERT_EQ(level.level().size(), 6);
+  const auto after = level.after({}, {}, {ProcessAction()});  // speed x 1
+  ASSERT_TRUE(after && after->level.size() == 6);
+  const Eigen::VectorXd own = levels(*open_chain({}), {}, force);
+  for (const Eigen::Index place : {0, 2, 3, 5}) {
+    EXPECT_TRUE(near(level.level()[place], own[place], within(1e-9, "nothing was done")));
+    EXPECT_TRUE(near(after->level[place], own[place], within(1e-9, "nothing was done")));
   }
+  EXPECT_EQ(after->nearer, 0);
+}
+
+// A force that is the disturbance itself drives the coupled equations before and after.
+TEST(RolledLevel, ADisturbanceDrivesTheCoupledEquations)
+{
+  const ForceBand force = band();
+  RolledPass pass       = pass_at(8);
+  pass.disturbance      = true;
+  const RolledLevel level(pass, open_chain, force);
+  const auto bite   = with_number_scaled(pass.model.bite, bite::PassNumber::exit_tension, 0.8);
+  const auto scheme = pass.model.scheme;
+  const auto now    = dynamics::working_point(pass.model.bite, 8, scheme),
+             then   = dynamics::working_point(bite, 8, scheme);
+  const auto stand  = [](const double ratio) {
+    return around(dynamics::structure_of(model_of(lumped(ratio), "measured")));
+  };
+  const auto before = stand(1), behind = stand(then.state.force / now.state.force);
+  double square = 0, square_after = 0;
+  for (Eigen::Index k = 0; k < force.frequency.size(); ++k) {
+    const double w = 2 * M_PI * force.frequency[k];
+    square += force.square[k] * std::norm(driven(before, now, 2, w).acceleration);
+    square_after += force.square[k] * std::norm(driven(behind, then, 2, w).acceleration);
+  }
+  const auto after = level.after({}, {}, {process(bite::PassNumber::exit_tension, 0.8)});
+  ASSERT_TRUE(after && after->level.size() == 6 && level.level().size() == 6);
+  const Tolerance same = within(1e-8, "one set of equations solved in two ways");
+  EXPECT_TRUE(near(level.level()[2], std::sqrt(square), same));
+  EXPECT_TRUE(near(after->level[2], std::sqrt(square_after), same));
 }
 
 TEST(RolledLevel, SlopesAreTheTangents)
