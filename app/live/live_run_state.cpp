@@ -105,6 +105,7 @@ void LiveRun::resume_recording(const std::int64_t recorded)
   assumed_         = live::SourceHead{source.rate, source.start_time, source.name, source.channels, source.factor};
   const auto some  = std::int64_t(120 * source.rate);  // a file is no longer than that
   const auto known = recorded_up_to(command_.live.record, source, engine_->resumed_at() - some);
-  recorder_->resume(std::max(known.value_or(0), recorded));
+  // a number ahead of what was seen is no number of ours: nothing would be recorded up to it
+  recorder_->resume(std::max(known.value_or(0), std::min(recorded, engine_->resumed_at())));
 }
 }  // namespace mill

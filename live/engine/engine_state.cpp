@@ -158,7 +158,6 @@ Engine::Stored Engine::read_state(const nlohmann::json &json) const
   if (state.has("adopted"))
     adopt_stored(state.object("adopted"), stored.model);
   stored.chain = tuned(stored.model, stored.tuning);
-  settling_time(stored.chain);
   if (!state.has("source"))
     return stored;
   const StoredObject from = state.object("source");
@@ -182,12 +181,15 @@ Engine::Stored Engine::read_state(const nlohmann::json &json) const
   stored.book.emplace(Eigen::Index(accounts.size()));
   stored.book->resume(accounts, next, state.count("doubled", 0, largest_number),
                       state.count("gaps", 0, largest_number));
-  stored.refused  = state.count("refused", 0, largest_number);
-  stored.settled  = state.count("settled", -largest_number, 2 * largest_number);
-  stored.stepped  = state.count("stepped", -largest_number, largest_number);
-  stored.stepping = state.flag("stepping");
-  stored.stepper  = std::make_unique<TwinStepper>(stored.chain, source.rate, 0);
-  stored.source   = std::move(source);
+  stored.refused       = state.count("refused", 0, largest_number);
+  stored.settled       = state.count("settled", -largest_number, 2 * largest_number);
+  stored.stepped       = state.count("stepped", -largest_number, largest_number);
+  stored.stepping      = state.flag("stepping");
+  const double settles = settling_time(stored.chain) * source.rate;
+  if (double(stored.settled) - double(stored.stepped) > settles + 1)
+    state.refuse("has a \"settled\" that lies too far ahead");
+  stored.stepper = std::make_unique<TwinStepper>(stored.chain, source.rate, 0);
+  stored.source  = std::move(source);
   if (!stored.stepping)
     return stored;
   // no more rows than those whose force is not known yet are ever left behind

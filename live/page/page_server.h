@@ -37,7 +37,7 @@ struct PageStatistics {
 ///   GET  /  /page.css  /*.js  /icon.svg   the page, compiled in
 ///   GET  /stand                           what the page draws (stand_text), token
 ///   GET  /events                          server-sent events, token
-///   GET  /metrics                         OpenMetrics text: counts only, no token
+///   GET  /metrics                         OpenMetrics text, no token
 ///   POST /command                         JSON, token
 /// The token travels as "X-Millstand-Token: T", "Authorization: Bearer T", or, for /events, which a browser opens
 /// without headers of ours, as "?token=T".
