@@ -45,8 +45,13 @@ DrivenStand driven_case(const CommandLine &command, const Case &the_case)
   run.progress.log   = [&](const std::string &line) { log.line(line); };
   DrivenStand driven = run_kind(the_case).driven(run, command.pass);
   bar.finish();
-  for (const std::string &warning : run.results.warnings)
-    console::say("warning: " + visible(warning, true) + "\n");
+  driven.warnings = std::move(run.results.warnings);
   return driven;
+}
+
+void say_warnings(const DrivenStand &driven)
+{
+  for (const std::string &warning : driven.warnings)
+    console::say("warning: " + visible(warning, true) + "\n");
 }
 }  // namespace mill

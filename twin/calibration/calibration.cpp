@@ -1,5 +1,6 @@
 #include "twin/calibration/calibration.h"
 #include "dynamics/response/response_slopes.h"
+#include "twin/calibration/verdict.h"
 #include "twin/calibration/words.h"
 #include <algorithm>
 #include <cmath>
@@ -7,7 +8,7 @@
 
 namespace mill::twin {
 namespace {
-constexpr double told_shrink = 0.5, other_basin = 9, far_from_prior = 3;
+constexpr double told_shrink = 0.5, other_basin = 9;
 
 MeasuredResponse band_of(const CalibrationInput &in, const std::vector<ForcedSamples> &pieces)
 {
@@ -118,15 +119,21 @@ void keep_priors(const CalibrationInput &in, const MeasuredResponse &data, Calib
     result.unknowns[i].kept = result.unknowns[i].told ? kept.estimate[Eigen::Index(i)] : held[i].prior;
 }
 
+/// The case, with the clocks as they were found: they are no matter of the stand.
+Eigen::VectorXd case_of(const CalibrationInput &in, const Eigen::VectorXd &theta)
+{
+  Eigen::VectorXd before = Eigen::VectorXd::Zero(theta.size());
+  if (const Eigen::Index delay = index_of(in.unknowns, "delay"); delay >= 0)
+    before[delay] = theta[delay];
+  return before;
+}
+
 Held held_against(const CalibrationInput &in, const Eigen::VectorXd &theta, const MeasuredResponse &data,
                   const std::vector<ForcedSamples> &pieces, const MeasuredResponse &fit_data,
                   const NoiseDensity &noise)
 {
   Held held;
-  Eigen::VectorXd before = Eigen::VectorXd::Zero(theta.size());
-  if (const Eigen::Index delay = index_of(in.unknowns, "delay"); delay >= 0)
-    before[delay] = theta[delay];  // clocks are no matter of the stand
-  held.before    = misfit_on(in.stand, in.unknowns, before, data, fit_data, noise);
+  held.before    = misfit_on(in.stand, in.unknowns, case_of(in, theta), data, fit_data, noise);
   held.after     = misfit_on(in.stand, in.unknowns, theta, data, fit_data, noise);
   const auto own = noise_of(residuals(in.stand, in.unknowns, theta, data, noise_before(data)));
   held.bands =
@@ -135,54 +142,6 @@ Held held_against(const CalibrationInput &in, const Eigen::VectorXd &theta, cons
     if (band.counts)
       held.worst = std::max(held.worst, band.ratio / band.limit);
   return held;
-}
-
-void add_band_refusals(std::vector<std::string> &refusals, const CalibrationInput &in, const Held &held,
-                       const std::string &record)
-{
-  const BandResidual *worst = nullptr;
-  int wrong                 = 0;
-  for (const BandResidual &band : held.bands)
-    if (band.wrong()) {
-      ++wrong;
-      if (!worst || band.ratio / band.limit > worst->ratio / worst->limit)
-        worst = &band;
-    }
-  if (worst)
-    refusals.push_back(fmt::format("in {} of {} third octaves of the {} the stand leaves more than a linear model "
-                                   "must; the worst is {:.1f} Hz "
-                                   "of {}: {:.2f} times, limit {:.2f}",
-                                   wrong, held.bands.size(), record, worst->centre,
-                                   in.sensors[std::size_t(worst->sensor)], worst->ratio, worst->limit));
-}
-
-std::vector<std::string> refusals_of(const CalibrationInput &in, const Calibration &c)
-{
-  std::vector<std::string> refusals;
-  add_band_refusals(refusals, in, c.fit, "fitted records");
-  add_band_refusals(refusals, in, c.check, "check records");
-  if (!(c.check.after < c.check.before))
-    refusals.push_back(fmt::format("the check records fit no better than before: misfit {:.4g}, before {:.4g}",
-                                   c.check.after, c.check.before));
-  for (std::size_t i = 0; i < c.unknowns.size(); ++i) {
-    const Calibrated &u = c.unknowns[i];
-    const double moved  = (u.estimate - in.unknowns[i].prior) / u.prior_sd;
-    if (u.name == "delay") {
-      const double limit = 1 / (20 * in.high);
-      if (u.sd > limit)
-        refusals.push_back(fmt::format("the delay of the clocks is uncertain by {:.3g} ms; up to {:.0f} Hz "
-                                       "{:.3g} ms are allowed",
-                                       1e3 * u.sd, in.high, 1e3 * limit));
-    } else if (std::abs(moved) > far_from_prior)
-      refusals.push_back(fmt::format("{} would move by {:.1f} of its prior standard deviations, which is no "
-                                     "correction of this stand",
-                                     u.name, moved));
-  }
-  for (const std::string &channel : in.clipped)
-    refusals.push_back(channel + " is clipped");
-  if (!c.scan.best.converged)
-    refusals.push_back("the fit did not converge");
-  return refusals;
 }
 
 /// |H1| of the check records beside the case and the calibrated case.
@@ -257,7 +216,15 @@ Calibration calibrate(const CalibrationInput &in, const Progress &progress)
   result.fit_seconds        = seconds(data);
   result.check_seconds      = seconds(check);
   result.response           = response_table(in, theta);
-  result.refusals           = refusals_of(in, result);
+  if (index_of(in.unknowns, "delay") < 0)
+    result.delay = clock_delay(in.stand, result.scan.best, data, in.fit, in.rate, in.low, in.high, settings);
+  const Eigen::VectorXd as_it_is = case_of(in, result.scan.best.estimate);
+  result.case_deviance =
+      2 * (likelihood(in.stand, in.unknowns, as_it_is, data, noise, Wanted::cost, in.threads).cost -
+           result.scan.best.cost);
+  result.agrees   = case_agrees(result, held_against(in, as_it_is, data, in.fit, data, noise),
+                                held_against(in, as_it_is, check, in.check, data, noise));
+  result.refusals = refusals_of(in, result);
   return result;
 }
 }  // namespace mill::twin
