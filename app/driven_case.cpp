@@ -47,16 +47,22 @@ void run_in_scratch(const CommandLine &command, const Case &the_case,
   run.progress.log  = [&](const std::string &line) { log.line(line); };
   work(run);
   bar.finish();
-  for (const std::string &warning : run.results.warnings)
-    console::say("warning: " + visible(warning, true) + "\n");
 }
 
 DrivenStand driven_case(const CommandLine &command, const Case &the_case)
 {
   DrivenStand driven;
   const RunKind &kind = run_kind(the_case);
-  run_in_scratch(command, the_case, kind.stages(the_case),
-                 [&](RunContext &run) { driven = kind.driven(run, command.pass); });
+  run_in_scratch(command, the_case, kind.stages(the_case), [&](RunContext &run) {
+    driven          = kind.driven(run, command.pass);
+    driven.warnings = run.results.warnings;
+  });
   return driven;
+}
+
+void say_warnings(const std::vector<std::string> &warnings)
+{
+  for (const std::string &warning : warnings)
+    console::say("warning: " + visible(warning, true) + "\n");
 }
 }  // namespace mill

@@ -76,13 +76,20 @@ fmu::ExportedModel unit_of(const DrivenStand &driven, const Case &the_case)
   return exported_model(driven, the_case);
 }
 
+DrivenStand driven_and_said(const CommandLine &command, const Case &the_case)
+{
+  DrivenStand driven = driven_case(command, the_case);
+  say_warnings(driven.warnings);
+  return driven;
+}
+
 void export_unit(const CommandLine &command, const Case &the_case)
 {
   const std::string path = command.output.empty() ? "out/" + the_case.name + ".fmu" : command.output;
   require_output(path, fmu::identifier_of(the_case.name), command.force_overwrite);
   const auto *chatter            = std::get_if<ChatterCase>(&the_case.spec);
   const fmu::ExportedModel model = chatter ? exported_chatter(*chatter, command.pass, the_case)
-                                           : unit_of(driven_case(command, the_case), the_case);
+                                           : unit_of(driven_and_said(command, the_case), the_case);
   const std::string archive      = fmu::unit_archive(model, command.fmi);
   fmu::check_unit(archive, model, command.fmi);
   if (command.output.empty())
@@ -100,7 +107,7 @@ void export_matrices(const CommandLine &command, const Case &the_case)
   const std::string name    = exchange_name(format, path);
   if (!command.force_overwrite)
     require_own(format, path, the_case.name);
-  const DrivenStand driven = driven_case(command, the_case);
+  const DrivenStand driven = driven_and_said(command, the_case);
   warn_of_slopes(driven.dynamics);
   dynamics::ExchangedStand stand = exchanged_stand(driven, exported_model(driven, the_case));
   stand.name                     = name;

@@ -435,8 +435,11 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
     models = stand_models(stand, chain, made.parts.components);
     add_fe_masses(chain.model, stand, *models);
     detailed = driven(*models, stand.dynamics);
-    if (detailed)
-      driven_stand.modes = driven_modes(*detailed, chain.model, stand.dynamics);
+    if (detailed) {
+      driven_stand.modes    = driven_modes(*detailed, chain.model, stand.dynamics);
+      driven_stand.detailed = std::make_shared<const reduce::StandWithModes>(
+          with_connection_errors(*detailed, stand, chain, made.parts.components));
+    }
   }
   if (stand.dynamics.contact == "curve")
     driven_stand.curves = std::make_shared<CurveDrive>(curve_drive(
@@ -452,8 +455,11 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
 DrivenStand driven_lumped(RunContext &run, const Lumped &lumped, const std::string &pass)
 {
   DrivenStand driven_stand;
-  driven_stand.chain    = lumped_model_of(run.the_case);
   driven_stand.dynamics = lumped.dynamics;
+  if (lumped.detailed)
+    drive_files(driven_stand, lumped.model);
+  else
+    driven_stand.chain = lumped_model_of(run.the_case);
   if (!lumped.passes.empty() || !pass.empty()) {
     driven_stand.pass = lumped.passes[place_of(lumped.passes, pass)];
     if (has_force(driven_stand.pass))

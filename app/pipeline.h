@@ -8,7 +8,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+namespace mill::reduce {
+struct StandWithModes;
+}
 namespace mill {
 struct CurveDrive;
 struct FourHigh;
@@ -22,9 +26,12 @@ struct DrivenStand {
   LumpedModel chain;
   DynamicsSettings dynamics;
   std::optional<dynamics::ModalModel> modes;  ///< of a detailed stand; nothing: the chain of six masses is driven
+  std::shared_ptr<const reduce::StandWithModes>
+      detailed;  ///< it, with the errors of its connections; null: the chain
   Pass pass;
   ForceRecord force;                                   ///< empty: the pass has none
-  double load                              = 0;        ///< N, working load of the pass
+  double load = 0;                                     ///< N, working load of the pass
+  std::vector<std::string> warnings;                   ///< of the stages
   std::shared_ptr<const CurveDrive> curves = nullptr;  ///< of its contacts, dynamics.contact = "curve"
 };
 

@@ -3,6 +3,7 @@
 #include "app/console.h"
 #include "app/cut_signal.h"
 #include "app/driven_case.h"
+#include "app/stages/exported_stand.h"
 #include "core/case/errors.h"
 #include "core/model/case.h"
 #include "core/records/files.h"
@@ -310,8 +311,8 @@ int stream_command(const CommandLine &command, const Case &the_case)
   std::vector<std::string> notes;
   const auto survey       = surveyed(command.force, notes, command.quiet);
   const DrivenStand stand = driven_case(command, driven_by_mean(the_case, command.pass, survey.mean()));
-  const auto model        = stand.modes ? dynamics::driven_model(*stand.modes)
-                                        : dynamics::driven_model(dynamics::mill_model(stand.chain, stand.dynamics));
+  say_warnings(stand.warnings);
+  const auto model = driven_of(stand);
   fs::create_directories(folder);
   const CutSignal cut;  // before this there is nothing to keep
   GrowingFile rows(folder + "/response.csv");

@@ -1,6 +1,7 @@
 #include "app/calibrate/calibrate_command.h"
 #include "app/address_space.h"
 #include "app/calibrate/calibrated_case.h"
+#include "app/calibrate/detailed_prior.h"
 #include "app/calibrate/levels_text.h"
 #include "app/calibrate/plan_text.h"
 #include "app/console.h"
@@ -12,6 +13,7 @@
 #include "core/records/files.h"
 #include "report/calibration/calibration_page.h"
 #include "twin/calibration/calibration_files.h"
+#include "twin/calibration/verdict.h"
 #include "twin/calibration/words.h"
 #include <cmath>
 #include <filesystem>
@@ -47,7 +49,7 @@ twin::CalibrationInput input_of(const CommandLine &command, const PriorChain &ch
     input.places.push_back(std::find(chain.places.begin(), chain.places.end(), sensor) - chain.places.begin());
   input.rate = pieces.rate;
   input.low  = set.band[0];
-  input.high = std::min(set.band[1], pieces.rate / 2.56);
+  input.high = std::min({set.band[1], pieces.rate / 2.56, chain.limit});
   if (!(input.high > 2 * input.low))
     throw InputError(fmt::format("{}: {:.6g} samples per second show nothing above {:.4g} Hz, the band begins at "
                                  "{:.4g} Hz; record faster, or give a band in records.toml",
@@ -62,33 +64,41 @@ twin::CalibrationInput input_of(const CommandLine &command, const PriorChain &ch
 
 // calibration.json leaves first and comes last, so that a folder with it is whole.
 void write_calibration(const std::string &folder, const std::string &json,
-                       const std::map<std::string, Table> &tables, const std::string &calibrated)
+                       const std::map<std::string, Table> &tables,
+                       const std::map<std::string, std::string> &calibrated)
 {
   std::error_code ignored;
   for (const char *old :
        {"calibration.json", "response.csv", "profiles.csv", "force.csv", "report.html", "calibrated.toml"})
     fs::remove(folder + "/" + old, ignored);
+  fs::remove_all(folder + "/models", ignored);
   for (const auto &[name, table] : tables)
     write_atomically(folder + "/" + name + ".csv", csv_text(table));
-  if (!calibrated.empty())
-    write_atomically(folder + "/calibrated.toml", calibrated);
+  for (const auto &[name, text] : calibrated) {
+    fs::create_directories(fs::path(folder + "/" + name).parent_path());
+    write_atomically(folder + "/" + name, text);
+  }
   write_atomically(folder + "/report.html", report::calibration_page(folder, json, tables));
   write_atomically(folder + "/calibration.json", json);
 }
 
-std::string line_of(const twin::Calibrated &u)
+std::string line_of(const twin::Calibrated &u, const std::size_t width, const bool agrees)
 {
   if (!u.told)
-    return fmt::format("{:<6} {:>10}  {}\n", u.name, "kept", u.why_not);
+    return fmt::format("{:<{}} {:>10}  {}\n", u.name, width, "kept", u.why_not);
   const twin::ShownChange shown = twin::shown_change(u);
-  return fmt::format("{:<6} {:>10}  95 % {} .. {}\n", u.name, shown.kept, shown.low, shown.high);
+  return fmt::format("{:<{}} {:>10}  95 % {} .. {}\n", u.name, width, agrees ? "agrees" : shown.kept, shown.low,
+                     shown.high);
 }
 
 void say(const twin::Calibration &result, const twin::CalibrationFacts &facts, const std::string &folder)
 {
   using console::print;
+  std::size_t width = 6;
   for (const twin::Calibrated &u : result.unknowns)
-    print(line_of(u));
+    width = std::max(width, u.name.size());
+  for (const twin::Calibrated &u : result.unknowns)
+    print(line_of(u, width, result.agrees));
   for (const std::string &direction : result.unseen)
     print("not seen: " + direction + "\n");
   print(fmt::format("check records: misfit {:.4g}, before {:.4g}; worst third octave {:.2f} of its limit\n",
@@ -97,6 +107,8 @@ void say(const twin::Calibration &result, const twin::CalibrationFacts &facts, c
     print("note: " + visible(note, true) + "\n");
   for (const std::string &reason : result.refusals)
     print((facts.accepted ? "accepted although: " : "refused: ") + visible(reason, true) + "\n");
+  if (result.refusals.empty() && result.agrees)
+    print(twin::agreement_words(result) + "\n");
   if (!facts.written.empty())
     print("calibrated case: " + folder + "/" + facts.written + "\n");
   print("report: " + folder + "/report.html\n");
@@ -110,10 +122,27 @@ void add_notes_without_force(std::vector<std::string> &notes, const Case &the_ca
   notes.insert(notes.begin(), twin::without_force_words());
 }
 
+PriorChain prior_of_case(const CommandLine &command, const Case &the_case, const double load)
+{
+  return is_detailed(the_case) ? detailed_prior(command, the_case, load) : prior_chain(the_case, load);
+}
+
+/// A four-high stand at the load of the records: its contacts follow it.  One of finite elements is not made again
+/// for a load that is nearly that of its pass, nor one in files.
+PriorChain at_load_of(const CommandLine &command, const Case &the_case, const PriorChain &at_first_pass,
+                      const double load)
+{
+  constexpr double nearly = 0.02;  // of the load: 0.1 % of a line contact
+  const bool same         = at_first_pass.detailed && !(std::abs(load / at_first_pass.load - 1) > nearly);
+  return load > 0 && !same ? prior_of_case(command, the_case, load) : at_first_pass;
+}
+
 int calibrate_records(const CommandLine &command, const Case &the_case, const RecordSet &set)
 {
   const std::string folder = command.output.empty() ? "out/" + the_case.name + "-calibration" : command.output;
   require_result_folder(folder, "calibration.json", "calibration", command.force_overwrite);
+  const PriorChain at_first_pass = prior_of_case(command, the_case, std::nan(""));
+  chosen(at_first_pass, command.calibrate.free);  // a wrong name before long records are read
   console::ProgressBar bar(
       {
           {"read",   3},
@@ -126,12 +155,9 @@ int calibrate_records(const CommandLine &command, const Case &the_case, const Re
   Progress progress;
   progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
   progress.at("read", 0);
-  const PriorChain at_first_pass = prior_chain(the_case, std::nan(""));
-  chosen(at_first_pass, command.calibrate.free);  // a wrong name before long records are read
-  MeasuredPieces pieces = measured_pieces(set, at_first_pass.places,
-                                          read_options(command, monitoring_of(command.target, command.sets)));
-  // A four-high stand at the load of the records: its contacts follow it.
-  const PriorChain chain = pieces.load > 0 ? prior_chain(the_case, pieces.load) : at_first_pass;
+  MeasuredPieces pieces  = measured_pieces(set, at_first_pass.places,
+                                           read_options(command, monitoring_of(command.target, command.sets)));
+  const PriorChain chain = at_load_of(command, the_case, at_first_pass, pieces.load);
   twin::CalibrationFacts facts{the_case.name, chain.source, pieces.files,
                                pieces.notes,  "",           command.calibrate.accept};
   facts.notes.insert(facts.notes.end(), chain.notes.begin(), chain.notes.end());
@@ -144,10 +170,15 @@ int calibrate_records(const CommandLine &command, const Case &the_case, const Re
                                            "report and in the head of calibrated.toml alone");
   const twin::Calibration result = twin::calibrate(input, progress);
   const bool refused             = !result.refusals.empty();
-  std::string calibrated;
-  if (!refused || command.calibrate.accept) {
+  if (result.delay && result.delay->told() && !result.delay->too_large())
+    facts.notes.push_back(result.delay->words(input.rate));
+  std::map<std::string, std::string> calibrated;
+  if (refused ? command.calibrate.accept : !result.agrees) {
     facts.written = "calibrated.toml";
-    calibrated    = calibrated_toml(chain, the_case, result, facts.files, refused, folder);
+    if (chain.detailed)
+      calibrated = calibrated_model(chain, the_case, result, facts.files, refused, folder);
+    else
+      calibrated[facts.written] = calibrated_toml(chain, the_case, result, facts.files, refused, folder);
   }
   write_calibration(folder, twin::calibration_json(input, result, facts), twin::calibration_tables(result),
                     calibrated);
@@ -162,7 +193,7 @@ int calibrate_command(const CommandLine &command)
 {
   const Case the_case = read_case(command.target, command.sets);
   if (command.calibrate.plan) {
-    const PriorChain chain = prior_chain(the_case, std::nan(""));
+    const PriorChain chain = prior_of_case(command, the_case, std::nan(""));
     console::print(plan_text(chain, chosen(chain, command.calibrate.free), command.calibrate));
     return 0;
   }
@@ -171,7 +202,7 @@ int calibrate_command(const CommandLine &command)
                      "what a record would tell");
   const RecordSet set = read_record_set(command.calibrate.measured);
   if (set.entries.empty()) {
-    console::print(levels_text(prior_chain(the_case, std::nan("")), set));
+    console::print(levels_text(prior_of_case(command, the_case, std::nan("")), set));
     return refused_code;
   }
   return calibrate_records(command, the_case, set);

@@ -10,19 +10,10 @@
 namespace mill {
 namespace {
 constexpr double given_sd = 0.10, contact_sd = 0.05, least_sd = 0.01;
+}  // namespace
 
-double prior_of(const Parameter &spring, const std::string &name)
-{
-  const bool contact  = name == "K3" || name == "K5";
-  const bool computed = spring.source == Source::computed || spring.source == Source::estimated;
-  if (!std::isfinite(spring.error_estimate))
-    return contact && computed ? contact_sd : given_sd;
-  return std::max(spring.error_estimate, contact && computed ? contact_sd : least_sd);
-}
-
-/// Head of the file: what records made of the case, for whoever opens it.
-std::string comment_of(const Case &origin, const twin::Calibration &result, const std::vector<std::string> &files,
-                       const bool accepted)
+std::string calibration_comment(const Case &origin, const twin::Calibration &result,
+                                const std::vector<std::string> &files, const bool accepted)
 {
   std::string text = "# Calibrated case: " + origin.path + " with\n";
   for (const std::string &file : files)
@@ -41,7 +32,29 @@ std::string comment_of(const Case &origin, const twin::Calibration &result, cons
       text += "# REFUSED, written because of --accept: " + reason + "\n";
   return text;
 }
-}  // namespace
+
+double prior_of_spring(const std::string &name, const double error, const bool computed)
+{
+  const bool contact = computed && (name == "K3" || name == "K5");
+  if (!std::isfinite(error))
+    return contact ? contact_sd : given_sd;
+  return std::max(error, contact ? contact_sd : least_sd);
+}
+
+double damping_to_start_from(const DynamicsSettings &dynamics)
+{
+  if (!(dynamics.modal_damping > 0))
+    throw InputError("dynamics.modal_damping = 0: a calibration starts from a damping ratio above zero, for "
+                     "example 0.01");
+  return dynamics.modal_damping;
+}
+
+std::string place_name(std::string label)
+{
+  std::replace_if(
+      label.begin(), label.end(), [](const char c) { return c == ' ' || c == '-'; }, '_');
+  return label;
+}
 
 PriorChain prior_chain(const Case &the_case, const double load)
 {
@@ -58,19 +71,18 @@ PriorChain prior_chain(const Case &the_case, const double load)
                           "\" of the case: a record's force is the whole bite force, so K4 and C have no part in "
                           "the calibration and stay as they are");
   settings.force_meaning = "measured";
-  if (!(settings.modal_damping > 0))
-    throw InputError("dynamics.modal_damping = 0: a calibration starts from a damping ratio above zero, for "
-                     "example 0.01");
-  chain.stand.chain   = dynamics::mill_model(chain.model, settings);
-  chain.stand.damping = Eigen::VectorXd::Constant(chain.stand.chain.M.size(), settings.modal_damping);
-  for (std::string label : chain.stand.chain.labels) {
-    std::replace(label.begin(), label.end(), ' ', '_');
-    chain.places.push_back(label);
-  }
+  const double damping   = damping_to_start_from(settings);
+  chain.stand.chain      = dynamics::mill_model(chain.model, settings);
+  chain.stand.damping    = Eigen::VectorXd::Constant(chain.stand.chain.M.size(), damping);
+  for (const std::string &label : chain.stand.chain.labels)
+    chain.places.push_back(place_name(label));
   for (std::size_t j = 0; j < chain.stand.chain.springs.size(); ++j) {
     const auto &spring = chain.stand.chain.springs[j];
-    if (spring.stiffness > 0 && j < chain.model.K.size())
-      chain.springs.push_back({spring.name, prior_of(chain.model.K[j], spring.name), 0});
+    if (!(spring.stiffness > 0) || j >= chain.model.K.size())
+      continue;
+    const Parameter &value = chain.model.K[j];
+    const bool computed    = value.source == Source::computed || value.source == Source::estimated;
+    chain.springs.push_back({spring.name, prior_of_spring(spring.name, value.error_estimate, computed), 0});
   }
   chain.springs.push_back({"zeta", std::log(2.0), 0});
   return chain;
@@ -101,6 +113,21 @@ std::vector<twin::Unknown> chosen(const PriorChain &chain, const std::string &fr
   return unknowns;
 }
 
+DynamicsSettings &dynamics_of(Case &the_case)
+{
+  return std::holds_alternative<FourHigh>(the_case.spec) ? std::get<FourHigh>(the_case.spec).dynamics
+                                                         : std::get<Lumped>(the_case.spec).dynamics;
+}
+
+Case with_damping(const Case &origin, const twin::Calibration &result)
+{
+  Case changed = origin;
+  for (const twin::Calibrated &u : result.unknowns)
+    if (u.name == "zeta" && u.told)
+      dynamics_of(changed).modal_damping *= std::exp(u.kept);
+  return changed;
+}
+
 std::string calibrated_toml(const PriorChain &chain, const Case &origin, const twin::Calibration &result,
                             const std::vector<std::string> &files, const bool accepted,
                             const std::string &directory)
@@ -117,14 +144,7 @@ std::string calibrated_toml(const PriorChain &chain, const Case &origin, const t
   if (accepted)
     method += "; refused, accepted by the user";
   LumpedModel model = chain.model;
-  Case changed      = origin;
   for (const twin::Calibrated &u : result.unknowns) {
-    if (u.name == "zeta" && u.told) {
-      DynamicsSettings &dynamics = std::holds_alternative<FourHigh>(changed.spec)
-                                       ? std::get<FourHigh>(changed.spec).dynamics
-                                       : std::get<Lumped>(changed.spec).dynamics;
-      dynamics.modal_damping *= std::exp(u.kept);
-    }
     if (u.name.size() != 2 || u.name[0] != 'K' || !u.told)
       continue;
     Parameter &spring     = model.K[std::size_t(u.name[1] - '1')];
@@ -140,6 +160,7 @@ std::string calibrated_toml(const PriorChain &chain, const Case &origin, const t
                 {"before",    before,                    "value of the given case"}
     };
   }
-  return comment_of(origin, result, files, accepted) + lumped_model_toml(model, changed, directory);
+  return calibration_comment(origin, result, files, accepted) +
+         lumped_model_toml(model, with_damping(origin, result), directory);
 }
 }  // namespace mill

@@ -19,7 +19,7 @@ std::vector<Eigen::Index> places_of(const PriorChain &chain, const std::string &
   for (const std::string &name : split(sensors.empty() ? "upper_work_roll,lower_work_roll" : sensors, ",")) {
     const auto at = std::find(chain.places.begin(), chain.places.end(), name);
     if (at == chain.places.end())
-      throw InputError("--sensors " + sensors + ": " + name + " is no place of the chain" +
+      throw InputError("--sensors " + sensors + ": " + name + " is no place of the stand" +
                        suggestion(name, chain.places));
     if (std::find(places.begin(), places.end(), at - chain.places.begin()) != places.end())
       throw InputError("--sensors " + sensors + ": " + name + " is there twice");
@@ -28,21 +28,39 @@ std::vector<Eigen::Index> places_of(const PriorChain &chain, const std::string &
   return places;
 }
 
-std::string told_line(const twin::Told &told, const std::vector<twin::Unknown> &unknowns, const std::size_t i)
+std::string told_columns(const twin::Told &told, const std::vector<twin::Unknown> &unknowns, const std::size_t i)
 {
   const double shrink = told.shrink[Eigen::Index(i)], prior = unknowns[i].prior_sd;
-  return fmt::format("  {:<6} {:>9}  {:>9}  {:>8.2g}  {}\n", unknowns[i].name,
-                     fmt::format("{:.3g} %", 100 * prior), fmt::format("{:.2g} %", 100 * shrink * prior), shrink,
-                     shrink <= 0.5 ? "told" : "not told");
+  return fmt::format(" {:>9}  {:>9}  {:>8.2g}  {}\n", fmt::format("{:.3g} %", 100 * prior),
+                     fmt::format("{:.2g} %", 100 * shrink * prior), shrink, shrink <= 0.5 ? "told" : "not told");
+}
+
+/// What the record would tell of the damping of each mode, where the common one is asked for.
+std::string each_damping(const PriorChain &chain, const std::vector<twin::Unknown> &unknowns,
+                         const twin::PlannedRecord &record)
+{
+  std::vector<twin::Unknown> each;
+  for (const twin::Unknown &unknown : unknowns)
+    if (unknown.name != "zeta")
+      each.push_back(unknown);
+  if (each.size() == unknowns.size())
+    return "";
+  const std::size_t first         = each.size();
+  const Eigen::VectorXd frequency = twin::mode_frequencies(chain.stand);
+  for (Eigen::Index i = 0; i < frequency.size() && frequency[i] < record.high; ++i)
+    each.push_back({fmt::format("zeta{}", i + 1), std::log(2.0), 0});
+  const twin::Told told = planned(chain.stand, each, record);
+  std::string text      = "  each mode by itself, in place of zeta\n";
+  for (std::size_t i = first; i < each.size(); ++i)
+    text += fmt::format("  {:<6} {:>9.1f} Hz", each[i].name, frequency[Eigen::Index(i - first)]) +
+            told_columns(told, each, i);
+  return text;
 }
 }  // namespace
 
 std::string plan_text(const PriorChain &chain, const std::vector<twin::Unknown> &unknowns,
                       const CalibrateOptions &options)
 {
-  for (const twin::Unknown &unknown : unknowns)
-    if (unknown.name.size() > 4 && unknown.name.compare(0, 4, "zeta") == 0)
-      throw InputError("--free: a plan knows the springs and the common zeta, not " + unknown.name);
   twin::PlannedRecord record;
   record.places         = places_of(chain, options.sensors);
   record.duration       = or_default("--duration", options.duration, "20 s");
@@ -61,9 +79,13 @@ std::string plan_text(const PriorChain &chain, const std::vector<twin::Unknown> 
                   "to {:.0f} Hz\n",
                   chain.source, sensors, record.duration, rms / 1e3, record.force_highest,
                   record.force_recorded ? "" : ", not recorded", record.noise, record.low, record.high);
-  text += "  unknown    before      after     share\n";
+  std::size_t width = 6;
+  for (const twin::Unknown &unknown : unknowns)
+    width = std::max(width, unknown.name.size());
+  text += fmt::format("  {:<{}}    before      after     share\n", "unknown", width + 1);
   for (std::size_t i = 0; i < unknowns.size(); ++i)
-    text += told_line(told, unknowns, i);
+    text += fmt::format("  {:<{}}", unknowns[i].name, width) + told_columns(told, unknowns, i);
+  text += each_damping(chain, unknowns, record);
   const auto unseen = unseen_directions(told, chain.stand);
   for (const std::string &direction : unseen)
     text += "not seen: " + direction + "\n";

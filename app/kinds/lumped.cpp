@@ -62,7 +62,10 @@ const RunKind &run_kind(const Lumped &)
     };
     k.files = [](const Case &the_case) {
       const ModelFiles &m = std::get<Lumped>(the_case.spec).model;
-      return std::vector<std::string>{m.mass, m.stiffness, m.force, m.readings, m.names};
+      std::vector<std::string> files{m.mass, m.stiffness, m.force, m.readings, m.names};
+      if (!m.connections.empty())
+        files.insert(files.end(), {m.connections, m.strains});
+      return files;
     };
     k.run = [](RunContext &run, const Goal goal, const std::string &force_file) {
       run_lumped(run, std::get<Lumped>(run.the_case.spec), goal, force_file);

@@ -35,6 +35,14 @@ reduce::StandWithModes model_from_files(const ModelFiles &files)
   return s;
 }
 
+void drive_files(DrivenStand &driven, const ModelFiles &files)
+{
+  driven.detailed                 = std::make_shared<const reduce::StandWithModes>(model_from_files(files));
+  driven.dynamics.frequency_limit = files.frequency_limit;
+  driven.chain.C.value            = files.gap_damper;
+  driven.modes                    = driven_modes(*driven.detailed, driven.chain, driven.dynamics);
+}
+
 void run_detailed_model(RunContext &run, const Lumped &lumped, const Goal goal, const std::string &force_file)
 {
   const ModelFiles &files        = lumped.model;

@@ -1,5 +1,6 @@
 #include "app/stages/exchanged_stand.h"
 #include "app/pipeline.h"
+#include "app/stages/exported_stand.h"
 #include "fmu/description.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -8,10 +9,11 @@
 namespace mill {
 dynamics::ExchangedStand exchanged_stand(const DrivenStand &stand, const fmu::ExportedModel &unit)
 {
-  const auto chain = dynamics::mill_model(stand.chain, stand.dynamics);
-  const auto own   = stand.modes ? dynamics::driven_model(*stand.modes) : dynamics::driven_model(chain);
-  dynamics::ExchangedStand out = stand.modes ? dynamics::exchanged(*stand.modes)
-                                             : dynamics::exchanged(chain, stand.dynamics, unit.data.gap_damper);
+  const auto own               = driven_of(stand);
+  dynamics::ExchangedStand out = stand.modes
+                                     ? dynamics::exchanged(*stand.modes)
+                                     : dynamics::exchanged(dynamics::mill_model(stand.chain, stand.dynamics),
+                                                           stand.dynamics, unit.data.gap_damper);
   out.name                     = unit.identifier;
   out.title                    = unit.title;
   out.origin                   = unit.origin;

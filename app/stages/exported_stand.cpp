@@ -69,6 +69,10 @@ namespace {
 std::map<std::string, std::string> sources(const DrivenStand &stand)
 {
   std::map<std::string, std::string> all;
+  all["modal_damping"] = "dynamics.modal_damping";
+  all["F_mean"] = stand.force.force.size() > 0 ? "mean of the force of " + stand.pass.name : "load of the pass";
+  if (std::isnan(stand.chain.M[0].value))  // a stand in files has no numbers of a chain
+    return all;
   const auto add = [&](const std::string &name, const Parameter &p) {
     all[name] = name + " of the case, " + source_text(p) + (p.at.empty() ? "" : ", at " + p.at.text());
   };
@@ -81,8 +85,6 @@ std::map<std::string, std::string> sources(const DrivenStand &stand)
     all["K4"] = all["C"] = "zero: dynamics.force_meaning is measured";
   else if (std::isnan(stand.chain.C.value))
     all["C"] = "zero: the case gives none";
-  all["modal_damping"] = "dynamics.modal_damping";
-  all["F_mean"] = stand.force.force.size() > 0 ? "mean of the force of " + stand.pass.name : "load of the pass";
   return all;
 }
 
@@ -106,6 +108,12 @@ fmu::CheckRun check_run(const dynamics::DrivenModel &driven, const double mean, 
 }
 }  // namespace
 
+dynamics::DrivenModel driven_of(const DrivenStand &stand)
+{
+  return stand.modes ? dynamics::driven_model(*stand.modes)
+                     : dynamics::driven_model(dynamics::mill_model(stand.chain, stand.dynamics));
+}
+
 fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of)
 {
   fmu::ExportedModel model;
@@ -117,9 +125,9 @@ fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of)
   model.source        = sources(stand);
   model.origin        = "case " + of.name + (stand.pass.name.empty() ? "" : ", " + stand.pass.name) +
                  (stand.chain.at.empty() ? "" : " at " + stand.chain.at.text());
-  const auto chain  = dynamics::mill_model(stand.chain, stand.dynamics);
-  const auto driven = stand.modes ? dynamics::driven_model(*stand.modes) : dynamics::driven_model(chain);
-  model.data        = stand.modes ? modal_data(*stand.modes) : chain_data(chain, stand);
+  const auto driven = driven_of(stand);
+  model.data        = stand.modes ? modal_data(*stand.modes)
+                                  : chain_data(dynamics::mill_model(stand.chain, stand.dynamics), stand);
   model.method      = stand.modes ? fmt::format("stand in {} modes up to {:.0f} Hz", stand.modes->frequency.size(),
                                                 stand.modes->frequency.tail(1)[0])
                                   : std::string("chain of six masses");

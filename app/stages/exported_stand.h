@@ -1,5 +1,6 @@
 #pragma once
 #include "app/pipeline.h"
+#include "dynamics/response/response.h"
 #include "fmu/exported_model.h"
 
 namespace mill {
@@ -7,6 +8,9 @@ struct Case;
 
 /// A stand in its modes.
 fmu::ModelData modal_data(const dynamics::ModalModel &modes);
+
+/// The stand in its modes, or its chain.
+dynamics::DrivenModel driven_of(const DrivenStand &stand);
 
 /// The stand as a unit needs it: model data, where each start value comes from, the force that travels along, and
 /// the run that the unit must reproduce.  theory.md 35

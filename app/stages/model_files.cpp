@@ -255,46 +255,30 @@ std::string mat_of(const reduce::StandWithModes &s, const Eigen::MatrixXd &M, co
   return mat_file(variables);
 }
 
-// The case that reads the model back, with its first modes to know the matrices by.
-ModelFiles files_of(const reduce::StandWithModes &s, const DynamicsSettings &dynamics, const double gap_damper)
+}  // namespace
+
+ModelFiles model_case_files(const reduce::StandWithModes &s, const double frequency_limit, const double gap_damper)
 {
-  const std::string base = "models/" + s.model.name;
-  ModelFiles files;
-  files.name      = s.model.name;
-  files.mass      = base + "-mass.mtx";
-  files.stiffness = base + "-stiffness.mtx";
-  files.force     = base + "-force.mtx";
-  files.readings  = base + "-readings.mtx";
-  files.names     = base + "-names.csv";
+  ModelFiles files = named_files(s.model, "models");
   if (gap_damper > 0)
     files.gap_damper = gap_damper;
-  files.frequency_limit = dynamics.frequency_limit;
-  for (Eigen::Index i = 0; i < s.modes.frequency.size() && below_limit(s, i, dynamics); ++i)
+  files.frequency_limit = frequency_limit;
+  for (Eigen::Index i = 0; i < s.modes.frequency.size() && s.modes.frequency[i] <= frequency_limit; ++i)
     files.modes.push_back({double(i + 1), s.modes.frequency[i]});
   if (files.modes.size() == 1)
     files.modes.clear();  // one pair is no table
   return files;
 }
-}  // namespace
 
 void write_model_files(RunContext &run, const FourHigh &stand, const reduce::StandWithModes &s,
                        const LumpedModel &chain)
 {
   const DynamicsSettings &dynamics = stand.dynamics;
   const double gap_damper = dynamics.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value;
-  const ModelFiles files  = files_of(s, dynamics, gap_damper);
+  const ModelFiles files  = model_case_files(s, dynamics.frequency_limit, gap_damper);
   const std::string &name = s.model.name;
-  const auto symmetric    = [](const Eigen::MatrixXd &m) { return Eigen::MatrixXd(0.5 * (m + m.transpose())); };
-  const Eigen::MatrixXd K = symmetric(stiffness_of(s.model)), M = symmetric(s.model.M);  // to the last digit
-  run.out.write(files.mass, matrix_market_text(M, "mass matrix of model " + name + ", whole stand, kg"));
-  run.out.write(files.stiffness,
-                matrix_market_text(K, "stiffness matrix of model " + name + ", whole stand, N/m"));
-  run.out.write(files.force,
-                matrix_market_text(s.model.b, "force on each unknown per unit of bite force, model " + name));
-  run.out.write(
-      files.readings,
-      matrix_market_text(readings_of(s.model), "places by unknown (m), last row load cell (N), model " + name));
-  run.out.write(files.names, model_names_csv(s.model));
+  for (const auto &[path, text] : texts_of(s.model, files))
+    run.out.write(path, text);
   if (s.model.M.rows() <= many_unknowns || dynamics.model_files == "all") {
     const auto kept =
         std::upper_bound(s.modes.frequency.begin(), s.modes.frequency.end(), 2 * dynamics.frequency_limit) -
@@ -305,7 +289,8 @@ void write_model_files(RunContext &run, const FourHigh &stand, const reduce::Sta
         s.model, s.modes.frequency.head(n), s.modes.shape.leftCols(n), dynamics.modal_damping, gap_damper);
     run.out.write("models/" + name + "-damping.mtx",
                   matrix_market_text(C, "damping matrix of model " + name + ", whole stand, N s/m"));
-    run.out.write("models/" + name + ".mat", mat_of(s, M, K, C));
+    run.out.write("models/" + name + ".mat",
+                  mat_of(s, symmetric_part(s.model.M), symmetric_part(stiffness_of(s.model)), C));
   }
   if (!s.model.lines.empty())
     write_shapes_of(run, stand, s);

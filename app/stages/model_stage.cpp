@@ -288,6 +288,29 @@ reduce::FeMasses add_fe_masses(LumpedModel &chain, const FourHigh &stand, const 
   return fe;
 }
 
+namespace {
+// Puts a model of the stand together again from other numbers.
+reduce::StandBuilder builder_of(const reduce::StandWithModes &s, const ComponentSets &components)
+{
+  if (s.model.name == "beam")
+    return [](const FourHigh &stand, const reduce::StandSprings &springs) {
+      return reduce::beam_stand(stand, springs, beam_elements);
+    };
+  return [&](const FourHigh &stand, const reduce::StandSprings &springs) {
+    return reduce::component_stand(stand, springs, components.fine);
+  };
+}
+}  // namespace
+
+reduce::StandWithModes with_connection_errors(reduce::StandWithModes s, const FourHigh &stand,
+                                              const reduce::LumpedStand &chain, const ComponentSets &components)
+{
+  const bool chock_on_bearing = s.model.name == "craig-bampton";
+  reduce::set_connection_errors(s.model, stand, reduce::stand_springs(stand, chain, chock_on_bearing), chain,
+                                builder_of(s, components));
+  return s;
+}
+
 void compare_models(RunContext &run, const FourHigh &stand, const reduce::LumpedStand &chain,
                     const StandModels &models, const ComponentSets &components, const reduce::FeMasses &masses)
 {
@@ -297,17 +320,13 @@ void compare_models(RunContext &run, const FourHigh &stand, const reduce::Lumped
   write_shapes(run, stand, chain, models.craig_bampton.model);
   write_mode_table(run, models.beam);
   write_mode_table(run, models.craig_bampton);
-  for (const auto *model : {&models.chain, &models.beam, &models.craig_bampton})
-    write_model_files(run, stand, *model, chain.model);
   write_roll_shapes(run, stand, models.craig_bampton, components.fine.work_roll, components.fine.backup_roll);
   const Eigen::MatrixXd mac = reduce::mac_between(models.craig_bampton, models.beam);
   const auto springs = reduce::stand_springs(stand, chain), on_bearing = reduce::stand_springs(stand, chain, true);
-  const auto beams = [](const FourHigh &s, const reduce::StandSprings &k) {
-    return reduce::beam_stand(s, k, beam_elements);
-  };
-  const auto solids = [&](const FourHigh &s, const reduce::StandSprings &k) {
-    return reduce::component_stand(s, k, components.fine);
-  };
+  const auto beams = builder_of(models.beam, components), solids = builder_of(models.craig_bampton, components);
+  write_model_files(run, stand, models.chain, chain.model);
+  for (const auto *model : {&models.beam, &models.craig_bampton})
+    write_model_files(run, stand, with_connection_errors(*model, stand, chain, components), chain.model);
   add_frequencies(run, models.beam, models.craig_bampton, mac,
                   reduce::frequency_errors(models.beam, stand, springs, chain, beams), chain, limit);
   add_frequencies(run, models.craig_bampton, models.beam, mac.transpose(),
@@ -333,9 +352,7 @@ std::vector<reduce::ModalSensitivity> inputs_of_modes(const FourHigh &stand, con
                                                       const StandModels &models, const ComponentSets &components)
 {
   return reduce::modal_sensitivities(models.craig_bampton, stand, reduce::stand_springs(stand, chain, true), chain,
-                                     [&](const FourHigh &s, const reduce::StandSprings &k) {
-                                       return reduce::component_stand(s, k, components.fine);
-                                     });
+                                     builder_of(models.craig_bampton, components));
 }
 
 void add_model_checks(RunContext &run, const StandModels &models)

@@ -27,6 +27,11 @@ StandModels stand_models(const FourHigh &stand, const reduce::LumpedStand &chain
 /// @return  as they are by both roads
 reduce::FeMasses add_fe_masses(LumpedModel &chain, const FourHigh &stand, const StandModels &models);
 
+/// A detailed model with the errors of its connections, which files and calibration state.
+/// Cost: the stand is put together some thirty times.
+reduce::StandWithModes with_connection_errors(reduce::StandWithModes model, const FourHigh &stand,
+                                              const reduce::LumpedStand &chain, const ComponentSets &components);
+
 /// Writes curves/models.json, curves/modes-beam.csv, curves/modes-craig-bampton.csv, the files of every model
 /// (app/stages/model_files.h), six masses made from the other two, and adds their frequencies to the results.
 void compare_models(RunContext &run, const FourHigh &stand, const reduce::LumpedStand &chain,

@@ -9,7 +9,8 @@
 
 namespace mill {
 namespace {
-constexpr std::size_t places_of_chain = 6;
+constexpr std::size_t places_of_chain    = 6;
+constexpr const char *connections_header = "connection,stiffness [N/m],error_estimate";
 
 std::string cell(const std::string &text)
 {
@@ -34,7 +35,7 @@ Eigen::MatrixXd symmetric(const std::string &path)
   Eigen::MatrixXd m = read_matrix_market(path);
   if (m.rows() != m.cols() || (m - m.transpose()).cwiseAbs().maxCoeff() > 1e-9 * m.cwiseAbs().maxCoeff())
     refuse(path, "is not symmetric; mass and stiffness of a stand are");
-  return 0.5 * (m + m.transpose());
+  return symmetric_part(m);
 }
 
 std::string text_of(const csv::Cell &cell)
@@ -81,7 +82,79 @@ void read_names(const std::string &path, const Eigen::MatrixXd &readings, StandM
     refuse(path, fmt::format("names {} unknowns and {} readings; the matrices have {} and {}", s.unknowns.size(),
                              n, s.M.rows(), readings.rows()));
 }
+
+// Springs of one name follow each other; the file has one row for each.
+void read_connections(const ModelFiles &files, StandModel &s)
+{
+  const Eigen::MatrixXd rows = read_matrix_market(files.strains);
+  csv::Sheet sheet           = csv::sheet_of(files.connections, read_text(files.connections), connections_header);
+  const auto name = csv::index_of(sheet, "connection", ""), stiffness = csv::index_of(sheet, "stiffness", "N/m"),
+             error = csv::index_of(sheet, "error_estimate", "");
+  require_size(files.strains, rows, Eigen::Index(sheet.n_rows()), s.M.rows());
+  for (std::size_t r = 0; r < sheet.n_rows();) {
+    const std::string own = text_of(sheet.cell(r, name));
+    std::size_t end       = r;
+    while (end < sheet.n_rows() && text_of(sheet.cell(end, name)) == own)
+      ++end;
+    for (const Connection &other : s.connections)
+      if (other.name == own)
+        throw InputError(sheet.place(sheet.cell(r, name)), "\"" + own +
+                                                               "\" stands in two places; its springs "
+                                                               "follow each other");
+    Connection c{own, rows.middleRows(Eigen::Index(r), Eigen::Index(end - r)),
+                 Eigen::VectorXd(Eigen::Index(end - r))};
+    if (const csv::Cell &cell = sheet.cell(r, error); !cell.text.empty())
+      c.error_estimate = csv::number_of(cell, "error_estimate", sheet);
+    for (std::size_t k = r; k < end; ++k) {
+      const csv::Cell &cell            = sheet.cell(k, stiffness);
+      c.stiffness[Eigen::Index(k - r)] = csv::number_of(cell, "stiffness", sheet);
+      if (!(c.stiffness[Eigen::Index(k - r)] >= 0))
+        throw InputError(sheet.place(cell), "stiffness " + text_of(cell) + " N/m: must not be negative");
+    }
+    s.connections.push_back(std::move(c));
+    r = end;
+  }
+  // What is left of the matrix are the parts, which have no unknown in common.
+  for (const Connection &c : s.connections)
+    s.K_parts -= c.rows.transpose() * c.stiffness.asDiagonal() * c.rows;
+  const double stiffest = stiffness_of(s).cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < s.K_parts.rows(); ++i)
+    for (Eigen::Index j = 0; j < i; ++j)
+      if (s.part_of[std::size_t(i)] != s.part_of[std::size_t(j)]) {
+        if (std::abs(s.K_parts(i, j)) > 1e-9 * stiffest)
+          refuse(
+              files.connections,
+              fmt::format("without these springs unknowns {} and {} of two parts are still joined in {}: they are "
+                          "not those of this model",
+                          j + 1, i + 1, files.stiffness));
+        s.K_parts(i, j) = s.K_parts(j, i) = 0;
+      }
+}
 }  // namespace
+
+std::string connections_csv(const StandModel &stand)
+{
+  std::string text = std::string(connections_header) + "\n";
+  for (const Connection &c : stand.connections)
+    for (Eigen::Index r = 0; r < c.stiffness.size(); ++r)
+      text += fmt::format("{},{},{}\n", cell(c.name), c.stiffness[r],
+                          std::isnan(c.error_estimate) ? "" : fmt::format("{}", c.error_estimate));
+  return text;
+}
+
+Eigen::MatrixXd strains_of(const StandModel &stand)
+{
+  Eigen::Index rows = 0;
+  for (const Connection &c : stand.connections)
+    rows += c.rows.rows();
+  Eigen::MatrixXd all(rows, stand.M.rows());
+  rows = 0;
+  for (const Connection &c : stand.connections) {
+    all.middleRows(rows, c.rows.rows()) = c.rows;
+    rows += c.rows.rows();
+  }
+  return all;
+}
 
 Eigen::MatrixXd readings_of(const StandModel &stand)
 {
@@ -105,6 +178,44 @@ std::string model_names_csv(const StandModel &stand)
   return text + fmt::format("reading,{},load cell,change of force,,y,N\n", stand.points.size() + 1);
 }
 
+ModelFiles named_files(const StandModel &stand, const std::string &folder)
+{
+  const std::string base = folder + "/" + stand.name;
+  ModelFiles files;
+  files.name      = stand.name;
+  files.mass      = base + "-mass.mtx";
+  files.stiffness = base + "-stiffness.mtx";
+  files.force     = base + "-force.mtx";
+  files.readings  = base + "-readings.mtx";
+  files.names     = base + "-names.csv";
+  if (!stand.connections.empty()) {
+    files.connections = base + "-connections.csv";
+    files.strains     = base + "-strains.mtx";
+  }
+  return files;
+}
+
+std::map<std::string, std::string> texts_of(const StandModel &stand, const ModelFiles &files)
+{
+  const std::string &name = stand.name;
+  std::map<std::string, std::string> texts{
+      {files.mass,
+       matrix_market_text(symmetric_part(stand.M),                                                  "mass matrix of model " + name + ", whole stand, kg")},
+      {files.stiffness,                                                           matrix_market_text(symmetric_part(stiffness_of(stand)),
+       "stiffness matrix of model " + name + ", whole stand, N/m")},
+      {files.force, matrix_market_text(stand.b,                               "force on each unknown per unit of bite force, model " + name)},
+      {files.readings,
+       matrix_market_text(readings_of(stand),"places by unknown (m), last row load cell (N), model " + name)},
+      {files.names,                                              model_names_csv(stand)                                                      }
+  };
+  if (!files.connections.empty()) {
+    texts[files.connections] = connections_csv(stand);
+    texts[files.strains] =
+        matrix_market_text(strains_of(stand), "strain of each spring per displacement, model " + name);
+  }
+  return texts;
+}
+
 StandModel detailed_model_of(const ModelFiles &files)
 {
   StandModel s;
@@ -122,6 +233,8 @@ StandModel detailed_model_of(const ModelFiles &files)
   s.b         = b.col(0);
   s.load_cell = readings.bottomRows(1).transpose();
   read_names(files.names, readings, s);
+  if (!files.connections.empty())
+    read_connections(files, s);
   return s;
 }
 }  // namespace mill

@@ -11,6 +11,7 @@ struct Connection {
   std::string name;           ///< "K3", "K_Zy upper", "oil column"
   Eigen::MatrixXd rows;       ///< (r, n) -, strain of each spring per displacement
   Eigen::VectorXd stiffness;  ///< (r) N/m
+  double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< -, of all its stiffness; NaN: not known
 };
 
 /// A place of the stand that is looked at.
@@ -68,6 +69,9 @@ struct StandModel {
   /// (n, n) kg s2 or empty: what modes left out of the parts contribute (Component::residual, assembled).
   Eigen::MatrixXd residual;
 };
+
+/// (m + m') / 2, symmetric to the last digit.
+Eigen::MatrixXd symmetric_part(const Eigen::MatrixXd &m);
 
 /// (n, n) N/m: K_parts and all connections.
 Eigen::MatrixXd stiffness_of(const StandModel &stand);

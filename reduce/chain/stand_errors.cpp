@@ -106,6 +106,24 @@ FrequencyErrors frequency_errors(const StandWithModes &modes, const FourHigh &st
   return sum;
 }
 
+void set_connection_errors(StandModel &model, const FourHigh &stand, const StandSprings &springs,
+                           const LumpedStand &chain, const StandBuilder &build)
+{
+  for (Connection &connection : model.connections)
+    connection.error_estimate = 0;
+  for (const Uncertain &input : inputs_of(stand, chain)) {
+    const StandModel other = moved(input, stand, springs, build);
+    if (other.connections.size() != model.connections.size())
+      continue;
+    for (std::size_t c = 0; c < model.connections.size(); ++c) {
+      const double slope =
+          std::log(other.connections[c].stiffness.sum() / model.connections[c].stiffness.sum()) / step;
+      if (std::abs(slope) > no_slope)
+        model.connections[c].error_estimate += std::abs(slope) * input.error;
+    }
+  }
+}
+
 std::vector<ModalSensitivity> modal_sensitivities(const StandWithModes &modes, const FourHigh &stand,
                                                   const StandSprings &springs, const LumpedStand &chain,
                                                   const StandBuilder &build)

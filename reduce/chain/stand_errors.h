@@ -26,6 +26,12 @@ using StandBuilder = std::function<StandModel(const FourHigh &stand, const Stand
 FrequencyErrors frequency_errors(const StandWithModes &modes, const FourHigh &stand, const StandSprings &springs,
                                  const LumpedStand &chain, const StandBuilder &build);
 
+/// Error of each connection of a stand from the inputs of frequency_errors(): sum of |d ln k / d ln x| e_x; NaN
+/// where one of them states none.
+/// @param model  of build(stand, springs)
+void set_connection_errors(StandModel &model, const FourHigh &stand, const StandSprings &springs,
+                           const LumpedStand &chain, const StandBuilder &build);
+
 /// What an input that may be off does to the modes of a stand.
 struct ModalSensitivity {
   std::string name;    ///< "K3", "frame.oil_column_stiffness"

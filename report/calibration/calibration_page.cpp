@@ -132,6 +132,9 @@ std::string head_of(const json &document)
     return text + "<div class=\"verdict ok\"><p>" + count +
            "; the calibrated stand explains the check records as well as " +
            (force_recorded(document) ? "a linear model" : "any one force") + " can.</p></div>\n";
+  if (status == "agrees")
+    return text + "<div class=\"verdict ok\"><p>The case agrees with these records already: nothing to change, no "
+                  "calibrated case was written.</p></div>\n";
   return text + "<div class=\"verdict warnings\"><p>" +
          (status == "accepted" ? "Refused, and written all the same because of <code>--accept</code>: "
                                : "Refused, no case was written: ") +

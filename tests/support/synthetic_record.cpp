@@ -90,27 +90,34 @@ Chain chain(const Eigen::VectorXd &M, const Eigen::VectorXd &K, const double dam
   return {solver.eigenvalues().cwiseSqrt() / (2 * M_PI), V, strain, kinetic, damping};
 }
 
-Eigen::MatrixXd response(const Chain &chain, const Eigen::VectorXd &drive, const double rate)
+Eigen::MatrixXd modal_response(const Eigen::VectorXd &frequency, const Eigen::VectorXd &gain, const double z,
+                               const Eigen::VectorXd &drive, const double rate)
 {
   const Eigen::Index n = drive.size();
-  const double h = 1 / rate, z = chain.damping;
-  Eigen::MatrixXd modal(n, 6);
-  for (int i = 0; i < 6; ++i) {
-    const double w = 2 * M_PI * chain.frequency[i], d = w * std::sqrt(1 - z * z), e = std::exp(-z * w * h),
-                 c = std::cos(d * h), s = std::sin(d * h), gain = chain.shape(2, i) - chain.shape(3, i);
-    double q = gain * drive[0] / (w * w), v = 0;
+  const double h       = 1 / rate;
+  Eigen::MatrixXd modal(n, frequency.size());
+  for (Eigen::Index i = 0; i < frequency.size(); ++i) {
+    const double w = 2 * M_PI * frequency[i], d = w * std::sqrt(1 - z * z), e = std::exp(-z * w * h),
+                 c = std::cos(d * h), s = std::sin(d * h);
+    double q = gain[i] * drive[0] / (w * w), v = 0;
     for (Eigen::Index k = 0; k < n; ++k) {
-      const double f = gain * drive[k];
+      const double f = gain[i] * drive[k];
       modal(k, i)    = f - 2 * z * w * v - w * w * q;
       if (k + 1 == n)
         break;
-      const double slope = (gain * drive[k + 1] - f) / h, p0 = f / (w * w) - 2 * z * slope / (w * w * w),
+      const double slope = (gain[i] * drive[k + 1] - f) / h, p0 = f / (w * w) - 2 * z * slope / (w * w * w),
                    pv = slope / (w * w), a = q - p0, b = (v - pv + z * w * a) / d;
       q = e * (a * c + b * s) + p0 + pv * h;
       v = e * ((b * d - z * w * a) * c - (a * d + z * w * b) * s) + pv;
     }
   }
-  return modal * chain.shape.transpose();
+  return modal;
+}
+
+Eigen::MatrixXd response(const Chain &chain, const Eigen::VectorXd &drive, const double rate)
+{
+  const Eigen::VectorXd gain = (chain.shape.row(2) - chain.shape.row(3)).transpose();
+  return modal_response(chain.frequency, gain, chain.damping, drive, rate) * chain.shape.transpose();
 }
 
 Eigen::VectorXd lines_record(const std::vector<std::array<double, 3>> &lines, const double offset,

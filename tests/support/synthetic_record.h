@@ -33,8 +33,13 @@ struct Chain {
 };
 Chain chain(const Eigen::VectorXd &M, const Eigen::VectorXd &K, double damping);
 
-/// Accelerations (n, 6) m/s2 of the masses from equilibrium under the first value, straight lines between samples
-/// of the drive; one mode at a time by its closed solution.
+/// Modal accelerations (n, modes) kg^1/2 m/s2 from equilibrium under the first value, straight lines between
+/// samples of the drive; one mode at a time by its closed solution.
+/// @param gain  (modes) kg^-1/2, force on each mode
+Eigen::MatrixXd modal_response(const Eigen::VectorXd &frequency, const Eigen::VectorXd &gain, double damping,
+                               const Eigen::VectorXd &drive, double rate);
+
+/// Accelerations (n, 6) m/s2 of the masses, by modal_response().
 Eigen::MatrixXd response(const Chain &chain, const Eigen::VectorXd &drive, double rate);
 
 /// Sum of cosines {frequency, amplitude, phase}, offset, drift and white noise.

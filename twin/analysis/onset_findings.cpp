@@ -14,6 +14,21 @@ const CleanChannel *clean_of(const CleanRecord &record, const std::string &name)
   return record.find(name);
 }
 
+// The mode that a recorded force drives, if the finding is one; its decay then needs no noise to be read from.
+const ForcedMode *forced_of(const Analysis &analysis, const Finding &finding)
+{
+  for (const ForcedMode &mode : analysis.forced.modes)
+    if (mode.confirmed && mode.frequency == finding.frequency)
+      return &mode;
+  return nullptr;
+}
+
+// 1/s, upper end of 95 % of the growth rate that damping in H1 is.
+double upper_of(const ForcedMode &mode)
+{
+  return -(mode.damping - 1.96 * mode.sd_damping) * 2 * M_PI * mode.frequency;
+}
+
 void add_growth(Analysis &analysis, Finding &of_mode, const ComplexEnvelope &envelope)
 {
   const GrowthRate growth = growth_rate(envelope);
@@ -29,6 +44,13 @@ void add_growth(Analysis &analysis, Finding &of_mode, const ComplexEnvelope &env
                   growth.sigma, growth.law, growth.upper()));
   if (!growth.near_instability())
     return;
+  if (const ForcedMode *forced = forced_of(analysis, of_mode);
+      forced && upper_of(*forced) < near_instability_from) {
+    of_mode.evidence.push_back(fmt::format("the response to the recorded force knows better: growth rate {:.2f} "
+                                           "1/s, 95 % below {:.2f} 1/s, no warning",
+                                           -forced->damping * 2 * M_PI * forced->frequency, upper_of(*forced)));
+    return;
+  }
   Finding finding{"near instability", of_mode.channel, of_mode.frequency, of_mode.low, of_mode.high,
                   of_mode.amplitude,  of_mode.unit,    of_mode.owner,     {}};
   finding.evidence.push_back(

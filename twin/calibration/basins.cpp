@@ -28,11 +28,6 @@ struct Scan {
   }
 };
 
-bool is_spring(const Unknown &unknown)
-{
-  return unknown.name.size() == 2 && unknown.name[0] == 'K';
-}
-
 /// One walk over the grid: estimates and costs of every step.
 struct Walk {
   std::vector<Eigen::VectorXd> theta;
@@ -207,7 +202,7 @@ ScannedFit scanned(const FitProblem &problem, const Fit &first, const FitSetting
     springs.clear();
     const Eigen::VectorXd shrink = result.best.shrink();
     for (std::size_t i = 0; i < result.best.unknowns.size(); ++i)
-      if (is_spring(result.best.unknowns[i]) && shrink[Eigen::Index(i)] > worth_a_scan)
+      if (is_spring(stand, result.best.unknowns[i].name) && shrink[Eigen::Index(i)] > worth_a_scan)
         springs.push_back(Eigen::Index(i));
     const Fit scanned_fit = result.best;
     std::mutex guard;

@@ -2,6 +2,7 @@
 #include "dynamics/response/response_slopes.h"
 #include "twin/calibration/calibration_parts.h"
 #include "twin/calibration/output_only_calibration.h"
+#include "twin/calibration/verdict.h"
 #include "twin/calibration/words.h"
 #include <algorithm>
 #include <cmath>
@@ -123,15 +124,21 @@ Eigen::VectorXd keep_priors(const ProblemOf &problem_of, const Fit &joint, const
 }
 
 namespace {
+/// The case, with the clocks as they were found: they are no matter of the stand.
+Eigen::VectorXd case_of(const CalibrationInput &in, const Eigen::VectorXd &theta)
+{
+  Eigen::VectorXd before = Eigen::VectorXd::Zero(theta.size());
+  if (const Eigen::Index delay = index_of(in.unknowns, "delay"); delay >= 0)
+    before[delay] = theta[delay];
+  return before;
+}
+
 Held held_against(const CalibrationInput &in, const Eigen::VectorXd &theta, const MeasuredResponse &data,
                   const std::vector<ForcedSamples> &pieces, const MeasuredResponse &fit_data,
                   const NoiseDensity &noise)
 {
   Held held;
-  Eigen::VectorXd before = Eigen::VectorXd::Zero(theta.size());
-  if (const Eigen::Index delay = index_of(in.unknowns, "delay"); delay >= 0)
-    before[delay] = theta[delay];  // clocks are no matter of the stand
-  held.before    = misfit_on(in.stand, in.unknowns, before, data, fit_data, noise);
+  held.before    = misfit_on(in.stand, in.unknowns, case_of(in, theta), data, fit_data, noise);
   held.after     = misfit_on(in.stand, in.unknowns, theta, data, fit_data, noise);
   const auto own = noise_of(residuals(in.stand, in.unknowns, theta, data, noise_before(data)));
   held.bands =
@@ -141,54 +148,6 @@ Held held_against(const CalibrationInput &in, const Eigen::VectorXd &theta, cons
       held.worst = std::max(held.worst, band.ratio / band.limit);
   return held;
 }
-
-void add_band_refusals(std::vector<std::string> &refusals, const CalibrationInput &in, const Held &held,
-                       const std::string &record)
-{
-  const BandResidual *worst = nullptr;
-  int wrong                 = 0;
-  for (const BandResidual &band : held.bands)
-    if (band.wrong()) {
-      ++wrong;
-      if (!worst || band.ratio / band.limit > worst->ratio / worst->limit)
-        worst = &band;
-    }
-  if (worst)
-    refusals.push_back(fmt::format("in {} of {} third octaves of the {} the stand leaves more than a linear model "
-                                   "must; the worst is {:.1f} Hz "
-                                   "of {}: {:.2f} times, limit {:.2f}",
-                                   wrong, held.bands.size(), record, worst->centre,
-                                   in.sensors[std::size_t(worst->sensor)], worst->ratio, worst->limit));
-}
-
-}  // namespace
-
-void add_other_refusals(std::vector<std::string> &refusals, const CalibrationInput &in, const Calibration &c)
-{
-  if (!(c.check.after < c.check.before))
-    refusals.push_back(fmt::format("the check records fit no better than before: misfit {:.4g}, before {:.4g}",
-                                   c.check.after, c.check.before));
-  for (std::size_t i = 0; i < c.unknowns.size(); ++i) {
-    const Calibrated &u = c.unknowns[i];
-    const double moved  = (u.estimate - in.unknowns[i].prior) / u.prior_sd;
-    if (u.name == "delay") {
-      const double limit = 1 / (20 * in.high);
-      if (u.sd > limit)
-        refusals.push_back(fmt::format("the delay of the clocks is uncertain by {:.3g} ms; up to {:.0f} Hz "
-                                       "{:.3g} ms are allowed",
-                                       1e3 * u.sd, in.high, 1e3 * limit));
-    } else if (std::abs(moved) > far_from_prior)
-      refusals.push_back(fmt::format("{} would move by {:.1f} of its prior standard deviations, which is no "
-                                     "correction of this stand",
-                                     u.name, moved));
-  }
-  for (const std::string &channel : in.clipped)
-    refusals.push_back(channel + " is clipped");
-  if (!c.scan.best.converged)
-    refusals.push_back("the fit did not converge");
-}
-
-namespace {
 
 /// |H1| of the check records beside the case and the calibrated case.
 Table response_table(const CalibrationInput &in, const Eigen::VectorXd &theta)
@@ -265,9 +224,15 @@ Calibration calibrate(const CalibrationInput &in, const Progress &progress)
   result.fit_seconds        = seconds_of(data);
   result.check_seconds      = seconds_of(check);
   result.response           = response_table(in, theta);
-  add_band_refusals(result.refusals, in, result.fit, "fitted records");
-  add_band_refusals(result.refusals, in, result.check, "check records");
-  add_other_refusals(result.refusals, in, result);
+  if (index_of(in.unknowns, "delay") < 0)
+    result.delay = clock_delay(in.stand, result.scan.best, data, in.fit, in.rate, in.low, in.high, settings);
+  const Eigen::VectorXd as_it_is = case_of(in, result.scan.best.estimate);
+  result.case_deviance =
+      2 * (likelihood(in.stand, in.unknowns, as_it_is, data, noise, Wanted::cost, in.threads).cost -
+           result.scan.best.cost);
+  result.agrees   = case_agrees(result, held_against(in, as_it_is, data, in.fit, data, noise),
+                                held_against(in, as_it_is, check, in.check, data, noise));
+  result.refusals = refusals_of(in, result);
   return result;
 }
 }  // namespace mill::twin

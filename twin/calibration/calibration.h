@@ -3,8 +3,10 @@
 #include "core/records/csv.h"
 #include "twin/calibration/adequacy.h"
 #include "twin/calibration/basins.h"
+#include "twin/calibration/clock_delay.h"
 #include "twin/calibration/output_only_adequacy.h"
 #include "twin/calibration/plan.h"
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,6 +63,9 @@ struct Calibration {
   std::vector<std::string> unseen;  ///< directions that the records do not show, in words
   double kept_deviance = 0;         ///< what keeping the priors of what is not told costs
   Held fit, check;
+  std::optional<ClockDelay> delay;            ///< of two clocks; nothing: it is among the unknowns
+  double case_deviance = 0;                   ///< of the case over the joint fit
+  bool agrees          = false;               ///< the case explains the records already: nothing is proposed
   std::vector<std::string> refusals;          ///< why no case is written; empty: none
   Table response;                             ///< check record: |H1| measured, before, after by sensor
   double fit_seconds = 0, check_seconds = 0;  ///< s, of the pieces

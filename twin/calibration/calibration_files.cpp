@@ -135,7 +135,9 @@ ordered_json rows_of_matrix(const Eigen::MatrixXd &matrix)
 std::string calibration_json(const CalibrationInput &input, const Calibration &result,
                              const CalibrationFacts &facts)
 {
-  const std::string status = result.refusals.empty() ? "ok" : facts.accepted ? "accepted" : "refused";
+  const std::string status = !result.refusals.empty() ? (facts.accepted ? "accepted" : "refused")
+                             : result.agrees          ? "agrees"
+                                                      : "ok";
   ordered_json document    = ordered_json::parse(results_json(values_of(result), facts.case_name, status));
   document["stand"]        = facts.stand;
   document["records"]      = facts.files;
@@ -159,9 +161,16 @@ std::string calibration_json(const CalibrationInput &input, const Calibration &r
     });
   document["basins"]        = basins;
   document["kept_deviance"] = finite(result.kept_deviance);
-  document["bands"]         = {
-              {"fit",   bands_of(input, result.fit)  },
-              {"check", bands_of(input, result.check)}
+  document["case_deviance"] = finite(result.case_deviance);
+  if (result.delay)
+    document["delay"] = {
+        {"seconds", finite(result.delay->seconds)  },
+        {"sd",      finite(result.delay->deviation)},
+        {"limit",   finite(result.delay->limit)    }
+    };
+  document["bands"] = {
+      {"fit",   bands_of(input, result.fit)  },
+      {"check", bands_of(input, result.check)}
   };
   document["force_recorded"] = result.force_recorded();
   if (!result.force_recorded()) {

@@ -21,9 +21,4 @@ using ProblemOf = std::function<FitProblem(const std::vector<Unknown> &)>;
 /// @param joint  its unknowns begin with those of the result; more may follow, which stay free
 /// @return of all unknowns of the joint fit
 Eigen::VectorXd keep_priors(const ProblemOf &problem_of, const Fit &joint, int threads, Calibration &result);
-
-/// Refusals that no spectrum is needed for: check no better than before, far from the prior, delay, clipped
-/// channels, no convergence.
-void add_other_refusals(std::vector<std::string> &refusals, const CalibrationInput &input,
-                        const Calibration &result);
 }  // namespace mill::twin

@@ -16,10 +16,18 @@ Eigen::Index mode_of(const std::string &name, const std::string &head, const Eig
   return i >= 0 && i < n ? i : -1;
 }
 
-dynamics::Spring *spring_of(dynamics::MillModel &chain, const std::string &name)
+const dynamics::Spring *spring_of(const dynamics::MillModel &chain, const std::string &name)
 {
-  for (dynamics::Spring &spring : chain.springs)
+  for (const dynamics::Spring &spring : chain.springs)
     if (spring.name == name && spring.stiffness > 0)
+      return &spring;
+  return nullptr;
+}
+
+const ReducedSpring *spring_of(const ReducedStand &stand, const std::string &name)
+{
+  for (const ReducedSpring &spring : stand.springs)
+    if (spring.name == name)
       return &spring;
   return nullptr;
 }
@@ -37,6 +45,31 @@ void put_springs_together(dynamics::MillModel &chain)
       chain.K(s.to, s.from) -= s.stiffness;
     }
   }
+}
+
+/// ln of the factor on a spring; 0 where it is no unknown.
+double theta_of(const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta, const std::string &name)
+{
+  for (std::size_t p = 0; p < unknowns.size(); ++p)
+    if (unknowns[p].name == name)
+      return theta[Eigen::Index(p)];
+  return 0;
+}
+
+dynamics::SlopedStand slopes_at(const FittedStand &stand, const std::vector<Unknown> &unknowns,
+                                const Eigen::VectorXd &theta)
+{
+  if (!stand.detailed) {
+    dynamics::MillModel chain = stand.chain;
+    for (dynamics::Spring &spring : chain.springs)
+      spring.stiffness *= std::exp(theta_of(unknowns, theta, spring.name));
+    put_springs_together(chain);
+    return dynamics::sloped_stand(chain, stand.damping);
+  }
+  Eigen::VectorXd factor(Eigen::Index(stand.detailed->springs.size()));
+  for (Eigen::Index s = 0; s < factor.size(); ++s)
+    factor[s] = std::exp(theta_of(unknowns, theta, stand.detailed->springs[std::size_t(s)].name));
+  return sloped_stand(*stand.detailed, factor, stand.damping);
 }
 
 /// Ratios, frequencies, gain and delay at theta; springs are in the modes already.
@@ -89,30 +122,62 @@ void add_change(StandAt &at, const dynamics::SlopedStand &slopes, const std::str
 }
 }  // namespace
 
+Eigen::VectorXd mode_frequencies(const FittedStand &stand)
+{
+  return slopes_at(stand, {}, {}).frequency / (2 * M_PI);
+}
+
+Eigen::Index number_of_places(const FittedStand &stand)
+{
+  return stand.detailed ? stand.detailed->point.rows() : stand.chain.M.size();
+}
+
+bool is_spring(const FittedStand &stand, const std::string &name)
+{
+  return stand.detailed ? spring_of(*stand.detailed, name) != nullptr : spring_of(stand.chain, name) != nullptr;
+}
+
+bool share_a_part(const FittedStand &stand, const std::string &a, const std::string &b)
+{
+  if (!is_spring(stand, a) || !is_spring(stand, b))
+    return false;
+  std::set<int> parts;
+  for (const std::string &name : {a, b}) {
+    std::set<int> own;
+    if (stand.detailed)
+      own = spring_of(*stand.detailed, name)->parts;
+    else
+      for (const int mass : {spring_of(stand.chain, name)->from, spring_of(stand.chain, name)->to})
+        if (mass != dynamics::ground)
+          own.insert(mass);
+    for (const int part : own)
+      if (!parts.insert(part).second)
+        return true;
+  }
+  return false;
+}
+
 StandAt stand_at(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta)
 {
   require(theta.size() == Eigen::Index(unknowns.size()), "one theta for each unknown");
-  dynamics::MillModel chain = stand.chain;
-  const Eigen::Index n      = stand.damping.size();
+  const Eigen::Index n = stand.damping.size();
   bool springs = false, frequencies = false;
-  for (std::size_t p = 0; p < unknowns.size(); ++p) {
-    const std::string &name = unknowns[p].name;
-    frequencies             = frequencies || mode_of(name, "f", n) >= 0;
-    if (dynamics::Spring *spring = spring_of(chain, name)) {
-      spring->stiffness *= std::exp(theta[Eigen::Index(p)]);
-      springs = true;
-    } else if (name != "zeta" && name != "gain" && name != "delay" && mode_of(name, "zeta", n) < 0 &&
-               mode_of(name, "f", n) < 0)
-      throw InputError("\"" + name + "\" is nothing of this chain that can be fitted");
+  for (const Unknown &unknown : unknowns) {
+    const std::string &name = unknown.name;
+    const bool frequency = mode_of(name, "f", n) >= 0, spring = is_spring(stand, name);
+    frequencies = frequencies || frequency;
+    springs     = springs || spring;
+    if (!spring && !frequency && name != "zeta" && name != "gain" && name != "delay" &&
+        mode_of(name, "zeta", n) < 0)
+      throw InputError("\"" + name + "\" is nothing of this stand that can be fitted");
   }
   require(!springs || !frequencies, "springs and frequencies of modes are not fitted together");
-  put_springs_together(chain);
   StandAt at;
-  dynamics::SlopedStand slopes = dynamics::sloped_stand(chain, stand.damping);
-  at.frequency                 = slopes.frequency;
-  at.damping                   = slopes.damping;
-  at.force                     = slopes.force;
-  at.shape                     = slopes.shape;
+  const dynamics::SlopedStand slopes = slopes_at(stand, unknowns, theta);
+  at.frequency                       = slopes.frequency;
+  at.damping                         = slopes.damping;
+  at.force                           = slopes.force;
+  at.shape                           = slopes.shape;
   apply_modal(at, unknowns, theta);
   for (const Unknown &unknown : unknowns)
     add_change(at, slopes, unknown.name);

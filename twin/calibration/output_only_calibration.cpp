@@ -1,6 +1,7 @@
 #include "twin/calibration/output_only_calibration.h"
 #include "twin/calibration/calibration_parts.h"
 #include "twin/calibration/output_only_start.h"
+#include "twin/calibration/verdict.h"
 #include "twin/calibration/words.h"
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -128,8 +129,9 @@ std::vector<Calibrated> judged_without_force(const OutputOnly &record, const Fit
   std::vector<Calibrated> all = judged(apart, scan.best.sd().cwiseMax(wide));
   for (std::size_t i = 0; i < all.size(); ++i)
     if (!all[i].told)
-      all[i].why_not += fmt::format("; had the force been recorded, {:.2g} % of the prior's deviation would be left",
-                                    100 * recorded[Eigen::Index(i)] / all[i].prior_sd);
+      all[i].why_not +=
+          fmt::format("; had the force been recorded, {:.2g} % of the prior's deviation would be left",
+                      100 * recorded[Eigen::Index(i)] / all[i].prior_sd);
   return all;
 }
 
@@ -257,6 +259,19 @@ EstimatedForce estimated_force(const OutputOnly &record, const Fit &joint)
           joint.sd().tail(q)};
 }
 
+/// Does the case explain the accelerations already, with a force of its own?  (45.8)
+void judge_the_case(const CalibrationInput &in, const OutputOnly &record, const OutputOnly &check,
+                    const Fit &joint, const NoiseDensity &carried, Calibration &result)
+{
+  Eigen::VectorXd as_it_is = joint.estimate;
+  as_it_is.head(Eigen::Index(record.unknowns.size())).setZero();
+  const HeldRecord fitted  = held_against(in, record, as_it_is, joint.noise, in.fit),
+                   checked = held_against(in, check, as_it_is, carried, in.check);
+  const auto at_case       = output_only_likelihood(record, fitted.theta, joint.noise, Wanted::cost, in.threads);
+  result.case_deviance     = 2 * (at_case.cost - joint.cost);
+  result.agrees            = case_agrees(result, fitted.held, checked.held);
+}
+
 OutputOnly record_of(const CalibrationInput &in, const std::vector<ForcedSamples> &pieces,
                      const ForceSpectrum &force)
 {
@@ -300,6 +315,7 @@ Calibration calibrate_output_only(const CalibrationInput &in, const Progress &pr
   result.check_seconds        = seconds_of(check.data);
   result.response             = response_table(in, check, held_check, carried);
   result.force                = estimated_force(record, joint);
+  judge_the_case(in, record, check, joint, carried, result);
   add_band_refusals(result.refusals, result.fit, "fitted records");
   add_band_refusals(result.refusals, result.check, "check records");
   add_other_refusals(result.refusals, in, result);

@@ -1,14 +1,14 @@
 #include "twin/calibration/plan.h"
-#include "core/numerics/require.h"
-#include "dynamics/response/response_slopes.h"
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace mill::twin {
 namespace {
+using Complex        = std::complex<double>;
 constexpr double bin = 0.02;  // Hz
 
 /// Response at one frequency and its slopes to the unknowns.
@@ -17,48 +17,48 @@ struct AtFrequency {
   Eigen::MatrixXcd slope;  // (m, p)
 };
 
-/// The stand of the case once, then frequency after frequency.
+/// The stand of the case once, then frequency after frequency, at all of its places.
 class CaseResponse {
 public:
-  CaseResponse(const FittedStand &stand, const std::vector<Unknown> &unknowns,
-               const std::vector<Eigen::Index> &places)
-      : slopes(dynamics::sloped_stand(stand.chain, stand.damping)),
-        seen(Eigen::Index(places.size()), slopes.shape.cols())
+  CaseResponse(const FittedStand &stand, const std::vector<Unknown> &of)
+      : unknowns(of), at(stand_at(stand, of, Eigen::VectorXd::Zero(Eigen::Index(of.size()))))
   {
-    for (std::size_t j = 0; j < places.size(); ++j)
-      seen.row(Eigen::Index(j)) = slopes.shape.row(places[j]);
-    // only what is asked for: slopes to masses would double the time
-    dynamics::SlopedStand kept = slopes;
-    kept.names.clear(), kept.stiffness.clear(), kept.mass.clear();
-    for (const Unknown &unknown : unknowns) {
-      const auto at = std::find(slopes.names.begin(), slopes.names.end(), unknown.name);
-      require(at != slopes.names.end() || unknown.name == "zeta", "a plan knows springs and the common damping");
-      column.push_back(at == slopes.names.end() ? -1 : Eigen::Index(kept.names.size()));
-      if (at == slopes.names.end())
-        continue;
-      kept.names.push_back(unknown.name);
-      kept.stiffness.push_back(slopes.stiffness[std::size_t(at - slopes.names.begin())]);
-      kept.mass.emplace_back();
-    }
-    slopes = std::move(kept);
   }
-  AtFrequency operator()(const double f) const
+  AtFrequency operator()(const double f) const  // (43.2), (44.3)
   {
-    const auto h = dynamics::response_slopes(slopes, seen, 2 * M_PI * f);
-    AtFrequency at{h.value, Eigen::MatrixXcd(seen.rows(), Eigen::Index(column.size()))};
-    for (std::size_t p = 0; p < column.size(); ++p)
-      if (column[p] < 0)
-        at.slope.col(Eigen::Index(p)) = h.dampings.rowwise().sum();
+    const double w           = 2 * M_PI * f;
+    const Eigen::VectorXcd d = Eigen::VectorXcd::NullaryExpr(at.frequency.size(), [&](const Eigen::Index i) {
+      return Complex((at.frequency[i] - w) * (at.frequency[i] + w), 2 * at.damping[i] * at.frequency[i] * w);
+    });
+    const Eigen::VectorXcd x = at.force.cast<Complex>().cwiseQuotient(d);
+    AtFrequency here{-w * w * (at.shape * x), Eigen::MatrixXcd(at.shape.rows(), Eigen::Index(unknowns.size()))};
+    for (std::size_t p = 0; p < unknowns.size(); ++p) {
+      auto slope = here.slope.col(Eigen::Index(p));
+      if (unknowns[p].name == "gain")
+        slope = here.H;
+      else if (unknowns[p].name == "delay")
+        slope = Complex(0, -w) * here.H;
       else
-        at.slope.col(Eigen::Index(p)) = h.parameters.col(column[p]);
-    return at;
+        slope = w * w * (at.shape * (at.stiffness[p] * x + Complex(0, w) * (at.damper[p] * x)).cwiseQuotient(d));
+    }
+    return here;
   }
 
 private:
-  dynamics::SlopedStand slopes;
-  Eigen::MatrixXd seen;
-  std::vector<Eigen::Index> column;
+  const std::vector<Unknown> &unknowns;
+  StandAt at;
 };
+
+AtFrequency at_places(const AtFrequency &all, const std::vector<Eigen::Index> &places)
+{
+  AtFrequency some{Eigen::VectorXcd(Eigen::Index(places.size())),
+                   Eigen::MatrixXcd(Eigen::Index(places.size()), all.slope.cols())};
+  for (std::size_t j = 0; j < places.size(); ++j) {
+    some.H[Eigen::Index(j)]         = all.H[places[j]];
+    some.slope.row(Eigen::Index(j)) = all.slope.row(places[j]);
+  }
+  return some;
+}
 
 /// What one bin tells of the unknowns and, last, of the density of the force: tr(S^-1 S_a S^-1 S_b).  (45.4)
 Eigen::MatrixXd without_force(const AtFrequency &at, const double SF, const double N)
@@ -104,38 +104,61 @@ Told told(const Eigen::MatrixXd &information, const std::vector<Unknown> &unknow
   return t;
 }
 
-Told planned(const FittedStand &stand, const std::vector<Unknown> &unknowns, const PlannedRecord &record)
+namespace {
+using Places = std::vector<Eigen::Index>;
+
+/// Information of one record for each set of sensors.
+std::vector<Eigen::MatrixXd> information_of(const FittedStand &stand, const std::vector<Unknown> &unknowns,
+                                            const PlannedRecord &record, const std::vector<Places> &sets)
 {
-  const CaseResponse response(stand, unknowns, record.places);
-  const auto p      = Eigen::Index(unknowns.size()) + (record.force_recorded ? 0 : 1);
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(p, p);
+  const CaseResponse response(stand, unknowns);
+  const auto p = Eigen::Index(unknowns.size()) + (record.force_recorded ? 0 : 1);
+  std::vector<Eigen::MatrixXd> A(sets.size(), Eigen::MatrixXd::Zero(p, p));
   const double SF = record.force_density * record.force_density, N = record.noise * record.noise,
                to = std::min(record.high, record.force_highest);
   for (double f = record.low + bin / 2; f < to; f += bin) {
-    const AtFrequency at = response(f);
-    if (record.force_recorded)
-      A += 2 * (SF / N) * (at.slope.adjoint() * at.slope).real();
-    else
-      A += without_force(at, SF, N);
+    const AtFrequency all = response(f);
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+      const AtFrequency at = at_places(all, sets[s]);
+      if (record.force_recorded)
+        A[s] += 2 * (SF / N) * (at.slope.adjoint() * at.slope).real();
+      else
+        A[s] += without_force(at, SF, N);
+    }
   }
-  A *= record.duration * bin;
-  std::vector<Unknown> all = unknowns;
+  for (Eigen::MatrixXd &a : A)
+    a *= record.duration * bin;
+  return A;
+}
+
+std::vector<Unknown> with_force(std::vector<Unknown> unknowns, const PlannedRecord &record)
+{
   if (!record.force_recorded)
-    all.push_back({force_density_name, 3.0, 0});  // e^3: nobody knows it within a factor of 20
-  return told(A, all);
+    unknowns.push_back({force_density_name, 3.0, 0});  // e^3: nobody knows it within a factor of 20
+  return unknowns;
+}
+}  // namespace
+
+Told planned(const FittedStand &stand, const std::vector<Unknown> &unknowns, const PlannedRecord &record)
+{
+  return told(information_of(stand, unknowns, record, {record.places}).front(), with_force(unknowns, record));
 }
 
 std::vector<NextSensor> next_sensors(const FittedStand &stand, const std::vector<Unknown> &unknowns,
                                      const PlannedRecord &record)
 {
-  const Told now = planned(stand, unknowns, record);
+  std::vector<Places> sets{record.places};
+  for (Eigen::Index place = 0; place < number_of_places(stand); ++place)
+    if (std::find(record.places.begin(), record.places.end(), place) == record.places.end()) {
+      sets.push_back(record.places);
+      sets.back().push_back(place);
+    }
+  const auto A   = information_of(stand, unknowns, record, sets);
+  const auto all = with_force(unknowns, record);
+  const Told now = told(A.front(), all);
   std::vector<NextSensor> sensors;
-  for (Eigen::Index place = 0; place < stand.chain.M.size(); ++place) {
-    if (std::find(record.places.begin(), record.places.end(), place) != record.places.end())
-      continue;
-    PlannedRecord more = record;
-    more.places.push_back(place);
-    NextSensor next{place, planned(stand, unknowns, more), 0};
+  for (std::size_t s = 1; s < sets.size(); ++s) {
+    NextSensor next{sets[s].back(), told(A[s], all), 0};
     // determinants in units of the priors: (1 + s^2) of every direction
     next.gain = 0.5 * ((next.told.singular.cwiseAbs2().array() + 1).log().sum() -
                        (now.singular.cwiseAbs2().array() + 1).log().sum());
@@ -153,7 +176,7 @@ WhiteForceLevels white_force_levels(const FittedStand &stand, const std::vector<
   std::vector<Unknown> unknowns{{"zeta"}};
   for (const std::string &name : springs)
     unknowns.push_back({name});
-  const CaseResponse response(stand, unknowns, places);
+  const CaseResponse response(stand, unknowns);
   const double SF = force_rms * force_rms / bandwidth;
   const auto m = Eigen::Index(places.size()), p = Eigen::Index(unknowns.size());
   Eigen::VectorXd square = Eigen::VectorXd::Zero(m);
@@ -161,7 +184,7 @@ WhiteForceLevels white_force_levels(const FittedStand &stand, const std::vector<
   const auto bins        = Eigen::Index(std::ceil(bandwidth / bin - 1e-9));
   const double width     = bandwidth / double(bins);
   for (Eigen::Index b = 0; b < bins; ++b) {
-    const AtFrequency at = response((double(b) + 0.5) * width);
+    const AtFrequency at = at_places(response((double(b) + 0.5) * width), places);
     square += SF * width * at.H.cwiseAbs2();
     for (Eigen::Index q = 0; q < p; ++q)
       slope.col(q) += SF * width * (at.H.conjugate().cwiseProduct(at.slope.col(q))).real();
@@ -171,7 +194,7 @@ WhiteForceLevels white_force_levels(const FittedStand &stand, const std::vector<
        Eigen::MatrixXd(m, p + 1)
   };
   levels.names.insert(levels.names.end(), springs.begin(), springs.end());
-  const Eigen::VectorXd edge = SF * bandwidth * response(bandwidth).H.cwiseAbs2();
+  const Eigen::VectorXd edge = SF * bandwidth * at_places(response(bandwidth), places).H.cwiseAbs2();
   levels.slope.col(0)        = slope.col(0).cwiseQuotient(square);
   levels.slope.col(1)        = 0.5 * (edge.cwiseQuotient(square).array() - 1).matrix();
   for (Eigen::Index q = 1; q < p; ++q)

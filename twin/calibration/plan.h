@@ -8,7 +8,7 @@
 namespace mill::twin {
 /// A record that is thought of: white force, white noise of equal sensors.
 struct PlannedRecord {
-  std::vector<Eigen::Index> places;  ///< (m) masses, from 0
+  std::vector<Eigen::Index> places;  ///< (m) places, from 0
   double duration      = 20;         ///< s
   double force_density = 0;          ///< N/sqrt(Hz), one-sided, up to force_highest
   double force_highest = 0;          ///< Hz
@@ -32,16 +32,17 @@ Told told(const Eigen::MatrixXd &information, const std::vector<Unknown> &unknow
 constexpr const char *force_density_name = "S_F";
 
 /// Information of a planned record at the case, theta = 0; midpoints of 0.02 Hz.  (45.3), without force (45.4)
-/// Cost: (high - low)/0.02 evaluations of response_slopes: 0.2 s.
+/// Every unknown of fitted_stand.h may be asked for.
+/// Cost: (high - low)/0.02 times p n^2: 0.2 s.
 Told planned(const FittedStand &stand, const std::vector<Unknown> &unknowns, const PlannedRecord &record);
 
 /// What one more sensor would add.
 struct NextSensor {
-  Eigen::Index place;  ///< mass, from 0
+  Eigen::Index place;  ///< from 0
   Told told;
   double gain;  ///< nats: half the logarithm of the ratio of the determinants of the covariances
 };
-/// Every place that has none yet; the one that adds most first.
+/// Every place that has none yet; the one that adds most first.  Cost: as one plan where the force is recorded.
 std::vector<NextSensor> next_sensors(const FittedStand &stand, const std::vector<Unknown> &unknowns,
                                      const PlannedRecord &record);
 

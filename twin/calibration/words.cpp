@@ -8,21 +8,6 @@ namespace mill::twin {
 namespace {
 constexpr double half_told = 1.7320508075688772;  // singular value at which sd is half of the prior's
 
-bool share_a_mass(const dynamics::MillModel &chain, const std::string &a, const std::string &b)
-{
-  const auto find = [&](const std::string &name) {
-    return std::find_if(chain.springs.begin(), chain.springs.end(),
-                        [&](const dynamics::Spring &s) { return s.name == name; });
-  };
-  const auto p = find(a), q = find(b);
-  if (p == chain.springs.end() || q == chain.springs.end())
-    return false;
-  for (const int i : {p->from, p->to})
-    if (i != dynamics::ground && (i == q->from || i == q->to))
-      return true;
-  return false;
-}
-
 std::string words_of(const Told &told, const Eigen::Index column, const FittedStand &stand,
                      const bool unseen = true)
 {
@@ -45,7 +30,7 @@ std::string words_of(const Told &told, const Eigen::Index column, const FittedSt
   if (parts.size() == 1)
     return sum + ": " + parts[0].second + " is hardly seen";
   if (parts.size() == 2 && parts[0].first * parts[1].first < 0 &&
-      share_a_mass(stand.chain, parts[0].second, parts[1].second))
+      share_a_part(stand, parts[0].second, parts[1].second))
     return sum + ": only their series is seen";
   return sum + ": only what else they do is seen, not this combination";
 }

@@ -6,7 +6,7 @@
 namespace mill::twin {
 /// Directions of which a record knows less than half, weakest first, in words:
 /// "0.47 ln K1 - 0.88 ln K2: only their series is seen".
-/// @param stand  says which springs share a mass
+/// @param stand  says which springs share a mass or a part
 std::vector<std::string> unseen_directions(const Told &told, const FittedStand &stand);
 
 /// An unknown as it is printed, with the digits that its interval is worth: "+5.13 %"; of the delay "1.250 ms".

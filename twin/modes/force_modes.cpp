@@ -213,6 +213,17 @@ void fit_group(ForcedModes &found, const Group &group, const std::vector<ForceRe
 }
 }  // namespace
 
+void drop_backgrounds(std::vector<ForcedMode> &modes)
+{
+  constexpr double broader = 5;
+  for (ForcedMode &broad : modes)
+    if (half_widths * broad.damping > 1 || std::any_of(modes.begin(), modes.end(), [&](const ForcedMode &sharp) {
+          return sharp.confirmed && broader * sharp.damping < broad.damping &&
+                 std::abs(sharp.frequency - broad.frequency) < broad.damping * broad.frequency;
+        }))
+      broad.confirmed = false;
+}
+
 ForcedModes forced_modes(const std::vector<const CleanChannel *> &channels, const CleanChannel &force,
                          const double rate, const double highest, const std::vector<IdentifiedMode> &of_response,
                          const int threads)
@@ -242,6 +253,7 @@ ForcedModes forced_modes(const std::vector<const CleanChannel *> &channels, cons
     fit_group(found, group, of_halves);
   std::sort(found.modes.begin(), found.modes.end(),
             [](const auto &a, const auto &b) { return a.frequency < b.frequency; });
+  drop_backgrounds(found.modes);
   return found;
 }
 }  // namespace mill::twin

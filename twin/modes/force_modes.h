@@ -24,6 +24,10 @@ struct ForcedModes {
                                   ///< 0.3 nothing follows the force and no mode is looked for
 };
 
+/// Takes the confirmation from poles that a fit uses as background of sharp modes: the half-power band of one with
+/// five times the damping holds a confirmed mode, or its fit reaches down to 0 Hz (a sixth of critical).
+void drop_backgrounds(std::vector<ForcedMode> &modes);
+
 /// Poles of the impulse responses (stable over half of the orders), each fitted to H1 in its band together with
 /// its neighbours.  Confirmed: residue above five standard deviations in both halves of the record, frequencies
 /// and dampings of the halves within six standard deviations of the whole, MAC 0.9.  theory.md (42.8) to (42.12)

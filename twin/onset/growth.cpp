@@ -10,7 +10,7 @@ using Complex = std::complex<double>;
 
 constexpr int first_lag = 2;                                       // below: noise and filter
 constexpr double reach = 0.7, longest = 2, shortest_sigma = 0.35;  // -, s, 1/s
-constexpr double warned_from = -0.5, scatter_over_law = 1.6;       // 1/s, -
+constexpr double scatter_over_law = 1.6;                           // -
 
 Complex correlation(const ComplexEnvelope &envelope, const Eigen::Index lag)
 {
@@ -35,6 +35,7 @@ Complex step_factor(const std::vector<Complex> &R, const int last)
   }
   return weight > 0 ? sum / weight : 0;
 }
+
 // Growth of what an envelope holds, whatever it is.
 GrowthRate growth_of_all(const ComplexEnvelope &envelope)
 {
@@ -112,7 +113,7 @@ Line strongest_line(const Eigen::VectorXcd &z)
 
 bool GrowthRate::near_instability() const
 {
-  return upper() > warned_from;
+  return upper() > near_instability_from;
 }
 
 double GrowthRate::upper() const

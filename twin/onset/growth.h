@@ -5,6 +5,8 @@
 #include <vector>
 
 namespace mill::twin {
+constexpr double near_instability_from = -0.5;  ///< 1/s, upper end of 95 % from which a mode is warned of
+
 /// Growth rate of a mode from the correlation of its envelope: while a mill is calm, its distance to instability.
 /// theory.md (41.13)
 struct GrowthRate {

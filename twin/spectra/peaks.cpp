@@ -48,10 +48,20 @@ bool is_of_resonance(const WelchSpectrum &s, const Eigen::Index k, const double 
   return rise - over_flank > out_of_floor && over_flank < out_of_flank;
 }
 
+// Noise that a resonance leaves in one bin comes and goes: its powers scatter by their mean.  Those of a line of
+// ratio r over the noise beside it scatter by sqrt(2 r - 1) / r.  (41.6a)
+bool is_steady(const WelchSpectrum &s, const Eigen::Index k, const double rise)
+{
+  constexpr double swing       = 0.35;  // of a line itself, a third of what noise does
+  constexpr Eigen::Index a_few = 4;     // segments, below which nothing can be said
+  const double ratio           = std::pow(10, rise / 10);
+  return s.n < a_few || s.scatter[k] < swing + std::sqrt(2 * ratio - 1) / ratio;
+}
+
 Peak peak_at(const WelchSpectrum &s, const Eigen::Index k, const double rise)
 {
   const SpectralLine line = line_at(s, k);
-  const bool narrow       = line.width < 1.6 * s.enbw() && !is_of_resonance(s, k, rise);
+  const bool narrow       = line.width < 1.6 * s.enbw() && !is_of_resonance(s, k, rise) && is_steady(s, k, rise);
   Peak peak{line.frequency, line.amplitude, s.density[k], rise, line.width, narrow, k, s.resolution()};
   if (!peak.line) {
     peak.frequency   = s.at(k);

@@ -10,7 +10,7 @@ struct Peak {
   double density;     ///< unit^2/Hz, at the highest bin
   double prominence;  ///< dB over the median of the 120 neighbours
   double width;       ///< Hz, between half-power points
-  bool line;          ///< narrower than 1.6 equivalent noise bandwidths
+  bool line;          ///< narrower than 1.6 equivalent noise bandwidths, and steady from segment to segment
   Eigen::Index bin;
   double resolution;  ///< Hz, of the spectrum it was found in
 };

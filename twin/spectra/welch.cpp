@@ -88,7 +88,7 @@ WelchSpectrum welch(const Eigen::VectorXd &value, const std::vector<Span> &piece
   if (L < 2)
     return result;
   require((L & (L - 1)) == 0, "a segment of a spectrum is a power of two");
-  result.density = Eigen::VectorXd::Zero(L / 2 + 1);
+  result.density = result.scatter = Eigen::VectorXd::Zero(L / 2 + 1);
   const Eigen::ArrayXd window =
       0.5 - 0.5 * (Eigen::ArrayXd::LinSpaced(L, 0, double(L - 1)) * (2 * M_PI / double(L))).cos();
   std::vector<double> segment(std::size_t(L), 0.0);
@@ -98,11 +98,16 @@ WelchSpectrum welch(const Eigen::VectorXd &value, const std::vector<Span> &piece
       const auto part                               = value.segment(first, L).array();
       Eigen::Map<Eigen::ArrayXd>(segment.data(), L) = (part - part.mean()) * window;
       fourier.forward(segment, lines);
-      for (Eigen::Index k = 0; k <= L / 2; ++k)
-        result.density[k] += std::norm(lines[std::size_t(k)]);
+      for (Eigen::Index k = 0; k <= L / 2; ++k) {
+        const double power = std::norm(lines[std::size_t(k)]);
+        result.density[k] += power;
+        result.scatter[k] += power * power;
+      }
     }
   if (result.n == 0)
     return result;
+  const Eigen::ArrayXd mean = (result.density.array() / double(result.n)).max(1e-300);
+  result.scatter = (result.scatter.array() / double(result.n) / mean.square() - 1).max(0.0).sqrt().matrix().eval();
   result.density *= 2 / (rate * squares_of_window(L) * double(result.n));  // (41.4)
   result.density[0] /= 2;
   result.density[L / 2] /= 2;

@@ -14,6 +14,7 @@ struct WelchSpectrum {
   Eigen::Index L = 0;               ///< samples of a segment, a power of two
   Eigen::Index n = 0;               ///< segments
   Eigen::VectorXd density;          ///< (L/2 + 1) unit^2/Hz, 0 .. rate/2
+  Eigen::VectorXd scatter;          ///< (L/2 + 1) -, standard deviation of the segments' powers over their mean
   double resolution() const;        ///< Hz, distance of two bins
   double enbw() const;              ///< Hz, equivalent noise bandwidth, 1.5 bins
   double dof() const;               ///< -, degrees of freedom of one bin

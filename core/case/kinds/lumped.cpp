@@ -36,6 +36,16 @@ const std::vector<Field<ModelFiles>> &model_file_rows()
        "path",                                     {},
        required,                                                            "models/craig-bampton-names.csv",
        "what the unknowns and the readings are"                                                                                                    },
+      {"connections",
+       &T::connections,
+       "path",                                     {},
+       absent,                                                              "models/craig-bampton-connections.csv",
+       "springs between the parts, which the stiffness matrix holds: what calibrate may move"                                                      },
+      {"strains",
+       &T::strains,
+       "path",                                     {},
+       absent,                                                              "models/craig-bampton-strains.mtx",
+       "strain of each spring of connections per displacement, one row each"                                                                       },
       {"gap_damper",      &T::gap_damper, "N s/m", {0, 1e12},   absent,     "1.9e5 N s/m",                          "damper between the work rolls"},
       {"frequency_limit",
        &T::frequency_limit,
@@ -59,6 +69,8 @@ Lumped read_lumped(const Node &root, Reading &reading)
   if (lumped.detailed) {
     read_and_echo(model, model.header(), model_file_rows(), lumped.model, reading);
     lumped.model.place = model.node->place;
+    if (lumped.model.connections.empty() != lumped.model.strains.empty())
+      reading.add(model.node->place, "model.connections and model.strains belong together; give both or none");
     if (const Section given = section_at(root, "given", reading); given.node)
       reading.add(given.node->place,
                   "[given] holds the masses and springs of a chain, and [model] another model of the stand; leave "

@@ -5,6 +5,7 @@
 #include "core/records/detailed_model.h"
 #include "core/records/files.h"
 #include "core/records/matrix_market.h"
+#include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -150,4 +151,76 @@ TEST_F(DetailedModels, WhatDoesNotFitIsRefused)
   EXPECT_EQ(refused(), "names.csv: names 1 unknowns and 0 readings; the matrices have 7 and 8");
   write("names.csv", "of,number,name,coordinate,position [m],direction,unit\nnode,1,roll,node,0.1,y,m\n");
   EXPECT_EQ(refused(), "names.csv: \"node\" is neither \"unknown\" nor \"reading\"");
+}
+
+namespace {
+/// The sample with a pair of springs between its parts and one to the ground.
+StandModel joined_sample()
+{
+  StandModel s = sample();
+  s.K_parts    = Eigen::MatrixXd::Identity(n, n) / 7;  // what couples the parts is a connection
+  s.M(1, 2) = s.M(2, 1) = 0;
+  Connection pair{"K3", Eigen::MatrixXd::Zero(2, n), Eigen::Vector2d(1. / 3, 0.5), 0.07},
+      foot{"Kzc, lower", Eigen::RowVectorXd::Unit(n, 4), Eigen::VectorXd::Constant(1, 1. / 9)};
+  pair.rows(0, 0) = pair.rows(1, 0) = 1;
+  pair.rows(0, 3) = pair.rows(1, 5) = -1;
+  s.connections                     = {pair, foot};
+  return s;
+}
+}  // namespace
+
+TEST_F(DetailedModels, ConnectionsComeBackAndLeaveTheParts)
+{
+  const StandModel s = joined_sample();
+  files              = named_files(s, folder.string());
+  for (const auto &[path, text] : texts_of(s, files))
+    write_atomically(path, text);
+  const StandModel back = detailed_model_of(files);
+  ASSERT_EQ(back.connections.size(), 2u);
+  for (std::size_t c = 0; c < 2; ++c) {
+    EXPECT_EQ(back.connections[c].name, s.connections[c].name);
+    EXPECT_EQ(back.connections[c].rows, s.connections[c].rows);
+    EXPECT_EQ(back.connections[c].stiffness, s.connections[c].stiffness);
+  }
+  EXPECT_EQ(back.connections[0].error_estimate, 0.07);
+  EXPECT_TRUE(std::isnan(back.connections[1].error_estimate));
+  EXPECT_LT((back.K_parts - s.K_parts).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_EQ(stiffness_of(back).rows(), n);
+  EXPECT_LT((stiffness_of(back) - stiffness_of(s)).cwiseAbs().maxCoeff(), 1e-15);
+}
+
+TEST_F(DetailedModels, ConnectionsThatDoNotFitAreRefused)
+{
+  const StandModel s = joined_sample();
+  files              = named_files(s, folder.string());
+  for (const auto &[path, text] : texts_of(s, files))
+    write_atomically(path, text);
+  const auto with_rows = [&](const std::string &rows) {
+    write_atomically(files.connections, "connection,stiffness [N/m],error_estimate\n" + rows);
+    return refused();
+  };
+  const std::string K3 = "K3,0.333,0.07\n", foot = "\"Kzc, lower\",0.111,\n";
+  EXPECT_EQ(with_rows(K3 + foot),
+            "craig-bampton-strains.mtx: has 3 rows and 7 columns; 2 rows and 7 columns are needed");
+  EXPECT_EQ(with_rows(K3 + foot + K3),
+            "craig-bampton-connections.csv: \"K3\" stands in two places; its springs follow each other");
+  EXPECT_EQ(with_rows(K3 + "K3,-1,0.07\n" + foot),
+            "craig-bampton-connections.csv: stiffness -1 N/m: must not be negative");
+  EXPECT_EQ(
+      with_rows(K3 + "K3,0.9,0.07\n" + foot),
+      "craig-bampton-connections.csv: without these springs unknowns 1 and 4 of two parts are still joined in " +
+          files.stiffness + ": they are not those of this model");
+}
+
+TEST_F(DetailedModels, ConnectionsAndStrainsBelongTogether)
+{
+  const Case origin = read_case(write("chain.toml", template_of("lumped")));
+  files             = named_files(joined_sample(), "models");
+  files.strains.clear();
+  try {
+    read_case(write("half.toml", detailed_model_toml(files, origin, folder.string())));
+    ADD_FAILURE() << "springs without rows";
+  } catch (const InputError &e) {
+    EXPECT_EQ(e.problems.back().message, "model.connections and model.strains belong together; give both or none");
+  }
 }

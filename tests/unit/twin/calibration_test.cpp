@@ -5,7 +5,9 @@
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include "twin/calibration/calibration.h"
+#include "twin/calibration/verdict.h"
 #include "twin/calibration/words.h"
+#include <algorithm>
 #include <cmath>
 
 using namespace mill;
@@ -251,6 +253,72 @@ TEST(Calibration, TwoClocksAreAlignedWhenAsked)
   // nothing else is wrong
   ASSERT_EQ(done.refusals.size(), 1u);
   EXPECT_EQ(done.refusals[0], "pass.csv: load_cell is clipped");
+}
+
+namespace {
+/// Accelerations some samples late, which nobody asked to be aligned.
+Calibration with_late_clock(const Eigen::Index samples)
+{
+  Small late({
+      {"zeta", 0.7}
+  });
+  for (auto *pieces : {&late.input.fit, &late.input.check})
+    for (ForcedSamples &piece : *pieces) {
+      const Eigen::Index n = piece.force.size() - samples;
+      piece.force          = piece.force.tail(n).eval();
+      piece.acceleration   = piece.acceleration.topRows(n).eval();
+    }
+  return calibrate(late.input, {});
+}
+}  // namespace
+
+TEST(Calibration, ADelayNobodyAskedForIsTold)
+{
+  const Calibration right = with_late_clock(0);
+  ASSERT_TRUE(right.delay);
+  EXPECT_LT(std::abs(right.delay->seconds), 4 * right.delay->deviation);
+  EXPECT_FALSE(right.delay->told());
+  EXPECT_TRUE(right.refusals.empty());
+  const Calibration one = with_late_clock(1);  // 0.050 ms of the 0.056 ms that are allowed up to 900 Hz
+  EXPECT_NEAR(one.delay->seconds, 5e-5, 4 * one.delay->deviation);
+  EXPECT_LT(one.delay->deviation, 5e-7) << "a hundredth of a sample";
+  EXPECT_TRUE(one.delay->told());
+  EXPECT_FALSE(one.delay->too_large());
+  const Calibration far = with_late_clock(40);
+  EXPECT_NEAR(far.delay->seconds, 0.002, 4 * far.delay->deviation);
+  EXPECT_TRUE(far.delay->too_large());
+  EXPECT_EQ(std::count(far.refusals.begin(), far.refusals.end(), far.delay->words(20000)), 1);
+}
+
+TEST(Calibration, ADelayIsToldInSamplesWithItsRemedy)
+{
+  const ClockDelay delay{-1.5e-4, 2.5e-6, 1 / (20 * 900.)};
+  EXPECT_TRUE(delay.too_large());
+  EXPECT_EQ(delay.words(20000),
+            "the accelerations are 3 samples (0.15 ms) earlier than the force, uncertain by 0.05 samples: two "
+            "clocks, or a filter in one of the amplifiers; up to 0.0556 ms are allowed, --align fits the delay as "
+            "one more unknown");
+  EXPECT_FALSE((ClockDelay{2e-6, 1e-7, 1 / (20 * 900.)}).told()) << "below a tenth of what is allowed";
+  EXPECT_FALSE((ClockDelay{2e-5, 1e-5, 1 / (20 * 900.)}).told()) << "within three deviations";
+}
+
+TEST(Calibration, ACaseThatIsRightHasNothingToChange)
+{
+  Small small({
+      {"zeta", 0.7}
+  });
+  small.input.stand.damping *= std::exp(calibration::recipe("two").truth.at("zeta"));
+  const Calibration done = calibrate(small.input, {});
+  EXPECT_TRUE(done.agrees);
+  EXPECT_TRUE(done.refusals.empty());
+  EXPECT_LT(done.case_deviance, 10.9);  // chi-square of one, 99.9 %
+  Calibration said;
+  said.unknowns      = {Calibrated{}, Calibrated{}};
+  said.case_deviance = 1.25;
+  said.check         = {2, 1, {}, 0};
+  EXPECT_EQ(agreement_words(said), "the case agrees with these records already: to free 2 unknowns lowers the "
+                                   "deviance by 1.2, chance alone by up to 5.9; nothing to change, no calibrated "
+                                   "case is written");
 }
 
 TEST(Calibration, NumbersAreShownWithTheDigitsTheyAreWorth)

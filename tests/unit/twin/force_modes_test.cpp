@@ -161,3 +161,22 @@ TEST(ForceModes, NothingFollowsAForceOfAnotherMill)
   EXPECT_LT(found.best_coherence, 0.3);
   EXPECT_TRUE(found.modes.empty());
 }
+
+TEST(ForceModes, TheBackgroundOfSharpModesIsNoMode)
+{
+  const auto mode = [](const double frequency, const double damping) {
+    ForcedMode m{};
+    m.frequency = frequency;
+    m.damping   = damping;
+    m.confirmed = true;
+    return m;
+  };
+  // As fits of records of 12 and 30 s left them, beside modes of 38.9 and 54.0 Hz with 0.5 and 1 % of damping.
+  std::vector<ForcedMode> modes{mode(34.2, 0.29), mode(38.9, 0.01), mode(54.0, 0.005),
+                                mode(61.6, 0.14), mode(218, 0.04),  mode(230, 0.01)};
+  drop_backgrounds(modes);
+  std::string kept;
+  for (const ForcedMode &m : modes)
+    kept += m.confirmed ? "1" : "0";
+  EXPECT_EQ(kept, "011011") << "a broad mode beside a sharp one stays where their bands are apart";
+}

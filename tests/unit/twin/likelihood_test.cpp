@@ -175,6 +175,6 @@ TEST(Likelihood, WhatTheChainDoesNotHaveIsNotFitted)
                Eigen::VectorXd::Zero(1), none, {}, Wanted::cost);
     FAIL();
   } catch (const InputError &e) {
-    EXPECT_STREQ(e.what(), "error: \"K4\" is nothing of this chain that can be fitted");
+    EXPECT_STREQ(e.what(), "error: \"K4\" is nothing of this stand that can be fitted");
   }
 }

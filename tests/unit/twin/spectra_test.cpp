@@ -108,6 +108,28 @@ TEST(Spectra, WhiteNoiseHasNoPeaks)
       EXPECT_TRUE(peaks(spectrum_of(synthetic::normals(std::uint64_t(seed), n), 2000), 5, 900).empty()) << seed;
 }
 
+// A resonance of 0.8 Hz in bins of 1.2 Hz is one high bin, as a line is; noise drives it, so it comes and goes.
+TEST(Spectra, AResonanceThatBinsDoNotResolveIsNoLine)
+{
+  constexpr double rate = 10000, zeta = 0.01;
+  int lines = 0, tones = 0;
+  for (int seed = 1; seed <= 20; ++seed) {
+    const auto noise = synthetic::normals(std::uint64_t(seed), 40000);
+    const auto modal =
+        synthetic::modal_response(Eigen::VectorXd::Constant(1, 38.9), Eigen::VectorXd::Ones(1), zeta, noise, rate);
+    Eigen::VectorXd tone = 0.3 * noise;
+    for (Eigen::Index k = 0; k < tone.size(); ++k)
+      tone[k] += 0.2 * std::sin(2 * M_PI * 38.9 * double(k) / rate);
+    // Relative to the stand's own swing at the mode: force and what of it accelerates are noise.
+    for (const Peak &peak : peaks(spectrum_of(modal.col(0) - noise + 0.01 * noise, rate), 20, 60))
+      lines += peak.line;
+    for (const Peak &peak : peaks(spectrum_of(tone, rate), 20, 60))
+      tones += peak.line;
+  }
+  EXPECT_LE(lines, 1) << "of twenty records";
+  EXPECT_EQ(tones, 20) << "a tone of the same frequency is one in every record";
+}
+
 TEST(Spectra, TheRunUpIsThatOfTheReference)
 {
   const auto known = reference("runup.samples", "twin");

@@ -1,0 +1,110 @@
+#include "twin/calibration/verdict.h"
+#include "twin/calibration/calibration_parts.h"
+#include "twin/spectra/welch.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill::twin {
+namespace {
+constexpr double upper_5_percent = 1.6449, upper_permille = 3.0902;  // normal deviates
+
+void add_band_refusals(std::vector<std::string> &refusals, const CalibrationInput &in, const Held &held,
+                       const std::string &record)
+{
+  const BandResidual *worst = nullptr;
+  int wrong                 = 0;
+  for (const BandResidual &band : held.bands)
+    if (band.wrong()) {
+      ++wrong;
+      if (!worst || band.ratio / band.limit > worst->ratio / worst->limit)
+        worst = &band;
+    }
+  if (worst)
+    refusals.push_back(fmt::format("in {} of {} third octaves of the {} the stand leaves more than a linear model "
+                                   "must; the worst is {:.1f} Hz "
+                                   "of {}: {:.2f} times, limit {:.2f}",
+                                   wrong, held.bands.size(), record, worst->centre,
+                                   in.sensors[std::size_t(worst->sensor)], worst->ratio, worst->limit));
+}
+
+int freed(const Calibration &c)
+{
+  return int(
+      std::count_if(c.unknowns.begin(), c.unknowns.end(), [](const Calibrated &u) { return u.name != "delay"; }));
+}
+
+bool any_told(const Calibration &c)
+{
+  return std::any_of(c.unknowns.begin(), c.unknowns.end(),
+                     [](const Calibrated &u) { return u.told && u.name != "delay"; });
+}
+
+/// Deviance that the case exceeds by chance alone with the probability of a normal deviate.
+double by_chance(const Calibration &c, const double deviate)
+{
+  return freed(c) * chi_square_over_dof(deviate, freed(c));
+}
+
+bool any_wrong(const Held &held)
+{
+  return std::any_of(held.bands.begin(), held.bands.end(), [](const BandResidual &b) { return b.wrong(); }) ||
+         std::any_of(held.levels.begin(), held.levels.end(), [](const LevelBand &b) { return b.wrong(); });
+}
+}  // namespace
+
+bool case_agrees(const Calibration &c, const Held &fit_at_case, const Held &check_at_case)
+{
+  if (!any_told(c) || any_wrong(fit_at_case) || any_wrong(check_at_case))
+    return false;
+  const bool no_better = !(c.check.after < c.check.before);
+  return c.case_deviance <= by_chance(c, upper_5_percent) ||
+         (no_better && c.case_deviance <= by_chance(c, upper_permille));
+}
+
+std::string agreement_words(const Calibration &c)
+{
+  return fmt::format(
+      "the case agrees with these records already: to free {} unknowns lowers the deviance by {:.1f}, "
+      "chance alone by up to {:.1f}; nothing to change, no calibrated case is written",
+      freed(c), c.case_deviance, by_chance(c, c.check.after < c.check.before ? upper_5_percent : upper_permille));
+}
+
+std::vector<std::string> refusals_of(const CalibrationInput &in, const Calibration &c)
+{
+  std::vector<std::string> refusals;
+  add_band_refusals(refusals, in, c.fit, "fitted records");
+  add_band_refusals(refusals, in, c.check, "check records");
+  add_other_refusals(refusals, in, c);
+  return refusals;
+}
+
+void add_other_refusals(std::vector<std::string> &refusals, const CalibrationInput &in, const Calibration &c)
+{
+  if (!any_told(c))
+    refusals.push_back("none of the unknowns is told by these records; --plan says which record would tell them");
+  else if (!c.agrees && !(c.check.after < c.check.before))
+    refusals.push_back(fmt::format("the check records fit no better than before: misfit {:.4g}, before {:.4g}",
+                                   c.check.after, c.check.before));
+  for (std::size_t i = 0; i < c.unknowns.size(); ++i) {
+    const Calibrated &u = c.unknowns[i];
+    const double moved  = (u.estimate - in.unknowns[i].prior) / u.prior_sd;
+    if (u.name == "delay") {
+      const double limit = 1 / (20 * in.high);
+      if (u.sd > limit)
+        refusals.push_back(fmt::format("the delay of the clocks is uncertain by {:.3g} ms; up to {:.0f} Hz "
+                                       "{:.3g} ms are allowed",
+                                       1e3 * u.sd, in.high, 1e3 * limit));
+    } else if (std::abs(moved) > far_from_prior)
+      refusals.push_back(fmt::format("{} would move by {:.1f} of its prior standard deviations, which is no "
+                                     "correction of this stand",
+                                     u.name, moved));
+  }
+  if (c.delay && c.delay->too_large())
+    refusals.push_back(c.delay->words(in.rate));
+  for (const std::string &channel : in.clipped)
+    refusals.push_back(channel + " is clipped");
+  if (!c.scan.best.converged)
+    refusals.push_back("the fit did not converge");
+}
+}  // namespace mill::twin
