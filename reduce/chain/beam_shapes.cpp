@@ -50,8 +50,8 @@ double deflection_from_middle(const SteppedBeam &beam, const double position)
   const double x = std::abs(position);
   // Under the load, (4.4): bending D with slope t, shear S.
   const double x1 = std::min(x, c);
-  double D        = ((2 * a - c) * x1 * x1 / 8 - std::pow(x1, 4) / (48 * c)) / beam.barrel.bending;
-  double t        = ((2 * a - c) * x1 / 4 - std::pow(x1, 3) / (12 * c)) / beam.barrel.bending;
+  double D        = ((2 * a - c) * x1 * x1 / 8 - x1 * x1 * x1 * x1 / (48 * c)) / beam.barrel.bending;
+  double t        = ((2 * a - c) * x1 / 4 - x1 * x1 * x1 / (12 * c)) / beam.barrel.bending;
   double S        = x1 * x1 / (4 * c * beam.barrel.shear);
   // Beyond the load, zone from x0 to x1, (4.5): the moment is (a - x)/2, the shear force 1/2.
   const auto zone = [&](const double x0, const double end, const BeamSection &section) {
