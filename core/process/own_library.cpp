@@ -15,6 +15,15 @@ namespace {
                     "', which cannot be used: " + why +
                     "; build or copy both together (cmake --build --preset release --target millstand)");
 }
+
+// What the loader says where the address space ends: it names no reason where mmap() fails for want of it.
+bool has_no_room(const std::string &why)
+{
+  const std::string unmapped = "failed to map segment from shared object";
+  return why.find(std::strerror(ENOMEM)) != std::string::npos ||
+         (why.size() >= unmapped.size() &&
+          why.compare(why.size() - unmapped.size(), unmapped.size(), unmapped) == 0);
+}
 }  // namespace
 
 void *function_of_own_library(const char *library, const char *function)
@@ -23,7 +32,7 @@ void *function_of_own_library(const char *library, const char *function)
   void *const opened     = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (opened == nullptr) {
     const std::string why = dlerror();
-    if (why.find(std::strerror(ENOMEM)) != std::string::npos)
+    if (has_no_room(why))
       throw std::bad_alloc();
     refuse_library(path, why);
   }

@@ -24,6 +24,8 @@ std::string write_model(const std::string &path)
 {
   try {
     gmsh::write(path);
+  } catch (const std::string &message) {  // what Gmsh throws
+    return message;
   } catch (const std::exception &e) {
     return e.what();
   }

@@ -49,10 +49,10 @@ double deflection_from_middle(const SteppedBeam &beam, const double position)
   const double a = beam.half_span, c = beam.half_load, h = beam.half_barrel;
   const double x = std::abs(position);
   // Under the load, (4.4): bending D with slope t, shear S.
-  const double x1 = std::min(x, c), square = x1 * x1;
-  double D        = ((2 * a - c) * square / 8 - square * square / (48 * c)) / beam.barrel.bending;
-  double t        = ((2 * a - c) * x1 / 4 - square * x1 / (12 * c)) / beam.barrel.bending;
-  double S        = square / (4 * c * beam.barrel.shear);
+  const double x1 = std::min(x, c);
+  double D        = ((2 * a - c) * x1 * x1 / 8 - x1 * x1 * x1 * x1 / (48 * c)) / beam.barrel.bending;
+  double t        = ((2 * a - c) * x1 / 4 - x1 * x1 * x1 / (12 * c)) / beam.barrel.bending;
+  double S        = x1 * x1 / (4 * c * beam.barrel.shear);
   // Beyond the load, zone from x0 to x1, (4.5): the moment is (a - x)/2, the shear force 1/2.
   const auto zone = [&](const double x0, const double end, const BeamSection &section) {
     const double s = end - x0;

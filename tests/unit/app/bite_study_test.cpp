@@ -68,9 +68,10 @@ TEST(BiteStudy, AnArcTooLongForASectionIsOneOnAHalfPlane)
   Study study;
   BiteQuestion q                    = cold_pass();
   q.bite.strip.entry_thickness      = 0.2;
-  q.bite.strip.exit_thickness       = 0.1;
+  q.bite.strip.exit_thickness       = 0.16;
   q.bite.strip.flow_stress.k        = 50e6;
-  q.bite.strip.friction             = {};
+  q.bite.strip.entry_tension        = 0;
+  q.bite.strip.exit_tension         = 0;
   q.bite.strip.friction.coefficient = 0.5;
   try {
     study_bite(study.run, q);

@@ -17,16 +17,17 @@ bool says(const std::string &text, const std::string &what)
 
 TEST(MemoryLimits, BelowTheBuffersOfTheBlasItIsSaidAtOnce)
 {
-  const Outcome outcome = with_address_space(600, "check cases/two-cylinders.toml");
+  const Outcome outcome = with_address_space(300, "check cases/two-cylinders.toml");
   EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_TRUE(says(outcome.err, "out of memory: 600 MB of address space are allowed (ulimit -v), at least "))
+  EXPECT_TRUE(says(outcome.err, "out of memory: 300 MB of address space are allowed (ulimit -v), at least "))
       << outcome.err;
   EXPECT_TRUE(says(outcome.err, "  change        a higher limit\n")) << outcome.err;
 }
 
 TEST(MemoryLimits, EveryLimitEndsWithResultsOrASentence)
 {
-  for (const int megabytes : {800, 860, 920, 1000, 3000}) {
+  // 560: no room for the library of the finite elements.
+  for (const int megabytes : {560, 800, 860, 920, 1000, 3000}) {
     const Outcome outcome = with_address_space(megabytes, "run cases/two-cylinders.toml -q --fresh -o " +
                                                               scratch("tight") + " --cache " + scratch("cache"));
     const bool refused    = says(outcome.err, "out of memory") && says(outcome.err, "  change        ");
