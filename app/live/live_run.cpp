@@ -235,6 +235,7 @@ std::optional<live::TwinModel> LiveRun::adopt(const std::int64_t id)
     model_.adopted                = fs::path(proposal->file).filename().string();
     origin_                       = model_.adopted;
     model_.source                 = "six masses of " + model_.adopted;
+    last_second_                  = 0;  // stored at once, so that a kill does not undo it
     return model_;
   } catch (const std::exception &error) {  // what cannot be written is not adopted
     say("refused", error.what());

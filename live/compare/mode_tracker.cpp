@@ -9,6 +9,7 @@
 namespace mill::live {
 namespace {
 constexpr double top_over_mode = 1.3;
+constexpr double little        = 1e-3;  // -, of a frequency: a fifth of a per cent of a stiffness
 
 // Next even number below or equal to n without prime factors above 5: its transform is quick.
 Eigen::Index quick_length(const Eigen::Index n)
@@ -180,11 +181,15 @@ struct ModeTracker::State {
         "{} has {} by {:.2f} %, from {:.5g} Hz{} to {:.5g} Hz at {:.4g} kN, since about {}. ", name_of(drift.mode),
         fell ? "fallen" : "risen", 100 * std::abs(std::expm1(drift.change)), was,
         learned ? " when the watch began" : " by the twin", now, block->load / 1e3, clock_text(drift.since));
-    text +=
-        fmt::format("Something in the stand has become {}: look for what was changed then at rolls, chocks, "
-                    "bearings, wedges or liners, and for loose parts. The twin is as it was; new springs are "
-                    "proposed when a minute since the change was measured, and hold when somebody adopts them.",
-                    fell ? "softer or heavier" : "stiffer or lighter");
+    if (std::abs(drift.change) < little)
+      text += "That is little, but more than chance: see whether it goes on. ";
+    else
+      text += fmt::format("Something in the stand has become {}: look for what was changed then at rolls, chocks, "
+                          "bearings, wedges or liners, and for loose parts. ",
+                          fell ? "softer or heavier" : "stiffer or lighter");
+    text += "The twin is as it was; new springs are proposed when a minute since the change was measured, and "
+            "hold when "
+            "somebody adopts them.";
     return text;
   }
 

@@ -181,10 +181,11 @@ PageProposal page_proposal(const Proposal &p)
   page.utc   = p.utc;
   page.state = p.state;
   page.file  = p.file.empty() ? "" : std::filesystem::path(p.file).filename().string();
-  page.text  = fmt::format(
-       "{} On {:.0f} s from {} to {} the misfit falls from {:.3f} to {:.3f}. Nothing is changed "
-        "until it is adopted.",
-       p.reason, p.found.seconds, utc_text(p.from), utc_text(p.to), p.found.misfit_before, p.found.misfit_after);
+  page.text =
+      fmt::format("{} On {:.0f} s from {} to {} the misfit falls from {:.3f} to {:.3f}.", p.reason,
+                  p.found.seconds, utc_text(p.from), utc_text(p.to), p.found.misfit_before, p.found.misfit_after);
+  if (p.state == "open")
+    page.text += " Nothing is changed until it is adopted.";
   for (const twin::RecalibratedValue &value : p.found.values) {
     ProposedValue row;
     row.key          = value.name == "zeta" ? "damping" : value.name;

@@ -82,7 +82,7 @@ TEST_F(MonitoringSection, Refusals)
   EXPECT_EQ(
       refusal("fifth_octave = [\"650 Hz\", \"550 Hz\"]\n"),
       "monitoring.fifth_octave = [\"650 Hz\", \"550 Hz\"] does not increase; write the lower frequency first");
-  EXPECT_EQ(refusal("limit = \"20 mm/s\"\n"), "monitoring.limit = \"20 mm/s\" is a velocity; an acceleration is "
+  EXPECT_EQ(refusal("limit = \"20 mm/s\"\n"), "monitoring.limit = \"20 mm/s\" is a speed; an acceleration is "
                                               "needed, for example \"20 m/s2\"");
   EXPECT_EQ(refusal("limit = \"0 g\"\n"), "monitoring.limit = \"0 g\" is outside 0.001 m/s2 .. 100000 m/s2");
   EXPECT_EQ(refusal("third_octave = \"125 Hz\"\n").find("monitoring.third_octave = \"125 Hz\" is not a pair"), 0u);

@@ -126,6 +126,24 @@ TEST(LiveGaps, ASecondRecordOfTheSameClockCountsWhatIsBetween)
   EXPECT_EQ(run.engine().book()->channels()[0].missing, 3000);
 }
 
+// A source whose clock was set back sends what was there already: after a minute of it somebody is told, once.
+TEST(LiveGaps, AMinuteThatComesAgainIsTold)
+{
+  LiveSamples run(published(), 100);
+  run.engine().take(live::SourceHead{100, 1000.0, "a", {{"force", "N"}}, {1}});
+  run.send(steps_of_force(20000), 100, 0);
+  run.engine().take(live::SourceHead{100, 900.0, "a", {{"force", "N"}}, {1}});
+  run.said.clear();
+  run.send(steps_of_force(15000), 100, 10000);
+  ASSERT_EQ(run.said.size(), 1u);
+  EXPECT_EQ(
+      run.said[0],
+      "clock: a minute of samples that were taken already has come again, up to s = 16100 where 30000 is the "
+      "next: they count as doubled and move nothing. If the clock of the source was set back, let it send a "
+      "head without \"start\", or start the twin with --fresh");
+  EXPECT_EQ(run.engine().book()->doubled(), 15000);
+}
+
 TEST(LiveGaps, StateOfAnotherCaseIsNotTaken)
 {
   LiveSamples first(published(), 1000);

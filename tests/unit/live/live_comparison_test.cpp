@@ -213,6 +213,10 @@ TEST(LiveComparison, ARestartLosesNoDrift)
     EXPECT_EQ(parted.alarms[i].text, whole.alarms[i].text);
     EXPECT_EQ(parted.alarms[i].utc, whole.alarms[i].utc);
   }
+  EXPECT_NE(
+      parted.alarms[0].text.find("That is little, but more than chance: see whether it goes on. The twin is"),
+      std::string::npos)
+      << parted.alarms[0].text;
   EXPECT_EQ(again.drift().modes[5].watch.sums.down, through.drift().modes[5].watch.sums.down);
 
   // the alarm and its number survive too, and what is open is not told a second time
