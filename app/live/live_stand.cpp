@@ -25,6 +25,16 @@ const char *label_of(const std::string &key)
   return labels.at(key);
 }
 
+// Who sets another limit or names a channel has the same twin still: what was learned of it stays.
+std::string without_monitoring(const std::string &resolved)
+{
+  const auto begin = resolved.find("\n[monitoring]\n");
+  if (begin == std::string::npos)
+    return resolved;
+  const auto end = resolved.find("\n[", begin + 1);
+  return resolved.substr(0, begin) + (end == std::string::npos ? "" : resolved.substr(end));
+}
+
 void add_roll_sizes(live::PageStand &stand, const std::string &roll, const double diameter, const double length)
 {
   for (live::StandPlace &place : stand.places)
@@ -42,7 +52,7 @@ live::TwinModel live_model(const Case &the_case)
           std::move(chain.source),
           std::move(chain.model),
           std::move(chain.dynamics),
-          hash_of(the_case.resolved),
+          hash_of(without_monitoring(the_case.resolved)),
           chain.load,
           std::holds_alternative<FourHigh>(the_case.spec)};
 }

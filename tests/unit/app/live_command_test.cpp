@@ -276,7 +276,7 @@ TEST(LiveCommand, GoesOnFromItsStateOrSaysWhyNot)
       {"springs", springs                                         }
   };
   write(state.dump());
-  const Outcome again = millstand(command);
+  const Outcome again = millstand(command + " --set \"monitoring.limit=3 g\"");  // the same twin
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_NE(
       again.out.find("springs and damping as adopted in calibrated-20260105T100000Z.toml; --fresh goes back to "
