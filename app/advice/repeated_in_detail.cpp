@@ -115,8 +115,10 @@ public:
 
   void repeat(RatedAction &action) const
   {
-    if (!action.process.empty() && !(rolled_ && rolled_->settled()))
+    if (!action.process.empty() && !(rolled_ && rolled_->settled())) {
+      action.against.push_back(grows());
       return;
+    }
     const auto stand = seen_->after(action.of_stand, true);
     if (!stand)
       return;
@@ -151,6 +153,13 @@ private:
     rolled_         = std::make_shared<twin::RolledLevel>(
         *model.pass, [seen = seen_](const twin::StandChange &change) { return seen->after(change, false); },
         force);
+    if (rolled_->now().no_bite)
+      rolled_.reset();
+  }
+
+  std::string grows() const
+  {
+    return "vibration grows at the working speed in the model of " + name_;
   }
 
   void repeat(RatedAction &action, const VibratingStand &stand, const char *where, const bool on_chocks) const
@@ -169,7 +178,9 @@ private:
     const double level = action.process.empty()               ? twin::levels(stand, joined, *force_)[place_]
                          : rolled && rolled->level.size() > 0 ? rolled->level[place_]
                                                               : not_given;
-    const double now   = action.process.empty() ? level_ : rolled_->level()[place_];
+    if (counts && std::isnan(level))
+      action.against.push_back(grows());
+    const double now = action.process.empty() ? level_ : rolled_->level()[place_];
     action.repeated.push_back({name_ + where, level / now - 1, "1"});
   }
 };

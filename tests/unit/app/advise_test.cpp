@@ -7,6 +7,7 @@
 #include "tests/support/program.h"
 #include "tests/support/refusal.h"
 #include "tests/support/synthetic_record.h"
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -168,6 +169,27 @@ TEST(Advise, OfAPassTheProcessIsAnActionAndChatterALimit)
   for (const auto &note : advice["notes"])
     said = said || note.get<std::string>().find("critical speed as it is, beams: unstable above ") == 0;
   EXPECT_TRUE(said) << advice["notes"];
+}
+
+// Between the critical speeds of beams and six masses a process action has a level in the latter alone, which does
+// not count.
+TEST(Advise, AStandThatChattersAsBeamsHasNoLevelOfTheProcess)
+{
+  const std::string folder = scratch("advise-between");
+  const std::string stand  = std::string(MILLSTAND_SOURCE_DIR) + "/cases/cold-tandem-2030.toml";
+  const Outcome run        = millstand("advise " + stand +
+                                           " --set 'pass.0.speed=\"14.3 m/s\"' --set 'advice.springs=[\"K1\"]' --set "
+                                                  "'advice.band=[\"60 Hz\",\"90 Hz\"]' --set 'advice.tuned_mass=\"0 %\"' --set "
+                                                  "'advice.usual_damper=\"0 N s/m\"' -q -o out",
+                                       folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto advice = advice_in(folder + "/out");
+  ASSERT_GT(advice["values"]["advice.critical_speed"]["value"].get<double>(), 14.3);
+  const auto against = action(advice, "entry thickness x 0.95")["against"];
+  EXPECT_NE(
+      std::find(against.begin(), against.end(), "vibration grows at the working speed in the model of beams"),
+      against.end())
+      << against;
 }
 
 // The strip is in the stand once, by the bite that answers: what the case means by its force moves no critical
