@@ -38,10 +38,11 @@ struct Beams {
     for (const auto &[name, text] : texts_of(model, files))
       write_atomically(folder + "/" + name, text);
     const std::string chain = folder + "/chain.toml";
-    write_atomically(chain, "schema = 1\nkind = \"lumped\"\n[given]\nM1 = \"1 kg\"\nM2 = \"1 kg\"\nM3 = \"1 kg\"\n"
-                            "M4 = \"1 kg\"\nM5 = \"1 kg\"\nM6 = \"1 kg\"\nK1 = \"1 N/m\"\nK2 = \"1 N/m\"\n"
-                            "K3 = \"1 N/m\"\nK4 = \"1 N/m\"\nK5 = \"1 N/m\"\nK6 = \"1 N/m\"\nK7 = \"1 N/m\"\n"
-                            "[[pass]]\nname = \"1\"\nload = \"976 kN\"\n[dynamics]\nmodal_damping = \"1 %\"\n");
+    write_atomically(chain,
+                     "schema = 1\nkind = \"lumped\"\n[given]\nM1 = \"1 kg\"\nM2 = \"1 kg\"\nM3 = \"1 kg\"\n"
+                     "M4 = \"1 kg\"\nM5 = \"1 kg\"\nM6 = \"1 kg\"\nK1 = \"1 kN/mm\"\nK2 = \"1 kN/mm\"\n"
+                     "K3 = \"1 kN/mm\"\nK4 = \"1 kN/mm\"\nK5 = \"1 kN/mm\"\nK6 = \"1 kN/mm\"\nK7 = \"1 kN/mm\"\n"
+                     "[[pass]]\nname = \"1\"\nload = \"976 kN\"\n[dynamics]\nmodal_damping = \"1 %\"\n");
     write_atomically(folder + "/stand.toml", detailed_model_toml(files, read_case(chain), folder));
   }
   void write_record(const std::map<std::string, double> &moved, const Eigen::Index n) const
