@@ -151,7 +151,8 @@ RingingSums ringing_sums(const SeenStand &stand, const BandRecord &band, const E
 
 struct Slopes {
   Eigen::VectorXd slope;
-  Eigen::MatrixXd information, with_force;
+  Eigen::MatrixXd information;
+  Eigen::MatrixXd with_force;  // empty: not asked for
   Slopes &operator+=(const Slopes &other)
   {
     slope += other.slope;
@@ -194,7 +195,9 @@ void add_slopes(Slopes &sum, const SeenStand &stand, const BandRecord &band, con
   const Eigen::ArrayXXcd z    = b.measured - rung.value;
   const Eigen::ArrayXcd along = inner(b.u, z);          // rho
   const Eigen::ArrayXd energy = b.gain * along.abs2();  // g |rho|^2
-  Eigen::MatrixXd level = Eigen::MatrixXd::Zero(k, sum.slope.size()), across(2 * k * m, p), all(2 * k * m, p);
+  Eigen::MatrixXd level       = Eigen::MatrixXd::Zero(k, sum.slope.size()), across(2 * k * m, p);
+  const bool asked            = sum.with_force.size() > 0;
+  Eigen::MatrixXd all(asked ? 2 * k * m : 0, p);
   for (Eigen::Index q = 0; q < p; ++q) {
     Eigen::ArrayXXcd v = weighted(b.modes.derivative[std::size_t(q)], stand.sees, b.weight);
     v.colwise() *= b.root.cast<Complex>();
@@ -209,8 +212,10 @@ void add_slopes(Slopes &sum, const SeenStand &stand, const BandRecord &band, con
           (v.col(j) - b.u.col(j) * alpha / b.size.max(1e-300)) * (2 * b.gain * b.size).sqrt().cast<Complex>();
       across.col(q).segment(2 * k * j, k)     = side.real().matrix();
       across.col(q).segment(2 * k * j + k, k) = side.imag().matrix();
-      all.col(q).segment(2 * k * j, k)        = M_SQRT2 * v.col(j).real().matrix();
-      all.col(q).segment(2 * k * j + k, k)    = M_SQRT2 * v.col(j).imag().matrix();
+      if (asked) {
+        all.col(q).segment(2 * k * j, k)     = M_SQRT2 * v.col(j).real().matrix();
+        all.col(q).segment(2 * k * j + k, k) = M_SQRT2 * v.col(j).imag().matrix();
+      }
     }
   }
   for (Eigen::Index i = 0; i < k; ++i) {
@@ -226,15 +231,17 @@ void add_slopes(Slopes &sum, const SeenStand &stand, const BandRecord &band, con
   }
   sum.information.selfadjointView<Eigen::Lower>().rankUpdate(level.transpose());
   sum.information.topLeftCorner(p, p).selfadjointView<Eigen::Lower>().rankUpdate(across.transpose());
-  sum.with_force.selfadjointView<Eigen::Lower>().rankUpdate(all.transpose());
+  if (asked)
+    sum.with_force.selfadjointView<Eigen::Lower>().rankUpdate(all.transpose());
 }
 
 Slopes slopes_of(const SeenStand &stand, const BandRecord &band, const Eigen::MatrixXd &noise,
-                 const Eigen::VectorXd &transient, const int threads)
+                 const Eigen::VectorXd &transient, const int threads, const bool as_if_recorded = false)
 {
   const auto p = Eigen::Index(stand.record.unknowns.size()), q = p + stand.record.force.knots.size();
-  Slopes sums = over_blocks<Slopes>(
-      band, threads, {Eigen::VectorXd::Zero(q), Eigen::MatrixXd::Zero(q, q), Eigen::MatrixXd::Zero(p, p)},
+  const Eigen::Index asked = as_if_recorded ? p : 0;
+  Slopes sums              = over_blocks<Slopes>(
+      band, threads, {Eigen::VectorXd::Zero(q), Eigen::MatrixXd::Zero(q, q), Eigen::MatrixXd::Zero(asked, asked)},
       [&](Slopes &sum, const Block &block) { add_slopes(sum, stand, band, noise, block, transient); });
   sums.information = Eigen::MatrixXd(sums.information.selfadjointView<Eigen::Lower>());
   sums.with_force  = Eigen::MatrixXd(sums.with_force.selfadjointView<Eigen::Lower>());
@@ -364,7 +371,7 @@ Eigen::MatrixXd information_with_force(const OutputOnly &record, const Eigen::Ve
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(p, p);
   for (std::size_t piece = 0; piece < record.data.pieces.size(); ++piece)
     A += slopes_of(stand, record.data.pieces[piece], noise[piece],
-                   Eigen::VectorXd::Zero(2 * stand.at.frequency.size()), 1)
+                   Eigen::VectorXd::Zero(2 * stand.at.frequency.size()), 1, true)
              .with_force;
   return A;
 }

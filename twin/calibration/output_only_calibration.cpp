@@ -1,6 +1,7 @@
 #include "twin/calibration/output_only_calibration.h"
 #include "twin/calibration/calibration_parts.h"
 #include "twin/calibration/output_only_start.h"
+#include "twin/calibration/second_minima.h"
 #include "twin/calibration/verdict.h"
 #include "twin/calibration/words.h"
 #include <Eigen/Cholesky>
@@ -36,45 +37,6 @@ FitProblem problem_of(const OutputOnly &record, const std::vector<Unknown> &all,
   return problem;
 }
 
-/// Furthest unknown of the stand from its prior, in its deviations.
-double furthest(const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta)
-{
-  double most = 0;
-  for (std::size_t i = 0; i < unknowns.size(); ++i)
-    most = std::max(most, std::abs(theta[Eigen::Index(i)] - unknowns[i].prior) / unknowns[i].prior_sd);
-  return most;
-}
-
-/// Where a minimum that is no correction of this stand and one that is explain the records alike, the latter is
-/// the fit and the former another minimum.  theory.md 45.5
-void prefer_a_correction(const OutputOnly &record, const FitProblem &problem, const FitSettings &settings,
-                         ScannedFit &scan)
-{
-  if (furthest(record.unknowns, scan.best.estimate) <= far_from_prior)
-    return;
-  for (const Basin &basin : scan.basins) {
-    if (basin.deviance >= other_basin || furthest(record.unknowns, basin.at) > far_from_prior)
-      continue;
-    const Fit beyond       = scan.best;
-    const std::string name = basin.name;
-    const Fit nearer       = minimised(problem, basin.at, beyond.noise, settings);
-    const double rise      = 2 * (nearer.cost - beyond.cost);
-    std::vector<Basin> basins;
-    for (Basin other : scan.basins) {
-      other.deviance -= rise;
-      if ((other.at - nearer.estimate).norm() > 0.05 * nearer.estimate.norm())
-        basins.push_back(other);
-    }
-    for (std::size_t i = 0; i < record.unknowns.size(); ++i)
-      if (record.unknowns[i].name == name)
-        basins.insert(basins.begin(), {name, beyond.estimate[Eigen::Index(i)], -rise, beyond.estimate});
-    scan.best   = nearer;
-    scan.basins = std::move(basins);
-    set_intervals(problem, settings, scan);
-    return;
-  }
-}
-
 /// The scan without the knots of the force, which are fitted beside the stand.
 ScannedFit of_the_stand(const ScannedFit &scan, const std::vector<Unknown> &unknowns)
 {
@@ -91,42 +53,14 @@ ScannedFit of_the_stand(const ScannedFit &scan, const std::vector<Unknown> &unkn
   return stand;
 }
 
-/// Intervals that also cover where other unknowns have the ends of theirs, and other minima below deviance 9; of
-/// the unknown that was scanned only those inside its interval, since one outside is a second value.
-Eigen::MatrixXd covering(const ScannedFit &scan)
-{
-  Eigen::MatrixXd interval = scan.interval;
-  const auto cover         = [&](const Eigen::Index i, const double value) {
-    interval(i, 0) = std::min(interval(i, 0), value);
-    interval(i, 1) = std::max(interval(i, 1), value);
-  };
-  for (const Eigen::VectorXd &end : scan.ends)
-    for (Eigen::Index i = 0; i < interval.rows(); ++i)
-      cover(i, end[i]);
-  for (const Basin &basin : scan.basins)
-    for (Eigen::Index i = 0; basin.deviance < other_basin && i < interval.rows(); ++i)
-      if (scan.best.unknowns[std::size_t(i)].name != basin.name)
-        cover(i, basin.at[i]);
-  return interval;
-}
-
-/// What is told.  A deviation is at least that of the interval, since the valley is curved.  theory.md 45.5
+/// What is told, and what the force would have told of the rest.
 std::vector<Calibrated> judged_without_force(const OutputOnly &record, const Fit &joint, const ScannedFit &scan)
 {
-  ScannedFit apart = scan;
-  apart.interval   = covering(scan);
-  apart.basins.clear();
-  for (const Basin &basin : scan.basins)
-    for (std::size_t i = 0; i < record.unknowns.size(); ++i)
-      if (const auto j = Eigen::Index(i); record.unknowns[i].name == basin.name &&
-                                          (basin.theta < scan.interval(j, 0) || basin.theta > scan.interval(j, 1)))
-        apart.basins.push_back(basin);
-  const Eigen::VectorXd wide = (apart.interval.col(1) - apart.interval.col(0)) / (2 * 1.96);
   const Eigen::VectorXd recorded =
       posterior_covariance(information_with_force(record, joint.estimate, joint.noise), record.unknowns)
           .diagonal()
           .cwiseSqrt();
-  std::vector<Calibrated> all = judged(apart, scan.best.sd().cwiseMax(wide));
+  std::vector<Calibrated> all = judged_with_minima(scan);
   for (std::size_t i = 0; i < all.size(); ++i)
     if (!all[i].told)
       all[i].why_not +=
@@ -293,7 +227,7 @@ Calibration calibrate_output_only(const CalibrationInput &in, const Progress &pr
   progress.at("fit", 0);
   const Fit first = fitted(problem, start, settings);
   ScannedFit scan = scanned(problem, first, settings, [&](const double f) { progress.at("basins", f); });
-  prefer_a_correction(record, problem, settings, scan);
+  prefer_a_correction(problem, Eigen::Index(in.unknowns.size()), settings, scan);
   const Fit joint             = scan.best;
   result.scan                 = of_the_stand(scan, in.unknowns);
   result.unknowns             = judged_without_force(record, joint, result.scan);

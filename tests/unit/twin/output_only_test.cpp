@@ -7,6 +7,7 @@
 #include "twin/calibration/fit.h"
 #include "twin/calibration/output_only_adequacy.h"
 #include "twin/calibration/plan.h"
+#include "twin/calibration/second_minima.h"
 #include <Eigen/LU>
 #include <cmath>
 #include <complex>
@@ -160,4 +161,142 @@ TEST(OutputOnly, EstimatesScatterByWhatThePlanForetells)
       std::printf("%s: scatter %.3f, mean %.3f of the planned deviation\n", told.names[std::size_t(q)].c_str(),
                   scatter, sum[q] / records);
   }
+}
+
+// At the truth nothing is wrong; with another damping the level at the resonances is, with another spring the
+// ratios.
+TEST(OutputOnly, WrongDampingShowsInTheLevelAndAWrongSpringInTheRatios)
+{
+  calibration::Recipe r       = recipe("two");
+  const auto unknowns         = calibration::unknowns_r();
+  const OutputOnly record     = forgotten_force(unknowns, r);
+  const ForcedSamples samples = {{}, calibration::record(r).acceleration};
+  const auto at               = [&](const std::string &name, const double more) {
+    Eigen::VectorXd theta = Eigen::VectorXd::Zero(Eigen::Index(record.all_unknowns().size()));
+    for (std::size_t i = 0; i < 7; ++i)
+      theta[Eigen::Index(i)] = r.truth.at(unknowns[i].name) + (unknowns[i].name == name ? more : 0);
+    return theta;
+  };
+  const NoiseDensity noise = renewed_noise(record, at("", 0), equal_noise(record, at("", 0)));
+  const auto wrong         = [&](const Eigen::VectorXd &theta) {
+    const auto seen = seen_force(record, theta, noise);
+    int levels = 0, directions = 0;
+    for (const LevelBand &band : level_bands(record, seen, 20, 900))
+      levels += band.wrong();
+    for (const BandResidual &band : direction_residuals(record, seen, noise, {samples}, r.rate, 20, 900))
+      directions += band.wrong();
+    return std::pair{levels, directions};
+  };
+  EXPECT_EQ(wrong(at("", 0)), (std::pair{0, 0}));
+  EXPECT_GT(wrong(at("zeta", 0.4)).first, 3);
+  EXPECT_GT(wrong(at("K3", 0.02)).second, 0);
+  EXPECT_NEAR(output_only_misfit(record, at("", 0), noise, 20, 900), 1, 0.03);  // 17601 complex numbers: 0.008
+  EXPECT_GT(output_only_misfit(record, at("K3", 0.02), noise, 20, 900), 1.1);   // a dozen deviations
+}
+
+namespace {
+/// One spring of prior sd 0.1 in two wells 0.02 wide: that at -0.35 is lower by so much of the cost.
+FitProblem two_wells(const double lower)
+{
+  FitProblem problem;
+  problem.unknowns = {
+      {"K1", 0.1}
+  };
+  problem.values     = 1;
+  problem.before     = {};
+  problem.renewed    = [](const Eigen::VectorXd &, const NoiseDensity &noise) { return noise; };
+  problem.likelihood = [=](const Eigen::VectorXd &theta, const NoiseDensity &, Wanted, int) {
+    const double x = theta[0], w = 0.02, far = lower - 0.5 * std::pow((x + 0.35) / w, 2),
+                 near_by = -0.5 * std::pow((x - 0.05) / w, 2), most = std::max(far, near_by),
+                 p = std::exp(far - most), q = std::exp(near_by - most);
+    Likelihood at;
+    at.cost        = -most - std::log(p + q);
+    at.slope       = Eigen::VectorXd::Constant(1, (p * (x + 0.35) + q * (x - 0.05)) / ((p + q) * w * w));
+    at.information = Eigen::MatrixXd::Constant(1, 1, 1 / (w * w));
+    add_prior(at,
+              {
+                  {"K1", 0.1}
+    },
+              theta);
+    return at;
+  };
+  return problem;
+}
+
+ScannedFit scanned_wells(const FitProblem &problem)
+{
+  const FitSettings settings{3, 60, 1e-6, 1};
+  ScannedFit scan = scanned(problem, fitted(problem, Eigen::VectorXd::Constant(1, -0.35), settings), settings);
+  prefer_a_correction(problem, 1, settings, scan);
+  return scan;
+}
+}  // namespace
+
+// The prior of 3.4 deviations costs 5.6, that of 0.48 deviations 0.1: wells 7.5 apart differ by a deviance of 4.
+TEST(OutputOnly, OfTwoMinimaThatExplainARecordAlikeTheCorrectionIsTheFit)
+{
+  const ScannedFit scan = scanned_wells(two_wells(7.5));
+  EXPECT_NEAR(scan.best.estimate[0], 0.05 / 1.04, 1e-3);
+  ASSERT_FALSE(scan.basins.empty());
+  EXPECT_NEAR(scan.basins[0].theta, -0.35 / 1.04, 1e-3);
+  const double deviance = 2 * (0.5 * 0.35 * 0.35 / (0.01 + 0.0004) - 7.5 - 0.5 * 0.05 * 0.05 / (0.01 + 0.0004));
+  EXPECT_NEAR(scan.basins[0].deviance, deviance, 1e-3);
+  const auto told = judged_with_minima(scan);
+  EXPECT_FALSE(told[0].told);
+  EXPECT_EQ(told[0].why_not, "not told by these data: a second minimum at -28.6 %, deviance -3.5");
+}
+
+TEST(OutputOnly, AMinimumBeyondThePriorsThatIsLowerByFarStaysTheFit)
+{
+  const ScannedFit scan = scanned_wells(two_wells(12));
+  EXPECT_NEAR(scan.best.estimate[0], -0.35 / 1.04, 1e-3);  // and is refused by its 3.4 deviations
+}
+
+// The ends of the interval of a scanned spring say more of another one than the curvature at its best place.
+TEST(OutputOnly, AnIntervalCoversTheEndsOfTheOthers)
+{
+  ScannedFit scan;
+  scan.best.unknowns = {
+      {"K1", 0.1},
+      {"K2", 0.1}
+  };
+  scan.best.estimate   = Eigen::Vector2d(0.01, -0.01);
+  scan.best.covariance = Eigen::Vector2d(1e-4, 1e-4).asDiagonal();
+  scan.interval.resize(2, 2);
+  scan.interval << -0.01, 0.03, -0.03, 0.01;
+  scan.ends   = {Eigen::Vector2d(-0.01, 0.06)};
+  scan.basins = {
+      {"K1", 0.02, 0.5, Eigen::Vector2d(0.02, -0.15)}
+  };
+  const auto told = judged_with_minima(scan);
+  EXPECT_TRUE(told[0].told);  // the second minimum lies inside its interval
+  EXPECT_EQ(told[1].low, -0.15);
+  EXPECT_EQ(told[1].high, 0.06);
+  EXPECT_NEAR(told[1].sd, 0.21 / 3.92, 1e-12);
+  EXPECT_FALSE(told[1].told);
+  EXPECT_EQ(told[1].why_not, "not told by these data: 54 % of the prior's deviation is left");
+}
+
+// A weak resonance that noise feigns is sharp at its top and hardly higher than its surroundings.
+TEST(OutputOnly, AProfileThatHardlyRisesTellsNothing)
+{
+  ScannedFit scan;
+  scan.best.unknowns = {
+      {"K3", 0.1}
+  };
+  scan.best.estimate   = Eigen::VectorXd::Zero(1);
+  scan.best.covariance = Eigen::MatrixXd::Constant(1, 1, 1e-6);
+  scan.interval        = Eigen::RowVector2d(-0.002, 0.002);
+  Profile profile{"K3", Eigen::VectorXd::LinSpaced(17, -0.25, 0.25), Eigen::VectorXd::Constant(17, 6)};
+  profile.deviance[8] = 0;
+  scan.profiles       = {profile};
+  const auto low      = judged_with_minima(scan);
+  EXPECT_FALSE(low[0].told);
+  EXPECT_NEAR(low[0].sd, 0.5 / 6, 1e-12);
+  EXPECT_EQ(low[0].why_not, "not told by these data: 83 % of the prior's deviation is left");
+  scan.profiles[0].deviance *= 2;
+  scan.profiles[0].deviance[8] = 0;
+  const auto high              = judged_with_minima(scan);
+  EXPECT_TRUE(high[0].told);
+  EXPECT_NEAR(high[0].sd, 2 * 0.75 * 0.03125 / 6, 1e-12);  // 9 of 12 on the way to both neighbours
 }
