@@ -202,7 +202,7 @@ ScannedFit scanned(const FitProblem &problem, const Fit &first, const FitSetting
     springs.clear();
     const Eigen::VectorXd shrink = result.best.shrink();
     for (std::size_t i = 0; i < result.best.unknowns.size(); ++i)
-      if (is_spring(stand, result.best.unknowns[i].name) && shrink[Eigen::Index(i)] > worth_a_scan)
+      if (problem.is_spring(result.best.unknowns[i].name) && shrink[Eigen::Index(i)] > worth_a_scan)
         springs.push_back(Eigen::Index(i));
     const Fit scanned_fit = result.best;
     std::mutex guard;

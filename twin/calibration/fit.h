@@ -46,6 +46,7 @@ Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns
 /// What is fitted: how records weigh theta, with and without a recorded force.
 struct FitProblem {
   std::vector<Unknown> unknowns;
+  std::function<bool(const std::string &unknown)> is_spring;  ///< whose minima are looked for
   std::function<Likelihood(const Eigen::VectorXd &theta, const NoiseDensity &noise, Wanted wanted, int threads)>
       likelihood;
   /// Noise that what is left at theta shows, weighed with `noise` until then.

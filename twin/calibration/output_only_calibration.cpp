@@ -25,6 +25,7 @@ FitProblem problem_of(const OutputOnly &record, const std::vector<Unknown> &all,
   own.unknowns       = {all.begin(), all.begin() + long(record.unknowns.size())};
   const auto kept    = std::make_shared<const OutputOnly>(std::move(own));
   problem.unknowns   = all;
+  problem.is_spring  = [kept](const std::string &name) { return is_spring(kept->stand, name); };
   problem.likelihood = [kept](const Eigen::VectorXd &theta, const NoiseDensity &noise, const Wanted wanted,
                               const int threads) {
     return output_only_likelihood(*kept, theta, noise, wanted, threads);

@@ -59,7 +59,7 @@ bool case_agrees(const Calibration &c, const Held &fit_at_case, const Held &chec
     return false;
   const bool no_better = !(c.check.after < c.check.before);
   return c.case_deviance <= by_chance(c, upper_5_percent) ||
-         (no_better && c.case_deviance <= by_chance(c, upper_permille));
+         (no_better && c.force_recorded() && c.case_deviance <= by_chance(c, upper_permille));
 }
 
 std::string agreement_words(const Calibration &c)

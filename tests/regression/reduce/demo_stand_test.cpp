@@ -292,7 +292,7 @@ TEST(LumpedStand, EveryNumberCarriesItsProof)
   EXPECT_TRUE(contains(model.M[2].inputs, "work_roll.barrel_diameter"));
   EXPECT_TRUE(contains(model.K[1].inputs, "frame.oil_column_stiffness"));
   EXPECT_FALSE(contains(model.K[0].inputs, "backup_roll.barrel_diameter"));
-  EXPECT_EQ(model.at, "976.2 kN");
+  EXPECT_EQ(model.at.text(), "976.2 kN");
   EXPECT_EQ(model.C.source, Source::assumed);
 }
 

@@ -44,7 +44,7 @@ void expect_same(const Parameter &a, const Parameter &b)
   EXPECT_EQ(a.unit, b.unit);
   EXPECT_EQ(a.source, b.source);
   EXPECT_EQ(a.method, b.method);
-  EXPECT_EQ(a.at, b.at);
+  EXPECT_EQ(a.at.text(), b.at.text());
   EXPECT_EQ(a.inputs, b.inputs);
   EXPECT_TRUE(a.error_estimate == b.error_estimate ||
               (std::isnan(a.error_estimate) && std::isnan(b.error_estimate)));

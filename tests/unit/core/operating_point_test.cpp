@@ -1,5 +1,5 @@
 #include "core/records/operating_point.h"
-#include "support/near.h"
+#include "tests/support/near.h"
 #include <gtest/gtest.h>
 
 using namespace mill;
