@@ -91,7 +91,12 @@ void LiveRun::open_page()
   publish_parameters();
   if (engine_->source())
     show_source(*engine_->source());
-  for (const auto &[id, alarm] : shown_alarms_)  // of before a restart
+  std::map<std::int64_t, live::PageAlarm> before;  // a restart; a browser may acknowledge one already
+  {
+    const std::lock_guard lock(alarm_lock_);
+    before = shown_alarms_;
+  }
+  for (const auto &[id, alarm] : before)
     publish(live::event_names::alarm, live::alarm_text(alarm));
 }
 

@@ -76,7 +76,7 @@ TEST(Results, AreFoundByName)
 {
   const Results results = sample();
   ASSERT_NE(results.find("K3.tangent"), nullptr);
-  EXPECT_EQ(results.find("K3.tangent")->at, "976.2 kN");
+  EXPECT_EQ(results.find("K3.tangent")->at.text(), "976.2 kN");
   EXPECT_EQ(results.find("K3"), nullptr);
 }
 
