@@ -96,7 +96,7 @@ private:
   RunContext &run;
   const FourHigh &stand;
   const ModulusParts &parts;
-  std::string at;
+  OperatingPoint at;
   Parameter flattening;
   double bend = 0;  // m/N, both work rolls
   std::vector<PathPart> common, with_strip, kissing;
