@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace mill::contact {
 namespace {
@@ -377,6 +378,27 @@ struct ActiveSet::Implementation {
     return s;
   }
 
+  // A free motion that no touching node resists, as the tilt of a roller that touches at one station, has no place
+  // of its own.  Where nothing drives it, it stays at zero if that is an equilibrium.
+  std::optional<State> with_one_at_rest(const Loading &loading, const std::vector<int> &imposed)
+  {
+    for (const int j : imposed) {
+      if (loading.value[j] != 0)
+        continue;
+      Loading held       = loading;
+      held.prescribed[j] = true;
+      try {
+        State s          = solve(held, {});
+        const auto lever = modes.rhs.col(j);
+        // 1e-10 as for the residual of an active set, of a lever as long as the longest
+        if (std::abs(lever.dot(s.nodal)) <= 1e-10 * lever.cwiseAbs().maxCoeff() * s.nodal.sum())
+          return s;
+      } catch (const SolverError &) {  // another one is not determined either
+      }
+    }
+    return std::nullopt;
+  }
+
   State solve(const Loading &loading, const std::vector<char> &start)
   {
     const std::vector<int> imposed = imposed_resultants(loading);
@@ -432,6 +454,8 @@ struct ActiveSet::Implementation {
         try {
           factor.reset(set_by_continuation(p, modes, loading));
         } catch (const SolverError &) {
+          if (std::optional<State> resting = with_one_at_rest(loading, imposed))
+            return *std::move(resting);
           undetermined(imposed);
         }
       }

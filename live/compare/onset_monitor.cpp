@@ -10,7 +10,6 @@ constexpr int growth_every   = 10;   // s, of a band
 constexpr int times_near     = 2;    // growth rates in a row before it is a warning
 constexpr double least_time  = 30;   // s, of record behind a growth rate that warns
 constexpr double calm_again  = 0.2;  // 1/s, below the limit of the warning
-constexpr double warned_from = -0.5;
 constexpr double carried_for = 60;   // s, of a gap over which a baseline still says what calm is
 constexpr int times_beyond   = 2;    // values in a row above the limit, as for the rise above a baseline
 constexpr double below_again = 0.8;  // -, of the limit
@@ -249,15 +248,15 @@ void OnsetMonitor::renew_growth(const std::size_t band, const double utc, AlarmB
     }
   }
   const std::string cause = near_cause(watched[band].frequency);
-  near[band]              = highest > warned_from ? near[band] + 1 : 0;
+  near[band]              = highest > twin::near_instability_from ? near[band] + 1 : 0;
   if (near[band] >= times_near) {
     const twin::GrowthRate &growth = at(band, at_place).growth;
     book.raise(cause, utc, "chatter", "warning",
                fmt::format("{} at {:.1f} Hz, {}: growth rate {:.2f} 1/s, 95 % below {:.2f} 1/s, over {:.0f} s; "
                            "above {:.1f} 1/s the stand is near instability",
                            watched[band].name, growth.frequency, channels[at_place], growth.sigma, growth.upper(),
-                           growth.duration, warned_from));
-  } else if (highest < warned_from - calm_again)
+                           growth.duration, twin::near_instability_from));
+  } else if (highest < twin::near_instability_from - calm_again)
     book.end(cause);
 }
 

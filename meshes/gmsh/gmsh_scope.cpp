@@ -31,4 +31,15 @@ std::string write_model(const std::string &path)
   }
   return "";
 }
+
+StackedLayers stacked(const std::vector<double> &layers)
+{
+  StackedLayers stack;
+  stack.elements.assign(layers.size(), 1);
+  for (const double layer : layers)
+    stack.heights.push_back(stack.length += layer);
+  for (double &height : stack.heights)
+    height /= stack.length;
+  return stack;
+}
 }  // namespace mill::meshes

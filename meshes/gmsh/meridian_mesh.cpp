@@ -13,13 +13,8 @@ std::vector<int> extrude_lines(const std::vector<int> &lines, const std::vector<
   gmsh::vectorpair from, to;
   for (const int line : lines)
     from.push_back({1, line});
-  double length = 0;
-  std::vector<double> heights;
-  for (const double layer : layers)
-    heights.push_back(length += layer);
-  for (double &height : heights)
-    height /= length;
-  geo::extrude(from, 0, length, 0, to, std::vector<int>(layers.size(), 1), heights, true);
+  const StackedLayers stack = stacked(layers);
+  geo::extrude(from, 0, stack.length, 0, to, stack.elements, stack.heights, true);
   std::vector<int> far;
   for (std::size_t i = 0; i + 1 < to.size(); ++i)
     if (to[i].first == 1 && to[i + 1].first == 2)

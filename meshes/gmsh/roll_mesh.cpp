@@ -14,13 +14,8 @@ std::vector<int> extrude_along_roll(const std::vector<int> &surfaces, const std:
   gmsh::vectorpair from, to;
   for (const int surface : surfaces)
     from.push_back({2, surface});
-  double length = 0;
-  std::vector<double> heights;
-  for (const double layer : layers)
-    heights.push_back(length += layer);
-  for (double &height : heights)
-    height /= length;
-  geo::extrude(from, 0, 0, length, to, std::vector<int>(layers.size(), 1), heights, true);
+  const StackedLayers stack = stacked(layers);
+  geo::extrude(from, 0, 0, stack.length, to, stack.elements, stack.heights, true);
   // Gmsh lists, per surface, the one on top, the volume, then the sides.
   std::vector<int> top;
   for (std::size_t i = 0; i + 1 < to.size(); ++i)

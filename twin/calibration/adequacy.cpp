@@ -90,4 +90,16 @@ std::vector<BandResidual> band_residuals(const MeasuredResponse &data,
   }
   return bands;
 }
+
+WrongBands wrong_bands(const std::vector<BandResidual> &bands)
+{
+  WrongBands wrong;
+  for (const BandResidual &band : bands)
+    if (band.wrong()) {
+      ++wrong.count;
+      if (!wrong.worst || band.ratio / band.limit > wrong.worst->ratio / wrong.worst->limit)
+        wrong.worst = &band;
+    }
+  return wrong;
+}
 }  // namespace mill::twin

@@ -22,6 +22,13 @@ struct BandResidual {
   }
 };
 
+/// How many bands are wrong, and the one that exceeds its limit most; null: none.
+struct WrongBands {
+  int count                 = 0;
+  const BandResidual *worst = nullptr;
+};
+WrongBands wrong_bands(const std::vector<BandResidual> &bands);
+
 /// The part of a third octave that lies in the band that is fitted.
 struct ThirdOctave {
   double centre, from, to;  ///< Hz

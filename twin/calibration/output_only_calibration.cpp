@@ -115,14 +115,7 @@ HeldRecord held_against(const CalibrationInput &in, const OutputOnly &record, co
 
 void add_band_refusals(std::vector<std::string> &refusals, const Held &held, const std::string &records)
 {
-  const BandResidual *worst = nullptr;
-  int wrong                 = 0;
-  for (const BandResidual &band : held.bands)
-    if (band.wrong()) {
-      ++wrong;
-      if (!worst || band.ratio / band.limit > worst->ratio / worst->limit)
-        worst = &band;
-    }
+  const auto [wrong, worst] = wrong_bands(held.bands);
   if (worst)
     refusals.push_back(fmt::format("in {} of {} third octaves of the {} the stand leaves more than some one force "
                                    "must; the worst is {:.1f} Hz: {:.2f} times, limit {:.2f}",

@@ -12,14 +12,7 @@ constexpr double upper_5_percent = 1.6449, upper_permille = 3.0902;  // normal d
 void add_band_refusals(std::vector<std::string> &refusals, const CalibrationInput &in, const Held &held,
                        const std::string &record)
 {
-  const BandResidual *worst = nullptr;
-  int wrong                 = 0;
-  for (const BandResidual &band : held.bands)
-    if (band.wrong()) {
-      ++wrong;
-      if (!worst || band.ratio / band.limit > worst->ratio / worst->limit)
-        worst = &band;
-    }
+  const auto [wrong, worst] = wrong_bands(held.bands);
   if (worst)
     refusals.push_back(fmt::format("in {} of {} third octaves of the {} the stand leaves more than a linear model "
                                    "must; the worst is {:.1f} Hz "

@@ -202,6 +202,7 @@ FitProblem two_wells(const double lower)
   problem.unknowns = {
       {"K1", 0.1}
   };
+  problem.is_spring  = [](const std::string &) { return true; };
   problem.values     = 1;
   problem.before     = {};
   problem.renewed    = [](const Eigen::VectorXd &, const NoiseDensity &noise) { return noise; };

@@ -490,9 +490,14 @@ TEST(ModelFiles, AreACaseThatRuns)
       EXPECT_TRUE(
           near(value("back-" + model, level), value("driven", level), within(1e-6, "the same modes driven")));
   }
-  const auto tampered =
-      millstand("modes " + scratch("demo") + "/lumped_model-beam.toml -q -o " + scratch("tampered") +
-                " --set model.stiffness='" + scratch("demo") + "/models/beam-mass.mtx'");
+  const std::string of = " " + scratch("demo") + "/lumped_model-beam.toml -q -o " + scratch("tampered");
+  const auto other =
+      millstand("modes" + of + " --set model.stiffness='" + scratch("demo") + "/models/beam-mass.mtx'");
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("of two parts are still joined in "), std::string::npos) << other.err;
+  const std::string heavier = scratch("demo") + "/heavier.mtx";
+  mill::write_atomically(heavier, mill::matrix_market_text(1.1 * matrix("beam-mass"), "ten percent more"));
+  const auto tampered = millstand("modes" + of + " --set model.mass='" + heavier + "'");
   EXPECT_EQ(tampered.exit_code, 2);
   EXPECT_NE(tampered.err.find("model.modes says that mode 1 is at "), std::string::npos) << tampered.err;
 }
