@@ -23,13 +23,15 @@ bool holds(const std::string &text, const std::string &part)
 
 TEST(MarksCommand, LaysTheSpacingAroundRollsBearingsAndModes)
 {
-  const std::string folder = scratch("marks");
-  const Outcome run        = millstand("marks " + stand + asked + folder + " --side-bands '4 Hz'");
+  const std::string folder = scratch("marks"), drawn = MILLSTAND_SOURCE_DIR "/" + stand;
+  // In a folder of its own: beside out/four-high-1400 of a run the modes would be those of that run.
+  const Outcome run =
+      millstand("marks " + drawn + asked + folder + " --side-bands '4 Hz'", scratch("marks-home"), "true");
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(holds(run.out, "marks every 50 mm on a strip of 5 m/s: 100 Hz")) << run.out;
   EXPECT_TRUE(holds(run.out, "work-roll bearing, cage")) << run.out;
   EXPECT_TRUE(holds(run.out, "side bands 4 Hz apart")) << run.out;
-  EXPECT_TRUE(holds(run.out, "modes are those of closed forms; millstand modes " + stand + " first")) << run.out;
+  EXPECT_TRUE(holds(run.out, "modes are those of closed forms; millstand modes " + drawn + " first")) << run.out;
   const auto all         = values_in(folder);
   const Tolerance closed = within(1e-12, "closed form");
   const auto value       = [&](const char *name) { return all.at(name).at("value").get<double>(); };
