@@ -2,6 +2,7 @@
 #include "contact/active_factor.h"
 #include "contact/coarse_problem.h"
 #include "contact/mode_equations.h"
+#include "contact/no_equilibrium.h"
 #include "contact/reachable.h"
 #include "contact/set_by_continuation.h"
 #include "core/case/errors.h"
@@ -129,32 +130,6 @@ void add_smallest(std::vector<int> from, const Eigen::VectorXd &value, const std
   const auto end = from.begin() + std::ptrdiff_t(std::min(count, from.size()));
   std::partial_sort(from.begin(), end, from.end(), [&](const int a, const int b) { return value[a] < value[b]; });
   to.insert(to.end(), from.begin(), end);
-}
-
-[[noreturn]] void undetermined(const std::vector<int> &imposed)
-{
-  throw SolverError({"contact: the free motions are not determined",
-                     std::to_string(imposed.size()) + " free motions, and not as many nodes that can hold them",
-                     "fewer nodes than free motions, or a line of action on the very edge of the contact",
-                     "impose the tilt as a motion, or move the line of action inwards", ""});
-}
-
-[[noreturn]] void unreachable(const Support &support, const ScaledModes &modes, const std::vector<int> &imposed,
-                              const Loading &loading)
-{
-  std::string values;
-  for (const int j : imposed)
-    values += (values.empty() ? "" : ", ") + std::to_string(loading.value[j] * modes.scale[j]);
-  const std::string shares = "pressing forces leave " + std::to_string(100 * support.relative_missing) +
-                             " % of the imposed resultants (" + values + ") unbalanced";
-  if (imposed.size() == 1)
-    throw SolverError({"contact: the imposed resultant needs tension", shares,
-                       "a contact only presses; the resultant has the wrong sign for every node",
-                       "change its sign, or impose the motion", ""});
-  throw SolverError(
-      {"contact: the line of action lies outside the contact", shares,
-       "force and moment together need nodes that pull: the body tips over and its tilt has no bound",
-       "move the line of action inside the nodes, or impose the tilt as a motion", ""});
 }
 }  // namespace
 
@@ -411,7 +386,7 @@ struct ActiveSet::Implementation {
       const Support support = pressing_support(levers(imposed), loading.value(imposed));
       // 1e-10: the rounding of the least squares; a line of action on the very edge of the nodes still passes.
       if (support.relative_missing > 1e-10)
-        unreachable(support, modes, imposed, loading);
+        refuse_unreachable(support, modes, imposed, loading);
     }
     const bool given = std::any_of(start.begin(), start.end(), [](const char a) { return a != 0; });
     if (given && start != factor.indicator())
@@ -456,7 +431,7 @@ struct ActiveSet::Implementation {
         } catch (const SolverError &) {
           if (std::optional<State> resting = with_one_at_rest(loading, imposed))
             return *std::move(resting);
-          undetermined(imposed);
+          refuse_undetermined(imposed);
         }
       }
     }
