@@ -22,7 +22,8 @@ Roots roots_of(const RollerForces &rollers)
   for (std::size_t j = 0; j < rollers.on_raceway.size(); ++j) {
     if (!rollers.on_raceway[j])
       continue;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(rollers.slope.middleCols(Index(j) * modes, modes));
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(
+        MatrixXd(rollers.slope.middleCols(Index(j) * modes, modes)));
     for (Index i = 0; i < modes; ++i)
       if (eigen.eigenvalues()[i] > 1e-14 * eigen.eigenvalues()[modes - 1])
         roots.emplace_back(j, std::sqrt(eigen.eigenvalues()[i]) * eigen.eigenvectors().col(i));

@@ -273,7 +273,8 @@ RollerLaw with_limits(RollerLaw law)
   const MatrixXd L = remaining.llt().matrixL();
   const MatrixXd G = L.triangularView<Eigen::Lower>().solve(F);  // least of  x' remaining x / x' F F x
   const double share =
-      1 / Eigen::SelfAdjointEigenSolver<MatrixXd>(G * G.transpose(), Eigen::EigenvaluesOnly).eigenvalues()[n - 1];
+      1 / Eigen::SelfAdjointEigenSolver<MatrixXd>(MatrixXd(G * G.transpose()), Eigen::EigenvaluesOnly)
+              .eigenvalues()[n - 1];
   law.separate_line_load = law.reference_line_load * std::exp(-own / law.kappa - 1);
   law.shared_line_load   = law.reference_line_load * std::exp((-own + 0.8 * share) / law.kappa - 1);
   return law;

@@ -81,7 +81,7 @@ ModeState solve_modes(const Eigen::MatrixXd &gram, const ScaledModes &modes, con
     if (near)
       for (int j = 0; j < k; ++j)
         close[j] = loading.prescribed[j] ? near->resultant[j] * modes.compliance : near->motion[j];
-    unknown           = close + least.solve(rhs - N * close);
+    unknown           = close + least.solve(Eigen::VectorXd(rhs - N * close));
     out.determined    = false;
     const double size = std::max(rhs.norm(), (N * close).norm());
     out.missing       = size > 0 ? (N * unknown - rhs).norm() / size : 0;

@@ -36,9 +36,11 @@ Eigen::VectorXd displaced_rolls(const StandStructure &s, const double distance)
 {
   const Eigen::MatrixXd rows = work_roll_rows(s);
   const Eigen::MatrixXd lift =
-      s.M.ldlt().solve(rows.transpose());  // least x'Mx with rows x given: M^-1 rows' (..)
+      s.M.ldlt().solve(Eigen::MatrixXd(rows.transpose()));  // least x'Mx with rows x given: M^-1 rows' (..)
   Eigen::VectorXd z = Eigen::VectorXd::Zero(2 * s.n() + 2);
-  z.head(s.n())     = lift * (rows * lift).fullPivLu().solve(Eigen::VectorXd::Constant(rows.rows(), distance));
+  z.head(s.n())     = lift * Eigen::MatrixXd(rows * lift)
+                             .fullPivLu()
+                             .solve(Eigen::VectorXd(Eigen::VectorXd::Constant(rows.rows(), distance)));
   return z;
 }
 
@@ -46,7 +48,8 @@ Eigen::VectorXd critical_mode(const ChatterStandModel &stand, const bite::Linear
 {
   const Eigen::MatrixXd A     = chatter_matrix(stand, by);
   const Eigen::VectorXd scale = balance(A);
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(scale.cwiseInverse().asDiagonal() * A * scale.asDiagonal());
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(
+      Eigen::MatrixXd(scale.cwiseInverse().asDiagonal() * A * scale.asDiagonal()));
   Eigen::Index fastest = 0;
   solver.eigenvalues().real().maxCoeff(&fastest);
   const Eigen::VectorXcd mode = scale.asDiagonal() * solver.eigenvectors().col(fastest);

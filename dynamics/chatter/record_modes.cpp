@@ -54,7 +54,7 @@ std::vector<RecordMode> record_modes(const Eigen::VectorXd &signal, const double
   // Directions of the copies, through the triangle of a QR of the transpose: the record is long.
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(copies.transpose());
   const Eigen::MatrixXd triangle = qr.matrixQR().topRows(rows).triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle.transpose(), Eigen::ComputeFullU);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(Eigen::MatrixXd(triangle.transpose()), Eigen::ComputeFullU);
   const Eigen::VectorXd &sizes = svd.singularValues();
   Eigen::Index rank            = 0;
   while (rank < std::min(rows, most_motions) && sizes[rank] > noise * sizes[0])
@@ -63,7 +63,10 @@ std::vector<RecordMode> record_modes(const Eigen::VectorXd &signal, const double
 
   // One step of them, w_k+1 = T w_k, and their motions, each of which rotates and grows by itself.
   const Eigen::MatrixXd before = w.leftCols(columns - 1), after = w.rightCols(columns - 1);
-  const Eigen::MatrixXd T = before.transpose().colPivHouseholderQr().solve(after.transpose()).transpose();
+  const Eigen::MatrixXd T = Eigen::MatrixXd(before.transpose())
+                                .colPivHouseholderQr()
+                                .solve(Eigen::MatrixXd(after.transpose()))
+                                .transpose();
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(T);
   const Eigen::MatrixXcd vectors = solver.eigenvectors();
   const Eigen::MatrixXcd motion  = vectors.fullPivLu().solve(w.cast<std::complex<double>>());

@@ -22,7 +22,7 @@ SmoothSamples smooth_contact(const Eigen::VectorXd &load, const Eigen::VectorXd 
     Eigen::MatrixXd form(n, degree + 1);
     for (Eigen::Index i = 0; i < n; ++i)
       form.row(i) = powers(load[i]) * load[i] / compression[i];
-    const Eigen::VectorXd c = form.colPivHouseholderQr().solve(Eigen::VectorXd::Ones(n));
+    const Eigen::VectorXd c = form.colPivHouseholderQr().solve(Eigen::VectorXd(Eigen::VectorXd::Ones(n)));
     SmoothSamples smooth;
     smooth.deviation = (form * c - Eigen::VectorXd::Ones(n)).cwiseAbs().maxCoeff();
     if (!(smooth.deviation <= most_deviation))

@@ -49,8 +49,8 @@ Modes modes(const MillModel &model)
   if (n == 0)
     return result;
   const Eigen::VectorXd root = model.M.cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(root.asDiagonal() * model.K *
-                                                              root.asDiagonal());  // (6.11)
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      Eigen::MatrixXd(root.asDiagonal() * model.K * root.asDiagonal()));  // (6.11)
   if (solver.info() != Eigen::Success)
     throw no_eigenvalues("the undamped lumped model");
   const Eigen::VectorXd squared = solver.eigenvalues().cwiseMax(0);  // rounding may push a free mode below zero

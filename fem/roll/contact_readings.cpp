@@ -40,7 +40,8 @@ Eigen::Matrix<double, 6, 6> joint_stiffness(const ContactPair &of, const Contact
     if (point.state.active[i])
       active.push_back(int(i));
   const Eigen::MatrixXd G = closing(active, Eigen::all);
-  const Eigen::Matrix3d K = pair.multiplicity * G.transpose() * pair.problem.C(active, active).llt().solve(G);
+  const Eigen::MatrixXd C = pair.problem.C(active, active);
+  const Eigen::Matrix3d K = pair.multiplicity * G.transpose() * C.llt().solve(G);
   const double second =
       pair.multiplicity * point.state.nodal.dot(closing.col(2).cwiseAbs2());  // integral of q z^2
   Eigen::Matrix<double, 6, 6> joint = Eigen::Matrix<double, 6, 6>::Zero();
@@ -61,7 +62,7 @@ Eigen::Matrix<double, 6, 6> fitted_joint_stiffness(const ContactPair &pair, cons
   constexpr double reach = 0.35;
   constexpr int n        = 11;
   const double above     = std::clamp(std::log(largest / load), 0., reach);
-  Eigen::MatrixX3d form(n, 3);
+  Eigen::MatrixXd form(n, 3);
   Eigen::MatrixXd entries(n, 36);
   std::vector<char> active;
   for (int i = 0; i < n; ++i) {

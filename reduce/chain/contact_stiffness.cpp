@@ -72,7 +72,7 @@ LogFit fit_line_contact(const ContactCurve &curve, const double load)
   const bool all     = n == Eigen::Index(samples.size());
   const double reach =
       std::abs(std::log(curve.load[samples[std::size_t(all ? n - 1 : n)]] / load)) * (all ? 1.25 : 1);
-  Eigen::MatrixX3d form(n, 3);
+  Eigen::MatrixXd form(n, 3);
   Eigen::VectorXd ratio(n), weight(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const double F = curve.load[samples[std::size_t(i)]], u = std::log(F / load);
@@ -80,7 +80,8 @@ LogFit fit_line_contact(const ContactCurve &curve, const double load)
     ratio[i]  = curve.approach[samples[std::size_t(i)]] / F;
     weight[i] = std::pow(1 - std::pow(std::abs(u) / reach, 3), 1.5);  // square root of the tricube weight
   }
-  const Eigen::Vector3d c = (weight.asDiagonal() * form).colPivHouseholderQr().solve(weight.cwiseProduct(ratio));
+  const Eigen::MatrixXd weighted = weight.asDiagonal() * form;
+  const Eigen::VectorXd c = weighted.colPivHouseholderQr().solve(Eigen::VectorXd(weight.cwiseProduct(ratio)));
   return {c[0], c[1], c[2], ((form * c - ratio).array() / ratio.array()).abs().maxCoeff()};
 }
 }  // namespace

@@ -2,6 +2,7 @@
 
 #ifdef MILL_EIGEN_INSTANCES
 namespace Eigen {
+MILL_REFLECTION_INSTANCES(template)
 MILL_ORTHOGONAL_INSTANCES(template)
 }
 #endif
