@@ -26,7 +26,7 @@ Eigen::VectorXd by_identity(const Stack &stack, const std::vector<Mode> &all)
   return f;
 }
 
-Eigen::VectorXd list(const nlohmann::json &values)
+Eigen::VectorXd list(const Reference &values)
 {
   const auto numbers = values.get<std::vector<double>>();
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), Eigen::Index(numbers.size()));
@@ -36,7 +36,7 @@ void expect_state(const ZMill &z, const std::string &entry, const double toleran
 {
   Stack stack              = stack_of(z);
   const Equilibrium e      = settle(stack);
-  const nlohmann::json ref = reference(entry, "cluster");
+  const Reference ref = reference(entry, "cluster");
   EXPECT_TRUE(near(frequencies_of(modes(stack, e.u)), list(ref["frequencies"]),
                    within(tolerance, "eigenvalues of one model")))
       << entry;

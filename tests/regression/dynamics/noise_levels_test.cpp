@@ -28,7 +28,7 @@ TEST(NoiseLevels, MeanPeaksOfTheLineContactStand)
   }
   mean /= n_records;
   for (const auto &row : reference("noise.calibration"))
-    if (row.at("zeta") == 0.01) {
+    if (row.at("zeta").get<double>() == 0.01) {
       const Tolerance statistical = within(
           0.10, "the 95 % interval of one record is +-15 %, so the mean of 20 is known to 3.4 %, that of the "
                 "reference's 60 to 2 %; 10 % is 2.5 times both together (seeds 1..20)");

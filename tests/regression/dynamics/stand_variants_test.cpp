@@ -73,7 +73,7 @@ TEST(StandVariants, ClosedFrame)
 }
 
 namespace {
-void expect_poles(const std::vector<Pole> &found, const nlohmann::json &expected, const std::string &name)
+void expect_poles(const std::vector<Pole> &found, const Reference &expected, const std::string &name)
 {
   ASSERT_EQ(found.size(), expected.size()) << name;
   for (std::size_t i = 0; i < found.size(); ++i) {

@@ -23,7 +23,7 @@ using namespace mill;
 using namespace mill::bite;
 
 namespace {
-nlohmann::json cluster(const std::string &entry)
+Reference cluster(const std::string &entry)
 {
   return reference(entry, "cluster");
 }
@@ -68,7 +68,7 @@ double strain_of(const int pass)
   return std::log(0.260e-3 / pass_of(pass).strip.exit_thickness);
 }
 
-nlohmann::json tuned(const int pass, const Arc arc)
+Reference tuned(const int pass, const Arc arc)
 {
   return cluster("tuned_k.pass_" + std::to_string(pass))[arc == Arc::rigid ? "unflattened" : "flattened"];
 }

@@ -13,6 +13,7 @@
 #include "tests/support/refusal.h"
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <random>
 
 using namespace mill;

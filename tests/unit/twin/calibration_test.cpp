@@ -24,7 +24,7 @@ std::vector<Eigen::Index> places_of(const std::string &sensors)
   return {0, 1, 2, 3, 4, 5};
 }
 
-PlannedRecord planned_record(const nlohmann::json &entry)
+PlannedRecord planned_record(const Reference &entry)
 {
   PlannedRecord record;
   record.places         = places_of(entry["sensors"]);
@@ -52,7 +52,7 @@ void expect_shrink_of(const Fit &fit, const std::string &entry)
   const auto known = reference("calibrate." + entry + ".result", "twin")["estimates"];
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
     const double shrink = fit.shrink()[Eigen::Index(i)], ref = known[i]["shrink"];
-    ASSERT_EQ(known[i]["name"], fit.unknowns[i].name);
+    ASSERT_EQ(known[i]["name"].get<std::string>(), fit.unknowns[i].name);
     EXPECT_EQ(shrink <= 0.5, ref <= 0.5) << fit.unknowns[i].name;
     EXPECT_LT(std::abs(shrink - ref), 0.25 * ref) << fit.unknowns[i].name;
     const double error = fit.estimate[Eigen::Index(i)] - known[i]["truth"].get<double>();
@@ -95,8 +95,9 @@ TEST(Plan, InformationOfTheReference)
 {
   for (const auto &entry : reference("plan.information", "twin")) {
     // the others differ in nothing but the number of places
-    if (entry["sensors"] == "four" ||
-        (entry["sensors"] == "six" && (entry["force_band"] < 1000 || !entry["force_recorded"])))
+    if (entry["sensors"].get<std::string>() == "four" ||
+        (entry["sensors"].get<std::string>() == "six" &&
+         (entry["force_band"].get<double>() < 1000 || !entry["force_recorded"].get<bool>())))
       continue;
     const Told told = planned(calibration::stand_r(), calibration::unknowns_r(), planned_record(entry));
     EXPECT_EQ(told.effective(), entry["effective"].get<int>());

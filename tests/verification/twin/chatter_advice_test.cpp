@@ -130,7 +130,7 @@ TEST(ChatterAdvice, PairsAreComputedAnewAndRankedByWhatTheyDo)
     if (!one.pair && one.against.empty())
       here.push_back(one.name);
   for (const auto &single : wanted["singles"])
-    if (single["change"] > 0)
+    if (single["change"].get<double>() > 0)
       there.push_back(said(single["action"]));
   EXPECT_EQ(here, there);
 }
