@@ -1,7 +1,7 @@
 #pragma once
-#include "app/calibrate/calibrate_options.h"
-#include "app/live/live_options.h"
 #include "app/marks_options.h"
+#include "app/twin/calibrate/calibrate_options.h"
+#include "app/twin/live/live_options.h"
 #include <map>
 #include <optional>
 #include <string>

@@ -1,17 +1,13 @@
 #include "app/commands.h"
-#include "app/advise_command.h"
-#include "app/analyse_command.h"
-#include "app/calibrate/calibrate_command.h"
 #include "app/case_kinds.h"
+#include "app/checked_case.h"
 #include "app/completion.h"
 #include "app/console.h"
 #include "app/export_command.h"
 #include "app/fast_blas.h"
-#include "app/live/live_command.h"
 #include "app/marks_command.h"
 #include "app/out_of_memory.h"
 #include "app/pipeline.h"
-#include "app/review/case_review.h"
 #include "app/run_log.h"
 #include "app/run_setup.h"
 #include "app/run_summary.h"
@@ -19,6 +15,7 @@
 #include "app/stages/mass_table.h"
 #include "app/stream_command.h"
 #include "app/trace/trace_text.h"
+#include "app/twin/twin_command.h"
 #include "app/verify_command.h"
 #include "core/case/case_sheet.h"
 #include "core/case/input_reference.h"
@@ -86,29 +83,6 @@ void require_fitting(const std::string &verb, const Case &the_case)
     throw InputError(why);
   throw InputError("millstand " + verb + " has nothing to compute for kind = \"" + the_case.kind + "\" (" +
                    the_case.path + "); use millstand run");
-}
-
-// The case with all that is wrong with it, as far as that can be said before anything is computed.
-struct CheckedCase {
-  Case the_case;
-  CaseReview review;
-};
-
-CheckedCase checked_case(const CommandLine &command)
-{
-  CheckedCase checked{read_case(command.target, command.sets), {}};
-  const Case &the_case = checked.the_case;
-  check_file_names(the_case);
-  check_fits(the_case);
-  if (command.verb != "check")  // before records are read, which would be read twice
-    use_fast_blas(command.arguments);
-  if (const auto check = run_kind(the_case).check)
-    check(the_case);
-  if (const auto review = run_kind(the_case).review)
-    checked.review = review(the_case, command.force);
-  if (!checked.review.problems.empty())
-    throw InputError(checked.review.problems);
-  return checked;
 }
 
 int check_case(const CommandLine &command)
@@ -255,6 +229,12 @@ std::string current_manifest()
   return fs::exists(manifest_path, ignored) ? manifest_path : "";
 }
 
+bool is_of_twin(const CommandLine &command)
+{
+  const auto &verb = command.verb;
+  return verb == "analyse" || verb == "calibrate" || verb == "advise" || verb == "live";
+}
+
 int carry_out(const CommandLine &command)
 {
   if (command.verb == "new")
@@ -278,14 +258,8 @@ int carry_out(const CommandLine &command)
     console::print(case_schema());
     return 0;
   }
-  if (command.verb == "analyse")
-    return analyse_command(command);
-  if (command.verb == "calibrate")
-    return calibrate_command(command);
-  if (command.verb == "advise")
-    return advise_command(command, checked_case(command).the_case);
-  if (command.verb == "live")
-    return live_command(command, read_case(command.target, command.sets));
+  if (is_of_twin(command))
+    return twin_command(command);
   if (command.verb == "export")
     return export_command(command, checked_case(command).the_case);
   if (is_streamed(command)) {

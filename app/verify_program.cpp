@@ -1,8 +1,6 @@
+#include "app/hand_over.h"
 #include "app/verify_command.h"
-#include "core/case/errors.h"
-#include <filesystem>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 // The verification manual is a program of its own beside this one (verify/CMakeLists.txt), which takes over here.
@@ -27,15 +25,11 @@ std::vector<std::string> words_of(const VerifyOptions &options)
 
 int verify_command(const VerifyOptions &options)
 {
-  const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "millstand-verify";
-  auto words         = words_of(options);
+  auto words = words_of(options);
   std::vector<char *> arguments;
   for (std::string &word : words)
     arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  execv(program.c_str(), arguments.data());  // returns only when it fails
-  throw InputError("the verification manual is a program of its own, '" + program.string() +
-                   "', which cannot be started; build it with: cmake --build --preset release --target "
-                   "millstand-verify");
+  hand_over("millstand-verify", arguments.data(), "the verification manual");
 }
 }  // namespace mill

@@ -1,7 +1,7 @@
 #include "app/stages/chatter_question.h"
-#include "app/chatter/chatter_model.h"
 #include "app/stages/bite_stage.h"
 #include "app/stages/detailed_model_stage.h"
+#include "app/stages/free_strip.h"
 #include "core/records/provenance.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modal_model.h"

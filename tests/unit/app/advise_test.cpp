@@ -1,6 +1,6 @@
 // millstand advise as one calls it: a folder with ranked actions and a page, and what is wrong word for word.
-#include "app/advice/critical_speed_advice.h"
-#include "app/advise_command.h"
+#include "app/twin/advice/critical_speed_advice.h"
+#include "app/twin/advise_command.h"
 #include "app/command_line.h"
 #include "core/model/case.h"
 #include "core/records/files.h"

@@ -1,7 +1,7 @@
 // A re-calibration of a case of kind chatter: what it writes, and the stand that the critical speed is then sought
 // with.
-#include "app/live/live_chatter.h"
-#include "app/live/live_stand.h"
+#include "app/twin/live/live_chatter.h"
+#include "app/twin/live/live_stand.h"
 #include "core/model/case.h"
 #include "core/records/files.h"
 #include "dynamics/chatter/stand_structure.h"

@@ -1,4 +1,4 @@
-#include "app/live/live_command.h"
+#include "app/twin/live/live_command.h"
 #include "core/model/case.h"
 #include "live/recording/npy_header.h"
 #include "tests/support/program.h"

@@ -1,6 +1,6 @@
 // Lines of /metrics: every number that an alarm of one's own may want, in the form that Prometheus reads.
-#include "app/live/live_metrics.h"
-#include "app/live/live_stand.h"
+#include "app/twin/live/live_metrics.h"
+#include "app/twin/live/live_stand.h"
 #include "core/model/case.h"
 #include <algorithm>
 #include <cmath>

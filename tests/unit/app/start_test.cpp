@@ -89,3 +89,27 @@ TEST(Start, RefusesALibraryOfAnotherBuild)
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_EQ(outcome.err, refusal(folder, "it is of another build"));
 }
+
+TEST(Start, SaysWhatBuildsAProgramItHandsOverTo)
+{
+  const std::string folder = scratch("handed_over");
+  fs::copy_file(program, folder + "/millstand", fs::copy_options::overwrite_existing);
+  const auto said = [&](const std::string &words) {
+    const std::string log = folder + "/err";
+    const int status      = std::system(
+             ("cd '" MILLSTAND_SOURCE_DIR "' && '" + folder + "/millstand' " + words + " 2>'" + log + "'").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 2) << words;
+    std::ifstream in(log);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const auto refusal = [&](const std::string &what, const std::string &beside) {
+    return "error: " + what + " is a program of its own, '" + folder + "/" + beside +
+           "', which cannot be started; build it with: cmake --build --preset release --target " + beside + "\n";
+  };
+  const std::string stand = "cases/four-high-1400.toml", record = "any.csv";
+  EXPECT_EQ(said("analyse " + record), refusal("millstand analyse", "millstand-twin"));
+  EXPECT_EQ(said("calibrate " + stand + " --measured " + record), refusal("millstand calibrate", "millstand-twin"));
+  EXPECT_EQ(said("advise " + stand), refusal("millstand advise", "millstand-twin"));
+  EXPECT_EQ(said("live " + stand + " --input " + record), refusal("millstand live", "millstand-twin"));
+  EXPECT_EQ(said("verify"), refusal("the verification manual", "millstand-verify"));
+}

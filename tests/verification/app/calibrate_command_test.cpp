@@ -1,5 +1,5 @@
 // millstand calibrate from records to a calibrated case, its refusals, its plan, and what it says to wrong input.
-#include "app/calibrate/calibrate_command.h"
+#include "app/twin/calibrate/calibrate_command.h"
 #include "core/case/case_file.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"

@@ -1,0 +1,10 @@
+#pragma once
+#include <string>
+
+namespace mill {
+/// Starts a program beside this one in its place, with `arguments` as main() gets them; does not return.
+/// @param program  its file name, which is also the target that builds it
+/// @param what     what it carries out, for the message
+/// @throws InputError  it cannot be started; the message says what builds it
+[[noreturn]] void hand_over(const std::string &program, char **arguments, const std::string &what);
+}  // namespace mill

@@ -1,0 +1,241 @@
+#include "app/twin/advice/advised_model.h"
+#include "app/twin/case_chain.h"
+#include "app/twin/chatter_model.h"
+#include "app/stages/detailed_model_stage.h"
+#include "app/trace/closed_form_chain.h"
+#include "app/trace/closed_form_parts.h"
+#include "core/model/case.h"
+#include "dynamics/response/modal_model.h"
+#include "reduce/stand/beam_stand.h"
+#include "reduce/stand/stand_modes.h"
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+// "calibrated: records .., not told: K1, K2": those it names, or the value itself where it names none.
+bool says_untold(const std::string &name, const std::string &text)
+{
+  const std::string words = "not told";
+  const auto at           = text.find(words);
+  if (at == std::string::npos)
+    return false;
+  const std::string rest = text.substr(at + words.size());
+  if (rest.empty() || rest[0] != ':')
+    return true;
+  const auto is_word = [&](const std::size_t i) {
+    return i < rest.size() && std::isalnum(static_cast<unsigned char>(rest[i]));
+  };
+  for (auto found = rest.find(name); found != std::string::npos; found = rest.find(name, found + 1))
+    if (!is_word(found - 1) && !is_word(found + name.size()))
+      return true;
+  return false;
+}
+
+void add_errors(AdvisedModel &model, const LumpedModel &chain)
+{
+  for (std::size_t j = 0; j < chain.K.size(); ++j) {
+    const std::string name   = "K" + std::to_string(j + 1);
+    const Parameter &spring  = chain.K[j];
+    const std::string source = source_text(spring);
+    if (std::isfinite(spring.error_estimate))
+      model.spring_error[name] = spring.error_estimate;
+    if (says_untold(name, source))
+      model.untold.push_back({name, "which the records do not tell (" + source + ")"});
+  }
+}
+
+twin::VibratingStand in_its_modes(const StandModel &stand, const reduce::StandModes &modes, const double damping,
+                                  const double highest, const double gap_damper)
+{
+  return twin::vibrating_stand(
+      dynamics::modal_model(stand, modes.frequency, modes.shape, damping, highest, gap_damper));
+}
+
+double gap_damper_of(const LumpedModel &chain, const DynamicsSettings &settings)
+{
+  return settings.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value;
+}
+
+// What a detailed stand is made of, by the same closed forms as the chain.
+struct DetailParts {
+  FourHigh stand;
+  reduce::StandSprings springs;
+  double gap_damper = 0;
+};
+
+DetailParts detail_parts(const FourHigh &drawn, const CaseChain &chain)
+{
+  DetailParts parts{with_drawn_frame(drawn), {}, gap_damper_of(chain.model, chain.dynamics)};
+  reduce::ChainInputs inputs;
+  reduce::each_spring(
+      [&](const std::string &name, Parameter &spring) {
+        if (const ClosedFormResult *found = find(chain.results, name))
+          spring = found->parameter;
+      },
+      inputs);
+  // Chocks of the work rolls on their bearings: these are the modes that six masses lack.
+  parts.springs = reduce::stand_springs(parts.stand, reduce::lumped_stand(parts.stand, inputs), true);
+  return parts;
+}
+
+bool scale_spring(reduce::StandSprings &springs, const std::string &name, const double factor)
+{
+  for (const auto &[known, spring] : {
+           std::pair{"K1", &springs.K1},
+           {"K3", &springs.K3},
+           {"K5", &springs.K5},
+           {"K7", &springs.K7}
+  })
+    if (name == known) {
+      *spring *= factor;
+      return true;
+    }
+  return false;
+}
+
+using MakeStand = std::function<StandModel(const FourHigh &, const reduce::StandSprings &)>;
+
+std::optional<twin::VibratingStand> detailed_after(DetailParts parts, const MakeStand &make,
+                                                   const twin::StandChange &change, const bool with_bite)
+{
+  for (const auto &[name, factor] : change.springs)
+    if (!scale_spring(parts.springs, name, factor))
+      return std::nullopt;
+  if (!with_bite)
+    parts.springs.K4 = parts.gap_damper = 0;
+  const StandModel stand   = make(parts.stand, parts.springs);
+  const double highest     = 2 * parts.stand.dynamics.frequency_limit;
+  twin::VibratingStand own = in_its_modes(stand, reduce::stand_modes(stand, highest),
+                                          parts.stand.dynamics.modal_damping, highest, parts.gap_damper);
+  own.damping *= change.damping;
+  return own;
+}
+
+DetailedStand detailed_stand(const Case &the_case, const FourHigh &four, const CaseChain &chain,
+                             const std::string &model, const Components &components)
+{
+  DetailedStand detailed;
+  MakeStand make;
+  if (model == "craig-bampton") {
+    detailed.name = "component modes";
+    make          = [rolls = components()](const FourHigh &stand, const reduce::StandSprings &springs) {
+      return reduce::component_stand(stand, springs, rolls);
+    };
+  } else {
+    detailed.name = "beams";
+    make          = [](const FourHigh &stand, const reduce::StandSprings &springs) {
+      return reduce::beam_stand(stand, springs);
+    };
+  }
+  detailed.after = [&the_case, &four, load = chain.load, parts = detail_parts(four, chain),
+                    make](const twin::StandChange &change, const bool with_bite) {
+    return detailed_after(
+        change.force == 1 ? parts : detail_parts(four, case_chain(the_case, "advise", load * change.force)), make,
+        change, with_bite);
+  };
+  detailed.as_it_is = *detailed.after({}, true);
+  return detailed;
+}
+
+// The pass of the drawing whose level is asked, where the case says enough of it.
+void add_pass(AdvisedModel &model, const Case &the_case, const FourHigh &four, const RolledAdvice &asked,
+              const CaseChain &chain)
+{
+  const Pass &pass         = four.passes.front();
+  const std::string beyond = ": process actions and the critical speed are not judged";
+  if (const std::string missing = missing_of_bite(the_case); !missing.empty()) {
+    model.notes.push_back("the case has no " + missing + beyond);
+    return;
+  }
+  if (std::isnan(pass.speed)) {
+    model.notes.push_back("pass.0.speed is not given" + beyond);
+    return;
+  }
+  const FreeStrip strip = free_strip(four);
+  model.notes.insert(model.notes.end(), strip.assumed.begin(), strip.assumed.end());
+  twin::RolledPass rolled;
+  rolled.model          = chatter_model(four, pass, chain.model, chain.dynamics, strip);
+  rolled.working_speed  = pass.speed;
+  rolled.process        = asked;
+  rolled.nearer_chatter = asked.nearer_chatter;
+  rolled.disturbance    = chain.dynamics.force_meaning != "measured";
+  model.pass            = rolled;
+}
+
+std::vector<std::string> asked_places(const StandAdvice &asked)
+{
+  std::vector<std::string> names{asked.place};
+  for (const DamperProposal &damper : asked.dampers) {
+    names.push_back(damper.from);
+    names.push_back(damper.to);
+  }
+  for (const TunedDamperProposal &tuned : asked.tuned)
+    names.push_back(tuned.at);
+  names.erase(std::remove_if(names.begin(), names.end(),
+                             [](const std::string &name) { return name.empty() || name == "ground"; }),
+              names.end());
+  return names;
+}
+
+// Places that only the detailed stand has make it the stand.
+void take_detailed_for_its_places(AdvisedModel &model, const StandAdvice &asked)
+{
+  for (const std::string &name : asked_places(asked))
+    if (model.detailed && model.advised.stand.place(name) < 0 && model.detailed->as_it_is.place(name) >= 0) {
+      model.source = "rolls as " + model.detailed->name;
+      model.notes.push_back("six masses have no place " + name + ": all is computed with " + model.source +
+                            ", and springs are not tried");
+      model.source += ", springs by closed forms";
+      model.advised.stand = std::move(model.detailed->as_it_is);
+      model.advised.chain.reset();
+      model.advised.open = [after = model.detailed->after](const twin::StandChange &change) {
+        return after(change, false);
+      };
+      model.detailed.reset();
+      return;
+    }
+}
+}  // namespace
+
+AdvisedModel advised_model(const Case &the_case, const StandAdvice &asked, const RolledAdvice &rolled,
+                           const Components &components)
+{
+  AdvisedModel model;
+  if (const auto *lumped = std::get_if<Lumped>(&the_case.spec); lumped && lumped->detailed) {
+    const auto files    = model_from_files(lumped->model);
+    const double damper = std::isnan(lumped->model.gap_damper) ? 0 : lumped->model.gap_damper;
+    model.limit         = lumped->model.frequency_limit;
+    model.source        = "model " + lumped->model.name + " of its files";
+    model.advised.stand =
+        in_its_modes(files.model, files.modes, lumped->dynamics.modal_damping, 2 * model.limit, damper);
+    model.notes.push_back("the stand comes from files: dampers are tried, springs are not");
+    return model;
+  }
+  const CaseChain chain         = case_chain(the_case, "advise");
+  const auto mill_model         = dynamics::mill_model(chain.model, chain.dynamics);
+  const auto n                  = mill_model.M.size();
+  model.limit                   = chain.dynamics.frequency_limit;
+  model.source                  = chain.source;
+  const Eigen::VectorXd damping = Eigen::VectorXd::Constant(n, chain.dynamics.modal_damping);
+  model.advised.stand = twin::vibrating_stand(mill_model, damping, gap_damper_of(chain.model, chain.dynamics));
+  model.advised.chain = mill_model;
+  if (chain.dynamics.contact == "curve")
+    model.notes.push_back("contacts on curves count with their slopes at the working load");
+  add_errors(model, chain.model);
+  if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
+    model.advised.open = [&the_case, load = chain.load, mill_model, damping](const twin::StandChange &change) {
+      if (change.force == 1)
+        return std::optional(twin::open_stand(mill_model, damping, change));
+      const CaseChain there = case_chain(the_case, "advise", load * change.force);
+      return std::optional(twin::open_stand(dynamics::mill_model(there.model, there.dynamics), damping, change));
+    };
+    add_pass(model, the_case, *four, rolled, chain);
+    model.detailed = detailed_stand(the_case, *four, chain, rolled.model, components);
+    take_detailed_for_its_places(model, asked);
+  }
+  return model;
+}
+}  // namespace mill

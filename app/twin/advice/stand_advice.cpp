@@ -1,0 +1,373 @@
+#include "app/twin/advice/stand_advice.h"
+#include "app/twin/advice/critical_speed_advice.h"
+#include "app/twin/advice/measured_levels.h"
+#include "app/twin/advice/repeated_in_detail.h"
+#include "core/case/fields.h"
+#include "core/model/case.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numeric>
+#include <optional>
+
+namespace mill {
+namespace {
+using twin::Attachment;
+using twin::RatedAction;
+using twin::VibratingStand;
+
+constexpr double finest_step = 0.02;  // Hz, of the sums over the band
+constexpr int drawn_points   = 4000;  // of the spectra before and after
+
+const StandAdvice &asked_of(const Case &the_case)
+{
+  if (const auto *four = std::get_if<FourHigh>(&the_case.spec))
+    return four->advice;
+  return std::get<Lumped>(the_case.spec).advice;
+}
+
+Place place_of_key(const Case &the_case, const std::string &key)
+{
+  const auto found = the_case.places.find(key);
+  return found == the_case.places.end() ? Place{the_case.path} : found->second;
+}
+
+// Index of a place by its name in the case.
+int place_in(const VibratingStand &stand, const Case &the_case, const std::string &key, const std::string &name)
+{
+  const int found = stand.place(name);
+  if (found >= 0)
+    return found;
+  std::vector<std::string> known = stand.places;
+  for (std::string &one : known)
+    std::replace(one.begin(), one.end(), ' ', '_');
+  throw InputError(place_of_key(the_case, key),
+                   fmt::format("{} = \"{}\" is no place of the stand{}", key, name, suggestion(name, known)));
+}
+
+std::vector<twin::SpringChoice> spring_choices(const twin::AdvisedStand &advised, const StandAdvice &asked,
+                                               const Case &the_case)
+{
+  std::vector<twin::SpringChoice> choices;
+  if (!advised.chain)
+    return choices;
+  for (const dynamics::Spring &spring : advised.chain->springs) {
+    const bool named = std::count(asked.springs.begin(), asked.springs.end(), spring.name) > 0;
+    if (named && !(spring.stiffness > 0))
+      throw InputError(place_of_key(the_case, "advice.springs"),
+                       fmt::format("advice.springs names {}, which is zero here{}; leave it out", spring.name,
+                                   spring.name == "K4"
+                                       ? " (dynamics.force_meaning = \"measured\" holds it in the force)"
+                                       : ""));
+    if (named || (asked.springs.empty() && spring.stiffness > 0 && spring.name != "K4"))
+      choices.push_back({spring.name, asked.stiffness[0], asked.stiffness[1], twin::means_of_spring(spring.name)});
+  }
+  return choices;
+}
+
+std::vector<twin::DamperChoice> damper_choices(const VibratingStand &stand, const StandAdvice &asked,
+                                               const Case &the_case)
+{
+  if (asked.dampers.empty())
+    return asked.usual_damper > 0 ? twin::usual_dampers(stand, asked.usual_damper)
+                                  : std::vector<twin::DamperChoice>();
+  std::vector<twin::DamperChoice> choices;
+  for (std::size_t i = 0; i < asked.dampers.size(); ++i) {
+    const DamperProposal &one = asked.dampers[i];
+    const auto end            = [&](const char *key, const std::string &name) {
+      return name == "ground" ? -1 : place_in(stand, the_case, fmt::format("advice.damper.{}.{}", i, key), name);
+    };
+    Attachment damper;
+    damper.from   = end("from", one.from);
+    damper.to     = end("to", one.to);
+    damper.damper = one.damper;
+    if (damper.from == damper.to)
+      throw InputError(place_of_key(the_case, fmt::format("advice.damper.{}.to", i)),
+                       fmt::format("advice.damper.{} begins and ends at one place, {}", i, one.to));
+    const auto same = std::find_if(choices.begin(), choices.end(),
+                                   [&](const auto &c) { return !one.name.empty() && c.name == one.name; });
+    if (same != choices.end())
+      same->joined.push_back(damper);
+    else
+      choices.push_back({one.name.empty() ? damper_name(stand, damper) : one.name, {damper}});
+  }
+  return choices;
+}
+
+std::vector<twin::TunedChoice> tuned_choices(const VibratingStand &stand, const StandAdvice &asked,
+                                             const int place, const Case &the_case)
+{
+  std::vector<twin::TunedChoice> choices;
+  if (asked.tuned.empty() && asked.tuned_mass > 0)
+    choices.push_back({place, not_given, asked.tuned_mass});
+  for (std::size_t i = 0; i < asked.tuned.size(); ++i) {
+    const TunedDamperProposal &one = asked.tuned[i];
+    choices.push_back(
+        {one.at.empty() ? place : place_in(stand, the_case, fmt::format("advice.tuned_damper.{}.at", i), one.at),
+         one.mass, one.mass_ratio});
+  }
+  return choices;
+}
+
+Table spectrum_table(const twin::LevelAdvice &advice, const twin::ForceBand &force, const bool measured)
+{
+  const double low = force.frequency[0], high = force.frequency[force.frequency.size() - 1];
+  const Eigen::VectorXd f = Eigen::VectorXd::LinSpaced(drawn_points, std::max(low, 1e-3 * high), high);
+  Eigen::VectorXd root    = Eigen::VectorXd::Ones(f.size());
+  const double step       = force.frequency.size() > 1 ? force.frequency[1] - force.frequency[0] : high - low;
+  if (measured)
+    for (Eigen::Index i = 0; i < f.size(); ++i) {
+      const auto k = std::clamp<Eigen::Index>(Eigen::Index((f[i] - low) / step), 0, force.square.size() - 1);
+      root[i]      = std::sqrt(force.square[k] / step);
+    }
+  const char *unit = measured ? "m/s2/sqrt(Hz)" : "m/s2/N";
+  const auto of    = [&](const VibratingStand &stand, const std::vector<Attachment> &joined) {
+    return Eigen::VectorXd(twin::amplitude(stand, joined, advice.place, f).cwiseProduct(root));
+  };
+  Table table;
+  table.add("frequency", "Hz", f).add("as it is", unit, of(advice.stand, {}));
+  std::size_t drawn = 0;
+  for (const RatedAction &action : advice.actions)
+    if (action.against.empty() && action.process.empty() && drawn < 2 && (drawn == 0 || !action.pair)) {
+      table.add(action.name, unit, of(action.stand, action.joined));
+      ++drawn;
+    }
+  return table;
+}
+
+Table detuning_table(const twin::LevelAdvice &advice)
+{
+  Table table;
+  for (std::size_t i = 0; i < advice.tuned.size(); ++i) {
+    if (i == 0)
+      table.add("detuning", "%", 100 * advice.tuned[i].detuning);
+    table.add(advice.tuned_names[i], "%", 100 * advice.tuned[i].detuned_change);
+  }
+  return table;
+}
+
+Parameter ratio(const double value, const std::string &method, const std::vector<std::string> &lacks)
+{
+  Parameter p;
+  p.value       = value;
+  p.unit        = "1";
+  p.method      = method;
+  p.error_lacks = lacks;
+  return p;
+}
+
+// -, of a level under a force whose spectrum is one of a record: half of that of its mean square.
+double scatter_of_level(const twin::LevelAdvice &advice, const twin::ForceBand &force, const double duration)
+{
+  const Eigen::VectorXd square =
+      twin::amplitude(advice.stand, {}, advice.place, force.frequency).cwiseAbs2().cwiseProduct(force.square);
+  const double step = force.frequency.size() > 1 ? force.frequency[1] - force.frequency[0] : 1;
+  return 0.5 * square.norm() / square.sum() / std::sqrt(step * duration);
+}
+
+void add_level(twin::AdviceRecord &record, const twin::LevelAdvice &advice, const MeasuredLevels &measured)
+{
+  std::string name = advice.stand.places[std::size_t(advice.place)];
+  std::replace(name.begin(), name.end(), ' ', '_');
+  Parameter level;
+  level.value          = advice.level[advice.place];
+  level.unit           = "m/s2";
+  level.method         = record.stand + ", force of " + std::to_string(measured.files.size()) + " records";
+  level.error_estimate = scatter_of_level(advice, measured.force, measured.duration);
+  if (const auto own = measured.level.find(name); own != measured.level.end()) {
+    level.checks.push_back({"rms of the same records in this band", own->second,
+                            "what the model does not hold, and a force that is not the only one"});
+    const double decibel = 20 * std::log10(level.value / own->second);
+    if (std::abs(decibel) > 3)
+      record.notes.push_back(
+          fmt::format("the model gives {:+.1f} dB of the measured level of {}: calibrate the stand "
+                      "before the advice is trusted",
+                      decibel, name));
+  }
+  record.results.add("advice.level." + name, level);
+}
+
+void add_results(twin::AdviceRecord &record, const twin::LevelAdvice &advice)
+{
+  const std::vector<std::string> lacks{"errors of springs and damping of the stand"};
+  if (!advice.actions.empty() && advice.actions.front().against.empty()) {
+    const RatedAction &best = advice.actions.front();
+    Parameter change        = ratio(best.verified, best.name, {});
+    if (best.repeated.empty() && std::isfinite(best.spread))
+      change.error_estimate = std::abs(best.spread / best.change);
+    else
+      change.error_lacks = lacks;
+    change.checks.push_back(
+        {"first order, by slopes", best.first_order, "not the answer: second order is left out"});
+    if (!best.repeated.empty())
+      change.checks.push_back({"six masses", best.change, "which have no chocks"});
+    record.results.add("advice.best.change", change);
+  }
+  for (std::size_t i = 0; i < advice.tuned.size(); ++i) {
+    const twin::TunedDamper &t = advice.tuned[i];
+    const std::string name =
+        "advice.tuned_damper" + (advice.tuned.size() > 1 ? "." + std::to_string(i + 1) : std::string());
+    Parameter mass      = ratio(t.best.mass, "mass ratio times the effective mass of the leading mode", lacks);
+    mass.unit           = "kg";
+    Parameter frequency = ratio(t.best.frequency, "least level over frequency and damping", lacks);
+    frequency.unit      = "Hz";
+    frequency.checks.push_back({"closed form for one mode under white force", t.start.frequency, "(46.7)"});
+    Parameter damping = ratio(t.best.ratio, "least level over frequency and damping", lacks);
+    damping.checks.push_back({"closed form for one mode under white force", t.start.ratio, "(46.7)"});
+    Parameter change = ratio(t.change, advice.tuned_names[i], lacks);
+    for (const RatedAction &action : advice.actions)
+      if (action.name == advice.tuned_names[i] && std::isfinite(action.spread)) {
+        change.error_estimate = std::abs(action.spread / action.change);
+        change.error_lacks.clear();
+      }
+    change.checks.push_back({"5 % too low", t.detuned_by(-0.05), ""});
+    change.checks.push_back({"5 % too high", t.detuned_by(0.05), ""});
+    record.results.add(name + ".mass", mass);
+    record.results.add(name + ".frequency", frequency);
+    record.results.add(name + ".damping", damping);
+    record.results.add(name + ".change", change);
+    record.tuned.push_back({advice.tuned_names[i], advice.stand.places[std::size_t(t.best.to)],
+                            advice.stand.frequency[t.mode] / (2 * M_PI), t});
+    if (!t.inside)
+      record.notes.push_back(advice.tuned_names[i] + ": the least level lies at the edge of what was searched");
+  }
+}
+
+void add_slopes(twin::AdviceRecord &record, const twin::LevelAdvice &advice)
+{
+  const auto &names = advice.slopes.names;
+  std::vector<std::size_t> order(names.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto slope = [&](const std::size_t p) { return advice.slopes.slope(advice.place, Eigen::Index(p)); };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const auto a, const auto b) { return std::abs(slope(a)) > std::abs(slope(b)); });
+  for (const std::size_t p : order)
+    record.slopes.emplace_back(names[p], slope(p));
+}
+
+std::string level_answer(const twin::LevelAdvice &advice)
+{
+  if (advice.actions.empty())
+    return "Nothing was allowed to be tried.";
+  const RatedAction &best = advice.actions.front();
+  if (!best.against.empty())
+    return "No action that was tried lowers the level and keeps the limits.";
+  if (best.repeated.empty())
+    return fmt::format("Best: {}, {:+.1f} % (first order {:+.1f} %).", best.name, 100 * best.change,
+                       100 * best.first_order);
+  return fmt::format("Best: {}, {:+.1f} % in the model of {} (six masses {:+.1f} %, first order {:+.1f} %).",
+                     best.name, 100 * best.verified, best.repeated.back().name, 100 * best.change,
+                     100 * best.first_order);
+}
+// The pass beside the level: its critical speed, or why there is none.
+void add_pass_notes(twin::AdviceRecord &record, const twin::LevelAdvice &advice,
+                    const std::optional<twin::CriticalState> &detailed, const AdvisedModel &model)
+{
+  if (!advice.pass) {
+    record.notes.push_back(
+        "force, torque, tensions and critical speed do not follow from a stand alone: process actions "
+        "are judged where the case has a pass with its speed and a strip with friction and flow stress, "
+        "or in a case of kind chatter");
+    return;
+  }
+  const twin::CriticalState &now = *advice.pass;
+  const double speed             = model.pass->working_speed;
+  if (now.no_bite) {
+    record.notes.push_back(fmt::format("there is no steady bite at the working speed of {:.4g} m/s ({}): process "
+                                       "actions and the critical speed are not judged",
+                                       speed, now.why));
+    return;
+  }
+  const auto critical_speed = [&](const std::string &name, const twin::CriticalState &state) {
+    record.notes.push_back("critical speed as it is, " + name + ": " +
+                           sentence(state.found, model.pass->model.range));
+  };
+  critical_speed(model.advised.chain ? "six masses" : model.source, now);
+  if (detailed)
+    critical_speed(model.detailed->name, *detailed);
+  if (now.growth >= 0)
+    record.notes.push_back(
+        fmt::format("vibration grows by itself at the working speed of {:.4g} m/s: it has no level that a process "
+                    "action could lower; raise the critical speed first",
+                    speed));
+  else
+    record.notes.push_back(
+        "process actions: the disturbance that makes the force as it is stays, the bite answers it anew, contacts "
+        "follow the rolling force; first order is a slope by differences");
+  if (std::isnan(model.pass->process.torque_rise))
+    record.notes.push_back(no_torque_limit());
+  if (now.found.verdict == dynamics::Verdict::crossing) {
+    Parameter critical;
+    critical.value       = now.speed;
+    critical.unit        = "m/s";
+    critical.method      = "search over the speed";
+    critical.error_lacks = {"errors of stand, friction law and flow stress"};
+    record.results.add("advice.critical_speed", critical);
+  }
+}
+}  // namespace
+
+twin::AdviceRecord stand_advice(const Case &the_case, const std::string &measured,
+                                const twin::ReadOptions &reading, const RolledAdvice &rolled,
+                                const Components &components)
+{
+  const StandAdvice &asked  = asked_of(the_case);
+  const AdvisedModel model  = advised_model(the_case, asked, rolled, components);
+  const VibratingStand &own = model.advised.stand;
+  twin::LevelQuestion question;
+  question.place    = place_in(own, the_case, "advice.place", asked.place);
+  const double low  = std::isnan(asked.band[0]) ? 0 : asked.band[0];
+  const double high = std::isnan(asked.band[1]) ? model.limit : asked.band[1];
+  const double step = std::min(std::max(finest_step, high / 1e5), twin::resolving_step(own, high));
+  twin::AdviceRecord record;
+  record.case_name = the_case.name;
+  record.stand     = model.source;
+  record.goal      = "level";
+  record.notes     = model.notes;
+  MeasuredLevels records;
+  if (measured.empty()) {
+    question.force = twin::white_force(low, high, step);
+    record.notes.push_back("the force was not measured: a white one is taken, and changes are given, no levels");
+  } else {
+    records        = measured_levels(measured, reading, low, high, step);
+    question.force = records.force;
+    record.notes.insert(record.notes.end(), records.notes.begin(), records.notes.end());
+  }
+  if (twin::resolving_step(own, high) <= high / 200000)
+    record.notes.push_back("a mode is damped so little that the sums over the band may miss part of its peak");
+  if (high > model.limit)
+    record.notes.push_back(fmt::format("the modes of the stand are right up to {:g} Hz, the band goes to {:g} Hz",
+                                       model.limit, high));
+  question.springs         = spring_choices(model.advised, asked, the_case);
+  question.damping         = model.advised.chain ? asked.modal_damping : std::array<double, 2>{1, 1};
+  question.dampers         = damper_choices(own, asked, the_case);
+  question.tuned           = tuned_choices(own, asked, question.place, the_case);
+  question.rise_elsewhere  = asked.rise_elsewhere;
+  question.softening       = asked.softening;
+  question.untold          = model.untold;
+  question.pass            = model.pass;
+  twin::LevelAdvice advice = twin::level_advice(model.advised, question);
+  const bool as_white      = measured.empty() && model.detailed;  // the sums need no finer steps
+  const auto white = as_white ? twin::white_force(low, high, twin::resolving_step(model.detailed->as_it_is, high))
+                              : twin::ForceBand();
+  const auto detailed = repeat_in_detail(advice.actions, model, question.place, as_white ? white : question.force);
+  record.question     = fmt::format("lowest rms acceleration of the {} from {:g} to {:g} Hz",
+                                    own.places[std::size_t(question.place)], low,
+                                measured.empty() ? high : std::min(high, question.force.frequency.maxCoeff()));
+  record.answer       = level_answer(advice);
+  if (!measured.empty())
+    add_level(record, advice, records);
+  add_results(record, advice);
+  add_pass_notes(record, advice, detailed, model);
+  for (auto &value : record.results.values) {
+    value.second.at     = record.stand;
+    value.second.inputs = {"advice.place", "advice.band", "dynamics.modal_damping"};
+  }
+  add_slopes(record, advice);
+  record.tables["spectrum"] = spectrum_table(advice, question.force, !measured.empty());
+  if (!advice.tuned.empty())
+    record.tables["detuning"] = detuning_table(advice);
+  record.actions = std::move(advice.actions);
+  return record;
+}
+}  // namespace mill

@@ -1,0 +1,210 @@
+#include "app/twin/calibrate/calibrate_command.h"
+#include "app/address_space.h"
+#include "app/twin/calibrate/calibrated_case.h"
+#include "app/twin/calibrate/detailed_prior.h"
+#include "app/twin/calibrate/levels_text.h"
+#include "app/twin/calibrate/plan_text.h"
+#include "app/console.h"
+#include "app/twin/record_options.h"
+#include "core/case/monitoring.h"
+#include "core/case/visible_text.h"
+#include "core/model/case.h"
+#include "core/records/csv.h"
+#include "core/records/files.h"
+#include "report/calibration/calibration_page.h"
+#include "twin/calibration/calibration_files.h"
+#include "twin/calibration/verdict.h"
+#include "twin/calibration/words.h"
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <thread>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+namespace {
+constexpr int refused_code = 3;
+
+int threads_of(const CommandLine &command)
+{
+  const int wanted =
+      command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
+  return threads_that_start(threads_that_fit(wanted));
+}
+
+twin::CalibrationInput input_of(const CommandLine &command, const PriorChain &chain, const RecordSet &set,
+                                MeasuredPieces pieces)
+{
+  twin::CalibrationInput input;
+  input.stand          = chain.stand;
+  input.unknowns       = chosen(chain, command.calibrate.free);
+  input.force_recorded = pieces.force_recorded;
+  if (command.calibrate.align && !input.force_recorded)
+    throw InputError("--align: no force was recorded, so that there are no two clocks");
+  if (command.calibrate.align)
+    input.unknowns.push_back({"delay", 0.05, 0});
+  input.sensors = pieces.sensors;
+  for (const std::string &sensor : pieces.sensors)
+    input.places.push_back(std::find(chain.places.begin(), chain.places.end(), sensor) - chain.places.begin());
+  input.rate = pieces.rate;
+  input.low  = set.band[0];
+  input.high = std::min({set.band[1], pieces.rate / 2.56, chain.limit});
+  if (!(input.high > 2 * input.low))
+    throw InputError(fmt::format("{}: {:.6g} samples per second show nothing above {:.4g} Hz, the band begins at "
+                                 "{:.4g} Hz; record faster, or give a band in records.toml",
+                                 set.folder, pieces.rate, input.high, input.low));
+  input.fit     = std::move(pieces.fit);
+  input.check   = std::move(pieces.check);
+  input.between = pieces.between;
+  input.clipped = pieces.clipped;
+  input.threads = threads_of(command);
+  return input;
+}
+
+// calibration.json leaves first and comes last, so that a folder with it is whole.
+void write_calibration(const std::string &folder, const std::string &json,
+                       const std::map<std::string, Table> &tables,
+                       const std::map<std::string, std::string> &calibrated)
+{
+  std::error_code ignored;
+  for (const char *old :
+       {"calibration.json", "response.csv", "profiles.csv", "force.csv", "report.html", "calibrated.toml"})
+    fs::remove(folder + "/" + old, ignored);
+  fs::remove_all(folder + "/models", ignored);
+  for (const auto &[name, table] : tables)
+    write_atomically(folder + "/" + name + ".csv", csv_text(table));
+  for (const auto &[name, text] : calibrated) {
+    fs::create_directories(fs::path(folder + "/" + name).parent_path());
+    write_atomically(folder + "/" + name, text);
+  }
+  write_atomically(folder + "/report.html", report::calibration_page(folder, json, tables));
+  write_atomically(folder + "/calibration.json", json);
+}
+
+std::string line_of(const twin::Calibrated &u, const std::size_t width, const bool agrees)
+{
+  if (!u.told)
+    return fmt::format("{:<{}} {:>10}  {}\n", u.name, width, "kept", u.why_not);
+  const twin::ShownChange shown = twin::shown_change(u);
+  return fmt::format("{:<{}} {:>10}  95 % {} .. {}\n", u.name, width, agrees ? "agrees" : shown.kept, shown.low,
+                     shown.high);
+}
+
+void say(const twin::Calibration &result, const twin::CalibrationFacts &facts, const std::string &folder)
+{
+  using console::print;
+  std::size_t width = 6;
+  for (const twin::Calibrated &u : result.unknowns)
+    width = std::max(width, u.name.size());
+  for (const twin::Calibrated &u : result.unknowns)
+    print(line_of(u, width, result.agrees));
+  for (const std::string &direction : result.unseen)
+    print("not seen: " + direction + "\n");
+  print(fmt::format("check records: misfit {:.4g}, before {:.4g}; worst third octave {:.2f} of its limit\n",
+                    result.check.after, result.check.before, result.check.worst));
+  for (const std::string &note : facts.notes)
+    print("note: " + visible(note, true) + "\n");
+  for (const std::string &reason : result.refusals)
+    print((facts.accepted ? "accepted although: " : "refused: ") + visible(reason, true) + "\n");
+  if (result.refusals.empty() && result.agrees)
+    print(twin::agreement_words(result) + "\n");
+  if (!facts.written.empty())
+    print("calibrated case: " + folder + "/" + facts.written + "\n");
+  print("report: " + folder + "/report.html\n");
+}
+
+void add_notes_without_force(std::vector<std::string> &notes, const Case &the_case, const bool load_given)
+{
+  if (std::holds_alternative<FourHigh>(the_case.spec) && !load_given)
+    notes.insert(notes.begin(), "the contacts are those at the load of the first pass; where the records had "
+                                "another, give it in records.toml, for example load = \"976 kN\"");
+  notes.insert(notes.begin(), twin::without_force_words());
+}
+
+PriorChain prior_of_case(const CommandLine &command, const Case &the_case, const double load)
+{
+  return is_detailed(the_case) ? detailed_prior(command, the_case, load) : prior_chain(the_case, load);
+}
+
+/// A four-high stand at the load of the records: its contacts follow it.  One of finite elements is not made again
+/// for a load that is nearly that of its pass, nor one in files.
+PriorChain at_load_of(const CommandLine &command, const Case &the_case, const PriorChain &at_first_pass,
+                      const double load)
+{
+  constexpr double nearly = 0.02;  // of the load: 0.1 % of a line contact
+  const bool same         = at_first_pass.detailed && !(std::abs(load / at_first_pass.load - 1) > nearly);
+  return load > 0 && !same ? prior_of_case(command, the_case, load) : at_first_pass;
+}
+
+int calibrate_records(const CommandLine &command, const Case &the_case, const RecordSet &set)
+{
+  const std::string folder = command.output.empty() ? "out/" + the_case.name + "-calibration" : command.output;
+  require_result_folder(folder, "calibration.json", "calibration", command.force_overwrite);
+  const PriorChain at_first_pass = prior_of_case(command, the_case, std::nan(""));
+  chosen(at_first_pass, command.calibrate.free);  // a wrong name before long records are read
+  console::ProgressBar bar(
+      {
+          {"read",   3},
+          {"start",  1},
+          {"fit",    1},
+          {"basins", 6},
+          {"check",  1}
+  },
+      command.quiet);
+  Progress progress;
+  progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
+  progress.at("read", 0);
+  MeasuredPieces pieces  = measured_pieces(set, at_first_pass.places,
+                                           read_options(command, monitoring_of(command.target, command.sets)));
+  const PriorChain chain = at_load_of(command, the_case, at_first_pass, pieces.load);
+  twin::CalibrationFacts facts{the_case.name, chain.source, pieces.files,
+                               pieces.notes,  "",           command.calibrate.accept};
+  facts.notes.insert(facts.notes.end(), chain.notes.begin(), chain.notes.end());
+  if (!pieces.force_recorded)
+    add_notes_without_force(facts.notes, the_case, pieces.load > 0);
+  const twin::CalibrationInput input = input_of(command, chain, set, std::move(pieces));
+  for (const twin::Unknown &unknown : input.unknowns)
+    if (unknown.name.size() > 4 && unknown.name.compare(0, 4, "zeta") == 0)
+      facts.notes.push_back(unknown.name + ": a case has one damping ratio for all modes, so this stands in the "
+                                           "report and in the head of calibrated.toml alone");
+  const twin::Calibration result = twin::calibrate(input, progress);
+  const bool refused             = !result.refusals.empty();
+  if (result.delay && result.delay->told() && !result.delay->too_large())
+    facts.notes.push_back(result.delay->words(input.rate));
+  std::map<std::string, std::string> calibrated;
+  if (refused ? command.calibrate.accept : !result.agrees) {
+    facts.written = "calibrated.toml";
+    if (chain.detailed)
+      calibrated = calibrated_model(chain, the_case, result, facts.files, refused, folder);
+    else
+      calibrated[facts.written] = calibrated_toml(chain, the_case, result, facts.files, refused, folder);
+  }
+  write_calibration(folder, twin::calibration_json(input, result, facts), twin::calibration_tables(result),
+                    calibrated);
+  bar.finish();
+  if (!command.quiet)
+    say(result, facts, folder);
+  return refused && !command.calibrate.accept ? refused_code : 0;
+}
+}  // namespace
+
+int calibrate_command(const CommandLine &command)
+{
+  const Case the_case = read_case(command.target, command.sets);
+  if (command.calibrate.plan) {
+    const PriorChain chain = prior_of_case(command, the_case, std::nan(""));
+    console::print(plan_text(chain, chosen(chain, command.calibrate.free), command.calibrate));
+    return 0;
+  }
+  if (command.calibrate.measured.empty())
+    throw InputError("millstand calibrate: no records; name their folder with --measured DIR, or ask with --plan "
+                     "what a record would tell");
+  const RecordSet set = read_record_set(command.calibrate.measured);
+  if (set.entries.empty()) {
+    console::print(levels_text(prior_of_case(command, the_case, std::nan("")), set));
+    return refused_code;
+  }
+  return calibrate_records(command, the_case, set);
+}
+}  // namespace mill

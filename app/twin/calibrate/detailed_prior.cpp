@@ -1,0 +1,119 @@
+#include "app/twin/calibrate/detailed_prior.h"
+#include "app/twin/case_chain.h"
+#include "app/driven_case.h"
+#include "app/stages/mode_results.h"
+#include "app/stages/model_files.h"
+#include "core/model/case.h"
+#include "core/records/detailed_model.h"
+#include "reduce/stand/stand_modes.h"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+/// The case at one load, without a force of its own, without curves: what its records are compared with.
+Case at_one_load(const Case &the_case, const double load)
+{
+  Case one = the_case;
+  if (auto *stand = std::get_if<FourHigh>(&one.spec)) {
+    Pass pass               = stand->passes.front();
+    pass.load               = case_chain(the_case, "calibrate", load).load;
+    pass.force_file         = "";
+    pass.synthetic_range    = {not_given, not_given};
+    stand->passes           = {pass};
+    stand->dynamics.contact = DynamicsSettings().contact;
+  }
+  if (auto *lumped = std::get_if<Lumped>(&one.spec))
+    lumped->passes.clear();
+  dynamics_of(one).force_meaning = DynamicsSettings().force_meaning;
+  return one;
+}
+
+/// The load cell reads one of the connections, whose stiffness is in its row.
+void follow_load_cell(StandModel &stand, const Connection &before, const double factor)
+{
+  if (before.rows.rows() != 1)
+    return;
+  const Eigen::VectorXd tension = before.stiffness[0] * before.rows.row(0).transpose();
+  const double least            = 1e-9 * tension.norm();
+  if ((stand.load_cell - tension).norm() < least || (stand.load_cell + tension).norm() < least)
+    stand.load_cell *= factor;
+}
+
+StandModel calibrated_stand(const StandModel &prior, const twin::Calibration &result)
+{
+  StandModel stand = prior;
+  for (const twin::Calibrated &u : result.unknowns)
+    for (Connection &connection : stand.connections)
+      if (u.told && connection.name == u.name) {
+        follow_load_cell(stand, connection, std::exp(u.kept));
+        connection.stiffness *= std::exp(u.kept);
+        connection.error_estimate = u.sd;
+      }
+  return stand;
+}
+}  // namespace
+
+bool is_detailed(const Case &the_case)
+{
+  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
+    return stand->dynamics.model != DynamicsSettings().model;
+  const auto *lumped = std::get_if<Lumped>(&the_case.spec);
+  return lumped && lumped->detailed;
+}
+
+PriorChain detailed_prior(const CommandLine &command, const Case &the_case, const double load)
+{
+  const Case one           = at_one_load(the_case, load);
+  const DrivenStand driven = driven_case(command, one);
+  const auto *lumped       = std::get_if<Lumped>(&the_case.spec);
+  if (lumped && driven.detailed->model.connections.empty())
+    throw InputError(
+        lumped->model.place,
+        "millstand calibrate: the files of this model do not say its connections, so nothing of it can "
+        "be moved; name them with model.connections and model.strains, which a run writes into models/");
+  PriorChain prior;
+  prior.detailed          = reduce::without(driven.detailed->model, "K4");
+  prior.load              = lumped ? not_given : driven.load;
+  prior.limit             = driven.dynamics.frequency_limit;
+  const StandModel &model = *prior.detailed;
+  const auto modes        = reduce::stand_modes(model);
+  prior.stand.detailed    = twin::reduced_stand(model, modes.frequency, modes.shape, 2 * prior.limit);
+  prior.stand.damping =
+      Eigen::VectorXd::Constant(prior.stand.detailed->kept, damping_to_start_from(driven.dynamics));
+  prior.source = lumped ? "model " + model.name + " of its files"
+                        : fmt::format("{} at {:.1f} kN", title_of(model.name), prior.load / 1e3);
+  prior.source += fmt::format(", {} modes up to {:.0f} Hz", prior.stand.detailed->kept, 2 * prior.limit);
+  for (const StandPoint &point : model.points)
+    prior.places.push_back(place_name(point.name));
+  for (const Connection &connection : model.connections)
+    prior.springs.push_back(
+        {connection.name, prior_of_spring(connection.name, connection.error_estimate, true), 0});
+  prior.springs.push_back({"zeta", std::log(2.0), 0});
+  Case given                = the_case;
+  const std::string meaning = dynamics_of(given).force_meaning;
+  if (meaning != DynamicsSettings().force_meaning)
+    prior.notes.push_back("force_meaning = \"" + meaning +
+                          "\" of the case: a record's force is the whole bite force, so K4 and the gap damper are "
+                          "left out, and the calibrated case says force_meaning = \"measured\"");
+  for (const std::string &warning : driven.warnings)
+    prior.notes.push_back(warning);
+  return prior;
+}
+
+std::map<std::string, std::string> calibrated_model(const PriorChain &prior, const Case &origin,
+                                                    const twin::Calibration &result,
+                                                    const std::vector<std::string> &files, const bool accepted,
+                                                    const std::string &directory)
+{
+  reduce::StandWithModes stand{calibrated_stand(*prior.detailed, result), {}};
+  stand.modes                         = reduce::stand_modes(stand.model, 2 * prior.limit);
+  const ModelFiles named              = model_case_files(stand, prior.limit, not_given);
+  auto texts                          = texts_of(stand.model, named);
+  Case measured                       = with_damping(origin, result);
+  dynamics_of(measured).force_meaning = DynamicsSettings().force_meaning;
+  texts["calibrated.toml"] =
+      calibration_comment(origin, result, files, accepted) + detailed_model_toml(named, measured, directory);
+  return texts;
+}
+}  // namespace mill

@@ -1,0 +1,316 @@
+#include "app/twin/calibrate/record_set.h"
+#include "core/case/fields.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <set>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+namespace {
+constexpr double shortest_piece = 1;  // s: below it the transients of the low modes leave nothing to fit
+const std::set<std::string> endings{".csv", ".tsv", ".txt", ".asc", ".npy", ".uff", ".unv", ".mat"};
+
+using E = RecordEntry;
+const std::vector<Field<E>> &entry_rows()
+{
+  static const std::vector<Field<E>> rows{
+      {"file",    &E::file, "path", {},       required, "pass-1.csv", "record, relative to the folder"},
+      {"role",
+       &E::role,
+       "text",                      {},
+       absent,                                          "check",
+       "fit or check; without any role the last third of each record is the check"                    },
+      {"load",
+       &E::load,
+       "kN",                        {1, 1e5},
+       absent,                                          "976 kN",
+       "mean rolling force, where the record's force channel does not hold it"                        },
+      {"between",
+       &E::between,
+       "smooth | lines",            {},
+       "smooth",                                        "smooth",
+       "how the force went between its samples: a simulated record was driven by straight lines"      },
+  };
+  return rows;
+}
+
+const std::vector<Field<MeasuredLevel>> &level_rows()
+{
+  using L = MeasuredLevel;
+  static const std::vector<Field<L>> rows{
+      {"place", &L::place, "text", {},          required, "upper_work_roll", "where it was measured"               },
+      {"rms",   &L::rms,   "g",    {1e-6, 1e4}, absent,   "0.4 g",           "root mean square of the acceleration"},
+      {"peak",  &L::peak,  "g",    {1e-6, 1e4}, absent,   "1.2 g",           "0-peak, where no rms was measured"   },
+      {"error", &L::error, "1",    {1e-4, 1},   0.03,     "0.03",            "relative standard deviation"         },
+  };
+  return rows;
+}
+
+const std::vector<Field<RecordSet>> &set_rows()
+{
+  using S = RecordSet;
+  static const std::vector<Field<S>> rows{
+      {"band",            &S::band,            "Hz", {1, 1e5},    absent, "[\"20 Hz\", \"900 Hz\"]", "that is fitted"},
+      {"level_force",
+       &S::level_force,
+       "kN",                                         {1e-6, 1e5},
+       absent,                                                            "1 kN",
+       "rms of the force behind the levels, where somebody knows it"                                                 },
+      {"level_bandwidth", &S::level_bandwidth, "Hz", {1, 1e5},    1000,   "1000 Hz",                 "of that force" },
+  };
+  return rows;
+}
+
+void read_channels(const Section &section, RecordEntry &entry, Reading &reading)
+{
+  const Node::Entry *channels = section.node->find("channels");
+  if (!channels)
+    return;
+  if (channels->value.kind != Node::Kind::table) {
+    reading.add(channels->value.place,
+                section.key("channels") +
+                    " is no table of names, for example { \"AI_07\" = \"upper_work_roll\" }");
+    return;
+  }
+  for (const Node::Entry &pair : channels->value.entries)
+    if (pair.value.kind == Node::Kind::text)
+      entry.channels[pair.key] = pair.value.text;
+    else
+      reading.add(pair.value.place, fmt::format("{}.{} = {} is no place, for example \"upper_work_roll\"",
+                                                section.key("channels"), pair.key, shown(pair.value)));
+}
+
+/// Calls work(section) for every table of a list [[name]].
+template <class Work>
+void each_table(const Node &root, const std::string &name, Reading &reading, const Work &work)
+{
+  const Node::Entry *list = root.find(name);
+  if (!list)
+    return;
+  if (list->value.kind != Node::Kind::array) {
+    reading.add(list->value.place, name + " is written [[" + name + "]], once for each");
+    return;
+  }
+  for (std::size_t i = 0; i < list->value.items.size(); ++i)
+    work(Section{&list->value.items[i], name + "." + std::to_string(i)});
+}
+
+RecordSet described_set(const std::string &folder, const std::string &path)
+{
+  const Node root = read_case_file(path);
+  Reading reading;
+  reading.file   = path;
+  reading.folder = folder;
+  RecordSet set;
+  set.folder = folder;
+  read(Section{&root, ""}, set_rows(), set, reading, {"record", "level"});
+  if (!(set.band[1] > set.band[0]))
+    reading.add(reading.place("band"), reading.said("band") + ": the upper end is above the lower one");
+  each_table(root, "record", reading, [&](const Section &section) {
+    RecordEntry entry;
+    read(section, entry_rows(), entry, reading, {"channels"});
+    read_channels(section, entry, reading);
+    if (!entry.role.empty() && entry.role != "fit" && entry.role != "check")
+      reading.add(reading.place(section.key("role")),
+                  reading.said(section.key("role")) + ": a record is for the \"fit\" or for the \"check\"");
+    set.entries.push_back(entry);
+  });
+  each_table(root, "level", reading, [&](const Section &section) {
+    MeasuredLevel level;
+    read(section, level_rows(), level, reading);
+    if (std::isnan(level.rms) == std::isnan(level.peak) &&
+        reading.usable({section.key("rms"), section.key("peak")}))
+      reading.add(section.node->place,
+                  section.name + ": a level is either rms or peak, for example rms = \"0.4 g\"");
+    set.levels.push_back(level);
+  });
+  if (reading.problems.empty() && set.entries.empty() && set.levels.empty())
+    reading.add(Place{path}, "neither [[record]] nor [[level]]; a record needs at least file = \"pass-1.csv\"");
+  if (!reading.problems.empty())
+    throw InputError(std::move(reading.problems));
+  return set;
+}
+
+/// Samples of a record in which force and all sensors are whole.
+std::vector<twin::Span> common_pieces(const twin::CleanRecord &record, const std::vector<std::string> &names)
+{
+  std::vector<twin::Span> common{
+      {0, record.n}
+  };
+  for (const std::string &name : names) {
+    std::vector<twin::Span> next;
+    for (const twin::Span &a : common)
+      for (const twin::Span &b : record.find(name)->pieces) {
+        const twin::Span both{std::max(a.begin, b.begin), std::min(a.end, b.end)};
+        if (both.end > both.begin)
+          next.push_back(both);
+      }
+    common = std::move(next);
+  }
+  return common;
+}
+
+bool has_force(const twin::CleanRecord &record)
+{
+  const twin::CleanChannel *force = record.find("force");
+  return force && force->quantity == twin::Quantity::force;
+}
+
+twin::ForcedSamples samples_of(const twin::CleanRecord &record, const std::vector<std::string> &sensors,
+                               const twin::Span &span)
+{
+  twin::ForcedSamples samples;
+  if (has_force(record))
+    samples.force = record.find("force")->value.segment(span.begin, span.size());
+  samples.acceleration.resize(span.size(), Eigen::Index(sensors.size()));
+  for (std::size_t j = 0; j < sensors.size(); ++j)
+    samples.acceleration.col(Eigen::Index(j)) = record.find(sensors[j])->value.segment(span.begin, span.size());
+  return samples;
+}
+
+bool is_sensor(const twin::CleanRecord &record, const std::string &place)
+{
+  const twin::CleanChannel *channel = record.find(place);
+  return channel && channel->quantity == twin::Quantity::acceleration && channel->clipped == 0 &&
+         !channel->pieces.empty();
+}
+
+/// With force or without: one likelihood for all records.
+void require_all_or_none(const std::vector<twin::CleanRecord> &records)
+{
+  for (const twin::CleanRecord &record : records)
+    if (has_force(record) != has_force(records.front())) {
+      const bool first = has_force(records.front());
+      throw InputError(fmt::format("{}: no channel \"force\" in N or kN, which {} has; name it with --channel "
+                                   "AI_01=force, or calibrate records with and without force one after the other",
+                                   first ? record.file : records.front().file,
+                                   first ? records.front().file : record.file));
+    }
+}
+
+/// Splits pieces of one record by its role; without roles the last third of the samples is the check.
+void divide(const twin::CleanRecord &record, const RecordEntry &entry, const bool roles, MeasuredPieces &into)
+{
+  std::vector<std::string> names = into.sensors;
+  if (into.force_recorded)
+    names.push_back("force");
+  const auto least  = Eigen::Index(shortest_piece * record.rate);
+  const auto pieces = common_pieces(record, names);
+  Eigen::Index all  = 0;
+  for (const twin::Span &span : pieces)
+    all += span.size();
+  Eigen::Index seen = 0;
+  for (const twin::Span &span : pieces) {
+    const auto cut = roles ? (entry.role == "check" ? span.begin : span.end)
+                           : std::clamp(span.begin + 2 * all / 3 - seen, span.begin, span.end);
+    seen += span.size();
+    for (const twin::Span &part : {
+             twin::Span{span.begin, cut     },
+             twin::Span{cut,        span.end}
+    }) {
+      if (part.size() == 0)
+        continue;
+      if (part.size() < least) {
+        into.notes.push_back(fmt::format("{}: a piece of {:.2f} s is too short and left out", record.file,
+                                         double(part.size()) / record.rate));
+        continue;
+      }
+      (part.begin == span.begin && cut > span.begin ? into.fit : into.check)
+          .push_back(samples_of(record, into.sensors, part));
+    }
+  }
+}
+}  // namespace
+
+RecordSet read_record_set(const std::string &folder)
+{
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored))
+    throw InputError("--measured " + folder +
+                     ": no such folder; it holds the records, and records.toml where they have roles");
+  if (fs::exists(folder + "/records.toml", ignored))
+    return described_set(folder, folder + "/records.toml");
+  RecordSet set;
+  set.folder = folder;
+  for (const auto &file : fs::directory_iterator(folder))
+    if (file.is_regular_file() && endings.count(file.path().extension().string()))
+      set.entries.push_back({file.path().string(), "", std::numeric_limits<double>::quiet_NaN(), "smooth", {}});
+  std::sort(set.entries.begin(), set.entries.end(), [](const E &a, const E &b) { return a.file < b.file; });
+  if (set.entries.empty())
+    throw InputError("--measured " + folder + ": no record in it; .csv, .npy, .uff and .mat are read");
+  return set;
+}
+
+MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::string> &places,
+                               const twin::ReadOptions &options)
+{
+  MeasuredPieces result;
+  std::vector<twin::CleanRecord> records;
+  for (const RecordEntry &entry : set.entries) {
+    twin::ReadOptions own = options;
+    own.channels.insert(entry.channels.begin(), entry.channels.end());
+    records.push_back(twin::clean_record(twin::read_record(entry.file, own)));
+    const twin::CleanRecord &record = records.back();
+    for (const twin::CleanChannel &channel : record.channels)
+      if (channel.clipped > 0 &&
+          (channel.name == "force" || std::find(places.begin(), places.end(), channel.name) != places.end()))
+        result.clipped.push_back(fs::path(entry.file).filename().string() + ": " + channel.name);
+    if (std::abs(record.rate / records.front().rate - 1) > 1e-3)
+      throw InputError(fmt::format("{} has {:.6g} samples per second, {} {:.6g}; calibrate them one after the "
+                                   "other, or bring them to one rate",
+                                   record.file, record.rate, records.front().file, records.front().rate));
+    if ((entry.between == "lines") != (set.entries.front().between == "lines"))
+      throw InputError(set.folder +
+                       "/records.toml: between = \"lines\" is for all records of a folder or for none");
+    result.files.push_back(fs::path(entry.file).filename().string());
+    for (const std::string &note : record.notes)
+      result.notes.push_back(result.files.back() + ": " + note);
+  }
+  require_all_or_none(records);
+  result.force_recorded = has_force(records.front());
+  for (const std::string &place : places) {
+    const auto shown = std::count_if(records.begin(), records.end(),
+                                     [&](const twin::CleanRecord &r) { return is_sensor(r, place); });
+    if (shown == long(records.size()))
+      result.sensors.push_back(place);
+    else if (shown > 0)
+      result.notes.push_back(place + " is not a whole channel of every record and is left out");
+  }
+  if (result.sensors.empty()) {
+    std::string list;
+    for (const std::string &place : places)
+      list += (list.empty() ? "" : ", ") + place;
+    throw InputError("--measured " + set.folder + ": no acceleration of " + list +
+                     " in every record; name the channels with --channel AI_07=upper_work_roll");
+  }
+  bool roles = false;
+  for (const RecordEntry &entry : set.entries)
+    roles = roles || !entry.role.empty();
+  double load = 0;
+  int loads   = 0;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    divide(records[i], set.entries[i], roles, result);
+    const bool given = !std::isnan(set.entries[i].load);
+    if (set.entries[i].role != "check" && (given || result.force_recorded)) {
+      load += given ? set.entries[i].load : records[i].find("force")->offset;
+      ++loads;
+    }
+  }
+  result.rate = records.front().rate;
+  result.load = load / std::max(1, loads);
+  result.between =
+      set.entries.front().between == "lines" ? twin::BetweenSamples::lines : twin::BetweenSamples::smooth;
+  for (const auto &[pieces, what] : {
+           std::pair{&result.fit,   "fit"  },
+           std::pair{&result.check, "check"}
+  })
+    if (pieces->empty())
+      throw InputError(fmt::format("--measured {}: nothing is left for the {}; a piece without gaps has to last "
+                                   "{:.0f} s at least",
+                                   set.folder, what, shortest_piece));
+  return result;
+}
+}  // namespace mill

@@ -1,0 +1,73 @@
+#include "app/twin/live/live_chatter.h"
+#include "app/twin/chatter_model.h"
+#include "app/stages/chatter_question.h"
+#include "core/case/errors.h"
+#include "core/model/case.h"
+#include "dynamics/chatter/chatter.h"
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+std::vector<live::WatchedBand> chatter_bands()
+{
+  auto bands       = live::bands_over("third octave", 125, 240);
+  const auto fifth = live::bands_over("fifth octave", 550, 650);
+  bands.insert(bands.end(), fifth.begin(), fifth.end());
+  return bands;
+}
+
+// Springs that were adopted beside the mill, and their damping in modes, in place of what the case gives.
+ChatterCase with_adopted(ChatterCase spec, const live::TwinModel &model)
+{
+  if (model.adopted.empty())
+    return spec;
+  spec.model         = model.chain;
+  spec.modal_damping = model.dynamics.modal_damping;
+  spec.stand.dampings.fill(not_given);
+  return spec;
+}
+
+LiveChatter of_condition(const ChatterCase &spec)
+{
+  const ChatterQuestion question = chatter_question(spec, 0);
+  LiveChatter chatter;
+  chatter.setup.model = chatter_model(question);
+  if (spec.conditions.size() > 1)
+    chatter.notes.push_back(
+        fmt::format("the critical speed is that of {}, the first of {}; tensions and thicknesses "
+                    "of the stream take the place of its own",
+                    question.label, spec.conditions.size()));
+  return chatter;
+}
+
+LiveChatter of_pass(const FourHigh &stand, const live::TwinModel &model)
+{
+  LiveChatter chatter;
+  const FreeStrip strip = free_strip(stand);
+  chatter.setup.model   = chatter_model(stand, stand.passes.front(), model.chain, model.dynamics, strip);
+  chatter.notes         = strip.assumed;
+  return chatter;
+}
+}  // namespace
+
+std::optional<LiveChatter> live_chatter(const Case &the_case, const live::TwinModel &model)
+{
+  std::optional<LiveChatter> chatter;
+  if (const auto *spec = std::get_if<ChatterCase>(&the_case.spec))
+    chatter = of_condition(with_adopted(*spec, model));
+  else if (const auto *stand = std::get_if<FourHigh>(&the_case.spec); stand && !stand->passes.empty()) {
+    try {
+      chatter                     = of_pass(*stand, model);
+      const twin::ChatterModel &m = chatter->setup.model;
+      (void)dynamics::working_point(m.bite, 0.5 * (m.range.from + m.range.to), m.scheme);
+    } catch (const InputError &) {  // the case says too little of its strip, as most that only vibrate
+      return {};
+    } catch (
+        const SolverError &) {  // no steady bite in the middle of the range; a search finds where there is one
+    }
+  }
+  if (chatter)
+    chatter->bands = chatter_bands();
+  return chatter;
+}
+}  // namespace mill

@@ -1,0 +1,150 @@
+#include "app/twin/live/live_stand.h"
+#include "app/twin/case_chain.h"
+#include "app/run_setup.h"
+#include "core/model/case.h"
+#include "core/records/files.h"
+#include "dynamics/response/modes.h"
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+namespace mill {
+namespace {
+const char *label_of(const std::string &key)
+{
+  static const std::map<std::string, const char *> labels{
+      {"K1",      "upper frame"       },
+      {"K2",      "upper backup roll" },
+      {"K3",      "upper roll contact"},
+      {"K4",      "roll bite"         },
+      {"K5",      "lower roll contact"},
+      {"K6",      "lower backup roll" },
+      {"K7",      "lower frame"       },
+      {"damping", "modal damping"     }
+  };
+  return labels.at(key);
+}
+
+// Who sets another limit or names a channel has the same twin still: what was learned of it stays.
+std::string without_monitoring(const std::string &resolved)
+{
+  const auto begin = resolved.find("\n[monitoring]\n");
+  if (begin == std::string::npos)
+    return resolved;
+  const auto end = resolved.find("\n[", begin + 1);
+  return resolved.substr(0, begin) + (end == std::string::npos ? "" : resolved.substr(end));
+}
+
+void add_roll_sizes(live::PageStand &stand, const std::string &roll, const double diameter, const double length)
+{
+  for (live::StandPlace &place : stand.places)
+    if (place.place.size() > roll.size() && place.place.find(roll) != std::string::npos) {
+      place.diameter = diameter;
+      place.length   = length;
+    }
+}
+}  // namespace
+
+live::TwinModel live_model(const Case &the_case)
+{
+  CaseChain chain = case_chain(the_case, "live");
+  return {the_case.name,
+          std::move(chain.source),
+          std::move(chain.model),
+          std::move(chain.dynamics),
+          hash_of(without_monitoring(the_case.resolved)),
+          chain.load,
+          std::holds_alternative<FourHigh>(the_case.spec)};
+}
+
+live::PageStand page_stand(const Case &the_case, const live::TwinModel &model)
+{
+  const auto chain = live::tuned(model, {});
+  const auto modes = dynamics::modes(chain);
+  live::PageStand stand;
+  stand.name        = model.name;
+  stand.source      = model.source;
+  stand.version     = version();
+  const auto places = live::places_of(chain);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    live::StandPlace place;
+    place.place = places[i];
+    place.label = chain.labels[i];
+    place.mass  = chain.M[Eigen::Index(i)];
+    stand.places.push_back(place);
+  }
+  if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
+    add_roll_sizes(stand, "work_roll", four->work_roll.barrel_diameter, four->work_roll.barrel_length);
+    add_roll_sizes(stand, "backup_roll", four->backup_roll.barrel_diameter, four->backup_roll.barrel_length);
+  }
+  for (const dynamics::Spring &spring : chain.springs) {
+    stand.springs.push_back({spring.name, spring.stiffness, spring.from, spring.to});
+    if (spring.stiffness > 0)
+      stand.sliders.push_back({spring.name, label_of(spring.name), "N/m", spring.stiffness});
+  }
+  stand.sliders.push_back({"damping", label_of("damping"), "-", model.dynamics.modal_damping});
+  for (const double frequency : modes.frequency)
+    stand.modes.push_back({frequency, model.dynamics.modal_damping, ""});
+  return stand;
+}
+
+LumpedModel chain_at_load(const Case &the_case, const live::TwinModel &model, const double load)
+{
+  LumpedModel chain = model.chain;
+  if (!std::holds_alternative<FourHigh>(the_case.spec) || !model.follows_load || !(load > 0))
+    return chain;
+  // what the load does to the closed forms, on the springs of the model as it is
+  const CaseChain own = case_chain(the_case, "live"), there = case_chain(the_case, "live", load);
+  for (std::size_t j = 0; j < chain.K.size(); ++j)
+    if (own.model.K[j].value > 0)
+      chain.K[j].value *= there.model.K[j].value / own.model.K[j].value;
+  return chain;
+}
+
+twin::ModesAtLoad modes_at_load(const Case &the_case, const live::TwinModel &model, const live::Tuning &tuning)
+{
+  constexpr double unknown_error = 0.10;  // as where owners of peaks are named
+  const auto chain               = live::tuned(model, tuning);
+  const auto modes               = dynamics::modes(chain);
+  const Eigen::Index n           = modes.frequency.size();
+  twin::ModesAtLoad at;
+  at.damping = Eigen::VectorXd::Constant(n, model.dynamics.modal_damping * tuning.damping);
+  at.sd      = Eigen::VectorXd::Zero(n);
+  for (std::size_t j = 0; j < model.chain.K.size(); ++j) {
+    const double error = model.chain.K[j].error_estimate;
+    at.sd.array() +=
+        (modes.strain_share.col(Eigen::Index(j)).array() * (std::isfinite(error) ? error : unknown_error))
+            .square() /
+        4;
+  }
+  at.sd            = at.sd.cwiseSqrt();
+  const auto *four = std::get_if<FourHigh>(&the_case.spec);
+  if (!four || !model.follows_load) {
+    at.load      = Eigen::VectorXd::Constant(1, 1);
+    at.frequency = modes.frequency.transpose();
+    return at;
+  }
+  const Eigen::ArrayXd factor = Eigen::ArrayXd::LinSpaced(7, std::log(0.25), std::log(4)).exp();
+  at.load                     = model.load * factor;
+  at.frequency.resize(at.load.size(), n);
+  for (Eigen::Index i = 0; i < at.load.size(); ++i) {
+    live::TwinModel loaded = model;
+    loaded.chain           = chain_at_load(the_case, model, at.load[i]);
+    at.frequency.row(i)    = dynamics::modes(live::tuned(loaded, tuning)).frequency.transpose();
+  }
+  return at;
+}
+
+live::PageParameters page_parameters(const live::TwinModel &model, const live::Tuning &tuning,
+                                     const std::string &origin, const std::string &place)
+{
+  live::PageParameters now;
+  now.origin = origin;
+  now.place  = place;
+  for (const std::string &key : live::slider_keys())
+    now.sliders.push_back({key, live::factor_of(tuning, key)});
+  const auto modes = dynamics::modes(live::tuned(model, tuning));
+  now.frequencies.assign(modes.frequency.begin(), modes.frequency.end());
+  return now;
+}
+}  // namespace mill

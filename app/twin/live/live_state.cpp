@@ -1,0 +1,92 @@
+#include "app/twin/live/live_state.h"
+#include "core/case/errors.h"
+#include "core/records/files.h"
+#include "live/recording/npy_header.h"
+#include "live/recording/recorder.h"
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+namespace {
+constexpr std::uintmax_t largest_file = std::uintmax_t(64) << 20;  // bytes
+}
+
+LiveState::LiveState(std::string folder) : path_(std::move(folder) + "/state.json") {}
+
+std::optional<nlohmann::json> LiveState::read(const std::function<void(const std::string &)> &said) const
+{
+  std::error_code error;
+  if (!fs::exists(path_, error))
+    return {};
+  const bool small = fs::file_size(path_, error) <= largest_file && !error;
+  const auto text  = small ? text_if_readable(path_) : std::nullopt;
+  auto json        = nlohmann::json::parse(text ? *text : "", nullptr, false);
+  if (json.is_object())
+    return json;
+  const std::string aside = path_ + ".damaged";
+  fs::rename(path_, aside, error);
+  said(fmt::format("the stored state {} is damaged and cannot be read; the twin starts anew{}", path_,
+                   error ? "" : ", it is kept as " + aside));
+  return {};
+}
+
+bool LiveState::write(const nlohmann::json &state, live::Background &background,
+                      std::function<void(const std::string &)> failed) const
+{
+  if (background.waiting() > 2)
+    return false;
+  // names that are no UTF-8 are stored with marks in their places rather than not at all
+  background.run([path = path_, text = state.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
+                  failed = std::move(failed)] {
+    try {
+      write_atomically(path, text + "\n");
+    } catch (const std::exception &error) {
+      failed(error.what());
+    }
+  });
+  return true;
+}
+
+std::optional<std::int64_t> recorded_up_to(const std::string &folder, const live::LiveSource &source,
+                                           const std::int64_t from)
+{
+  std::optional<std::int64_t> last;
+  std::error_code error;
+  for (const auto &entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    const auto at          = name.find("Z_");
+    if (at == std::string::npos || entry.path().extension() != ".npy")
+      continue;
+    const std::int64_t first = std::strtoll(name.c_str() + at + 2, nullptr, 10);
+    if (first < from)
+      continue;
+    const auto text    = text_if_readable(entry.path().parent_path() / (entry.path().stem().string() + ".json"));
+    const auto sidecar = nlohmann::json::parse(text ? *text : "", nullptr, false);
+    const auto start   = live::utc_text(source.start_time + double(first) / source.rate);
+    if (!sidecar.is_object() || sidecar.value("start", "") != start)
+      continue;
+    std::ifstream file(entry.path(), std::ios::binary);
+    std::string bytes(1 << 17, '\0');
+    file.read(bytes.data(), std::streamsize(bytes.size()));
+    bytes.resize(std::size_t(file.gcount()));
+    live::NpyHeader header;
+    if (!live::read_npy_header(bytes, header) || header.rows < 1)
+      continue;
+    file.clear();
+    file.seekg(std::streamoff(header.bytes + std::size_t(header.rows) * header.row_bytes() - 8));
+    unsigned char number[8] = {};
+    if (!file.read(reinterpret_cast<char *>(number), 8))
+      continue;
+    std::uint64_t s = 0;
+    for (int i = 0; i < 8; ++i)
+      s |= std::uint64_t(number[i]) << 8 * i;
+    last = std::max(last.value_or(0), std::int64_t(s) + 1);
+  }
+  return last;
+}
+}  // namespace mill

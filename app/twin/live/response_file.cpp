@@ -1,0 +1,59 @@
+#include "app/twin/live/response_file.h"
+#include "core/case/errors.h"
+#include "core/case/units.h"
+#include <cerrno>
+#include <cstring>
+#include <fmt/format.h>
+#include <iterator>
+
+namespace mill {
+ResponseFile::ResponseFile(std::string path, const bool overwrite)
+    : path_(std::move(path)), file_(std::fopen(path_.c_str(), overwrite ? "we" : "wxe"))
+{
+  if (!file_ && errno == EEXIST)
+    throw InputError("the file " + path_ + " exists; choose another with --response, or give --force-overwrite");
+  if (!file_)
+    refuse_file(errno, "cannot write " + path_ + ": " + std::strerror(errno));
+}
+
+ResponseFile::~ResponseFile()
+{
+  if (file_)
+    std::fclose(file_);
+}
+
+void ResponseFile::begin(const live::LiveSource &source)
+{
+  if (begun_)
+    return;
+  begun_           = true;
+  std::string head = "s,time [s],force [N]";
+  for (const std::string &place : source.places)
+    head += "," + place + " [m/s2]";
+  head += ",settling\n";
+  std::fwrite(head.data(), 1, head.size(), file_);
+}
+
+void ResponseFile::take(const live::LiveBlock &block)
+{
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  for (Eigen::Index i = 0; i < block.force.size(); ++i) {
+    fmt::format_to(out, "{},{},{}", block.first + i, number_text(double(block.first + i) / block.rate),
+                   number_text(block.force[i]));
+    for (Eigen::Index p = 0; p < block.simulated.cols(); ++p)
+      fmt::format_to(out, ",{}", number_text(block.simulated(i, p)));
+    fmt::format_to(out, ",{}\n", block.settling ? 1 : 0);
+  }
+  std::fwrite(text.data(), 1, text.size(), file_);
+}
+
+void ResponseFile::finish()
+{
+  const bool whole = std::fflush(file_) == 0 && !std::ferror(file_);
+  std::fclose(file_);
+  file_ = nullptr;
+  if (!whole)
+    throw SystemError(path_ + ": not everything could be written");
+}
+}  // namespace mill
