@@ -39,8 +39,8 @@
 #define MILL_TRIANGULAR_PRODUCT(how, mode, Order)                                                                 \
   how struct product_triangular_matrix_matrix<double, Index, mode, true, Order, false, ColMajor, false, ColMajor, \
                                               1, Specialized>;
-#define MILL_SOLVE_MATRIX(how, mode, Order)                                                                       \
-  how struct triangular_solve_matrix<double, Index, OnTheLeft, mode, false, Order, ColMajor, 1>;
+#define MILL_SOLVE_MATRIX(how, Scalar, mode, Order)                                                               \
+  how struct triangular_solve_matrix<Scalar, Index, OnTheLeft, mode, false, Order, ColMajor, 1>;
 #define MILL_SOLVE_VECTOR(how, mode, Order)                                                                       \
   how struct triangular_solve_vector<double, double, Index, OnTheLeft, mode, false, Order>;
 #define MILL_MATRIX_VECTOR(how, Scalar, Left, Right, version)                                                     \
@@ -58,11 +58,13 @@
   MILL_TRIANGULAR_PRODUCT(how, Lower | UnitDiag, ColMajor)                                                        \
   MILL_TRIANGULAR_PRODUCT(how, Upper, RowMajor)                                                                   \
   MILL_TRIANGULAR_PRODUCT(how, Upper | UnitDiag, RowMajor)                                                        \
-  MILL_SOLVE_MATRIX(how, Lower, ColMajor)                                                                         \
-  MILL_SOLVE_MATRIX(how, Lower | UnitDiag, ColMajor)                                                              \
-  MILL_SOLVE_MATRIX(how, Upper, ColMajor)                                                                         \
-  MILL_SOLVE_MATRIX(how, Upper, RowMajor)                                                                         \
-  MILL_SOLVE_MATRIX(how, Upper | UnitDiag, RowMajor)                                                              \
+  MILL_SOLVE_MATRIX(how, double, Lower, ColMajor)                                                                 \
+  MILL_SOLVE_MATRIX(how, double, Lower | UnitDiag, ColMajor)                                                      \
+  MILL_SOLVE_MATRIX(how, double, Upper, ColMajor)                                                                 \
+  MILL_SOLVE_MATRIX(how, double, Upper, RowMajor)                                                                 \
+  MILL_SOLVE_MATRIX(how, double, Upper | UnitDiag, RowMajor)                                                      \
+  MILL_SOLVE_MATRIX(how, std::complex<double>, Lower | UnitDiag, ColMajor)                                        \
+  MILL_SOLVE_MATRIX(how, std::complex<double>, Upper, ColMajor)                                                   \
   MILL_SOLVE_VECTOR(how, Lower | UnitDiag, ColMajor)                                                              \
   MILL_SOLVE_VECTOR(how, Lower, ColMajor)                                                                         \
   MILL_SOLVE_VECTOR(how, Upper, ColMajor)                                                                         \
@@ -101,6 +103,7 @@
   how class PartialPivLU<MatrixXd>;                                                                               \
   how class PartialPivLU<MatrixXcd>;                                                                              \
   how class FullPivLU<MatrixXd>;                                                                                  \
+  how class FullPivLU<MatrixXcd>;                                                                                 \
   how class LLT<MatrixXd>;                                                                                        \
   how class LDLT<MatrixXd>;                                                                                       \
   how LLT<MatrixXd> &LLT<MatrixXd>::compute(const EigenBase<MatrixXd> &);                                         \
