@@ -1,6 +1,6 @@
 #pragma once
-#include "app/twin/calibrate/calibrated_case.h"
 #include "app/command_line.h"
+#include "app/twin/calibrate/calibrated_case.h"
 #include <map>
 #include <string>
 

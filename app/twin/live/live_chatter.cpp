@@ -1,6 +1,6 @@
 #include "app/twin/live/live_chatter.h"
-#include "app/twin/chatter_model.h"
 #include "app/stages/chatter_question.h"
+#include "app/twin/chatter_model.h"
 #include "core/case/errors.h"
 #include "core/model/case.h"
 #include "dynamics/chatter/chatter.h"

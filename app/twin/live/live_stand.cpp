@@ -1,6 +1,6 @@
 #include "app/twin/live/live_stand.h"
-#include "app/twin/case_chain.h"
 #include "app/run_setup.h"
+#include "app/twin/case_chain.h"
 #include "core/model/case.h"
 #include "core/records/files.h"
 #include "dynamics/response/modes.h"
