@@ -23,12 +23,9 @@
 #include "core/model/case.h"
 #include "core/numerics/sparse.h"
 #include "core/records/files.h"
-#include "report/advice/advice_page.h"
-#include "report/calibration/calibration_page.h"
 #include "report/compare/comparison.h"
 #include "report/page/html.h"
 #include "report/page/names.h"
-#include "report/record/analysis_page.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -186,18 +183,6 @@ int write_template(const CommandLine &command)
 // From what is stored; a run whose publishing was interrupted comes first.
 int write_report(const std::string &directory)
 {
-  const bool calibration = fs::exists(directory + "/calibration.json");
-  if (!fs::exists(directory + "/results.json") && (calibration || fs::exists(directory + "/analysis.json"))) {
-    write_atomically(directory + "/report.html",
-                     calibration ? report::calibration_page(directory) : report::analysis_page(directory));
-    console::print("report: " + directory + "/report.html\n");
-    return 0;
-  }
-  if (!fs::exists(directory + "/results.json") && fs::exists(directory + "/advice.json")) {
-    write_atomically(directory + "/report.html", report::advice_page(directory));
-    console::print("report: " + directory + "/report.html\n");
-    return 0;
-  }
   {
     const FolderLock alone(directory);  // a run that ends now publishes before or after
     finish_publishing(directory);
@@ -229,10 +214,18 @@ std::string current_manifest()
   return fs::exists(manifest_path, ignored) ? manifest_path : "";
 }
 
+bool is_folder_of_twin(const std::string &directory)
+{
+  return !fs::exists(directory + "/results.json") &&
+         (fs::exists(directory + "/calibration.json") || fs::exists(directory + "/analysis.json") ||
+          fs::exists(directory + "/advice.json"));
+}
+
 bool is_of_twin(const CommandLine &command)
 {
   const auto &verb = command.verb;
-  return verb == "analyse" || verb == "calibrate" || verb == "advise" || verb == "live";
+  return verb == "analyse" || verb == "calibrate" || verb == "advise" || verb == "live" ||
+         (verb == "report" && command.names.empty() && is_folder_of_twin(command.target));
 }
 
 int carry_out(const CommandLine &command)

@@ -1,10 +1,11 @@
-# mill_library(name [NUMBERS] [EXTRA sources...] [PUBLIC targets...] [PRIVATE targets...])
+# mill_library(name [NUMBERS] [UNIT_KB size] [EXTRA sources...] [PUBLIC targets...] [PRIVATE targets...])
 # The library of one folder: every source below it, mill::<name>.
 # NUMBERS   compiled with -O2; everything else makes text, tables and pages and takes half the time at -O1.
+# UNIT_KB   text of the sources of one unit at most, 100 if not said: what is worked on often takes less (mill_join).
 # A release build joins sources to units of several files (MILLSTAND_UNITY), because half of each compile is headers;
 # names in anonymous namespaces are therefore unique in a folder, which the compiler says and tests/rules keeps.
 function(mill_library name)
-  cmake_parse_arguments(L "NUMBERS" "" "EXCLUDE;EXTRA;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(L "NUMBERS" "UNIT_KB" "EXCLUDE;EXTRA;PUBLIC;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   foreach(pattern ${L_EXCLUDE})
     list(FILTER sources EXCLUDE REGEX "${pattern}")
@@ -19,14 +20,20 @@ function(mill_library name)
     mill_share_headers(mill_${name} text)
   endif()
   if(MILLSTAND_UNITY)
-    mill_join(mill_${name} "${sources}" ${L_NUMBERS})
+    if(NOT L_UNIT_KB)
+      set(L_UNIT_KB 100)
+    endif()
+    mill_join(mill_${name} "${sources}" ${L_UNIT_KB})
   endif()
 endfunction()
 
-# Joins the sources of each folder to units of at most eight, and of numbers of at most 30 kB, so that one file changed
-# is compiled again in some ten seconds.  Those that read JSON stand apart: its header takes a unit two seconds whatever
-# it uses of it (a literal operator in it is no template and needs the whole parser).
-function(mill_join target sources numbers)
+# Joins the sources of each folder to units of at most so many kB of text: what the files of a folder have in common
+# (instances of templates, headers) is then compiled once and not in every unit.  The price is a longer wait after one
+# file has changed, so a library that is worked on often says a smaller size.  Those that read JSON stand apart: its
+# header takes a unit two seconds whatever it uses of it (a literal operator in it is no template and needs the whole
+# parser).
+function(mill_join target sources unit_kb)
+  math(EXPR most "1000 * ${unit_kb}")
   foreach(source ${sources})
     get_filename_component(folder ${source} DIRECTORY)
     file(RELATIVE_PATH unit ${PROJECT_SOURCE_DIR} ${folder})
@@ -38,14 +45,11 @@ function(mill_join target sources numbers)
     file(SIZE ${source} bytes)
     if(NOT DEFINED number_${key})
       set(number_${key} 0)
-      set(count_${key} 0)
       set(size_${key} 0)
     endif()
-    math(EXPR count_${key} "${count_${key}} + 1")
     math(EXPR size_${key} "${size_${key}} + ${bytes}")
-    if(count_${key} GREATER 8 OR (numbers AND size_${key} GREATER 30000))
+    if(size_${key} GREATER most)
       math(EXPR number_${key} "${number_${key}} + 1")
-      set(count_${key} 1)
       set(size_${key} ${bytes})
     endif()
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${unit}_${number_${key}}")

@@ -23,7 +23,7 @@ function(mill_tests folder)
   endforeach()
 endfunction()
 
-# Joins tests to units of at most twelve files, those that read JSON apart (mill_join): half of what a test takes to
+# Joins tests to units of at most 24 files, those that read JSON apart (mill_join): half of what a test takes to
 # compile is headers.  Tests name their helpers as they like, so each file stands in a namespace of its own; its headers
 # come first, where they are empty the second time.  A file with a condition of the preprocessor or a namespace of the
 # product is compiled by itself.
@@ -43,7 +43,7 @@ function(mill_join_tests program kind files)
     if(NOT DEFINED count_${unit})
       set(count_${unit} 0)
     endif()
-    math(EXPR number "${count_${unit}} / 12")
+    math(EXPR number "${count_${unit}} / 24")
     math(EXPR count_${unit} "${count_${unit}} + 1")
     string(APPEND unit "_${number}")
     list(APPEND units ${unit})

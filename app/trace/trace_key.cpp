@@ -30,7 +30,7 @@ const Node *at_path(const Node &root, const std::vector<std::string> &parts)
 }
 
 // Parts of a path whose quoted names may hold dots.
-std::vector<std::string> parts_of(const std::string &path)
+std::vector<std::string> path_parts(const std::string &path)
 {
   std::vector<std::string> parts(1);
   bool inside = false;
@@ -54,7 +54,7 @@ std::optional<StandIn> stand_in(const Case &the_case, const TraceKey &key,
 
 std::optional<std::size_t> pass_of(const TraceKey &key)
 {
-  const auto parts = parts_of(key.path);
+  const auto parts = path_parts(key.path);
   return parts[0] == "pass" ? std::optional<std::size_t>(std::stoi(parts[1])) : std::nullopt;
 }
 
@@ -154,7 +154,7 @@ TraceKey find_key(const Case &the_case, const std::vector<std::string> &sets, co
     throw InputError("unknown key '" + name + "' in " + the_case.path + hint);
   }
   TraceKey key     = *found;
-  const auto parts = parts_of(key.path);
+  const auto parts = path_parts(key.path);
   const Node root  = read_case_file(the_case.path, sets);
   if (const auto place = the_case.places.find(key.name); place != the_case.places.end()) {
     const Node *node = at_path(root, parts);

@@ -11,7 +11,7 @@
 #include "core/case/visible_text.h"
 #include "core/model/case.h"
 #include "core/records/files.h"
-#include "report/advice/advice_page.h"
+#include "report/twin/advice/advice_page.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

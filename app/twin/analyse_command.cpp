@@ -8,7 +8,7 @@
 #include "core/model/case.h"
 #include "core/records/csv.h"
 #include "core/records/files.h"
-#include "report/record/analysis_page.h"
+#include "report/twin/analysis/analysis_page.h"
 #include "twin/analysis/analysis_files.h"
 #include "twin/records/raw_record.h"
 #include <algorithm>

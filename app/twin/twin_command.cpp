@@ -1,11 +1,30 @@
 #include "app/twin/twin_command.h"
 #include "app/checked_case.h"
+#include "app/console.h"
 #include "app/twin/advise_command.h"
 #include "app/twin/analyse_command.h"
 #include "app/twin/calibrate/calibrate_command.h"
 #include "app/twin/live/live_command.h"
+#include "core/records/files.h"
+#include "report/twin/advice/advice_page.h"
+#include "report/twin/analysis/analysis_page.h"
+#include "report/twin/calibration/calibration_page.h"
+#include <filesystem>
 
 namespace mill {
+namespace {
+// The page again, from what is stored.
+int write_page(const std::string &directory)
+{
+  const auto holds = [&](const char *file) { return std::filesystem::exists(directory + "/" + file); };
+  write_atomically(directory + "/report.html", holds("calibration.json") ? report::calibration_page(directory)
+                                               : holds("analysis.json")  ? report::analysis_page(directory)
+                                                                         : report::advice_page(directory));
+  console::print("report: " + directory + "/report.html\n");
+  return 0;
+}
+}  // namespace
+
 int twin_command(const CommandLine &command)
 {
   if (command.verb == "analyse")
@@ -14,6 +33,8 @@ int twin_command(const CommandLine &command)
     return calibrate_command(command);
   if (command.verb == "advise")
     return advise_command(command, checked_case(command).the_case);
+  if (command.verb == "report")
+    return write_page(command.target);
   return live_command(command, read_case(command.target, command.sets));
 }
 }  // namespace mill

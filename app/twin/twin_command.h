@@ -4,7 +4,10 @@
 // Verbs that hold a stand against its records: a program of its own, millstand-twin, since who runs a stand does
 // not need them.
 namespace mill {
-/// analyse, calibrate, advise and live.
+/// Whether a folder holds an analysis, a calibration or advice, and no run.
+bool is_folder_of_twin(const std::string &directory);
+
+/// analyse, calibrate, advise, live, and report of a folder that one of them wrote.
 bool is_of_twin(const CommandLine &command);
 
 /// Carries out a verb of the twin; in the other programs millstand-twin takes over.  Returns the exit code.

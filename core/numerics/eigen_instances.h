@@ -103,7 +103,6 @@
   how class PartialPivLU<MatrixXd>;                                                                               \
   how class PartialPivLU<MatrixXcd>;                                                                              \
   how class FullPivLU<MatrixXd>;                                                                                  \
-  how class FullPivLU<MatrixXcd>;                                                                                 \
   how class LLT<MatrixXd>;                                                                                        \
   how class LDLT<MatrixXd>;                                                                                       \
   how LLT<MatrixXd> &LLT<MatrixXd>::compute(const EigenBase<MatrixXd> &);                                         \
@@ -121,7 +120,6 @@
   how class ColPivHouseholderQR<MatrixXd>;                                                                        \
   how class CompleteOrthogonalDecomposition<MatrixXd>;                                                            \
   how class JacobiSVD<MatrixXd>;                                                                                  \
-  how class JacobiSVD<MatrixXcd>;                                                                                 \
   how void HouseholderQR<MatrixXd>::_solve_impl(const VectorXd &, VectorXd &) const;                              \
   how void HouseholderQR<MatrixXd>::_solve_impl(const MatrixXd &, MatrixXd &) const;                              \
   how void ColPivHouseholderQR<MatrixXd>::_solve_impl(const VectorXd &, VectorXd &) const;                        \

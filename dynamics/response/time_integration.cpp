@@ -5,7 +5,6 @@
 #include "dynamics/response/time_walk.h"
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -102,9 +101,14 @@ std::optional<Diagonal> diagonal(const StateSpace &system)
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(system.A);
   const Eigen::VectorXcd all = solver.eigenvalues();
   const Eigen::MatrixXcd V   = solver.eigenvectors();
-  const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(V);
-  const auto &singular = svd.singularValues();
-  if (solver.info() != Eigen::Success || !(singular[0] <= largest_condition * singular[singular.size() - 1]))
+  // Squares of the singular values of V: eigenvalues of G = V^H V, as those of [Re G -Im G; Im G Re G], each twice.
+  const Eigen::MatrixXcd G = V.adjoint() * V;
+  Eigen::MatrixXd gram(2 * V.cols(), 2 * V.cols());
+  gram << G.real(), -G.imag(), G.imag(), G.real();
+  const Eigen::VectorXd squares =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram, Eigen::EigenvaluesOnly).eigenvalues();
+  constexpr double largest = largest_condition * largest_condition;
+  if (solver.info() != Eigen::Success || !(squares[squares.size() - 1] <= largest * squares[0]))
     return std::nullopt;
   const auto factor           = V.partialPivLu();
   const Eigen::VectorXcd beta = factor.solve(system.B.cast<Complex>());

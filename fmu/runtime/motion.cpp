@@ -6,7 +6,7 @@ namespace mill::fmu {
 namespace {
 // Lengths that differ so little, in units of the fastest rate, share what is prepared: four terms of a Taylor
 // series carry the rest, and the fifth is 1e-25.  (35.6)
-constexpr double same_length = 1e-5;
+constexpr double length_grid = 1e-5;
 // Different lengths a run may go through in turn before one is prepared again.
 constexpr std::size_t most_prepared = 8;
 // Passing between modes and poles loses the condition of the shapes; beyond this the matrix exponential is used.
@@ -174,8 +174,8 @@ void Motion::prepare(Prepared &step, const double length) const
 // time, so that a copy of the state goes on with the same digits in another instance.
 const Motion::Prepared &Motion::prepared_for(const double length)
 {
-  const double multiple = fastest_ > 0 ? std::round(length / same_length * fastest_) : 0;
-  const double wanted   = multiple > 0 ? multiple * (same_length / fastest_) : length;
+  const double multiple = fastest_ > 0 ? std::round(length / length_grid * fastest_) : 0;
+  const double wanted   = multiple > 0 ? multiple * (length_grid / fastest_) : length;
   for (const Prepared &step : prepared_)
     if (step.length == wanted)
       return step;

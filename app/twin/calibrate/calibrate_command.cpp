@@ -11,7 +11,7 @@
 #include "core/model/case.h"
 #include "core/records/csv.h"
 #include "core/records/files.h"
-#include "report/calibration/calibration_page.h"
+#include "report/twin/calibration/calibration_page.h"
 #include "twin/calibration/calibration_files.h"
 #include "twin/calibration/verdict.h"
 #include "twin/calibration/words.h"

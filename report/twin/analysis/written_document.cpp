@@ -1,4 +1,4 @@
-#include "report/record/written_document.h"
+#include "report/twin/analysis/written_document.h"
 #include "core/case/errors.h"
 #include "report/plot/svg.h"
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "report/calibration/figures.h"
+#include "report/twin/calibration/figures.h"
 #include "report/plot/svg.h"
 #include "report/plot/svg_plot.h"
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "report/record/analysis_page.h"
+#include "report/twin/analysis/analysis_page.h"
 #include "core/records/files.h"
 #include "report/page/html.h"
 #include "report/page/number.h"
@@ -6,8 +6,8 @@
 #include "report/plot/heat_map.h"
 #include "report/plot/svg.h"
 #include "report/plot/svg_plot.h"
-#include "report/record/mode_figures.h"
-#include "report/record/written_document.h"
+#include "report/twin/analysis/mode_figures.h"
+#include "report/twin/analysis/written_document.h"
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>

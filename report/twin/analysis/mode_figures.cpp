@@ -1,4 +1,4 @@
-#include "report/record/mode_figures.h"
+#include "report/twin/analysis/mode_figures.h"
 #include "report/page/html.h"
 #include "report/page/number.h"
 #include "report/plot/svg.h"
