@@ -4,6 +4,8 @@
 namespace mill {
 int twin_command(const CommandLine &command)
 {
-  hand_over("millstand-twin", command.arguments, "millstand " + command.verb);
+  // Of the verb report only the pages of its folders are there.
+  hand_over("millstand-twin", command.arguments,
+            command.verb == "report" ? "the page of records" : "millstand " + command.verb);
 }
 }  // namespace mill

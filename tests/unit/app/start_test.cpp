@@ -111,5 +111,10 @@ TEST(Start, SaysWhatBuildsAProgramItHandsOverTo)
   EXPECT_EQ(said("calibrate " + stand + " --measured " + record), refusal("millstand calibrate", "millstand-twin"));
   EXPECT_EQ(said("advise " + stand), refusal("millstand advise", "millstand-twin"));
   EXPECT_EQ(said("live " + stand + " --input " + record), refusal("millstand live", "millstand-twin"));
+  for (const char *file : {"analysis.json", "calibration.json", "advice.json"}) {
+    std::ofstream(folder + "/" + file) << "{}";
+    EXPECT_EQ(said("report '" + folder + "'"), refusal("the page of records", "millstand-twin")) << file;
+    fs::remove(folder + "/" + file);
+  }
   EXPECT_EQ(said("verify"), refusal("the verification manual", "millstand-verify"));
 }
