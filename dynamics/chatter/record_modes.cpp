@@ -69,7 +69,7 @@ std::vector<RecordMode> record_modes(const Eigen::VectorXd &signal, const double
                                 .transpose();
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(T);
   const Eigen::MatrixXcd vectors = solver.eigenvectors();
-  const Eigen::MatrixXcd motion  = vectors.partialPivLu().solve(w.cast<std::complex<double>>());
+  const Eigen::MatrixXcd motion  = vectors.fullPivLu().solve(w.cast<std::complex<double>>());
   const Eigen::RowVectorXcd seen = svd.matrixU().row(0).leftCols(rank) * vectors;  // in the undelayed signal
 
   std::vector<std::pair<double, RecordMode>> found;  // with the size at the end

@@ -101,7 +101,8 @@ std::optional<Diagonal> diagonal(const StateSpace &system)
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(system.A);
   const Eigen::VectorXcd all = solver.eigenvalues();
   const Eigen::MatrixXcd V   = solver.eigenvectors();
-  // Squares of the singular values of V: eigenvalues of G = V^H V, as those of [Re G -Im G; Im G Re G], each twice.
+  // Squares of the singular values of V: eigenvalues of G = V^H V, as those of [Re G -Im G; Im G Re G], each
+  // twice.
   const Eigen::MatrixXcd G = V.adjoint() * V;
   Eigen::MatrixXd gram(2 * V.cols(), 2 * V.cols());
   gram << G.real(), -G.imag(), G.imag(), G.real();
