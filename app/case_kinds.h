@@ -72,6 +72,11 @@ const RunKind &run_kind(const Lumped &);
 const RunKind &run_kind(const TwoCylinders &);
 const RunKind &run_kind(const BearingCase &);
 const RunKind &run_kind(const BiteCase &);
+/// Of what the program is linked with; require_linked() comes first.
 const RunKind &run_kind(const ChatterCase &);
 const RunKind &run_kind(const ClusterCase &);
+
+/// What the former two return where it is linked.
+const RunKind &chatter_kind();
+const RunKind &cluster_kind();
 }  // namespace mill

@@ -2,6 +2,7 @@
 #include "app/case_kinds.h"
 #include "app/command_line.h"
 #include "app/fast_blas.h"
+#include "app/linked_subjects.h"
 #include "app/stages/bearing_model.h"
 #include "core/case/errors.h"
 
@@ -10,6 +11,7 @@ CheckedCase checked_case(const CommandLine &command)
 {
   CheckedCase checked{read_case(command.target, command.sets), {}};
   const Case &the_case = checked.the_case;
+  require_linked(the_case, command);
   check_file_names(the_case);
   check_fits(the_case);
   if (command.verb != "check")  // before records are read, which would be read twice

@@ -11,8 +11,8 @@ struct CheckedCase {
   CaseReview review;
 };
 
-/// Reads command.target and judges it; but for the verb check the program is started again where another BLAS is
-/// quicker, before records are read.
+/// Reads command.target and judges it, or hands the command over where its kind is not linked; but for the verb
+/// check the program is started again where another BLAS is quicker, before records are read.
 /// @throws InputError  with every problem found
 CheckedCase checked_case(const CommandLine &command);
 }  // namespace mill

@@ -3,8 +3,8 @@
 #include "app/checked_case.h"
 #include "app/completion.h"
 #include "app/console.h"
-#include "app/export_command.h"
 #include "app/fast_blas.h"
+#include "app/linked_subjects.h"
 #include "app/marks_command.h"
 #include "app/out_of_memory.h"
 #include "app/pipeline.h"
@@ -13,9 +13,7 @@
 #include "app/run_summary.h"
 #include "app/stages/bearing_model.h"
 #include "app/stages/mass_table.h"
-#include "app/stream_command.h"
 #include "app/trace/trace_text.h"
-#include "app/twin/twin_command.h"
 #include "app/verify_command.h"
 #include "core/case/case_sheet.h"
 #include "core/case/input_reference.h"
@@ -214,20 +212,6 @@ std::string current_manifest()
   return fs::exists(manifest_path, ignored) ? manifest_path : "";
 }
 
-bool is_folder_of_twin(const std::string &directory)
-{
-  return !fs::exists(directory + "/results.json") &&
-         (fs::exists(directory + "/calibration.json") || fs::exists(directory + "/analysis.json") ||
-          fs::exists(directory + "/advice.json"));
-}
-
-bool is_of_twin(const CommandLine &command)
-{
-  const auto &verb = command.verb;
-  return verb == "analyse" || verb == "calibrate" || verb == "advise" || verb == "live" ||
-         (verb == "report" && command.names.empty() && is_folder_of_twin(command.target));
-}
-
 int carry_out(const CommandLine &command)
 {
   if (command.verb == "new")
@@ -235,6 +219,7 @@ int carry_out(const CommandLine &command)
   if (command.verb == "check")
     return check_case(command);
   if (command.verb == "trace") {
+    require_linked(read_case(command.target, command.sets), command);
     const TraceOptions options{command.target, command.key, command.sets, command.output, command.full};
     console::print(trace_text(trace(options), !command.quiet));
     return 0;
@@ -251,15 +236,8 @@ int carry_out(const CommandLine &command)
     console::print(case_schema());
     return 0;
   }
-  if (is_of_twin(command))
-    return twin_command(command);
-  if (command.verb == "export")
-    return export_command(command, checked_case(command).the_case);
-  if (is_streamed(command)) {
-    CommandLine without_record = command;  // which is too long to be looked at before
-    without_record.force.clear();
-    return stream_command(command, checked_case(without_record).the_case);
-  }
+  if (is_of_subjects(command))
+    return carry_out_subject(command);
   if (command.verb == "marks")
     return marks_command(command, checked_case(command).the_case);
   if (command.verb == "report")

@@ -1,10 +1,10 @@
 #include "app/pipeline.h"
 #include "app/case_kinds.h"
+#include "app/linked_subjects.h"
 #include "app/review/estimate_review.h"
 #include "app/stages/bearing_stage.h"
 #include "app/stages/bite_stage.h"
 #include "app/stages/campbell_stage.h"
-#include "app/stages/chatter_stage.h"
 #include "app/stages/contact_curves.h"
 #include "app/stages/contact_stage.h"
 #include "app/stages/curve_files.h"
@@ -282,7 +282,7 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
   if (goal >= Goal::masses)
     gaps = gaps_of(models, stand.dynamics.mass_reference);
   if (goal == Goal::chatter)
-    solve_stand_chatter(run, stand, pass, chain, models);
+    linked_subjects.stand_chatter(run, stand, pass, chain, models);
   if (goal >= Goal::simulate) {
     if (has_force(pass)) {
       PassModel model = model_of_pass(stand, chain, models);

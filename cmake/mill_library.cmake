@@ -1,11 +1,12 @@
-# mill_library(name [NUMBERS] [UNIT_KB size] [EXTRA sources...] [PUBLIC targets...] [PRIVATE targets...])
+# mill_library(name [NUMBERS] [ACROSS] [UNIT_KB size] [EXTRA sources...] [PUBLIC targets...] [PRIVATE targets...])
 # The library of one folder: every source below it, mill::<name>.
 # NUMBERS   compiled with -O2; everything else makes text, tables and pages and takes half the time at -O1.
+# ACROSS    joins files of different folders too: names in anonymous namespaces are then unique in the whole library.
 # UNIT_KB   text of the sources of one unit at most, 100 if not said: what is worked on often takes less (mill_join).
 # A release build joins sources to units of several files (MILLSTAND_UNITY), because half of each compile is headers;
 # names in anonymous namespaces are therefore unique in a folder, which the compiler says and tests/rules keeps.
 function(mill_library name)
-  cmake_parse_arguments(L "NUMBERS" "UNIT_KB" "EXCLUDE;EXTRA;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(L "NUMBERS;ACROSS" "UNIT_KB" "EXCLUDE;EXTRA;PUBLIC;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   foreach(pattern ${L_EXCLUDE})
     list(FILTER sources EXCLUDE REGEX "${pattern}")
@@ -23,20 +24,23 @@ function(mill_library name)
     if(NOT L_UNIT_KB)
       set(L_UNIT_KB 100)
     endif()
-    mill_join(mill_${name} "${sources}" ${L_UNIT_KB})
+    mill_join(mill_${name} "${sources}" ${L_UNIT_KB} ${L_ACROSS})
   endif()
 endfunction()
 
-# Joins the sources of each folder to units of at most so many kB of text: what the files of a folder have in common
+# Joins the sources of each folder, or across folders, to units of at most so many kB of text: what the files of a folder have in common
 # (instances of templates, headers) is then compiled once and not in every unit.  The price is a longer wait after one
 # file has changed, so a library that is worked on often says a smaller size.  Those that read JSON stand apart: its
 # header takes a unit two seconds whatever it uses of it (a literal operator in it is no template and needs the whole
 # parser).
-function(mill_join target sources unit_kb)
+function(mill_join target sources unit_kb across)
   math(EXPR most "1000 * ${unit_kb}")
   foreach(source ${sources})
     get_filename_component(folder ${source} DIRECTORY)
     file(RELATIVE_PATH unit ${PROJECT_SOURCE_DIR} ${folder})
+    if(across)
+      set(unit ${target})
+    endif()
     mill_reads_json(${source} json)
     if(json)
       string(APPEND unit "_json")

@@ -5,6 +5,7 @@
 #include "bearing/geometry.h"
 #include "bearing/rating_life.h"
 #include "core/model/bearing_ratings.h"
+#include "core/model/case.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/process/parallel.h"
 #include "core/records/files.h"

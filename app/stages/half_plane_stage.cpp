@@ -17,9 +17,6 @@ constexpr int strips(const bool fine)
   return fine ? 161 : 81;  // odd: one in the middle
 }
 
-// Error of a second-order method from twice the width of the strips: theory.md (1.5).
-constexpr double second_order = 4;
-
 contact::HalfPlanePair half_planes(const TwoCylinders &pair)
 {
   const auto bodies = line_bodies_of(pair);

@@ -35,7 +35,7 @@ double height_of(const FourHigh &stand, const std::string &place)
 }
 
 // Half the distance of what a point represents: a chock on its neck, else the middle.  m
-double station_of(const FourHigh &stand, const std::string &place)
+double axial_station(const FourHigh &stand, const std::string &place)
 {
   const bool at_seat = place.find("chock") != std::string::npos || place.find("seat") != std::string::npos;
   if (!at_seat || place.find("housing") != std::string::npos)
@@ -90,7 +90,7 @@ Drawing drawing_of(const FourHigh &stand, const StandModel &model)
     });
     if (on_a_line)
       continue;
-    const double y = height_of(stand, point.name), z = station_of(stand, point.name);
+    const double y = height_of(stand, point.name), z = axial_station(stand, point.name);
     for (const double side : {-1., 1.})
       if (side > 0 || z != 0) {
         d.field.cells.push_back({d.count()});

@@ -111,7 +111,6 @@ const char *rigid_note(const OilFilmQuestion &q)
 
 constexpr const char *parabola_name = "film with a parabola along the bearing (29.15)";
 constexpr const char *short_name    = "short bearing (29.13)";
-constexpr double second_order       = 4;  // the coarser grid errs four times as much
 
 // An entry of stiffness or damping with its error on two grids.
 Parameter film_entry(const OilFilmStudy &s, const std::vector<std::string> &inputs,

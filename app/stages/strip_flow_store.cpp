@@ -3,8 +3,6 @@
 
 namespace mill {
 namespace {
-using nlohmann::json;
-
 // One list of members serves both directions.  `io(name, member)` writes or reads.
 template <class Io> void each_member(Io &&io, bite::BiteState &s)
 {
@@ -86,17 +84,17 @@ template <class Io> void each_member(Io &&io, FlowAnswer &a)
 }
 
 // JSON knows no nan: it is written as null.
-json number(const double value)
+nlohmann::json number(const double value)
 {
-  return std::isnan(value) ? json() : json(value);
+  return std::isnan(value) ? nlohmann::json() : nlohmann::json(value);
 }
-double number(const json &value)
+double number(const nlohmann::json &value)
 {
   return value.is_null() ? not_given : value.get<double>();
 }
 
 struct Writer {
-  json &out;
+  nlohmann::json &out;
   template <class T> void operator()(const char *name, const T &value)
   {
     if constexpr (std::is_same_v<T, double>)
@@ -105,7 +103,7 @@ struct Writer {
       for (const double one : value)
         out[name].push_back(number(one));
     else if constexpr (std::is_same_v<T, Eigen::VectorXd> || std::is_same_v<T, Eigen::MatrixXd>) {
-      json numbers = json::array();
+      nlohmann::json numbers = nlohmann::json::array();
       for (Eigen::Index i = 0; i < value.size(); ++i)
         numbers.push_back(number(value.data()[i]));
       out[name] = {
@@ -118,19 +116,19 @@ struct Writer {
 };
 
 struct Reader {
-  const json &in;
+  const nlohmann::json &in;
   template <class T> void operator()(const char *name, T &value)
   {
-    const json &entry = in.at(name);
+    const nlohmann::json &entry = in.at(name);
     if constexpr (std::is_same_v<T, double>)
       value = number(entry);
     else if constexpr (std::is_same_v<T, bite::Gradient>)
       for (std::size_t i = 0; i < value.size(); ++i)
         value[i] = number(entry.at(i));
     else if constexpr (std::is_same_v<T, Eigen::VectorXd> || std::is_same_v<T, Eigen::MatrixXd>) {
-      const json &numbers = entry.at("numbers");
-      const auto rows     = entry.at("rows").get<Eigen::Index>();
-      const auto size     = Eigen::Index(numbers.size());
+      const nlohmann::json &numbers = entry.at("numbers");
+      const auto rows               = entry.at("rows").get<Eigen::Index>();
+      const auto size               = Eigen::Index(numbers.size());
       value.resize(rows, rows == 0 ? 0 : size / rows);
       if (value.size() != size)
         throw std::out_of_range(name);

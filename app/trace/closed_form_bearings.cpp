@@ -52,9 +52,10 @@ KeyList closed_bearing_keys(const RollerBearing &b, const bool loaded_askew)
   add(rounded || elastic, "youngs_modulus poisson_ratio pitch_diameter bore outside_diameter");
   add(loaded_askew, "width row_hands pitch_diameter");
   add(loaded_askew && std::isnan(b.pitch_diameter), "bore outside_diameter");
-  KeyList keys;  // of what a run reads of this bearing
+  const KeyList read = bearing_keys(b);
+  KeyList keys;
   for (const std::string &key : keys_in("bearing." + b.name, names))
-    if (loaded_askew || holds(bearing_keys(b), key))
+    if (loaded_askew || holds(read, key))
       keys.push_back(key);
   return keys;
 }
@@ -68,19 +69,6 @@ bearing::AssemblyState solved(const RollerBearing &b, const bearing::RingLoading
   return bearing::BearingAssembly(model).solve(loading);
 }
 
-// Radial load of one bearing: as the bearing stage of a run puts it on.
-double bearing_load(const FourHigh &stand, const bool backup, const ContactSettings &contact, const double F)
-{
-  const Roll &roll = backup ? stand.backup_roll : stand.work_roll;
-  if (!std::isnan(roll.bearing_load))
-    return roll.bearing_load;
-  const double between = (stand.work_roll.barrel_diameter + stand.backup_roll.barrel_diameter) / 2;
-  const double across  = 0.5 * F * std::abs(contact.axis_offset) / between;
-  const double bending = 0.5 * std::abs(stand.work_roll.bending_force[0] + stand.work_roll.bending_force[1]);
-  if (backup)
-    return std::hypot((F + 2 * bending) / 2, across);
-  return std::hypot(bending > 0 ? bending : F / 20, across);
-}
 // An oil film on the coarser of its two grids.
 ClosedFormResult closed_form_film(const char *name, const OilFilmBearing &film, const bearing::OilFilmLoad &load,
                                   const KeyList &keys, const bool across)
@@ -106,6 +94,19 @@ bearing::OilFilmLoad film_load(const BearingCase &spec)
   };
 }
 }  // namespace
+
+double bearing_load(const FourHigh &stand, const bool backup, const ContactSettings &contact, const double F)
+{
+  const Roll &roll = backup ? stand.backup_roll : stand.work_roll;
+  if (!std::isnan(roll.bearing_load))
+    return roll.bearing_load;
+  const double between = (stand.work_roll.barrel_diameter + stand.backup_roll.barrel_diameter) / 2;
+  const double across  = 0.5 * F * std::abs(contact.axis_offset) / between;
+  const double bending = 0.5 * std::abs(stand.work_roll.bending_force[0] + stand.work_roll.bending_force[1]);
+  if (backup)
+    return std::hypot((F + 2 * bending) / 2, across);
+  return std::hypot(bending > 0 ? bending : F / 20, across);
+}
 
 std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const double F, const std::size_t pass)
 {

@@ -1,6 +1,6 @@
 #include "app/twin/chatter_model.h"
+#include "app/chatter/chatter_question.h"
 #include "app/stages/bite_stage.h"
-#include "app/stages/chatter_question.h"
 #include "core/model/case.h"
 #include "dynamics/response/mill_model.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/stages/chatter_study.h"
+#include "app/chatter/chatter_study.h"
 #include "app/stages/free_strip.h"
 #include "core/model/dynamics_settings.h"
 #include "core/records/lumped_model.h"

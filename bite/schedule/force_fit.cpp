@@ -9,9 +9,9 @@
 
 namespace mill::bite {
 namespace {
-constexpr double least_friction = 1e-6;  // -, stands for none
-constexpr double most_stress    = 1e14;  // Pa, three orders above any solid
-constexpr double same_root      = 1e-7;  // of the force: the first root is the one that was asked for
+constexpr double smallest_friction = 1e-6;  // -, stands for none
+constexpr double most_stress       = 1e14;  // Pa, three orders above any solid
+constexpr double same_root         = 1e-7;  // of the force: the first root is the one that was asked for
 
 RollBite with_stress(RollBite bite, const double stress)
 {
@@ -83,12 +83,13 @@ ForceFit fit_friction(const RollBite &bite, const Theory theory, const Arc arc, 
   check_pass(bite);
   const double radius   = radius_under(bite, arc, force);
   const auto force_for  = [&](const double mu) { return force_on_arc(with_friction(bite, mu), theory, radius); };
-  const RisingRoot root = rising_root(least_friction, most, force, force_for);
+  const RisingRoot root = rising_root(smallest_friction, most, force, force_for);
   if (!root.met)
-    throw InputError(sentence(
-        "no friction returns a force of ", force / 1e3,
-        " kN: ", root.at > least_friction ? sentence("a friction of ", most) : "the pass without any", " takes ",
-        root.value / 1e3, " kN; the flow stress is too ", root.at > least_friction ? "low" : "high"));
+    throw InputError(
+        sentence("no friction returns a force of ", force / 1e3,
+                 " kN: ", root.at > smallest_friction ? sentence("a friction of ", most) : "the pass without any",
+                 " takes ", root.value / 1e3, " kN; the flow stress is too ",
+                 root.at > smallest_friction ? "low" : "high"));
   ForceFit fit;
   fit.value = root.at;
   fit.bite  = with_friction(bite, root.at);

@@ -7,6 +7,9 @@ namespace mill {
 /// each kind of mesh.
 constexpr double mesh_pair_safety = 1.25;
 
+/// Gain of a method of second order on a mesh half as fine.
+constexpr double second_order = 4;
+
 /// Relative error of a value from a finer and a coarser mesh.
 /// @param gain  -, how many times larger the error is on the coarser mesh: (ratio of element sizes)^order; 2 where
 /// no

@@ -1,12 +1,6 @@
 #include "fem/dealii/dealii_bodies.h"
-#include <deal.II/base/multithread_info.h>
 
 namespace mill::fem {
-void dealii_use_threads(const int n)
-{
-  dealii::MultithreadInfo::set_thread_limit(unsigned(n));
-}
-
 // For a program that is linked with deal.II; one that opens it has that of fem/body/opened_on_mesh.cpp.
 const OnMesh &found_on_mesh()
 {

@@ -9,18 +9,18 @@
 
 namespace mill::report {
 namespace {
-constexpr double wide = 1040, close_up = 0.025;  // px, the width of the page; s
+constexpr double close_up = 0.025;  // s
 
-struct Channel {
+struct MotionChannel {
   const char *column, *title, *quantity, *unit;
 };
-const Channel channels[] = {
+const MotionChannel motion_channels[] = {
     {"force", "Force of the bearing", "force",        "kN"     },
     {"x",     "Along the load",       "displacement", "\u00b5m"},
     {"y",     "Across the load",      "displacement", "\u00b5m"},
 };
 
-std::string history(const Table &table, const Channel &channel, const std::string &group)
+std::string history(const Table &table, const MotionChannel &channel, const std::string &group)
 {
   const Eigen::VectorXd time  = values_of(table, {"time", "s"}),
                         value = values_of(table, {channel.column, channel.unit});
@@ -28,7 +28,7 @@ std::string history(const Table &table, const Channel &channel, const std::strin
     return "";
   Plot plot;
   plot.title  = channel.title;
-  plot.width  = wide;
+  plot.width  = page_width;
   plot.height = 190;
   plot.x      = {"time", "s"};
   plot.y      = {channel.quantity, channel.unit};
@@ -149,7 +149,7 @@ void bearing_motion(Page &page, const Run &run, const std::string &bearing)
   page.heading("A mass on bearing " + bearing);
   if (table && complete(*table)) {
     std::string drawings;
-    for (const Channel &channel : channels)
+    for (const MotionChannel &channel : motion_channels)
       drawings += history(*table, channel, "bearing-" + bearing);
     page.figure(
         {"<div class=\"histories\">\n" + drawings + "</div>\n"},

@@ -45,7 +45,7 @@ void draw_grid(Svg &svg, const Polar &polar)
   }
 }
 
-bool alike(const Eigen::VectorXd &a, const Eigen::VectorXd &b)
+bool same_loads(const Eigen::VectorXd &a, const Eigen::VectorXd &b)
 {
   return a.size() == b.size() &&
          (a.size() == 0 || (a - b).cwiseAbs().maxCoeff() <= 1e-4 * a.cwiseAbs().maxCoeff());
@@ -64,7 +64,8 @@ std::vector<RowGroup> groups_of(const Table &rollers, const Eigen::Index n)
       continue;
     ++rows;
     std::size_t group = 0;
-    while (group < groups.size() && !(alike(groups[group].load, load) && alike(groups[group].standard, standard)))
+    while (group < groups.size() &&
+           !(same_loads(groups[group].load, load) && same_loads(groups[group].standard, standard)))
       ++group;
     if (group == groups.size()) {
       groups.push_back({"", load, standard});

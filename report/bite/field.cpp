@@ -17,7 +17,7 @@ constexpr int steps = 8;
 struct Quantity {
   const char *column, *title, *name, *unit;
 };
-const Quantity quantities[] = {
+const Quantity field_quantities[] = {
     {"strain",      "Plastic strain", "strain",      "-"  },
     {"strain_rate", "Strain rate",    "strain rate", "1/s"},
     {"pressure",    "Mean pressure",  "pressure",    "MPa"},
@@ -67,9 +67,9 @@ double top_of(const MatrixXd &value)
 
 std::string bite_field(const Table &table, const std::string &column)
 {
-  const auto *quantity = std::find_if(std::begin(quantities), std::end(quantities),
+  const auto *quantity = std::find_if(std::begin(field_quantities), std::end(field_quantities),
                                       [&](const Quantity &q) { return column == q.column; });
-  if (quantity == std::end(quantities))
+  if (quantity == std::end(field_quantities))
     return "";
   const Field f    = field_of(table, *quantity);
   const double top = f.value.size() > 0 ? top_of(f.value) : 0;

@@ -6,21 +6,6 @@
 
 namespace mill::report {
 namespace {
-std::vector<std::string> without_empty(const std::vector<std::string> &drawings)
-{
-  std::vector<std::string> out;
-  for (const std::string &drawing : drawings)
-    if (!drawing.empty())
-      out.push_back(drawing);
-  return out;
-}
-
-void figure(Page &page, const std::vector<std::string> &drawings, const std::string &caption)
-{
-  if (const auto drawn = without_empty(drawings); !drawn.empty())
-    page.figure(drawn, caption);
-}
-
 bool has_elements(const BitePass &pass)
 {
   return !pass.models.empty() && pass.models.front() == "fe";
@@ -32,16 +17,16 @@ void along_the_arc(Page &page, const Run &run, const BitePass &pass)
       has_elements(pass) ? " The finite elements carry a peak at the entry that grows with every refinement: the "
                            "strip meets the roll at an edge there. It holds little force."
                          : "";
-  figure(
-      page, {bite_pressure(run, pass), bite_shear(run, pass)},
+  page.figure(
+      {bite_pressure(run, pass), bite_shear(run, pass)},
       "Left: the friction hill. From both ends the pressure rises towards the <b>neutral point</b>, where strip "
       "and roll run equally fast and friction changes sign. Right: friction on the strip, positive where the "
       "roll pulls it in; where it stays inside \u00b1\u00b5p the strip sticks or yields in shear before it "
       "slips." +
           elements);
   const Table *roll = bite_table(run, pass, "roll");
-  figure(
-      page, {bite_slip(run, pass), roll ? bite_shapes(*roll) : "", roll ? bite_flattening(*roll) : ""},
+  page.figure(
+      {bite_slip(run, pass), roll ? bite_shapes(*roll) : "", roll ? bite_flattening(*roll) : ""},
       std::string("The strip enters slower than the roll and leaves faster; the value at the exit is the forward "
                   "slip; lines as above.") +
           (roll ? " Middle: roll and strip, heights stretched. Right: how far the surface of the loaded roll lies "
@@ -55,12 +40,13 @@ void field(Page &page, const Run &run, const BitePass &pass)
   const Table *field = bite_table(run, pass, "field");
   if (!field)
     return;
-  figure(page, {bite_field(*field, "strain"), bite_field(*field, "strain_rate")},
-         "Upper half of the strip; it runs from right to left, heights are stretched. Above: the plastic strain "
-         "gathered along the streamlines; a strip that deformed evenly over its thickness would show upright "
-         "stripes. Below: where it deforms. Slab theories spread the rate evenly over every upright section; "
-         "finite elements gather it in bands that start at the edges of the contact. The darkest step also holds "
-         "everything above the scale.");
+  page.figure(
+      {bite_field(*field, "strain"), bite_field(*field, "strain_rate")},
+      "Upper half of the strip; it runs from right to left, heights are stretched. Above: the plastic strain "
+      "gathered along the streamlines; a strip that deformed evenly over its thickness would show upright "
+      "stripes. Below: where it deforms. Slab theories spread the rate evenly over every upright section; "
+      "finite elements gather it in bands that start at the edges of the contact. The darkest step also holds "
+      "everything above the scale.");
 }
 
 void models(Page &page, const Run &run, const BitePass &pass)
@@ -94,8 +80,8 @@ void fit(Page &page, const Run &run)
       "What the measured values of all passes say together. The intervals hold the standard deviations of the "
       "measurement, the other numbers following; an error of the model, or of a thickness, is not in them. "
       "Bite and K4 of this run are those of the fitted strip.");
-  figure(
-      page, {fit_region(run)},
+  page.figure(
+      {fit_region(run)},
       "Inside the closed line lie 95 % of the pairs of friction and flow stress that the measured values allow "
       "together. On each other line one measured value alone is met (its tangent at the fit, six values at most): "
       "where all lines run nearly parallel the values tell <b>one number</b> only, and the region is long.");
@@ -113,14 +99,16 @@ void stiffness(Page &page, const Run &run)
   if (const std::string table = k4_table(run); !table.empty())
     page.table(table, "The quantities called K4 of the first pass, over the width of the strip.");
   page.paragraph(relation);
-  figure(page, k4_curves(run),
-         "K4 around the working point, one input changed at a time, by the slab theory; the points are finite "
-         "elements on a coarser mesh. The arc is held in the slope and follows the state from point to point.");
-  figure(page, bite_force_curves(run), "The force in the same states.");
-  figure(page, {k4_map(run)},
-         "How stiff the bite is over reduction and friction together. Darker is stiffer: thin passes with much "
-         "friction "
-         "hold the rolls hardest. At the lower right the neutral point leaves the arc and no pass exists.");
+  page.figure(
+      k4_curves(run),
+      "K4 around the working point, one input changed at a time, by the slab theory; the points are finite "
+      "elements on a coarser mesh. The arc is held in the slope and follows the state from point to point.");
+  page.figure(bite_force_curves(run), "The force in the same states.");
+  page.figure(
+      {k4_map(run)},
+      "How stiff the bite is over reduction and friction together. Darker is stiffer: thin passes with much "
+      "friction "
+      "hold the rolls hardest. At the lower right the neutral point leaves the arc and no pass exists.");
 }
 }  // namespace
 
@@ -135,8 +123,8 @@ void bite_section(Page &page, const Run &run)
     page.table(table, "All passes, by the model that gives K4.");
   fit(page, run);
   stiffness(page, run);
-  figure(
-      page, {bite_aspect(run, passes)},
+  page.figure(
+      {bite_aspect(run, passes)},
       "Where finite elements and slab theories part, bites of one angle and growing slenderness. <b>Above 1</b> "
       "the finite elements need more force: a thick slab is only pressed in at its surfaces, as by a punch, "
       "which no slab theory knows. <b>Below 1</b> they need less: shear at the surface helps the strip to "

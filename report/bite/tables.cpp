@@ -1,5 +1,6 @@
 #include "report/page/tables.h"
 #include "report/bite/figures.h"
+#include "report/page/cells.h"
 #include "report/page/curves.h"
 #include "report/page/number.h"
 #include "report/plot/svg.h"
@@ -8,23 +9,10 @@
 
 namespace mill::report {
 namespace {
-std::string cell(const std::string &text)
-{
-  return "<td class=\"num\">" + text + "</td>";
-}
-
 // A number, and in brackets how far it is from the one it is compared with.
-std::string number_cell(const double value, const double reference, const int digits = 4)
+std::string compared_cell(const double value, const double reference, const int digits = 4)
 {
-  std::string text = significant(value, digits);
-  if (std::isfinite(value) && std::isfinite(reference) && reference != 0 && value != reference)
-    text += " <span class=\"deviation\">(" + percent(value / reference - 1) + ")</span>";
-  return cell(text);
-}
-
-std::string table(const std::string &head, const std::string &body)
-{
-  return "<table><thead><tr>" + head + "</tr></thead>\n<tbody>\n" + body + "</tbody></table>\n";
+  return cell(significant(value, digits) + (value == reference ? "" : deviation_note(value, reference)));
 }
 
 // What the others are compared with: the finite elements where the run has them, else the first model.
@@ -85,11 +73,11 @@ std::string bite_model_table(const Run &run, const BitePass &pass)
     body += "<tr><th scope=\"row\">" + bite_model_name(model) +
             (source.empty() ? "" : "<small>" + escaped(source) + "</small>") + "</th>";
     for (const Entry *entry : shown)
-      body += number_cell(entry->factor * bite_value(run, pass, entry->quantity, model),
-                          entry->factor * bite_value(run, pass, entry->quantity, reference));
+      body += compared_cell(entry->factor * bite_value(run, pass, entry->quantity, model),
+                            entry->factor * bite_value(run, pass, entry->quantity, reference));
     body += "</tr>\n";
   }
-  return table(head, body);
+  return table_of(head, body);
 }
 
 std::string bite_breakdown_table(const Run &run, const BitePass &pass)
@@ -119,7 +107,7 @@ std::string bite_breakdown_table(const Run &run, const BitePass &pass)
             cell(i > 0 ? (change >= 0 ? "+" : "") + significant(change, 3) : "") +
             cell(i > 0 ? percent(change / steps[0].force) : "") + cell(significant(steps[i].force, 4)) + "</tr>\n";
   }
-  return table("<th>step</th><th>change [kN]</th><th>relative to the rigid roll</th><th>force [kN]</th>", body);
+  return table_of("<th>step</th><th>change [kN]</th><th>relative to the rigid roll</th><th>force [kN]</th>", body);
 }
 
 std::string bite_pass_table(const Run &run, const std::vector<BitePass> &passes)
@@ -135,7 +123,7 @@ std::string bite_pass_table(const Run &run, const std::vector<BitePass> &passes)
             cell(significant(1e-6 * value("peak_pressure"))) + cell(significant(value("friction"), 3)) +
             cell(significant(1e3 * value("flattened_radius"))) + cell(significant(1e-6 * model_slope)) + "</tr>\n";
   }
-  return table(
+  return table_of(
       "<th>pass</th><th>force [kN]</th><th>torque of one roll [kN\u00a0m]</th><th>forward slip "
       "[%]</th><th>peak pressure [MPa]</th><th>friction</th><th>radius of the arc [mm]</th><th>K4, plastic "
       "slope [kN/mm]</th>",
@@ -162,7 +150,7 @@ std::string k4_table(const Run &run)
             "</small></th>" + cell(significant(1e-6 * result->value)) + "<td>" + accuracy_cell(*result) +
             "</td><td>" + escaped(short_source(result->source)) + "</td></tr>\n";
   }
-  return body.empty() ? "" : table("<th>name</th><th>value [kN/mm]</th><th>accuracy</th><th>source</th>", body);
+  return body.empty() ? "" : table_of("<th>name</th><th>value [kN/mm]</th><th>accuracy</th><th>source</th>", body);
 }
 
 std::string k4_relation(const Run &run)

@@ -13,8 +13,6 @@ namespace mill::report {
 namespace {
 using Eigen::VectorXd;
 
-constexpr double wide = 1040;  // px, the width of the page
-
 // A record as it is drawn: one axis, one or more series.
 struct Chart {
   std::string title;
@@ -27,7 +25,7 @@ std::string drawn(const Chart &chart, const std::vector<Mark> &marks)
 {
   Plot plot;
   plot.title  = chart.title;
-  plot.width  = wide;
+  plot.width  = page_width;
   plot.height = marks.empty() ? 190 : 210;
   plot.x      = {"time", "s"};
   plot.y      = chart.y;
@@ -187,7 +185,7 @@ std::string chatter_periods(const Run &run, const ChatterCondition &condition)
     return "";
   Plot plot;
   plot.title  = "Eight periods, each quantity over its own amplitude";
-  plot.width  = wide;
+  plot.width  = page_width;
   plot.height = 270;
   plot.x      = {"time", "ms"};
   plot.y      = {"deviation over its amplitude", "-", Scale::linear, -1.15, 1.15};

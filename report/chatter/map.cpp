@@ -1,6 +1,7 @@
 #include "report/chatter/figures.h"
 #include "report/page/curves.h"
 #include "report/page/number.h"
+#include "report/plot/heat_map.h"
 #include "report/plot/svg.h"
 #include "report/plot/ticks.h"
 #include <algorithm>
@@ -81,17 +82,6 @@ std::string range_of_step(const int step, const Limits &limits)
   return size == sides - 1 ? "< " + number(-low) : number(-limits[std::size_t(size)]) + " \u2026 " + number(-low);
 }
 
-// Half way between the stations, the outermost at the stations themselves.
-VectorXd borders(const VectorXd &at)
-{
-  VectorXd edge(at.size() + 1);
-  edge[0]         = at[0];
-  edge[at.size()] = at[at.size() - 1];
-  for (Eigen::Index i = 1; i < at.size(); ++i)
-    edge[i] = 0.5 * (at[i - 1] + at[i]);
-  return edge;
-}
-
 struct Frame {
   double left, right, top, bottom;  // px
   double x_low, x_high, y_low, y_high;
@@ -114,7 +104,7 @@ constexpr double seam = 0.6;  // px by which a row reaches under the one below i
 // Neighbours of one step along the speed are drawn as one.
 void draw_cells(Svg &svg, const Grid &grid, const Limits &limits, const Frame &at)
 {
-  const VectorXd x = borders(grid.speed), y = borders(grid.other);
+  const VectorXd x = cell_borders(grid.speed), y = cell_borders(grid.other);
   const auto step = [&](const Eigen::Index i, const Eigen::Index j) {
     return std::isfinite(grid.growth(i, j)) ? step_of(grid.growth(i, j), limits) : -1;
   };

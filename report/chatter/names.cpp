@@ -5,11 +5,11 @@
 // The results of a run of kind "chatter", in words and in the order in which one asks for them.
 namespace mill::report {
 namespace {
-struct Words {
+struct ChatterWords {
   const char *name;
   const char *meaning;
 };
-const Words words[] = {
+const ChatterWords words[] = {
     {"critical_speed",                "roll speed at which vibration begins to grow"                 },
     {"critical_speed_highest",        "the same by the most stable model of the stand"               },
     {"frequency",                     "frequency of the critical mode"                               },
@@ -41,16 +41,11 @@ const Words words[] = {
     {"entry_thickness",               "entry thickness"                                              },
 };
 
-std::string words_of(const std::string &part)
+std::string words_of_part(const std::string &part)
 {
   const auto found =
-      std::find_if(std::begin(words), std::end(words), [&](const Words &w) { return part == w.name; });
+      std::find_if(std::begin(words), std::end(words), [&](const ChatterWords &w) { return part == w.name; });
   return found == std::end(words) ? part : found->meaning;
-}
-
-bool ends_with(const std::string &text, const std::string &ending)
-{
-  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 }  // namespace
 
@@ -68,7 +63,7 @@ std::string chatter_meaning(const std::string &name)
   for (std::string joint = ", "; !rest.empty();) {
     const std::size_t dot  = rest.find('.');
     const std::string part = rest.substr(0, dot);
-    meaning += joint + words_of(part);
+    meaning += joint + words_of_part(part);
     rest  = dot == std::string::npos ? "" : rest.substr(dot + 1);
     joint = derivative ? " " : ", ";
     if (ends_with(part, "_slope") && !rest.empty())

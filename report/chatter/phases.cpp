@@ -28,22 +28,22 @@ void draw_arrow(Svg &svg, const Vector2d &from, const Vector2d &to, const std::s
   svg.polyline({to, to - 11 * along + 4.5 * across, to - 11 * along - 4.5 * across}, "head " + pen, true);
 }
 
-constexpr double radius = 118, row = 18;  // px
+constexpr double radius = 118, label_row = 18;  // px
 
 struct Label {
   const Phasor *phasor;
   double y;  // px
 };
 
-// Labels of one side from top to bottom, each at least a row below the one before it; those that would leave the
-// drawing at the bottom push the others up.
+// Labels of one side from top to bottom, each at least a label_row below the one before it; those that would leave
+// the drawing at the bottom push the others up.
 void spread(std::vector<Label> &labels, const double top, const double bottom)
 {
   std::sort(labels.begin(), labels.end(), [](const Label &a, const Label &b) { return a.y < b.y; });
   for (std::size_t i = 0; i < labels.size(); ++i)
-    labels[i].y = std::max(labels[i].y, i > 0 ? labels[i - 1].y + row : top);
+    labels[i].y = std::max(labels[i].y, i > 0 ? labels[i - 1].y + label_row : top);
   for (std::size_t i = labels.size(); i-- > 0;)
-    labels[i].y = std::min(labels[i].y, i + 1 < labels.size() ? labels[i + 1].y - row : bottom);
+    labels[i].y = std::min(labels[i].y, i + 1 < labels.size() ? labels[i + 1].y - label_row : bottom);
 }
 }  // namespace
 

@@ -13,22 +13,6 @@ bool has_film(const Run &run, const ChatterCondition &condition)
   return speeds && speeds->column("film_thickness");
 }
 
-void figure(Page &page, const std::vector<std::string> &drawings, const std::string &caption)
-{
-  std::vector<std::string> drawn;
-  for (const std::string &drawing : drawings)
-    if (!drawing.empty())
-      drawn.push_back(drawing);
-  if (!drawn.empty())
-    page.figure(drawn, caption);
-}
-
-void table(Page &page, const std::string &table, const std::string &caption)
-{
-  if (!table.empty())
-    page.table(table, caption);
-}
-
 // The first sentence is the answer, the others say why.
 void answer_box(Page &page, const std::vector<std::string> &sentences)
 {
@@ -42,23 +26,23 @@ void answer_box(Page &page, const std::vector<std::string> &sentences)
 
 void over_the_speed(Page &page, const Run &run, const ChatterCondition &condition)
 {
-  figure(
-      page, {chatter_growth(run, condition, 510), chatter_frequency(run, condition)},
+  page.figure(
+      {chatter_growth(run, condition, 510), chatter_frequency(run, condition)},
       "Left: how fast a disturbance grows; <b>above zero the stand chatters</b>. At every speed friction, film, "
       "flattening and the derivatives of the bite are solved again. Right: frequency of the mode that is least "
       "stable; where it jumps, another mode takes over.");
-  figure(
-      page, {chatter_locus(run, condition), chatter_process_damping(run, condition)},
+  page.figure(
+      {chatter_locus(run, condition), chatter_process_damping(run, condition)},
       "Left: every mode of stand, bite and strip as a trace over the roll speed, dots darker the faster the "
       "rolls turn; right of the dashed line a mode grows. Modes damped far more than these lie outside to the "
       "left. Right: what the process adds to the damping of the stand at the chatter frequency. <b>Positive "
       "values take damping away.</b> The strip squeezed by the moving gap damps less the faster the rolls turn, "
       "and the tension of the strip feeds the vibration the more; at low speed the curve is cut.");
-  figure(page, chatter_bite(run, condition),
-         has_film(run, condition) ? "The steady bite along the speed: a faster roll drags in a thicker film, "
-                                    "which lowers friction and with "
-                                    "it the rolling force."
-                                  : "The steady bite along the speed.");
+  page.figure(chatter_bite(run, condition),
+              has_film(run, condition) ? "The steady bite along the speed: a faster roll drags in a thicker film, "
+                                         "which lowers friction and with "
+                                         "it the rolling force."
+                                       : "The steady bite along the speed.");
 }
 
 void maps(Page &page, const Run &run, const ChatterCondition &condition,
@@ -91,8 +75,7 @@ void histories(Page &page, const Run &run, const ChatterCondition &condition)
                             ? "Below the critical speed it dies away, at it it lasts, above it grows. "
                             : "") +
             "The orange line is the amplitude by the eigenvalue." + hint);
-  figure(
-      page,
+  page.figure(
       {chatter_phasors(condition.phases), chatter_shape(condition.phases.shape, "Critical mode at the stand")},
       "The critical mode. Left: who leads and who follows; angles run counterclockwise, a positive one is ahead "
       "of "
@@ -104,7 +87,7 @@ void histories(Page &page, const Run &run, const ChatterCondition &condition)
                ? " The upper work roll moves " + significant(condition.phases.ratio, 3) +
                      " times as much as the lower one."
                : std::string()));
-  figure(page, {chatter_periods(run, condition)}, "The same phases in time, at the end of that record.");
+  page.figure({chatter_periods(run, condition)}, "The same phases in time, at the end of that record.");
 }
 
 void limit_cycle(Page &page, const Run &run, const ChatterCondition &condition)
@@ -126,39 +109,41 @@ void limit_cycle(Page &page, const Run &run, const ChatterCondition &condition)
               "Chatter in full: the whole nonlinear bite, strip that can go slack, rolls that can part. Force and "
               "tensions are totals." +
                   says + "<span class=\"zoom-hint\"> Drag to zoom.</span>");
-  figure(page, chatter_cycle_periods(run, condition),
-         "The end of that record. A tension that stands at zero belongs to a strip that hangs slack for a part of "
-         "every period.");
-  table(page, chatter_event_table(cycle),
-        cycle.events.size() < 200
-            ? "Events of the nonlinear motion."
-            : "Events of the nonlinear motion, the first " + std::to_string(cycle.events.size()) + " of them.");
+  page.figure(
+      chatter_cycle_periods(run, condition),
+      "The end of that record. A tension that stands at zero belongs to a strip that hangs slack for a part of "
+      "every period.");
+  page.table(chatter_event_table(cycle), cycle.events.size() < 200
+                                             ? "Events of the nonlinear motion."
+                                             : "Events of the nonlinear motion, the first " +
+                                                   std::to_string(cycle.events.size()) + " of them.");
 }
 
 void what_moves_it(Page &page, const ChatterCondition &condition)
 {
-  figure(
-      page, {tornado_of_speed(condition)},
+  page.figure(
+      {tornado_of_speed(condition)},
       "What moves the critical speed, the strongest first: each input alone is taken 10&nbsp;% lower and "
       "10&nbsp;% "
       "higher and everything is computed again. A bar to the right means more speed before it chatters. The slope "
       "is exact and holds for small changes; a row marked as bent or curved has unequal bars, or two that point "
       "to one side, and its slope "
       "says nothing about larger changes.");
-  figure(page, {tornado_of_friction(condition)},
-         "What moves the friction in the bite at the working speed, in the same way.");
+  page.figure({tornado_of_friction(condition)},
+              "What moves the friction in the bite at the working speed, in the same way.");
 }
 
 void trust(Page &page, const ChatterCondition &condition)
 {
-  table(page, chatter_scheme_table(condition),
-        "How the bite is made linear decides how the film follows the vibration. The same stand, the same steady "
-        "state.");
-  table(page, chatter_variant_table(condition),
-        "Other readings of the data of the stand. Phases are against the gap.");
-  table(page, chatter_conclusion_table(condition), "Which conclusions these readings share.");
-  table(page, chatter_structure_table(condition),
-        "The stand by models of growing detail, through the same coupling to the bite.");
+  page.table(
+      chatter_scheme_table(condition),
+      "How the bite is made linear decides how the film follows the vibration. The same stand, the same steady "
+      "state.");
+  page.table(chatter_variant_table(condition),
+             "Other readings of the data of the stand. Phases are against the gap.");
+  page.table(chatter_conclusion_table(condition), "Which conclusions these readings share.");
+  page.table(chatter_structure_table(condition),
+             "The stand by models of growing detail, through the same coupling to the bite.");
 }
 
 void whole_condition(Page &page, const Run &run, const ChatterCondition &condition)
@@ -178,8 +163,8 @@ void short_condition(Page &page, const Run &run, const ChatterCondition &conditi
 {
   page.heading("Condition " + condition.name);
   answer_box(page, chatter_answer(condition));
-  figure(
-      page, {chatter_growth(run, condition, 510), chatter_map(run, condition, "reduction")},
+  page.figure(
+      {chatter_growth(run, condition, 510), chatter_map(run, condition, "reduction")},
       "Growth rate over the speed, and over speed and reduction. Its other tables and records lie beside those of "
       "the first condition as <code>curves/chatter-" +
           escaped(condition.slug) + "-*</code> and <code>response/chatter-" + escaped(condition.slug) +
@@ -200,15 +185,15 @@ void tandem(Page &page, const Run &run, const std::optional<ChatterTandem> &stor
   if (!tandem.sentence.empty())
     sentences.insert(sentences.begin(), tandem.sentence);
   answer_box(page, sentences);
-  figure(
-      page, {growth, chatter_tandem_lobes(run, tandem)},
+  page.figure(
+      {growth, chatter_tandem_lobes(run, tandem)},
       "The strip carries the thickness that one stand leaves to the next, which meets it after the delay of the "
       "way between them. At some speeds the wave arrives in step with the vibration and feeds it, at others "
       "against it: hence waves in the curve with the delay, the closer the slower the strip.");
-  table(page, stored ? chatter_tandem_table(tandem) : "",
-        "Critical speed of the whole and of its parts; in brackets how far each is from the whole.");
-  figure(page, {chatter_shape(tandem.shape, "Critical mode of all stands")},
-         "Which stand vibrates in the critical mode of the whole, by its gap.");
+  page.table(stored ? chatter_tandem_table(tandem) : "",
+             "Critical speed of the whole and of its parts; in brackets how far each is from the whole.");
+  page.figure({chatter_shape(tandem.shape, "Critical mode of all stands")},
+              "Which stand vibrates in the critical mode of the whole, by its gap.");
 }
 }  // namespace
 
@@ -221,10 +206,11 @@ void chatter_section(Page &page, const Run &run, const ChatterData &data)
     page.html("<p class=\"absent\">" + escaped(problem) + "</p>");
   if (data.conditions.empty() && data.problems.empty() && !data.tandem)
     page.absent("Figures on chatter are", "curves/chatter-*");
-  table(page, chatter_summary_table(data.conditions),
-        "All conditions. Working over critical: negative is below the critical speed. In brackets how far this "
-        "run "
-        "is from the value beside it.");
+  page.table(
+      chatter_summary_table(data.conditions),
+      "All conditions. Working over critical: negative is below the critical speed. In brackets how far this "
+      "run "
+      "is from the value beside it.");
   for (std::size_t i = 0; i < data.conditions.size(); ++i)
     if (i == 0)
       whole_condition(page, run, data.conditions[i]);

@@ -1,4 +1,5 @@
 #include "report/chatter/figures.h"
+#include "report/page/cells.h"
 #include "report/page/number.h"
 #include "report/plot/svg.h"
 #include <algorithm>
@@ -6,32 +7,9 @@
 
 namespace mill::report {
 namespace {
-std::string cell(const std::string &text)
-{
-  return "<td class=\"num\">" + text + "</td>";
-}
-
 std::string in_plain_words(const std::string &text)
 {
   return "<td>" + (text.empty() ? "\u2013" : escaped(text)) + "</td>";
-}
-
-std::string table_row(const std::string &head, const std::string &cells)
-{
-  return "<tr><th scope=\"row\">" + escaped(head) + "</th>" + cells + "</tr>\n";
-}
-
-std::string table(const std::string &head, const std::string &body)
-{
-  return body.empty() ? ""
-                      : "<table><thead><tr>" + head + "</tr></thead>\n<tbody>\n" + body + "</tbody></table>\n";
-}
-
-std::string deviation(const double value, const double reference)
-{
-  if (!std::isfinite(value) || !std::isfinite(reference) || reference == 0)
-    return "";
-  return " <span class=\"deviation\">(" + percent(value / reference - 1) + ")</span>";
 }
 
 std::string speed_text(const double speed)
@@ -50,7 +28,7 @@ const ChatterPublished *published_of(const ChatterCondition &condition, const st
 // Another value of the critical speed and how far this run is from it.
 std::string beside(const double here, const double other)
 {
-  return cell(std::isfinite(other) ? speed_text(other) + deviation(here, other) : "\u2013");
+  return cell(std::isfinite(other) ? speed_text(other) + deviation_note(here, other) : "\u2013");
 }
 }  // namespace
 
@@ -78,16 +56,16 @@ std::string chatter_summary_table(const std::vector<ChatterCondition> &condition
                                                            : "<span class=\"good-word\">stable</span>";
     const std::string speed       = std::isfinite(c.critical.speed) ? speed_text(c.critical.speed)
                                                                     : verdict_in_words(c.critical.verdict, not_given);
-    body += table_row(c.name, "<td>" + at_work + "</td>" + cell("<b>" + escaped(speed) + "</b>") +
-                            beside(c.critical.speed, other ? other->published : not_given) +
-                            beside(c.critical.speed, other ? other->measured : not_given) +
-                            cell(fixed(c.critical.frequency, 1)) + cell(speed_text(c.speed)) +
-                            cell(percent(c.speed / c.critical.speed - 1)) + cell(significant(growth, 3)));
+    body += named_row(c.name, "<td>" + at_work + "</td>" + cell("<b>" + escaped(speed) + "</b>") +
+                                  beside(c.critical.speed, other ? other->published : not_given) +
+                                  beside(c.critical.speed, other ? other->measured : not_given) +
+                                  cell(fixed(c.critical.frequency, 1)) + cell(speed_text(c.speed)) +
+                                  cell(percent(c.speed / c.critical.speed - 1)) + cell(significant(growth, 3)));
   }
-  return table("<th>condition</th><th>at work</th><th>critical speed [m/s]</th><th>published model [m/s]</th>"
-               "<th>measured [m/s]</th><th>frequency [Hz]</th><th>working speed [m/s]</th>"
-               "<th>working over critical</th><th>growth rate at work [1/s]</th>",
-               body);
+  return table_of("<th>condition</th><th>at work</th><th>critical speed [m/s]</th><th>published model [m/s]</th>"
+                  "<th>measured [m/s]</th><th>frequency [Hz]</th><th>working speed [m/s]</th>"
+                  "<th>working over critical</th><th>growth rate at work [1/s]</th>",
+                  body);
 }
 
 std::string chatter_published_table(const std::vector<ChatterCondition> &conditions)
@@ -96,16 +74,16 @@ std::string chatter_published_table(const std::vector<ChatterCondition> &conditi
   for (const ChatterCondition &c : conditions)
     for (const ChatterPublished &entry : c.published) {
       const auto other = [&](const double value) {
-        return cell(significant(value, 4) + deviation(entry.here, value));
+        return cell(significant(value, 4) + deviation_note(entry.here, value));
       };
       const bool bare = entry.unit.empty() || entry.unit == "-" || entry.unit == "1";
-      body += table_row(c.name, in_plain_words(entry.quantity + (bare ? "" : " [" + unit_sign(entry.unit) + "]")) +
-                              cell("<b>" + significant(entry.here, 5) + "</b>") + other(entry.published) +
-                              other(entry.measured) + "<td>" + escaped(entry.note) + "</td>");
+      body += named_row(c.name, in_plain_words(entry.quantity + (bare ? "" : " [" + unit_sign(entry.unit) + "]")) +
+                                    cell("<b>" + significant(entry.here, 5) + "</b>") + other(entry.published) +
+                                    other(entry.measured) + "<td>" + escaped(entry.note) + "</td>");
     }
-  return table("<th>condition</th><th>quantity</th><th>this run</th><th>published model</th><th>measured</th>"
-               "<th>note</th>",
-               body);
+  return table_of("<th>condition</th><th>quantity</th><th>this run</th><th>published model</th><th>measured</th>"
+                  "<th>note</th>",
+                  body);
 }
 
 namespace {
@@ -114,7 +92,8 @@ std::string outcome_cells(const ChatterVariantInfo &variant, const double refere
   const std::string speed = std::isfinite(variant.critical_speed)
                                 ? speed_text(variant.critical_speed)
                                 : escaped(verdict_in_words(variant.verdict, not_given));
-  return cell(speed + (variant.critical_speed != reference ? deviation(variant.critical_speed, reference) : "")) +
+  return cell(speed +
+              (variant.critical_speed != reference ? deviation_note(variant.critical_speed, reference) : "")) +
          cell(fixed(variant.frequency, 1));
 }
 
@@ -137,46 +116,46 @@ std::string chatter_scheme_table(const ChatterCondition &condition)
     for (const Meaning &meaning : meanings)
       if (scheme.name == meaning.name)
         what = meaning.what;
-    body += table_row(scheme.name, in_plain_words(what) + outcome_cells(scheme, condition.critical.speed));
+    body += named_row(scheme.name, in_plain_words(what) + outcome_cells(scheme, condition.critical.speed));
   }
-  return table(std::string("<th>linearisation</th><th>what follows the vibration</th>") + outcome_head, body);
+  return table_of(std::string("<th>linearisation</th><th>what follows the vibration</th>") + outcome_head, body);
 }
 
 std::string chatter_variant_table(const ChatterCondition &condition)
 {
   std::string body;
   for (const ChatterVariantInfo &v : condition.variants)
-    body += table_row(v.name, outcome_cells(v, condition.critical.speed) + cell(significant(v.ratio, 3)) +
-                            cell(fixed(v.force_phase, 1)) + cell(fixed(v.entry_tension_phase, 1)) + "<td>" +
-                            (!std::isfinite(v.ratio) ? "\u2013"
-                             : v.upper_moves_more    ? "upper"
-                                                     : "lower") +
-                            "</td>");
-  return table(std::string("<th>variant</th>") + outcome_head +
-                   "<th>upper over lower work roll</th><th>force against gap [\u00b0]</th>"
-                   "<th>back tension against gap [\u00b0]</th><th>moves more</th>",
-               body);
+    body += named_row(v.name, outcome_cells(v, condition.critical.speed) + cell(significant(v.ratio, 3)) +
+                                  cell(fixed(v.force_phase, 1)) + cell(fixed(v.entry_tension_phase, 1)) + "<td>" +
+                                  (!std::isfinite(v.ratio) ? "\u2013"
+                                   : v.upper_moves_more    ? "upper"
+                                                           : "lower") +
+                                  "</td>");
+  return table_of(std::string("<th>variant</th>") + outcome_head +
+                      "<th>upper over lower work roll</th><th>force against gap [\u00b0]</th>"
+                      "<th>back tension against gap [\u00b0]</th><th>moves more</th>",
+                  body);
 }
 
 std::string chatter_conclusion_table(const ChatterCondition &condition)
 {
   std::string body;
   for (const ChatterConclusion &c : condition.conclusions)
-    body += table_row(c.text, std::string("<td>") +
-                            (c.holds ? "<span class=\"good-word\">holds in all</span>"
-                                     : "<span class=\"poor-word\">depends on the variant</span>") +
-                            "</td>" + in_plain_words(c.detail));
-  return table("<th>conclusion</th><th></th><th>found</th>", body);
+    body += named_row(c.text, std::string("<td>") +
+                                  (c.holds ? "<span class=\"good-word\">holds in all</span>"
+                                           : "<span class=\"poor-word\">depends on the variant</span>") +
+                                  "</td>" + in_plain_words(c.detail));
+  return table_of("<th>conclusion</th><th></th><th>found</th>", body);
 }
 
 std::string chatter_structure_table(const ChatterCondition &condition)
 {
   std::string body;
   for (const ChatterVariantInfo &s : condition.structures)
-    body += table_row(s.name, outcome_cells(s, condition.critical.speed) + cell(significant(s.growth, 3)));
-  return table(std::string("<th>model of the stand</th>") + outcome_head +
-                   "<th>growth rate at the working speed [1/s]</th>",
-               body);
+    body += named_row(s.name, outcome_cells(s, condition.critical.speed) + cell(significant(s.growth, 3)));
+  return table_of(std::string("<th>model of the stand</th>") + outcome_head +
+                      "<th>growth rate at the working speed [1/s]</th>",
+                  body);
 }
 
 std::string chatter_event_table(const LimitCycleInfo &cycle)
@@ -199,30 +178,31 @@ std::string chatter_event_table(const LimitCycleInfo &cycle)
   }
   std::string body;
   for (const Kind &kind : kinds)
-    body +=
-        table_row(kind.what, cell(fixed(kind.first, 4)) + cell(fixed(kind.last, 4)) + cell(std::to_string(kind.count)));
-  return table("<th>event</th><th>first [s]</th><th>last [s]</th><th>how often</th>", body);
+    body += named_row(kind.what,
+                      cell(fixed(kind.first, 4)) + cell(fixed(kind.last, 4)) + cell(std::to_string(kind.count)));
+  return table_of("<th>event</th><th>first [s]</th><th>last [s]</th><th>how often</th>", body);
 }
 
 std::string chatter_tandem_table(const ChatterTandem &tandem)
 {
   const double all = tandem.critical_speed;
   const auto other = [&](const std::string &what, const double speed, const std::string &note) {
-    return std::isfinite(speed)
-               ? table_row(what, cell(speed_text(speed) + deviation(speed, all)) + cell("\u2013") + in_plain_words(note))
-               : "";
+    return std::isfinite(speed) ? named_row(what, cell(speed_text(speed) + deviation_note(speed, all)) +
+                                                      cell("\u2013") + in_plain_words(note))
+                                : "";
   };
-  std::string body = table_row("all stands, strip in between",
-                         cell("<b>" + speed_text(all) + "</b>") + cell(fixed(tandem.frequency, 1)) +
-                             in_plain_words(tandem.verdict.empty() ? "" : verdict_in_words(tandem.verdict, all)));
+  std::string body =
+      named_row("all stands, strip in between",
+                cell("<b>" + speed_text(all) + "</b>") + cell(fixed(tandem.frequency, 1)) +
+                    in_plain_words(tandem.verdict.empty() ? "" : verdict_in_words(tandem.verdict, all)));
   body += other("tension shared alone", tandem.without_delay,
                 "the thickness that a stand leaves is forgotten on the way to the next");
   for (const ChatterVariantInfo &stand : tandem.single)
-    body += table_row("stand " + stand.name + " alone",
-                cell(std::isfinite(stand.critical_speed)
-                         ? speed_text(stand.critical_speed) + deviation(stand.critical_speed, all)
-                         : "\u2013") +
-                    cell(fixed(stand.frequency, 1)) + in_plain_words("its strip ends at constant speed"));
-  return table("<th>system</th><th>critical speed [m/s]</th><th>frequency [Hz]</th><th>meaning</th>", body);
+    body += named_row("stand " + stand.name + " alone",
+                      cell(std::isfinite(stand.critical_speed)
+                               ? speed_text(stand.critical_speed) + deviation_note(stand.critical_speed, all)
+                               : "\u2013") +
+                          cell(fixed(stand.frequency, 1)) + in_plain_words("its strip ends at constant speed"));
+  return table_of("<th>system</th><th>critical speed [m/s]</th><th>frequency [Hz]</th><th>meaning</th>", body);
 }
 }  // namespace mill::report

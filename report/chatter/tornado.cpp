@@ -15,8 +15,8 @@ struct Bar {
 };
 
 constexpr double width = 1040, names = 250, bars = 268, bars_end = 800, slopes = 876, notes = 892, bar_row = 25,
-                 head      = 56;
-constexpr std::size_t most = 16;
+                 head           = 56;
+constexpr std::size_t most_bars = 16;
 
 double size_of(const double value)
 {
@@ -59,7 +59,7 @@ std::string tornado(std::vector<Bar> all, const std::string &title, const std::s
   if (all.empty())
     return "";
   std::stable_sort(all.begin(), all.end(), [](const Bar &a, const Bar &b) { return weight(a) > weight(b); });
-  all.resize(std::min(all.size(), most));
+  all.resize(std::min(all.size(), most_bars));
   double low = 0, high = 0;
   for (const Bar &bar : all)
     for (const double change : {bar.minus, bar.plus})

@@ -62,18 +62,19 @@ bool complete(const ClusterRecord &record, const ClusterPassRecord &pass)
 }
 
 // What is written beside the drawing about a point of it.
-struct Label {
+struct PointLabel {
   double x, y;  // px
   std::string text, classes;
   bool to_left;
 };
 
 // From the top down on either side, a line apart at least.
-void write_labels(Svg &svg, std::vector<Label> labels, const double left, const double right)
+void write_labels(Svg &svg, std::vector<PointLabel> labels, const double left, const double right)
 {
-  std::stable_sort(labels.begin(), labels.end(), [](const Label &a, const Label &b) { return a.y < b.y; });
+  std::stable_sort(labels.begin(), labels.end(),
+                   [](const PointLabel &a, const PointLabel &b) { return a.y < b.y; });
   double lines[] = {0, 0};
-  for (const Label &label : labels) {
+  for (const PointLabel &label : labels) {
     double &line      = lines[label.to_left];
     line              = std::max(line + 15, label.y + 4);
     const double edge = label.to_left ? left : right;
@@ -136,7 +137,7 @@ std::string stack_drawing(const ClusterRecord &record, const ClusterPassRecord &
   double largest = 1;
   for (const ClusterLoadRecord &load : pass.contacts)
     largest = std::max(largest, load.force);
-  std::vector<Label> labels;
+  std::vector<PointLabel> labels;
   for (std::size_t i = 0; i < record.contacts.size(); ++i) {
     const Eigen::Vector2d at = touching_point(record, record.contacts[i]);
     const double force       = pass.contacts[i].force;

@@ -25,7 +25,7 @@ std::string frequency_table(const ClusterRecord &record);
 /// What every mode of the first pass consists of.
 std::string share_table(const ClusterPassRecord &pass);
 std::string stability_table(const ClusterRecord &record);
-std::string history_table(const ClusterRecord &record);
+std::string cluster_history_table(const ClusterRecord &record);
 std::string cluster_fit_table(const ClusterRecord &record);
 
 /// What one asks for first: force, named frequencies and limits of every pass, what was fitted.

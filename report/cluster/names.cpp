@@ -3,10 +3,10 @@
 #include "report/schedule/figures.h"
 #include <map>
 
-// The results of a run of kind "cluster" in words and in the order in which one asks for them.
+// The results of a run of kind "cluster" in quantity_words and in the order in which one asks for them.
 namespace mill::report {
 namespace {
-const std::map<std::string, std::string> words{
+const std::map<std::string, std::string> quantity_words{
     {"force",           "force"                                         },
     {"approach",        "approach of the axes"                          },
     {"tangent",         "tangent dF/d\u03b4"                            },
@@ -38,7 +38,7 @@ std::string cluster_meaning(const std::string &name)
   std::string text = parts[1] == cluster_fit ? "fitted in variant " + parts[2] : parts[1];
   for (std::size_t i = parts[1] == cluster_fit ? 3 : 2; i < parts.size(); ++i) {
     const std::string &part = parts[i];
-    const auto known        = words.find(part);
+    const auto known        = quantity_words.find(part);
     if (parts[1] == cluster_fit)
       text += (i == 3 ? ", " : ".") + part;
     else if (parts.size() == 3 && part == "force")
@@ -49,7 +49,7 @@ std::string cluster_meaning(const std::string &name)
     else if (i + 1 == parts.size() && parts.size() == 5)
       text += " along " + part;  // cluster.PASS.velocity.W.y
     else
-      text += ", " + (known == words.end() ? part : known->second);
+      text += ", " + (known == quantity_words.end() ? part : known->second);
   }
   return text;
 }

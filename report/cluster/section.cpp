@@ -148,7 +148,7 @@ void vibration_part(Page &page, const Run &run, const ClusterRecord &record)
                      escaped(h.least_contact) + ", which keeps " + percent(h.least_force) +
                      " of its force at rest.");
   }
-  if (const std::string table = history_table(record); !table.empty())
+  if (const std::string table = cluster_history_table(record); !table.empty())
     page.table(table,
                "Velocity amplitudes at the frequency of the dynamic force, linear response beside the history.");
   if (!backbones.empty())

@@ -1,4 +1,5 @@
 #include "report/cluster/figures.h"
+#include "report/page/cells.h"
 #include "report/page/number.h"
 #include "report/plot/svg.h"
 #include <algorithm>
@@ -6,27 +7,12 @@
 
 namespace mill::report {
 namespace {
-std::string cell(const std::string &text)
-{
-  return "<td class=\"num\">" + text + "</td>";
-}
-
 std::string number_cell(const double value, const int digits = 4)
 {
   return cell(std::isnan(value) ? "-" : significant(value, digits));
 }
 
-std::string row_head(const std::string &text)
-{
-  return "<tr><th scope=\"row\">" + escaped(text) + "</th>";
-}
-
-std::string table_of(const std::string &head, const std::string &rows)
-{
-  return rows.empty() ? "" : "<table><thead><tr>" + head + "</tr></thead><tbody>\n" + rows + "</tbody></table>\n";
-}
-
-std::string deviation(const double computed, const double wanted)
+std::string off_by(const double computed, const double wanted)
 {
   return std::isnan(wanted) ? "-" : percent(computed / wanted - 1);
 }
@@ -103,7 +89,7 @@ std::string frequency_table(const ClusterRecord &record)
       rows += cell(mode ? fixed(mode->frequency, 1) : "-");
     }
     const ClusterModeRecord *first = record.passes.empty() ? nullptr : mode_called(record.passes[0], p.name);
-    rows += cell(first ? deviation(first->frequency, p.frequency) : "-") + "</tr>\n";
+    rows += cell(first ? off_by(first->frequency, p.frequency) : "-") + "</tr>\n";
   }
   return table_of(head, rows);
 }
@@ -139,7 +125,7 @@ std::string stability_table(const ClusterRecord &record)
                   rows);
 }
 
-std::string history_table(const ClusterRecord &record)
+std::string cluster_history_table(const ClusterRecord &record)
 {
   std::string rows;
   for (const ClusterPassRecord &pass : record.passes)
@@ -148,8 +134,8 @@ std::string history_table(const ClusterRecord &record)
         if (h.linear[i].value > 1e-6 || h.nonlinear[i].value > 1e-6)
           rows += row_head(pass.name) + number_cell(h.force) + number_cell(h.frequency, 5) + "<td>" +
                   escaped(h.linear[i].name) + "</td>" + number_cell(1e3 * h.linear[i].value) +
-                  number_cell(1e3 * h.nonlinear[i].value) +
-                  cell(deviation(h.nonlinear[i].value, h.linear[i].value)) + "</tr>\n";
+                  number_cell(1e3 * h.nonlinear[i].value) + cell(off_by(h.nonlinear[i].value, h.linear[i].value)) +
+                  "</tr>\n";
   return table_of("<th>pass</th><th>force, N</th><th>Hz</th><th>roll</th><th>linear, mm/s</th>"
                   "<th>in time, mm/s</th><th>difference</th>",
                   rows);
@@ -179,7 +165,7 @@ std::string cluster_fit_table(const ClusterRecord &record)
       const auto f = std::find_if(fit.frequencies.begin(), fit.frequencies.end(),
                                   [&](const ClusterFitFrequency &one) { return one.mode == name; });
       rows += f == fit.frequencies.end() ? cell("-")
-                                         : cell(fixed(f->computed, 1) + " (" + deviation(f->computed, f->wanted) +
+                                         : cell(fixed(f->computed, 1) + " (" + off_by(f->computed, f->wanted) +
                                                 (f->fitted ? ", fitted)" : ")"));
     }
     rows += cell(std::isnan(fit.rms_fitted) ? "-" : percent(fit.rms_fitted)) +

@@ -10,9 +10,9 @@ namespace {
 constexpr double per_kilonewton = 1e3;  // 1/kg = (m/s2)/N
 const char *const unit          = "(m/s\u00b2)/kN";
 
-const char *const places[] = {"upper backup roll",     "upper work roll",    "lower work roll",
-                              "lower backup roll",     "upper backup chock", "upper work-roll chock",
-                              "lower work-roll chock", "lower backup chock"};
+const char *const force_places[] = {"upper backup roll",     "upper work roll",    "lower work roll",
+                                    "lower backup roll",     "upper backup chock", "upper work-roll chock",
+                                    "lower work-roll chock", "lower backup chock"};
 
 std::string column_of(std::string place)
 {
@@ -32,7 +32,7 @@ struct Parts {
   }
 };
 
-Parts parts_of(const Run &run, const std::string &model, const std::string &force, const std::string &place)
+Parts response_parts(const Run &run, const std::string &model, const std::string &force, const std::string &place)
 {
   const Table *table = stored_curve(run, curve::frf, model + "-" + column_of(force));
   if (!table)
@@ -76,8 +76,8 @@ std::string responding_model(const Run &run)
 std::vector<std::string> responding_places(const Run &run, const std::string &model)
 {
   std::vector<std::string> found;
-  for (const char *place : places)
-    if (parts_of(run, model, "bite", place).stored())
+  for (const char *place : force_places)
+    if (response_parts(run, model, "bite", place).stored())
       found.emplace_back(place);
   return found;
 }
@@ -96,7 +96,7 @@ std::string magnitude_drawing(const Run &run, const std::string &model, const st
       {"six-mass",      "six masses"     }
   };
   for (const auto &[name, label] : models)
-    if (const Parts parts = parts_of(run, name, "bite", place); parts.stored())
+    if (const Parts parts = response_parts(run, name, "bite", place); parts.stored())
       plot.lines.push_back({label, parts.f, parts.magnitude(),
                             name == model                 ? Pen::dark
                             : name == std::string("beam") ? Pen::dotted
@@ -107,7 +107,7 @@ std::string magnitude_drawing(const Run &run, const std::string &model, const st
 
 std::string phase_drawing(const Run &run, const std::string &model, const std::string &place)
 {
-  const Parts parts = parts_of(run, model, "bite", place);
+  const Parts parts = response_parts(run, model, "bite", place);
   Plot plot         = frame("Phase, " + place, 360);
   plot.y            = {"phase against the bite force", "deg", Scale::linear, -180, 180};
   if (parts.stored()) {
@@ -128,7 +128,7 @@ std::string places_drawing(const Run &run, const std::string &model, const std::
   plot.y           = {"acceleration / force", unit, Scale::logarithmic};
   const Pen pens[] = {Pen::dark, Pen::warm, Pen::dashed, Pen::warm_dashed};
   for (const std::string &place : wanted)
-    if (const Parts parts = parts_of(run, model, at_itself ? place : "bite", place); parts.stored())
+    if (const Parts parts = response_parts(run, model, at_itself ? place : "bite", place); parts.stored())
       plot.lines.push_back({place, parts.f, parts.magnitude(), pens[plot.lines.size() % 4]});
   if (plot.lines.empty())
     return "";

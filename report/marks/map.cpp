@@ -8,7 +8,7 @@
 namespace mill::report {
 namespace {
 constexpr double step_dB   = 6;  // of the scale; below the first one nothing is drawn
-constexpr int steps        = 5;
+constexpr int map_steps    = 5;
 constexpr double row_space = 12;  // px between the names of two modes
 
 struct MapFrame {
@@ -26,7 +26,7 @@ struct MapFrame {
 
 int step_of_gain(const double dB)
 {
-  return std::isfinite(dB) ? std::min(steps, int(std::floor(dB / step_dB))) - 1 : -1;
+  return std::isfinite(dB) ? std::min(map_steps, int(std::floor(dB / step_dB))) - 1 : -1;
 }
 
 std::string class_of_step(const int step)
@@ -85,10 +85,10 @@ void draw_scale_of_map(Svg &svg, const MapFrame &at)
   double x = at.left;
   svg.text(x, 31, "magnified by [dB]", "axis");
   x += 112;
-  for (int s = 0; s < steps; ++s) {
+  for (int s = 0; s < map_steps; ++s) {
     svg.rect(x, 21, 14, 12, class_of_step(s));
     const std::string low = fixed((s + 1) * step_dB, 0);
-    svg.text(x + 19, 31, s + 1 == steps ? "> " + low : low + " \u2026 " + fixed((s + 2) * step_dB, 0), "t");
+    svg.text(x + 19, 31, s + 1 == map_steps ? "> " + low : low + " \u2026 " + fixed((s + 2) * step_dB, 0), "t");
     x += 76;
   }
 }

@@ -1,4 +1,5 @@
 #include "report/marks/figures.h"
+#include "report/page/cells.h"
 #include "report/page/number.h"
 #include "report/plot/svg.h"
 #include <algorithm>
@@ -6,25 +7,9 @@
 
 namespace mill::report {
 namespace {
-std::string cell(const std::string &text)
-{
-  return "<td class=\"num\">" + text + "</td>";
-}
-
 std::string strong(const std::string &text)
 {
   return "<td class=\"num\"><b>" + text + "</b></td>";
-}
-
-std::string named_row(const std::string &name, const std::string &cells)
-{
-  return "<tr><th scope=\"row\">" + escaped(name) + "</th>" + cells + "</tr>\n";
-}
-
-std::string table_of(const std::string &head, const std::string &rows)
-{
-  return rows.empty() ? ""
-                      : "<table><thead><tr>" + head + "</tr></thead>\n<tbody>\n" + rows + "</tbody></table>\n";
 }
 
 std::string deviation(const double share)

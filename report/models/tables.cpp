@@ -1,4 +1,5 @@
 #include "report/models/figures.h"
+#include "report/page/cells.h"
 #include "report/page/number.h"
 #include "report/plot/svg.h"
 #include <algorithm>
@@ -6,16 +7,6 @@
 
 namespace mill::report {
 namespace {
-std::string cell(const std::string &text)
-{
-  return "<td class=\"num\">" + text + "</td>";
-}
-
-std::string table(const std::string &head, const std::string &body)
-{
-  return "<table><thead><tr>" + head + "</tr></thead>\n<tbody>\n" + body + "</tbody></table>\n";
-}
-
 std::string share(const double value)
 {
   return std::isfinite(value) ? fixed(100 * value, value > 0.995 && value < 1 ? 1 : 0) + "\u00a0%" : "\u2013";
@@ -93,12 +84,12 @@ std::string model_table(const ModelData &data)
   }
   if (body.empty())
     return "";
-  return table("<th>model</th><th>unknowns</th><th>modes" +
-                   (std::isfinite(data.frequency_limit)
-                        ? " below " + significant(data.frequency_limit, 4) + "\u00a0Hz"
-                        : std::string()) +
-                   "</th><th>made from</th>",
-               body);
+  return table_of("<th>model</th><th>unknowns</th><th>modes" +
+                      (std::isfinite(data.frequency_limit)
+                           ? " below " + significant(data.frequency_limit, 4) + "\u00a0Hz"
+                           : std::string()) +
+                      "</th><th>made from</th>",
+                  body);
 }
 
 std::string verdict_table(const ModelData &data)
@@ -132,11 +123,12 @@ std::string verdict_table(const ModelData &data)
   }
   if (body.empty())
     return "";
-  return table(std::string("<th>mode</th>") + (named ? "<th>name</th>" : "") + "<th>" + escaped(detailed->title) +
-                   " [Hz]</th>" + (second ? "<th>" + escaped(data.title(data.mac.columns)) + " [Hz]</th>" : "") +
-                   "<th>" + escaped(data.title("six-mass")) +
-                   " [Hz]</th><th>likeness [-]</th><th>within reach</th><th>the six masses</th>",
-               body);
+  return table_of(std::string("<th>mode</th>") + (named ? "<th>name</th>" : "") + "<th>" +
+                      escaped(detailed->title) + " [Hz]</th>" +
+                      (second ? "<th>" + escaped(data.title(data.mac.columns)) + " [Hz]</th>" : "") + "<th>" +
+                      escaped(data.title("six-mass")) +
+                      " [Hz]</th><th>likeness [-]</th><th>within reach</th><th>the six masses</th>",
+                  body);
 }
 
 std::string stray_sentence(const ModelData &data)

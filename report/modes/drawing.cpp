@@ -7,11 +7,11 @@
 
 namespace mill::report {
 namespace {
-constexpr double drawing_width = 640, middle = 300;            // px
-constexpr double ground_spring = 28, plate = 14, link = 24;    // px, heights of what stands above the upper chock
-constexpr double frame_height = 22, cylinder_height = 16;      // px
-constexpr double contact_gap = 24, strip_gap = 30, head = 34;  // px
-constexpr int barrel_stations = 8, neck_stations = 4;          // spans of half a roll
+constexpr double drawing_width = 640, middle = 300;          // px
+constexpr double ground_spring = 28, plate = 14, link = 24;  // px, heights of what stands above the upper chock
+constexpr double frame_height = 22, cylinder_height = 16;    // px
+constexpr double contact_gap = 24, strip_gap = 30, headroom = 34;  // px
+constexpr int barrel_stations = 8, neck_stations = 4;              // spans of half a roll
 
 // A roll in the drawing: place, sizes in px and which displacement each of its stations follows.
 struct DrawnRoll {
@@ -298,7 +298,7 @@ void Builder::label(const double y, const std::string &name)
 // What a later model may bring.
 void Builder::others()
 {
-  double y = head + 30;
+  double y = headroom + 30;
   for (const std::string &name : model_.points) {
     const bool on_a_roll =
         name.find(" roll seat") != std::string::npos || name.find(" roll end") != std::string::npos;
@@ -315,7 +315,7 @@ StandDrawing Builder::build()
   const double backup_radius = sizes_.backup.radius * scale_, work_radius = sizes_.work.radius * scale_;
   const double above = ground_spring + plate + link + frame_height + 2 * link + cylinder_height +
                        std::max(1.3 * sizes_.backup.neck * scale_, backup_radius);
-  const double first           = head + above;
+  const double first           = headroom + above;
   const double second          = first + backup_radius + contact_gap + work_radius;
   const double third           = second + 2 * work_radius + strip_gap;
   const double fourth          = third + work_radius + contact_gap + backup_radius;
@@ -342,7 +342,7 @@ StandDrawing Builder::build()
   others();
   // Nothing is drawn above the upper ground: the drawing starts there.
   drawing_.width   = drawing_width;
-  const double off = ground_above_ - head;
+  const double off = ground_above_ - headroom;
   for (MovingShape &shape : drawing_.shapes)
     for (Corner &corner : shape.corners)
       corner.y -= off;

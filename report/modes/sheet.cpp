@@ -10,7 +10,7 @@ namespace {
 constexpr int across        = 7;
 constexpr double cell_width = 148, cell_height = 214, half_width = 54, swing = 9;  // px
 constexpr double first_height = 62, axis_spacing = 30;                             // px
-constexpr std::size_t most = 28;
+constexpr std::size_t most_shown = 28;
 const std::array<const char *, 4> rolls{"upper backup roll", "upper work roll", "lower work roll",
                                         "lower backup roll"};
 
@@ -102,7 +102,7 @@ std::string mode_sheet(const ModelData &data)
     if (line.z.size() > 1)
       longest = std::max(longest, line.z[line.z.size() - 1]);
   std::vector<int> shown;
-  for (std::size_t i = 0; i < model->modes.size() && shown.size() < most; ++i)
+  for (std::size_t i = 0; i < model->modes.size() && shown.size() < most_shown; ++i)
     if (!(model->modes[i].frequency > data.frequency_limit))
       shown.push_back(int(i));
   if (!(longest > 0) || shown.empty())

@@ -1,5 +1,6 @@
 #include "core/records/result_names.h"
 #include "report/nonlinear/data.h"
+#include "report/page/cells.h"
 #include "report/page/curves.h"
 #include "report/page/number.h"
 #include "report/page/page.h"
@@ -15,12 +16,7 @@ namespace {
 constexpr double bend_of_note = 0.001;  // of a frequency, from which a backbone is drawn
 constexpr double ten_digits   = 1e-10;
 
-std::string cell(const std::string &text)
-{
-  return "<td class=\"num\">" + text + "</td>";
-}
-
-std::string head(const std::vector<std::string> &columns)
+std::string table_head(const std::vector<std::string> &columns)
 {
   std::string row;
   for (const std::string &column : columns)
@@ -44,8 +40,8 @@ std::string rolls_table(const NonlinearData &data)
               cell(percent(curve / linear - 1)) +
               cell(percent((peak ? roll.fixed_peak : roll.fixed_rms) / curve - 1)) + "</tr>\n";
     }
-  return head({"", "on curves [g]", "linear [g]", "curves over linear", "fixed steps over adaptive"}) + rows +
-         "</tbody></table>\n";
+  return table_head({"", "on curves [g]", "linear [g]", "curves over linear", "fixed steps over adaptive"}) +
+         rows + "</tbody></table>\n";
 }
 
 std::string springs_table(const NonlinearData &data)
@@ -57,8 +53,8 @@ std::string springs_table(const NonlinearData &data)
             cell("<b>" + fixed(100 * s.least, 1) + " %</b>") + cell(fixed(s.least_at, 4)) +
             cell(fixed(100 * s.largest, 1) + " %") + cell(s.parted > 0 ? std::to_string(s.parted) : "never") +
             "</tr>\n";
-  return head({"spring", "at rest [kN]", "slope there [kN/mm]", "slope over that of the curve",
-               "curve off samples", "smallest force", "at [s]", "largest force", "parts"}) +
+  return table_head({"spring", "at rest [kN]", "slope there [kN/mm]", "slope over that of the curve",
+                     "curve off samples", "smallest force", "at [s]", "largest force", "parts"}) +
          rows + "</tbody></table>\n";
 }
 
@@ -84,8 +80,8 @@ std::string modes_table(const NonlinearData &data)
             cell(percent(mode.bend_in_run)) + cell(significant(mode.parting_force / 1e3, 3)) + harmonics_of(mode) +
             "</tr>\n";
   }
-  return head({"mode", "[Hz]", "parts first", "at [\u00b5m]", "of", "frequency there", "in this run",
-               "parting force [kN]", "at f [g]", "2f", "3f"}) +
+  return table_head({"mode", "[Hz]", "parts first", "at [\u00b5m]", "of", "frequency there", "in this run",
+                     "parting force [kN]", "at f [g]", "2f", "3f"}) +
          rows + "</tbody></table>\n";
 }
 

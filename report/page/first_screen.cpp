@@ -434,7 +434,7 @@ std::string estimates(const Run &run)
          rows + "</tbody></table></details>\n";
 }
 
-std::string head(const Run &run)
+std::string screen_head(const Run &run)
 {
   const Manifest &m = run.manifest;
   std::string facts;
@@ -460,6 +460,6 @@ std::string first_screen(const Run &run)
     both += "<figure>" + drawing + "<figcaption>The stand to scale.</figcaption></figure>\n";
   if (!both.empty())
     both = std::string("<div class=\"first") + (drawing.empty() ? " alone" : "") + "\">\n" + both + "</div>\n";
-  return head(run) + verdict(run) + both + known(run) + estimates(run);
+  return screen_head(run) + verdict(run) + both + known(run) + estimates(run);
 }
 }  // namespace mill::report

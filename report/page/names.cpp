@@ -239,11 +239,6 @@ std::string number_after(const std::string &prefix, const std::string &name)
                                                                                                       : "";
 }
 
-bool ends_with(const std::string &name, const std::string &ending)
-{
-  return name.size() >= ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
-}
-
 // "third_octave_upper" -> "third octave upper"
 std::string words_of_crossing(std::string part)
 {
@@ -261,6 +256,11 @@ void add(Group &group, const Result *result)
     group.results.push_back(result);
 }
 }  // namespace
+
+bool ends_with(const std::string &name, const std::string &ending)
+{
+  return name.size() >= ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+}
 
 std::string meaning_of(const std::string &name)
 {

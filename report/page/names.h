@@ -12,6 +12,8 @@ std::string meaning_of(const std::string &name);
 /// vibrating mill feels, else its combined value.  nullptr when the run has none.
 const Result *chain_value(const Run &run, const std::string &name);
 
+bool ends_with(const std::string &text, const std::string &ending);
+
 struct Group {
   std::string title;
   std::vector<const Result *> results;

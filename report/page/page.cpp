@@ -73,15 +73,20 @@ void Page::paragraph(const std::string &html)
 
 void Page::figure(const std::vector<std::string> &drawings, const std::string &caption)
 {
-  body_ += "<figure>\n<div class=\"drawings\">\n";
+  std::string drawn;
   for (const std::string &drawing : drawings)
-    body_ += drawing;
+    drawn += drawing;
+  if (drawn.empty())
+    return;
+  body_ += "<figure>\n<div class=\"drawings\">\n" + drawn;
   body_ += "</div>\n<figcaption><b>Figure " + std::to_string(++figures_) + ".</b> " + folded(caption) + " " +
            stamp_ + "</figcaption>\n</figure>\n";
 }
 
 void Page::table(const std::string &table, const std::string &caption)
 {
+  if (table.empty())
+    return;
   body_ += "<div class=\"tabled\">\n<div class=\"caption\"><b>Table " + std::to_string(++tables_) + ".</b> " +
            folded(caption) + "</div>\n" + table + "</div>\n";
 }

@@ -25,10 +25,10 @@ public:
 
   /// One figure of one or more drawings side by side.  The caption (HTML) says what to see in its first sentence,
   /// others fold behind it; case name and run id are added, so that a copied figure still tells where it came
-  /// from.
+  /// from.  Drawings that are empty are left out, and a figure without any.
   void figure(const std::vector<std::string> &drawings, const std::string &caption);
 
-  /// A table with its caption (HTML) above.
+  /// A table with its caption (HTML) above; nothing where it is empty.
   void table(const std::string &table, const std::string &caption);
 
   /// Says in a sentence that a stored file is not there, instead of its figure.

@@ -6,10 +6,10 @@
 
 namespace mill::report {
 namespace {
-constexpr int steps = 8;
+constexpr int hues = 8;
+}  // namespace
 
-// Borders of the cells: half way between the stations, the outermost at the stations themselves.
-Eigen::VectorXd borders(const Eigen::VectorXd &at)
+Eigen::VectorXd cell_borders(const Eigen::VectorXd &at)
 {
   Eigen::VectorXd edge(at.size() + 1);
   edge[0]         = at[0];
@@ -18,7 +18,6 @@ Eigen::VectorXd borders(const Eigen::VectorXd &at)
     edge[i] = 0.5 * (at[i - 1] + at[i]);
   return edge;
 }
-}  // namespace
 
 std::string heat_map(const HeatMap &map)
 {
@@ -32,12 +31,12 @@ std::string heat_map(const HeatMap &map)
     svg.text((left + right) / 2, (top + bottom) / 2, "nothing touches", "t", Anchor::middle);
     return svg.str();
   }
-  const Eigen::VectorXd x = borders(map.at_x), y = borders(map.at_y);
+  const Eigen::VectorXd x = cell_borders(map.at_x), y = cell_borders(map.at_y);
   const auto to_x = [&](const double v) { return left + (v - x[0]) / (x[n] - x[0]) * (right - left); };
   const auto to_y = [&](const double v) { return bottom - (v - y[0]) / (y[m] - y[0]) * (bottom - top); };
   const auto step = [&](const Eigen::Index i, const Eigen::Index j) {
     const double v = map.value(i, j);
-    return v > 0 ? std::min(steps - 1, int(steps * v / peak)) : -1;
+    return v > 0 ? std::min(hues - 1, int(hues * v / peak)) : -1;
   };
   for (Eigen::Index j = 0; j < m; ++j)
     for (Eigen::Index i = 0; i < n;) {
@@ -58,8 +57,8 @@ std::string heat_map(const HeatMap &map)
   svg.text((left + right) / 2, bottom + 34, map.x.quantity + " [" + map.x.unit + "]", "axis", Anchor::middle);
   svg.upright_text(14, (top + bottom) / 2, map.y.quantity + " [" + map.y.unit + "]", "axis");
   // The scale.
-  const double cell = (bottom - top) / steps;
-  for (int s = 0; s < steps; ++s)
+  const double cell = (bottom - top) / hues;
+  for (int s = 0; s < hues; ++s)
     svg.rect(right + 18, bottom - (s + 1) * cell, 14, cell, "heat h" + std::to_string(s));
   const Ticks scale = linear_ticks(0, peak, 5);
   for (std::size_t i = 0; i < scale.at.size(); ++i)

@@ -15,6 +15,10 @@ struct HeatMap {
   double width = 1000, height = 300;  ///< px
 };
 
+/// Borders of the cells around n stations, (n + 1): half way between them, the outermost at the stations
+/// themselves.
+Eigen::VectorXd cell_borders(const Eigen::VectorXd &stations);
+
 /// The map as one <svg> element: eight steps of one hue, so that it also reads on a grey print; neighbouring cells
 /// of one step are drawn as one.
 std::string heat_map(const HeatMap &map);

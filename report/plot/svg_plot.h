@@ -5,6 +5,8 @@
 #include <vector>
 
 namespace mill::report {
+constexpr double page_width = 1040;  // px, of a plot as wide as the page
+
 enum class Scale { linear, logarithmic };
 
 /// One axis: what it shows, in which unit, how far.

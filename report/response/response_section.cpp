@@ -2,8 +2,8 @@
 #include "report/page/names.h"
 #include "report/page/number.h"
 #include "report/page/sections.h"
-#include "report/plot/svg.h"
 #include "report/page/tables.h"
+#include "report/plot/svg.h"
 #include <algorithm>
 #include <cmath>
 
@@ -28,8 +28,6 @@ std::string driven_title(const Run &run)
          : model == "beam." ? "stand of beams"
                             : "stand of reduced finite elements";
 }
-
-constexpr double wide = 1040;  // px, the width of the page
 
 struct Channel {
   const char *column, *title, *quantity, *unit;
@@ -57,7 +55,7 @@ std::string history(const Table &table, const Channel &channel, const std::strin
 {
   Plot plot;
   plot.title  = title;
-  plot.width  = wide;
+  plot.width  = page_width;
   plot.height = 190;
   plot.x      = {"time", "s"};
   plot.y      = {channel.quantity, channel.unit};
@@ -118,7 +116,7 @@ std::string around_the_peak(const Table &table)
   upper.cwiseAbs().maxCoeff(&peak);
   Plot plot;
   plot.title  = "Around the largest acceleration of the upper work roll";
-  plot.width  = wide;
+  plot.width  = page_width;
   plot.height = 250;
   plot.x      = {"time", "s", Scale::linear, std::max(time[0], time[peak] - 0.025),
                  std::min(time[time.size() - 1], time[peak] + 0.025)};

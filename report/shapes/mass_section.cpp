@@ -1,3 +1,4 @@
+#include "report/page/cells.h"
 #include "report/page/number.h"
 #include "report/page/sections.h"
 #include "report/plot/plot_layout.h"
@@ -155,21 +156,18 @@ std::string side_by_side(const std::vector<std::string> &drawings)
 }
 
 // A number and how far it is from the chain's.
-std::string number_cell(const double value, const double reference)
+std::string mass_cell(const double value, const double reference)
 {
-  std::string text = std::abs(value) < 1e4 ? fixed(value, 1) : fixed(value, 0);
-  if (std::isfinite(value) && std::isfinite(reference) && reference != 0)
-    text += " <span class=\"deviation\">(" + percent(value / reference - 1) + ")</span>";
-  return "<td class=\"num\">" + text + "</td>";
+  return cell(fixed(value, std::abs(value) < 1e4 ? 1 : 0) + deviation_note(value, reference));
 }
 
 std::string routes_table(const ModelData &data)
 {
   std::string body;
   for (const MassRoutes &row : data.routes)
-    body += "<tr><th scope=\"row\">" + escaped(row.mass) + "</th>" + number_cell(row.chain, NAN) +
-            number_cell(row.fe_integral, row.chain) + number_cell(row.fe_solid, row.chain) +
-            number_cell(row.published, row.chain) + "</tr>\n";
+    body += "<tr><th scope=\"row\">" + escaped(row.mass) + "</th>" + mass_cell(row.chain, NAN) +
+            mass_cell(row.fe_integral, row.chain) + mass_cell(row.fe_solid, row.chain) +
+            mass_cell(row.published, row.chain) + "</tr>\n";
   return body.empty() ? ""
                       : "<table><thead><tr><th>mass</th><th>shape of the chain [kg]</th><th>finite-element shape "
                         "[kg]</th><th>kinetic energy of the solid [kg]</th><th>published "

@@ -1,5 +1,5 @@
 #include "app/twin/advice/critical_speed_advice.h"
-#include "app/stages/chatter_question.h"
+#include "app/chatter/chatter_question.h"
 #include "app/twin/chatter_model.h"
 #include "core/model/case.h"
 #include <algorithm>

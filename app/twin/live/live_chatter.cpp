@@ -1,5 +1,5 @@
 #include "app/twin/live/live_chatter.h"
-#include "app/stages/chatter_question.h"
+#include "app/chatter/chatter_question.h"
 #include "app/twin/chatter_model.h"
 #include "core/case/errors.h"
 #include "core/model/case.h"

@@ -103,18 +103,27 @@ TEST(Start, SaysWhatBuildsAProgramItHandsOverTo)
     return std::string(std::istreambuf_iterator<char>(in), {});
   };
   const auto refusal = [&](const std::string &what, const std::string &beside) {
-    return "error: " + what + " is a program of its own, '" + folder + "/" + beside +
+    return "error: " + what + " is carried out by a program of its own, '" + folder + "/" + beside +
            "', which cannot be started; build it with: cmake --build --preset release --target " + beside + "\n";
   };
   const std::string stand = "cases/four-high-1400.toml", record = "any.csv";
-  EXPECT_EQ(said("analyse " + record), refusal("millstand analyse", "millstand-twin"));
-  EXPECT_EQ(said("calibrate " + stand + " --measured " + record), refusal("millstand calibrate", "millstand-twin"));
-  EXPECT_EQ(said("advise " + stand), refusal("millstand advise", "millstand-twin"));
-  EXPECT_EQ(said("live " + stand + " --input " + record), refusal("millstand live", "millstand-twin"));
+  EXPECT_EQ(said("analyse " + record), refusal("millstand analyse", "millstand-all"));
+  EXPECT_EQ(said("calibrate " + stand + " --measured " + record), refusal("millstand calibrate", "millstand-all"));
+  EXPECT_EQ(said("advise " + stand), refusal("millstand advise", "millstand-all"));
+  EXPECT_EQ(said("live " + stand + " --input " + record), refusal("millstand live", "millstand-all"));
   for (const char *file : {"analysis.json", "calibration.json", "advice.json"}) {
     std::ofstream(folder + "/" + file) << "{}";
-    EXPECT_EQ(said("report '" + folder + "'"), refusal("the page of records", "millstand-twin")) << file;
+    EXPECT_EQ(said("report '" + folder + "'"), refusal("the page of records", "millstand-all")) << file;
     fs::remove(folder + "/" + file);
   }
+  EXPECT_EQ(said("export fmu " + stand), refusal("millstand export", "millstand-all"));
+  EXPECT_EQ(said("chatter " + stand), refusal("millstand chatter", "millstand-all"));
+  EXPECT_EQ(said("simulate " + stand + " --stream --force " + record),
+            refusal("millstand simulate --stream", "millstand-all"));
+  for (const char *verb : {"run ", "check "})
+    EXPECT_EQ(said(verb + std::string("cases/chatter-two-stands.toml")),
+              refusal("kind = \"chatter\"", "millstand-all"));
+  EXPECT_EQ(said("trace cases/twenty-high.toml steel.youngs_modulus"),
+            refusal("kind = \"cluster\"", "millstand-all"));
   EXPECT_EQ(said("verify"), refusal("the verification manual", "millstand-verify"));
 }

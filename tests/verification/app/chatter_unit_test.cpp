@@ -1,5 +1,5 @@
 // The chatter unit: its bite and its motion against those of the program, and what clients do with it.
-#include "app/stages/exported_chatter.h"
+#include "app/export/exported_chatter.h"
 #include "core/model/case.h"
 #include "core/records/files.h"
 #include "dynamics/chatter/chatter.h"

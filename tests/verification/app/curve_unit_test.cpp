@@ -1,6 +1,6 @@
 // The unit of a stand on curves: its steps against those of the program, and what clients do with it.
-#include "app/stages/exported_curves.h"
-#include "app/stages/exported_stand.h"
+#include "app/export/exported_curves.h"
+#include "app/export/exported_stand.h"
 #include "dynamics/nonlinear/curve_response.h"
 #include "fmu/model_text.h"
 #include "fmu/unit_archive.h"

@@ -1,5 +1,5 @@
 // millstand export modelica, matlab and statespace as a user meets them.
-#include "app/exported_files.h"
+#include "app/export/exported_files.h"
 #include "core/records/csv.h"
 #include "core/records/files.h"
 #include "tests/support/near.h"

@@ -1,5 +1,6 @@
 // millstand simulate --stream: any length of record, cut at a signal.
-#include "app/stream_command.h"
+#include "app/export/stream_command.h"
+#include "app/linked_subjects.h"
 #include "core/case/errors.h"
 #include "core/model/case.h"
 #include "core/records/csv.h"

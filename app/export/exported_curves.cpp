@@ -1,6 +1,6 @@
-#include "app/stages/exported_curves.h"
+#include "app/export/exported_curves.h"
+#include "app/export/exported_stand.h"
 #include "app/stages/contact_curves.h"
-#include "app/stages/exported_stand.h"
 #include "core/model/case.h"
 #include "dynamics/nonlinear/curve_response.h"
 #include "fmu/model_text.h"

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/stages/chatter_study.h"
+#include "app/chatter/chatter_study.h"
 
 namespace mill {
 /// curves/chatter-*.csv and .json, response/chatter-*.csv of one condition.

@@ -1,7 +1,7 @@
-#include "app/stages/chatter_stage.h"
-#include "app/stages/chatter_files.h"
-#include "app/stages/chatter_question.h"
-#include "app/stages/chatter_results.h"
+#include "app/chatter/chatter_stage.h"
+#include "app/chatter/chatter_files.h"
+#include "app/chatter/chatter_question.h"
+#include "app/chatter/chatter_results.h"
 #include "core/laws/flow_stress_law.h"
 #include "core/model/case.h"
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/stages/chatter_question.h"
+#include "app/chatter/chatter_question.h"
 #include "app/trace/closed_form_parts.h"
 #include "core/case/fields.h"
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "app/stages/chatter_study.h"
+#include "app/chatter/chatter_study.h"
 #include "bite/slab/slab_bite.h"
 #include "core/case/errors.h"
 #include "dynamics/chatter/loop.h"

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/stages/chatter_study.h"
+#include "app/chatter/chatter_study.h"
 #include "app/stages/model_stage.h"
 #include "core/model/pass.h"
 #include "reduce/stand/lumped_stand.h"

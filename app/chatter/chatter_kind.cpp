@@ -1,7 +1,7 @@
 #include "app/case_kinds.h"
+#include "app/chatter/chatter_stage.h"
 #include "app/kinds/kind_inputs.h"
 #include "app/kinds/mark_sources.h"
-#include "app/stages/chatter_stage.h"
 #include "app/trace/closed_form_parts.h"
 #include "core/model/case.h"
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ std::optional<KeyList> inputs_of(const ChatterCase &spec, const Results &, const
 }
 }  // namespace
 
-const RunKind &run_kind(const ChatterCase &)
+const RunKind &chatter_kind()
 {
   static const RunKind kind = [] {
     RunKind k;

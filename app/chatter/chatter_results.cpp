@@ -1,4 +1,4 @@
-#include "app/stages/chatter_results.h"
+#include "app/chatter/chatter_results.h"
 #include "core/model/case.h"
 #include "core/records/result_names.h"
 #include "dynamics/chatter/loop.h"

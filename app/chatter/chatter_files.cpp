@@ -1,5 +1,5 @@
-#include "app/stages/chatter_files.h"
-#include "app/stages/chatter_results.h"
+#include "app/chatter/chatter_files.h"
+#include "app/chatter/chatter_results.h"
 #include "app/stages/curve_files.h"
 #include "core/records/csv.h"
 #include "core/records/json_archive.h"

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/stages/chatter_study.h"
+#include "app/chatter/chatter_study.h"
 #include "core/records/chatter_record.h"
 
 namespace mill {

@@ -1,4 +1,4 @@
-#include "app/stages/exported_stand.h"
+#include "app/export/exported_stand.h"
 #include "app/run_context.h"
 #include "core/model/case.h"
 #include "core/records/files.h"

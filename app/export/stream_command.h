@@ -4,12 +4,6 @@
 namespace mill {
 struct Case;
 
-/// Force records of more bytes than this are streamed without being asked.
-constexpr long long longest_in_memory = 256LL << 20;
-
-/// Is this a simulate whose force is read in blocks: --stream, or a file of --force beyond longest_in_memory?
-bool is_streamed(const CommandLine &command);
-
 /// millstand simulate --stream: drives the model of one pass with a force record of any length.  The record is
 /// read twice, in blocks; response.csv, spectrum.csv and summary.json appear together at the end, or at SIGINT and
 /// SIGTERM with what was reached.  Returns the exit code: 0, or 128 and the number of the signal. Memory: some 200

@@ -1,8 +1,8 @@
-#include "core/model/cluster.h"
 #include "app/case_kinds.h"
 #include "app/cluster/cluster_stage.h"
 #include "app/trace/closed_form_parts.h"
 #include "core/model/case.h"
+#include "core/model/cluster.h"
 #include "dynamics/marks/marks.h"
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -25,7 +25,7 @@ std::string cluster_refusal(const Case &the_case, const std::string &verb)
 }
 }  // namespace
 
-const RunKind &run_kind(const ClusterCase &)
+const RunKind &cluster_kind()
 {
   static const RunKind kind = [] {
     RunKind k;

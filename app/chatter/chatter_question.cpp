@@ -1,4 +1,4 @@
-#include "app/stages/chatter_question.h"
+#include "app/chatter/chatter_question.h"
 #include "app/stages/bite_stage.h"
 #include "app/stages/detailed_model_stage.h"
 #include "app/stages/free_strip.h"

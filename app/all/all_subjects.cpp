@@ -1,6 +1,10 @@
-#include "app/twin/twin_command.h"
+#include "app/case_kinds.h"
+#include "app/chatter/chatter_stage.h"
 #include "app/checked_case.h"
 #include "app/console.h"
+#include "app/export/export_command.h"
+#include "app/export/stream_command.h"
+#include "app/linked_subjects.h"
 #include "app/twin/advise_command.h"
 #include "app/twin/analyse_command.h"
 #include "app/twin/calibrate/calibrate_command.h"
@@ -11,6 +15,7 @@
 #include "report/twin/calibration/calibration_page.h"
 #include <filesystem>
 
+// millstand-all: every subject.
 namespace mill {
 namespace {
 // The page again, from what is stored.
@@ -23,9 +28,8 @@ int write_page(const std::string &directory)
   console::print("report: " + directory + "/report.html\n");
   return 0;
 }
-}  // namespace
 
-int twin_command(const CommandLine &command)
+int subject_command(const CommandLine &command)
 {
   if (command.verb == "analyse")
     return analyse_command(command);
@@ -35,6 +39,15 @@ int twin_command(const CommandLine &command)
     return advise_command(command, checked_case(command).the_case);
   if (command.verb == "report")
     return write_page(command.target);
-  return live_command(command, read_case(command.target, command.sets));
+  if (command.verb == "export")
+    return export_command(command, checked_case(command).the_case);
+  if (command.verb == "live")
+    return live_command(command, read_case(command.target, command.sets));
+  CommandLine without_record = command;  // which is too long to be looked at before
+  without_record.force.clear();
+  return stream_command(command, checked_case(without_record).the_case);
 }
+}  // namespace
+
+const LinkedSubjects linked_subjects{chatter_kind, cluster_kind, solve_stand_chatter, subject_command};
 }  // namespace mill

@@ -1,6 +1,6 @@
-#include "app/stages/exchanged_stand.h"
+#include "app/export/exchanged_stand.h"
+#include "app/export/exported_stand.h"
 #include "app/pipeline.h"
-#include "app/stages/exported_stand.h"
 #include "fmu/description.h"
 #include <cmath>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
-#include "app/stream_command.h"
+#include "app/export/stream_command.h"
 #include "app/case_kinds.h"
 #include "app/console.h"
 #include "app/cut_signal.h"
 #include "app/driven_case.h"
-#include "app/stages/exported_stand.h"
+#include "app/export/exported_stand.h"
 #include "core/case/errors.h"
 #include "core/model/case.h"
 #include "core/records/files.h"
@@ -288,14 +288,6 @@ nlohmann::ordered_json summary_of(const StreamedResponse &response, const dynami
   return s;
 }
 }  // namespace
-
-bool is_streamed(const CommandLine &command)
-{
-  std::error_code error;
-  return command.verb == "simulate" &&
-         (command.stream || (!command.force.empty() && fs::is_regular_file(command.force, error) &&
-                             (long long)(fs::file_size(command.force, error)) > longest_in_memory));
-}
 
 int stream_command(const CommandLine &command, const Case &the_case)
 {

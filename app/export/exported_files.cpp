@@ -1,4 +1,4 @@
-#include "app/exported_files.h"
+#include "app/export/exported_files.h"
 #include "core/case/errors.h"
 #include "core/records/files.h"
 #include "dynamics/exchange/matlab.h"

@@ -1,6 +1,6 @@
-#include "app/stages/exported_chatter.h"
+#include "app/export/exported_chatter.h"
+#include "app/chatter/chatter_question.h"
 #include "app/run_context.h"
-#include "app/stages/chatter_question.h"
 #include "core/model/case.h"
 #include "core/records/files.h"
 #include "dynamics/chatter/equations.h"
