@@ -8,13 +8,6 @@ double clearance_of_end_play(const double end_play, const double cup_angle)
   return end_play * std::tan(cup_angle);
 }
 
-double end_play_of_clearance(const double clearance, const double cup_angle)
-{
-  if (!(cup_angle > 0))
-    throw InputError("a bearing without contact angle has no end play that belongs to its radial clearance");
-  return clearance / std::tan(cup_angle);
-}
-
 double diametral_clearance(const RollerBearing &b)
 {
   return std::isfinite(b.end_play) ? clearance_of_end_play(b.end_play, b.cup_angle) : b.radial_clearance;

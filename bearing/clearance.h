@@ -9,8 +9,6 @@ double diametral_clearance(const RollerBearing &bearing);
 /// Radial (diametral) play that an axial play of a tapered bearing amounts to, m:  end_play tan(cup_angle).  Both
 /// take the same approach from every roller,  sin(a) end_play / 2 = cos(a) clearance / 2.
 double clearance_of_end_play(double end_play, double cup_angle);
-/// @throws InputError  cup_angle not positive: a radial bearing has no such end play
-double end_play_of_clearance(double clearance, double cup_angle);
 
 /// What clearance, end play or preload adds to the approach of every roller at the concentric position, m:
 /// negative with clearance.  A preload of F_0 on each row is the approach at which its rollers carry F_0/(Z

@@ -182,13 +182,4 @@ BearingState solve_bearing(const RollerBearing &bearing, const double radial_loa
   const RigidRings rings = rigid_rings(bearing, tilt);
   return state_at(rings, radial_load, equilibrium(rings, radial_load));
 }
-
-std::vector<BearingState> bearing_curve(const RollerBearing &bearing, const std::vector<double> &loads,
-                                        const double tilt)
-{
-  std::vector<BearingState> curve;
-  for (const double load : loads)
-    curve.push_back(solve_bearing(bearing, load, tilt));
-  return curve;
-}
 }  // namespace mill::bearing

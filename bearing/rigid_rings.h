@@ -37,8 +37,4 @@ struct BearingState {
 /// Cost rows x rollers x laminae powers per step (one row without tilt), some 8 steps; under 5 ms for 4 x 39 x 41.
 /// Source: ISO/TS 16281:2008, section 4, eq. (35)-(46), with the contact angle as in theory.md (5.11)-(5.14).
 BearingState solve_bearing(const RollerBearing &bearing, double radial_load, double tilt = 0);
-
-/// The same over several loads, for a curve.  Errors as solve_bearing.
-std::vector<BearingState> bearing_curve(const RollerBearing &bearing, const std::vector<double> &loads,
-                                        double tilt = 0);
 }  // namespace mill::bearing

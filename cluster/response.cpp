@@ -50,25 +50,6 @@ Eigen::MatrixXcd harmonic_responses(const Stack &stack, const Motion &u, const E
   return all;
 }
 
-std::vector<Complex> contact_amplitudes(const Stack &stack, const Motion &u, const Eigen::VectorXcd &amplitude)
-{
-  Motion flat(2 * Eigen::Index(stack.rolls.size()));
-  for (Eigen::Index i = 0; i < flat.size() / 2; ++i)
-    flat.segment<2>(2 * i) = u.segment<2>(u.size() / Eigen::Index(stack.rolls.size()) * i);
-  Stack plain   = stack;
-  plain.coupled = false;
-  std::vector<Complex> loads;
-  for (const Contact &c : stack.contacts) {
-    const ContactState s = contact_state(plain, c, flat);
-    const int n          = stack.per_roll();
-    const Complex closing =
-        s.normal.cast<Complex>().dot(amplitude.segment<2>(n * c.a) - amplitude.segment<2>(n * c.b));
-    const double k = c.one_sided || s.approach > 0 ? tangent(c.law, s.approach) : c.law.k;
-    loads.push_back(k * Complex(1, c.loss_factor) * closing);
-  }
-  return loads;
-}
-
 double detuned_ratio(const double mode_frequency, const double frequency, const double loss_factor)
 {
   const double square = mode_frequency * mode_frequency, away = square - frequency * frequency;

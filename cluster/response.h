@@ -16,10 +16,6 @@ Eigen::VectorXcd harmonic_response(const Stack &stack, const Motion &u, const Ei
 Eigen::MatrixXcd harmonic_responses(const Stack &stack, const Motion &u, const Eigen::VectorXd &force,
                                     const Eigen::VectorXd &frequencies);
 
-/// Amplitude of the force of every contact under an amplitude of motion, N.
-std::vector<std::complex<double>> contact_amplitudes(const Stack &stack, const Motion &u,
-                                                     const Eigen::VectorXcd &amplitude);
-
 /// Amplitude with loss factor 0 over that with `loss_factor`, one mode: theory.md (38.17)
 double detuned_ratio(double mode_frequency, double frequency, double loss_factor);
 }  // namespace mill::cluster

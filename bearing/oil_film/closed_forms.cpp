@@ -62,19 +62,6 @@ double sommerfeld_force(const double e)
   return 2 * 12 * M_PI * e / ((2 + e * e) * std::sqrt(1 - e * e));
 }
 
-double half_sommerfeld_force(const double e)
-{
-  require_ratio(e);
-  const double u = 1 - e * e;
-  return 2 * 6 * e * std::sqrt(4 * e * e + M_PI * M_PI * u) / ((2 + e * e) * u);
-}
-
-double half_sommerfeld_attitude(const double e)
-{
-  require_ratio(e);
-  return std::atan2(M_PI * std::sqrt(1 - e * e), 2 * e);
-}
-
 double petroff_friction()
 {
   return 4 * M_PI;

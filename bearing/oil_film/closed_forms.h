@@ -18,9 +18,6 @@ ClosedCoefficients ocvirk_coefficients(double eccentricity);
 /// Infinitely long bearing: force of the whole length per half length, with a film that does not rupture
 /// (Sommerfeld), at 90 degrees from the line of centres.
 double sommerfeld_force(double eccentricity);
-/// The same with the film of the converging half alone: force and attitude, rad.
-double half_sommerfeld_force(double eccentricity);
-double half_sommerfeld_attitude(double eccentricity);
 /// Friction torque of a full film without load, in mu w R^3 L/2 / c (Petroff).
 double petroff_friction();
 }  // namespace mill::bearing

@@ -46,19 +46,6 @@ const std::vector<RollerBearing> &all_bearings(const Case &the_case)
       the_case.spec);
 }
 
-const std::vector<OilFilmBearing> &all_oil_films(const Case &the_case)
-{
-  static const std::vector<OilFilmBearing> none;
-  return std::visit(
-      [](const auto &spec) -> const std::vector<OilFilmBearing> & {
-        if constexpr (HasBearings<std::decay_t<decltype(spec)>>::value)
-          return spec.oil_films;
-        else
-          return none;
-      },
-      the_case.spec);
-}
-
 const std::vector<const CaseKind *> &all_kinds()
 {
   static const auto kinds = kinds_in(static_cast<const CaseSpec *>(nullptr));

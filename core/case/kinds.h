@@ -62,7 +62,6 @@ const CaseKind &kind_of(const Case &the_case);
 /// Passes and bearings of a case; of a kind without them, none.
 const std::vector<Pass> &all_passes(const Case &the_case);
 const std::vector<RollerBearing> &all_bearings(const Case &the_case);
-const std::vector<OilFilmBearing> &all_oil_films(const Case &the_case);
 
 /// "bearing" -> its names, "pass" -> "0", "1"; empty where the kind has none.
 std::vector<std::string> repeated_sections(const Case &the_case, const std::string &section);

@@ -56,11 +56,6 @@ std::string quantity_name(const MapQuantity quantity)
                                             : "viscosity of the oil";
 }
 
-std::string quantity_unit(const MapQuantity quantity)
-{
-  return quantity == MapQuantity::viscosity ? "Pa s" : "1";
-}
-
 std::string reason_of(const NoBite reason)
 {
   switch (reason) {

@@ -22,7 +22,6 @@ double quantity_of(const bite::RollBite &bite, MapQuantity quantity);
 
 /// "reduction", "factor on both tensions", "viscosity of the oil" with its unit.
 std::string quantity_name(MapQuantity quantity);
-std::string quantity_unit(MapQuantity quantity);
 
 /// Why a cell of a map is empty.
 enum class NoBite {

@@ -79,7 +79,6 @@ struct TandemCurves {
   Eigen::VectorXd loop_gain;   ///< (k) -, of the regenerative loop: below one it is harmless for any delay
   Eigen::VectorXi unstable;    ///< (k) -, roots of the full tandem that grow, both of a pair
 };
-TandemCurves tandem_curves(const TandemLine &line, const Eigen::VectorXd &speeds);
 
 /// What the report shows of a tandem.
 struct TandemStudy {

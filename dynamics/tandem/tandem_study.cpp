@@ -156,13 +156,6 @@ CriticalSpeed search_full(const TandemLine &line, Points &points, const SpeedRan
 }
 }  // namespace
 
-TandemCurves tandem_curves(const TandemLine &line, const Eigen::VectorXd &speeds)
-{
-  check_tandem(line);
-  Points points(line);
-  return curves(line, points, speeds);
-}
-
 TandemStudy tandem_study(const TandemLine &line, const SpeedRange &range, const int n_points)
 {
   check_tandem(line);

@@ -27,12 +27,8 @@ TEST(BearingRatings, AxialFactors)
   EXPECT_THROW(rating_factor(1.2), InputError);
 }
 
-TEST(BearingRatings, DampingOfALumpedBearing)
+TEST(BearingRatings, StiffnessNeedsALoad)
 {
-  const DampingRange c = bearing_damping(2e10);
-  EXPECT_TRUE(near(c.low, 5e4, within(1e-12, "0.25e-5 s")));
-  EXPECT_TRUE(near(c.middle, 2.5e5, within(1e-12, "1.25e-5 s")));
-  EXPECT_TRUE(near(c.high, 5e5, within(1e-12, "2.5e-5 s")));
   EXPECT_THROW(friswell_stiffness(demo_bearing(), 0), InputError);
 }
 
@@ -46,8 +42,6 @@ TEST(BearingRatings, LuoLawOfTheDemoRoller)
 TEST(BearingClearance, EndPlayAndRadialPlay)
 {
   EXPECT_NEAR(clearance_of_end_play(0.3e-3, 20 * degree) * 1e3, 0.11, 0.005);
-  EXPECT_TRUE(near(end_play_of_clearance(clearance_of_end_play(1e-4, 0.3), 0.3), 1e-4, within(1e-14, "inverse")));
-  EXPECT_THROW(end_play_of_clearance(1e-4, 0), InputError);
   RollerBearing b = demo_bearing(20);
   b.end_play      = 0.3e-3;
   EXPECT_TRUE(near(diametral_clearance(b), 0.3e-3 * std::tan(20 * degree), within(1e-14, "replaces the other")));

@@ -208,9 +208,8 @@ TEST(BearingStiffness, TangentIsTheSlopeOfTheCurve)
 
 TEST(BearingStiffness, EquilibriumAndCurve)
 {
-  const auto curve = bearing_curve(tapered("iso", 20, 1e-4), {100e3, 1e6, 4e6});
-  ASSERT_EQ(curve.size(), 3u);
-  for (const BearingState &state : curve) {
+  for (const double load : {100e3, 1e6, 4e6}) {
+    const BearingState state = solve_bearing(tapered("iso", 20, 1e-4), load);
     double force = 0, across = 0;
     for (int r = 0; r < 4; ++r)
       for (int j = 0; j < 39; ++j) {
