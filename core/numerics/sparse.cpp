@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cholmod.h>
 #include <condition_variable>
+#include <cstring>
 #include <dlfcn.h>
 #include <filesystem>
 #include <metis.h>
@@ -355,6 +356,21 @@ bool is_reference_blas(const std::string &path)
 {
   return path.find("openblas") == std::string::npos && path.find("mkl") == std::string::npos &&
          path.find("blis") == std::string::npos && path.find("atlas") == std::string::npos;
+}
+
+const char *fast_blas_kernels()
+{
+#if defined(__x86_64__)
+  const auto core_name = reinterpret_cast<char *(*)()>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));
+  if (core_name == nullptr || std::strcmp(core_name(), "Prescott") != 0)
+    return nullptr;
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
+    return "SkylakeX";
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return "Haswell";
+#endif
+  return nullptr;
 }
 
 void set_blas_threads(const int n)

@@ -50,6 +50,10 @@ Eigen::MatrixXd inverse_from_factor(const Eigen::MatrixXd &lower);
 std::string blas_in_use();
 /// True for Debian's reference BLAS, which is 6 to 20 times slower than OpenBLAS.
 bool is_reference_blas(const std::string &path);
+/// OpenBLAS chooses its kernels when it is loaded and falls back to those of 2004 on a processor it does not know,
+/// which costs a factor of four.  The value of OPENBLAS_CORETYPE that makes it take those the instruction set
+/// allows; null where the right ones are in use or it is another BLAS.
+const char *fast_blas_kernels();
 /// Threads the BLAS may use; no effect on the reference BLAS.
 void set_blas_threads(int n);
 }  // namespace mill
