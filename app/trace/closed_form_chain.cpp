@@ -231,7 +231,7 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, const FourHigh &stand, con
   const bool solid = stand.backup_roll.bending_model == "solid";
   if (solid && !is_given(stand.given, "K_ZW"))
     tagged.given["K_ZW"].parameter = bent_beam(stand, factors);
-  const auto chain     = reduce::lumped_stand(tagged, in);
+  const auto chain     = reduce::lumped_stand(tagged, in, reduce::StatedErrors::none);
   const auto inputs_of = [&](const char *name) { return made(name).parameter.inputs; };
   auto full            = reduce::chain_keys({inputs_of("K3"), inputs_of("K4"), inputs_of("K5"), inputs_of("K_Zy"),
                                              inputs_of("K_Zy_lower"), reduce::given_springs(stand), stand.housing.present()},

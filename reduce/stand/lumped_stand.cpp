@@ -154,6 +154,13 @@ ChainErrors propagated_errors(const FourHigh &stand, const ChainNumbers &numbers
   return sum;
 }
 
+ChainErrors no_errors()
+{
+  ChainErrors unknown;
+  unknown.error.fill(not_given);
+  return unknown;
+}
+
 std::string mass_method(const std::size_t i, const std::string &reference)
 {
   if (i == 0 || i == 5)
@@ -247,7 +254,7 @@ void stand_beside(Parameter &p, const double beams, const bool solid)
 }
 }  // namespace
 
-LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
+LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const StatedErrors stated)
 {
   LumpedStand result;
   LumpedModel &model      = result.model;
@@ -295,8 +302,9 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs)
   const Reduced reduced    = reduce_stand(stand, n, rolls, reference);
   const ChainValues values = chain_values(stand, n, rolls, reference);
   const ChainValues other  = chain_values(stand, n, rolls, reference == "mean" ? "mid" : "mean");
-  ChainErrors errors       = propagated_errors(stand, n, rolls, uncertain);
-  ChainValues beside       = values;
+  ChainErrors errors =
+      stated == StatedErrors::propagated ? propagated_errors(stand, n, rolls, uncertain) : no_errors();
+  ChainValues beside = values;
   if (const SolidRolls &r = inputs.solid) {
     beside             = chain_values(stand, n, rolls_of(!solid), reference);
     const Rolls coarse = solids(stand, *r.coarse_backup_roll, *r.coarse_work_roll);

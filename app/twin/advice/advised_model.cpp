@@ -77,7 +77,8 @@ DetailParts detail_parts(const FourHigh &drawn, const CaseChain &chain)
       },
       inputs);
   // Chocks of the work rolls on their bearings: these are the modes that six masses lack.
-  parts.springs = reduce::stand_springs(parts.stand, reduce::lumped_stand(parts.stand, inputs), true);
+  parts.springs = reduce::stand_springs(
+      parts.stand, reduce::lumped_stand(parts.stand, inputs, reduce::StatedErrors::none), true);
   return parts;
 }
 
