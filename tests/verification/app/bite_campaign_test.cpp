@@ -79,7 +79,7 @@ Ending ending_of(RunContext &run, const int i)
 
 TEST(BiteCampaign, EveryPassEndsWithAValueOrAPhysicalReason)
 {
-  const int first = number_in("MILLSTAND_PASSES_FROM", 0), n = number_in("MILLSTAND_PASSES", 20);
+  const int first = number_in("MILLSTAND_PASSES_FROM", 0), n = number_in("MILLSTAND_PASSES", 11);
   ASSERT_LT(first, n);
   const std::string folder = testing::TempDir() + "bite-campaign-" + std::to_string(::getpid());
   Case the_case;
