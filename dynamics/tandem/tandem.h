@@ -1,7 +1,7 @@
 #pragma once
 #include "dynamics/chatter/chatter.h"
-#include "dynamics/tandem/delay.h"
 #include "dynamics/chatter/speed.h"
+#include "dynamics/tandem/delay.h"
 #include <string>
 #include <vector>
 

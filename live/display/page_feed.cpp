@@ -1,17 +1,12 @@
 #include "live/display/page_feed.h"
+#include "live/steady_clock.h"
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace mill::live {
 namespace {
 constexpr double numbers_every = 0.05;  // s
 constexpr double waits         = 1;     // s without samples: waiting
-
-double steady_now()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 double rms(const std::vector<double> &values)
 {

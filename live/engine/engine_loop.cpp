@@ -1,14 +1,7 @@
 #include "live/engine/engine_loop.h"
-#include <chrono>
+#include "live/steady_clock.h"
 
 namespace mill::live {
-namespace {
-double steady_now()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-}  // namespace
-
 void run_engine(Engine &engine, SampleQueue &queue, CommandQueue &commands, const LoopHooks &hooks)
 {
   constexpr double longest_wait = 0.05;  // s

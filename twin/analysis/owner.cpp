@@ -5,7 +5,7 @@
 
 namespace mill::twin {
 namespace {
-constexpr double farthest = 3, apart = 1, least_assurance = 0.7;  // standard deviations, -
+constexpr double farthest_owner = 3, apart = 1, least_assurance = 0.7;  // standard deviations, -
 
 // Shape of a mode of the case at the channels that are places of it; empty with fewer than three.
 double assurance(const Seen &seen, const CaseModel &stand, const Eigen::Index mode)
@@ -48,7 +48,7 @@ Owner owner_among_modes(const Seen &seen, const CaseModel &stand)
     const double distance =
         std::abs(std::log(seen.frequency / stand.frequency[i])) / std::hypot(seen.deviation, of_case);
     const double mac = assurance(seen, stand, i);
-    if (distance < farthest && (std::isnan(mac) || mac > least_assurance))
+    if (distance < farthest_owner && (std::isnan(mac) || mac > least_assurance))
       candidates.push_back({i, distance});
   }
   std::sort(candidates.begin(), candidates.end(),

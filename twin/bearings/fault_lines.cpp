@@ -111,20 +111,6 @@ void block_family(Lines &lines, const FaultLines &found, const double shaft, con
 }
 }  // namespace
 
-Eigen::Index quick_length(const Eigen::Index n)
-{
-  Eigen::Index best = 2;
-  for (Eigen::Index five = 1; five <= n; five *= 5)
-    for (Eigen::Index three = five; three <= n; three *= 3) {
-      Eigen::Index two = 2 * three;
-      while (2 * two <= n)
-        two *= 2;
-      if (two <= n)
-        best = std::max(best, two);
-    }
-  return best;
-}
-
 EnvelopeSpectrum envelope_spectrum(const Eigen::Ref<const Eigen::VectorXd> &value, const double rate,
                                    const double low, const double high, Fourier &fourier)
 {

@@ -29,9 +29,6 @@ struct EnvelopeSpectrum {
 EnvelopeSpectrum envelope_spectrum(const Eigen::Ref<const Eigen::VectorXd> &value, double rate, double low,
                                    double high, Fourier &fourier);
 
-/// Largest even number of at most n samples without prime factors above 5.
-Eigen::Index quick_length(Eigen::Index n);
-
 /// What stands at the harmonics of one kind of fault.
 struct FaultLines {
   std::string family;             ///< "BPFO", "BPFI", "2 BSF", "FTF"

@@ -4,19 +4,6 @@
 #include <cmath>
 
 namespace mill::twin {
-namespace {
-/// Largest even 2^a 3^b 5^c <= n.
-Eigen::Index quick_length(const Eigen::Index n)
-{
-  Eigen::Index best = 0;
-  for (Eigen::Index five = 1; five <= n; five *= 5)
-    for (Eigen::Index three = five; three <= n; three *= 3)
-      for (Eigen::Index two = 2 * three; two <= n; two *= 2)
-        best = std::max(best, two);
-  return best;
-}
-}  // namespace
-
 BandRecord band_record(const Eigen::VectorXd &force, const Eigen::MatrixXd &acceleration, const double rate,
                        const double low, const double high, Fourier &fourier, const BetweenSamples between)
 {

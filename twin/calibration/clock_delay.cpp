@@ -7,7 +7,7 @@
 
 namespace mill::twin {
 namespace {
-constexpr double farthest = 0.05;  // s
+constexpr double longest_clock_delay = 0.05;  // s
 
 /// Response of the stand at bins of H1, unit force.  (k, m)
 Eigen::MatrixXcd response_at(const StandAt &at, const Eigen::VectorXd &angular,
@@ -51,7 +51,7 @@ PhaseDelay best_of_phases(const StandAt &at, const std::vector<Eigen::Index> &pl
       (s.response.middleRows(first, k).array().colwise() * s.force.segment(first, k).array()).max(1e-300);
   const Eigen::ArrayXcd phase = (both / both.abs().max(1e-300) * coherence).rowwise().sum();
   PhaseDelay best;
-  for (double tau = -farthest; tau <= farthest; tau += 0.05 / high) {
+  for (double tau = -longest_clock_delay; tau <= longest_clock_delay; tau += 0.05 / high) {
     const double agreement =
         (phase * (Eigen::ArrayXcd(angular.array() * std::complex<double>(0, tau))).exp()).real().sum();
     if (agreement > best.agreement)
@@ -87,7 +87,7 @@ ClockDelay clock_delay(const FittedStand &stand, const Fit &fit, const MeasuredR
 {
   std::vector<Unknown> unknowns = fit.unknowns;
   const auto last               = Eigen::Index(unknowns.size());
-  unknowns.push_back({"delay", farthest, 0});
+  unknowns.push_back({"delay", longest_clock_delay, 0});
   Eigen::VectorXd start(last + 1), prior(last);
   for (Eigen::Index i = 0; i < last; ++i)
     prior[i] = unknowns[std::size_t(i)].prior;

@@ -10,13 +10,13 @@ constexpr double share_held         = 1e-3;  // of the samples
 constexpr double shortest_stuck     = 5e-3;  // s
 constexpr Eigen::Index fewest_stuck = 50;    // samples
 
-struct Held {
+struct HeldLevel {
   Eigen::Index count = 0, longest = 0;
 };
 
-template <class AtLevel> Held held(const Eigen::VectorXd &value, const AtLevel &at_level)
+template <class AtLevel> HeldLevel held(const Eigen::VectorXd &value, const AtLevel &at_level)
 {
-  Held found;
+  HeldLevel found;
   Eigen::Index run = 0;
   for (const double x : value) {
     run = at_level(x) ? run + 1 : 0;
@@ -68,10 +68,10 @@ void find_clipping(CleanChannel &channel, const Eigen::VectorXd &value, const do
     return;
   const auto above    = [&](const double x) { return x >= high - same_level * range; };
   const auto below    = [&](const double x) { return x <= low + same_level * range; };
-  const auto is_level = [&](const Held &h) {
+  const auto is_level = [&](const HeldLevel &h) {
     return h.longest >= neighbours_held || (h.count > 1 && double(h.count) > share_held * double(n));
   };
-  const Held top = held(value, above), bottom = held(value, below);
+  const HeldLevel top = held(value, above), bottom = held(value, below);
   if (is_level(top))
     channel.clip_high = high;
   if (is_level(bottom))

@@ -6,8 +6,8 @@
 namespace mill::twin {
 namespace {
 constexpr double jitter_that_counts = 0.02, most_jitter = 0.5;  // samples
-constexpr double most_doubled     = 0.01;                       // share of the samples
-constexpr Eigen::Index most_steps = 1 << 20;                    // the median is taken of
+constexpr double most_doubled             = 0.01;               // share of the samples
+constexpr Eigen::Index most_sampled_steps = 1 << 20;            // the median is taken of
 
 [[noreturn]] void too_coarse(const RawRecord &record, const std::string &why)
 {
@@ -16,7 +16,7 @@ constexpr Eigen::Index most_steps = 1 << 20;                    // the median is
 
 double median_step(const RawRecord &record)
 {
-  const Eigen::Index n = record.time.size() - 1, stride = std::max<Eigen::Index>(1, n / most_steps);
+  const Eigen::Index n = record.time.size() - 1, stride = std::max<Eigen::Index>(1, n / most_sampled_steps);
   std::vector<double> steps;
   for (Eigen::Index i = 0; i < n; i += stride)
     steps.push_back(record.time[i + 1] - record.time[i]);

@@ -9,7 +9,7 @@
 namespace mill::twin {
 namespace {
 using Complex                      = std::complex<double>;
-constexpr double reach             = 0.05;  // s, of delays
+constexpr double compared_delays   = 0.05;  // s, of delays
 constexpr std::size_t seconds_kept = 10;    // of the coherence
 constexpr Eigen::Index most_bins   = 1024;
 constexpr double display_mean      = 0.5;  // s, time constant of the spectra for the eye
@@ -133,7 +133,7 @@ struct RunningComparison::State {
     for (const CrossSums &one : p.kept)
       p.known.add(one);
     const double duration = p.second.n > 0 ? double(L / 2) * (p.second.n + 1) / rate : 0;
-    row.delay             = delay_of(p.second, p.known, rate, duration, reach, fourier);
+    row.delay             = delay_of(p.second, p.known, rate, duration, compared_delays, fourier);
     row.bands             = incoherent_shares(p.known, rate);
     p.second.clear();
     p.measured = p.simulated = {};

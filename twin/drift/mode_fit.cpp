@@ -10,7 +10,7 @@ namespace {
 using Complex = std::complex<double>;
 using Columns = Eigen::MatrixXd;  // (2 lines, columns): real parts above imaginary parts
 
-constexpr double half_widths       = 5;  // of the band on each side
+constexpr double fitted_half_widths = 5;  // of the band on each side
 constexpr Eigen::Index least_lines = 240, mode_columns = 4;
 constexpr double least_significance = 60;
 
@@ -28,8 +28,8 @@ struct Band {
 
 Band band_around(const BlockSpectra &block, const ExpectedMode &mode)
 {
-  const double reach =
-                   std::max(half_widths * mode.damping * mode.frequency * block.duration, double(least_lines) / 2),
+  const double reach  = std::max(fitted_half_widths * mode.damping * mode.frequency * block.duration,
+                                 double(least_lines) / 2),
                centre = mode.frequency * block.duration;
   const auto first    = std::max<Eigen::Index>(1, Eigen::Index(std::ceil(centre - reach)));
   const auto last     = std::min(block.force.size() - 1, Eigen::Index(std::floor(centre + reach)));
@@ -167,7 +167,7 @@ ExpectedMode coarse_minimum(const NarrowBand &band, const ExpectedMode &expected
 {
   ExpectedMode best = expected;
   double lowest     = std::numeric_limits<double>::infinity();
-  for (double width = -0.9 * half_widths; width <= 0.9 * half_widths; width += 0.5) {
+  for (double width = -0.9 * fitted_half_widths; width <= 0.9 * fitted_half_widths; width += 0.5) {
     ExpectedMode mode = expected;
     mode.frequency *= 1 + width * expected.damping;
     if (const double cost = band.at(mode, false).cost; cost < lowest) {
@@ -237,7 +237,7 @@ ModeFit fit_mode(const BlockSpectra &block, const ExpectedMode &expected, const 
     mode.damping     = centre.damping;
     point            = minimise(band, mode);
     fit.significance = band.significance(point);
-    if (std::abs(mode.frequency / centre.frequency - 1) < 0.5 * half_widths * centre.damping)
+    if (std::abs(mode.frequency / centre.frequency - 1) < 0.5 * fitted_half_widths * centre.damping)
       break;
   }
   fit.frequency                    = mode.frequency;

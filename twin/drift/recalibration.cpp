@@ -1,5 +1,6 @@
 #include "twin/drift/recalibration.h"
 #include "core/case/errors.h"
+#include "twin/calibration/calibration_parts.h"
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -7,7 +8,7 @@
 
 namespace mill::twin {
 namespace {
-constexpr double beyond = 3, better = 0.9, frequency_floor = 1e-4;
+constexpr double better = 0.9, frequency_floor = 1e-4;
 
 MeasuredResponse response_of(const DriftRecord &record, const double low)
 {
@@ -69,10 +70,10 @@ void judge(Recalibration &result, const Fit &fit, const RecalibrationSettings &s
         value.change = fit.estimate[i];
         value.sd     = sd[i];
         value.told   = shrink[i] <= settings.told;
-        if (std::abs(value.change) > beyond * value.prior_sd)
+        if (std::abs(value.change) > far_from_prior * value.prior_sd)
           result.refused =
               fmt::format("{} would move by {:+.1f} %, beyond {:.0f} of its prior standard deviations", value.name,
-                          100 * std::expm1(value.change), beyond);
+                          100 * std::expm1(value.change), far_from_prior);
       }
 }
 }  // namespace

@@ -6,9 +6,9 @@ namespace mill::twin {
 namespace {
 using Complex = std::complex<double>;
 
-constexpr double reach       = 0.05;  // s
-constexpr double least_phase = 0.02;  // rad, what damping that is not proportional does to a phase
-constexpr double clear_lead  = 0.8;   // of the best: a second delay that fits as well leaves it open
+constexpr double longest_delay = 0.05;  // s
+constexpr double least_phase   = 0.02;  // rad, what damping that is not proportional does to a phase
+constexpr double clear_lead    = 0.8;   // of the best: a second delay that fits as well leaves it open
 
 // Phase of one residue beside that of a real mode, known up to half a turn.
 struct Phase {
@@ -60,14 +60,14 @@ ForceDelay force_delay(const std::vector<ForcedMode> &modes, const int order)
   const double step = M_PI / highest / 32;
   double best = -2, second = -2, at = 0;
   std::vector<double> level;
-  for (double tau = -reach; tau <= reach; tau += step)
+  for (double tau = -longest_delay; tau <= longest_delay; tau += step)
     level.push_back(agreement(phases, tau));
   for (std::size_t i = 1; i + 1 < level.size(); ++i)
     if (level[i] >= level[i - 1] && level[i] > level[i + 1]) {
       if (level[i] > best) {
         second = best;
         best   = level[i];
-        at     = -reach + step * double(i);
+        at     = -longest_delay + step * double(i);
       } else
         second = std::max(second, level[i]);
     }

@@ -7,12 +7,12 @@ namespace mill::twin {
 namespace {
 using Complex = std::complex<double>;
 
-constexpr double least_coherence = 0.1;   // below it a channel does not follow the force
-constexpr double follows         = 0.3;   // of the best third octave
-constexpr double lowest          = 20;    // Hz
-constexpr double least_force     = 1e-5;  // of its largest density nearby: less is leakage, not drive
-constexpr double half_widths     = 6;     // of a resonance, to each side of a fit
-constexpr Eigen::Index few_bins  = 12;    // to each side at least
+constexpr double least_coherence       = 0.1;   // below it a channel does not follow the force
+constexpr double follows               = 0.3;   // of the best third octave
+constexpr double lowest                = 20;    // Hz
+constexpr double least_force           = 1e-5;  // of its largest density nearby: less is leakage, not drive
+constexpr double resonance_half_widths = 6;     // of a resonance, to each side of a fit
+constexpr Eigen::Index few_bins        = 12;    // to each side at least
 constexpr double significant = 5, deviations = 6, alike = 0.9;
 constexpr double beyond        = 1.5;   // H is kept so far above the highest mode that is looked for
 constexpr double least_damping = 5e-4;  // below it a pole is a line
@@ -88,7 +88,7 @@ Complex pole_of(const double frequency, const double damping)
 Span reach_of(const ForceResponse &response, const IdentifiedMode &mode)
 {
   const double df  = response.resolution();
-  const auto width = std::max(few_bins, Eigen::Index(half_widths * mode.damping * mode.frequency / df));
+  const auto width = std::max(few_bins, Eigen::Index(resonance_half_widths * mode.damping * mode.frequency / df));
   const auto k     = Eigen::Index(std::lround(mode.frequency / df));
   return {std::max<Eigen::Index>(2, k - width), std::min(response.H.rows() - 1, k + width)};
 }
@@ -217,7 +217,8 @@ void drop_backgrounds(std::vector<ForcedMode> &modes)
 {
   constexpr double broader = 5;
   for (ForcedMode &broad : modes)
-    if (half_widths * broad.damping > 1 || std::any_of(modes.begin(), modes.end(), [&](const ForcedMode &sharp) {
+    if (resonance_half_widths * broad.damping > 1 ||
+        std::any_of(modes.begin(), modes.end(), [&](const ForcedMode &sharp) {
           return sharp.confirmed && broader * sharp.damping < broad.damping &&
                  std::abs(sharp.frequency - broad.frequency) < broad.damping * broad.frequency;
         }))

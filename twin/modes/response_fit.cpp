@@ -8,7 +8,7 @@ namespace mill::twin {
 namespace {
 using Complex = std::complex<double>;
 
-constexpr int most_steps           = 40;
+constexpr int most_fit_steps       = 40;
 constexpr double bins_per_free_one = 35.0 / 18;  // neighbours of H1 under a Hann window: 1 + 2 (4/9 + 1/36)
 constexpr Eigen::Index smoothed    = 4;          // bins to each side
 constexpr Eigen::Index of_others   = 6;          // numbers for what other modes add: a parabola, complex
@@ -52,9 +52,9 @@ Target target_of(const ForceResponse &response, const Eigen::Index c, const Eige
   return target;
 }
 
-class Fit {
+class ResonanceFit {
 public:
-  Fit(const ForceResponse &r, const Eigen::Index from, const Eigen::Index to)
+  ResonanceFit(const ForceResponse &r, const Eigen::Index from, const Eigen::Index to)
       : response(r), first(from), n(to - from + 1)
   {
     for (Eigen::Index c = 0; c < r.H.cols(); ++c)
@@ -219,12 +219,12 @@ std::vector<FittedPole> fit_response(const ForceResponse &response, const std::v
   if (m == 0 || n < 4 * m + 8)
     return {};
   const double low = double(first) * response.resolution(), high = double(last) * response.resolution();
-  Fit fit(response, first, last);
+  ResonanceFit fit(response, first, last);
   std::vector<Complex> poles = start;
   Eigen::MatrixXd J;
   Eigen::VectorXd left;
   double sum = fit.at(poles, &J, &left), shift = 1e-3;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_fit_steps; ++step) {
     Eigen::MatrixXd A = J.transpose() * J;
     A.diagonal() *= 1 + shift;
     const Eigen::VectorXd d    = A.ldlt().solve(-J.transpose() * left);

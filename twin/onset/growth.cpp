@@ -8,9 +8,9 @@ namespace mill::twin {
 namespace {
 using Complex = std::complex<double>;
 
-constexpr int first_lag = 2;                                       // below: noise and filter
-constexpr double reach = 0.7, longest = 2, shortest_sigma = 0.35;  // -, s, 1/s
-constexpr double scatter_over_law = 1.6;                           // -
+constexpr int first_lag    = 2;                                        // below: noise and filter
+constexpr double lag_reach = 0.7, longest = 2, shortest_sigma = 0.35;  // -, s, 1/s
+constexpr double scatter_over_law = 1.6;                               // -
 
 Complex correlation(const ComplexEnvelope &envelope, const Eigen::Index lag)
 {
@@ -51,8 +51,8 @@ GrowthRate growth_of_all(const ComplexEnvelope &envelope)
   growth.kept  = std::abs(R[2]) / std::abs(R[0]);
   double sigma = -1 / longest;
   for (int i = 0; i < 8; ++i) {  // the reach of the lags follows the rate they tell
-    const int last =
-        std::clamp(int(reach / std::max(std::abs(sigma), shortest_sigma) * envelope.rate), first_lag + 1, most);
+    const int last       = std::clamp(int(lag_reach / std::max(std::abs(sigma), shortest_sigma) * envelope.rate),
+                                      first_lag + 1, most);
     const Complex lambda = step_factor(R, last);
     if (!(std::abs(lambda) > 0))
       return growth;

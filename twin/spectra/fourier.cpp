@@ -1,4 +1,5 @@
 #include "twin/spectra/fourier.h"
+#include <algorithm>
 #include <unsupported/Eigen/FFT>
 
 namespace mill::twin {
@@ -26,5 +27,15 @@ void Fourier::forward(const std::vector<std::complex<double>> &x, std::vector<st
 void Fourier::inverse(const std::vector<std::complex<double>> &X, std::vector<std::complex<double>> &x)
 {
   plans->full.inv(x, X);
+}
+
+std::ptrdiff_t quick_length(const std::ptrdiff_t n)
+{
+  std::ptrdiff_t best = 0;
+  for (std::ptrdiff_t five = 1; five <= n; five *= 5)
+    for (std::ptrdiff_t three = five; three <= n; three *= 3)
+      for (std::ptrdiff_t two = 2 * three; two <= n; two *= 2)
+        best = std::max(best, two);
+  return best;
 }
 }  // namespace mill::twin

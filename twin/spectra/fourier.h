@@ -1,5 +1,6 @@
 #pragma once
 #include <complex>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -21,4 +22,7 @@ private:
   struct Plans;
   std::unique_ptr<Plans> plans;
 };
+
+/// Largest even number of at most n samples without prime factors above 5; 0 below 2.
+std::ptrdiff_t quick_length(std::ptrdiff_t n);
 }  // namespace mill::twin

@@ -132,8 +132,8 @@ SlabOnArc slab_on_its_arc(const bite::RollBite &b, const fem::StripElastic &stat
 }
 
 // Passes solved once.
-const fem::StripElastic &solved(const std::string &name, const bite::RollBite &b, const bite::Arc arc,
-                                const int along, const int through)
+const fem::StripElastic &elastic_strip(const std::string &name, const bite::RollBite &b, const bite::Arc arc,
+                                       const int along, const int through)
 {
   static std::map<std::string, fem::StripElastic> states;
   const std::string key = name + "/" + std::to_string(int(arc)) + "/" + std::to_string(along);
@@ -146,10 +146,10 @@ const fem::StripElastic &solved(const std::string &name, const bite::RollBite &b
   model.elements_through = through;
   return states.emplace(key, fem::solve_elastic_strip(b, model)).first->second;
 }
-const fem::StripElastic &solved(const std::string &name, const bite::Arc arc, const int along = 24,
-                                const int through = 4)
+const fem::StripElastic &elastic_strip(const std::string &name, const bite::Arc arc, const int along = 24,
+                                       const int through = 4)
 {
-  return solved(name, reference_pass(name), arc, along, through);
+  return elastic_strip(name, reference_pass(name), arc, along, through);
 }
 
 // A pass between rolls that take next to nothing off: 1.5 % of thin strip under tension.
@@ -196,7 +196,7 @@ std::vector<Check> rigid_roll()
   for (const char *name : {"B5", "B6"}) {
     const bite::RollBite b         = reference_pass(name);
     const bool thin                = std::string(name) == "B6";
-    const fem::StripElastic &state = solved(name, bite::Arc::rigid, thin ? 24 : 16, thin ? 4 : 3);
+    const fem::StripElastic &state = elastic_strip(name, bite::Arc::rigid, thin ? 24 : 16, thin ? 4 : 3);
     const SlabOnArc with = slab_on_circle(b, true), without = slab_on_circle(b, false);
     const std::string n = std::string(name) + ": ";
     checks.push_back(relative(n + "force per width against the slab with friction in its elastic ends", "N/mm",
@@ -220,7 +220,7 @@ std::vector<Check> elastic_roll()
   };
   for (const auto &[name, slab] : published) {
     const bite::RollBite b         = reference_pass(name);
-    const fem::StripElastic &state = solved(name, bite::Arc::elastic);
+    const fem::StripElastic &state = elastic_strip(name, bite::Arc::elastic);
     const SlabOnArc with = slab_on_its_arc(b, state, true), without = slab_on_its_arc(b, state, false);
     const std::string n = name + ": ";
     const double F      = per_width(b, state) / 1e3;
@@ -256,7 +256,7 @@ std::vector<Check> elastic_roll()
 std::vector<Check> temper_pass()
 {
   const bite::RollBite b         = light_pass();
-  const fem::StripElastic &state = solved("light", b, bite::Arc::rigid, 16, 3);
+  const fem::StripElastic &state = elastic_strip("light", b, bite::Arc::rigid, 16, 3);
   const SlabOnArc with           = slab_on_circle(b, true);
   const double length            = state.flow.state.arc_length - state.flow.state.exit_position;
   return {
@@ -278,7 +278,7 @@ std::vector<Check> balances()
   std::vector<Check> checks;
   for (const auto &[name, arc] : {std::pair("B6", bite::Arc::rigid), std::pair("B6", bite::Arc::elastic),
                                   std::pair("B5", bite::Arc::elastic)}) {
-    const fem::StripElastic &s = solved(name, arc);
+    const fem::StripElastic &s = elastic_strip(name, arc);
     const std::string n = std::string(name) + (arc == bite::Arc::rigid ? ", rigid roll: " : ", elastic roll: ");
     const Strip &strip  = reference_pass(name).strip;
     double stress = 0, height = 0, largest = 0;
@@ -347,9 +347,9 @@ std::vector<Check> strip_derivatives()
 std::vector<Check> mesh()
 {
   const bite::RollBite b = reference_pass("B5");
-  const double coarse    = per_width(b, solved("B5", bite::Arc::elastic, 16, 3)) / 1e3,
-               fine      = per_width(b, solved("B5", bite::Arc::elastic)) / 1e3,
-               finest    = per_width(b, solved("B5", bite::Arc::elastic, 32, 5)) / 1e3;
+  const double coarse    = per_width(b, elastic_strip("B5", bite::Arc::elastic, 16, 3)) / 1e3,
+               fine      = per_width(b, elastic_strip("B5", bite::Arc::elastic)) / 1e3,
+               finest    = per_width(b, elastic_strip("B5", bite::Arc::elastic, 32, 5)) / 1e3;
   return {relative("force per width, 24 x 4 against 32 x 5 elements", "N/mm", fine, finest, 0.004),
           relative("16 x 3 against 32 x 5 elements", "N/mm", coarse, finest, 0.01)};
 }

@@ -9,6 +9,7 @@
 #include "core/case/visible_text.h"
 #include "core/model/case.h"
 #include "live/engine/engine_loop.h"
+#include "live/steady_clock.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -21,7 +22,7 @@ namespace mill {
 namespace {
 live::ClockReading clock_now()
 {
-  return {std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(), utc_now()};
+  return {live::steady_now(), utc_now()};
 }
 }  // namespace
 
@@ -129,9 +130,7 @@ live::EngineHooks LiveRun::hooks()
       response_->take(block);
     if (page_) {
       feed_.take(block);
-      const double now =
-          std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-      if (const auto spectrum = spectrum_.take(block, now))
+      if (const auto spectrum = spectrum_.take(block, live::steady_now()))
         publish(live::event_names::spectrum, live::spectrum_text(*spectrum));
     }
     if (const std::string line = lines_.take(block); !line.empty())

@@ -1,0 +1,10 @@
+#pragma once
+#include <chrono>
+
+namespace mill::live {
+/// s, of a clock that nobody sets.
+inline double steady_now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+}  // namespace mill::live
