@@ -12,7 +12,7 @@ namespace {
 Outcome chatter(const std::string &path, const std::string &name, const std::string &more)
 {
   return millstand("chatter " + path + " -o " + scratch(name) + " --cache " + shared_cache() +
-                   " --force-overwrite --set analysis.map_points=0 " + more);
+                   " --force-overwrite --set analysis.map_points=0 --set analysis.duration='0.2 s' " + more);
 }
 
 bool has(const nlohmann::json &results, const std::string &name)
@@ -27,7 +27,7 @@ const auto search = within(1e-5, "root finding and the settled bite are far belo
 // The published conditions: computed values beside the printed ones, in results, files and on the console.
 TEST(ChatterCommand, ThePublishedTable)
 {
-  const auto outcome = chatter(published, "published", "--set analysis.map_points=8");
+  const auto outcome = chatter(published, "published", "--set analysis.map_points=8 --set analysis.duration='0.6 s'");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char *text : {"condition  quantity", "critical speed", "rolling force", "friction",
                            "condition 2: unstable above 18.207 m/s (128.1 Hz)"})
