@@ -12,6 +12,11 @@ double friswell_stiffness(const RollerBearing &b, const double radial_load)
          std::pow(radial_load, 0.1) * std::pow(std::cos(b.cup_angle), 1.9);
 }
 
+DampingRange bearing_damping(const double stiffness)
+{
+  return {0.25e-5 * stiffness, 1.25e-5 * stiffness, 2.5e-5 * stiffness};
+}
+
 RollerLaw luo_law(const RollerBearing &b, const double inner_raceway, const double outer_raceway)
 {
   const double nu = b.poisson_ratio, D = 1e3 * b.roller_diameter, L = 1e3 * b.roller_length;

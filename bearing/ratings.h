@@ -14,6 +14,15 @@ using mill::ratings;
 /// @throws InputError  load not positive
 double friswell_stiffness(const RollerBearing &bearing, double radial_load);
 
+/// Range in which the damping of a rolling bearing of this stiffness lies.
+struct DampingRange {
+  double low;     ///< N s/m
+  double middle;  ///< N s/m
+  double high;    ///< N s/m
+};
+/// (0.25, 1.25, 2.5) 1e-5 s times the stiffness (N/m).  Source: as friswell_stiffness.
+DampingRange bearing_damping(double stiffness);
+
 /// Load-approach law with a formula for each contact that knows the raceway's radius, as one lamina in the middle
 /// of the roller: both contacts in series on the cup's normal by the force triangle of roller, cup, cone and rib,
 ///   G = 4.80 ((1 - nu1^2)/(pi E1) + (1 - nu2^2)/(pi E2))^0.9 (1 +- D_w/D_race)^0.1 / (L^0.74 D_w^0.1)

@@ -27,8 +27,12 @@ TEST(BearingRatings, AxialFactors)
   EXPECT_THROW(rating_factor(1.2), InputError);
 }
 
-TEST(BearingRatings, StiffnessNeedsALoad)
+TEST(BearingRatings, DampingOfALumpedBearing)
 {
+  const DampingRange c = bearing_damping(2e10);
+  EXPECT_TRUE(near(c.low, 5e4, within(1e-12, "0.25e-5 s")));
+  EXPECT_TRUE(near(c.middle, 2.5e5, within(1e-12, "1.25e-5 s")));
+  EXPECT_TRUE(near(c.high, 5e5, within(1e-12, "2.5e-5 s")));
   EXPECT_THROW(friswell_stiffness(demo_bearing(), 0), InputError);
 }
 
