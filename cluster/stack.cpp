@@ -133,11 +133,16 @@ Eigen::VectorXd masses(const Stack &stack)
 ContactState contact_state(const Stack &stack, const Contact &c, const Motion &u)
 {
   const auto a = std::size_t(c.a), b = std::size_t(c.b);
-  const Eigen::Vector2d r = stack.rolls[b].centre - stack.rolls[a].centre + at(u, stack, c.b) - at(u, stack, c.a);
+  const Eigen::Vector2d apart = stack.rolls[b].centre - stack.rolls[a].centre,
+                        d     = at(u, stack, c.b) - at(u, stack, c.a);
+  const Eigen::Vector2d r     = apart + d;
   ContactState s;
   s.distance = r.norm();
   s.normal   = r / s.distance;
-  s.approach = c.free_length - s.distance;
+  // The difference of two lengths of a metre would leave 1e-16 m, which times 1e10 N/m is more than the
+  // equilibrium is asked to: so the change of the distance is written by the displacement itself.
+  const double drawn = apart.norm();
+  s.approach         = c.free_length - drawn - (2 * apart + d).dot(d) / (s.distance + drawn);
   return s;
 }
 

@@ -13,8 +13,14 @@ ElasticContinuation::ElasticContinuation(const ElasticPass &p, ElasticGrid &g, c
 {
 }
 
-// Residual at which a level is good enough to go on from.
-constexpr double start_tolerance = 1e-7;
+// Residual at which a level is good enough to go on from: what it leaves is gone after the next one's first step.
+constexpr double start_tolerance = 1e-3;
+// And where the lines of a mesh are laid by it: they shall not hang on what is left.
+constexpr double mesh_tolerance = 1e-7;
+// Steps in a row cut down to this share, because a speed or a height would turn negative: the level is out of
+// reach.
+constexpr double crawling_share = 1e-3;
+constexpr int most_crawling     = 5;
 
 bool ElasticContinuation::is_last(const ElasticStage &s) const
 {
@@ -23,20 +29,30 @@ bool ElasticContinuation::is_last(const ElasticStage &s) const
          s.softness == last.softness && s.compliance == last.compliance && s.flattening == last.flattening;
 }
 
+double ElasticContinuation::tolerance(const ElasticStage &s) const
+{
+  const bool lays_mesh =
+      pass.model.arc == bite::Arc::elastic && s.cutoff_strain_rate == fit_rate && s.flattening == 1;
+  return is_last(s)  ? pass.model.tolerance
+         : lays_mesh ? std::max(pass.model.tolerance, mesh_tolerance)
+                     : std::max(pass.model.tolerance, start_tolerance);
+}
+
 bool ElasticContinuation::newton(ElasticStage stage, const char *what, const int steps, const bool leaps)
 {
   const VectorXd before = u;
   find_thinnest(stage);
   ElasticEquations e  = elastic_equations(pass, grid, roll, stage, u, memory, true);
   double residual     = e.residual.norm();
-  const double enough = is_last(stage) ? pass.model.tolerance : std::max(pass.model.tolerance, start_tolerance);
-  int stuck           = 0;
+  const double enough = tolerance(stage);
+  int stuck = 0, crawling = 0;
   for (int step = 1; step <= steps && std::isfinite(residual); ++step) {
     course.spend(grid.n_unknowns, pass.model.work_limit);
     if (!factor.factorise(grid.n_unknowns, e.entries))
       break;
     const VectorXd d = factor.solve(e.residual), from = u;
     const double longest = largest_share(d);
+    crawling             = longest < crawling_share ? crawling + 1 : 0;
     double next          = 0;
     const auto go        = [&](const double share) {
       u    = from - share * d;
@@ -55,7 +71,7 @@ bool ElasticContinuation::newton(ElasticStage stage, const char *what, const int
     }
     const bool moved = find_thinnest(stage);
     last_residual    = residual;
-    if (!std::isfinite(next) || stuck > 5)
+    if (!std::isfinite(next) || stuck > 5 || crawling > most_crawling)
       break;
     e        = elastic_equations(pass, grid, roll, stage, u, memory, true);
     residual = last_residual = e.residual.norm();
@@ -210,7 +226,10 @@ void harden(ElasticContinuation &c, const double from, const double until)
             refuse(c, part);
         }
     }
-    if (!c.advance(s, what))
+    // A rigid roll is there already.
+    const bool there = c.at.cutoff_strain_rate == s.cutoff_strain_rate && c.at.cutoff_slip == s.cutoff_slip &&
+                       c.at.softness == s.softness && c.at.flattening == s.flattening;
+    if (!there && !c.advance(s, what))
       refuse(c, s);
     if (c.fits && rate <= fit_rate && !c.grid.moves())
       fit(c, s);

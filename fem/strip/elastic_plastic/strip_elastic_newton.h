@@ -25,6 +25,7 @@ public:
 
 private:
   bool is_last(const ElasticStage &stage) const;
+  double tolerance(const ElasticStage &stage) const;
   bool find_thinnest(ElasticStage &stage) const;
   double largest_share(const Eigen::VectorXd &d) const;
   UnsymmetricFactor factor;
