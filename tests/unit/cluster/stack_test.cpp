@@ -52,6 +52,26 @@ TEST(ClusterStack, ForcesAreTheDerivativeOfTheEnergy)
   }
 }
 
+TEST(ClusterStack, ApproachOfRollsAMetreApartKeepsItsDigits)
+{
+  Stack stack;
+  for (const double x : {0.123, 0.987}) {
+    Roll roll;
+    roll.centre = {x, 0.456 * x};
+    stack.rolls.push_back(roll);
+  }
+  Contact c;
+  c.b                         = 1;
+  const Eigen::Vector2d apart = stack.rolls[1].centre - stack.rolls[0].centre;
+  c.free_length               = apart.norm();
+  const Eigen::Vector2d n     = apart / apart.norm(), t(-n.y(), n.x());
+  const double closer = 3e-13, sideways = 2e-13;  // m: what 1e10 N/m carries under 3 mN
+  Motion u                       = Motion::Zero(stack.size());
+  u.segment<2>(stack.per_roll()) = -closer * n + sideways * t;
+  EXPECT_TRUE(near(contact_state(stack, c, u).approach, closer,
+                   within(1e-9, "sideways squared over the distance; a difference of distances keeps no digit")));
+}
+
 TEST(ClusterStack, EnergySharesOfAModeAreWhole)
 {
   Stack stack    = stack_of(variant_N());
