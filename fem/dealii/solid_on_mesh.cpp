@@ -1,4 +1,6 @@
 #include "fem/dealii/dealii_bodies.h"
+#include <algorithm>
+#include <array>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/work_stream.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -138,44 +140,63 @@ UnitStiffness Solid::unit_stiffness() const
     Eigen::MatrixXd matrix;
     double volume;
   };
+  // S_cd(a, b) = integral of d_c N_a d_d N_b, one product of matrices for each pair of directions: all of the
+  // element's stiffness is made of them.
   const auto local = [&](const DoFHandler<3>::active_cell_iterator &cell, Scratch &scratch, Copy &copy) {
     FEValues<3> &v = scratch.values;
     v.reinit(cell);
     copy.index.resize(n);
     cell->get_dof_indices(copy.index);
-    copy.matrix.setZero(3 * n, 3 * n);
-    copy.volume = 0;
-    Eigen::MatrixXd gradient(3, n);
-    for (const unsigned q : v.quadrature_point_indices()) {
-      const double w = v.JxW(q);
-      copy.volume += w;
+    const int n_points = int(v.n_quadrature_points);
+    Eigen::RowVectorXd w(n_points);
+    std::array<Eigen::MatrixXd, 3> gradient, weighted;
+    for (int c = 0; c < 3; ++c)
+      gradient[c].resize(n, n_points);
+    for (int q = 0; q < n_points; ++q) {
+      w[q] = v.JxW(q);
       for (int a = 0; a < n; ++a)
         for (int c = 0; c < 3; ++c)
-          gradient(c, a) = v.shape_grad(a, q)[c];
-      for (int b = 0; b < n; ++b)
-        for (int a = 0; a <= b; ++a) {
-          const double dot = mu * w * gradient.col(a).dot(gradient.col(b));
-          for (int d = 0; d < 3; ++d)
-            for (int c = 0; c < 3; ++c)
-              copy.matrix(3 * a + c, 3 * b + d) +=
-                  w * (lambda * gradient(c, a) * gradient(d, b) + mu * gradient(d, a) * gradient(c, b)) +
-                  (c == d ? dot : 0);
-        }
+          gradient[c](a, q) = v.shape_grad(a, q)[c];
     }
+    copy.volume = w.sum();
+    for (int c = 0; c < 3; ++c)
+      weighted[c] = gradient[c].array().rowwise() * w.array();
+    copy.matrix.resize(3 * n, 3 * n);
+    Eigen::MatrixXd S(n, n), shared = Eigen::MatrixXd::Zero(n, n);
+    for (int c = 0; c < 3; ++c)
+      for (int d = c; d < 3; ++d) {
+        S.noalias() = weighted[c] * gradient[d].transpose();
+        if (c == d)
+          shared += mu * S;
+        for (int b = 0; b < n; ++b)
+          for (int a = 0; a <= b; ++a) {
+            copy.matrix(3 * a + c, 3 * b + d) = lambda * S(a, b) + mu * S(b, a);
+            copy.matrix(3 * a + d, 3 * b + c) = lambda * S(b, a) + mu * S(a, b);
+          }
+      }
+    for (int b = 0; b < n; ++b)
+      for (int a = 0; a <= b; ++a)
+        for (int c = 0; c < 3; ++c)
+          copy.matrix(3 * a + c, 3 * b + c) += shared(a, b);
   };
+  // The three columns of a node hold the same rows of the nodes before it, three each, and then its own.
+  const int *outer = stiffness.outerIndexPtr(), *inner = stiffness.innerIndexPtr();
+  double *values = stiffness.valuePtr();
   const auto add = [&](const Copy &copy) {
     out.volume += copy.volume;
     for (int b = 0; b < n; ++b)
       for (int a = 0; a <= b; ++a) {
-        const int i = int(copy.index[a]), j = int(copy.index[b]);
+        int i = int(copy.index[a]), j = int(copy.index[b]);
+        Eigen::Matrix3d block = copy.matrix.block<3, 3>(3 * a, 3 * b);
+        if (i > j) {
+          std::swap(i, j);
+          block.transposeInPlace();
+        }
+        const int *begin = inner + outer[3 * j], *own = inner + outer[3 * j + 1] - 1;
+        const auto place = std::lower_bound(begin, own, 3 * i) - begin;
         for (int d = 0; d < 3; ++d)
-          for (int c = 0; c < 3; ++c) {
-            const double value = copy.matrix(3 * a + c, 3 * b + d);
-            if (i < j || (i == j && c <= d))
-              stiffness.coeffRef(3 * i + c, 3 * j + d) += value;
-            else if (i > j)
-              stiffness.coeffRef(3 * j + d, 3 * i + c) += value;
-          }
+          for (int c = 0; c < (i == j ? d + 1 : 3); ++c)
+            values[outer[3 * j + d] + place + c] += block(c, d);
       }
   };
   WorkStream::run(dofs.begin_active(), dofs.end(), local, add, Scratch(mapping, fe, quadrature), Copy());
