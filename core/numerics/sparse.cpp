@@ -170,13 +170,17 @@ std::vector<int> nested_dissection(const SymmetricSparse &K, const std::vector<i
       node_of_vertex.push_back(node_of[i]);
     }
   std::vector<std::vector<int>> neighbours(node_of_vertex.size());
+  // Two nodes share an entry for each pair of their unknowns, up to nine, mostly one after the other: noted once.
+  std::vector<int> seen_from(node_of_vertex.size(), -1);
   for (int j = 0; j < K.outerSize(); ++j) {
     if (is_retained[j])
       continue;
+    const int b = vertex[node_of[j]];
     for (SymmetricSparse::InnerIterator it(K, j); it; ++it) {
-      const int a = vertex[node_of[it.row()]], b = vertex[node_of[j]];
-      if (is_retained[it.row()] || a == b)
+      const int a = vertex[node_of[it.row()]];
+      if (is_retained[it.row()] || a == b || seen_from[a] == b)
         continue;
+      seen_from[a] = b;
       neighbours[a].push_back(b);
       neighbours[b].push_back(a);
     }

@@ -87,19 +87,9 @@ void Solid::collect_nodes()
   }
 }
 
-// K_ab = integral of lambda grad_a (x) grad_b + mu grad_b (x) grad_a + mu (grad_a . grad_b) I          theory.md
-// (1.2)
-UnitStiffness Solid::unit_stiffness() const
+// Zeros on the pattern of the nodes, upper triangle, three unknowns each.
+SymmetricSparse empty_stiffness(const DoFHandler<3> &dofs)
 {
-  // In units of the mesh and of E; scaled at the end.
-  const double nu     = material.poisson_ratio;
-  const double lambda = nu / ((1 + nu) * (1 - 2 * nu)), mu = 1 / (2 * (1 + nu));
-  const QGauss<3> quadrature(fe.degree + 1);
-  const int n = int(fe.n_dofs_per_cell());
-
-  UnitStiffness out;
-  SymmetricSparse &stiffness = out.matrix;
-  // Pattern of nodes, upper triangle, then three unknowns each.
   DynamicSparsityPattern pattern(dofs.n_dofs());
   DoFTools::make_sparsity_pattern(dofs, pattern);
   const int n_unknowns = int(3 * dofs.n_dofs());
@@ -111,6 +101,7 @@ UnitStiffness Solid::unit_stiffness() const
     for (int c = 0; c < 3; ++c)
       per_column[3 * j + c] = 3 * above + c + 1;
   }
+  SymmetricSparse stiffness;
   stiffness.resize(n_unknowns, n_unknowns);
   stiffness.reserve(per_column);
   for (unsigned j = 0; j < dofs.n_dofs(); ++j)
@@ -123,6 +114,58 @@ UnitStiffness Solid::unit_stiffness() const
         stiffness.insert(3 * int(j) + d, 3 * int(j) + c) = 0;
     }
   stiffness.makeCompressed();
+  return stiffness;
+}
+
+// The upper triangle of an element's stiffness and its volume.  S_cd(a, b) = integral of d_c N_a d_d N_b is one
+// product of matrices for each pair of directions; all of the stiffness is made of them.
+double element_stiffness(const FEValues<3> &v, const double lambda, const double mu, Eigen::MatrixXd &K)
+{
+  const int n = int(v.dofs_per_cell), n_points = int(v.n_quadrature_points);
+  Eigen::RowVectorXd w(n_points);
+  std::array<Eigen::MatrixXd, 3> gradient;
+  gradient.fill(Eigen::MatrixXd(n, n_points));
+  for (int q = 0; q < n_points; ++q) {
+    w[q] = v.JxW(q);
+    for (int a = 0; a < n; ++a)
+      for (int c = 0; c < 3; ++c)
+        gradient[c](a, q) = v.shape_grad(a, q)[c];
+  }
+  K.resize(3 * n, 3 * n);
+  Eigen::MatrixXd S(n, n), shared = Eigen::MatrixXd::Zero(n, n);
+  for (int c = 0; c < 3; ++c) {
+    const Eigen::MatrixXd weighted = gradient[c].array().rowwise() * w.array();
+    for (int d = c; d < 3; ++d) {
+      S.noalias() = weighted * gradient[d].transpose();
+      if (c == d)
+        shared += mu * S;
+      for (int b = 0; b < n; ++b)
+        for (int a = 0; a <= b; ++a) {
+          K(3 * a + c, 3 * b + d) = lambda * S(a, b) + mu * S(b, a);
+          K(3 * a + d, 3 * b + c) = lambda * S(b, a) + mu * S(a, b);
+        }
+    }
+  }
+  for (int b = 0; b < n; ++b)
+    for (int a = 0; a <= b; ++a)
+      for (int c = 0; c < 3; ++c)
+        K(3 * a + c, 3 * b + c) += shared(a, b);
+  return w.sum();
+}
+
+// K_ab = integral of lambda grad_a (x) grad_b + mu grad_b (x) grad_a + mu (grad_a . grad_b) I          theory.md
+// (1.2)
+UnitStiffness Solid::unit_stiffness() const
+{
+  // In units of the mesh and of E; scaled at the end.
+  const double nu     = material.poisson_ratio;
+  const double lambda = nu / ((1 + nu) * (1 - 2 * nu)), mu = 1 / (2 * (1 + nu));
+  const QGauss<3> quadrature(fe.degree + 1);
+  const int n = int(fe.n_dofs_per_cell());
+
+  UnitStiffness out;
+  SymmetricSparse &stiffness = out.matrix;
+  stiffness                  = empty_stiffness(dofs);
 
   struct Scratch {
     FEValues<3> values;
@@ -140,44 +183,11 @@ UnitStiffness Solid::unit_stiffness() const
     Eigen::MatrixXd matrix;
     double volume;
   };
-  // S_cd(a, b) = integral of d_c N_a d_d N_b, one product of matrices for each pair of directions: all of the
-  // element's stiffness is made of them.
   const auto local = [&](const DoFHandler<3>::active_cell_iterator &cell, Scratch &scratch, Copy &copy) {
-    FEValues<3> &v = scratch.values;
-    v.reinit(cell);
+    scratch.values.reinit(cell);
     copy.index.resize(n);
     cell->get_dof_indices(copy.index);
-    const int n_points = int(v.n_quadrature_points);
-    Eigen::RowVectorXd w(n_points);
-    std::array<Eigen::MatrixXd, 3> gradient, weighted;
-    for (int c = 0; c < 3; ++c)
-      gradient[c].resize(n, n_points);
-    for (int q = 0; q < n_points; ++q) {
-      w[q] = v.JxW(q);
-      for (int a = 0; a < n; ++a)
-        for (int c = 0; c < 3; ++c)
-          gradient[c](a, q) = v.shape_grad(a, q)[c];
-    }
-    copy.volume = w.sum();
-    for (int c = 0; c < 3; ++c)
-      weighted[c] = gradient[c].array().rowwise() * w.array();
-    copy.matrix.resize(3 * n, 3 * n);
-    Eigen::MatrixXd S(n, n), shared = Eigen::MatrixXd::Zero(n, n);
-    for (int c = 0; c < 3; ++c)
-      for (int d = c; d < 3; ++d) {
-        S.noalias() = weighted[c] * gradient[d].transpose();
-        if (c == d)
-          shared += mu * S;
-        for (int b = 0; b < n; ++b)
-          for (int a = 0; a <= b; ++a) {
-            copy.matrix(3 * a + c, 3 * b + d) = lambda * S(a, b) + mu * S(b, a);
-            copy.matrix(3 * a + d, 3 * b + c) = lambda * S(b, a) + mu * S(a, b);
-          }
-      }
-    for (int b = 0; b < n; ++b)
-      for (int a = 0; a <= b; ++a)
-        for (int c = 0; c < 3; ++c)
-          copy.matrix(3 * a + c, 3 * b + c) += shared(a, b);
+    copy.volume = element_stiffness(scratch.values, lambda, mu, copy.matrix);
   };
   // The three columns of a node hold the same rows of the nodes before it, three each, and then its own.
   const int *outer = stiffness.outerIndexPtr(), *inner = stiffness.innerIndexPtr();

@@ -33,7 +33,7 @@ Matrix2d gradient_of(const Vector3d &E)
 {
   Matrix2d C;
   C << 1 + 2 * E[0], E[2], E[2], 1 + 2 * E[1];
-  return Eigen::SelfAdjointEigenSolver<Matrix2d>(C).operatorSqrt();
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(C).operatorSqrt();
 }
 
 fem::SectionBody square(const int n)
