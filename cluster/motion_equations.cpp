@@ -55,8 +55,7 @@ MotionEquations::Now MotionEquations::now(const OneContact &c, const double *sta
   const double *u = state, *v = state + n;
   const double dx = u[2 * c.b] - u[2 * c.a], dy = u[2 * c.b + 1] - u[2 * c.a + 1];
   const double x = c.x + dx, y = c.y + dy, z = std::sqrt(x * x + y * y);
-  // z - z_rest without the difference of two large numbers
-  const double longer = ((2 * c.x + dx) * dx + (2 * c.y + dy) * dy) / (z + c.distance);
+  const double longer = lengthened(c.x, c.y, dx, dy, c.distance, z);
   Now s;
   s.nx       = x / z;
   s.ny       = y / z;

@@ -137,12 +137,10 @@ ContactState contact_state(const Stack &stack, const Contact &c, const Motion &u
                         d     = at(u, stack, c.b) - at(u, stack, c.a);
   const Eigen::Vector2d r     = apart + d;
   ContactState s;
-  s.distance = r.norm();
-  s.normal   = r / s.distance;
-  // The difference of two lengths of a metre would leave 1e-16 m, which times 1e10 N/m is more than the
-  // equilibrium is asked to: so the change of the distance is written by the displacement itself.
+  s.distance         = r.norm();
+  s.normal           = r / s.distance;
   const double drawn = apart.norm();
-  s.approach         = c.free_length - drawn - (2 * apart + d).dot(d) / (s.distance + drawn);
+  s.approach         = c.free_length - drawn - lengthened(apart.x(), apart.y(), d.x(), d.y(), drawn, s.distance);
   return s;
 }
 

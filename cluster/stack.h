@@ -30,6 +30,15 @@ struct Contact {
   bool relaxed       = false;  ///< carries nothing at rest: settle() sets its free length; 0: not yet, no force
 };
 
+/// By how much two points (x, y) apart, `distance` from each other, are `now` farther after a motion of (dx, dy)
+/// between them.  A difference of two lengths of a metre would leave 1e-16 m: times 1e10 N/m more than an
+/// equilibrium is asked to.
+inline double lengthened(const double x, const double y, const double dx, const double dy, const double distance,
+                         const double now)
+{
+  return ((2 * x + dx) * dx + (2 * y + dy) * dy) / (now + distance);
+}
+
 /// Bearing law d = kappa F^q.  theory.md (38.8)
 struct BearingLaw {
   double kappa = 0;  ///< m/N^q
