@@ -13,20 +13,6 @@ using bite::sentence;
 using Eigen::VectorXd;
 
 namespace {
-// First and last abscissa of the contact
-std::pair<double, double> ends_of_contact(const ElasticGrid &grid, const VectorXd &u)
-{
-  double first = 0, last = 0;
-  bool any = false;
-  for (int i = 0; i < grid.x.size(); ++i)
-    if (grid.force(i) >= 0 && u[grid.force(i)] > 1e-6 * grid.tributary[i]) {
-      first = any ? first : grid.x[i];
-      last  = grid.x[i];
-      any   = true;
-    }
-  return {first, last};
-}
-
 bool reaches_limit(const ElasticGrid &grid, const VectorXd &u)
 {
   for (int i = 1; i + 1 < grid.x.size(); ++i)
@@ -172,7 +158,10 @@ Solved solve_on_elastic_roll(const ElasticPass &pass, const bite::ArcFlexibility
     solve_cold(c, fit_rate);
     if (reaches_limit(coarse.grid, c.u))
       continue;
-    const auto [first, last] = ends_of_contact(coarse.grid, c.u);
+    const auto [from, to] = spines_in_contact(coarse.grid, c.u, c.at.softness);
+    if (from < 0)
+      continue;
+    const double first = coarse.grid.x[from], last = coarse.grid.x[to];
     const double size = (last - first) / model.elements_along, end = size * model.finest,
                  margin = 0.05 * (last - first);
     const double known  = (before + behind) / 36;  // the ends, to a coarse element

@@ -21,6 +21,8 @@ constexpr double mesh_tolerance = 1e-7;
 // reach.
 constexpr double crawling_share = 1e-3;
 constexpr int most_crawling     = 5;
+// Steps after which a leap must have come below where it began.
+constexpr int leap_steps = 12;
 
 bool ElasticContinuation::is_last(const ElasticStage &s) const
 {
@@ -31,8 +33,8 @@ bool ElasticContinuation::is_last(const ElasticStage &s) const
 
 double ElasticContinuation::tolerance(const ElasticStage &s) const
 {
-  const bool lays_mesh =
-      pass.model.arc == bite::Arc::elastic && s.cutoff_strain_rate == fit_rate && s.flattening == 1;
+  const bool lays_mesh = pass.model.arc == bite::Arc::elastic && !grid.moves() &&
+                         s.cutoff_strain_rate == fit_rate && s.flattening == 1;
   return is_last(s)  ? pass.model.tolerance
          : lays_mesh ? std::max(pass.model.tolerance, mesh_tolerance)
                      : std::max(pass.model.tolerance, start_tolerance);
@@ -45,7 +47,8 @@ bool ElasticContinuation::newton(ElasticStage stage, const char *what, const int
   ElasticEquations e  = elastic_equations(pass, grid, roll, stage, u, memory, true);
   double residual     = e.residual.norm();
   const double enough = tolerance(stage);
-  int stuck = 0, crawling = 0;
+  int stuck = 0, crawling = 0, leap = 0;
+  double before_leap = 0;
   for (int step = 1; step <= steps && std::isfinite(residual); ++step) {
     course.spend(grid.n_unknowns, pass.model.work_limit);
     if (!factor.factorise(grid.n_unknowns, e.entries))
@@ -66,8 +69,13 @@ bool ElasticContinuation::newton(ElasticStage stage, const char *what, const int
     if (!(next < residual)) {
       // The least residual in reach is none: where a state ceases to exist the next one is found by a leap.
       ++stuck;
-      if (leaps)
+      if (leaps) {
         go(0.5 * longest);
+        if (leap == 0) {
+          leap        = step;
+          before_leap = residual;
+        }
+      }
     }
     const bool moved = find_thinnest(stage);
     last_residual    = residual;
@@ -75,6 +83,8 @@ bool ElasticContinuation::newton(ElasticStage stage, const char *what, const int
       break;
     e        = elastic_equations(pass, grid, roll, stage, u, memory, true);
     residual = last_residual = e.residual.norm();
+    if (leap > 0 && step >= leap + leap_steps && residual > before_leap)
+      break;
     if (residual < enough && !moved) {
       const double unit = pass.stress * pass.length * pass.bite->strip.width;
       course.levels.push_back({what, grid.n_unknowns, stage.cutoff_strain_rate, stage.cutoff_slip * pass.reduction,
@@ -113,6 +123,17 @@ bool ElasticContinuation::find_thinnest(ElasticStage &stage) const
   const int before = stage.thinnest;
   stage.thinnest   = thinnest_spine(grid, u, before);
   return stage.thinnest != before;
+}
+
+std::pair<int, int> spines_in_contact(const ElasticGrid &grid, const VectorXd &u, const double softness)
+{
+  int first = -1, last = -1;
+  for (int i = 0; i < grid.x.size(); ++i)
+    if (grid.force(i) >= 0 && u[grid.force(i)] > std::sqrt(softness) * grid.tributary[i]) {
+      first = first < 0 ? i : first;
+      last  = i;
+    }
+  return {first, last};
 }
 
 // Speeds and heights stay positive.
@@ -169,13 +190,8 @@ namespace {
 // here on the state is a smooth function of what is given.
 bool fit(ElasticContinuation &c, const ElasticStage &stage)
 {
-  ElasticGrid &g = c.grid;
-  int first = -1, last = -1;
-  for (int i = 0; i < g.x.size(); ++i)
-    if (g.force(i) >= 0 && c.u[g.force(i)] > 1e-6 * g.tributary[i]) {
-      first = first < 0 ? i : first;
-      last  = i;
-    }
+  ElasticGrid &g           = c.grid;
+  const auto [first, last] = spines_in_contact(g, c.u, stage.softness);
   if (first < 2 || last + 3 > g.x.size() || last - first < 8)
     return false;
   const VectorXd before = c.u;

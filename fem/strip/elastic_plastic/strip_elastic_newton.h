@@ -33,6 +33,10 @@ private:
   StripCourse &course;
 };
 
+/// First and last spine where the pressure outweighs the gap, which of a smoothed contact (19.12) is where it is
+/// larger than the root of the softness; -1: none.
+std::pair<int, int> spines_in_contact(const ElasticGrid &grid, const Eigen::VectorXd &unknowns, double softness);
+
 /// g0 at which the mesh is fitted to the contact: the strip is still regularised, so no point changes between
 /// elastic and plastic when the mesh moves.
 constexpr double fit_rate = 0.01;

@@ -26,7 +26,17 @@ StripStage last_stage(const StripPass &pass)
 }
 
 // Residual at which a level is good enough to go on from: what it leaves is gone after the next one's first step.
-constexpr double start_tolerance = 1e-3;
+constexpr double start_tolerance = 1e-2;
+constexpr int picard_steps       = 6;
+
+// Length to which predicted directions are cut, by the residual; 0.7 where a level begins.  A direction of length
+// one cannot leave the yield surface, whatever the step: points that are to become rigid need it shorter, and as
+// the residual goes to zero it may not disturb the quadratic convergence.
+double longest_direction(const double residual)
+{
+  return 1 - 0.2 * std::min(1., residual);
+}
+constexpr double longest_at_start = 0.7;
 
 // Newton's method on one grid, with what has converged so far.
 class Continuation {
@@ -36,19 +46,29 @@ public:
       : pass(p), grid(g), u(std::move(start)), course(h), is_finest(finest)
   {
   }
+  // From a state of another grid, with the directions there: those of interpolated velocities are noise where the
+  // strip is all but rigid.
+  Continuation(const StripPass &p, const StripGrid &from, const VectorXd &old, const StripGrid &g, StripCourse &h,
+               const bool finest)
+      : Continuation(p, g, interpolated(from, old, g), h, finest)
+  {
+    StripDirections there;
+    strip_equations(p, from, last_stage(p), old, nullptr, &there);
+    directions = interpolated(from, there, g);
+  }
 
-  // Eight steps with the viscosity of the present state: from a guess that is none to where Newton converges.
+  // Steps with the viscosity of the present state: from a guess that is none to where Newton converges.
   // False where the strip cannot carry anything: a flow stress next to nothing in a part of it.
   bool picard(const StripStage &stage)
   {
-    for (int step = 0; step < 8; ++step) {
+    for (int step = 0; step < picard_steps; ++step) {
       const StripEquations e = strip_equations(pass, grid, stage, u);
       const VectorXd d       = direction(e);
       if (d.size() == 0)
         return false;
       u -= d;
-      if (step == 7)
-        note("Picard", stage, 8, e.residual.norm(), e.force.value);
+      if (step == picard_steps - 1)
+        note("Picard", stage, picard_steps, e.residual.norm(), e.force.value);
     }
     at = stage;
     return true;
@@ -60,7 +80,7 @@ public:
     const double enough = ends_at(stage) ? pass.model.tolerance : std::max(pass.model.tolerance, start_tolerance);
     const VectorXd kept = u;
     StripDirections before, after;
-    StripEquations e = strip_equations(pass, grid, stage, u, nullptr, &before);
+    StripEquations e = strip_equations(pass, grid, stage, u, &directions, &before, longest_at_start);
     double residual  = e.residual.norm();
     for (int step = 1; step <= 30 && std::isfinite(residual); ++step) {
       const VectorXd d = direction(e), from = u;
@@ -72,7 +92,7 @@ public:
       double share = std::min(1., 0.1 * pass.arc_length / farthest), next = 0;
       for (;; share *= 0.5) {
         u    = from - share * d;
-        e    = strip_equations(pass, grid, stage, u, &before, &after);
+        e    = strip_equations(pass, grid, stage, u, &before, &after, longest_direction(residual));
         next = e.residual.norm();
         // The first steps may climb: they set the predicted directions right.
         if (std::isfinite(next) && next < (step <= 6 ? 2 : 1 - 0.1 * share) * residual)
@@ -88,7 +108,8 @@ public:
       if (residual < enough) {
         note(stage.free_surface ? "Newton, free surface" : "Newton, fixed surface", stage, step, residual,
              e.force.value);
-        at = stage;
+        at         = stage;
+        directions = std::move(before);
         return true;
       }
     }
@@ -116,7 +137,8 @@ public:
   const StripPass &pass;
   const StripGrid &grid;
   VectorXd u;
-  StripStage at;  // where it converged last
+  StripStage at;               // where it converged last
+  StripDirections directions;  // as they were then
   double last_residual = 0;
 
 private:
@@ -184,7 +206,7 @@ void solve_cold(Continuation &c)
   if (!c.picard(stage))
     refuse(c.pass, c, stage);
   stage.picard = false;
-  for (double rate = 1;; rate /= 10) {
+  for (const double rate : {1., 0.03, 0.001, 0.}) {
     stage.cutoff_strain_rate = std::max(rate, wanted.cutoff_strain_rate);
     stage.cutoff_slip        = std::max(wanted.cutoff_slip, std::min(0.3 * rate, 0.05));
     if (!c.advance(stage))
@@ -242,7 +264,7 @@ StripLines scaled(StripLines lines, const double by)
 VectorXd solve_unknowns(const StripPass &pass, const StripGrid &grid, const StripFlow *start, StripCourse &course)
 {
   if (start && start->unknowns.size() > 0) {
-    Continuation c(pass, grid, interpolated(strip_grid(start->lines), start->unknowns, grid), course, true);
+    Continuation c(pass, strip_grid(start->lines), start->unknowns, grid, course, true);
     if (solve_warm(c))
       return c.u;
   }
@@ -253,7 +275,7 @@ VectorXd solve_unknowns(const StripPass &pass, const StripGrid &grid, const Stri
   for (auto g = grids.rbegin(); g != grids.rend(); ++g) {
     const bool finest = g + 1 == grids.rend();
     if (u) {
-      Continuation c(pass, *g, interpolated(*(g - 1), *u, *g), course, finest);
+      Continuation c(pass, *(g - 1), *u, *g, course, finest);
       u.reset();
       if (solve_warm(c))
         u = c.u;

@@ -133,7 +133,7 @@ void see_point(Point &p, const Seeing &seeing, const Local &local)
       p.strain_increment_by += p.strain_increment.by[m] * p.seeing.row(m).transpose();
 }
 
-// D/norm as the last Newton step predicted it from there, (18.14), cut to length one; kept for the next step.
+// D/norm as the last Newton step predicted it from there, (18.14), cut in length; kept for the next step.
 Eigen::Vector3d predicted_direction(StripAssembly &assembly, const int point, const Eigen::Vector3d &rate,
                                     const double norm)
 {
@@ -144,10 +144,12 @@ Eigen::Vector3d predicted_direction(StripAssembly &assembly, const int point, co
   if (assembly.before) {
     const double *old = &assembly.before->bulk(0, point);
     const Eigen::Vector3d old_rate(old[0], old[1], old[2]), old_direction(old[4], old[5], old[6]);
-    direction           = rate / old[3] - old_direction * (inner(old_rate, rate - old_rate) / (old[3] * old[3]));
+    direction           = old[3] == 0 ? old_direction
+                                      : Eigen::Vector3d(rate / old[3] - old_direction * (inner(old_rate, rate - old_rate) /
+                                                                               (old[3] * old[3])));
     const double length = std::sqrt(inner(direction, direction));
-    if (!(length <= 1))
-      direction /= length;
+    if (!(length <= assembly.longest))
+      direction *= assembly.longest / length;
   }
   double *kept = &assembly.after.bulk(0, point);
   for (int m = 0; m < 3; ++m) {

@@ -83,8 +83,9 @@ void StripAssembly::contact()
     double direction       = slip.value / regularised.value;
     if (before) {  // as in the bulk
       const auto old = before->slip.col(i - grid.first);
-      direction      = slip.value / old[1] - old[2] * old[0] * (slip.value - old[0]) / (old[1] * old[1]);
-      direction      = std::clamp(direction, -1., 1.);
+      direction =
+          old[1] == 0 ? old[2] : slip.value / old[1] - old[2] * old[0] * (slip.value - old[0]) / (old[1] * old[1]);
+      direction = std::clamp(direction, -1., 1.);
     }
     after.slip.col(i - grid.first) << slip.value, regularised.value, direction;
     Node sense(slip.value / regularised.value);

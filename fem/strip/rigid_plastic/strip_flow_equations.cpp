@@ -115,12 +115,13 @@ Eigen::VectorXd first_guess(const StripPass &pass, const StripGrid &grid)
 
 StripEquations strip_equations(const StripPass &pass, const StripGrid &grid, const StripStage &stage,
                                const Eigen::VectorXd &unknowns, const StripDirections *before,
-                               StripDirections *after)
+                               StripDirections *after, const double longest)
 {
   StripAssembly assembly(pass, grid, stage, unknowns);
   if (before && before->bulk.cols() == assembly.after.bulk.cols() &&
       before->slip.cols() == assembly.after.slip.cols())
     assembly.before = before;
+  assembly.longest = longest;
   assembly.bulk();
   assembly.ends();
   assembly.streamlines();

@@ -60,20 +60,14 @@ struct StripEquations {
   Eigen::MatrixXd nodes;      ///< (contact spines, 6) abscissa, pressure, shear, slip, weight, mu p
                               ///< over the limit
 };
-/// Directions of the rate of deformation and of the slip as Newton's method last predicted them, (18.14): with
-/// them in the tangent it converges where strain rate and slip are regularised over next to nothing.
-struct StripDirections {
-  Eigen::MatrixXd bulk;  ///< (7, points) rate xx, yy, xy, its regularised norm, directions xx, yy, xy
-  Eigen::MatrixXd slip;  ///< (3, contact spines) slip, its regularised norm, direction
-};
-
 /// All equations at given unknowns.
-/// @param before  of the last step, or null: tangent of the present state
-/// @param after   filled for the next step, or null
+/// @param before   of the last step, or null: tangent of the present state
+/// @param after    filled for the next step, or null
+/// @param longest  to which predicted directions of the rate of deformation are cut, 1 at the solution
 /// Cost: 15 us an element.
 StripEquations strip_equations(const StripPass &pass, const StripGrid &grid, const StripStage &stage,
                                const Eigen::VectorXd &unknowns, const StripDirections *before = nullptr,
-                               StripDirections *after = nullptr);
+                               StripDirections *after = nullptr, double longest = 1);
 
 /// Height of the circle of the roll over the mid plane; T double or Dual.
 template <class T> T circle_height(const T &exit_thickness, const T &offset, const T &radius, const T &x)
@@ -146,6 +140,7 @@ public:
   const StripStage &stage;
   const Eigen::VectorXd &unknowns;
   const StripDirections *before = nullptr;
+  double longest                = 1;
   StripDirections after;
   StripEquations out;
 };

@@ -150,6 +150,35 @@ Eigen::VectorXd interpolated(const StripGrid &from, const VectorXd &unknowns, co
   return out;
 }
 
+StripDirections interpolated(const StripGrid &from, const StripDirections &directions, const StripGrid &to)
+{
+  StripDirections out;
+  out.bulk           = Eigen::MatrixXd::Zero(7, 9 * to.n_along * to.n_through);
+  out.slip           = Eigen::MatrixXd::Zero(3, to.last - to.first + 1);
+  const VectorXd old = along_strip(from.lines), lines = along_strip(to.lines);
+  const StripShapes &shapes = strip_shapes();
+  const auto gauss_point    = [&](const VectorXd &of, const int cell, const int k) {
+    return of[cell] + 0.5 * (of[cell + 1] - of[cell]) * (1 + shapes.point[k]);
+  };
+  for (int I = 0; I < to.n_along; ++I)
+    for (int J = 0; J < to.n_through; ++J)
+      for (int q = 0; q < 9; ++q) {
+        const Place1 along = place_in(old, gauss_point(lines, I, q / 3));
+        const Place1 row   = place_in(from.lines.rows, gauss_point(to.lines.rows, J, q % 3));
+        auto direction     = out.bulk.col((I * to.n_through + J) * 9 + q).tail(3);
+        for (int p = 0; p < 9; ++p)
+          direction += lagrange(shapes.point, p / 3, along.t) * lagrange(shapes.point, p % 3, row.t) *
+                       directions.bulk.col((along.interval * from.n_through + row.interval) * 9 + p).tail(3);
+      }
+  for (int i = to.first; i <= to.last; ++i) {
+    const Place1 along = place_in(old, at_node(lines, i));
+    for (int a = 0; a < 3; ++a)
+      if (const int k = 2 * along.interval + a; k >= from.first && k <= from.last)
+        out.slip(2, i - to.first) += quadratic(along.t, a) * directions.slip(2, k - from.first);
+  }
+  return out;
+}
+
 const StripShapes &strip_shapes()
 {
   static const StripShapes shapes = [] {

@@ -60,6 +60,16 @@ bool coarsened(StripLines &lines);
 /// Unknowns of another grid interpolated at this one: same shares of inlet, arc, outlet and thickness.
 Eigen::VectorXd interpolated(const StripGrid &from, const Eigen::VectorXd &unknowns, const StripGrid &to);
 
+/// Directions of the rate of deformation and of the slip as Newton's method last predicted them, (18.14): with
+/// them in the tangent it converges where strain rate and slip are regularised over next to nothing.  A norm of
+/// zero: the direction is the prediction, that of another grid.
+struct StripDirections {
+  Eigen::MatrixXd bulk;  ///< (7, points) rate xx, yy, xy, its regularised norm, directions xx, yy, xy
+  Eigen::MatrixXd slip;  ///< (3, contact spines) slip, its regularised norm, direction
+};
+/// Those of another grid interpolated at this one, as predictions.
+StripDirections interpolated(const StripGrid &from, const StripDirections &directions, const StripGrid &to);
+
 /// Shape functions of the square at 3 x 3 Gauss points, node and point (a, b) at 3 a + b, a along; corners at
 /// 2 a + b.
 struct StripShapes {
