@@ -17,13 +17,11 @@ const std::string coarse =
     "--set contact.upper.samples=7 --set contact.lower.samples=7 --set bite.method=slab "
     "--set dynamics.output_rate='5 kHz' --set bearing.trb.roller_law=iso --set bearing.trb.rings=rigid ";
 
-// Runs the demo stand with a cache of its own, unless one is named.
-std::string folder_of(const std::string &verb, const std::string &name, const std::string &more,
-                      const std::string &cache = "")
+std::string folder_of(const std::string &verb, const std::string &name, const std::string &more)
 {
   const std::string folder = scratch(name);
-  const auto outcome = millstand(verb + " cases/four-high-1400.toml -o " + folder + coarse + more + " --cache " +
-                                 (cache.empty() ? scratch(name + "-cache") : cache));
+  const auto outcome =
+      millstand(verb + " cases/four-high-1400.toml -o " + folder + coarse + more + " --cache " + shared_cache());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   return folder;
 }
@@ -42,16 +40,17 @@ std::string stages_that_begin(const std::string &folder, const std::string &begi
   return found;
 }
 
-const std::string &cache_of_all()
+// The demo stand on two threads, once for all tests of this file; from the cache what other tests have left there.
+const std::string &first_run()
 {
-  static const std::string cache = scratch("kept");
-  return cache;
+  static const std::string folder = folder_of("run", "first", "--threads 2");
+  return folder;
 }
 
-// The demo stand on two threads with an empty cache, once for all tests of this file.
-const std::string &cold_run()
+// Nothing from the cache, one thread.
+const std::string &fresh_run()
 {
-  static const std::string folder = folder_of("run", "first", "--threads 2", cache_of_all());
+  static const std::string folder = folder_of("run", "fresh", "--fresh --threads 1");
   return folder;
 }
 
@@ -101,8 +100,8 @@ std::string different(const std::string &a, const std::string &b)
 
 TEST(Schedule, TheSameCaseAgainIsTakenFromTheCacheAndSaysTheSame)
 {
-  const auto &first = cold_run();
-  const auto again  = folder_of("run", "again", "", cache_of_all());
+  const auto &first = first_run();
+  const auto again  = folder_of("run", "again", "");
   EXPECT_EQ(different(first, again), "");
   for (const auto &stage : stages_of(again)) {
     const auto name = stage.at("stage").get<std::string>();
@@ -114,12 +113,11 @@ TEST(Schedule, TheSameCaseAgainIsTakenFromTheCacheAndSaysTheSame)
       << "the Fourier solver's curve is kept, its rolls are not asked for";
 }
 
-// One run says both: with --fresh nothing is taken from the cache, and one thread computes what two did.
+// One run says both: with --fresh nothing is taken from the cache, and one thread computes what more did.
 TEST(Schedule, ResultsAreTheSameFreshAndWithAnyNumberOfThreads)
 {
-  const auto &first = cold_run();
-  const auto fresh  = folder_of("run", "fresh", "--fresh --threads 1", cache_of_all());
-  EXPECT_EQ(different(first, fresh), "");
+  const auto &fresh = fresh_run();
+  EXPECT_EQ(different(first_run(), fresh), "");
   for (const auto &stage : stages_of(fresh))
     if (stage.at("stage").get<std::string>().rfind("contact", 0) == 0)
       EXPECT_FALSE(stage.at("cached").get<bool>());
@@ -127,15 +125,14 @@ TEST(Schedule, ResultsAreTheSameFreshAndWithAnyNumberOfThreads)
 
 TEST(Schedule, AGivenStiffnessIsNotSolved)
 {
-  cold_run();  // what is not given comes from its cache
-  const std::string &cache = cache_of_all();
+  first_run();  // what is not given comes from the cache
   const std::string K3 = " --set 'given.K3=4e4 kN/mm'", K5 = " --set 'given.K5=4e4 kN/mm'";
-  const auto one_contact = folder_of("stiffness", "given-k3", K3 + " --set bite.arc=rigid", cache);
+  const auto one_contact = folder_of("stiffness", "given-k3", K3 + " --set bite.arc=rigid");
   EXPECT_EQ(stages_that_begin(one_contact, "contact upper"), "");
   EXPECT_NE(stages_that_begin(one_contact, "contact lower"), "");
   const std::string Kzc = " --set 'given.Kzc1=2e4 kN/mm' --set 'given.Kzc2=2e4 kN/mm' --set 'given.Kzc3=2e4 kN/mm'"
                           " --set 'given.Kzc4=2e4 kN/mm'";
-  const auto all = folder_of("stiffness", "given-all", K3 + K5 + Kzc + " --set 'given.K4=5e3 kN/mm'", cache);
+  const auto all        = folder_of("stiffness", "given-all", K3 + K5 + Kzc + " --set 'given.K4=5e3 kN/mm'");
   for (const char *stage : {"contact", "condensation", "Fourier", "bearing", "roller", "rings", "bite"})
     EXPECT_EQ(stages_that_begin(all, stage), "");
   const auto values = nlohmann::json::parse(mill::read_text(all + "/results.json")).at("values");
@@ -145,7 +142,7 @@ TEST(Schedule, AGivenStiffnessIsNotSolved)
 TEST(Schedule, AStageSaysWhatItFactorised)
 {
   int factorised = 0;
-  for (const auto &stage : stages_of(cold_run())) {
+  for (const auto &stage : stages_of(fresh_run())) {
     EXPECT_GE(stage.at("processor_seconds").get<double>(), 0);
     if (stage.at("stage").get<std::string>().rfind("condensation", 0) != 0)
       continue;
