@@ -2,6 +2,7 @@
 #include "core/numerics/sparse.h"
 #include "tests/support/near.h"
 #include <Eigen/Dense>
+#include <numeric>
 #include <random>
 
 using namespace mill;
@@ -75,6 +76,39 @@ TEST(CondensingFactor, SolvesWithAndWithoutRetainedUnknowns)
     const Eigen::MatrixXd X = CondensingFactor(b.K, b.node, kept).solve(B);
     EXPECT_LT((b.dense * X - B).norm(), 1e-11 * B.norm()) << "a direct solve, condition about 1e3";
   }
+}
+
+// The analysis of a pattern is kept: other values, other retained unknowns and other nodes on it must not be mixed
+// up.
+TEST(CondensingFactor, OnePatternWithOtherValuesAndOtherRetainedUnknowns)
+{
+  Box b                           = box(4, 5, 3);
+  const Eigen::MatrixXd B         = Eigen::MatrixXd::Random(b.dense.rows(), 2);
+  const std::vector<int> each_own = [&] {
+    std::vector<int> node(b.node.size());
+    std::iota(node.begin(), node.end(), 0);
+    return node;
+  }();
+  for (const double more : {0., 1., 3.})
+    for (const std::vector<int> &kept : {
+             std::vector<int>{ },
+             {8,  1},
+             {1,  8},
+             {100}
+    })
+      for (const std::vector<int> &node : {b.node, each_own}) {
+        Box other = b;
+        for (int i = 0; i < b.K.cols(); ++i) {
+          other.K.coeffRef(i, i) += more * (1 + i % 3);
+          other.dense(i, i) += more * (1 + i % 3);
+        }
+        const CondensingFactor factor(other.K, node, kept);
+        EXPECT_LT((other.dense * factor.solve(B) - B).norm(), 1e-11 * B.norm()) << "a direct solve";
+        const Eigen::MatrixXd L22 = factor.schur_factor(), inverse = other.dense.inverse()(kept, kept);
+        EXPECT_LT((L22 * L22.transpose() * inverse - Eigen::MatrixXd::Identity(L22.rows(), L22.rows())).norm(),
+                  1e-9)
+            << "the inverse of a Schur complement is a block of the inverse";
+      }
 }
 
 TEST(CondensingFactor, RefusesWhatIsNotHeld)
