@@ -4,6 +4,7 @@
 #include "core/process/memory.h"
 #include "core/process/stage_work.h"
 #include <algorithm>
+#include <cholmod.h>
 #include <condition_variable>
 #include <cstring>
 #include <dlfcn.h>
@@ -113,8 +114,8 @@ CondensingFactor::CondensingFactor(const SymmetricSparse &K, const std::vector<i
   cholmod_sparse A{};
   A.nrow = A.ncol = n;
   A.nzmax         = K.nonZeros();
-  A.p             = const_cast<SuiteSparse_long *>(analysis->column.data());
-  A.i             = const_cast<SuiteSparse_long *>(analysis->row.data());
+  A.p             = const_cast<std::int64_t *>(analysis->column.data());
+  A.i             = const_cast<std::int64_t *>(analysis->row.data());
   A.x             = value.data();
   A.stype         = -1;
   A.itype         = CHOLMOD_LONG;

@@ -2,6 +2,7 @@
 #include "core/process/memory.h"
 #include "core/process/parallel.h"
 #include <algorithm>
+#include <cholmod.h>
 #include <metis.h>
 #include <mutex>
 #include <numeric>
@@ -9,6 +10,8 @@
 
 namespace mill {
 namespace {
+static_assert(std::is_same_v<SuiteSparse_long, std::int64_t>);
+
 // What METIS orders: the neighbours of each vertex, one list behind the other.
 struct NodeGraph {
   std::vector<idx_t> start{0}, adjacent;
@@ -128,8 +131,8 @@ std::vector<int> nested_dissection(const SymmetricSparse &K, const std::vector<i
 }
 
 // Unknowns in the order in which they are eliminated: by METIS, those to keep last.
-std::vector<SuiteSparse_long> elimination_order(const SymmetricSparse &K, const std::vector<int> &node_of,
-                                                const std::vector<int> &retained)
+std::vector<std::int64_t> elimination_order(const SymmetricSparse &K, const std::vector<int> &node_of,
+                                            const std::vector<int> &retained)
 {
   const int n = int(K.rows());
   std::vector<char> is_retained(n, 0);
@@ -139,7 +142,7 @@ std::vector<SuiteSparse_long> elimination_order(const SymmetricSparse &K, const 
   std::vector<int> place(nodes.empty() ? 0 : 1 + *std::max_element(node_of.begin(), node_of.end()), -1);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     place[nodes[i]] = int(i);
-  std::vector<SuiteSparse_long> order(n);
+  std::vector<std::int64_t> order(n);
   std::iota(order.begin(), order.end(), 0);
   order.erase(std::remove_if(order.begin(), order.end(), [&](const auto i) { return is_retained[i]; }),
               order.end());
@@ -150,13 +153,13 @@ std::vector<SuiteSparse_long> elimination_order(const SymmetricSparse &K, const 
 }
 
 // Symbolic factor of the pattern.
-void analyse(FactorAnalysis &out, const SymmetricSparse &K, std::vector<SuiteSparse_long> order,
+void analyse(FactorAnalysis &out, const SymmetricSparse &K, std::vector<std::int64_t> order,
              cholmod_common &common)
 {
   const int n = int(K.rows());
   // Long indices: the factor of a large roll passes 2^31 entries.
-  std::vector<SuiteSparse_long> column(K.outerIndexPtr(), K.outerIndexPtr() + n + 1);
-  std::vector<SuiteSparse_long> row(K.innerIndexPtr(), K.innerIndexPtr() + K.nonZeros());
+  std::vector<std::int64_t> column(K.outerIndexPtr(), K.outerIndexPtr() + n + 1);
+  std::vector<std::int64_t> row(K.innerIndexPtr(), K.innerIndexPtr() + K.nonZeros());
   cholmod_sparse A{};
   A.nrow = A.ncol = n;
   A.nzmax         = K.nonZeros();
@@ -179,24 +182,24 @@ void analyse(FactorAnalysis &out, const SymmetricSparse &K, std::vector<SuiteSpa
 void permute(FactorAnalysis &out, const SymmetricSparse &K)
 {
   const int n      = int(K.rows());
-  const auto *perm = static_cast<const SuiteSparse_long *>(out.symbolic->Perm);
-  std::vector<SuiteSparse_long> place(n);
+  const auto *perm = static_cast<const std::int64_t *>(out.symbolic->Perm);
+  std::vector<std::int64_t> place(n);
   for (int i = 0; i < n; ++i)
     place[perm[i]] = i;
   const auto each_entry = [&](const auto &visit) {
     for (int j = 0; j < n; ++j)
       for (int k = K.outerIndexPtr()[j]; k < K.outerIndexPtr()[j + 1]; ++k) {
-        const SuiteSparse_long a = place[K.innerIndexPtr()[k]], b = place[j];
+        const std::int64_t a = place[K.innerIndexPtr()[k]], b = place[j];
         visit(std::max(a, b), std::min(a, b), k);
       }
   };
   out.column.assign(n + 1, 0);
-  each_entry([&](SuiteSparse_long, const SuiteSparse_long in, int) { ++out.column[in + 1]; });
+  each_entry([&](std::int64_t, const std::int64_t in, int) { ++out.column[in + 1]; });
   std::partial_sum(out.column.begin(), out.column.end(), out.column.begin());
   out.row.resize(K.nonZeros());
   out.value_of.resize(K.nonZeros());
-  std::vector<SuiteSparse_long> next(out.column.begin(), out.column.end() - 1);
-  each_entry([&](const SuiteSparse_long row, const SuiteSparse_long in, const int k) {
+  std::vector<std::int64_t> next(out.column.begin(), out.column.end() - 1);
+  each_entry([&](const std::int64_t row, const std::int64_t in, const int k) {
     out.row[next[in]]        = row;
     out.value_of[next[in]++] = k;
   });
@@ -288,7 +291,7 @@ std::shared_ptr<const FactorAnalysis> analysis_of(const SymmetricSparse &K, cons
   auto made = std::make_shared<FactorAnalysis>();
   analyse(*made, K, elimination_order(K, node_of, retained), common);
   // Postordering may renumber columns; the retained unknowns must still be the last, in their order.
-  const auto *perm = static_cast<const SuiteSparse_long *>(made->symbolic->Perm);
+  const auto *perm = static_cast<const std::int64_t *>(made->symbolic->Perm);
   const int n = int(K.rows()), m = int(retained.size());
   for (int i = 0; i < m; ++i)
     if (perm[n - m + i] != retained[i])

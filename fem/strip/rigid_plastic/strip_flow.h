@@ -26,8 +26,8 @@ struct StripFlowModel {
 /// @param start        a state nearby, on any mesh, or null: cold start from a mesh with every fourth line
 /// @throws InputError   what no roll can do with this strip; a flexibility that does not reach the ends of contact
 /// @throws SolverError  no convergence: last converged level, residual, remedy
-/// Cost: 48 x 12 elements: 15 factorisations of 12700 unknowns after some 50 of coarser grids, 4 s of one core
-/// with derivatives; 24 x 6: 0.7 s; warm start a third. Source: flow formulation: O. C. Zienkiewicz, P. C. Jain,
+/// Cost: 48 x 12 elements: 12 factorisations of 12700 unknowns after some 30 of coarser grids, 2.5 s of one core
+/// with derivatives; warm start less. Source: flow formulation: O. C. Zienkiewicz, P. C. Jain,
 /// E. Onate, Int. J. Solids Struct. 14 (1978) 15.
 StripFlow solve_strip_flow(const StripLines &lines, const bite::RollBite &bite, const StripFlowModel &model = {},
                            const bite::ArcFlexibility *flexibility = nullptr, const StripFlow *start = nullptr);

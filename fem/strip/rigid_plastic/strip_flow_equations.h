@@ -140,7 +140,7 @@ public:
   const StripStage &stage;
   const Eigen::VectorXd &unknowns;
   const StripDirections *before = nullptr;
-  double longest                = 1;
+  double longest                = 1;  ///< -, predicted directions of the rate of deformation
   StripDirections after;
   StripEquations out;
 };
