@@ -176,8 +176,9 @@ KeyList cluster_keys(const Case &the_case, const std::size_t p, const bool drive
   const auto ends        = [](const std::string &key, const std::string &end) {
     return key.size() >= end.size() && key.compare(key.size() - end.size(), end.size(), end) == 0;
   };
-  for (const auto &[key, place] : the_case.places) {
-    const auto of = [&](const std::string &section) { return key.rfind(section, 0) == 0; };
+  for (const auto &place : the_case.places) {
+    const std::string &key = place.first;
+    const auto of          = [&](const std::string &section) { return key.rfind(section, 0) == 0; };
     const bool dynamic =
         key == pass + "dynamic_force" || key == pass + "dynamic_frequency" || key == pass + "loss_factor";
     // Damping is not in the state at rest nor in the modes; a mark "fitted" is in no number.

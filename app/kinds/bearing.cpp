@@ -6,6 +6,7 @@
 #include "core/case/kinds.h"
 #include "core/case/stand_rows.h"
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -15,7 +16,7 @@ std::optional<KeyList> inputs_of(const BearingCase &spec, const Results &, const
   if (ends(name, ".film.least_speed"))
     return joined(keys, keys_in("bearing." + spec.load.bearing, "roughness"));
   if (begins(name, "bearing.") && !oil_film_of(spec.oil_films, spec.load.bearing))
-    keys = joined(keys, rating_keys(bearing_of(spec.bearings, spec.load.bearing)));
+    keys = joined(std::move(keys), rating_keys(bearing_of(spec.bearings, spec.load.bearing)));
   if (!begins(name, "Kzc.motion."))
     return keys;
   KeyList motion = keys_in("load", "loads samples");  // the mass swings on the curve

@@ -10,6 +10,7 @@
 #include "core/records/result_names.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -99,14 +100,14 @@ KeyList modulus_keys(const FourHigh &stand, const Results &results, const std::s
     KeyList keys;
     for (const std::string &spring : springs)
       if (const Parameter *made = results.find(p == 0 ? spring : result_name({stand.passes[p].name, spring})))
-        keys = joined(keys, made->inputs);
+        keys = joined(std::move(keys), made->inputs);
     return keys;
   };
   KeyList bending = joined(keys_in("steel", "youngs_modulus poisson_ratio"), roll_body_keys("work_roll"),
                            keys_in("strip", "width"), keys_in("dynamics", "mass_reference"),
                            keys_in("backup_roll", "bending_model"), of_springs({"K3", "K5"}));
   if (stand.backup_roll.bending_model == "solid")
-    bending = joined(bending, keys_in("dynamics", "frequency_limit elements_per_radius"));
+    bending = joined(std::move(bending), keys_in("dynamics", "frequency_limit elements_per_radius"));
   if (is_of(name, "stand.K_bend"))
     return bending;
   const KeyList path = of_springs({"K1", "K2", "K3", "K5", "K6", "K7"});

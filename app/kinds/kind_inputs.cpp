@@ -2,6 +2,7 @@
 #include "core/records/result_names.h"
 #include "core/records/turning_keys.h"
 #include <fmt/format.h>
+#include <utility>
 
 namespace mill {
 bool begins(const std::string &name, const std::string &prefix)
@@ -44,7 +45,7 @@ std::optional<KeyList> response_inputs(const Results &results, const DynamicsSet
     for (const std::string &part : chain_parts(dynamics, half)) {
       const Parameter *own = results.find(pass.name + "." + part), *first = results.find(part);
       if (own || first)
-        keys = joined(keys, (own ? own : first)->inputs);
+        keys = joined(std::move(keys), (own ? own : first)->inputs);
     }
   };
   const bool upper = ends(name, ".upper_work_roll"), one_chain = dynamics.model == "six-mass" && !on_curves;

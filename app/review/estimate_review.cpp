@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -138,7 +139,7 @@ void mark_estimates(RunContext &run)
     for (const Estimate &e : stand->estimates)
       if (holds(p.inputs, e.key)) {
         p.estimated.push_back(e.key);
-        more = joined(more, e.from);
+        more = joined(std::move(more), e.from);
       }
     if (p.estimated.empty())
       continue;
@@ -148,7 +149,7 @@ void mark_estimates(RunContext &run)
         if (key.rfind("frame.", 0) != 0 && !holds(p.error_lacks, key))
           p.error_lacks.push_back(key);
     p.error_estimate += moved;
-    p.inputs = joined(p.inputs, more);
+    p.inputs = joined(std::move(p.inputs), more);
   }
   for (const EstimateRecord &record : run.results.estimates)
     run.assume(sentence(record));

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -116,7 +117,7 @@ KeyList keys_of(const RunContext &run, const CampbellMode &mode, const CampbellL
   KeyList keys = run.find(result_name({family::mode, mode.key, "frequency"}))->inputs;
   for (const TurningRoll &roll : stand.rolls)
     if (line.shaft == roll.name) {
-      keys = joined(keys, KeyList{roll.diameter_key});
+      keys = joined(std::move(keys), KeyList{roll.diameter_key});
       if (roll.bearing && line.group.find("bearing") != std::string::npos)
         keys = joined(keys,
                       keys_in("bearing." + roll.bearing->name,
@@ -126,10 +127,10 @@ KeyList keys_of(const RunContext &run, const CampbellMode &mode, const CampbellL
     }
   for (std::size_t i = 0; i < stand.drive.size(); ++i)
     if (line.name == "drive, " + stand.drive[i].name)
-      keys = joined(keys, keys_in(fmt::format("drive.order.{}", i), "per_turn_of count"));
+      keys = joined(std::move(keys), keys_in(fmt::format("drive.order.{}", i), "per_turn_of count"));
   for (std::size_t p = 0; p < stand.passes.size(); ++p)  // which crossing is the nearest
     if (!std::isnan(stand.passes[p].speed))
-      keys = joined(keys, keys_in(fmt::format("pass.{}", p), "speed"));
+      keys = joined(std::move(keys), keys_in(fmt::format("pass.{}", p), "speed"));
   return joined(keys, keys_in("campbell", "working_speeds speeds roll_orders"));
 }
 

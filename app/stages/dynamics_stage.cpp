@@ -15,6 +15,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -36,7 +37,8 @@ void state_error(Parameter &f, const dynamics::Modes &modes, const Eigen::Index 
       return;
     f.error_estimate += 0.5 * share * part.error_estimate;
     if (std::isnan(part.error_estimate))
-      f.error_lacks = joined(f.error_lacks, part.error_lacks.empty() ? KeyList{name} : part.error_lacks);
+      f.error_lacks =
+          joined(std::move(f.error_lacks), part.error_lacks.empty() ? KeyList{name} : part.error_lacks);
   };
   for (int j = 0; j < 7; ++j)
     add("K" + std::to_string(j + 1), model.K[std::size_t(j)], modes.strain_share(mode, j));

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -139,7 +140,7 @@ Uncertain uncertain_of(const RespondingStand &stand)
   Uncertain all;
   for (const reduce::ModalSensitivity &input : stand.uncertain)
     if (std::isnan(input.error))
-      all.lacks = joined(all.lacks, input.lacks);
+      all.lacks = joined(std::move(all.lacks), input.lacks);
     else
       all.inputs.push_back({input.error, input.dK, input.dM});
   // Six masses have neither mesh nor modes left out.

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -62,7 +63,7 @@ void add_frequencies(RunContext &run, const reduce::StandWithModes &s, const red
     f.error_lacks    = errors.lacks[std::size_t(i)];
     f.inputs         = keys_of_models(chain);
     if (s.model.name == "craig-bampton")  // its work-roll chocks stand on their bearings
-      f.inputs = joined(f.inputs, chain.model.Kzc[1].inputs, chain.model.Kzc[2].inputs);
+      f.inputs = joined(std::move(f.inputs), chain.model.Kzc[1].inputs, chain.model.Kzc[2].inputs);
     for (const reduce::ModePair &pair : pairs)
       if (pair.mode == i && pair.other >= 0) {
         f.checks.push_back({title_of(other.model.name), other.modes.frequency[pair.other],

@@ -155,8 +155,8 @@ void write_backbones(RunContext &run, const NonlinearRecord &record, const std::
 void write_spectra(RunContext &run, const CurveRuns &runs, const double rate, const std::string &item)
 {
   Table table;
-  for (const auto &[name, column] : rolls) {
-    const auto of = [&](const dynamics::Response &r) {
+  for (const auto &[name, row] : rolls) {
+    const auto of = [&, column = row](const dynamics::Response &r) {
       return dynamics::amplitude_spectral_density(r.acceleration.col(column), rate);
     };
     const auto curve = of(runs.curve.response), linear = of(runs.linear);

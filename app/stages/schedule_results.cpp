@@ -3,6 +3,7 @@
 #include "core/records/result_names.h"
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -58,7 +59,7 @@ KeyList keys_of_all(const ScheduleQuestion &q)
 {
   KeyList all;
   for (const KeyList &keys : q.keys)
-    all = joined(all, keys);
+    all = joined(std::move(all), keys);
   return all;
 }
 

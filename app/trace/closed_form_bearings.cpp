@@ -7,6 +7,7 @@
 #include "core/model/case.h"
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 // Bearings between rigid rings, for the closed-form model.
 namespace mill {
@@ -165,7 +166,7 @@ std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const 
     if (backup)
       add_both(r, i == 0 ? "K_Zy" : "K_Zy_lower");
     r.name += "_across";
-    r.closed          = joined(r.closed, keys_in("bearing." + b.name, "slices"));
+    r.closed          = joined(std::move(r.closed), keys_in("bearing." + b.name, "slices"));
     r.parameter.value = stiffness_along(state, loading, 1);
     r.parameter.method += ", across the load";
     r.file       = "app/stages/bearing_across";

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -123,7 +124,7 @@ void add_response(ClosedFormResults &all, const LumpedModel &model, const Dynami
     r.stands_for = other_model && !white ? "dynamics.model = \"" + settings.model + "\"" : "";
     inherit(r, all, white ? own : joined(own, keys_in("dynamics", "output_rate")));
     if (!white)
-      r.parameter.inputs = joined(r.parameter.inputs, all_own);
+      r.parameter.inputs = joined(std::move(r.parameter.inputs), all_own);
     all.push_back(r);
   };
   const auto levels = driven_levels(model, settings, pass, memory);
@@ -373,12 +374,12 @@ void inherit(ClosedFormResult &r, const std::vector<ClosedFormResult> &all, cons
   KeyList closed = own, inputs = own;
   for (const std::string &part : r.from)
     if (const ClosedFormResult *made = find(all, part)) {
-      closed = joined(closed, made->closed);
-      inputs = joined(inputs, made->parameter.inputs);
+      closed = joined(std::move(closed), made->closed);
+      inputs = joined(std::move(inputs), made->parameter.inputs);
     }
   r.own              = own;
   r.closed           = closed;
-  r.parameter.inputs = joined(inputs, closed);
+  r.parameter.inputs = joined(std::move(inputs), closed);
 }
 
 const ClosedFormResult *find(const std::vector<ClosedFormResult> &results, const std::string &name)

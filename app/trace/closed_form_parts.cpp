@@ -9,6 +9,7 @@
 #include "reduce/chain/spring_chain.h"
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -81,8 +82,8 @@ KeyList closed_keys(const TwoCylinders &pair)
            std::pair<const char *, const RoundBody &>{"upper", pair.upper},
            std::pair<const char *, const RoundBody &>{"lower", pair.lower}
   })
-    keys = joined(keys, keys_in(name, std::string(body.plane() ? "" : "diameter ") + "rigid" +
-                                          (body.rigid ? "" : " youngs_modulus poisson_ratio")));
+    keys = joined(std::move(keys), keys_in(name, std::string(body.plane() ? "" : "diameter ") + "rigid" +
+                                                     (body.rigid ? "" : " youngs_modulus poisson_ratio")));
   return joined(keys, keys_in("steel", "youngs_modulus poisson_ratio"));
 }
 
@@ -121,13 +122,13 @@ std::vector<ClosedFormResult> closed_form_space(const TwoCylinders &pair)
       pair, closed_keys(pair), "contact.space.", {"{}", {{load, "N"}}},
          "", "app/stages/space_contact"
   };
-  c.closed = joined(c.closed, keys_in("contact.space", "at"));
+  c.closed = joined(std::move(c.closed), keys_in("contact.space", "at"));
   if (shape.is_point(load, pair.space.tilt)) {
     const auto e = contact::hertz_point(load, shape.radius, 1 / shape.curvature, shape.modulus);
     c.method     = "Hertz, contact/hertz (10.5)";
     for (const auto *body : {&pair.upper, &pair.lower})
       if (!body->plane())
-        c.closed = joined(c.closed, keys_in(body == &pair.upper ? "upper" : "lower", "crown_radius"));
+        c.closed = joined(std::move(c.closed), keys_in(body == &pair.upper ? "upper" : "lower", "crown_radius"));
     c.add("half_width", "m", e.semi_x, "(10.5)");
     c.add("peak_pressure", "Pa", e.peak_pressure, "(10.5)");
     c.add("approach", "m", e.approach, "(10.5)");
@@ -141,7 +142,7 @@ std::vector<ClosedFormResult> closed_form_space(const TwoCylinders &pair)
     return {};
   const auto line = contact::lundberg_line(hertz, q, shape.length, shape.modulus);
   c.method        = "Hertz and Lundberg, contact/hertz (33.6)";
-  c.closed        = joined(c.closed, keys_in("upper", "length"), keys_in("lower", "length"));
+  c.closed        = joined(std::move(c.closed), keys_in("upper", "length"), keys_in("lower", "length"));
   c.add("half_width", "m", hertz.half_width, "(3.2)");
   c.add("peak_pressure", "Pa", hertz.peak_pressure, "(3.3)");
   const double approach = line.approach + shape.first_touch(pair.space.tilt);
@@ -169,7 +170,7 @@ std::vector<ClosedFormResult> closed_form_cylinders(const TwoCylinders &pair)
   c.add("half_width", "m", line.half_width, "(3.2)");
   c.add("peak_pressure", "Pa", line.peak_pressure, "(3.3)");
   if (holds(cylinder_keys(pair, "contact.line.approach"), "contact.line.plane_depth"))
-    c.closed = joined(c.closed, keys_in("contact.line", "plane_depth"));
+    c.closed = joined(std::move(c.closed), keys_in("contact.line", "plane_depth"));
   c.add("approach", "m", line.approach, "(3.4)");
   c.add("secant", "N/m2", line.secant, "(3.5a)");
   c.add("tangent", "N/m2", line.tangent, "(3.5b)");

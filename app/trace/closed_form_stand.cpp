@@ -7,6 +7,7 @@
 #include "reduce/chain/line_contact.h"
 #include "reduce/chain/mill_modulus.h"
 #include <fmt/format.h>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -175,7 +176,7 @@ void add_named_modes_of_chain(std::vector<ClosedFormResult> &all, const LumpedMo
     r.equation         = "(22.23)";
     r.stands_for       = stands_for;
     if (!stands_for.empty())
-      r.parameter.inputs = joined(r.parameter.inputs, detailed_model_keys());
+      r.parameter.inputs = joined(std::move(r.parameter.inputs), detailed_model_keys());
     all.push_back(std::move(r));
   }
 }

@@ -10,10 +10,12 @@
 #include <dlfcn.h>
 #include <filesystem>
 #include <mutex>
-#include <omp.h>
 
 extern "C" {
 void dpotri_(const char *uplo, const int *n, double *a, const int *lda, int *info);
+// Of libgomp, which OpenBLAS and CHOLMOD are linked with; a header of another compiler would mean another library.
+void omp_set_num_threads(int n);
+void omp_set_max_active_levels(int levels);
 }
 
 namespace mill {

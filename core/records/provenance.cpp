@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <sstream>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -65,7 +66,7 @@ KeyList load_keys_of_all(const std::vector<Pass> &passes)
 {
   KeyList keys;
   for (std::size_t p = 0; p < passes.size(); ++p)
-    keys = joined(keys, load_keys(passes[p], p));
+    keys = joined(std::move(keys), load_keys(passes[p], p));
   return keys;
 }
 
@@ -203,9 +204,10 @@ KeyList seat_load_keys(const FourHigh &stand, const bool backup, const std::stri
   if (!std::isnan(roll.bearing_load))
     return keys;
   if (backup || !bent || settings.axis_offset != 0)
-    keys = joined(keys, load_keys(stand.passes[p], p));
+    keys = joined(std::move(keys), load_keys(stand.passes[p], p));
   if (settings.axis_offset != 0)
-    keys = joined(keys, keys_in("work_roll", "barrel_diameter"), keys_in("backup_roll", "barrel_diameter"));
+    keys = joined(std::move(keys), keys_in("work_roll", "barrel_diameter"),
+                  keys_in("backup_roll", "barrel_diameter"));
   return joined(keys, keys_in("work_roll", "bending_force"), keys_in("contact." + contact, "axis_offset"));
 }
 
@@ -221,11 +223,11 @@ KeyList seat_keys(const FourHigh &stand, const std::size_t i, const std::size_t 
                   oil_film_keys(*film));
   const auto &b = bearing_of(stand.bearings, roll.bearing);
   if (b.roller_law == "fe") {  // one mesh for the heaviest load that any pass puts on this bearing
-    keys = joined(keys, KeyList{"work_roll.bearing", "backup_roll.bearing"});
+    keys = joined(std::move(keys), KeyList{"work_roll.bearing", "backup_roll.bearing"});
     for (std::size_t other = 0; other < stand.passes.size(); ++other)
       for (const bool at_backup : {false, true})
         if ((at_backup ? stand.backup_roll : stand.work_roll).bearing == b.name)
-          keys = joined(keys, seat_load_keys(stand, at_backup, "upper", other),
+          keys = joined(std::move(keys), seat_load_keys(stand, at_backup, "upper", other),
                         seat_load_keys(stand, at_backup, "lower", other));
   }
   return joined(keys, bearing_keys(b));
@@ -246,7 +248,7 @@ KeyList bearing_case_keys(const BearingCase &spec)
   const RollerBearing &b = bearing_of(spec.bearings, spec.load.bearing);
   KeyList keys           = bearing_keys(b);
   if (loaded_askew(spec.load))
-    keys = joined(keys, keys_in("bearing." + b.name, "width row_hands pitch_diameter slices"));
+    keys = joined(std::move(keys), keys_in("bearing." + b.name, "width row_hands pitch_diameter slices"));
   for (const Row &row : rows_of(bearing_model_rows()))  // [model] says again what the bearing says
     if (holds(keys, "bearing." + b.name + "." + row.key))
       keys.push_back("model." + row.key);
@@ -292,13 +294,13 @@ KeyList measured_keys(const BiteRun &bite)
   const std::string strip = "entry_thickness exit_thickness entry_tension exit_tension" +
                             std::string(needs_speed(bite.strip.friction) ? " speed" : "");
   for (std::size_t p = 0; p < passes.size(); ++p) {
-    keys = joined(keys, keys_in(pass_section(p), strip));
+    keys = joined(std::move(keys), keys_in(pass_section(p), strip));
     if (asked("force"))
-      keys = joined(keys, load_keys(passes[p], p), keys_in(pass_section(p), "force_deviation"));
+      keys = joined(std::move(keys), load_keys(passes[p], p), keys_in(pass_section(p), "force_deviation"));
     if (asked("slip"))
-      keys = joined(keys, keys_in(pass_section(p), "forward_slip slip_deviation"));
+      keys = joined(std::move(keys), keys_in(pass_section(p), "forward_slip slip_deviation"));
     if (asked("torque"))
-      keys = joined(keys, keys_in(pass_section(p), "torque torque_deviation"));
+      keys = joined(std::move(keys), keys_in(pass_section(p), "torque torque_deviation"));
   }
   return joined(keys, keys_in("strip", "width"));
 }
@@ -379,7 +381,7 @@ KeyList chain_mode_keys(const LumpedModel &model, const DynamicsSettings &dynami
   KeyList keys;
   for (const std::string &part : chain_parts(dynamics, half)) {
     const auto i = std::size_t(part[1] - '1');
-    keys         = joined(keys, (part[0] == 'M' ? model.M[i] : model.K[i]).inputs);
+    keys         = joined(std::move(keys), (part[0] == 'M' ? model.M[i] : model.K[i]).inputs);
   }
   return joined(keys, keys_in("dynamics", "force_meaning frame"));
 }

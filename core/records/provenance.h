@@ -27,9 +27,10 @@ inline bool holds(const KeyList &list, const std::string &key)
 }
 
 /// All keys of the lists in order, each once.
-template <class... Lists> KeyList joined(const Lists &...lists)
+/// @param all  the first list, which holds none twice
+template <class... Lists> KeyList joined(KeyList all, const Lists &...lists)
 {
-  KeyList all;
+  all.reserve(all.size() + (lists.size() + ... + 0));
   const auto add = [&](const KeyList &list) {
     for (const std::string &key : list)
       if (!holds(all, key))

@@ -1,5 +1,6 @@
 #include "core/records/turning_keys.h"
 #include <fmt/format.h>
+#include <utility>
 
 namespace mill {
 KeyList frequency_response_keys()
@@ -12,7 +13,7 @@ KeyList campbell_keys(const std::size_t orders)
 {
   KeyList keys = keys_in("campbell", "speeds working_speeds roll_orders bearing_harmonics");
   for (std::size_t i = 0; i < orders; ++i)
-    keys = joined(keys, keys_in(fmt::format("drive.order.{}", i), "per_turn_of count"));
+    keys = joined(std::move(keys), keys_in(fmt::format("drive.order.{}", i), "per_turn_of count"));
   return keys;
 }
 }  // namespace mill

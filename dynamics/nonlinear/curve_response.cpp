@@ -13,7 +13,7 @@ namespace {
 class CurveRecorder {
 public:
   CurveRecorder(const CurveStand &stand, const ModalModel &model, const OutputGrid &grid, const double mean)
-      : stand_(stand), model_(model), grid_(grid), mean_(mean)
+      : stand_(stand), model_(model), mean_(mean)
   {
     const auto n = Eigen::Index(stand.modes()), m = model.point.rows();
     require(model.frequency.size() == n, "points and springs are seen in the same modes");
@@ -78,7 +78,6 @@ public:
 private:
   const CurveStand &stand_;
   const ModalModel &model_;
-  OutputGrid grid_;
   double mean_;
   std::vector<std::size_t> group_;
   Eigen::VectorXd acceleration_;

@@ -2,6 +2,7 @@
 #include "core/records/provenance.h"
 #include "reduce/chain/screwdown.h"
 #include <cmath>
+#include <utility>
 
 namespace mill::reduce {
 Keys backup_roll_keys(const bool solid)
@@ -48,7 +49,7 @@ Keys as_drawn(const Keys &keys, const FourHigh &stand)
   };
   Keys all;
   for (const std::string &key : keys)
-    all = joined(all, drawn_as(key));
+    all = joined(std::move(all), drawn_as(key));
   return all;
 }
 

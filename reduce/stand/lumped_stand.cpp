@@ -317,7 +317,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
   for (Keys &list : keys)
     list = as_drawn(list, stand);
   for (std::size_t i = 1; i < 5; ++i)
-    keys[i] = joined(keys[i], mass_shape_keys(stand.dynamics));
+    keys[i] = joined(std::move(keys[i]), mass_shape_keys(stand.dynamics));
 
   const auto with_error = [&](Parameter p, const std::size_t v) {
     p.error_estimate = errors.error[v];

@@ -16,6 +16,10 @@ public:
   /// Parts of a list or an object.  @throws std::exception  there is none
   Reference operator[](int index) const;
   Reference operator[](const std::string &key) const;
+  Reference operator[](const char *key) const
+  {
+    return (*this)[std::string(key)];
+  }
   Reference at(const std::string &key) const
   {
     return (*this)[key];

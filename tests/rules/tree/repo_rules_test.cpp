@@ -46,7 +46,7 @@ std::vector<std::string> includes(const Source &source)
   std::vector<std::string> out;
   std::smatch match;
   for (const std::string &line : source.lines)
-    if (std::regex_search(line, match, pattern))
+    if (line.find("include") != std::string::npos && std::regex_search(line, match, pattern))
       out.push_back(match[1]);
   return out;
 }
@@ -54,6 +54,15 @@ std::vector<std::string> includes(const Source &source)
 bool starts_with(const std::string &text, const std::string &prefix)
 {
   return text.compare(0, prefix.size(), prefix) == 0;
+}
+
+// Whether the pattern is in the line, asked only where one of `words` is, each match of it having one: the
+// library's expressions take seconds for all lines of the tree.
+bool finds(const std::string &line, const std::vector<std::string> &words, const std::regex &pattern)
+{
+  return std::any_of(words.begin(), words.end(),
+                     [&](const std::string &word) { return line.find(word) != std::string::npos; }) &&
+         std::regex_search(line, pattern);
 }
 }  // namespace
 
@@ -174,7 +183,7 @@ TEST(Headers, DoubleMembersStateTheirUnit)
       const std::string &line = source.lines[i];
       body                    = line == "{" || (body && line != "}");
       hidden = line.find("private:") != std::string::npos || (hidden && line.find("};") == std::string::npos);
-      if (hidden || body || !std::regex_search(line, member))
+      if (hidden || body || !finds(line, {"double"}, member))
         continue;
       ++seen;
       EXPECT_NE(line.find("///<"), std::string::npos) << source.name << ":" << i + 1 << ": " << line;
@@ -200,7 +209,7 @@ TEST(Library, NeverPrintsExitsOrReadsTheEnvironment)
   for (const Source &source :
        sources({"core", "contact", "bearing", "meshes", "fem", "reduce", "dynamics", "twin", "report"}))
     for (std::size_t i = 0; i < source.lines.size(); ++i)
-      EXPECT_FALSE(std::regex_search(source.lines[i], forbidden))
+      EXPECT_FALSE(finds(source.lines[i], {"std::c", "getenv", "exit", "printf"}, forbidden))
           << source.name << ":" << i + 1 << ": " << source.lines[i];
 }
 
@@ -221,7 +230,7 @@ TEST(Stages, NameCurvesByTheirKind)
   const std::regex spelled(R"re(\b(write|table)\((std::string\()?"curves/(?!models\.json|.*\.json)[^)]*\))re");
   for (const Source &source : sources({"app/stages", "report"}))
     for (std::size_t i = 0; i < source.lines.size(); ++i)
-      EXPECT_FALSE(std::regex_search(source.lines[i], spelled))
+      EXPECT_FALSE(finds(source.lines[i], {"curves/"}, spelled))
           << source.name << ":" << i + 1 << ": " << source.lines[i];
 }
 
@@ -234,7 +243,7 @@ TEST(Tests, EveryTestExpectsSomething)
     bool expects     = true;
     const auto close = [&] { EXPECT_TRUE(expects) << source.name << ": " << open << " expects nothing"; };
     for (const std::string &line : source.lines) {
-      if (std::regex_search(line, std::regex(R"(^(TEST|TEST_F|TEST_P)\()"))) {
+      if (starts_with(line, "TEST(") || starts_with(line, "TEST_F(") || starts_with(line, "TEST_P(")) {
         close();
         open    = line;
         expects = false;
@@ -250,17 +259,18 @@ TEST(Tests, EveryTestExpectsSomething)
 TEST(Tree, HasNoPathOfAMachineAndNothingLeftOpen)
 {
   const std::regex machine("(^|[^.a-zA-Z0-9])/(work|home|root|tmp|farm)/[a-z]");
-  const std::regex open(std::string("\\b(TO") + "DO|FIX" + "ME|not imple" + "mented)\\b");
+  const std::vector<std::string> words{std::string("TO") + "DO", std::string("FIX") + "ME",
+                                       std::string("not imple") + "mented"};
+  const std::regex open("\\b(" + words[0] + "|" + words[1] + "|" + words[2] + ")\\b");
   auto all = stages;
   all.insert(all.end(), {"tests", "bench", "cases"});
   for (const Source &source : sources(all)) {
     if (source.name == "tests/rules/tree/repo_rules_test.cpp")
       continue;
     for (std::size_t i = 0; i < source.lines.size(); ++i) {
-      EXPECT_FALSE(std::regex_search(source.lines[i], machine))
+      EXPECT_FALSE(finds(source.lines[i], {"/work", "/home", "/root", "/tmp", "/farm"}, machine))
           << source.name << ":" << i + 1 << ": " << source.lines[i];
-      EXPECT_FALSE(std::regex_search(source.lines[i], open))
-          << source.name << ":" << i + 1 << ": " << source.lines[i];
+      EXPECT_FALSE(finds(source.lines[i], words, open)) << source.name << ":" << i + 1 << ": " << source.lines[i];
     }
   }
 }

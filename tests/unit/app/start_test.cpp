@@ -49,7 +49,7 @@ std::string refusal(const std::string &folder, const std::string &why)
 TEST(Start, OpensNeitherDealIINorGmshWhereNoMeshIsMade)
 {
   const std::string out = scratch("start");
-  for (const std::string verb :
+  for (const std::string &verb :
        {std::string("--help"), std::string("--version"), std::string("check cases/four-high-1400.toml"),
         "modes cases/published-1400.toml -q -o " + out, "simulate cases/published-1400.toml -q -o " + out}) {
     const Outcome outcome = millstand(verb, MILLSTAND_SOURCE_DIR, "export LD_DEBUG=files");

@@ -71,7 +71,10 @@ Outer sample()
 
 // Stands for a value of any type: an aggregate takes as many as it has members.
 struct Anything {
-  template <class T> operator T() const;
+  template <class T> operator T() const
+  {
+    return T();
+  }
 };
 template <class T, std::size_t... i> auto takes(std::index_sequence<i...>) -> decltype(T{(i, Anything())...}, true)
 {

@@ -41,10 +41,11 @@ TEST(CountedChock, IsNoSpringOfTheChainWhereTheBearingHasIt)
   EXPECT_TRUE(near(softer(5), 1 / 0.9e11, within(1e-9, "one spring in series more or less")));
   for (const std::size_t i : {0, 6})
     EXPECT_EQ(elastic.K[i].value, rigid.K[i].value) << "K" << i + 1 << " has no chock";
-  for (const auto &[i, key] :
+  for (const auto &chock :
        {std::pair(1, "frame.upper_chock_stiffness"), std::pair(5, "frame.lower_chock_stiffness")}) {
+    const char *key   = chock.second;
     const auto counts = [&](const LumpedModel &model) {
-      const auto &inputs = model.K[std::size_t(i)].inputs;
+      const auto &inputs = model.K[std::size_t(chock.first)].inputs;
       return std::count(inputs.begin(), inputs.end(), key);
     };
     EXPECT_EQ(counts(elastic), 0) << key;

@@ -51,7 +51,7 @@ TEST(StandErrors, FollowTheFrequenciesOfAMovedStand)
   stand.frame.tolerance["upper_chock_stiffness"] = 0.2;
   stand.frame.tolerance["cylinder_mass"]         = 0.3;
   const Eigen::VectorXd f = stand_modes(beams(stand, stand_springs(stand, chain)), 200).frequency;
-  const auto moved        = [&](const double K1, const double chock, const double mass) {
+  const auto moved = [&, &chain = chain, &stand = stand](const double K1, const double chock, const double mass) {
     LumpedStand c = chain;
     FourHigh s    = stand;
     c.model.K[0].value *= K1;

@@ -120,7 +120,8 @@ TEST(RunningComparison, IncoherentShareIsUnbiased)
   EXPECT_GE(bands, 13);
   EXPECT_LT(all.back().bands.back().high, rate / 2.56);
   EXPECT_NEAR(all.back().bands.back().centre, 630.957, 0.01) << "centres are ten to a decade";
-  for (const auto &band : rows(y, y).back().bands)
+  const auto same = rows(y, y).back().bands;
+  for (const auto &band : same)
     EXPECT_NEAR(band.share, 0, 1e-12);
   double mean          = 0;
   const auto unrelated = rows(y, rest).back().bands;
