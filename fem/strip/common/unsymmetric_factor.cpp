@@ -1,6 +1,7 @@
 #include "fem/strip/common/unsymmetric_factor.h"
 #include "core/numerics/blas_threads.h"
 #include "core/process/stage_work.h"
+#include <algorithm>
 #include <new>
 #include <suitesparse/umfpack.h>
 
@@ -16,6 +17,7 @@ void require_memory(const int status)
 
 struct UnsymmetricFactor::Implementation {
   Eigen::SparseMatrix<double> matrix;
+  std::vector<Eigen::Triplet<int>> places;  // of the entries last summed; value: where in the matrix
   void *symbolic = nullptr, *numeric = nullptr;
   double control[UMFPACK_CONTROL];
   Implementation()
@@ -26,6 +28,46 @@ struct UnsymmetricFactor::Implementation {
   {
     umfpack_di_free_numeric(&numeric);
     umfpack_di_free_symbolic(&symbolic);
+  }
+  bool has_places_of(const int n, const std::vector<Eigen::Triplet<double>> &entries) const
+  {
+    return matrix.cols() == n && std::equal(entries.begin(), entries.end(), places.begin(), places.end(),
+                                            [](const auto &entry, const auto &place) {
+                                              return entry.row() == place.row() && entry.col() == place.col();
+                                            });
+  }
+  void find_places(const int n, const std::vector<Eigen::Triplet<double>> &entries)
+  {
+    matrix.resize(n, n);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    places.clear();
+    for (const auto &entry : entries) {
+      const int *rows = matrix.innerIndexPtr(), *begin = rows + matrix.outerIndexPtr()[entry.col()],
+                *end = rows + matrix.outerIndexPtr()[entry.col() + 1];
+      places.emplace_back(entry.row(), entry.col(), int(std::lower_bound(begin, end, entry.row()) - rows));
+    }
+  }
+  // The analysis is that of the pattern unless it is forgotten.
+  bool factorise(const bool same_pattern)
+  {
+    const OneBlasThread alone;
+    const int n      = int(matrix.cols());
+    const int *outer = matrix.outerIndexPtr(), *inner = matrix.innerIndexPtr();
+    const double *values = matrix.valuePtr();
+    double info[UMFPACK_INFO];
+    umfpack_di_free_numeric(&numeric);
+    if (!same_pattern || !symbolic) {
+      umfpack_di_free_symbolic(&symbolic);
+      const int status = umfpack_di_symbolic(n, n, outer, inner, values, &symbolic, control, info);
+      require_memory(status);
+      if (status < 0)
+        return false;
+    }
+    const int status = umfpack_di_numeric(outer, inner, values, symbolic, &numeric, control, info);
+    require_memory(status);
+    if (status == UMFPACK_OK)
+      StageWork::add({n, info[UMFPACK_LNZ] + info[UMFPACK_UNZ], info[UMFPACK_FLOPS]});
+    return status == UMFPACK_OK;
   }
   Eigen::VectorXd solve(const int system, const Eigen::VectorXd &b, const int refinements)
   {
@@ -44,38 +86,18 @@ UnsymmetricFactor::UnsymmetricFactor() : self(std::make_unique<Implementation>()
 UnsymmetricFactor::~UnsymmetricFactor()                             = default;
 UnsymmetricFactor::UnsymmetricFactor(UnsymmetricFactor &&) noexcept = default;
 
-bool UnsymmetricFactor::factorise(const Eigen::SparseMatrix<double> &matrix)
-{
-  const OneBlasThread alone;
-  const int n = int(matrix.cols());
-  const bool known =
-      self->symbolic && self->matrix.cols() == n && self->matrix.nonZeros() == matrix.nonZeros() &&
-      std::equal(matrix.outerIndexPtr(), matrix.outerIndexPtr() + n, self->matrix.outerIndexPtr()) &&
-      std::equal(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros(), self->matrix.innerIndexPtr());
-  self->matrix     = matrix;
-  const int *outer = self->matrix.outerIndexPtr(), *inner = self->matrix.innerIndexPtr();
-  const double *values = self->matrix.valuePtr();
-  double info[UMFPACK_INFO];
-  umfpack_di_free_numeric(&self->numeric);
-  if (!known) {
-    umfpack_di_free_symbolic(&self->symbolic);
-    const int status = umfpack_di_symbolic(n, n, outer, inner, values, &self->symbolic, self->control, info);
-    require_memory(status);
-    if (status < 0)
-      return false;
-  }
-  const int status = umfpack_di_numeric(outer, inner, values, self->symbolic, &self->numeric, self->control, info);
-  require_memory(status);
-  if (status == UMFPACK_OK)
-    StageWork::add({n, info[UMFPACK_LNZ] + info[UMFPACK_UNZ], info[UMFPACK_FLOPS]});
-  return status == UMFPACK_OK;
-}
-
 bool UnsymmetricFactor::factorise(const int n, const std::vector<Eigen::Triplet<double>> &entries)
 {
-  Eigen::SparseMatrix<double> matrix(n, n);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return factorise(matrix);
+  const bool same = self->has_places_of(n, entries);
+  if (!same)
+    self->find_places(n, entries);
+  else {
+    double *values = self->matrix.valuePtr();
+    std::fill_n(values, self->matrix.nonZeros(), 0.);
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      values[self->places[i].value()] += entries[i].value();
+  }
+  return self->factorise(same);
 }
 
 Eigen::VectorXd UnsymmetricFactor::solve(const Eigen::VectorXd &b) const
