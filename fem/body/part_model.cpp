@@ -116,17 +116,25 @@ Eigen::MatrixXd PartModel::solve(const Eigen::MatrixXd &F) const
 
 Eigen::MatrixXd PartModel::mass_times(const Eigen::MatrixXd &U) const
 {
-  // Rows are nodes, columns the three directions of every vector: one product with the scalar matrix.
-  const Eigen::Index n = U.rows() / 3;
-  Eigen::MatrixXd by_node(n, 3 * U.cols());
-  for (Eigen::Index k = 0; k < U.cols(); ++k)
-    by_node.middleCols(3 * k, 3) =
-        Eigen::Map<const Eigen::Matrix<double, 3, Eigen::Dynamic>>(U.col(k).data(), 3, n).transpose();
-  const Eigen::MatrixXd product = self->body->mass().selfadjointView<Eigen::Upper>() * by_node;
-  Eigen::MatrixXd out(U.rows(), U.cols());
-  for (Eigen::Index k = 0; k < U.cols(); ++k)
-    Eigen::Map<Eigen::Matrix<double, 3, Eigen::Dynamic>>(out.col(k).data(), 3, n) =
-        product.middleCols(3 * k, 3).transpose();
+  // The scalar matrix of the nodes, its upper triangle, times the three directions of each vector at once.
+  const SymmetricSparse &M = self->body->mass();
+  Eigen::MatrixXd out      = Eigen::MatrixXd::Zero(U.rows(), U.cols());
+  for (Eigen::Index k = 0; k < U.cols(); ++k) {
+    const Eigen::Map<const Eigen::Matrix3Xd> u(U.col(k).data(), 3, U.rows() / 3);
+    Eigen::Map<Eigen::Matrix3Xd> product(out.col(k).data(), 3, U.rows() / 3);
+    for (Eigen::Index j = 0; j < M.outerSize(); ++j) {
+      const Eigen::Vector3d of_node = u.col(j);
+      Eigen::Vector3d sum           = Eigen::Vector3d::Zero();
+      for (SymmetricSparse::InnerIterator entry(M, j); entry; ++entry)
+        if (entry.row() == j)
+          sum += entry.value() * of_node;
+        else {
+          sum += entry.value() * u.col(entry.row());
+          product.col(entry.row()) += entry.value() * of_node;
+        }
+      product.col(j) += sum;
+    }
+  }
   return out;
 }
 
