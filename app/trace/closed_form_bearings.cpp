@@ -1,10 +1,11 @@
 #include "app/stages/bearing_model.h"
 #include "app/stages/bearing_study.h"
 #include "app/stages/contact_stage.h"
+#include "app/trace/closed_form_chain.h"
 #include "app/trace/closed_form_parts.h"
-#include "bearing/assembly.h"
 #include "bearing/oil_film/oil_film_state.h"
 #include "core/model/case.h"
+#include "core/records/record_text.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -70,6 +71,16 @@ bearing::AssemblyState solved(const RollerBearing &b, const bearing::RingLoading
   return bearing::BearingAssembly(model).solve(loading);
 }
 
+// Under a radial load; of neighbouring cases few have another bearing.
+const bearing::AssemblyState &remembered_bearing(const RollerBearing &b, const double load, ClosedFormMemory &memory)
+{
+  const auto key   = std::make_pair(record_text(b), load);
+  const auto known = memory.bearings.find(key);
+  return known != memory.bearings.end()
+             ? known->second
+             : memory.bearings.emplace(key, solved(b, bearing::radial_drive(load))).first->second;
+}
+
 // An oil film on the coarser of its two grids.
 ClosedFormResult closed_form_film(const char *name, const OilFilmBearing &film, const bearing::OilFilmLoad &load,
                                   const KeyList &keys, const bool across)
@@ -109,7 +120,8 @@ double bearing_load(const FourHigh &stand, const bool backup, const ContactSetti
   return std::hypot(bending > 0 ? bending : F / 20, across);
 }
 
-std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const double F, const std::size_t pass)
+std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const double F, const std::size_t pass,
+                                                   ClosedFormMemory &memory)
 {
   std::vector<ClosedFormResult> all;
   const auto add_both = [&](const ClosedFormResult &one, const char *name) {
@@ -148,7 +160,7 @@ std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const 
     }
     const auto &b      = bearing_of(stand.bearings, roll.bearing);
     const auto loading = bearing::radial_drive(load);
-    const auto state   = solved(b, loading);
+    const auto &state  = remembered_bearing(b, load, memory);
     ClosedFormResult r;
     r.name             = fmt::format("Kzc{}", i + 1);
     r.parameter.value  = bearing::radial_tangent(state, loading);

@@ -161,9 +161,9 @@ void follow_given_bearing(ClosedFormResult &r, const FourHigh &stand)
 
 // Springs that finite elements would give, in closed form or given.
 void add_springs(ClosedFormResults &all, const FourHigh &stand, const std::size_t p, const std::string &prefix,
-                 const double load, const SpringFactors &factors)
+                 const double load, ClosedFormMemory &memory, const SpringFactors &factors)
 {
-  const auto bearings = closed_form_bearings(stand, load, p);
+  const auto bearings = closed_form_bearings(stand, load, p, memory);
   std::vector<ClosedFormResult> made{closed_form_contact(stand, "upper", load, p),
                                      closed_form_contact(stand, "lower", load, p)};
   made.insert(made.end(), bearings.begin(), bearings.end());
@@ -300,7 +300,7 @@ ClosedFormResults closed_form_four_high(const FourHigh &drawn, ClosedFormMemory 
     const Pass &pass         = stand.passes[p];
     const std::string prefix = p == 0 ? "" : pass.name + ".";
     const double load        = loads[p];
-    add_springs(all, stand, p, prefix, load, factors);
+    add_springs(all, stand, p, prefix, load, memory, factors);
     const auto chain         = add_chain(all, stand, prefix, fmt::format("{:.1f} kN", load / 1e3), factors);
     const LumpedModel &model = chain.model;
     if (p == 0) {

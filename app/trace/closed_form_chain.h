@@ -1,5 +1,6 @@
 #pragma once
 #include "app/trace/closed_form_parts.h"
+#include "bearing/assembly.h"
 #include "core/records/records.h"
 #include <array>
 #include <map>
@@ -16,6 +17,8 @@ struct Case;
 struct ClosedFormMemory {
   std::map<std::string, ForceRecord> forces;           ///< by file, or by the numbers of a made record
   std::map<std::string, std::array<double, 2>> white;  ///< N2/Hz and Hz: white force of the same rms
+  /// Bearings in equilibrium, by all that describes them and the radial load in N.
+  std::map<std::pair<std::string, double>, bearing::AssemblyState> bearings;
   /// g: upper peak, upper rms, lower peak, lower rms, by force and numbers of the chain
   std::map<std::pair<std::string, std::vector<double>>, std::array<double, 4>> driven;
 };

@@ -16,6 +16,7 @@ struct FourHigh;
 struct BearingCase;
 struct BiteCase;
 struct ChatterCase;
+struct ClosedFormMemory;
 struct TwoCylinders;
 
 /// A result by a closed form, and how it hangs on the case.
@@ -42,7 +43,8 @@ double bearing_load(const FourHigh &stand, bool backup, const ContactSettings &c
 
 /// Kzc1..Kzc4, along and across the load, K_Zy and K_Zy_lower: laminae between rigid rings at the load of each
 /// bearing. (5.2), (5.23)
-std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, double rolling_force, std::size_t pass);
+std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, double rolling_force, std::size_t pass,
+                                                   ClosedFormMemory &memory);
 
 /// K4 of one pass by the slab theory of [bite] on Hitchcock's or a rigid arc.  (8.13)
 /// The value is NaN where the theory has no answer; the method then says why.
