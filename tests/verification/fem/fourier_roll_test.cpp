@@ -68,13 +68,30 @@ const Rolls &stand_rolls()
 }
 
 // A coarse pair for what does not depend on accuracy.
+meshes::MeridianSize coarse_size()
+{
+  auto size          = meshes::meridian_size(half_width(F1));
+  size.largest_share = 0.1;
+  size.radial_growth = 2.5;
+  return size;
+}
+
 const Rolls &coarse_rolls()
 {
-  static const Rolls made = [] {
-    auto size          = meshes::meridian_size(half_width(F1));
-    size.largest_share = 0.1;
-    size.radial_growth = 2.5;
-    return rolls(size, options_at(F1, true));
+  static const Rolls made = rolls(coarse_size(), options_at(F1, true));
+  return made;
+}
+
+// Both sides of the solid engine.  2.7 F1: load and concentration by the crown must not push the contact to the edge
+// of the patch.
+const std::pair<MeshedBody, MeshedBody> &solid_rolls()
+{
+  static const auto made = [] {
+    auto size          = meshes::roll_contact_size(half_width(2.7 * F1), 5);
+    size.largest_layer = 0.05;
+    fem::CondenseOptions both;
+    both.both_sides = true;
+    return std::pair(meshed_roll("backup", backup, size, steel, both), meshed_roll("work", work, size, steel, both));
   }();
   return made;
 }
@@ -182,37 +199,32 @@ TEST(FourierRoll, LongCylindersMeetTheClosedForm)
 
 TEST(FourierRoll, NeitherOrdersNorMeshMatter)
 {
-  const double b = half_width(F1);
-  auto size      = meshes::meridian_size(b);
-  const auto at  = [&](const meshes::MeridianSize &s, const fem::FourierOptions &o) {
-    return fem::solve_load(pair_of(rolls(s, o), Held::in_stand, 0.5, 0), F1);
-  };
-  const auto base = fem::solve_load(pair_of(stand_rolls(), Held::in_stand, 0.5, 0), F1);
+  const auto solved = [](const Rolls &r) { return fem::solve_load(pair_of(r, Held::in_stand, 0.5, 0), F1); };
+  const auto coarse = solved(coarse_rolls());
   for (const int all : {12, 32}) {
     auto options       = options_at(F1);
     options.all_orders = all;
     options.ratio      = all == 12 ? 1.7 : 1.3;
-    const auto other   = at(size, options);
-    EXPECT_TRUE(near(other.approach, base.approach, within(5e-5, "smooth in the order: cubic in its logarithm")));
-    EXPECT_TRUE(near(other.tangent, base.tangent, within(5e-5, "the same")));
-    EXPECT_TRUE(near(other.line_load, base.line_load,
+    const auto other   = solved(rolls(coarse_size(), options));
+    EXPECT_TRUE(near(other.approach, coarse.approach, within(5e-5, "smooth in the order: cubic in its logarithm")));
+    EXPECT_TRUE(near(other.tangent, coarse.tangent, within(5e-5, "the same")));
+    EXPECT_TRUE(near(other.line_load, coarse.line_load,
                      within(1e-3, "of the mean; the last stations are shorter than b", q1)));
   }
+  const auto fine = solved(stand_rolls());
+  auto size       = meshes::meridian_size(half_width(F1));
   size.surface_element *= 1.5;
   size.radial_growth = 2;
   size.layer_growth  = 2.2;
   size.largest_share = 0.045;
-  const auto coarse  = at(size, options_at(F1));
-  EXPECT_TRUE(near(coarse.approach, base.approach, within(1e-3, "elements half as large again")));
-  EXPECT_TRUE(near(coarse.tangent, base.tangent, within(1e-3, "the same")));
+  const auto larger  = solved(rolls(size, options_at(F1)));
+  EXPECT_TRUE(near(larger.approach, fine.approach, within(1e-3, "elements half as large again")));
+  EXPECT_TRUE(near(larger.tangent, fine.tangent, within(1e-3, "the same")));
 }
 
 TEST(FourierRoll, AgreesWithTheThreeDimensionalEngine)
 {
-  // 2.7 F1: load and concentration by the crown must not push the contact to the edge of the patch.
-  auto size          = meshes::roll_contact_size(half_width(2.7 * F1), 5);
-  size.largest_layer = 0.05;
-  const auto A = meshed_roll("backup", backup, size, steel), B = meshed_roll("work", work, size, steel);
+  const auto &[A, B] = solid_rolls();
   for (const double crown : {0., 60e-6})
     for (const double strip : {0., 0.5, barrel}) {
       const Held held          = strip > 0 ? Held::in_stand : Held::mirrored;
@@ -249,13 +261,7 @@ TEST(FourierRoll, AgreesWithTheThreeDimensionalEngine)
 
 TEST(FourierRoll, AgreesWithTheThreeDimensionalEngineUnderAnOffCentreLoad)
 {
-  const auto size = meshes::roll_contact_size(half_width(2 * F1), 4);
-  fem::CondenseOptions both;
-  both.both_sides  = true;
-  const auto whole = [&](const RollGeometry &g, const std::string &name) {
-    return meshed_roll(name, g, size, steel, both).roll;
-  };
-  const auto A = whole(backup, "backup"), B = whole(work, "work");
+  const auto &A = solid_rolls().first.roll, &B = solid_rolls().second.roll;
   const auto a = fem::held_by_necks(A, fem::Extent::whole), b = fem::held_by_strip(B, 0.5, fem::Extent::whole);
   auto solid        = fem::make_pair("upper", A, a, B, b, Eigen::VectorXd::Zero(a.grid.n_z));
   solid.load_offset = 0.025;
