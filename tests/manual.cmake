@@ -4,9 +4,12 @@ set(manual_groups ClosedForms HalfSpace Section Solid Friction Nonlinear Roll
                   Slab Inhomogeneous ElasticArc StripFlow StripElastic RollArc
                   Mass Component Housing Response
                   ChatterStand ChatterMotion ChatterSensitivity ChatterTandem)
-# verification_test compares this list with the groups of the program: a group that is missing here would never run.
+# Those of them with cases of the long form (names_of_long_form).
+set(long_groups Nonlinear Roll Roller Ring StripFlow StripElastic Component)
+# verification_test compares these lists with the groups of the program: one that is missing here would never run.
 string(REPLACE ";" "," all_groups "${manual_groups};Peer")
-mill_tests(verify LINK mill::verify mill::bite mill::fem_linked SUPPORT manual/manual_test.cpp DEFINE MANUAL_GROUPS="${all_groups}")
+string(REPLACE ";" "," all_long_groups "${long_groups}")
+mill_tests(verify LINK mill::verify mill::bite mill::fem_linked SUPPORT manual/manual_test.cpp DEFINE MANUAL_GROUPS="${all_groups}" LONG_GROUPS="${all_long_groups}")
 
 foreach(group ${manual_groups})
   add_test(NAME manual_${group}
@@ -14,7 +17,13 @@ foreach(group ${manual_groups})
   set_tests_properties(manual_${group} PROPERTIES LABELS verification TIMEOUT 300)
 endforeach()
 
-# The long form, "ctest -C long": comparisons with CalculiX, skipped where it is not installed.
+# The long form, "ctest -C long": studies on several meshes and the largest benchmarks ...
+foreach(group ${long_groups})
+  add_test(NAME manual_${group}_long CONFIGURATIONS long
+    COMMAND verify_tests --gtest_filter=Long/GroupOfCases.Passes/${group} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  set_tests_properties(manual_${group}_long PROPERTIES LABELS long TIMEOUT 1800)
+endforeach()
+# ... and comparisons with CalculiX, skipped where it is not installed.
 add_test(NAME manual_Peer CONFIGURATIONS long
   COMMAND verify_tests --gtest_filter=Manual/GroupOfCases.Passes/Peer WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 set_tests_properties(manual_Peer PROPERTIES LABELS peer TIMEOUT 1800 SKIP_REGULAR_EXPRESSION "SKIPPED")

@@ -125,6 +125,14 @@ const std::vector<Kind> &kinds()
   return all;
 }
 
+const std::vector<std::string> &names_of_long_form()
+{
+  static const std::vector<std::string> names{"strip-step42",       "engine-agreement",    "fe-mesh-order",
+                                              "ring-mesh",          "strip-flow-thick",    "strip-flow-mesh",
+                                              "strip-elastic-mesh", "strip-elastic-stiff", "component-mesh"};
+  return names;
+}
+
 const std::vector<Group> &groups()
 {
   static const std::vector<Group> all{
@@ -161,9 +169,11 @@ const std::vector<Group> &groups()
 
 std::vector<Case> cases_of(const Group &group)
 {
-  std::vector<Case> cases = group.cases();
+  const std::vector<std::string> &long_form = names_of_long_form();
+  std::vector<Case> cases                   = group.cases();
   for (Case &c : cases) {
-    c.family = group.family;
+    c.family    = group.family;
+    c.long_form = std::count(long_form.begin(), long_form.end(), c.name) > 0;
     // The bite under an oil film is part of both; families are parted by blanks.
     if (c.name.rfind("film-", 0) == 0)
       c.family += " chatter";

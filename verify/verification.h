@@ -86,6 +86,7 @@ struct Case {
   std::function<std::vector<Check>()> run;
   std::string family                    = "";       ///< "contact": a name for all its cases; set by cases_of
   std::function<std::string()> ran_with = nullptr;  ///< of a peer: program, version, date of the run, for the page
+  bool long_form                        = false;    ///< names_of_long_form(); set by cases_of
 };
 
 /// Thrown by Case::run when what the case needs is not on this machine; says what and how to get it.
@@ -106,6 +107,10 @@ struct Group {
   std::function<std::vector<Case>()> cases;
 };
 const std::vector<Group> &groups();
+
+/// Cases that the suite runs with "ctest -C long" only: studies on several meshes and benchmarks of many seconds, to
+/// which the other cases of their groups leave little to find.
+const std::vector<std::string> &names_of_long_form();
 
 /// Cases of a group with their families.
 std::vector<Case> cases_of(const Group &group);

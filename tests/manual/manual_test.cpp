@@ -56,11 +56,34 @@ void expect_on_the_page(const Outcome &outcome)
 }
 }  // namespace
 
-class GroupOfCases : public testing::TestWithParam<Group> {};
+// A group in the usual form of the suite, or what "ctest -C long" adds to it.
+struct PartOfGroup {
+  Group group;
+  bool long_form;
+  std::vector<Case> cases() const
+  {
+    std::vector<Case> some;
+    for (const Case &c : cases_of(group))
+      if (c.long_form == long_form)
+        some.push_back(c);
+    return some;
+  }
+};
+
+std::vector<PartOfGroup> parts(const bool long_form)
+{
+  std::vector<PartOfGroup> some;
+  for (const Group &group : groups())
+    if (const PartOfGroup part{group, long_form}; !part.cases().empty())
+      some.push_back(part);
+  return some;
+}
+
+class GroupOfCases : public testing::TestWithParam<PartOfGroup> {};
 
 TEST_P(GroupOfCases, Passes)
 {
-  for (const Case &c : cases_of(GetParam())) {
+  for (const Case &c : GetParam().cases()) {
     const Outcome outcome = run(c);
     if (!outcome.skipped.empty())
       GTEST_SKIP() << c.name << " " << outcome.skipped;
@@ -69,5 +92,6 @@ TEST_P(GroupOfCases, Passes)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Manual, GroupOfCases, testing::ValuesIn(groups()),
-                         [](const auto &group) { return group.param.name; });
+const auto name_of_group = [](const auto &part) { return part.param.group.name; };
+INSTANTIATE_TEST_SUITE_P(Manual, GroupOfCases, testing::ValuesIn(parts(false)), name_of_group);
+INSTANTIATE_TEST_SUITE_P(Long, GroupOfCases, testing::ValuesIn(parts(true)), name_of_group);

@@ -233,10 +233,22 @@ TEST(Page, CellsAreReadAsTheyAreWritten)
 
 TEST(Manual, TheSuiteRunsEveryGroup)
 {
-  std::vector<std::string> known;
-  for (const Group &group : groups())
+  std::vector<std::string> known, with_long_form, long_form;
+  for (const Group &group : groups()) {
     known.push_back(group.name);
+    std::size_t usual = 0;
+    for (const Case &c : cases_of(group))
+      if (c.long_form)
+        long_form.push_back(c.name);
+      else
+        ++usual;
+    if (usual < cases_of(group).size())
+      with_long_form.push_back(group.name);
+    EXPECT_GT(usual, 0u) << group.name << " has no case for the usual form of the suite";
+  }
   EXPECT_EQ(split(MANUAL_GROUPS, ","), known) << "tests/manual.cmake lists the groups that CTest runs";
+  EXPECT_EQ(split(LONG_GROUPS, ","), with_long_form) << "and those with cases of the long form";
+  EXPECT_EQ(long_form.size(), names_of_long_form().size()) << "a name of the long form is no case";
 }
 
 TEST(Manual, NamesAreUniqueAndEveryTextIsThere)
