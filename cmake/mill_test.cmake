@@ -1,7 +1,8 @@
 # mill_tests(folder LINK libraries... [SUPPORT sources...] [DEFINE definitions...])
-# One program for the tests of one folder of the product, <folder>_tests, of tests/{unit,verification,regression,rules}/<folder>;
-# one entry of CTest for each file, by its name and with its kind as label, so that CTest runs files side by side and
-# `ctest -R roll_cache` still finds what it means.
+# One program for the tests of one folder of the product, <folder>_tests, of
+# tests/{unit,verification,regression,rules,campaign}/<folder>; one entry of CTest for each file, by its name and with its
+# kind as label, so that CTest runs files side by side and `ctest -R roll_cache` still finds what it means.  Those of a
+# campaign run with `ctest -C long` only.
 function(mill_tests folder)
   cmake_parse_arguments(T "" "" "LINK;SUPPORT;DEFINE" ${ARGN})
   set(program ${folder}_tests)
@@ -11,7 +12,7 @@ function(mill_tests folder)
   mill_not_optimised(${program})
   mill_link_product_first(${program} "${T_LINK}")
   mill_share_headers(${program} test)
-  foreach(kind unit verification regression rules)
+  foreach(kind unit verification regression rules campaign)
     file(GLOB files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${kind}/${folder}/*_test.cpp)
     foreach(file ${files})
       mill_test_entry(${program} ${kind} ${file})
@@ -86,8 +87,13 @@ function(mill_test_entry program kind file)
   endif()
   set_property(TARGET ${program} APPEND PROPERTY mill_suites ${suites})
   set_property(TARGET ${program} APPEND PROPERTY mill_entries ${name})
-  add_test(NAME ${name} COMMAND ${program} --gtest_filter=${filter} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  if(kind STREQUAL "verification")
+  set(configurations "")
+  if(kind STREQUAL "campaign")
+    set(configurations CONFIGURATIONS long)
+  endif()
+  add_test(NAME ${name} ${configurations} COMMAND ${program} --gtest_filter=${filter}
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  if(kind MATCHES "verification|campaign")
     set(timeout 600)
   else()
     set(timeout 120)
