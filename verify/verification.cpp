@@ -128,6 +128,7 @@ const std::vector<Kind> &kinds()
 const std::vector<std::string> &names_of_long_form()
 {
   static const std::vector<std::string> names{"strip-step42",       "engine-agreement",    "fe-mesh-order",
+                                              "published-k",        "roller-on-ring",      "condensed-identity",
                                               "ring-mesh",          "strip-flow-thick",    "strip-flow-mesh",
                                               "strip-elastic-mesh", "strip-elastic-stiff", "component-mesh"};
   return names;

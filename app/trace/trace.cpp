@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -232,6 +233,17 @@ SpringFactors bending_factor(const StoredRun &run)
     return {};
   }
 }
+
+// Of the case as it stands, to which every key of it comes back.
+const ClosedFormResults &remembered_chain(const TraceOptions &options, const Case &the_case,
+                                          ClosedFormMemory &memory)
+{
+  const std::string name = fmt::format("{} {}", options.case_file, fmt::join(options.sets, " "));
+  const auto known       = memory.cases.find(name);
+  return known != memory.cases.end()
+             ? known->second
+             : memory.cases.emplace(name, closed_form_chain(the_case, memory)).first->second;
+}
 }  // namespace
 
 Trace trace(const TraceOptions &options)
@@ -244,7 +256,7 @@ Trace trace(const TraceOptions &options, ClosedFormMemory &memory)
 {
   const Case the_case = read_case(options.case_file, options.sets);
   Trace trace;
-  trace.base            = closed_form_chain(the_case, memory);
+  trace.base            = remembered_chain(options, the_case, memory);
   const auto run        = stored_run(folder_of_run(options.folder, the_case), the_case);
   trace.key             = find_key(the_case, options.sets, options.key, trace.base);
   SpringFactors factors = run ? bending_factor(*run) : SpringFactors{};

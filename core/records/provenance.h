@@ -8,6 +8,8 @@
 #include "core/model/two_cylinders.h"
 #include <algorithm>
 #include <string>
+#include <string_view>
+#include <unordered_set>
 #include <vector>
 
 // Which keys of the case stand behind a result.  A run writes these lists as `inputs`, a trace follows the same
@@ -30,11 +32,14 @@ inline bool holds(const KeyList &list, const std::string &key)
 /// @param all  the first list, which holds none twice
 template <class... Lists> KeyList joined(KeyList all, const Lists &...lists)
 {
-  all.reserve(all.size() + (lists.size() + ... + 0));
+  all.reserve(all.size() + (lists.size() + ... + 0));  // no key moves while `known` looks at it
+  std::unordered_set<std::string_view> known(all.begin(), all.end());
   const auto add = [&](const KeyList &list) {
     for (const std::string &key : list)
-      if (!holds(all, key))
+      if (known.count(key) == 0) {
         all.push_back(key);
+        known.insert(all.back());
+      }
   };
   (add(lists), ...);
   return all;

@@ -3,6 +3,7 @@
 #include "core/case/stand_rows.h"
 #include "core/model/case.h"
 #include <fmt/format.h>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,19 +54,26 @@ inline std::vector<std::string> other_values(const mill::TraceKey &key)
   return values;
 }
 
-// The cases that another value of this key makes of a base, those that are accepted.
+// The case that another value of a key makes of a base; nothing where it is not accepted, out of its range or
+// beside a key that it contradicts.
+inline std::optional<mill::Case> with_value(BaseCase base, const mill::TraceKey &key, const std::string &value)
+{
+  base.sets.push_back(key.path + "=" + value);
+  try {
+    return read(base);
+  } catch (const mill::InputError &) {
+    return {};
+  }
+}
+
+// All that are accepted.
 inline std::vector<mill::Case> changed(const BaseCase &base, const mill::Case &the_case, const std::string &name)
 {
   const mill::TraceKey key = mill::find_key(the_case, base.sets, name, {});
   std::vector<mill::Case> cases;
   for (const std::string &value : other_values(key))
-    try {
-      BaseCase other = base;
-      other.sets.push_back(key.path + "=" + value);
-      cases.push_back(read(other));
-    } catch (const mill::InputError &) {
-      // Out of its range, or beside a key that it contradicts.
-    }
+    if (auto other = with_value(base, key, value))
+      cases.push_back(std::move(*other));
   return cases;
 }
 

@@ -135,12 +135,16 @@ void expect_complete(const BaseCase &base, const Exceptions &known)
     names.insert(key.name);
     std::vector<std::pair<Case, Results>> others;
     // Up, down, and further as long as something that should move has not.
-    for (Case &other : changed(base, the_case, key.name)) {
+    const TraceKey found = find_key(the_case, base.sets, key.name, {});
+    for (const std::string &value : other_values(found)) {
       if (others.size() > 1 && all_moved(before, others, key.name))
         break;
+      std::optional<Case> other = with_value(base, found, value);
+      if (!other)
+        continue;
       try {
-        Results results = closed_form_chain(other, memory);
-        others.emplace_back(std::move(other), std::move(results));
+        Results results = closed_form_chain(*other, memory);
+        others.emplace_back(std::move(*other), std::move(results));
       } catch (const InputError &) {
         // The closed forms refuse it.
       } catch (const SolverError &) {
