@@ -7,9 +7,8 @@
 #include "core/model/pass.h"
 #include "core/model/two_cylinders.h"
 #include <algorithm>
+#include <initializer_list>
 #include <string>
-#include <string_view>
-#include <unordered_set>
 #include <vector>
 
 // Which keys of the case stand behind a result.  A run writes these lists as `inputs`, a trace follows the same
@@ -28,20 +27,15 @@ inline bool holds(const KeyList &list, const std::string &key)
   return std::find(list.begin(), list.end(), key) != list.end();
 }
 
+/// Adds what `all` has not yet, list by list, each key once.
+/// @param all  holds none twice
+void add_keys(KeyList &all, std::initializer_list<const KeyList *> lists);
+
 /// All keys of the lists in order, each once.
 /// @param all  the first list, which holds none twice
 template <class... Lists> KeyList joined(KeyList all, const Lists &...lists)
 {
-  all.reserve(all.size() + (lists.size() + ... + 0));  // no key moves while `known` looks at it
-  std::unordered_set<std::string_view> known(all.begin(), all.end());
-  const auto add = [&](const KeyList &list) {
-    for (const std::string &key : list)
-      if (known.count(key) == 0) {
-        all.push_back(key);
-        known.insert(all.back());
-      }
-  };
-  (add(lists), ...);
+  add_keys(all, {&lists...});
   return all;
 }
 
