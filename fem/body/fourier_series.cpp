@@ -56,13 +56,17 @@ std::vector<SeriesPoint> series_rule(const FourierSide &side)
 
 // Harmonic amplitude of a semi-ellipse of half width b and unit force over that of a line, and its derivative
 // with respect to b: 2 J1(x) / x and -2 J2(x) / b, x = m b / R.
-double amplitude(const double x)
+struct Amplitude {
+  double value, slope;
+};
+Amplitude amplitude(const double x, const double b)
 {
-  return x < 1e-4 ? 1 - x * x / 8 : 2 * ::j1(x) / x;
-}
-double amplitude_slope(const double x, const double b)
-{
-  return -2 * ::jn(2, x) / b;
+  if (x < 1e-4)
+    return {1 - x * x / 8, -x * x / 4 / b};
+  const double value = 2 * ::j1(x) / x;
+  // J2 = 2 J1 / x - J0, whose two terms cancel where x is small.
+  const double J2 = x < 0.1 ? x * x / 8 * (1 - x * x / 12 * (1 - x * x / 32 * (1 - x * x / 60))) : value - ::j0(x);
+  return {value, -2 * J2 / b};
 }
 }  // namespace
 
@@ -75,9 +79,9 @@ StationFlexibility flexibility(const FourierSide &side, const Eigen::VectorXd &h
   for (Eigen::Index p = 0; p < n_points; ++p) {
     weight.row(p) = rule[std::size_t(p)].weight * order_weights(side.order, rule[std::size_t(p)].m);
     for (Eigen::Index k = 0; k < n; ++k) {
-      const double x = rule[std::size_t(p)].m / side.radius * half_width[k];
-      shape(p, k)    = amplitude(x);
-      slope(p, k)    = amplitude_slope(x, half_width[k]);
+      const Amplitude a = amplitude(rule[std::size_t(p)].m / side.radius * half_width[k], half_width[k]);
+      shape(p, k)       = a.value;
+      slope(p, k)       = a.slope;
     }
   }
   StationFlexibility out{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};
