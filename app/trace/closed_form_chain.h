@@ -13,9 +13,10 @@ struct FourHigh;
 
 struct Case;
 
-/// What evaluations of neighbouring cases share: forces that are read once, responses of a chain already driven.
+/// What evaluations of neighbouring cases share: forces that are read once, bearings and responses already solved.
 struct ClosedFormMemory {
-  std::map<std::string, std::vector<ClosedFormResult>> cases;  ///< whole chains, by file and settings
+  /// Chains of cases as they stand, by file and settings.
+  std::map<std::string, std::vector<ClosedFormResult>> cases;
   std::map<std::string, ForceRecord> forces;           ///< by file, or by the numbers of a made record
   std::map<std::string, std::array<double, 2>> white;  ///< N2/Hz and Hz: white force of the same rms
   /// Bearings in equilibrium, by all that describes them and the radial load in N.

@@ -48,6 +48,7 @@ struct Trace {
 /// @throws SolverError  as closed_form_chain
 /// Cost: three evaluations of the chain, 0.3 s with two passes of 10 s.
 Trace trace(const TraceOptions &options);
-/// The same for many keys: forces and responses are kept in between.
+/// The same for many keys of files that do not change: forces, responses, bearings and whole chains are kept in
+/// between.
 Trace trace(const TraceOptions &options, ClosedFormMemory &memory);
 }  // namespace mill
