@@ -240,6 +240,23 @@ Frame with_tolerance_of_given(const FourHigh &drawn, Frame frame)
   return frame;
 }
 
+// The response of a pass to its force.
+void drive_pass(RunContext &run, const FourHigh &stand, const reduce::LumpedStand &chain,
+                const StandModels &models, const StandParts &parts, const PassForces &forces, const std::size_t p)
+{
+  const Pass &pass = stand.passes[p];
+  if (!has_force(pass)) {
+    run.warn(pass.name + " has a load but no force record: nothing was simulated for it");
+    return;
+  }
+  PassModel model = model_of_pass(stand, chain, models);
+  if (stand.dynamics.contact == "curve")
+    model.curves = std::make_shared<CurveDrive>(curve_drive(run, curves_of(stand, parts, p), chain,
+                                                            driven(models, stand.dynamics), stand.dynamics, pass,
+                                                            forces.loads[p]));
+  simulate_pass(run, model, stand.dynamics, pass, forces.records[p]);
+}
+
 // The chain of one pass, what stands beside it, and what is done with it.
 // @param gaps  for the mill modulus of the pass, which comes when the bite is there
 void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, const PassForces &forces,
@@ -275,25 +292,19 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
     add_housing_frequencies(run, stand, parts.components);
     add_model_checks(run, models);
     add_named_modes(run, {&models.craig_bampton, &models.beam, &models.chain}, stand.dynamics.frequency_limit);
-    if (goal >= Goal::modes)
-      add_turning_and_response(run, stand, chain, models, parts.components);
     run.summary += headline(models, stand.dynamics.frequency_limit);
   }
   if (goal >= Goal::masses)
     gaps = gaps_of(models, stand.dynamics.mass_reference);
+  std::vector<IndependentStage> rest;
+  if (goal >= Goal::modes && first)
+    rest.push_back(
+        [&](RunContext &own) { add_turning_and_response(own, stand, chain, models, parts.components); });
+  if (goal >= Goal::simulate)
+    rest.push_back([&](RunContext &own) { drive_pass(own, stand, chain, models, parts, forces, p); });
+  run_side_by_side(run, std::move(rest));
   if (goal == Goal::chatter)
     linked_subjects.stand_chatter(run, stand, pass, chain, models);
-  if (goal >= Goal::simulate) {
-    if (has_force(pass)) {
-      PassModel model = model_of_pass(stand, chain, models);
-      if (stand.dynamics.contact == "curve")
-        model.curves = std::make_shared<CurveDrive>(curve_drive(run, curves_of(stand, parts, p), chain,
-                                                                driven(models, stand.dynamics), stand.dynamics,
-                                                                pass, forces.loads[p]));
-      simulate_pass(run, model, stand.dynamics, pass, forces.records[p]);
-    } else
-      run.warn(pass.name + " has a load but no force record: nothing was simulated for it");
-  }
   run.progress.at("passes", double(p + 1) / double(stand.passes.size()));
 }
 }  // namespace
