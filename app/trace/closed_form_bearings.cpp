@@ -72,7 +72,8 @@ bearing::AssemblyState solved(const RollerBearing &b, const bearing::RingLoading
 }
 
 // Under a radial load; of neighbouring cases few have another bearing.
-const bearing::AssemblyState &remembered_bearing(const RollerBearing &b, const double load, ClosedFormMemory &memory)
+const bearing::AssemblyState &remembered_bearing(const RollerBearing &b, const double load,
+                                                 ClosedFormMemory &memory)
 {
   const auto key   = std::make_pair(record_text(b), load);
   const auto known = memory.bearings.find(key);

@@ -6,8 +6,7 @@
 #include "core/model/given.h"
 #include "core/model/pass.h"
 #include "core/model/two_cylinders.h"
-#include <algorithm>
-#include <initializer_list>
+#include "core/records/key_list.h"
 #include <string>
 #include <vector>
 
@@ -15,30 +14,6 @@
 // ones. A list starts from all rows of a section, less those that the computation does not read: a new row is in
 // it unless somebody says otherwise.
 namespace mill {
-using KeyList = std::vector<std::string>;
-
-/// "a b" -> a, b
-KeyList words_of(const std::string &names);
-/// "frame", "a b" -> frame.a, frame.b
-KeyList keys_in(const std::string &section, const std::string &names);
-
-inline bool holds(const KeyList &list, const std::string &key)
-{
-  return std::find(list.begin(), list.end(), key) != list.end();
-}
-
-/// Adds what `all` has not yet, list by list, each key once.
-/// @param all  holds none twice
-void add_keys(KeyList &all, std::initializer_list<const KeyList *> lists);
-
-/// All keys of the lists in order, each once.
-/// @param all  the first list, which holds none twice
-template <class... Lists> KeyList joined(KeyList all, const Lists &...lists)
-{
-  add_keys(all, {&lists...});
-  return all;
-}
-
 /// The record of a pass, or what its noise is made from.
 KeyList force_keys(const Pass &pass, std::size_t p);
 /// What the working load of a pass is made from: its own key, or the record whose mean it is.
