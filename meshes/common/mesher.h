@@ -39,7 +39,7 @@ struct RollDrawing {
 /// Half of a meridian section as it is to be meshed.
 struct MeridianDrawing {
   RollGeometry geometry;
-  std::vector<double> radii;  ///< m, places along r from the axis
+  std::vector<double> radii;  ///< m, places along r, the innermost first
   RollLayers layers;          ///< along the axis
 };
 

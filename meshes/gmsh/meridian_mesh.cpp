@@ -22,8 +22,9 @@ std::vector<int> extrude_lines(const std::vector<int> &lines, const std::vector<
   return far;
 }
 
-std::string line_group_of(const int line, const RollGeometry &g)
+std::string line_group_of(const int line, const MeridianDrawing &roll)
 {
+  const RollGeometry &g = roll.geometry;
   std::vector<int> surfaces, points;
   gmsh::model::getAdjacencies(1, line, surfaces, points);
   if (surfaces.size() != 1)
@@ -32,7 +33,7 @@ std::string line_group_of(const int line, const RollGeometry &g)
   gmsh::model::getBoundingBox(1, line, r0, z0, unused, r1, z1, unused);
   const double small  = 1e-7 * g.radius;  // far above Geometry.Tolerance, far below any element
   const double facing = g.contact_half_length > 0 ? g.contact_half_length : g.half_length;
-  if (r1 < small)
+  if (r1 < roll.radii.front() + small)
     return "axis";
   if (z1 < small)
     return "symmetry.z";
@@ -49,7 +50,7 @@ void extrude_section(const MeridianDrawing &roll)
   const std::vector<double> &r = roll.radii;
   const RollGeometry &g        = roll.geometry;
   std::vector<int> core, rim;
-  int last = geo::addPoint(0, 0, 0);
+  int last = geo::addPoint(r.front(), 0, 0);
   for (std::size_t i = 1; i < r.size(); ++i) {
     const int next = geo::addPoint(r[i], 0, 0), line = geo::addLine(last, next);
     geo::mesh::setTransfiniteCurve(line, 2);
@@ -68,7 +69,7 @@ void extrude_section(const MeridianDrawing &roll)
 }
 
 // Names the boundary; ids from 1 in alphabetical order.
-std::map<std::string, int> named_groups(const RollGeometry &g)
+std::map<std::string, int> named_groups(const MeridianDrawing &roll)
 {
   gmsh::vectorpair surfaces, lines;
   gmsh::model::getEntities(surfaces, 2);
@@ -79,7 +80,7 @@ std::map<std::string, int> named_groups(const RollGeometry &g)
   gmsh::model::addPhysicalGroup(2, tags, 1);
   std::map<std::string, std::vector<int>> members;
   for (const auto &line : lines)
-    members[line_group_of(line.second, g)].push_back(line.second);
+    members[line_group_of(line.second, roll)].push_back(line.second);
   members.erase("");  // lines inside
   std::map<std::string, int> groups;
   for (const auto &[group, of_group] : members) {
@@ -97,7 +98,7 @@ Meshed gmsh_mesh_meridian(const MeridianDrawing &roll, const std::string &path)
   const GmshScope gmsh_is_open;
   extrude_section(roll);
   Meshed out;
-  out.groups = named_groups(roll.geometry);
+  out.groups = named_groups(roll);
   gmsh::model::mesh::generate(2);
 
   std::vector<int> kinds;

@@ -1,72 +1,11 @@
 #include "meshes/gmsh/roll_section.h"
+#include "meshes/gmsh/section_core.h"
 #include "meshes/roll/series.h"
 #include <array>
 #include <cmath>
-#include <gmsh.h>
-#include <map>
 
 namespace mill::meshes {
-namespace geo = gmsh::model::geo;
-
 namespace {
-struct TaggedPoint {
-  int tag;
-  double x, y;
-};
-
-// Points and curves of one section.  A curve is made once per pair of points, so that neighbours share it.
-class Sketch {
-public:
-  TaggedPoint point(const double x, const double y)
-  {
-    return {geo::addPoint(x, y, 0), x, y};
-  }
-
-  // Straight curve with `cells` elements; ratio: size of an element over that of the one before it, from a to b.
-  int line(const TaggedPoint &a, const TaggedPoint &b, const int cells = 1, const double ratio = 1)
-  {
-    return curve(a, b, cells, ratio, [&] { return geo::addLine(a.tag, b.tag); });
-  }
-
-  int arc(const TaggedPoint &a, const TaggedPoint &centre, const TaggedPoint &b, const int cells,
-          const double ratio = 1)
-  {
-    return curve(a, b, cells, ratio, [&] { return geo::addCircleArc(a.tag, centre.tag, b.tag); });
-  }
-
-  // Quadrilateral block from its corners and the curves of its boundary in order, signed as they are run through.
-  int block(const std::vector<int> &boundary, const std::vector<TaggedPoint> &corners)
-  {
-    const int surface = geo::addPlaneSurface({geo::addCurveLoop(boundary)});
-    std::vector<int> tags;
-    for (const TaggedPoint &corner : corners)
-      tags.push_back(corner.tag);
-    geo::mesh::setTransfiniteSurface(surface, "Left", tags);
-    geo::mesh::setRecombine(2, surface);
-    return surface;
-  }
-
-  // One quadrilateral element.
-  int quad(const TaggedPoint &a, const TaggedPoint &b, const TaggedPoint &c, const TaggedPoint &d)
-  {
-    return block({line(a, b), line(b, c), line(c, d), line(d, a)}, {a, b, c, d});
-  }
-
-private:
-  template <class Add>
-  int curve(const TaggedPoint &a, const TaggedPoint &b, const int cells, const double ratio, const Add &add)
-  {
-    if (const auto found = curves.find({a.tag, b.tag}); found != curves.end())
-      return found->second;
-    if (const auto found = curves.find({b.tag, a.tag}); found != curves.end())
-      return -found->second;
-    const int tag = add();
-    geo::mesh::setTransfiniteCurve(tag, cells + 1, "Progression", ratio);
-    return curves[{a.tag, b.tag}] = tag;
-  }
-  std::map<std::pair<int, int>, int> curves;
-};
-
 // Ratio of a geometric series of n elements that starts with `first` and fills `length`.
 double ratio_filling(const double length, const double first, const int n)
 {
@@ -109,10 +48,6 @@ SectionSurfaces add_section(const RollGeometry &roll, const SectionSize &s)
   const TaggedPoint centre = sketch.point(0, 0);
   const auto on_arc        = [&](const double radius, const double x) {
     return sketch.point(x, std::sqrt(radius * radius - x * x));
-  };
-  const auto at_angle = [&](const double radius, const double degrees) {
-    const double phi = degrees * M_PI / 180;
-    return sketch.point(radius * std::sin(phi), radius * std::cos(phi));
   };
 
   // Box under the contact: patch on the circle, element lines parallel to it.
@@ -161,8 +96,8 @@ SectionSurfaces add_section(const RollGeometry &roll, const SectionSize &s)
   // Growing grid: from the ring to the core circle and along the outer circle.
   // The straight line from the ring to the core circle must not cut it: on a thick neck it ends nearer to the top.
   const double theta   = std::min(45., 0.8 * std::acos(r / R) * 180 / M_PI);  // degrees from the contact plane
-  const TaggedPoint n0 = sketch.point(0, r), n1 = at_angle(r, theta), n2 = sketch.point(r, 0);
-  const TaggedPoint c1 = at_angle(R, 4. / 3 * theta), c2 = sketch.point(R, 0);
+  const TaggedPoint n0 = sketch.point(0, r), n1 = sketch.at_angle(r, theta), n2 = sketch.point(r, 0);
+  const TaggedPoint c1 = sketch.at_angle(R, 4. / 3 * theta), c2 = sketch.point(R, 0);
   const TaggedPoint p1 = ring_below.back();
   const double reach   = R - Y - r;
   const int n_far =
@@ -194,15 +129,12 @@ SectionSurfaces add_section(const RollGeometry &roll, const SectionSize &s)
   out.rim.push_back(
       sketch.block({spoke, sketch.arc(c1, centre, c2, ns), sketch.line(c2, n2, k), -core_b}, {n1, c1, c2, n2}));
 
-  // Core: a square with two blocks around it, so that no element has a straight angle.
-  const TaggedPoint a = sketch.point(0, 0.5 * r), b = at_angle(0.6 * r, theta), d = sketch.point(0.5 * r, 0);
-  const int around = std::max(1, ns / 2);
-  const int a_b = sketch.line(a, b, m), b_d = sketch.line(b, d, ns);
-  const int b_n1 = sketch.line(b, n1, around);
-  out.core.push_back(
-      sketch.block({sketch.line(centre, d, m), -b_d, -a_b, sketch.line(a, centre, ns)}, {centre, d, b, a}));
-  out.core.push_back(sketch.block({a_b, b_n1, -core_a, -sketch.line(a, n0, around)}, {a, b, n1, n0}));
-  out.core.push_back(sketch.block({b_d, sketch.line(d, n2, around), -core_b, -b_n1}, {b, d, n2, n1}));
+  CoreCircle core{centre, n0, n1, n2, theta};
+  core.corner_share    = 0.6;
+  core.top_elements    = m;
+  core.side_elements   = ns;
+  core.radial_elements = std::max(1, ns / 2);
+  out.core             = add_core(sketch, roll, core);
   return out;
 }
 }  // namespace mill::meshes
