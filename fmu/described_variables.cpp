@@ -51,8 +51,9 @@ std::string bite_number_text(const Variable &v)
   case BiteNumber::viscosity:
     return "viscosity of the oil at the inlet of the bite; the working point follows";
   case BiteNumber::friction:
-    return v.name == "friction" ? "friction coefficient; the working point follows"
-                                : "factor on the friction by speed; the working point follows";
+    return "friction coefficient; the working point follows";
+  case BiteNumber::friction_scale:
+    return "factor on the friction coefficient of its law; the working point follows";
   case BiteNumber::entry_thickness_change:
     return "thickness of the entering strip beside entry_thickness, held over each step; the working point stays";
   case BiteNumber::start:

@@ -47,37 +47,19 @@ fmu::PassData pass_data(const bite::RollBite &bite, const bite::Linearisation sc
 {
   const Strip &s = bite.strip;
   fmu::PassData p;
-  p.entry_thickness    = s.entry_thickness;
-  p.exit_thickness     = s.exit_thickness;
-  p.entry_tension      = s.entry_tension;
-  p.exit_tension       = s.exit_tension;
-  p.width              = s.width;
-  p.initial_thickness  = std::isnan(s.initial_thickness) ? 0 : s.initial_thickness;
-  p.roll_radius        = bite.roll_radius;
-  p.roll_speed         = bite.roll_speed;
-  p.youngs_modulus     = bite.roll.youngs_modulus;
-  p.poisson_ratio      = bite.roll.poisson_ratio;
-  p.scheme             = word_of(scheme);
-  p.flow_law           = name_of(s.flow_stress.law);
-  p.k                  = s.flow_stress.k;
-  p.eps0               = s.flow_stress.eps0;
-  p.n                  = s.flow_stress.n;
-  p.k0                 = s.flow_stress.k0;
-  p.friction_law       = name_of(s.friction.law);
-  p.coefficient        = s.friction.coefficient;
-  p.scale              = s.friction.scale;
-  p.at_unit_speed      = s.friction.at_unit_speed;
-  p.per_log_speed      = s.friction.per_log_speed;
-  p.mu0                = s.friction.mu0;
-  p.mu1                = s.friction.mu1;
-  p.decay              = s.friction.decay;
-  p.viscosity          = s.friction.viscosity;
-  p.pressure_viscosity = s.friction.pressure_viscosity;
-  p.film_factor        = s.friction.film_factor;
-  for (const auto &row : s.flow_stress.table) {
-    p.strain.push_back(row[0]);
-    p.stress.push_back(row[1]);
-  }
+  p.entry_thickness   = s.entry_thickness;
+  p.exit_thickness    = s.exit_thickness;
+  p.entry_tension     = s.entry_tension;
+  p.exit_tension      = s.exit_tension;
+  p.width             = s.width;
+  p.initial_thickness = std::isnan(s.initial_thickness) ? 0 : s.initial_thickness;
+  p.roll_radius       = bite.roll_radius;
+  p.roll_speed        = bite.roll_speed;
+  p.youngs_modulus    = bite.roll.youngs_modulus;
+  p.poisson_ratio     = bite.roll.poisson_ratio;
+  p.scheme            = word_of(scheme);
+  p.flow              = s.flow_stress;
+  p.friction          = s.friction;
   return p;
 }
 }  // namespace

@@ -1,5 +1,6 @@
 #include "core/case/error_list.h"
 #include "core/case/visible_text.h"
+#include "core/laws/refuse_input.h"
 #include "core/records/files.h"
 #include <algorithm>
 #include <array>
@@ -242,6 +243,11 @@ std::string render_list(const std::vector<Problem> &problems)
     text += rendered(problems[i], "error", sources) + "\n";
   const std::string rest = rest_of(problems);
   return rest.empty() ? text : text + rest + "\n";
+}
+
+void refuse_input(const std::string &message)
+{
+  throw InputError(message);
 }
 
 void require_input(const bool holds, const char *what)

@@ -1,5 +1,5 @@
-#include "core/laws/flow_stress_law.h"
-#include "core/case/errors.h"
+#include "flow_stress_law.h"
+#include "refuse_input.h"
 #include <algorithm>
 #include <sstream>
 
@@ -99,7 +99,7 @@ FlowStressLaw flow_stress_law(const std::string &name)
       return law;
     known += (i == 0 ? "" : i + 1 < n ? ", " : " or ") + name_of(law);
   }
-  throw InputError("strip.flow_stress.law = \"" + name + "\" is not known; " + known);
+  refuse_input("strip.flow_stress.law = \"" + name + "\" is not known; " + known);
 }
 
 std::string name_of(const FlowStressLaw law)
@@ -133,20 +133,20 @@ namespace bite {
 std::size_t table_interval(const std::vector<std::array<double, 2>> &rows, const double strain)
 {
   if (rows.size() < 2)
-    throw InputError("strip.flow_stress: a table needs at least two rows of strain and stress");
+    refuse_input("strip.flow_stress: a table needs at least two rows of strain and stress");
   const double tolerance = 1e-12 * (1 + std::abs(strain));  // ln(h0/h) at an end is rounded
   if (!(strain >= rows.front()[0] - tolerance && strain <= rows.back()[0] + tolerance)) {
     std::ostringstream text;
     text.precision(4);
     text << "strip.flow_stress: the table covers strains " << rows.front()[0] << " .. " << rows.back()[0]
          << " but the bite needs " << strain << "; it is not extrapolated";
-    throw InputError(text.str());
+    refuse_input(text.str());
   }
   std::size_t i = 1;
   while (i + 1 < rows.size() && strain > rows[i][0])
     ++i;
   if (!(rows[i][0] > rows[i - 1][0]))
-    throw InputError("strip.flow_stress: the strains of the table must increase");
+    refuse_input("strip.flow_stress: the strains of the table must increase");
   return i;
 }
 

@@ -1,6 +1,6 @@
-#include "core/laws/friction_law.h"
-#include "core/case/errors.h"
-#include "core/laws/scaled_friction.h"
+#include "friction_law.h"
+#include "refuse_input.h"
+#include "scaled_friction.h"
 #include <algorithm>
 
 #pragma GCC diagnostic error "-Wswitch"
@@ -130,7 +130,7 @@ FrictionLaw friction_law(const std::string &name)
   for (const FrictionLaw law : friction_laws())
     if (name == row_of(law).name)
       return law;
-  throw InputError("strip.friction.law = \"" + name + "\" is not known; " +
+  refuse_input("strip.friction.law = \"" + name + "\" is not known; " +
                    listed([](const FrictionRow &) { return true; }));
 }
 
@@ -148,7 +148,7 @@ bool reads(const Friction &friction, double Friction::*const constant)
 Friction with_number(Friction friction, const double number)
 {
   if (!is_a_number(friction))
-    throw InputError("a map over friction needs the law " +
+    refuse_input("a map over friction needs the law " +
                      listed([](const FrictionRow &row) { return !row.number.empty(); }, "\"") + ": the law \"" +
                      name_of(friction.law) + "\" has no single number; take the roll speed instead");
   for (const auto constant : row_of(friction.law).number)
@@ -187,6 +187,11 @@ Friction scaled(Friction friction, const double factor)
   return friction;
 }
 
+double own_scale(const Friction &friction)
+{
+  return reads(friction, &Friction::scale) ? friction.scale : 1;
+}
+
 bool is_zero(const Friction &friction)
 {
   const Friction other = scaled(friction, 2);
@@ -212,9 +217,9 @@ void check_constants(const Friction &friction)
   switch (friction.law) {
   case FrictionLaw::film:
     if (!(friction.viscosity > 0 && friction.pressure_viscosity > 0 && friction.film_factor > 0))
-      throw InputError("strip.friction: a film needs a positive viscosity, pressure_viscosity and film_factor");
+      refuse_input("strip.friction: a film needs a positive viscosity, pressure_viscosity and film_factor");
     if (!(friction.mu0 > 0 && friction.mu1 >= 0 && friction.decay >= 0))
-      throw InputError("strip.friction: the film law needs mu0 > 0, mu1 >= 0 and decay >= 0");
+      refuse_input("strip.friction: the film law needs mu0 > 0, mu1 >= 0 and decay >= 0");
     break;
   case FrictionLaw::coulomb:
   case FrictionLaw::factor:
@@ -230,7 +235,7 @@ double bite::starting_coefficient(const Friction &law, const double roll_speed)
 
 void bite::refuse_factors(const FrictionLaw law)
 {
-  throw InputError("strip.friction.law = \"" + name_of(law) + "\" has no Coulomb coefficient: this theory needs " +
+  refuse_input("strip.friction.law = \"" + name_of(law) + "\" has no Coulomb coefficient: this theory needs " +
                    listed([](const FrictionRow &row) { return row.slides; }) +
                    "; the theory of Hu and Ehmann takes factors (m is about 2 mu p / k)");
 }

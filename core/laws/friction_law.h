@@ -1,5 +1,5 @@
 #pragma once
-#include "core/numerics/derivative.h"
+#include "plain_number.h"
 #include <array>
 #include <cmath>
 #include <string>

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/laws/plain_number.h"
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
@@ -13,16 +14,6 @@
 // force integral against 1.7 of AutoDiffScalar.  Eigen's vectors inside this number are a tenth faster there and a
 // third slower in long expressions of few functions, so loops it is.
 namespace mill::bite {
-/// Value without its derivatives: of a number, of a complex step, of a Dual further down.
-inline double value_of(const double x)
-{
-  return x;
-}
-inline double value_of(const std::complex<double> &x)
-{
-  return x.real();
-}
-
 /// A value and its derivatives by n directions.  Use like a double; comparisons look at the value alone.
 ///   Dual<2> x = Dual<2>::variable(3.0, 0), y = Dual<2>::variable(4.0, 1);
 ///   (x * y).by  ->  {4, 3}
@@ -353,26 +344,6 @@ template <int n, class S> bool isfinite(const Dual<n, S> &x)
 template <class T> constexpr int orders_of                    = 1;
 template <int n, class S> constexpr int orders_of<Dual<n, S>> = 1 + orders_of<S>;
 template <int n> constexpr int orders_of<Dual<n, double>>     = 1;
-
-/// exp(x) - 1 without cancellation for the types the standard library leaves out; call unqualified.
-inline double expm1(const double x)
-{
-  return std::expm1(x);
-}
-inline std::complex<double> expm1(const std::complex<double> &x)
-{
-  const double half = std::sin(0.5 * x.imag());  // real part: (e^a - 1) cos b - 2 sin^2(b/2)
-  return {std::expm1(x.real()) * std::cos(x.imag()) - 2 * half * half, std::exp(x.real()) * std::sin(x.imag())};
-}
-inline double log1p(const double x)
-{
-  return std::log1p(x);
-}
-inline std::complex<double> log1p(const std::complex<double> &x)
-{
-  const double a = x.real(), b = x.imag();
-  return {0.5 * std::log1p(a * (2 + a) + b * b), std::atan2(b, 1 + a)};
-}
 }  // namespace mill::bite
 
 /// Dual numbers as the scalar of small dense Eigen matrices.

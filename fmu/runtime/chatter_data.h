@@ -1,5 +1,9 @@
 #pragma once
+#include "flow_stress_law.h"
+#include "friction_law.h"
+#include "refuse_input.h"
 #include <string>
+#include <type_traits>
 #include <vector>
 
 // The part of resources/model.json that only kind "chatter" has: a stand whose bite belongs to the model.
@@ -15,16 +19,8 @@ struct PassData {
   double youngs_modulus = 0, poisson_ratio = 0;    ///< Pa, -, of the roll
   std::string scheme;                              ///< sequential | implicit | frozen_friction
 
-  std::string flow_law;                   ///< constant | swift | ludwik | voce | power | reduction-power | table
-  double k = 0, eps0 = 0, n = 0, k0 = 0;  ///< Pa, -, -, Pa
-  std::vector<double> strain, stress;     ///< of a table: -, Pa
-
-  std::string friction_law;                                ///< coulomb | speed | film
-  double coefficient = 0;                                  ///< -
-  double scale = 1, at_unit_speed = 0, per_log_speed = 0;  ///< -
-  double mu0 = 0, mu1 = 0, decay = 0;                      ///< -, -, 1/m
-  double viscosity = 0, pressure_viscosity = 0;            ///< Pa s, 1/Pa
-  double film_factor = 3;                                  ///< -
+  FlowStress flow;
+  Friction friction;
 };
 
 /// n unknowns of the stand, c contacts between work and backup rolls.
@@ -45,6 +41,36 @@ struct ChatterData {
   PassData pass;
 };
 
+// A law by its name, and the constants that it reads.
+template <class IO, class Law, class Named, class Constants>
+void each_of_law(IO &io, const char *name, Law &law, const Named &named, const Constants &constants)
+{
+  std::string word = name_of(law.law);
+  io(name, word);
+  if constexpr (!std::is_const_v<Law>)
+    law.law = named(word);
+  for (const auto &constant : constants)
+    if (reads(law, constant.member))
+      io(constant.key, law.*constant.member);
+}
+template <class IO, class Rows> void each_of_table(IO &io, Rows &rows)
+{
+  std::vector<double> strain, stress;
+  for (const auto &row : rows) {
+    strain.push_back(row[0]);
+    stress.push_back(row[1]);
+  }
+  io("strain", strain);
+  io("stress", stress);
+  if constexpr (!std::is_const_v<Rows>) {
+    if (stress.size() != strain.size())
+      refuse_input("a table of the flow stress has another number of strains than of stresses");
+    rows.clear();
+    for (std::size_t i = 0; i < strain.size(); ++i)
+      rows.push_back({strain[i], stress[i]});
+  }
+}
+
 template <class IO, class P> void each_member(IO &io, P &pass, const PassData *)
 {
   io("entry_thickness", pass.entry_thickness);
@@ -58,24 +84,9 @@ template <class IO, class P> void each_member(IO &io, P &pass, const PassData *)
   io("youngs_modulus", pass.youngs_modulus);
   io("poisson_ratio", pass.poisson_ratio);
   io("scheme", pass.scheme);
-  io("flow_law", pass.flow_law);
-  io("k", pass.k);
-  io("eps0", pass.eps0);
-  io("n", pass.n);
-  io("k0", pass.k0);
-  io("strain", pass.strain);
-  io("stress", pass.stress);
-  io("friction_law", pass.friction_law);
-  io("coefficient", pass.coefficient);
-  io("scale", pass.scale);
-  io("at_unit_speed", pass.at_unit_speed);
-  io("per_log_speed", pass.per_log_speed);
-  io("mu0", pass.mu0);
-  io("mu1", pass.mu1);
-  io("decay", pass.decay);
-  io("viscosity", pass.viscosity);
-  io("pressure_viscosity", pass.pressure_viscosity);
-  io("film_factor", pass.film_factor);
+  each_of_law(io, "flow_law", pass.flow, flow_stress_law, flow_stress_constants());
+  each_of_table(io, pass.flow.table);
+  each_of_law(io, "friction_law", pass.friction, friction_law, friction_constants());
 }
 template <class IO, class C> void each_member(IO &io, C &chatter, const ChatterData *)
 {

@@ -1,4 +1,5 @@
 #include "instance.h"
+#include "scaled_friction.h"
 #include <cmath>
 #include <stdexcept>
 
@@ -8,8 +9,12 @@ namespace {
 // The numbers of a pass that a client can change.
 std::vector<double> key_of(const PassData &pass)
 {
-  return {pass.roll_speed,   pass.exit_thickness, pass.entry_thickness, pass.entry_tension,
-          pass.exit_tension, pass.viscosity,      pass.coefficient,     pass.scale};
+  std::vector<double> key{pass.roll_speed, pass.exit_thickness, pass.entry_thickness, pass.entry_tension,
+                          pass.exit_tension};
+  for (const FrictionConstant &constant : friction_constants())
+    if (reads(pass.friction, constant.member))
+      key.push_back(pass.friction.*constant.member);
+  return key;
 }
 }  // namespace
 
@@ -37,10 +42,13 @@ PassData Instance::pass_of(const std::vector<double> &values) const
       pass.exit_tension = values[i];
       break;
     case BiteNumber::viscosity:
-      pass.viscosity = values[i];
+      pass.friction.viscosity = values[i];
       break;
     case BiteNumber::friction:
-      (pass.friction_law == "coulomb" ? pass.coefficient : pass.scale) = values[i];
+      pass.friction = with_number(pass.friction, values[i]);
+      break;
+    case BiteNumber::friction_scale:
+      pass.friction = scaled(pass.friction, values[i] / own_scale(pass.friction));
       break;
     case BiteNumber::entry_thickness_change:
     case BiteNumber::start:

@@ -128,11 +128,10 @@ void require_chatter(const ModelData &model)
   require_size("contact_row", c.contact_row.size(), n * contacts);
   require_size("contact_force_row", c.contact_force_row.size(), n * contacts);
   require_size("magnitude", c.magnitude.size(), 2 * n + 2);
-  require_size("stress", c.pass.stress.size(), c.pass.strain.size());
   for (const double motion : c.magnitude)
     if (!(motion > 0))
       throw std::runtime_error("a magnitude is not above zero");
-  if (c.pass.flow_law == "table" && c.pass.strain.size() < 2)
+  if (row_of(c.pass.flow.law).tabled && c.pass.flow.table.size() < 2)
     throw std::runtime_error("a table of the flow stress needs two rows");
   if (!(c.longest_step > 0 && c.entry_distance > 0 && c.exit_distance > 0))
     throw std::runtime_error("a length or a step is not above zero");

@@ -8,18 +8,7 @@
 namespace mill::fmu {
 namespace {
 constexpr double pi            = 3.14159265358979323846;
-constexpr double least_strain  = 1e-4;   // below it powers of the strain are replaced, theory.md 8.1
 constexpr double tension_limit = 0.999;  // share of the flow stress at which a tension tears the strip
-
-double growth(const double x)
-{
-  return x < least_strain ? least_strain * least_strain / (2 * least_strain - x) : x;
-}
-
-double growth_power(const double x, const double n)
-{
-  return n == 1 ? x : std::pow(growth(x), n);
-}
 
 // Nodes of Gauss and Legendre by Newton's iteration on the polynomial.
 void gauss(const int n, std::vector<double> &node, std::vector<double> &weight)
@@ -58,11 +47,6 @@ Law named(const char *what, const std::string &name, const std::initializer_list
   }
   throw std::runtime_error(std::string(what) + " " + name + " is unknown");
 }
-
-std::string text_of(const double value)
-{
-  return std::to_string(value);
-}
 }  // namespace
 
 struct RollBite::Inputs {
@@ -76,50 +60,9 @@ struct RollBite::Contact {
   double entry_speed, exit_speed;                             // m/s
 };
 
-double RollBite::flow_stress(const double strain) const
-{
-  const PassData &p = pass_;
-  if (flow_ == Flow::constant)
-    return p.k;
-  if (flow_ == Flow::swift)
-    return p.k * growth_power(p.eps0 + strain, p.n);
-  if (flow_ == Flow::ludwik)
-    return p.k0 + p.k * growth_power(strain, p.n);
-  if (flow_ == Flow::voce)
-    return p.k0 + p.k * growth(1 - std::exp(-p.n * strain));
-  if (flow_ == Flow::power)
-    return p.k * growth_power(strain, p.n);
-  if (flow_ == Flow::reduction_power)
-    return p.k * growth_power(p.eps0 + 1 - std::exp(-strain), p.n);
-  const double slack = 1e-12 * (1 + std::abs(strain));
-  if (!(strain >= p.strain.front() - slack && strain <= p.strain.back() + slack))
-    throw std::runtime_error("the table of the flow stress ends before the strain " + text_of(strain));
-  std::size_t i = 1;
-  while (i + 1 < p.strain.size() && strain > p.strain[i])
-    ++i;
-  return p.stress[i - 1] +
-         (strain - p.strain[i - 1]) * ((p.stress[i] - p.stress[i - 1]) / (p.strain[i] - p.strain[i - 1]));
-}
-
 double RollBite::stress_at(const Inputs &in, const double thickness) const
 {
-  return flow_stress(std::log(in.initial_thickness / thickness));
-}
-
-// Coulomb's coefficient, (8.20) to (8.22).
-double RollBite::friction_at(const Inputs &in, const double entry_speed, const double exit_speed, const double arc,
-                             const double pressure) const
-{
-  const PassData &p = pass_;
-  if (friction_ == Friction::coulomb)
-    return p.coefficient;
-  if (friction_ == Friction::speed)
-    return p.scale * (p.at_unit_speed + p.per_log_speed * std::log(p.roll_speed));
-  const double carried = -std::expm1(-p.pressure_viscosity * pressure);
-  const double film    = p.film_factor * p.pressure_viscosity * p.viscosity * in.radius *
-                      (p.roll_speed + entry_speed) * (2 * p.roll_speed + entry_speed + exit_speed) /
-                      (arc * (p.roll_speed + exit_speed) * carried);
-  return p.mu0 + p.mu1 * std::exp(-p.decay * film);
+  return bite::flow_stress(pass_.flow, std::log(in.initial_thickness / thickness));
 }
 
 namespace {
@@ -156,10 +99,11 @@ RollBite::Contact RollBite::contact_of(const Inputs &in, const double entry_spee
   c.exit_factor    = tension_factor(in.exit_tension, stress_at(in, c.exit_thickness));
   const double film_exit_speed =
       held ? steady_.exit_speed : speed_at(entry_speed, c.entry_position, c.exit_position);
-  c.friction =
-      held && scheme_ == Scheme::frozen_friction
-          ? steady_.friction
-          : friction_at(in, entry_speed, film_exit_speed, c.entry_position, entry_stress - in.entry_tension);
+  c.friction           = held && scheme_ == Scheme::frozen_friction
+                             ? steady_.friction
+                             : bite::coulomb_coefficient(
+                                   pass_.friction, bite::Inlet<double>{roll, entry_speed, film_exit_speed, R,
+                                                                       c.entry_position, entry_stress - in.entry_tension});
   const double balance = std::log(c.exit_factor / c.entry_factor * he / c.exit_thickness);  // (8.7)
   c.free_angle         = 0.5 * (c.entry_angle + c.exit_angle) - std::sqrt(h / R) * balance / (4 * c.friction);
   c.neutral_angle      = std::min(std::max(c.free_angle, c.exit_angle), c.entry_angle);  // (26.1)
@@ -236,10 +180,8 @@ void RollBite::choose_rules()
   gauss(12, exit_rule_.node, exit_rule_.weight);
   entry_rule_        = exit_rule_;
   const PassData &p  = pass_;
-  const bool offset  = flow_ == Flow::swift || flow_ == Flow::reduction_power;
-  const bool steep   = offset || flow_ == Flow::ludwik || flow_ == Flow::power;
   const double start = p.initial_thickness > 0 ? std::log(p.initial_thickness / p.entry_thickness) : 0;
-  if (steep && start + (offset ? p.eps0 : 0) < 0.5 * std::log(p.entry_thickness / p.exit_thickness)) {
+  if (bite::strain_from_branch(p.flow, start) < 0.5 * std::log(p.entry_thickness / p.exit_thickness)) {
     gauss(24, entry_rule_.node, entry_rule_.weight);
     for (std::size_t i = 0; i < 24; ++i) {
       const double u      = 0.5 * (1 + entry_rule_.node[i]);
@@ -247,16 +189,7 @@ void RollBite::choose_rules()
       entry_rule_.weight[i] *= 5 * std::pow(u, 4);
     }
   }
-  if (flow_ == Flow::table)
-    kinks_ = p.strain;
-  else if (flow_ == Flow::swift)
-    kinks_ = {least_strain - p.eps0};
-  else if (flow_ == Flow::ludwik || flow_ == Flow::power)
-    kinks_ = {least_strain};
-  else if (flow_ == Flow::reduction_power)
-    kinks_ = {-std::log(1 + p.eps0 - least_strain)};
-  else if (flow_ == Flow::voce && p.n > 0)
-    kinks_ = {-std::log(1 - least_strain) / p.n};
+  kinks_ = bite::strains_of_kinks(p.flow);
 }
 
 // R' = R (1 + c F(R')/draft), (8.9): plain steps from below, hastened by Aitken while they do not pass the root.
@@ -289,11 +222,7 @@ void RollBite::flatten()
 }
 
 RollBite::RollBite(const PassData &pass)
-    : pass_(pass),
-      flow_(named<Flow>("flow_law", pass.flow_law,
-                        {"constant", "swift", "ludwik", "voce", "power", "reduction-power", "table"})),
-      friction_(named<Friction>("friction_law", pass.friction_law, {"coulomb", "speed", "film"})),
-      scheme_(named<Scheme>("scheme", pass.scheme, {"sequential", "implicit", "frozen_friction"}))
+    : pass_(pass), scheme_(named<Scheme>("scheme", pass.scheme, {"sequential", "implicit", "frozen_friction"}))
 {
   const PassData &p = pass_;
   if (!(p.entry_thickness > p.exit_thickness && p.exit_thickness > 0))

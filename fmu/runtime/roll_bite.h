@@ -4,7 +4,8 @@
 #include <vector>
 
 // The roll bite of Bland and Ford at one moment of a vibrating mill, in plain numbers and without any library: the
-// theory of bite/linear/unsteady_bite once more, for what travels in a unit.  theory.md 8.2 to 8.7, 26.1
+// theory of bite/linear/unsteady_bite once more, for what travels in a unit; the laws are those of core/laws.
+// theory.md 8.2 to 8.7, 26.1
 namespace mill::fmu {
 /// Gap (m), gap rate (m/s), entry tension (Pa), exit tension (Pa), entry thickness (m).
 using BiteMoment = std::array<double, 5>;
@@ -53,8 +54,6 @@ private:
   };
   Inputs inputs_at(const BiteMoment &moment) const;
   double stress_at(const Inputs &in, double thickness) const;
-  double flow_stress(double strain) const;
-  double friction_at(const Inputs &in, double entry_speed, double exit_speed, double arc, double pressure) const;
   Contact contact_of(const Inputs &in, double entry_speed, bool held) const;
   Contact settled(const Inputs &in, double entry_speed) const;
   double force_of(const Inputs &in, const Contact &c) const;
@@ -64,13 +63,9 @@ private:
   void choose_rules();
   void flatten();
 
-  enum class Flow { constant, swift, ludwik, voce, power, reduction_power, table };
-  enum class Friction { coulomb, speed, film };
   enum class Scheme { sequential, implicit, frozen_friction };
 
   PassData pass_;
-  Flow flow_;
-  Friction friction_;
   Scheme scheme_;
   Rule entry_rule_, exit_rule_;
   std::vector<double> kinks_;  // strains

@@ -1,4 +1,5 @@
 #include "variables.h"
+#include "scaled_friction.h"
 
 namespace mill::fmu {
 namespace {
@@ -78,12 +79,12 @@ void add_bite_numbers(const ModelData &model, std::vector<Variable> &all)
   add("entry_thickness", BiteNumber::entry_thickness, "m", "mm", 1e-5, 1, p.entry_thickness);
   add("entry_tension", BiteNumber::entry_tension, "Pa", "MPa", 0, 2e9, p.entry_tension);
   add("exit_tension", BiteNumber::exit_tension, "Pa", "MPa", 0, 2e9, p.exit_tension);
-  if (p.friction_law == "film")
-    add("viscosity", BiteNumber::viscosity, "Pa.s", "", 1e-9, 100, p.viscosity);
-  else if (p.friction_law == "coulomb")
-    add("friction", BiteNumber::friction, "1", "", 1e-4, 1, p.coefficient);
+  if (has_film(p.friction))
+    add("viscosity", BiteNumber::viscosity, "Pa.s", "", 1e-9, 100, p.friction.viscosity);
+  else if (is_a_number(p.friction))
+    add("friction", BiteNumber::friction, "1", "", 1e-4, 1, p.friction.coefficient);
   else
-    add("friction_scale", BiteNumber::friction, "1", "", 1e-4, 100, p.scale);
+    add("friction_scale", BiteNumber::friction_scale, "1", "", 1e-4, 100, own_scale(p.friction));
   add("dh_entry", BiteNumber::entry_thickness_change, "m", "um", -1e-2, 1e-2, 0);
   Variable start = parameter("start_displacement", Role::bite_number, int(BiteNumber::start), Variability::fixed,
                              "m", -1e-3, 1e-3, model.chatter.start);

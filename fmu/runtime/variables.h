@@ -37,8 +37,9 @@ enum class BiteNumber {
   entry_thickness,
   entry_tension,
   exit_tension,
-  viscosity,  ///< of the oil, law film
-  friction,   ///< Coulomb's mu, law coulomb; factor on the law speed
+  viscosity,       ///< of the oil, law film
+  friction,        ///< Coulomb's mu, where the law is a number
+  friction_scale,  ///< factor on the coefficient of a law without film
   entry_thickness_change,
   start
 };

@@ -1,5 +1,4 @@
 #include "meshes/gmsh/section_core.h"
-#include "meshes/roll/section.h"
 
 namespace mill::meshes {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
-#include "core/model/roll_geometry.h"
 #include "meshes/gmsh/section_sketch.h"
+#include "meshes/roll/section.h"
 
 namespace mill::meshes {
 /// The core circle of a section (meshes/roll/section.h) as the rim meets it, with the mesh inside it.

@@ -4,10 +4,10 @@
 #include <vector>
 
 namespace mill::meshes {
-/// A point of the current Gmsh model and where it is, m or units of the radius.
+/// A point of the current Gmsh model.
 struct TaggedPoint {
-  int tag;
-  double x, y;
+  int tag;      ///< in the model
+  double x, y;  ///< where it is, in the unit of the drawing
 };
 
 /// Points, curves and quadrilateral blocks of one section in the current Gmsh model (built-in kernel).  A curve is
