@@ -3,7 +3,7 @@
 #include "core/model/dynamics_settings.h"
 #include "core/model/frequency_response.h"
 #include "core/records/provenance.h"
-#include "reduce/chain/stand_errors.h"
+#include "reduce/stand/stand_errors.h"
 #include "reduce/stand/stand_comparison.h"
 #include <string>
 #include <vector>

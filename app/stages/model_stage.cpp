@@ -10,7 +10,7 @@
 #include "core/records/provenance.h"
 #include "core/records/result_names.h"
 #include "reduce/chain/mass_breakdown.h"
-#include "reduce/chain/stand_errors.h"
+#include "reduce/stand/stand_errors.h"
 #include "reduce/stand/beam_stand.h"
 #include "reduce/stand/component_stand.h"
 #include "reduce/stand/kept_modes.h"

@@ -4,7 +4,7 @@
 #include "core/model/dynamics_settings.h"
 #include "core/records/provenance.h"
 #include "reduce/chain/fe_masses.h"
-#include "reduce/chain/stand_errors.h"
+#include "reduce/stand/stand_errors.h"
 #include "reduce/stand/lumped_stand.h"
 #include "reduce/stand/stand_comparison.h"
 

@@ -366,19 +366,21 @@ void Modulus::add_with_strip()
 void Modulus::add_by_width()
 {
   const double K3 = spring("K3").value, K5 = spring("K5").value, b = stand.strip.width, step = width_step * b;
-  const Component *solid     = solid_work_roll(stand, parts);
-  const double M             = found(own("modulus", "tangent")).value;
-  const double slope         = bend * K3 > least_bending ? (work_rolls_bending(stand, solid, b + step, K3, K5) -
+  const Component *solid = solid_work_roll(stand, parts);
+  const double M         = found(own("modulus", "tangent")).value;
+  const double slope     = bend * K3 > least_bending ? (work_rolls_bending(stand, solid, b + step, K3, K5) -
                                                     work_rolls_bending(stand, solid, b - step, K3, K5)) /
                                                        (2 * step)
-                                                         : 0;
-  const double of_flattening = -2 / (flattening.value * b);
-  Parameter p                = made("N/m2", -M * M * (of_flattening + slope),
-                                    "flattening and bending of the work rolls under another width, "
-                                                   "same force and arc (30.10)",
-                                    at);
-  p.checks                   = {
-                        {"flattening alone", -M * M * of_flattening, "work rolls that do not bend"}
+                                                     : 0;
+  const auto by_width    = [&](const double bending) {
+    return reduce::modulus_by_width(M, flattening.value, b, bending);
+  };
+  Parameter p = made("N/m2", by_width(slope),
+                     "flattening and bending of the work rolls under another width, "
+                     "same force and arc (30.10)",
+                     at);
+  p.checks    = {
+         {"flattening alone", by_width(0), "work rolls that do not bend"}
   };
   p.error_lacks = {"K4.flattening"};
   run.results.add(own("modulus", "by_width"), p);

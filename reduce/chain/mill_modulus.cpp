@@ -33,6 +33,12 @@ MillModulus mill_modulus(const std::vector<PathPart> &path)
   return all;
 }
 
+double modulus_by_width(const double modulus, const double flattening, const double width,
+                        const double bending_slope)
+{
+  return -modulus * modulus * (-2 / (flattening * width) + bending_slope);
+}
+
 Deflected deflected_at(const LoadDeflection &part, const double load)
 {
   const Eigen::Index n = part.load.size();

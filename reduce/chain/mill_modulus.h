@@ -29,6 +29,10 @@ struct MillModulus {
 /// @throws InputError  a part without positive stiffness, named
 MillModulus mill_modulus(const std::vector<PathPart> &path);
 
+/// dM/db, N/m per m of the strip's width b at the same force and arc, (30.10).
+/// @param flattening  N/m, both work rolls at the strip; @param bending_slope  1/N, d(1/K_b)/db of both
+double modulus_by_width(double modulus, double flattening, double width, double bending_slope);
+
 /// Usual mill moduli, N/m: from soft four-highs to stiff plate mills.
 inline constexpr double least_usual_modulus = 2e9, largest_usual_modulus = 15e9;
 

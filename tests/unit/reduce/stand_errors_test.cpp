@@ -1,5 +1,5 @@
 // Errors of frequencies from those of springs and masses.
-#include "reduce/chain/stand_errors.h"
+#include "reduce/stand/stand_errors.h"
 #include "reduce/stand/six_masses.h"
 #include "tests/support/beam_demo.h"
 #include "tests/support/near.h"

@@ -1,4 +1,4 @@
-#include "reduce/chain/stand_errors.h"
+#include "reduce/stand/stand_errors.h"
 #include "reduce/chain/spring_chain.h"
 #include <algorithm>
 #include <cmath>
