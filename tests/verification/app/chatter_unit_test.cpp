@@ -13,6 +13,7 @@
 #include "tests/support/near.h"
 #include "tests/support/program.h"
 #include "tests/support/unit_client.h"
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -109,6 +110,15 @@ Vibrating vibrating(const double speed, const Linearisation scheme = Linearisati
   return v;
 }
 }  // namespace
+
+TEST(ChatterUnit, IsHeldAgainstTheProgramWithEveryLawThatSlides)
+{
+  const auto all = bites();
+  for (const FrictionLaw law : friction_laws())
+    if (row_of(law).slides)
+      EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const auto &b) { return b.strip.friction.law == law; }))
+          << name_of(law) << " is in none of bites()";
+}
 
 TEST(ChatterUnit, ItsBiteIsThatOfTheProgram)
 {
