@@ -12,7 +12,8 @@ struct Writer {
   void fail() {}
   void raw(const void *data, const std::size_t size)
   {
-    bytes.append(static_cast<const char *>(data), size);
+    if (size > 0)  // an empty array has no address
+      bytes.append(static_cast<const char *>(data), size);
   }
   void number(const double &value)
   {
@@ -54,7 +55,7 @@ struct Reader {
   void raw(void *data, const std::size_t size)
   {
     good = good && size <= bytes.size() - at;
-    if (!good)
+    if (!good || size == 0)  // an empty array has no address
       return;
     std::memcpy(data, bytes.data() + at, size);
     at += size;

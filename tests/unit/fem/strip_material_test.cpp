@@ -175,7 +175,7 @@ TEST(StripMaterial, DerivativesAreThoseOfTheSolution)
       Inputs up = in, down = in;
       up[i] += step;
       down[i] -= step;
-      const auto difference =
+      const Eigen::VectorXd difference =
           (solve_row(m, up, nullptr, false).state - solve_row(m, down, nullptr, false).state) / (2 * step);
       const double error = (difference - r.by.col(i)).norm();
       EXPECT_LT(error, 1e-5 * (1 + r.by.col(i).norm()))
