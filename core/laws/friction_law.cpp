@@ -9,19 +9,21 @@ namespace mill {
 namespace {
 using FrictionConstants = Friction;
 
-// clang-format off: lists of lists of different lengths crash clang-format 14 with AlignArrayOfStructures
-//                        name       needs                                   may   number
-//                        slides, needs_speed, follows_bite, film
-const FrictionRow coulomb{"coulomb", {&FrictionConstants::coefficient}, {}, {&FrictionConstants::coefficient},
-                          true,   false,       false,        false};
-const FrictionRow factor{ "factor",  {&FrictionConstants::entry_factor, &FrictionConstants::exit_factor}, {}, {&FrictionConstants::entry_factor, &FrictionConstants::exit_factor},
-                          false,  false,       false,        false};
-const FrictionRow speed{  "speed",   {&FrictionConstants::at_unit_speed}, {&FrictionConstants::scale, &FrictionConstants::per_log_speed}, {},
-                          true,   true,        false,        false};
-const FrictionRow film{   "film",    {&FrictionConstants::mu0, &FrictionConstants::mu1, &FrictionConstants::decay, &FrictionConstants::viscosity, &FrictionConstants::pressure_viscosity},
-                          {&FrictionConstants::film_factor}, {},
-                          true,   true,        true,         true};
-// clang-format on
+// Lists by name: nested ones of different lengths crash clang-format 14 (AlignArrayOfStructures).
+const FrictionRow::Constants no_constants, one_number{&FrictionConstants::coefficient},
+    both_factors{&FrictionConstants::entry_factor, &FrictionConstants::exit_factor};
+const FrictionRow::Constants speed_needs{&FrictionConstants::at_unit_speed},
+    speed_may{&FrictionConstants::scale, &FrictionConstants::per_log_speed};
+const FrictionRow::Constants film_needs{&FrictionConstants::mu0, &FrictionConstants::mu1,
+                                        &FrictionConstants::decay, &FrictionConstants::viscosity,
+                                        &FrictionConstants::pressure_viscosity};
+const FrictionRow::Constants film_may{&FrictionConstants::film_factor};
+
+// name, needs, may, number; slides, needs_speed, follows_bite, film
+const FrictionRow coulomb{"coulomb", one_number, no_constants, one_number, true, false, false, false};
+const FrictionRow factor{"factor", both_factors, no_constants, both_factors, false, false, false, false};
+const FrictionRow speed{"speed", speed_needs, speed_may, no_constants, true, true, false, false};
+const FrictionRow film{"film", film_needs, film_may, no_constants, true, true, true, true};
 
 // The row; null for what is no law, so that all laws can be counted.
 const FrictionRow *find_row(const FrictionLaw law)
@@ -63,7 +65,8 @@ const char *const friction_laws_in_words =
 
 const std::array<FrictionConstant, n_friction_constants> &friction_constants()
 {
-  // clang-format off: as above
+  // Meaning and names on lines of their own.
+  // clang-format off
   static const std::array rows{
     FrictionConstant{"coefficient", &FrictionConstants::coefficient, "1", {0, 1}, 0, "0.05",
                      "mu of coulomb",
@@ -131,7 +134,7 @@ FrictionLaw friction_law(const std::string &name)
     if (name == row_of(law).name)
       return law;
   refuse_input("strip.friction.law = \"" + name + "\" is not known; " +
-                   listed([](const FrictionRow &) { return true; }));
+               listed([](const FrictionRow &) { return true; }));
 }
 
 std::string name_of(const FrictionLaw law)
@@ -149,8 +152,8 @@ Friction with_number(Friction friction, const double number)
 {
   if (!is_a_number(friction))
     refuse_input("a map over friction needs the law " +
-                     listed([](const FrictionRow &row) { return !row.number.empty(); }, "\"") + ": the law \"" +
-                     name_of(friction.law) + "\" has no single number; take the roll speed instead");
+                 listed([](const FrictionRow &row) { return !row.number.empty(); }, "\"") + ": the law \"" +
+                 name_of(friction.law) + "\" has no single number; take the roll speed instead");
   for (const auto constant : row_of(friction.law).number)
     friction.*constant = number;
   return friction;
@@ -236,7 +239,7 @@ double bite::starting_coefficient(const Friction &law, const double roll_speed)
 void bite::refuse_factors(const FrictionLaw law)
 {
   refuse_input("strip.friction.law = \"" + name_of(law) + "\" has no Coulomb coefficient: this theory needs " +
-                   listed([](const FrictionRow &row) { return row.slides; }) +
-                   "; the theory of Hu and Ehmann takes factors (m is about 2 mu p / k)");
+               listed([](const FrictionRow &row) { return row.slides; }) +
+               "; the theory of Hu and Ehmann takes factors (m is about 2 mu p / k)");
 }
 }  // namespace mill

@@ -76,7 +76,8 @@
   MILL_MATRIX_VECTOR(how, std::complex<double>, RowMajor, ColMajor, 0)                                            \
   MILL_MATRIX_VECTOR(how, std::complex<double>, ColMajor, RowMajor, 0)                                            \
   MILL_MATRIX_VECTOR(how, std::complex<double>, ColMajor, ColMajor, 0)                                            \
-  how struct triangular_matrix_vector_product<Index, Upper | UnitDiag, double, false, double, false, RowMajor, 0>;\
+  how struct triangular_matrix_vector_product<Index, Upper | UnitDiag, double, false, double, false, RowMajor,    \
+                                              0>;                                                                 \
   how struct selfadjoint_matrix_vector_product<double, Index, ColMajor, Lower, false, false, 0>;                  \
   how struct partial_lu_impl<double, ColMajor, int, -1>;                                                          \
   how struct partial_lu_impl<std::complex<double>, ColMajor, int, -1>;                                            \
@@ -92,12 +93,12 @@
 #define MILL_REFLECTION_INSTANCES(how)                                                                            \
   MILL_REFLECT(how, MatrixXd, VectorXd)                                                                           \
   MILL_REFLECT(how, const MatrixXd, const VectorXd)                                                               \
-  how void MatrixBase<Block<MatrixXd>>::applyHouseholderOnTheLeft(                                                \
-      const Block<const MatrixXd, -1, 1> &, const double &, double *);                                            \
+  how void MatrixBase<Block<MatrixXd>>::applyHouseholderOnTheLeft(const Block<const MatrixXd, -1, 1> &,           \
+                                                                  const double &, double *);                      \
   how void MatrixBase<Block<MatrixXd>>::applyHouseholderOnTheLeft(                                                \
       const Block<const Block<MatrixXd, -1, 1, true>, -1, 1> &, const double &, double *);                        \
-  how void MatrixBase<Block<MatrixXd>>::applyHouseholderOnTheRight(                                               \
-      const Block<const MatrixXd, -1, 1> &, const double &, double *);
+  how void MatrixBase<Block<MatrixXd>>::applyHouseholderOnTheRight(const Block<const MatrixXd, -1, 1> &,          \
+                                                                   const double &, double *);
 
 #define MILL_FACTOR_INSTANCES(how)                                                                                \
   how class PartialPivLU<MatrixXd>;                                                                               \

@@ -82,8 +82,8 @@ const Rolls &coarse_rolls()
   return made;
 }
 
-// Both sides of the solid engine.  2.7 F1: load and concentration by the crown must not push the contact to the edge
-// of the patch.
+// Both sides of the solid engine.  2.7 F1: load and concentration by the crown must not push the contact to the
+// edge of the patch.
 const std::pair<MeshedBody, MeshedBody> &solid_rolls()
 {
   static const auto made = [] {
@@ -91,7 +91,8 @@ const std::pair<MeshedBody, MeshedBody> &solid_rolls()
     size.largest_layer = 0.05;
     fem::CondenseOptions both;
     both.both_sides = true;
-    return std::pair(meshed_roll("backup", backup, size, steel, both), meshed_roll("work", work, size, steel, both));
+    return std::pair(meshed_roll("backup", backup, size, steel, both),
+                     meshed_roll("work", work, size, steel, both));
   }();
   return made;
 }
@@ -206,7 +207,8 @@ TEST(FourierRoll, NeitherOrdersNorMeshMatter)
     options.all_orders = all;
     options.ratio      = all == 12 ? 1.7 : 1.3;
     const auto other   = solved(rolls(coarse_size(), options));
-    EXPECT_TRUE(near(other.approach, coarse.approach, within(5e-5, "smooth in the order: cubic in its logarithm")));
+    EXPECT_TRUE(
+        near(other.approach, coarse.approach, within(5e-5, "smooth in the order: cubic in its logarithm")));
     EXPECT_TRUE(near(other.tangent, coarse.tangent, within(5e-5, "the same")));
     EXPECT_TRUE(near(other.line_load, coarse.line_load,
                      within(1e-3, "of the mean; the last stations are shorter than b", q1)));
