@@ -1,7 +1,7 @@
-#include "app/command_line.h"
-#include "app/commands.h"
-#include "app/console.h"
-#include "app/out_of_memory.h"
+#include "app/command/command_line.h"
+#include "app/process/console.h"
+#include "app/process/out_of_memory.h"
+#include "app/verbs/commands.h"
 #include <filesystem>
 #include <new>
 #include <stdexcept>

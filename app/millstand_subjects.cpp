@@ -1,4 +1,4 @@
-#include "app/linked_subjects.h"
+#include "app/command/linked_subjects.h"
 
 // millstand and the manual: runs of one stand and of its parts alone.
 namespace mill {

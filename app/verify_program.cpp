@@ -1,9 +1,10 @@
-#include "app/hand_over.h"
-#include "app/verify_command.h"
+#include "app/command/verify_options.h"
+#include "app/process/hand_over.h"
 #include <string>
 #include <vector>
 
-// The verification manual is a program of its own beside this one (verify/CMakeLists.txt), which takes over here.
+// The verification manual is a program of its own beside this one (tests/manual/CMakeLists.txt), which takes over
+// here.
 namespace mill {
 namespace {
 std::vector<std::string> words_of(const VerifyOptions &options)

@@ -1,6 +1,6 @@
 #include "app/chatter/chatter_files.h"
 #include "app/chatter/chatter_results.h"
-#include "app/stages/curve_files.h"
+#include "app/run/curve_files.h"
 #include "core/records/csv.h"
 #include "core/records/json_archive.h"
 #include "dynamics/chatter/loop.h"

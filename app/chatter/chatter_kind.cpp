@@ -1,7 +1,7 @@
-#include "app/case_kinds.h"
 #include "app/chatter/chatter_stage.h"
 #include "app/kinds/kind_inputs.h"
 #include "app/kinds/mark_sources.h"
+#include "app/run/run_kind.h"
 #include "app/trace/closed_form_parts.h"
 #include "core/model/case.h"
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "app/chatter/chatter_question.h"
-#include "app/stages/bite_stage.h"
-#include "app/stages/detailed_model_stage.h"
-#include "app/stages/free_strip.h"
-#include "core/records/provenance.h"
+#include "app/stages/bite/bite_stage.h"
+#include "app/stages/bite/free_strip.h"
+#include "app/stages/response/detailed_model_stage.h"
+#include "core/case/provenance.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modal_model.h"
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 #include "app/chatter/chatter_study.h"
-#include "app/stages/model_stage.h"
+#include "app/stages/stand/model_stage.h"
 #include "core/model/pass.h"
 #include "reduce/stand/lumped_stand.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "app/run_context.h"
-#include "app/stages/model_stage.h"
+#include "app/run/run_context.h"
+#include "app/stages/stand/model_stage.h"
 #include "core/model/pass.h"
 #include "reduce/stand/lumped_stand.h"
 

@@ -1,8 +1,8 @@
 #include "app/chatter/chatter_study.h"
-#include "bite/slab/slab_bite.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/chatter/loop.h"
 #include "dynamics/chatter/routh.h"
+#include "reduce/bite/slab/slab_bite.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/run_context.h"
+#include "app/run/run_context.h"
 #include "core/model/chatter.h"
 #include "dynamics/chatter/history.h"
 #include "dynamics/chatter/map.h"

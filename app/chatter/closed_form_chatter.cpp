@@ -39,8 +39,8 @@ std::vector<ClosedFormResult> closed_form_chatter(const ChatterCase &spec)
              {"flattened_radius", "m", state.flattened_radius},
              {"forward_slip",     "1", state.forward_slip    }
     })
-      add("bite." + name + "." + quantity, unit, there(value), at_speed, "steady bite", "bite/slab/bland_ford",
-          "(8.8)");
+      add("bite." + name + "." + quantity, unit, there(value), at_speed, "steady bite",
+          "reduce/bite/slab/bland_ford", "(8.8)");
     add("chatter." + name + ".growth_rate", "1/s", found.growth, joined(at_speed, stand), "stand, bite and strip",
         "dynamics/chatter/chatter", "(25.4)");
     const KeyList searched = joined(bite, stand, range);

@@ -1,7 +1,7 @@
 #include "app/chatter/chatter_files.h"
 #include "app/chatter/chatter_question.h"
 #include "app/chatter/chatter_stage.h"
-#include "app/stages/curve_files.h"
+#include "app/run/curve_files.h"
 #include "core/records/chatter_record.h"
 #include "core/records/csv.h"
 #include "core/records/json_archive.h"

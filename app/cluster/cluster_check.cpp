@@ -1,11 +1,11 @@
 #include "app/cluster/cluster_schedule.h"
 #include "app/cluster/cluster_stage.h"
-#include "app/stages/bite_stage.h"
-#include "app/stages/bite_study.h"
-#include "bite/schedule/schedule.h"
-#include "bite/slab/slab_bite.h"
-#include "bite/slab/slab_checks.h"
+#include "app/stages/bite/bite_stage.h"
+#include "app/stages/bite/bite_study.h"
 #include "core/model/case.h"
+#include "reduce/bite/schedule/schedule.h"
+#include "reduce/bite/slab/slab_bite.h"
+#include "reduce/bite/slab/slab_checks.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

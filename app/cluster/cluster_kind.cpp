@@ -1,5 +1,5 @@
-#include "app/case_kinds.h"
 #include "app/cluster/cluster_stage.h"
+#include "app/run/run_kind.h"
 #include "app/trace/closed_form_parts.h"
 #include "core/model/case.h"
 #include "core/model/cluster.h"

@@ -1,8 +1,8 @@
 #include "app/cluster/cluster_results.h"
-#include "cluster/stability.h"
-#include "core/numerics/short_number.h"
+#include "core/base/files.h"
+#include "core/base/short_number.h"
 #include "core/records/cluster_names.h"
-#include "core/records/files.h"
+#include "dynamics/cluster/stability.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

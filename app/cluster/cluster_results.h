@@ -1,7 +1,7 @@
 #pragma once
 #include "app/cluster/cluster_stage.h"
-#include "cluster/fit.h"
-#include "cluster/motion.h"
+#include "dynamics/cluster/fit.h"
+#include "dynamics/cluster/motion.h"
 
 // Results, record and curves of one pass of a cluster.
 namespace mill {

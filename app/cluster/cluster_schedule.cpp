@@ -1,8 +1,8 @@
 #include "app/cluster/cluster_schedule.h"
-#include "app/stages/bite_stage.h"
-#include "cluster/stack_of_case.h"
+#include "app/stages/bite/bite_stage.h"
 #include "core/model/case.h"
 #include "core/records/cluster_names.h"
+#include "dynamics/cluster/stack_of_case.h"
 #include <cmath>
 #include <fmt/format.h>
 

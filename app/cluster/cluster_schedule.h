@@ -1,5 +1,5 @@
 #pragma once
-#include "app/stages/schedule_forces.h"
+#include "app/stages/bite/schedule_forces.h"
 #include <optional>
 
 namespace mill {

@@ -1,7 +1,7 @@
 #include "app/cluster/cluster_stage.h"
 #include "app/cluster/cluster_results.h"
 #include "app/cluster/cluster_schedule.h"
-#include "app/stages/curve_files.h"
+#include "app/run/curve_files.h"
 #include "core/model/case.h"
 #include "core/records/cluster_names.h"
 #include "core/records/json_archive.h"

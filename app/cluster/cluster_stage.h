@@ -1,9 +1,9 @@
 #pragma once
-#include "app/pipeline.h"
-#include "app/run_context.h"
-#include "cluster/stack_of_case.h"
+#include "app/kinds/pipeline.h"
+#include "app/run/run_context.h"
+#include "core/case/provenance.h"
 #include "core/records/cluster_record.h"
-#include "core/records/provenance.h"
+#include "dynamics/cluster/stack_of_case.h"
 
 // Stages of kind "cluster".
 namespace mill {

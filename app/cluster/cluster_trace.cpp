@@ -2,10 +2,10 @@
 #include "app/cluster/cluster_schedule.h"
 #include "app/cluster/cluster_stage.h"
 #include "app/trace/closed_form_parts.h"
-#include "bite/schedule/schedule.h"
-#include "cluster/response.h"
 #include "core/model/case.h"
 #include "core/records/cluster_names.h"
+#include "dynamics/cluster/response.h"
+#include "reduce/bite/schedule/schedule.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ ClosedFormResult result_of(const KeyList &keys, const std::string &name, const d
   r.parameter.inputs = keys;
   r.closed           = keys;
   r.relation         = "balance of all rolls";
-  r.file             = "cluster/equilibrium";
+  r.file             = "dynamics/cluster/equilibrium";
   r.equation         = "(38.11)";
   return r;
 }
@@ -49,7 +49,7 @@ void add_velocities_of(const ClusterStand &stand, const ClusterPass &pass, const
           keys, result_name({family::cluster, pass.name, "velocity", stand.rolls[i].name, k ? "y" : "x"}),
           2 * M_PI * pass.dynamic_frequency * size, "m/s", force));
       all.back().relation = "harmonic response with complex stiffness";
-      all.back().file     = "cluster/response";
+      all.back().file     = "dynamics/cluster/response";
       all.back().equation = "(38.16)";
     }
 }
@@ -70,7 +70,7 @@ void add_schedule(const Case &the_case, std::vector<ClosedFormResult> &all)
     made.parameter.method  = "slab theory in closed form";
     made.parameter.at      = "";
     made.relation          = "roll bite of the pass";
-    made.file              = "bite/schedule/schedule";
+    made.file              = "reduce/bite/schedule/schedule";
     made.equation          = equation;
   };
   for (std::size_t p = 0; p < record.passes.size(); ++p) {
@@ -105,7 +105,7 @@ void add_fits(const Case &the_case, std::vector<ClosedFormResult> &all)
       all.push_back(result_of(keys, result_name({family::cluster, cluster_fit, variant.name, n.key}), n.value,
                               unit_of_cluster_key(n.key), force));
       all.back().relation = "least squares over the frequencies of the variant";
-      all.back().file     = "cluster/fit";
+      all.back().file     = "dynamics/cluster/fit";
       all.back().equation = "(38.25)";
     }
   }
@@ -144,7 +144,7 @@ std::vector<ClosedFormResult> closed_form_cluster(const Case &the_case)
     for (std::size_t k = 0; k < state.modes.size(); ++k) {
       add(fmt::format("f{}", k + 1), "", state.modes[k].frequency, "Hz");
       all.back().relation = "eigenvalue of the tangent";
-      all.back().file     = "cluster/modes";
+      all.back().file     = "dynamics/cluster/modes";
       all.back().equation = "(38.13)";
     }
     add_velocities_of(stand, pass, state, force, cluster_keys(the_case, p, true), all);

@@ -1,10 +1,10 @@
 #include "app/cluster/cluster_results.h"
-#include "app/stages/curve_files.h"
-#include "cluster/backbone.h"
-#include "cluster/response.h"
-#include "core/numerics/short_number.h"
+#include "app/run/curve_files.h"
+#include "core/base/files.h"
+#include "core/base/short_number.h"
 #include "core/records/cluster_names.h"
-#include "core/records/files.h"
+#include "dynamics/cluster/backbone.h"
+#include "dynamics/cluster/response.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

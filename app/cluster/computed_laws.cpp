@@ -1,6 +1,6 @@
 #include "app/cluster/cluster_stage.h"
-#include "app/stages/condensed_rolls.h"
-#include "app/stages/contact_model.h"
+#include "app/stages/contact/condensed_rolls.h"
+#include "app/stages/contact/contact_model.h"
 #include "core/case/cluster_variants.h"
 #include "core/model/two_cylinders.h"
 #include "fem/roll/contact_study.h"

@@ -1,7 +1,7 @@
 #include "app/export/exchanged_stand.h"
 #include "app/export/exported_stand.h"
-#include "app/pipeline.h"
-#include "fmu/description.h"
+#include "app/kinds/pipeline.h"
+#include "dynamics/fmu/description.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #pragma once
 #include "dynamics/exchange/exchanged_stand.h"
-#include "fmu/exported_model.h"
+#include "dynamics/fmu/exported_model.h"
 
 namespace mill {
 struct DrivenStand;

@@ -1,12 +1,13 @@
 #include "app/export/exported_chatter.h"
 #include "app/chatter/chatter_question.h"
-#include "app/run_context.h"
+#include "app/process/version.h"
+#include "app/run/run_context.h"
+#include "core/base/files.h"
 #include "core/model/case.h"
-#include "core/records/files.h"
 #include "dynamics/chatter/equations.h"
 #include "dynamics/chatter/run.h"
-#include "fmu/model_text.h"
-#include "fmu/unit_archive.h"
+#include "dynamics/fmu/model_text.h"
+#include "dynamics/fmu/unit_archive.h"
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 #include "dynamics/chatter/run.h"
-#include "fmu/exported_model.h"
+#include "dynamics/fmu/exported_model.h"
 #include <string>
 
 namespace mill {

@@ -1,9 +1,9 @@
 #include "app/export/exported_curves.h"
 #include "app/export/exported_stand.h"
-#include "app/stages/contact_curves.h"
+#include "app/stages/response/contact_curves.h"
 #include "core/model/case.h"
+#include "dynamics/fmu/model_text.h"
 #include "dynamics/nonlinear/curve_response.h"
-#include "fmu/model_text.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 #include "app/export/exported_files.h"
-#include "core/case/errors.h"
-#include "core/records/files.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include "dynamics/exchange/matlab.h"
 #include "dynamics/exchange/modelica.h"
 #include "dynamics/exchange/state_space_files.h"
-#include "fmu/unit_archive.h"
+#include "dynamics/fmu/unit_archive.h"
 #include <algorithm>
 #include <array>
 #include <filesystem>

@@ -1,10 +1,11 @@
 #include "app/export/exported_stand.h"
-#include "app/run_context.h"
+#include "app/process/version.h"
+#include "app/run/run_context.h"
+#include "core/base/files.h"
 #include "core/model/case.h"
-#include "core/records/files.h"
+#include "dynamics/fmu/model_text.h"
+#include "dynamics/fmu/unit_archive.h"
 #include "dynamics/response/response.h"
-#include "fmu/model_text.h"
-#include "fmu/unit_archive.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
-#include "app/pipeline.h"
+#include "app/kinds/pipeline.h"
+#include "dynamics/fmu/exported_model.h"
 #include "dynamics/response/response.h"
-#include "fmu/exported_model.h"
 
 namespace mill {
 struct Case;

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/command_line.h"
+#include "app/command/command_line.h"
 
 namespace mill {
 struct Case;

@@ -1,6 +1,6 @@
 #include "app/kinds/kind_inputs.h"
+#include "core/case/turning_keys.h"
 #include "core/records/result_names.h"
-#include "core/records/turning_keys.h"
 #include <fmt/format.h>
 #include <utility>
 

@@ -1,7 +1,7 @@
 #pragma once
+#include "core/case/provenance.h"
 #include "core/model/dynamics_settings.h"
 #include "core/model/pass.h"
-#include "core/records/provenance.h"
 #include "core/records/results.h"
 #include <optional>
 #include <string>

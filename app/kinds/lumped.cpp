@@ -1,9 +1,9 @@
 #include "core/model/lumped.h"
-#include "app/case_kinds.h"
 #include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
 #include "app/kinds/mark_sources.h"
 #include "app/review/case_review.h"
+#include "app/run/run_kind.h"
 #include "app/trace/closed_form_chain.h"
 #include "core/model/case.h"
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "app/kinds/manifest_parts.h"
-#include "bearing/geometry.h"
-#include "core/records/files.h"
+#include "core/base/files.h"
+#include "reduce/bearing/geometry.h"
 #include <cmath>
 #include <nlohmann/json.hpp>
 

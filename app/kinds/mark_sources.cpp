@@ -1,5 +1,5 @@
 #include "app/kinds/mark_sources.h"
-#include "app/stages/turning_rolls.h"
+#include "app/stages/response/turning_rolls.h"
 #include "core/model/bite_case.h"
 #include "core/model/chatter.h"
 #include "core/model/four_high.h"

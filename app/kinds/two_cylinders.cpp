@@ -1,7 +1,7 @@
 #include "core/model/two_cylinders.h"
-#include "app/case_kinds.h"
-#include "app/stages/body_pair.h"
-#include "app/stages/contact_stage.h"
+#include "app/run/run_kind.h"
+#include "app/stages/contact/body_pair.h"
+#include "app/stages/contact/contact_stage.h"
 #include "app/trace/closed_form_parts.h"
 #include "core/model/case.h"
 #include <nlohmann/json.hpp>

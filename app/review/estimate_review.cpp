@@ -1,12 +1,12 @@
 #include "app/review/estimate_review.h"
 #include "app/review/closed_form_modes.h"
-#include "app/run_context.h"
-#include "app/stages/dynamics_stage.h"
+#include "app/run/run_context.h"
+#include "app/stages/response/dynamics_stage.h"
 #include "app/trace/closed_form_chain.h"
+#include "core/base/units.h"
 #include "core/case/estimates.h"
-#include "core/case/units.h"
+#include "core/case/provenance.h"
 #include "core/model/case.h"
-#include "core/records/provenance.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "app/review/record_review.h"
-#include "app/stages/contact_stage.h"
+#include "app/stages/contact/contact_stage.h"
 #include "core/records/csv.h"
 #include "dynamics/response/record_times.h"
 #include "dynamics/response/rolling_force.h"

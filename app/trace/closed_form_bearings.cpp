@@ -1,11 +1,11 @@
-#include "app/stages/bearing_model.h"
-#include "app/stages/bearing_study.h"
-#include "app/stages/contact_stage.h"
+#include "app/stages/bearing/bearing_model.h"
+#include "app/stages/bearing/bearing_study.h"
+#include "app/stages/contact/contact_stage.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/closed_form_parts.h"
-#include "bearing/oil_film/oil_film_state.h"
 #include "core/model/case.h"
 #include "core/records/record_text.h"
+#include "reduce/bearing/oil_film/oil_film_state.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -32,7 +32,7 @@ std::string closed_method(const RollerBearing &b)
   const std::string law = b.roller_law == "palmgren"  ? "Palmgren's law of one roller"
                           : b.roller_law == "elastic" ? "elastic line contact of one roller"
                                                       : "laminae of ISO/TS 16281";
-  return law + ", rigid rings, bearing/assembly (5.23)";
+  return law + ", rigid rings, reduce/bearing/assembly (5.23)";
 }
 
 // Keys of a bearing that its stiffness between rigid rings follows.
@@ -94,7 +94,7 @@ ClosedFormResult closed_form_film(const char *name, const OilFilmBearing &film, 
   r.parameter.at     = {"{} on one bearing", {{load.load, "kN", ".1f"}}};
   r.closed           = keys;
   r.relation         = "oil film";
-  r.file             = "bearing/oil_film/film_reactions";
+  r.file             = "reduce/bearing/oil_film/film_reactions";
   r.equation         = "(29.7)";
   r.stands_for       = "the same on two grids";
   return r;
@@ -172,7 +172,7 @@ std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const 
     r.closed =
         joined(seat_load_keys(stand, backup, i < 2 ? "upper" : "lower", pass), closed_bearing_keys(b, false));
     r.relation   = backup ? "bearings of the backup rolls" : "bearings of the work rolls";
-    r.file       = "bearing/assembly";
+    r.file       = "reduce/bearing/assembly";
     r.equation   = "(5.23)";
     r.stands_for = by_elements(b) ? model_name(b) : "";
     all.push_back(r);
@@ -182,7 +182,7 @@ std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const 
     r.closed          = joined(std::move(r.closed), keys_in("bearing." + b.name, "slices"));
     r.parameter.value = stiffness_along(state, loading, 1);
     r.parameter.method += ", across the load";
-    r.file       = "app/stages/bearing_across";
+    r.file       = "app/stages/bearing/bearing_across";
     r.stands_for = by_elements(b) ? model_name(b) + ", a block chock on its liner" : "";
     all.push_back(r);
   }
@@ -218,7 +218,7 @@ std::vector<ClosedFormResult> closed_form_bearing_case(const BearingCase &spec)
       if (key.rfind("model.", 0) == 0 && holds(r.closed, "bearing." + b.name + key.substr(5)))
         r.closed.push_back(key);
     r.relation   = "equilibrium of all rollers";
-    r.file       = "bearing/assembly";
+    r.file       = "reduce/bearing/assembly";
     r.equation   = equation;
     r.stands_for = by_elements(b) ? model_name(b) : "";
     all.push_back(r);

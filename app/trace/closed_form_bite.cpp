@@ -1,6 +1,6 @@
-#include "app/stages/bite_stage.h"
-#include "app/stages/bite_study.h"
-#include "app/stages/fit_stage.h"
+#include "app/stages/bite/bite_stage.h"
+#include "app/stages/bite/bite_study.h"
+#include "app/stages/bite/fit_stage.h"
 #include "app/trace/closed_form_parts.h"
 #include "core/model/bite_case.h"
 #include <algorithm>
@@ -25,7 +25,7 @@ ClosedFormResult bite_result(const std::string &name, const Strip &strip, const 
   r.closed         = joined(slab_keys({strip, closed, run.pass, roll_key, wide, &passes}),
                     elements ? KeyList{} : keys_in("bite", "theory"));
   r.relation       = "roll bite";
-  r.file           = elements ? "fem/strip/rigid_plastic/strip_flow" : "bite/slab/slab_bite";
+  r.file           = elements ? "fem/strip/rigid_plastic/strip_flow" : "reduce/bite/slab/slab_bite";
   r.equation       = "(8.13)";
   r.stands_for     = elements ? "finite elements of the strip, fem/strip/rigid_plastic/strip_flow" : "";
   return r;
@@ -50,7 +50,7 @@ SlabAnswer solve_bite(const bite::RollBite &bite, const BiteSetup &setup)
   SlabAnswer answer;
   answer.state     = bite::solve_slab(bite, model);
   answer.stiffness = bite::slab_stiffness(bite, answer.state);
-  answer.method    = bite::model_name(model) + ", bite/slab/slab_bite (8.13)";
+  answer.method    = bite::model_name(model) + ", reduce/bite/slab/slab_bite (8.13)";
   return answer;
 }
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 #include "app/trace/closed_form_parts.h"
-#include "bearing/assembly.h"
 #include "core/records/records.h"
+#include "reduce/bearing/assembly.h"
 #include <array>
 #include <map>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/records/provenance.h"
+#include "core/case/provenance.h"
 #include <string>
 #include <vector>
 

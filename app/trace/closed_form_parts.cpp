@@ -1,8 +1,8 @@
 #include "app/trace/closed_form_parts.h"
-#include "app/stages/body_pair.h"
-#include "app/stages/contact_stage.h"
-#include "contact/hertz.h"
+#include "app/stages/contact/body_pair.h"
+#include "app/stages/contact/contact_stage.h"
 #include "core/model/two_cylinders.h"
+#include "fem/contact/hertz.h"
 #include "reduce/chain/housing_frame.h"
 #include "reduce/chain/line_contact.h"
 #include "reduce/chain/screwdown.h"
@@ -107,7 +107,7 @@ struct ClosedFormContact {
     r.relation         = "contact of the two cylinders";
     r.file             = file;
     r.equation         = equation;
-    r.stands_for       = pair.in_space ? "half spaces, contact/half_space_contact"
+    r.stands_for       = pair.in_space ? "half spaces, fem/contact/half_space_contact"
                                        : "contact finite elements, fem/roll/contact_study";
     all.push_back(r);
   }
@@ -120,12 +120,12 @@ std::vector<ClosedFormResult> closed_form_space(const TwoCylinders &pair)
   const double load      = pair.space.at;
   ClosedFormContact c{
       pair, closed_keys(pair), "contact.space.", {"{}", {{load, "N"}}},
-         "", "app/stages/space_contact"
+         "", "app/stages/contact/space_contact"
   };
   c.closed = joined(std::move(c.closed), keys_in("contact.space", "at"));
   if (shape.is_point(load, pair.space.tilt)) {
     const auto e = contact::hertz_point(load, shape.radius, 1 / shape.curvature, shape.modulus);
-    c.method     = "Hertz, contact/hertz (10.5)";
+    c.method     = "Hertz, fem/contact/hertz (10.5)";
     for (const auto *body : {&pair.upper, &pair.lower})
       if (!body->plane())
         c.closed = joined(std::move(c.closed), keys_in(body == &pair.upper ? "upper" : "lower", "crown_radius"));
@@ -141,7 +141,7 @@ std::vector<ClosedFormResult> closed_form_space(const TwoCylinders &pair)
   if (!(shape.length > 2 * hertz.half_width))
     return {};
   const auto line = contact::lundberg_line(hertz, q, shape.length, shape.modulus);
-  c.method        = "Hertz and Lundberg, contact/hertz (33.6)";
+  c.method        = "Hertz and Lundberg, fem/contact/hertz (33.6)";
   c.closed        = joined(std::move(c.closed), keys_in("upper", "length"), keys_in("lower", "length"));
   c.add("half_width", "m", hertz.half_width, "(3.2)");
   c.add("peak_pressure", "Pa", hertz.peak_pressure, "(3.3)");
@@ -164,7 +164,7 @@ std::vector<ClosedFormResult> closed_form_cylinders(const TwoCylinders &pair)
       joined(closed_keys(pair), keys_in("contact.line", "at")),
       "contact.line.",
       {"{}", {{q, "N/mm"}}},
-      "Hertz and Johnson, contact/line_bodies (3.2) to (3.5b)",
+      "Hertz and Johnson, fem/contact/line_bodies (3.2) to (3.5b)",
       "fem/roll/contact_study"
   };
   c.add("half_width", "m", line.half_width, "(3.2)");

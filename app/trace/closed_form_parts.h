@@ -1,8 +1,8 @@
 #pragma once
 #include "app/trace/closed_form_keys.h"
-#include "bite/bite.h"
+#include "core/base/parameter.h"
 #include "core/model/material.h"
-#include "core/records/parameter.h"
+#include "reduce/bite/bite.h"
 #include <array>
 #include <optional>
 #include <string>

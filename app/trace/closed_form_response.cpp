@@ -1,5 +1,5 @@
 #include "app/trace/closed_form_response.h"
-#include "app/stages/dynamics_stage.h"
+#include "app/stages/response/dynamics_stage.h"
 #include "core/numerics/gauss.h"
 #include "dynamics/response/frequency_response.h"
 #include "dynamics/response/mill_model.h"

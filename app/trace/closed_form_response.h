@@ -1,8 +1,8 @@
 #pragma once
 #include "app/trace/closed_form_chain.h"
 #include "core/model/dynamics_settings.h"
+#include "core/model/lumped_model.h"
 #include "core/model/pass.h"
-#include "core/records/lumped_model.h"
 #include <array>
 
 namespace mill {

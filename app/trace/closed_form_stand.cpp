@@ -1,7 +1,7 @@
 #include "app/trace/closed_form_stand.h"
-#include "app/stages/gauge_results.h"
-#include "app/stages/mode_results.h"
-#include "app/stages/modulus_stage.h"
+#include "app/stages/stand/gauge_results.h"
+#include "app/stages/stand/mode_results.h"
+#include "app/stages/stand/modulus_stage.h"
 #include "core/model/four_high.h"
 #include "core/records/result_names.h"
 #include "reduce/chain/line_contact.h"
@@ -143,9 +143,9 @@ void ClosedFormModulus::add_with_strip() const
   if (!(gauge.Q > 0))
     return;
   add(made(own("screw_sensitivity"), "1", gauge.screw(), "mill modulus and plastic slope", at), {modulus, slope},
-      {}, "app/stages/gauge_results", "(30.7)");
+      {}, "app/stages/stand/gauge_results", "(30.7)");
   add(made(own("force_by", "screw"), "N/m", gauge.force_by_screw(), "mill modulus and plastic slope", at),
-      {modulus, slope}, {}, "app/stages/gauge_results", "(30.9)");
+      {modulus, slope}, {}, "app/stages/stand/gauge_results", "(30.9)");
 }
 }  // namespace
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "app/trace/closed_form_chain.h"
 #include "core/model/dynamics_settings.h"
-#include "core/records/lumped_model.h"
+#include "core/model/lumped_model.h"
 
 // What a trace says of the stand as a whole: its mill modulus and its modes by name.  theory.md 24, 30
 namespace mill {

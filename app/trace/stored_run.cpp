@@ -1,7 +1,7 @@
 #include "app/trace/stored_run.h"
 #include "app/trace/trace_key.h"
+#include "core/base/files.h"
 #include "core/model/case.h"
-#include "core/records/files.h"
 #include "core/records/result_folder.h"
 #include "core/records/run_identity.h"
 #include <algorithm>

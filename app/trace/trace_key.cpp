@@ -1,8 +1,8 @@
 #include "app/trace/trace_key.h"
-#include "app/case_kinds.h"
+#include "app/run/run_kind.h"
 #include "app/trace/closed_form_chain.h"
+#include "core/base/units.h"
 #include "core/case/kinds.h"
-#include "core/case/units.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

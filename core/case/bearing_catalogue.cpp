@@ -1,7 +1,7 @@
 #include "core/case/bearing_catalogue.h"
+#include "core/base/csv_sheet.h"
+#include "core/case/embedded.h"
 #include "core/case/fields.h"
-#include "core/records/csv_sheet.h"
-#include "core/records/embedded.h"
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -196,7 +196,7 @@ std::vector<CatalogueBearing> catalogue_of(const std::string &file, const std::s
 
 const std::vector<CatalogueBearing> &shipped_catalogue()
 {
-  static const auto catalogue = catalogue_of("data/bearings.csv", embedded::bearings_csv);
+  static const auto catalogue = catalogue_of("core/case/bearings.csv", embedded::bearings_csv);
   return catalogue;
 }
 

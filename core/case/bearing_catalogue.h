@@ -1,10 +1,11 @@
 #pragma once
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/model/material.h"
 #include <string>
 #include <vector>
 
-// Bearings by their designation: the table that is part of the program (data/bearings.csv) and the user's own.
+// Bearings by their designation: the table that is part of the program (core/case/bearings.csv) and the user's
+// own.
 namespace mill {
 /// One line of a catalogue.
 struct CatalogueBearing {

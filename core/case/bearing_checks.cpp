@@ -1,6 +1,6 @@
+#include "core/base/units.h"
 #include "core/case/kinds.h"
 #include "core/case/stand_reader.h"
-#include "core/case/units.h"
 #include "core/model/bearing_ratings.h"
 #include <algorithm>
 #include <cmath>

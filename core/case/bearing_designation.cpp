@@ -1,7 +1,7 @@
+#include "core/base/files.h"
 #include "core/case/bearing_catalogue.h"
 #include "core/case/stand_reader.h"
 #include "core/model/bearing_ratings.h"
-#include "core/records/files.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

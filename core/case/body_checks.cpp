@@ -1,5 +1,5 @@
+#include "core/base/units.h"
 #include "core/case/stand_reader.h"
-#include "core/case/units.h"
 #include "core/model/two_cylinders.h"
 #include <algorithm>
 #include <cmath>

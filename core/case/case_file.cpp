@@ -1,10 +1,10 @@
 // The only file that includes toml++.
 #include "core/case/case_file.h"
-#include "core/case/error_list.h"
+#include "core/base/error_list.h"
+#include "core/base/files.h"
+#include "core/base/units.h"
 #include "core/case/nesting.h"
 #include "core/case/quantity_slips.h"
-#include "core/case/units.h"
-#include "core/records/files.h"
 #include "core/records/run_identity.h"
 #include <algorithm>
 #include <cctype>

@@ -1,8 +1,8 @@
 #include "core/case/case_sheet.h"
+#include "core/base/error_list.h"
+#include "core/base/units.h"
 #include "core/case/case_template.h"
-#include "core/case/error_list.h"
 #include "core/case/quantity_slips.h"
-#include "core/case/units.h"
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "core/case/case_template.h"
+#include "core/base/units.h"
 #include "core/case/input_reference.h"
-#include "core/case/units.h"
-#include "core/records/provenance.h"
+#include "core/case/provenance.h"
 #include <algorithm>
 #include <fmt/format.h>
 

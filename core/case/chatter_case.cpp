@@ -1,10 +1,10 @@
+#include "core/base/files.h"
 #include "core/case/advice_rows.h"
 #include "core/case/given.h"
 #include "core/case/monitoring.h"
 #include "core/case/stand_reader.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
-#include "core/records/files.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "core/case/estimates.h"
+#include "core/base/units.h"
+#include "core/case/provenance.h"
 #include "core/case/stand_reader.h"
-#include "core/case/units.h"
-#include "core/records/provenance.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

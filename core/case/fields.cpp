@@ -1,7 +1,7 @@
 #include "core/case/fields.h"
-#include "core/case/error_list.h"
+#include "core/base/error_list.h"
+#include "core/base/units.h"
 #include "core/case/quantity_slips.h"
-#include "core/case/units.h"
 #include <algorithm>
 #include <cctype>
 #include <cmath>

@@ -1,5 +1,5 @@
+#include "core/base/units.h"
 #include "core/case/fields.h"
-#include "core/case/units.h"
 #include <algorithm>
 #include <cctype>
 #include <cmath>

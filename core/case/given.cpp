@@ -1,6 +1,6 @@
 #include "core/case/given.h"
+#include "core/base/units.h"
 #include "core/case/stand_reader.h"
-#include "core/case/units.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

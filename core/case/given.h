@@ -1,6 +1,6 @@
 #pragma once
+#include "core/base/parameter.h"
 #include "core/case/stand_rows.h"
-#include "core/records/parameter.h"
 
 namespace mill {
 /// Keys of a value of [given] or [published] that keeps where it comes from: value, source, ...

@@ -1,8 +1,8 @@
 #include "core/case/input_reference.h"
+#include "core/base/errors.h"
+#include "core/base/units.h"
 #include "core/case/case_template.h"
-#include "core/case/errors.h"
 #include "core/case/kinds.h"
-#include "core/case/units.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>

@@ -1,5 +1,5 @@
 #include "core/case/kinds.h"
-#include "core/numerics/require.h"
+#include "core/base/require.h"
 #include <algorithm>
 #include <type_traits>
 

@@ -1,6 +1,6 @@
 #include "core/case/monitoring.h"
+#include "core/base/units.h"
 #include "core/case/stand_reader.h"
-#include "core/case/units.h"
 #include <filesystem>
 #include <fmt/format.h>
 

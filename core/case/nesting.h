@@ -1,5 +1,5 @@
 #pragma once
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <optional>
 #include <string>
 

@@ -1,6 +1,6 @@
+#include "core/base/units.h"
 #include "core/case/stand_reader.h"
 #include "core/case/stand_rows.h"
-#include "core/case/units.h"
 #include "core/model/case.h"
 #include <cmath>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "core/case/quantity_slips.h"
-#include "core/case/units.h"
+#include "core/base/units.h"
 #include <algorithm>
 #include <cctype>
 #include <cmath>

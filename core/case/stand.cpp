@@ -1,8 +1,8 @@
+#include "core/base/require.h"
 #include "core/case/case_template.h"
 #include "core/case/kinds.h"
 #include "core/case/mend_names.h"
 #include "core/case/stand_reader.h"
-#include "core/numerics/require.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
+#include "core/base/units.h"
 #include "core/case/chain_curves.h"
 #include "core/case/kinds.h"
 #include "core/case/stand_reader.h"
-#include "core/case/units.h"
 #include "core/model/four_high.h"
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
+#include "core/base/units.h"
 #include "core/case/stand_reader.h"
-#include "core/case/units.h"
 #include <fmt/format.h>
 
 namespace mill {

@@ -4,7 +4,7 @@
 
 // What the laws of a strip ask of a number, for double and for a complex step; for numbers that carry derivatives
 // it stands in core/numerics/derivative.h.  The files of this folder need no more than the standard library and
-// include each other without a folder: they travel in exported units as they are (fmu/runtime).
+// include each other without a folder: they travel in exported units as they are (dynamics/fmu/runtime).
 namespace mill::bite {
 /// Value without its derivatives.
 inline double value_of(const double x)

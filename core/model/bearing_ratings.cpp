@@ -1,5 +1,5 @@
 #include "core/model/bearing_ratings.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <algorithm>
 #include <cmath>
 

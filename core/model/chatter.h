@@ -1,10 +1,10 @@
 #pragma once
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/model/advice.h"
 #include "core/model/lumped.h"
+#include "core/model/lumped_model.h"
 #include "core/model/material.h"
 #include "core/model/strip.h"
-#include "core/records/lumped_model.h"
 #include <array>
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/model/bite_setup.h"
 #include "core/model/given.h"
 #include "core/model/material.h"

@@ -1,6 +1,6 @@
 #pragma once
-#include "core/case/errors.h"
-#include "core/records/parameter.h"
+#include "core/base/errors.h"
+#include "core/base/parameter.h"
 #include <map>
 #include <string>
 

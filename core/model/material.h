@@ -1,5 +1,5 @@
 #pragma once
-#include "core/records/each_member.h"
+#include "core/base/each_member.h"
 #include <limits>
 
 namespace mill {

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/model/material.h"
-#include "core/records/mesh_file.h"
+#include "core/model/mesh_file.h"
 #include <Eigen/Core>
 #include <vector>
 

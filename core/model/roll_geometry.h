@@ -1,6 +1,6 @@
 #pragma once
+#include "core/base/each_member.h"
 #include "core/model/material.h"
-#include "core/records/each_member.h"
 #include <cmath>
 
 // The shape of a roll: the solid that is meshed, and its sections across the axis for the formulas of beams and

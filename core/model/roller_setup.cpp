@@ -1,5 +1,5 @@
 #include "core/model/roller_setup.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <algorithm>
 #include <cmath>
 

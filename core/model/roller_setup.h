@@ -1,6 +1,6 @@
 #pragma once
 #include "core/model/material.h"
-#include "core/records/mesh_file.h"
+#include "core/model/mesh_file.h"
 
 namespace mill {
 /// One roller between a convex and a concave raceway, and how finely the three are meshed.  What is left at zero

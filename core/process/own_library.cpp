@@ -1,5 +1,5 @@
 #include "core/process/own_library.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <cerrno>
 #include <cstring>
 #include <dlfcn.h>

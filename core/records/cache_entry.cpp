@@ -1,5 +1,5 @@
 #include "core/records/cache_entry.h"
-#include "core/records/files.h"
+#include "core/base/files.h"
 #include <cerrno>
 #include <cstdint>
 #include <cstring>

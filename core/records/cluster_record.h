@@ -1,6 +1,6 @@
 #pragma once
+#include "core/base/each_member.h"
 #include "core/model/material.h"
-#include "core/records/each_member.h"
 #include <Eigen/Core>
 #include <string>
 #include <vector>

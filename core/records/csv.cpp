@@ -1,7 +1,7 @@
 #include "core/records/csv.h"
-#include "core/case/errors.h"
-#include "core/records/csv_sheet.h"
-#include "core/records/files.h"
+#include "core/base/csv_sheet.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include <algorithm>
 #include <charconv>
 #include <cmath>

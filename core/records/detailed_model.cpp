@@ -1,7 +1,7 @@
 #include "core/records/detailed_model.h"
-#include "core/case/errors.h"
-#include "core/records/csv_sheet.h"
-#include "core/records/files.h"
+#include "core/base/csv_sheet.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/records/matrix_market.h"
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "core/records/force_blocks.h"
-#include "core/case/errors.h"
-#include "core/records/csv_sheet.h"
+#include "core/base/csv_sheet.h"
+#include "core/base/errors.h"
 #include <algorithm>
 #include <cerrno>
 #include <cstring>

@@ -1,5 +1,5 @@
 #include "core/records/json_archive.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 #include "core/records/mat_file.h"
-#include "core/numerics/require.h"
+#include "core/base/require.h"
 #include <cctype>
 #include <cstdint>
 #include <cstring>

@@ -1,6 +1,6 @@
 #include "core/records/matrix_market.h"
-#include "core/case/errors.h"
-#include "core/records/files.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 #include "core/records/record_text.h"
-#include "core/records/files.h"
+#include "core/base/files.h"
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "core/records/result_folder.h"
-#include "core/case/errors.h"
-#include "core/records/files.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>

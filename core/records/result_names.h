@@ -1,6 +1,6 @@
 #pragma once
+#include "core/base/parameter.h"
 #include "core/records/csv.h"
-#include "core/records/parameter.h"
 #include <array>
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
 #include "dynamics/bearing/dynamics.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/bearing/motion.h"
 #include "dynamics/response/mill_model.h"
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "dynamics/bearing/motion.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <algorithm>
 #include <cmath>
 #include <cvode/cvode.h>

@@ -1,7 +1,7 @@
 #include "dynamics/chatter/chatter.h"
-#include "bite/slab/bland_ford.h"
-#include "core/case/errors.h"
-#include "core/numerics/require.h"
+#include "core/base/errors.h"
+#include "core/base/require.h"
+#include "reduce/bite/slab/bland_ford.h"
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
-#include "bite/linear/linear_coefficients.h"
 #include "dynamics/chatter/stand_structure.h"
+#include "reduce/bite/linear/linear_coefficients.h"
 #include <Eigen/Core>
 
 // The bite, the stand and the strip between the stands as one linear system.  theory.md 25

@@ -1,5 +1,5 @@
 #include "dynamics/chatter/equations.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "dynamics/chatter/history.h"
-#include "core/case/errors.h"
-#include "core/numerics/require.h"
+#include "core/base/errors.h"
+#include "core/base/require.h"
 #include "dynamics/response/matrix_exponential.h"
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

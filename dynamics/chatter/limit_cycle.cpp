@@ -1,4 +1,4 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/chatter/run.h"
 #include <algorithm>
 #include <cmath>

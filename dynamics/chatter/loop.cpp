@@ -1,5 +1,5 @@
 #include "dynamics/chatter/loop.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "dynamics/chatter/map.h"
-#include "bite/slab/bland_ford.h"
-#include "bite/slab/flattening.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/process/parallel.h"
+#include "reduce/bite/slab/bland_ford.h"
+#include "reduce/bite/slab/flattening.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "dynamics/chatter/modes.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>

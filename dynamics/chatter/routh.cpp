@@ -1,5 +1,5 @@
 #include "dynamics/chatter/routh.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <Eigen/LU>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "dynamics/chatter/run.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/chatter/equations.h"
 #include "dynamics/chatter/run_solver.h"
 #include <algorithm>

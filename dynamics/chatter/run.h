@@ -1,6 +1,6 @@
 #pragma once
-#include "bite/linear/unsteady_bite.h"
 #include "dynamics/chatter/history.h"
+#include "reduce/bite/linear/unsteady_bite.h"
 #include <string>
 #include <vector>
 

@@ -1,5 +1,5 @@
 #include "dynamics/chatter/run_solver.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <algorithm>
 #include <cmath>
 #include <cvode/cvode.h>

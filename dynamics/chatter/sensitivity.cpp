@@ -1,5 +1,5 @@
 #include "dynamics/chatter/sensitivity.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/process/parallel.h"
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 #pragma once
-#include "bite/linear/linear_sensitivity.h"
 #include "core/model/dynamics_settings.h"
 #include "core/records/chatter_record.h"
 #include "dynamics/chatter/speed.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modal_model.h"
+#include "reduce/bite/linear/linear_sensitivity.h"
 #include <array>
 #include <functional>
 #include <string>

@@ -1,5 +1,5 @@
 #include "dynamics/chatter/speed.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

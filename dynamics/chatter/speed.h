@@ -1,6 +1,6 @@
 #pragma once
-#include "bite/linear/linear_coefficients.h"
 #include "dynamics/chatter/chatter.h"
+#include "reduce/bite/linear/linear_coefficients.h"
 #include <Eigen/Core>
 #include <complex>
 #include <functional>

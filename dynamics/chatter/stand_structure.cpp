@@ -1,5 +1,5 @@
 #include "dynamics/chatter/stand_structure.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <cmath>
 #include <fmt/format.h>
 

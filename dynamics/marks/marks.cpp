@@ -1,5 +1,5 @@
 #include "dynamics/marks/marks.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <algorithm>
 #include <cmath>
 

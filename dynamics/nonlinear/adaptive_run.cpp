@@ -1,5 +1,5 @@
 #include "dynamics/nonlinear/adaptive_run.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <algorithm>
 #include <arkode/arkode_erkstep.h>
 #include <cmath>

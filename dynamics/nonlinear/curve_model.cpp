@@ -1,5 +1,5 @@
 #include "dynamics/nonlinear/curve_model.h"
-#include "core/numerics/require.h"
+#include "core/base/require.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "dynamics/nonlinear/curve_response.h"
-#include "core/case/errors.h"
-#include "core/numerics/require.h"
+#include "core/base/errors.h"
+#include "core/base/require.h"
 #include "dynamics/response/time_walk.h"
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "dynamics/nonlinear/mode_study.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/nonlinear/harmonic_balance.h"
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "dynamics/response/accelerance.h"
-#include "core/case/errors.h"
-#include "core/numerics/require.h"
+#include "core/base/errors.h"
+#include "core/base/require.h"
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>

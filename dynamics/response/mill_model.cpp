@@ -1,6 +1,6 @@
 #include "dynamics/response/mill_model.h"
-#include "core/case/errors.h"
-#include "core/numerics/require.h"
+#include "core/base/errors.h"
+#include "core/base/require.h"
 #include "dynamics/response/modes.h"
 #include <Eigen/Cholesky>
 #include <cmath>

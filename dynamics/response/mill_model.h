@@ -1,7 +1,7 @@
 #pragma once
 #include "core/model/dynamics_settings.h"
+#include "core/model/lumped_model.h"
 #include "core/model/material.h"
-#include "core/records/lumped_model.h"
 #include <Eigen/Core>
 #include <array>
 #include <string>

@@ -1,5 +1,5 @@
 #include "dynamics/response/modes.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/response/state_space.h"
 #include <Eigen/Eigenvalues>
 #include <algorithm>

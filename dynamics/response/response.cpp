@@ -1,6 +1,6 @@
 #include "dynamics/response/response.h"
-#include "core/case/errors.h"
-#include "core/numerics/short_number.h"
+#include "core/base/errors.h"
+#include "core/base/short_number.h"
 #include <algorithm>
 #include <cmath>
 #include <utility>

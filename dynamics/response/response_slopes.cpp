@@ -1,5 +1,5 @@
 #include "dynamics/response/response_slopes.h"
-#include "core/numerics/require.h"
+#include "core/base/require.h"
 #include "dynamics/response/modes.h"
 #include <cmath>
 #include <complex>

@@ -1,5 +1,5 @@
 #include "dynamics/response/rolling_force.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/response/spectrum.h"
 #include <cmath>
 #include <complex>

@@ -1,5 +1,5 @@
 #include "dynamics/response/running_spectrum.h"
-#include "core/numerics/require.h"
+#include "core/base/require.h"
 #include <algorithm>
 #include <cmath>
 #include <complex>

@@ -1,5 +1,5 @@
 #include "dynamics/response/time_integration.h"
-#include "core/numerics/require.h"
+#include "core/base/require.h"
 #include "dynamics/response/hold_stepper.h"
 #include "dynamics/response/matrix_exponential.h"
 #include "dynamics/response/time_walk.h"

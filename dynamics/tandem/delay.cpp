@@ -1,5 +1,5 @@
 #include "dynamics/tandem/delay.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/chatter/chatter.h"
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

@@ -1,7 +1,7 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/chatter/chatter.h"
-#include "dynamics/tandem/delay.h"
 #include "dynamics/response/matrix_exponential.h"
+#include "dynamics/tandem/delay.h"
 #include <array>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "dynamics/tandem/tandem.h"
-#include "bite/slab/bland_ford.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "reduce/bite/slab/bland_ford.h"
 #include <Eigen/LU>
 #include <cmath>
 #include <sstream>

@@ -1,7 +1,7 @@
 #pragma once
-#include "bearing/ring_flexibility.h"
 #include "core/model/ring_sections.h"
 #include "fem/body/elastic_body.h"
+#include "reduce/bearing/ring_flexibility.h"
 #include <Eigen/Core>
 #include <functional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
-#include "bearing/ring_flexibility.h"
 #include "core/model/ring_sections.h"
 #include "core/process/progress.h"
+#include "reduce/bearing/ring_flexibility.h"
 #include <string>
 #include <vector>
 

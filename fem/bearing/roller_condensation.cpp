@@ -1,4 +1,4 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "fem/bearing/roller_contact.h"
 #include "fem/body/elastic_body.h"
 #include "fem/body/free_unknowns.h"

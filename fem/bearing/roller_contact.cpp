@@ -1,6 +1,6 @@
 #include "fem/bearing/roller_contact.h"
-#include "contact/active_set.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "fem/contact/active_set.h"
 #include <Eigen/Dense>
 #include <cmath>
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
-#include "contact/problem.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/model/roller_setup.h"
 #include "core/process/progress.h"
+#include "fem/contact/problem.h"
 #include "fem/roll/condensed_roll.h"
 #include <Eigen/Core>
 #include <functional>

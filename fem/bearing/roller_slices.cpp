@@ -1,5 +1,5 @@
 #include "fem/bearing/roller_slices.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <cmath>
 
 namespace mill::fem {

@@ -1,6 +1,6 @@
 #pragma once
-#include "bearing/roller_law.h"
 #include "fem/bearing/roller_contact.h"
+#include "reduce/bearing/roller_law.h"
 #include <functional>
 
 namespace mill::fem {

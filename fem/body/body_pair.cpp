@@ -1,5 +1,5 @@
 #include "fem/body/body_pair.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <Eigen/Geometry>
 
 namespace mill::fem {

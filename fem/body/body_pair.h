@@ -1,8 +1,8 @@
 #pragma once
-#include "contact/friction.h"
-#include "contact/mortar.h"
-#include "contact/problem.h"
 #include "fem/body/condensed_surface.h"
+#include "fem/contact/friction.h"
+#include "fem/contact/mortar.h"
+#include "fem/contact/problem.h"
 #include <Eigen/Core>
 #include <functional>
 #include <vector>

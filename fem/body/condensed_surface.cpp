@@ -1,7 +1,7 @@
 #include "fem/body/condensed_surface.h"
-#include "contact/mortar.h"
-#include "contact/segments.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "fem/contact/mortar.h"
+#include "fem/contact/segments.h"
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>

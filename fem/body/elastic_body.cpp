@@ -1,5 +1,5 @@
 #include "fem/body/elastic_body.h"
-#include "core/records/files.h"
+#include "core/base/files.h"
 #include <algorithm>
 #include <limits>
 

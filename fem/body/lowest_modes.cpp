@@ -1,5 +1,5 @@
 #include "fem/body/lowest_modes.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <Spectra/SymGEigsShiftSolver.h>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 #include "fem/body/on_mesh.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <atomic>
 #include <fstream>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
+#include "core/model/mesh_file.h"
 #include "core/model/surface.h"
 #include "core/numerics/sparse.h"
-#include "core/records/mesh_file.h"
 #include <Eigen/Core>
 #include <functional>
 #include <map>

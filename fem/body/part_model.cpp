@@ -1,5 +1,5 @@
 #include "fem/body/part_model.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "fem/body/free_unknowns.h"
 #include <Eigen/LU>
 #include <Eigen/SVD>

@@ -1,5 +1,5 @@
 #include "fem/body/section_body.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <stdexcept>
 
 namespace mill::fem {

@@ -1,5 +1,5 @@
 #include "fem/housing/housing.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/numerics/mesh_pair.h"
 #include "fem/body/held_stiffness.h"
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "fem/roll/condensed_roll.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/process/memory.h"
 #include "core/process/parallel.h"
 #include "fem/body/free_unknowns.h"

@@ -1,6 +1,6 @@
 #pragma once
+#include "core/model/mesh_file.h"
 #include "core/process/progress.h"
-#include "core/records/mesh_file.h"
 #include "fem/body/elastic_body.h"
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 #include "fem/roll/contact_study.h"
-#include "contact/active_set.h"
-#include "contact/mortar.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "fem/contact/active_set.h"
+#include "fem/contact/mortar.h"
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -1,8 +1,8 @@
 #pragma once
-#include "contact/problem.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/process/progress.h"
 #include "core/records/records.h"
+#include "fem/contact/problem.h"
 #include "fem/roll/held_roll.h"
 #include <Eigen/SparseCore>
 #include <functional>
@@ -57,7 +57,7 @@ ContactPair make_pair(const std::string &name, const CondensedRoll &first, const
 
 /// The same for rolls shifted along each other: the middle of the second roll lies at `shift` (m) in the frame of
 /// the first.  Both are whole; the axial grids need not match and are coupled by multipliers on the stations of
-/// the first (contact/mortar.h).  Moments count about mid-length of the first roll.
+/// the first (fem/contact/mortar.h).  Moments count about mid-length of the first roll.
 /// @param drop   m, sum of the two profiles' drops, at z in the frame of the first roll
 ContactPair make_pair(const std::string &name, const CondensedRoll &first, const HeldRoll &first_held,
                       const CondensedRoll &second, const HeldRoll &second_held,

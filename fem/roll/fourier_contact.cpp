@@ -1,6 +1,6 @@
 #include "fem/roll/fourier_contact.h"
-#include "core/case/errors.h"
-#include "fem/body/fourier_series.h"
+#include "core/base/errors.h"
+#include "fem/roll/fourier_series.h"
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "fem/roll/fourier_roll.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/numerics/gauss.h"
 #include <algorithm>
 #include <cmath>

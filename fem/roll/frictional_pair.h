@@ -1,5 +1,5 @@
 #pragma once
-#include "contact/friction.h"
+#include "fem/contact/friction.h"
 #include "fem/roll/contact_study.h"
 
 namespace mill::fem {

@@ -1,5 +1,5 @@
 #include "fem/strip/bite_roll.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/numerics/gauss.h"
 #include "fem/body/free_unknowns.h"
 #include "fem/body/section_body.h"

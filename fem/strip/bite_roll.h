@@ -1,7 +1,7 @@
 #pragma once
-#include "bite/bite.h"
 #include "core/model/material.h"
-#include "core/records/mesh_file.h"
+#include "core/model/mesh_file.h"
+#include "reduce/bite/bite.h"
 #include <Eigen/Core>
 
 namespace mill::fem {

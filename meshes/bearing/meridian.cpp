@@ -1,5 +1,5 @@
 #include "meshes/bearing/meridian.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "meshes/common/mesher.h"
 #include "meshes/common/write_mesh.h"
 #include "meshes/roll/roll.h"

@@ -1,5 +1,5 @@
 #include "meshes/bearing/raceway.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "meshes/common/structured.h"
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/records/mesh_file.h"
+#include "core/model/mesh_file.h"
 #include <string>
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "meshes/bearing/roller.h"
-#include "core/case/errors.h"
-#include "meshes/common/block.h"
+#include "core/base/errors.h"
 #include "meshes/bearing/raceway.h"
+#include "meshes/common/block.h"
 #include "meshes/roll/roll.h"
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "meshes/common/cells.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "meshes/common/mesher.h"
 #include <Eigen/Core>
 #include <Eigen/Geometry>

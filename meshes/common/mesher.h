@@ -1,6 +1,6 @@
 #pragma once
 #include "core/model/roll_geometry.h"
-#include "meshes/roll/section.h"
+#include "meshes/common/section.h"
 #include <map>
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "meshes/common/write_mesh.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/process/parallel.h"
-#include "core/records/files.h"
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

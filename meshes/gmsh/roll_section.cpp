@@ -1,6 +1,6 @@
 #include "meshes/gmsh/roll_section.h"
+#include "meshes/common/series.h"
 #include "meshes/gmsh/section_core.h"
-#include "meshes/roll/series.h"
 #include <array>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "meshes/roll/section.h"
+#include "meshes/common/section.h"
 #include <vector>
 
 namespace mill::meshes {

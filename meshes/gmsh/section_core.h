@@ -1,9 +1,9 @@
 #pragma once
+#include "meshes/common/section.h"
 #include "meshes/gmsh/section_sketch.h"
-#include "meshes/roll/section.h"
 
 namespace mill::meshes {
-/// The core circle of a section (meshes/roll/section.h) as the rim meets it, with the mesh inside it.
+/// The core circle of a section (meshes/common/section.h) as the rim meets it, with the mesh inside it.
 struct CoreCircle {
   TaggedPoint centre, top, corner, side;  ///< corner: on the circle between top (x = 0) and side (y = 0)
   double corner_angle = 45;               ///< degrees, of the corner from the top

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/model/housing.h"
-#include "core/records/mesh_file.h"
+#include "core/model/mesh_file.h"
 #include <string>
 
 namespace mill::meshes {

@@ -1,5 +1,5 @@
 #include "meshes/roll/bite_roll.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "meshes/common/block.h"
 #include "meshes/common/cells.h"
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
-#include "core/records/mesh_file.h"
-#include "meshes/roll/section.h"
+#include "core/model/mesh_file.h"
+#include "meshes/common/section.h"
 #include <string>
 #include <vector>
 

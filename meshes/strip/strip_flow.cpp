@@ -1,5 +1,5 @@
 #include "meshes/strip/strip_flow.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 #include "reduce/chain/chain_keys.h"
-#include "core/records/provenance.h"
+#include "core/case/provenance.h"
 #include "reduce/chain/screwdown.h"
 #include <cmath>
 #include <utility>

@@ -1,5 +1,5 @@
 #include "reduce/chain/contact_stiffness.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>

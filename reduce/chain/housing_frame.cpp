@@ -1,5 +1,5 @@
 #include "reduce/chain/housing_frame.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/numerics/gauss.h"
 #include "reduce/chain/quoted_mm.h"
 #include <Eigen/Dense>

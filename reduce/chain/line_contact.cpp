@@ -1,5 +1,5 @@
 #include "reduce/chain/line_contact.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 #include "reduce/chain/mill_modulus.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/numerics/gauss.h"
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/numerics/short_number.h"
+#include "core/base/short_number.h"
 
 namespace mill::reduce {
 /// A length as a case file gives it, "120 mm" with its quotes.

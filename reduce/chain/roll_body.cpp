@@ -1,7 +1,7 @@
 #include "reduce/chain/roll_body.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "core/base/short_number.h"
 #include "core/numerics/gauss.h"
-#include "core/numerics/short_number.h"
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "reduce/chain/roll_shapes.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "reduce/chain/roll_body.h"
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "reduce/chain/screwdown.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "reduce/chain/quoted_mm.h"
 #include <algorithm>
 #include <cmath>

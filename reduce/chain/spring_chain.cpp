@@ -1,6 +1,6 @@
 #include "reduce/chain/spring_chain.h"
+#include "core/base/short_number.h"
 #include "core/case/stand_rows.h"
-#include "core/numerics/short_number.h"
 #include <cmath>
 #include <utility>
 #include <vector>

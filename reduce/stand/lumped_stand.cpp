@@ -1,6 +1,6 @@
 #include "reduce/stand/lumped_stand.h"
+#include "core/case/provenance.h"
 #include "core/numerics/mesh_pair.h"
-#include "core/records/provenance.h"
 #include "core/records/result_names.h"
 #include "reduce/chain/beam_shapes.h"
 #include "reduce/chain/chain_keys.h"

@@ -1,7 +1,7 @@
 #pragma once
 #include "core/model/four_high.h"
+#include "core/model/lumped_model.h"
 #include "core/records/component.h"
-#include "core/records/lumped_model.h"
 #include "reduce/chain/roll_shapes.h"
 #include "reduce/chain/spring_chain.h"
 #include <Eigen/Core>

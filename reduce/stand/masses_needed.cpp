@@ -1,5 +1,5 @@
 #include "reduce/stand/masses_needed.h"
-#include "core/numerics/short_number.h"
+#include "core/base/short_number.h"
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "reduce/stand/six_masses.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "reduce/stand/stand_assembly.h"
 #include "reduce/stand/stand_modes.h"
 #include <Eigen/Dense>

@@ -1,6 +1,6 @@
 #pragma once
+#include "core/model/lumped_model.h"
 #include "core/model/material.h"
-#include "core/records/lumped_model.h"
 #include "core/records/stand_model.h"
 #include <array>
 #include <string>

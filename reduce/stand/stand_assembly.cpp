@@ -1,5 +1,5 @@
 #include "reduce/stand/stand_assembly.h"
-#include "core/numerics/short_number.h"
+#include "core/base/short_number.h"
 #include <algorithm>
 #include <cmath>
 #include <map>

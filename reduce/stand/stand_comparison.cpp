@@ -1,6 +1,6 @@
 #include "reduce/stand/stand_comparison.h"
-#include "core/case/errors.h"
-#include "core/numerics/short_number.h"
+#include "core/base/errors.h"
+#include "core/base/short_number.h"
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "reduce/stand/stand_modes.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/numerics/mesh_pair.h"
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "report/page/names.h"
+#include "report/results/names.h"
 #include <algorithm>
 
 // The results of a run of kind "bearing" in the order in which one asks for them.

@@ -2,10 +2,10 @@
 #include "report/bearing/figures.h"
 #include "report/contact/pressure_map.h"
 #include "report/page/curves.h"
-#include "report/page/names.h"
-#include "report/page/number.h"
 #include "report/page/sections.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
+#include "report/results/names.h"
 #include <algorithm>
 
 namespace mill::report {

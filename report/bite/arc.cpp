@@ -1,7 +1,7 @@
-#include "core/records/files.h"
+#include "core/base/files.h"
 #include "report/bite/figures.h"
 #include "report/page/curves.h"
-#include "report/page/names.h"
+#include "report/results/names.h"
 #include <algorithm>
 #include <cctype>
 #include <cmath>

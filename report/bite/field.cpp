@@ -1,6 +1,6 @@
 #include "report/bite/figures.h"
 #include "report/page/curves.h"
-#include "report/page/number.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include "report/plot/ticks.h"
 #include <algorithm>

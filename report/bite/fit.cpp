@@ -1,8 +1,8 @@
 #include "report/bite/figures.h"
 #include "report/page/curves.h"
-#include "report/page/names.h"
-#include "report/page/number.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
+#include "report/results/names.h"
 #include <algorithm>
 #include <cmath>
 

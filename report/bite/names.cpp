@@ -1,4 +1,4 @@
-#include "report/page/names.h"
+#include "report/results/names.h"
 #include "report/page/curves.h"
 #include <algorithm>
 

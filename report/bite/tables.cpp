@@ -1,8 +1,8 @@
-#include "report/page/tables.h"
+#include "report/results/tables.h"
 #include "report/bite/figures.h"
 #include "report/page/cells.h"
 #include "report/page/curves.h"
-#include "report/page/number.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include <algorithm>
 #include <cmath>

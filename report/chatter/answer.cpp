@@ -1,5 +1,5 @@
 #include "report/chatter/figures.h"
-#include "report/page/number.h"
+#include "report/plot/number.h"
 #include <algorithm>
 #include <cctype>
 #include <cmath>

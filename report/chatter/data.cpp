@@ -1,6 +1,6 @@
 #include "report/chatter/data.h"
-#include "core/case/errors.h"
-#include "core/records/files.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/records/json_archive.h"
 #include "core/records/result_names.h"
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "report/chatter/figures.h"
 #include "report/page/curves.h"
-#include "report/page/number.h"
 #include "report/page/sections.h"
 #include "report/plot/envelope.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include "report/plot/svg_plot.h"
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "report/chatter/figures.h"
 #include "report/page/curves.h"
-#include "report/page/number.h"
 #include "report/plot/heat_map.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include "report/plot/ticks.h"
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "report/chatter/figures.h"
-#include "report/page/number.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include "report/plot/ticks.h"
 #include <algorithm>

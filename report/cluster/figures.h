@@ -1,6 +1,5 @@
 #pragma once
 #include "core/records/cluster_record.h"
-#include "report/page/names.h"
 #include "report/page/run.h"
 #include <optional>
 #include <string>
@@ -27,11 +26,6 @@ std::string share_table(const ClusterPassRecord &pass);
 std::string stability_table(const ClusterRecord &record);
 std::string cluster_history_table(const ClusterRecord &record);
 std::string cluster_fit_table(const ClusterRecord &record);
-
-/// What one asks for first: force, named frequencies and limits of every pass, what was fitted.
-std::vector<Group> cluster_groups(const Run &run);
-/// Meaning of "cluster.pass 1.W-I.tangent"; empty: another name.
-std::string cluster_meaning(const std::string &name);
 
 /// The section; nothing when the run is none of a stack.
 class Page;

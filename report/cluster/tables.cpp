@@ -1,6 +1,6 @@
 #include "report/cluster/figures.h"
 #include "report/page/cells.h"
-#include "report/page/number.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
-#include "core/records/files.h"
+#include "core/base/files.h"
 #include "report/compare/comparison.h"
+#include "report/front/html.h"
 #include "report/page/curves.h"
-#include "report/page/html.h"
-#include "report/page/names.h"
-#include "report/page/number.h"
 #include "report/page/page.h"
-#include "report/page/tables.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include "report/plot/svg_plot.h"
+#include "report/results/names.h"
+#include "report/results/tables.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "report/contact/curves.h"
 #include "report/page/curves.h"
-#include "report/page/number.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 #include "report/contact/curves.h"
 #include "report/contact/pressure_map.h"
 #include "report/page/curves.h"
-#include "report/page/names.h"
-#include "report/page/number.h"
 #include "report/page/sections.h"
+#include "report/plot/number.h"
 #include "report/plot/svg_plot.h"
+#include "report/results/names.h"
 #include <algorithm>
 #include <array>
 #include <cmath>

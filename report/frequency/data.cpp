@@ -1,6 +1,6 @@
 #include "report/frequency/data.h"
-#include "core/case/errors.h"
-#include "core/records/files.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/records/json_archive.h"
 #include <algorithm>
 #include <filesystem>

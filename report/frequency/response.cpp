@@ -1,6 +1,6 @@
 #include "report/frequency/figures.h"
 #include "report/page/curves.h"
-#include "report/page/number.h"
+#include "report/plot/number.h"
 #include "report/plot/svg_plot.h"
 #include <algorithm>
 #include <cmath>

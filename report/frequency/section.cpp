@@ -1,11 +1,11 @@
 #include "core/records/result_names.h"
 #include "report/frequency/figures.h"
 #include "report/page/curves.h"
-#include "report/page/number.h"
 #include "report/page/page.h"
 #include "report/page/sections.h"
-#include "report/page/tables.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
+#include "report/results/tables.h"
 #include <algorithm>
 #include <cmath>
 

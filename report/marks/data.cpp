@@ -1,5 +1,5 @@
-#include "core/case/errors.h"
-#include "core/records/files.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/records/json_archive.h"
 #include "report/marks/figures.h"
 #include <algorithm>

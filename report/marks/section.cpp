@@ -1,8 +1,8 @@
 #include "core/records/result_names.h"
 #include "report/marks/figures.h"
-#include "report/page/number.h"
 #include "report/page/page.h"
 #include "report/page/sections.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 
 namespace mill::report {

@@ -1,7 +1,8 @@
 #include "report/models/figures.h"
 #include "report/modes/animation.h"
-#include "report/page/number.h"
+#include "report/modes/model_data.h"
 #include "report/page/sections.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "report/modes/animation.h"
 #include "report/modes/drawing.h"
-#include "report/page/number.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #pragma once
-#include "report/models/data.h"
+#include "report/modes/model_data.h"
 #include <map>
 #include <string>
 

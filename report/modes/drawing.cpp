@@ -1,5 +1,5 @@
 #include "report/modes/drawing.h"
-#include "report/page/mode_sizes.h"
+#include "report/modes/mode_sizes.h"
 #include <algorithm>
 #include <cmath>
 #include <set>

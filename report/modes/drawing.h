@@ -1,5 +1,5 @@
 #pragma once
-#include "report/models/data.h"
+#include "report/modes/model_data.h"
 #include "report/plot/svg.h"
 #include <Eigen/Core>
 #include <map>

@@ -1,7 +1,7 @@
-#include "report/modes/names.h"
+#include "report/modes/named_modes.h"
 #include "report/page/curves.h"
-#include "report/page/number.h"
 #include "report/page/sections.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include <algorithm>
 #include <cmath>

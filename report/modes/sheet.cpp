@@ -1,5 +1,5 @@
 #include "report/modes/animation.h"
-#include "report/page/number.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include <algorithm>
 #include <array>

@@ -2,12 +2,12 @@
 #include "report/nonlinear/data.h"
 #include "report/page/cells.h"
 #include "report/page/curves.h"
-#include "report/page/number.h"
 #include "report/page/page.h"
 #include "report/page/sections.h"
-#include "report/page/tables.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include "report/plot/svg_plot.h"
+#include "report/results/tables.h"
 #include <algorithm>
 #include <cmath>
 

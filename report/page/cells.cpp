@@ -1,5 +1,5 @@
 #include "report/page/cells.h"
-#include "report/page/number.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include <cmath>
 

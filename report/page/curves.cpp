@@ -1,6 +1,6 @@
 #include "report/page/curves.h"
-#include "report/page/number.h"
 #include "report/page/page.h"
+#include "report/plot/number.h"
 #include <algorithm>
 #include <cctype>
 #include <charconv>

@@ -1,6 +1,4 @@
 #pragma once
-#include "report/chatter/data.h"
-#include "report/models/data.h"
 #include "report/page/page.h"
 #include "report/page/run.h"
 #include <string>
@@ -8,6 +6,9 @@
 // The sections of the page, each in a file of its name.  A section whose data the kind of run cannot have is left
 // out; one that could be there but is not stored says so.
 namespace mill::report {
+struct ChatterData;
+struct ModelData;
+
 /// What is seen before scrolling: verdict, numbers, stand to scale, at most five facts to know.
 std::string first_screen(const Run &run);
 /// Which model the frequencies come from, short table.

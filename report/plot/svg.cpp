@@ -1,6 +1,6 @@
 #include "report/plot/svg.h"
 #include "core/records/xml_text.h"
-#include "report/page/number.h"
+#include "report/plot/number.h"
 #include <cstring>
 
 namespace mill::report {

@@ -1,6 +1,6 @@
 #include "report/plot/svg_plot.h"
-#include "report/page/number.h"
 #include "report/plot/envelope.h"
+#include "report/plot/number.h"
 #include "report/plot/plot_layout.h"
 #include "report/plot/svg.h"
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "report/plot/ticks.h"
-#include "report/page/number.h"
+#include "report/plot/number.h"
 #include <algorithm>
 #include <cmath>
 

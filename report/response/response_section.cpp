@@ -1,9 +1,9 @@
 #include "report/page/curves.h"
-#include "report/page/names.h"
-#include "report/page/number.h"
 #include "report/page/sections.h"
-#include "report/page/tables.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
+#include "report/results/names.h"
+#include "report/results/tables.h"
 #include <algorithm>
 #include <cmath>
 

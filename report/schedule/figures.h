@@ -20,6 +20,4 @@ std::string hardening_table(const ScheduleData &data);  ///< one law for all pas
 std::string dynamic_table(const ScheduleData &data);    ///< dynamic force by one constant
 std::string theory_table(const ScheduleData &data);     ///< the fitted stress by every theory
 std::string force_drawing(const ScheduleData &data);    ///< bars of every pass
-/// Meaning of "cluster.pass 1.flow_stress" after the name of the pass; empty: another quantity.
-std::string schedule_meaning(const std::string &quantity);
 }  // namespace mill::report

@@ -1,6 +1,6 @@
-#include "report/page/number.h"
 #include "report/page/page.h"
 #include "report/page/sections.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include "report/schedule/figures.h"
 #include <cmath>

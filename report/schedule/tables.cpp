@@ -1,4 +1,4 @@
-#include "report/page/number.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include "report/plot/svg_plot.h"
 #include "report/schedule/figures.h"

@@ -1,6 +1,7 @@
+#include "report/modes/model_data.h"
 #include "report/page/cells.h"
-#include "report/page/number.h"
 #include "report/page/sections.h"
+#include "report/plot/number.h"
 #include "report/plot/plot_layout.h"
 #include "report/plot/svg.h"
 #include "report/plot/ticks.h"

@@ -1,6 +1,6 @@
 #include "report/page/curves.h"
-#include "report/page/number.h"
 #include "report/page/sections.h"
+#include "report/plot/number.h"
 #include "report/plot/plot_layout.h"
 #include "report/shapes/shape_sketch.h"
 #include <algorithm>

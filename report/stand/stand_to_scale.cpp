@@ -1,6 +1,6 @@
 // The stand as the case draws it: seen along the rolling direction, and along the rolls where a housing is drawn.
-#include "report/page/number.h"
 #include "report/page/sections.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
-#include "verify/manual.h"
+#include "tests/manual/groups.h"
+#include "tests/manual/manual.h"
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 #include "reduce/stand/beam_stand.h"
 #include "reduce/stand/stand_modes.h"
-#include "verify/stand/demo_drawing.h"
+#include "tests/manual/stand/demo_drawing.h"
 
 /// The demo stand as a model of beams, for tests of what is made from it.
 inline mill::FourHigh demo_drawing()

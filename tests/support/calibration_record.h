@@ -1,5 +1,5 @@
 #pragma once
-#include "core/records/lumped_model.h"
+#include "core/model/lumped_model.h"
 #include "dynamics/response/mill_model.h"
 #include "twin/calibration/fit.h"
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-#include "live/source/messages.h"
+#include "twin/live/queue/messages.h"
 #include <string>
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
-#include "contact/half_space.h"
-#include "contact/problem.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "fem/contact/half_space.h"
+#include "fem/contact/problem.h"
 #include <cmath>
 #include <random>
 

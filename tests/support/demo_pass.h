@@ -1,5 +1,5 @@
 #pragma once
-#include "bite/bite.h"
+#include "reduce/bite/bite.h"
 
 /// Pass of the demo stand between rigid rolls: 8 -> 5 mm, k 28 MPa, mu 0.2, 1 m wide, work roll 420 mm.
 inline mill::bite::RollBite demo_pass()

@@ -1,5 +1,5 @@
 #pragma once
-#include "bite/bite.h"
+#include "reduce/bite/bite.h"
 #include <cmath>
 #include <random>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "bite/bite.h"
+#include "reduce/bite/bite.h"
 
 /// Fourth stand of a tandem mill with an oil film, 0.789 -> 0.577 mm at 18.2 m/s (X. Liu et al., J.
 /// Vibroengineering 19 (2017), condition 2).

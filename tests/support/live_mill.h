@@ -1,6 +1,6 @@
 #pragma once
-#include "live/page/event_text.h"
-#include "live/page/page_command.h"
+#include "twin/live/page/event_text.h"
+#include "twin/live/page/page_command.h"
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-#include "live/engine/engine.h"
+#include "twin/live/engine/engine.h"
 #include <Eigen/Core>
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/model/dynamics_settings.h"
-#include "core/records/lumped_model.h"
+#include "core/model/lumped_model.h"
 #include "core/records/records.h"
 #include <string>
 

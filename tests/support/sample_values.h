@@ -1,5 +1,5 @@
 #pragma once
-#include "core/records/operating_point.h"
+#include "core/base/operating_point.h"
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/records/files.h"
+#include "core/base/files.h"
 #include "tests/support/program.h"
 #include <gtest/gtest.h>
 #include <regex>

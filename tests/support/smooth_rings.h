@@ -1,5 +1,5 @@
 #pragma once
-#include "bearing/ring_flexibility.h"
+#include "reduce/bearing/ring_flexibility.h"
 #include <cmath>
 
 /// Flexibility of rings by a smooth rule, symmetric and positive definite; `scale` m/N is that of one roller

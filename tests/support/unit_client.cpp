@@ -1,9 +1,9 @@
 #include "tests/support/unit_client.h"
-#include "core/numerics/require.h"
+#include "core/base/require.h"
+#include "dynamics/fmu/model_text.h"
+#include "dynamics/fmu/runtime/variables.h"
+#include "dynamics/fmu/unit_archive.h"
 #include "dynamics/response/modes.h"
-#include "fmu/model_text.h"
-#include "fmu/runtime/variables.h"
-#include "fmu/unit_archive.h"
 #include "tests/support/published_stand.h"
 #include <cmath>
 

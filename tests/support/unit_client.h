@@ -1,9 +1,9 @@
 #pragma once
+#include "dynamics/fmu/exported_model.h"
+#include "dynamics/fmu/runtime/fmi2_interface.h"
+#include "dynamics/fmu/runtime/fmi3_interface.h"
+#include "dynamics/fmu/unpacked_unit.h"
 #include "dynamics/response/mill_model.h"
-#include "fmu/exported_model.h"
-#include "fmu/runtime/fmi2_interface.h"
-#include "fmu/runtime/fmi3_interface.h"
-#include "fmu/unpacked_unit.h"
 #include <memory>
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-#include "cluster/equilibrium.h"
-#include "cluster/modes.h"
+#include "dynamics/cluster/equilibrium.h"
+#include "dynamics/cluster/modes.h"
 #include <cmath>
 
 /// The compact cluster mill of tests/reference/cluster.json: work roll W, intermediate I, external E, control

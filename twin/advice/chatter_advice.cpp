@@ -1,6 +1,6 @@
 #include "twin/advice/chatter_advice.h"
-#include "core/case/errors.h"
-#include "core/numerics/require.h"
+#include "core/base/errors.h"
+#include "core/base/require.h"
 #include "core/process/parallel.h"
 #include "twin/advice/process_action.h"
 #include "twin/chatter/critical_slopes.h"

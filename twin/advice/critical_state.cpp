@@ -1,5 +1,5 @@
 #include "twin/advice/critical_state.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 
 namespace mill::twin {
 CriticalState critical_state(const dynamics::ChatterStandModel &stand, const bite::RollBite &bite,

@@ -1,5 +1,5 @@
 #include "twin/advice/force_band.h"
-#include "core/numerics/require.h"
+#include "core/base/require.h"
 #include "twin/spectra/welch.h"
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "twin/advice/joined_stand.h"
-#include "core/case/errors.h"
-#include "core/numerics/require.h"
+#include "core/base/errors.h"
+#include "core/base/require.h"
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>

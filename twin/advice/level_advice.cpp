@@ -1,5 +1,5 @@
-#include "core/case/errors.h"
-#include "core/numerics/require.h"
+#include "core/base/errors.h"
+#include "core/base/require.h"
 #include "twin/advice/advice.h"
 #include <algorithm>
 #include <cmath>

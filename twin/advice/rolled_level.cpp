@@ -1,5 +1,5 @@
 #include "twin/advice/rolled_level.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/chatter/loop.h"
 #include <array>
 #include <cmath>

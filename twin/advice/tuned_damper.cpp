@@ -1,5 +1,5 @@
 #include "twin/advice/tuned_damper.h"
-#include "core/numerics/require.h"
+#include "core/base/require.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>

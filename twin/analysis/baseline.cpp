@@ -1,6 +1,6 @@
 #include "twin/analysis/baseline.h"
-#include "core/case/errors.h"
-#include "core/records/files.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include <nlohmann/json.hpp>
 
 namespace mill::twin {

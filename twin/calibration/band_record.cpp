@@ -1,5 +1,5 @@
 #include "twin/calibration/band_record.h"
-#include "core/numerics/require.h"
+#include "core/base/require.h"
 #include <algorithm>
 #include <cmath>
 

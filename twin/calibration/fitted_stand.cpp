@@ -1,6 +1,6 @@
 #include "twin/calibration/fitted_stand.h"
-#include "core/case/errors.h"
-#include "core/numerics/require.h"
+#include "core/base/errors.h"
+#include "core/base/require.h"
 #include "dynamics/response/response_slopes.h"
 #include <cmath>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 #include "twin/calibration/output_only.h"
-#include "core/numerics/require.h"
+#include "core/base/require.h"
 #include "core/process/parallel.h"
 #include "twin/calibration/elimination.h"
 #include "twin/calibration/modal_columns.h"

@@ -1,5 +1,5 @@
 #include "twin/calibration/reduced_stand.h"
-#include "core/numerics/require.h"
+#include "core/base/require.h"
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>

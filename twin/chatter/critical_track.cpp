@@ -1,5 +1,5 @@
 #include "twin/chatter/critical_track.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "twin/chatter/critical_slopes.h"
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "twin/cleaning/spline.h"
-#include "core/numerics/require.h"
+#include "core/base/require.h"
 #include <algorithm>
 #include <vector>
 

@@ -1,5 +1,5 @@
 #include "twin/drift/recalibration.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "twin/calibration/calibration_parts.h"
 #include <Eigen/Cholesky>
 #include <algorithm>

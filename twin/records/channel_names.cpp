@@ -1,5 +1,5 @@
 #include "twin/records/channel_names.h"
-#include "core/case/units.h"
+#include "core/base/units.h"
 #include <algorithm>
 #include <array>
 #include <cctype>

@@ -1,5 +1,5 @@
 #include "twin/records/line_source.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include <cerrno>
 #include <cstring>
 #include <filesystem>

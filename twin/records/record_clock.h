@@ -1,5 +1,5 @@
 #pragma once
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "twin/records/raw_record.h"
 #include "twin/records/time_zone.h"
 #include <optional>

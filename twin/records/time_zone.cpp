@@ -1,6 +1,6 @@
 #include "twin/records/time_zone.h"
-#include "core/case/errors.h"
-#include "core/records/files.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>

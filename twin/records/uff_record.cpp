@@ -1,4 +1,4 @@
-#include "core/records/files.h"
+#include "core/base/files.h"
 #include "twin/records/binary_numbers.h"
 #include "twin/records/channel_names.h"
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "app/twin/advice/critical_speed_advice.h"
 #include "app/chatter/chatter_question.h"
-#include "app/twin/chatter_model.h"
+#include "app/twin/stand/chatter_model.h"
 #include "core/model/case.h"
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "app/twin/advice/measured_levels.h"
-#include "core/case/errors.h"
-#include "core/case/units.h"
+#include "core/base/errors.h"
+#include "core/base/units.h"
 #include "twin/cleaning/clean_record.h"
 #include "twin/spectra/fourier.h"
 #include "twin/spectra/welch.h"

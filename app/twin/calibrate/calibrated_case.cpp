@@ -1,5 +1,5 @@
 #include "app/twin/calibrate/calibrated_case.h"
-#include "app/twin/case_chain.h"
+#include "app/twin/stand/case_chain.h"
 #include "core/case/fields.h"
 #include "core/model/case.h"
 #include "twin/calibration/words.h"

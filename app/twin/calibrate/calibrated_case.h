@@ -1,7 +1,7 @@
 #pragma once
 #include "app/twin/calibrate/record_set.h"
 #include "core/model/dynamics_settings.h"
-#include "core/records/lumped_model.h"
+#include "core/model/lumped_model.h"
 #include "core/records/stand_model.h"
 #include "twin/calibration/calibration.h"
 #include <limits>

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/command_line.h"
+#include "app/command/command_line.h"
 #include "app/twin/calibrate/calibrated_case.h"
 #include <map>
 #include <string>

@@ -1,5 +1,5 @@
 #include "app/twin/calibrate/plan_text.h"
-#include "app/twin/record_options.h"
+#include "app/twin/stand/record_options.h"
 #include "core/case/fields.h"
 #include "twin/calibration/words.h"
 #include <algorithm>

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/twin/calibrate/calibrate_options.h"
+#include "app/command/calibrate_options.h"
 #include "app/twin/calibrate/calibrated_case.h"
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #include "app/twin/live/console_lines.h"
-#include "core/case/visible_text.h"
+#include "core/base/visible_text.h"
 #include "dynamics/response/mill_model.h"
 #include <algorithm>
 #include <cmath>

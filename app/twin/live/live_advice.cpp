@@ -1,5 +1,5 @@
 #include "app/twin/live/live_advice.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "twin/advice/advice.h"
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
-#include "live/engine/twin_model.h"
-#include "live/page/event_text.h"
+#include "twin/live/engine/twin_model.h"
+#include "twin/live/page/event_text.h"
 
 namespace mill {
 /// What would lower the level of a place in the twin as it now stands, by the chain alone: springs, dampers

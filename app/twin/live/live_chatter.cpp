@@ -1,7 +1,7 @@
 #include "app/twin/live/live_chatter.h"
 #include "app/chatter/chatter_question.h"
-#include "app/twin/chatter_model.h"
-#include "core/case/errors.h"
+#include "app/twin/stand/chatter_model.h"
+#include "core/base/errors.h"
 #include "core/model/case.h"
 #include "dynamics/chatter/chatter.h"
 #include <fmt/format.h>

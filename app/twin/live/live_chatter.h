@@ -1,7 +1,7 @@
 #pragma once
-#include "live/compare/chatter_watch.h"
-#include "live/compare/onset_monitor.h"
-#include "live/engine/twin_model.h"
+#include "twin/live/compare/chatter_watch.h"
+#include "twin/live/compare/onset_monitor.h"
+#include "twin/live/engine/twin_model.h"
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "app/twin/live/live_input.h"
-#include "core/case/errors.h"
-#include "core/case/units.h"
-#include "core/case/visible_text.h"
+#include "core/base/errors.h"
+#include "core/base/units.h"
+#include "core/base/visible_text.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>

@@ -1,6 +1,6 @@
 #pragma once
-#include "live/compare/comparison.h"
-#include "live/engine/engine.h"
+#include "twin/live/compare/comparison.h"
+#include "twin/live/engine/engine.h"
 #include <optional>
 #include <string>
 #include <vector>

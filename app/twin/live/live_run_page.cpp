@@ -1,11 +1,11 @@
-#include "app/console.h"
-#include "app/run_setup.h"
+#include "app/process/console.h"
+#include "app/run/run_setup.h"
 #include "app/twin/live/live_advice.h"
 #include "app/twin/live/live_metrics.h"
 #include "app/twin/live/live_run.h"
 #include "app/twin/live/live_stand.h"
-#include "core/case/errors.h"
-#include "core/case/visible_text.h"
+#include "core/base/errors.h"
+#include "core/base/visible_text.h"
 #include "core/model/case.h"
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "app/twin/live/live_run.h"
-#include "core/case/visible_text.h"
-#include "live/state/stored_alarms.h"
-#include "live/state/stored_object.h"
+#include "core/base/visible_text.h"
+#include "twin/live/compare/stored_alarms.h"
+#include "twin/live/compare/stored_object.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "app/twin/live/live_sources.h"
-#include "core/case/errors.h"
-#include "live/source/file_sources.h"
+#include "core/base/errors.h"
+#include "twin/live/source/file_sources.h"
 #include <filesystem>
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 #pragma once
+#include "app/command/live_options.h"
 #include "app/twin/live/live_input.h"
-#include "app/twin/live/live_options.h"
-#include "live/queue/sample_queue.h"
-#include "live/source/data_port.h"
-#include "live/source/mqtt_source.h"
-#include "live/source/source_thread.h"
+#include "twin/live/queue/sample_queue.h"
+#include "twin/live/source/data_port.h"
+#include "twin/live/source/mqtt_source.h"
+#include "twin/live/source/source_thread.h"
 #include <memory>
 #include <string>
 

@@ -1,8 +1,9 @@
 #include "app/twin/live/live_stand.h"
-#include "app/run_setup.h"
-#include "app/twin/case_chain.h"
+#include "app/process/version.h"
+#include "app/run/run_setup.h"
+#include "app/twin/stand/case_chain.h"
+#include "core/base/files.h"
 #include "core/model/case.h"
-#include "core/records/files.h"
 #include "dynamics/response/modes.h"
 #include <cmath>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
-#include "live/engine/twin_model.h"
-#include "live/page/event_text.h"
 #include "twin/drift/mode_watch.h"
+#include "twin/live/engine/twin_model.h"
+#include "twin/live/page/event_text.h"
 
 namespace mill {
 struct Case;

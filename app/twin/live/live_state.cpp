@@ -1,8 +1,8 @@
 #include "app/twin/live/live_state.h"
-#include "core/case/errors.h"
-#include "core/records/files.h"
-#include "live/recording/npy_header.h"
-#include "live/recording/recorder.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
+#include "twin/live/recording/npy_header.h"
+#include "twin/live/recording/recorder.h"
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>

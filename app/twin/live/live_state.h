@@ -1,6 +1,6 @@
 #pragma once
-#include "live/engine/engine.h"
-#include "live/recording/background.h"
+#include "twin/live/engine/engine.h"
+#include "twin/live/recording/background.h"
 #include <functional>
 #include <map>
 #include <nlohmann/json_fwd.hpp>

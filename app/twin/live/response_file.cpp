@@ -1,6 +1,6 @@
 #include "app/twin/live/response_file.h"
-#include "core/case/errors.h"
-#include "core/case/units.h"
+#include "core/base/errors.h"
+#include "core/base/units.h"
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "fem/strip/common/strip_results.h"
-#include "bite/slab/sentence.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "reduce/bite/sentence.h"
 #include <cmath>
 
 namespace mill::fem {

@@ -1,6 +1,6 @@
 #pragma once
-#include "bite/bite.h"
 #include "core/records/strip_lines.h"
+#include "reduce/bite/bite.h"
 #include <Eigen/Core>
 #include <string>
 #include <vector>

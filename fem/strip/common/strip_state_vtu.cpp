@@ -1,4 +1,4 @@
-#include "core/records/files.h"
+#include "core/base/files.h"
 #include "fem/strip/common/strip_state.h"
 #include <sstream>
 

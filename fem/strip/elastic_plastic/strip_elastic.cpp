@@ -1,10 +1,10 @@
 #include "fem/strip/elastic_plastic/strip_elastic.h"
-#include "bite/slab/karman.h"
-#include "bite/slab/sentence.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "fem/strip/elastic_plastic/strip_elastic_equations.h"
 #include "fem/strip/elastic_plastic/strip_elastic_newton.h"
 #include "fem/strip/elastic_plastic/strip_elastic_results.h"
+#include "reduce/bite/sentence.h"
+#include "reduce/bite/slab/karman.h"
 #include <chrono>
 #include <cmath>
 

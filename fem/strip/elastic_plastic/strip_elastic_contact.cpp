@@ -1,8 +1,8 @@
-#include "bite/arc/half_plane.h"
-#include "bite/slab/sentence.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/laws/friction_law.h"
 #include "fem/strip/elastic_plastic/strip_elastic_equations.h"
+#include "reduce/bite/arc/half_plane.h"
+#include "reduce/bite/sentence.h"
 #include <cmath>
 
 // Where roll and strip meet, the ends of the strip, and what the pass is given.

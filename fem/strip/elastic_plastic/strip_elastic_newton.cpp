@@ -1,6 +1,6 @@
 #include "fem/strip/elastic_plastic/strip_elastic_newton.h"
-#include "bite/slab/sentence.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "reduce/bite/sentence.h"
 #include <cmath>
 
 namespace mill::fem {

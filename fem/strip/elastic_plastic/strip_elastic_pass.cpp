@@ -1,9 +1,9 @@
-#include "bite/slab/sentence.h"
-#include "bite/slab/slab_checks.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/laws/friction_law.h"
 #include "fem/strip/common/strip_results.h"
 #include "fem/strip/elastic_plastic/strip_elastic_equations.h"
+#include "reduce/bite/sentence.h"
+#include "reduce/bite/slab/slab_checks.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,9 +1,9 @@
 #include "fem/strip/elastic_plastic/strip_elastic_results.h"
-#include "bite/slab/neutral_point.h"
-#include "bite/slab/sentence.h"
 #include "core/laws/friction_law.h"
 #include "fem/strip/common/strip_results.h"
 #include "fem/strip/common/unsymmetric_factor.h"
+#include "reduce/bite/sentence.h"
+#include "reduce/bite/slab/neutral_point.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "fem/strip/rigid_plastic/strip_flow.h"
-#include "core/case/errors.h"
-#include "core/numerics/short_number.h"
+#include "core/base/errors.h"
+#include "core/base/short_number.h"
 #include "fem/strip/common/unsymmetric_factor.h"
 #include "fem/strip/rigid_plastic/strip_flow_equations.h"
 #include "fem/strip/rigid_plastic/strip_flow_results.h"

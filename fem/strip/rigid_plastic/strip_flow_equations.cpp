@@ -1,9 +1,9 @@
 #include "fem/strip/rigid_plastic/strip_flow_equations.h"
-#include "bite/slab/karman.h"
-#include "bite/slab/skidding.h"
-#include "bite/slab/slab_checks.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "fem/strip/common/strip_results.h"
+#include "reduce/bite/slab/karman.h"
+#include "reduce/bite/slab/skidding.h"
+#include "reduce/bite/slab/slab_checks.h"
 #include <cmath>
 #include <optional>
 

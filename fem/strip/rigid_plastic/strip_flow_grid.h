@@ -1,7 +1,7 @@
 #pragma once
-#include "bite/bite.h"
 #include "fem/strip/common/strip_nodes.h"
 #include "fem/strip/rigid_plastic/strip_flow.h"
+#include "reduce/bite/bite.h"
 #include <array>
 #include <vector>
 

@@ -1,9 +1,9 @@
 #include "fem/strip/rigid_plastic/strip_flow_results.h"
-#include "bite/slab/flattening.h"
-#include "bite/slab/neutral_point.h"
-#include "bite/slab/sentence.h"
 #include "core/laws/friction_law.h"
 #include "fem/strip/common/strip_results.h"
+#include "reduce/bite/sentence.h"
+#include "reduce/bite/slab/flattening.h"
+#include "reduce/bite/slab/neutral_point.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "report/twin/analysis/mode_figures.h"
-#include "report/page/html.h"
-#include "report/page/number.h"
+#include "report/front/html.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include "report/plot/svg_plot.h"
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "report/twin/analysis/written_document.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "report/plot/svg.h"
 #include <algorithm>
 #include <cmath>

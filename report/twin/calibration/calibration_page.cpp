@@ -1,11 +1,11 @@
 #include "report/twin/calibration/calibration_page.h"
-#include "core/records/files.h"
-#include "report/twin/calibration/figures.h"
-#include "report/page/html.h"
-#include "report/page/number.h"
+#include "core/base/files.h"
+#include "report/front/html.h"
 #include "report/page/page.h"
+#include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include "report/twin/analysis/written_document.h"
+#include "report/twin/calibration/figures.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "cluster/contact_law.h"
+#include "dynamics/cluster/contact_law.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include "tests/support/z_mill.h"

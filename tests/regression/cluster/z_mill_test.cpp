@@ -1,5 +1,5 @@
-#include "cluster/response.h"
-#include "cluster/stability.h"
+#include "dynamics/cluster/response.h"
+#include "dynamics/cluster/stability.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include "tests/support/z_mill.h"
@@ -34,8 +34,8 @@ Eigen::VectorXd list(const Reference &values)
 
 void expect_state(const ZMill &z, const std::string &entry, const double tolerance)
 {
-  Stack stack              = stack_of(z);
-  const Equilibrium e      = settle(stack);
+  Stack stack         = stack_of(z);
+  const Equilibrium e = settle(stack);
   const Reference ref = reference(entry, "cluster");
   EXPECT_TRUE(near(frequencies_of(modes(stack, e.u)), list(ref["frequencies"]),
                    within(tolerance, "eigenvalues of one model")))

@@ -1,8 +1,8 @@
 // Broken cases, word for word: tests/broken/NAME.toml must be refused with exactly the text of NAME.txt, every
 // problem of the file in one go and sorted by place.  The texts were read and accepted line by line when they were
 // written; whoever changes one says in the change note why the new one helps the user more.
+#include "core/base/files.h"
 #include "core/model/case.h"
-#include "core/records/files.h"
 #include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>

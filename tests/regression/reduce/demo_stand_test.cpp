@@ -1,7 +1,7 @@
 // The demo stand as the reference file describes it.  Its masses and frame springs were tuned to published values,
 // so agreement with those proves nothing; what is tested is that the same drawing gives the same numbers as the
 // independent program behind the reference.
-#include "bearing/rigid_rings.h"
+#include "reduce/bearing/rigid_rings.h"
 #include "reduce/chain/beam_shapes.h"
 #include "reduce/chain/line_contact.h"
 #include "reduce/stand/lumped_stand.h"

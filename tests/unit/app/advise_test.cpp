@@ -1,9 +1,9 @@
 // millstand advise as one calls it: a folder with ranked actions and a page, and what is wrong word for word.
+#include "app/command/command_line.h"
+#include "app/twin/advice/advise_command.h"
 #include "app/twin/advice/critical_speed_advice.h"
-#include "app/twin/advise_command.h"
-#include "app/command_line.h"
+#include "core/base/files.h"
 #include "core/model/case.h"
-#include "core/records/files.h"
 #include "tests/support/program.h"
 #include "tests/support/refusal.h"
 #include "tests/support/synthetic_record.h"

@@ -1,5 +1,5 @@
 // millstand analyse as one calls it: a folder with findings and a page, and what is wrong word for word.
-#include "core/records/files.h"
+#include "core/base/files.h"
 #include "tests/support/program.h"
 #include <cmath>
 #include <filesystem>

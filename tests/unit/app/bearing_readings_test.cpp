@@ -1,4 +1,4 @@
-#include "app/stages/bearing_readings.h"
+#include "app/stages/bearing/bearing_readings.h"
 #include "core/model/case.h"
 #include <filesystem>
 #include <gtest/gtest.h>

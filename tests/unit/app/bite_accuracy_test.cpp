@@ -1,6 +1,6 @@
 // What the results of the bite say of their accuracy: from two meshes and from what stands beside, never borrowed.
-#include "app/stages/bite_accuracy.h"
-#include "app/stages/bite_results.h"
+#include "app/stages/bite/bite_accuracy.h"
+#include "app/stages/bite/bite_results.h"
 #include "tests/support/demo_pass.h"
 #include "tests/support/near.h"
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "app/case_kinds.h"
+#include "app/run/run_kind.h"
+#include "core/base/files.h"
 #include "core/case/input_reference.h"
 #include "core/case/kinds.h"
-#include "core/records/files.h"
 #include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/stages/contact_store.h"
+#include "app/stages/contact/contact_store.h"
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // PL-2: what moves the thickness, with the exact derivatives of a slab theory, against the coupled solution.
-#include "bite/slab/slab_bite.h"
+#include "reduce/bite/slab/slab_bite.h"
 #include "reduce/chain/line_contact.h"
 #include "reduce/chain/mill_modulus.h"
 #include "tests/support/demo_pass.h"

@@ -2,13 +2,13 @@
 // with.
 #include "app/twin/live/live_chatter.h"
 #include "app/twin/live/live_stand.h"
+#include "core/base/files.h"
 #include "core/model/case.h"
-#include "core/records/files.h"
 #include "dynamics/chatter/stand_structure.h"
-#include "live/compare/comparison.h"
-#include "live/compare/proposals.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
+#include "twin/live/compare/comparison.h"
+#include "twin/live/compare/proposals.h"
 #include <cmath>
 
 using namespace mill;

@@ -1,7 +1,7 @@
 #include "app/twin/live/live_command.h"
 #include "core/model/case.h"
-#include "live/recording/npy_header.h"
 #include "tests/support/program.h"
+#include "twin/live/recording/npy_header.h"
 #include "twin/records/raw_record.h"
 #include <algorithm>
 #include <chrono>

@@ -1,8 +1,8 @@
-#include "app/stages/result_inputs.h"
+#include "app/run/result_inputs.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/trace.h"
+#include "core/case/provenance.h"
 #include "core/model/case.h"
-#include "core/records/provenance.h"
 #include <gtest/gtest.h>
 
 // A run and a trace read the same lists: what a run writes as inputs of a spring are those of the closed-form

@@ -1,5 +1,5 @@
 // The gain of the error between two meshes of the rolls goes by the meshes that were made.
-#include "app/stages/stand_components.h"
+#include "app/stages/stand/stand_components.h"
 #include "fem/roll/roll_component.h"
 #include "tests/support/near.h"
 #include <cmath>

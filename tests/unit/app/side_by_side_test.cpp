@@ -1,5 +1,5 @@
-#include "app/run_context.h"
-#include "app/stages/kept_part.h"
+#include "app/run/kept_part.h"
+#include "app/run/run_context.h"
 #include "core/model/case.h"
 #include <atomic>
 #include <filesystem>

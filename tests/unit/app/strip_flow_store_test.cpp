@@ -1,4 +1,4 @@
-#include "app/stages/strip_flow_store.h"
+#include "app/stages/bite/strip_flow_store.h"
 #include <gtest/gtest.h>
 
 using namespace mill;

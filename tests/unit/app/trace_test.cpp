@@ -1,8 +1,8 @@
 #include "app/trace/trace_text.h"
-#include "core/case/units.h"
+#include "core/base/files.h"
+#include "core/base/units.h"
 #include "core/model/case.h"
-#include "core/records/files.h"
-#include "core/records/lumped_model.h"
+#include "core/model/lumped_model.h"
 #include "reduce/chain/equivalent_mass.h"
 #include "tests/support/near.h"
 #include "tests/support/refusal.h"
@@ -234,7 +234,7 @@ TEST(Trace, WordForWord)
             "Elasticities are differences between 1287 mm .. 1313 mm.\n"
             "Closed forms that stand in for finite elements:\n"
             "  contact.line.half_width, contact.line.peak_pressure, contact.line.approach, contact.line.secant, "
-            "contact.line.tangent: Hertz and Johnson, contact/line_bodies (3.2) to (3.5b), for contact finite "
+            "contact.line.tangent: Hertz and Johnson, fem/contact/line_bodies (3.2) to (3.5b), for contact finite "
             "elements, fem/roll/contact_study\n"
             "No run is stored to compare with.\n");
   EXPECT_EQ(trace_text(t, false).find("Elasticities"), std::string::npos);

@@ -1,5 +1,5 @@
-#include "bearing/geometry.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "reduce/bearing/geometry.h"
 #include "tests/support/demo_bearing.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"

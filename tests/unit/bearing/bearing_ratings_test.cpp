@@ -1,6 +1,6 @@
-#include "bearing/clearance.h"
-#include "bearing/ratings.h"
-#include "bearing/roller_set.h"
+#include "reduce/bearing/clearance.h"
+#include "reduce/bearing/ratings.h"
+#include "reduce/bearing/roller_set.h"
 #include "tests/support/demo_bearing.h"
 #include "tests/support/near.h"
 #include <cmath>

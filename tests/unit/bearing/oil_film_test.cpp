@@ -1,9 +1,9 @@
-#include "bearing/oil_film/closed_forms.h"
-#include "bearing/oil_film/film_balance.h"
-#include "bearing/oil_film/oil_film_state.h"
-#include "bearing/oil_film/parabolic_film.h"
-#include "bearing/oil_film/viscosity.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "reduce/bearing/oil_film/closed_forms.h"
+#include "reduce/bearing/oil_film/film_balance.h"
+#include "reduce/bearing/oil_film/oil_film_state.h"
+#include "reduce/bearing/oil_film/parabolic_film.h"
+#include "reduce/bearing/oil_film/viscosity.h"
 #include "tests/support/near.h"
 #include <Eigen/LU>
 #include <chrono>

@@ -1,5 +1,5 @@
 // Pass frequencies of a bearing against the reference values and against rolling cones.
-#include "bearing/pass_frequencies.h"
+#include "reduce/bearing/pass_frequencies.h"
 #include "tests/support/near.h"
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // Life and static safety from rollers that are solved, beside what closed forms say of them.
-#include "bearing/rating_life.h"
-#include "bearing/ratings.h"
-#include "bearing/roller_set.h"
+#include "reduce/bearing/rating_life.h"
+#include "reduce/bearing/ratings.h"
+#include "reduce/bearing/roller_set.h"
 #include "tests/support/demo_bearing.h"
 #include "tests/support/near.h"
 #include <cmath>

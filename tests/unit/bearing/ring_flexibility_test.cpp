@@ -1,5 +1,5 @@
-#include "bearing/ring_flexibility.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "reduce/bearing/ring_flexibility.h"
 #include "tests/support/near.h"
 #include "tests/support/smooth_rings.h"
 #include <Eigen/Eigenvalues>

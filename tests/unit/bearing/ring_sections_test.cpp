@@ -1,7 +1,7 @@
-#include "bearing/chock_supports.h"
-#include "bearing/geometry.h"
-#include "bearing/ring_sections.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "reduce/bearing/chock_supports.h"
+#include "reduce/bearing/geometry.h"
+#include "reduce/bearing/ring_sections.h"
 #include "tests/support/demo_bearing.h"
 #include <cmath>
 #include <functional>

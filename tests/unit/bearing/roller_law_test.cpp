@@ -1,5 +1,5 @@
-#include "bearing/roller_law.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "reduce/bearing/roller_law.h"
 #include "tests/support/demo_bearing.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"

@@ -1,6 +1,6 @@
-#include "bearing/roller_law.h"
-#include "bearing/roller_profile.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "reduce/bearing/roller_law.h"
+#include "reduce/bearing/roller_profile.h"
 #include "tests/support/demo_bearing.h"
 #include "tests/support/near.h"
 #include <cmath>

@@ -1,7 +1,7 @@
 // Legal but extreme passes: every slab theory ends with a force or a sentence, within a bound on its steps.
-#include "bite/slab/karman_arc.h"
-#include "bite/slab/slab_bite.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "reduce/bite/slab/karman_arc.h"
+#include "reduce/bite/slab/slab_bite.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>

@@ -1,6 +1,6 @@
-#include "bite/fit/identify.h"
-#include "bite/slab/karman.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "reduce/bite/fit/identify.h"
+#include "reduce/bite/slab/karman.h"
 #include "tests/support/near.h"
 #include <cmath>
 #include <cstdlib>

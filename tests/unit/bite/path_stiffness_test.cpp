@@ -1,5 +1,5 @@
-#include "bite/slab/path_stiffness.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "reduce/bite/slab/path_stiffness.h"
 #include "tests/support/refusal.h"
 #include <functional>
 #include <gtest/gtest.h>

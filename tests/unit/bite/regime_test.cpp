@@ -1,7 +1,7 @@
-#include "bite/slab/karman.h"
-#include "bite/slab/regime.h"
-#include "bite/slab/skidding.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "reduce/bite/slab/karman.h"
+#include "reduce/bite/slab/regime.h"
+#include "reduce/bite/slab/skidding.h"
 #include <gtest/gtest.h>
 
 // Which solver serves a pass, and how far it is from skidding.

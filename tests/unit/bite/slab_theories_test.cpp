@@ -1,9 +1,9 @@
 // Friction laws, what the closed theories refuse and in which words, identities of the moving gap, maps of K4.
-#include "bite/linear/linear_coefficients.h"
-#include "bite/linear/stiffness_map.h"
-#include "bite/slab/flattening.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/laws/friction_law.h"
+#include "reduce/bite/linear/linear_coefficients.h"
+#include "reduce/bite/linear/stiffness_map.h"
+#include "reduce/bite/slab/flattening.h"
 #include "tests/support/demo_pass.h"
 #include "tests/support/film_pass.h"
 #include "tests/support/near.h"

@@ -1,8 +1,8 @@
-#include "cluster/fit.h"
-#include "cluster/stack_of_case.h"
+#include "core/base/files.h"
 #include "core/case/cluster_variants.h"
 #include "core/model/case.h"
-#include "core/records/files.h"
+#include "dynamics/cluster/fit.h"
+#include "dynamics/cluster/stack_of_case.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include <filesystem>

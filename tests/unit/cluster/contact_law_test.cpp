@@ -1,5 +1,5 @@
-#include "cluster/contact_law.h"
-#include "cluster/stack.h"
+#include "dynamics/cluster/contact_law.h"
+#include "dynamics/cluster/stack.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include <gtest/gtest.h>

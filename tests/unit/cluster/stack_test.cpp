@@ -1,6 +1,6 @@
-#include "cluster/stability.h"
-#include "cluster/stack.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "dynamics/cluster/stability.h"
+#include "dynamics/cluster/stack.h"
 #include "tests/support/near.h"
 #include "tests/support/z_mill.h"
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "contact/active_set.h"
-#include "contact/hertz.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "fem/contact/active_set.h"
+#include "fem/contact/hertz.h"
 #include "tests/support/contact_problems.h"
 #include "tests/support/near.h"
 #include <Eigen/Cholesky>

@@ -1,6 +1,6 @@
-#include "contact/continuation.h"
-#include "contact/set_by_continuation.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "fem/contact/continuation.h"
+#include "fem/contact/set_by_continuation.h"
 #include "tests/support/contact_problems.h"
 #include "tests/support/near.h"
 

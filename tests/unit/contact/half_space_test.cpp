@@ -1,8 +1,8 @@
-#include "contact/half_space.h"
-#include "contact/half_space_contact.h"
-#include "contact/hertz.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/numerics/gauss.h"
+#include "fem/contact/half_space.h"
+#include "fem/contact/half_space_contact.h"
+#include "fem/contact/hertz.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>

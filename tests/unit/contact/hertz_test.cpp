@@ -1,5 +1,5 @@
-#include "contact/hertz.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "fem/contact/hertz.h"
 #include <cmath>
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "contact/half_plane_contact.h"
-#include "contact/half_space.h"
-#include "contact/hertz.h"
-#include "contact/line_bodies.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "fem/contact/half_plane_contact.h"
+#include "fem/contact/half_space.h"
+#include "fem/contact/hertz.h"
+#include "fem/contact/line_bodies.h"
 #include "tests/support/near.h"
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Coupling of non-matching surface grids: what multipliers transmit, in the plane and in space.
-#include "contact/mortar.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "fem/contact/mortar.h"
 #include "tests/support/near.h"
 #include <Eigen/Geometry>
 #include <cmath>

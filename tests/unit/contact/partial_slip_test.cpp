@@ -1,6 +1,6 @@
-#include "contact/hertz.h"
-#include "contact/partial_slip.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "fem/contact/hertz.h"
+#include "fem/contact/partial_slip.h"
 #include "tests/support/near.h"
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/records/cache_entry.h"
-#include "core/records/files.h"
 #include "tests/support/obstacles.h"
 #include <atomic>
 #include <fcntl.h>

@@ -1,6 +1,6 @@
 // The tree behind a case file: places of keys and values, order, overrides, syntax errors with their remedies.
+#include "core/base/files.h"
 #include "core/case/case_file.h"
-#include "core/records/files.h"
 #include <filesystem>
 #include <gtest/gtest.h>
 

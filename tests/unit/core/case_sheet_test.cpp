@@ -1,9 +1,9 @@
 // A template filled from a sheet, and what of a template somebody has forgotten to replace.
+#include "core/base/files.h"
 #include "core/case/case_sheet.h"
 #include "core/case/case_template.h"
 #include "core/case/input_reference.h"
 #include "core/model/case.h"
-#include "core/records/files.h"
 #include "tests/support/refusal.h"
 #include <algorithm>
 #include <filesystem>

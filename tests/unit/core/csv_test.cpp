@@ -1,7 +1,7 @@
 // Recorded forces as they come from real recorders, and each way in which they are wrong.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/records/csv.h"
-#include "core/records/files.h"
 #include "tests/support/near.h"
 #include <filesystem>
 #include <fstream>

@@ -1,9 +1,9 @@
 // A stand of any number of unknowns on disk: what is written comes back, what does not fit is refused.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/case/input_reference.h"
 #include "core/model/case.h"
 #include "core/records/detailed_model.h"
-#include "core/records/files.h"
 #include "core/records/matrix_market.h"
 #include <cmath>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // What the user sees of a mistake: place, line, caret.
-#include "core/case/error_list.h"
-#include "core/records/files.h"
+#include "core/base/error_list.h"
+#include "core/base/files.h"
 #include <filesystem>
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // What a drawing hides, by rules; numbers by hand from the equations of theory 34.3.
+#include "core/base/files.h"
 #include "core/case/estimates.h"
 #include "core/model/case.h"
-#include "core/records/files.h"
 #include "tests/support/near.h"
 #include "tests/support/refusal.h"
 #include <cmath>

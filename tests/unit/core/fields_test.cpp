@@ -1,9 +1,9 @@
 // Rows: every kind of value, its range, its default and the way back to text; and a walk over all rows of the
 // product.
+#include "core/base/files.h"
+#include "core/base/units.h"
 #include "core/case/fields.h"
 #include "core/case/stand_rows.h"
-#include "core/case/units.h"
-#include "core/records/files.h"
 #include "tests/support/near.h"
 #include <cmath>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // Whole files: written at once or not at all, read back byte by byte.
-#include "core/case/errors.h"
-#include "core/records/files.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // A record read in blocks is the record read whole.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/records/csv.h"
 #include "core/records/force_blocks.h"
 #include <fstream>

@@ -1,9 +1,9 @@
 // What is given makes what lies behind it optional, and a message names what could be given instead.
+#include "core/base/files.h"
 #include "core/case/given_instead.h"
 #include "core/case/stand_rows.h"
 #include "core/model/case.h"
 #include "core/model/four_high.h"
-#include "core/records/files.h"
 #include "tests/support/given_stand.h"
 #include "tests/support/refusal.h"
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/records/chatter_record.h"
 #include "core/records/json_archive.h"
 #include "core/records/models_record.h"

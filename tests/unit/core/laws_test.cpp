@@ -1,4 +1,4 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/model/strip.h"
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // The lumped model on disk: a valid case that keeps every number with its source.
+#include "core/base/files.h"
 #include "core/case/given.h"
 #include "core/case/input_reference.h"
+#include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
-#include "core/records/files.h"
-#include "core/records/lumped_model.h"
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Matrix Market files: every bit comes back, and what is wrong is said with its line.
-#include "core/case/errors.h"
-#include "core/records/files.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/records/matrix_market.h"
 #include <filesystem>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // One typo, one error: what a mistyped name represents is read on and checked.
+#include "core/base/files.h"
 #include "core/case/input_reference.h"
 #include "core/model/case.h"
-#include "core/records/files.h"
 #include "tests/support/refusal.h"
 #include <filesystem>
 #include <gtest/gtest.h>

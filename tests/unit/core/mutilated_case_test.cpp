@@ -1,8 +1,8 @@
 // A mutilated case is read or refused and nothing else.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/case/input_reference.h"
 #include "core/model/case.h"
-#include "core/records/files.h"
 #include "tests/support/case_folder.h"
 #include <algorithm>
 #include <random>

@@ -1,4 +1,4 @@
-#include "core/records/operating_point.h"
+#include "core/base/operating_point.h"
 #include "tests/support/near.h"
 #include <gtest/gtest.h>
 

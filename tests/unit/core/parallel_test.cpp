@@ -1,4 +1,4 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/process/parallel.h"
 #include "core/process/stage_work.h"
 #include "tests/support/address_space.h"

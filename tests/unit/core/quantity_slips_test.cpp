@@ -1,7 +1,7 @@
 // Quantities as other drawings and sheets write them: refused with the line that is right.
+#include "core/base/files.h"
+#include "core/base/units.h"
 #include "core/case/quantity_slips.h"
-#include "core/case/units.h"
-#include "core/records/files.h"
 #include "tests/support/near.h"
 #include "tests/support/refusal.h"
 #include <filesystem>

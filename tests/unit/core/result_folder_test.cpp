@@ -1,6 +1,6 @@
 // A result folder holds one whole run, whenever the program that writes it stops.
-#include "core/case/errors.h"
-#include "core/records/files.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/records/result_folder.h"
 #include <cerrno>
 #include <csignal>

@@ -1,12 +1,12 @@
 // Whole cases: values arrive in SI, the echo reads back as the same case, templates and schema come from the same
 // rows.
+#include "core/base/files.h"
 #include "core/case/input_reference.h"
 #include "core/case/stand_rows.h"
 #include "core/model/bite_case.h"
 #include "core/model/case.h"
 #include "core/model/four_high.h"
 #include "core/model/lumped.h"
-#include "core/records/files.h"
 #include "tests/support/case_folder.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"

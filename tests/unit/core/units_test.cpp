@@ -1,5 +1,5 @@
 // Every row of the closed list of units against factors written down independently, and the way back to text.
-#include "core/case/units.h"
+#include "core/base/units.h"
 #include "tests/support/near.h"
 #include <cmath>
 #include <map>

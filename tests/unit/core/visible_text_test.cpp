@@ -1,6 +1,6 @@
 // Text from a file on its way to a terminal or a log.
-#include "core/case/errors.h"
-#include "core/case/visible_text.h"
+#include "core/base/errors.h"
+#include "core/base/visible_text.h"
 #include <gtest/gtest.h>
 
 using namespace mill;

@@ -1,5 +1,5 @@
 // Accelerance by modes and without them, and its band.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/response/accelerance.h"
 #include "dynamics/response/frequency_response.h"
 #include "dynamics/response/modes.h"

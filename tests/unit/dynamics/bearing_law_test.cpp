@@ -1,4 +1,4 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/bearing/law.h"
 #include "tests/support/near.h"
 #include <cmath>

@@ -1,7 +1,7 @@
 // Derivatives of the critical speed by every input: differences, similarity.
-#include "bite/slab/bland_ford.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/chatter/sensitivity.h"
+#include "reduce/bite/slab/bland_ford.h"
 #include "tests/support/difference.h"
 #include "tests/support/film_pass.h"
 #include "tests/support/near.h"

@@ -1,5 +1,5 @@
 // The stand as the bite feels it, the coupled matrix, and its modes.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/chatter/chatter.h"
 #include "dynamics/chatter/loop.h"
 #include "dynamics/chatter/modes.h"

@@ -1,5 +1,5 @@
 // The search for the critical speed on systems whose answer is known, and on stands with a bite.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/chatter/loop.h"
 #include "dynamics/chatter/modes.h"
 #include "dynamics/chatter/routh.h"

@@ -1,5 +1,5 @@
 // The six-mass chain: matrices, static state, what the meaning of the force changes.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/response/mill_model.h"
 #include "tests/support/near.h"
 #include "tests/support/published_stand.h"

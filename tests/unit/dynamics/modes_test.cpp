@@ -1,5 +1,5 @@
 // Modes of the published stand against the reference values, and what must hold for any chain.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/response/modes.h"
 #include "tests/support/near.h"
 #include "tests/support/published_stand.h"

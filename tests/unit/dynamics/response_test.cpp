@@ -1,5 +1,5 @@
 // Linearity, levels, comparison with a measured record, the table that is written.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/response/response.h"
 #include "dynamics/response/rolling_force.h"
 #include "tests/support/near.h"

@@ -1,5 +1,5 @@
 // Statistics of force records and the synthetic record.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/response/rolling_force.h"
 #include "dynamics/response/spectrum.h"
 #include "tests/support/near.h"

@@ -1,5 +1,5 @@
 // Routh's array against roots that are known, and against eigenvalues.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/chatter/chatter.h"
 #include "dynamics/chatter/routh.h"
 #include "tests/support/near.h"

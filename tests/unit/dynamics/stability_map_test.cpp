@@ -1,5 +1,5 @@
 // Stability maps: cells, boundary, empty cells with their reasons, threads.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/chatter/map.h"
 #include "tests/support/film_pass.h"
 #include "tests/support/near.h"

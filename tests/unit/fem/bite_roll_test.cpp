@@ -1,4 +1,4 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "fem/strip/bite_roll.h"
 #include "meshes/roll/bite_roll.h"
 #include "tests/support/near.h"

@@ -1,10 +1,10 @@
 // Structured blocks and rings, and the quarter disc in the plane: sizes, groups, measures.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "fem/body/elastic_body.h"
 #include "fem/body/section_body.h"
 #include "meshes/common/block.h"
+#include "tests/manual/solvers/ring_mesh.h"
 #include "tests/support/near.h"
-#include "verify/solvers/ring_mesh.h"
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>

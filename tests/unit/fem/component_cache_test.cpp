@@ -1,5 +1,5 @@
-#include "core/records/files.h"
-#include "fem/body/component_cache.h"
+#include "core/base/files.h"
+#include "fem/cache/component_cache.h"
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <random>

@@ -2,8 +2,8 @@
 // ground.
 #include "fem/body/component_modes.h"
 #include "fem/roll/roll_component.h"
-#include "verify/solvers/whole_stand.h"
 #include "meshes/roll/roll.h"
+#include "tests/manual/solvers/whole_stand.h"
 #include "tests/support/refusal.h"
 #include <Eigen/Eigenvalues>
 #include <filesystem>

@@ -1,13 +1,13 @@
 // A body reduced to one of its surfaces, and two of them as one contact problem.
-#include "contact/active_set.h"
-#include "contact/mortar.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "fem/body/body_pair.h"
 #include "fem/body/condensed_surface.h"
 #include "fem/body/elastic_body.h"
 #include "fem/body/section_body.h"
+#include "fem/contact/active_set.h"
+#include "fem/contact/mortar.h"
 #include "meshes/common/block.h"
-#include "verify/solvers/ring_mesh.h"
+#include "tests/manual/solvers/ring_mesh.h"
 #include "tests/support/near.h"
 #include <cmath>
 #include <filesystem>

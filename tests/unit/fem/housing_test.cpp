@@ -1,5 +1,5 @@
 // Mesh, statics and component of a mill housing: sizes, groups, what is refused.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "fem/housing/housing_component.h"
 #include "meshes/housing/housing.h"
 #include "tests/support/near.h"

@@ -1,7 +1,7 @@
-#include "core/case/errors.h"
-#include "verify/solvers/large_contact.h"
-#include "verify/solvers/plastic_solid.h"
+#include "core/base/errors.h"
 #include "meshes/common/block.h"
+#include "tests/manual/solvers/large_contact.h"
+#include "tests/manual/solvers/plastic_solid.h"
 #include "tests/support/near.h"
 #include <Eigen/Eigenvalues>
 #include <cmath>

@@ -1,6 +1,6 @@
 // millstand-fem.so as the program has it: opened and not linked.  What the other tests compute with the linked one
 // comes out of this one too, and errors pass through it.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "fem/body/on_mesh.h"
 #include "meshes/common/block.h"
 #include "meshes/common/mesher.h"

@@ -1,5 +1,5 @@
 // Piece of raceway: radii, thickness, groups; the three meshes of one roller share their patches.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "fem/body/elastic_body.h"
 #include "fem/body/section_body.h"
 #include "meshes/bearing/raceway.h"

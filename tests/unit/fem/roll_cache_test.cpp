@@ -1,6 +1,6 @@
-#include "core/records/files.h"
-#include "fem/body/component_cache.h"
-#include "fem/roll/roll_cache.h"
+#include "core/base/files.h"
+#include "fem/cache/component_cache.h"
+#include "fem/cache/roll_cache.h"
 #include "tests/support/obstacles.h"
 #include <filesystem>
 #include <gtest/gtest.h>

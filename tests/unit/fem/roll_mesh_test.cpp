@@ -1,5 +1,5 @@
-#include "core/case/errors.h"
-#include "core/records/files.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include "meshes/common/write_mesh.h"
 #include "tests/support/near.h"
 #include "tests/support/roll_pair.h"

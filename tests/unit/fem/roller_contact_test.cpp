@@ -1,9 +1,9 @@
 // One roller between its raceways on a coarse mesh: what must hold on any mesh, and what is refused.
-#include "bearing/roller_law.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "fem/bearing/roller_contact.h"
 #include "fem/bearing/roller_slices.h"
 #include "meshes/bearing/roller.h"
+#include "reduce/bearing/roller_law.h"
 #include "tests/support/near.h"
 #include <Eigen/Dense>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "fem/body/section_body.h"
 #include "tests/support/near.h"
 #include <Eigen/SparseCholesky>

@@ -1,11 +1,11 @@
-#include "bite/arc/half_plane.h"
-#include "bite/slab/karman.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/laws/friction_law.h"
-#include "core/records/files.h"
 #include "fem/strip/elastic_plastic/strip_elastic.h"
 #include "fem/strip/rigid_plastic/strip_flow.h"
 #include "meshes/strip/strip_flow.h"
+#include "reduce/bite/arc/half_plane.h"
+#include "reduce/bite/slab/karman.h"
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "bite/arc/half_plane.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "fem/strip/common/strip_material.h"
 #include "fem/strip/elastic_plastic/strip_elastic.h"
+#include "reduce/bite/arc/half_plane.h"
 #include "tests/support/near.h"
 #include <cmath>
 #include <gtest/gtest.h>

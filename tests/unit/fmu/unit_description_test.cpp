@@ -1,9 +1,9 @@
 // modelDescription.xml and the archive: the rules of both versions on the text that is written.
-#include "core/case/errors.h"
-#include "fmu/archive.h"
-#include "fmu/description.h"
-#include "fmu/model_text.h"
-#include "fmu/unit_archive.h"
+#include "core/base/errors.h"
+#include "dynamics/fmu/archive.h"
+#include "dynamics/fmu/description.h"
+#include "dynamics/fmu/model_text.h"
+#include "dynamics/fmu/unit_archive.h"
 #include "tests/support/unit_client.h"
 #include <algorithm>
 #include <gtest/gtest.h>

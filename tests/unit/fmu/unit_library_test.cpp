@@ -1,5 +1,5 @@
 // The library that travels in the archive: what it shows, what it needs, what its sources include.
-#include "fmu/embedded.h"
+#include "dynamics/fmu/embedded.h"
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -114,7 +114,7 @@ TEST(UnitLibrary, SourcesIncludeThemselvesAndTheStandardLibrary)
     // Those of the runtime, the steps of a stand on curves, the laws of the strip.
     const std::string source = MILLSTAND_SOURCE_DIR;
     std::string own;
-    for (const char *folder : {"/fmu/runtime/", "/dynamics/nonlinear/", "/core/laws/"})
+    for (const char *folder : {"/dynamics/fmu/runtime/", "/dynamics/nonlinear/", "/core/laws/"})
       if (std::filesystem::exists(source + folder + file.name))
         own += source + folder + file.name;
     EXPECT_EQ(text, [&] {

@@ -1,7 +1,7 @@
-#include "live/account_book.h"
-#include "live/source/line_session.h"
 #include "tests/support/live_samples.h"
 #include "tests/support/published_stand.h"
+#include "twin/live/account_book.h"
+#include "twin/live/source/line_session.h"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <random>

@@ -1,5 +1,5 @@
 // Rate and clocks of a source that sets its own pace, on a made clock.
-#include "live/source/arrival_watch.h"
+#include "twin/live/source/arrival_watch.h"
 #include <gtest/gtest.h>
 #include <vector>
 

@@ -1,10 +1,10 @@
 // Runs into chatter of the linear stand with its bite: announced before the limit in 20 of 20, none in a calm
 // hour.
 #include "dynamics/chatter/chatter.h"
-#include "live/compare/comparison.h"
 #include "tests/support/film_pass.h"
 #include "tests/support/near.h"
 #include "tests/support/synthetic_record.h"
+#include "twin/live/compare/comparison.h"
 #include <Eigen/LU>
 #include <cmath>
 #include <cstdio>

@@ -1,7 +1,7 @@
-#include "live/engine/engine.h"
-#include "live/source/csv_feed.h"
 #include "tests/support/came_messages.h"
 #include "tests/support/published_stand.h"
+#include "twin/live/engine/engine.h"
+#include "twin/live/source/csv_feed.h"
 #include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
-#include "core/case/errors.h"
-#include "live/source/csv_feed.h"
-#include "live/source/file_sources.h"
+#include "core/base/errors.h"
 #include "tests/support/came_messages.h"
+#include "twin/live/source/csv_feed.h"
+#include "twin/live/source/file_sources.h"
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
-#include "core/case/errors.h"
-#include "live/source/data_port.h"
+#include "core/base/errors.h"
 #include "tests/support/raw_client.h"
+#include "twin/live/source/data_port.h"
 #include <chrono>
 #include <gtest/gtest.h>
 #include <thread>

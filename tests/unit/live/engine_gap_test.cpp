@@ -1,4 +1,4 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "tests/support/live_samples.h"
 #include "tests/support/published_stand.h"
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "live/page/event_frames.h"
+#include "twin/live/page/event_frames.h"
 #include <gtest/gtest.h>
 
 namespace live = mill::live;

@@ -1,5 +1,5 @@
-#include "live/page/event_text.h"
-#include "live/page/json_writer.h"
+#include "twin/live/page/event_text.h"
+#include "twin/live/page/json_writer.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

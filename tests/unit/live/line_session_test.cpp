@@ -1,4 +1,4 @@
-#include "live/source/line_session.h"
+#include "twin/live/source/line_session.h"
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <limits>

@@ -1,10 +1,10 @@
 // The twin beside the measured, through all of it: levels, modes, a contact that softens, a proposal that waits.
+#include "core/base/files.h"
 #include "core/model/case.h"
-#include "core/records/files.h"
-#include "live/compare/comparison.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"
 #include "tests/support/synthetic_record.h"
+#include "twin/live/compare/comparison.h"
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>

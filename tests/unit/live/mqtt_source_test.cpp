@@ -1,5 +1,5 @@
-#include "core/case/errors.h"
-#include "live/source/mqtt_source.h"
+#include "core/base/errors.h"
+#include "twin/live/source/mqtt_source.h"
 #include <chrono>
 #include <csignal>
 #include <cstdlib>

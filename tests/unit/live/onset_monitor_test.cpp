@@ -1,6 +1,6 @@
 // The mill's own limit, and a mill that is quiet: what the bands of a stream raise and what they do not.
-#include "live/compare/onset_monitor.h"
 #include "tests/support/synthetic_record.h"
+#include "twin/live/compare/onset_monitor.h"
 #include <cmath>
 #include <cstdio>
 #include <gtest/gtest.h>

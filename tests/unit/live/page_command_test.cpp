@@ -1,5 +1,5 @@
-#include "live/page/page_command.h"
 #include "tests/support/refusal.h"
+#include "twin/live/page/page_command.h"
 #include <gtest/gtest.h>
 
 namespace live = mill::live;

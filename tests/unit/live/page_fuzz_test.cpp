@@ -1,8 +1,8 @@
-#include "core/case/errors.h"
-#include "live/page/page_command.h"
-#include "live/page/page_rules.h"
-#include "live/page/page_server.h"
+#include "core/base/errors.h"
 #include "tests/support/raw_client.h"
+#include "twin/live/page/page_command.h"
+#include "twin/live/page/page_rules.h"
+#include "twin/live/page/page_server.h"
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <random>

@@ -1,4 +1,4 @@
-#include "live/page/page_rules.h"
+#include "twin/live/page/page_rules.h"
 #include <gtest/gtest.h>
 
 namespace live = mill::live;

@@ -1,8 +1,8 @@
-#include "live/page/event_text.h"
-#include "live/page/page_command.h"
-#include "live/page/page_server.h"
 #include "tests/support/raw_client.h"
 #include "tests/support/refusal.h"
+#include "twin/live/page/event_text.h"
+#include "twin/live/page/page_command.h"
+#include "twin/live/page/page_server.h"
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>

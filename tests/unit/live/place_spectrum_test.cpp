@@ -1,5 +1,5 @@
-#include "live/display/place_spectrum.h"
 #include "tests/support/near.h"
+#include "twin/live/display/place_spectrum.h"
 #include <cmath>
 #include <gtest/gtest.h>
 

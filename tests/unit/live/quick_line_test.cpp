@@ -1,4 +1,4 @@
-#include "live/source/quick_line.h"
+#include "twin/live/source/quick_line.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "core/case/errors.h"
-#include "live/recording/npy_header.h"
-#include "live/recording/recorder.h"
+#include "core/base/errors.h"
+#include "twin/live/recording/npy_header.h"
+#include "twin/live/recording/recorder.h"
 #include "twin/records/raw_record.h"
 #include <csignal>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "live/queue/sample_queue.h"
+#include "twin/live/queue/sample_queue.h"
 #include <chrono>
 #include <gtest/gtest.h>
 #include <thread>

@@ -1,7 +1,7 @@
 // The state of a restart as a stranger's text: whatever stands there, it is taken whole or refused in a sentence.
-#include "live/compare/comparison.h"
 #include "tests/support/live_samples.h"
 #include "tests/support/published_stand.h"
+#include "twin/live/compare/comparison.h"
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <random>

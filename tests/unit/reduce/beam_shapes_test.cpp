@@ -1,4 +1,4 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "reduce/chain/beam_shapes.h"
 #include "reduce/chain/equivalent_mass.h"
 #include "tests/support/near.h"

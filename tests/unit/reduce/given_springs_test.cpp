@@ -1,6 +1,6 @@
 // A given K2 or K6 in the place of parts that nobody has drawn, theory (34.2).
+#include "core/base/files.h"
 #include "core/model/case.h"
-#include "core/records/files.h"
 #include "reduce/stand/lumped_stand.h"
 #include "tests/support/given_stand.h"
 #include "tests/support/near.h"

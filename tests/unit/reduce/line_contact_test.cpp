@@ -1,4 +1,4 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "reduce/chain/line_contact.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"

@@ -1,6 +1,6 @@
 // Six masses from any model, routes to M2..M5, parts of the masses.
-#include "reduce/chain/fe_masses.h"
-#include "reduce/chain/mass_breakdown.h"
+#include "reduce/stand/fe_masses.h"
+#include "reduce/stand/mass_breakdown.h"
 #include "reduce/stand/six_masses.h"
 #include "tests/support/beam_demo.h"
 #include "tests/support/near.h"

@@ -1,7 +1,7 @@
 #include "report/bearing/figures.h"
-#include "report/page/html.h"
-#include "report/page/names.h"
-#include "report/page/number.h"
+#include "report/front/html.h"
+#include "report/plot/number.h"
+#include "report/results/names.h"
 #include "tests/support/sample_run.h"
 #include <cmath>
 #include <filesystem>

@@ -1,5 +1,5 @@
 #include "report/bite/figures.h"
-#include "report/page/html.h"
+#include "report/front/html.h"
 #include "tests/support/sample_csv.h"
 #include "tests/support/sample_run.h"
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "report/chatter/figures.h"
+#include "report/front/html.h"
 #include "report/page/curves.h"
-#include "report/page/html.h"
-#include "report/page/names.h"
+#include "report/results/names.h"
 #include "tests/support/html_page.h"
 #include "tests/support/sample_chatter.h"
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
+#include "core/base/files.h"
 #include "core/records/cluster_names.h"
-#include "core/records/files.h"
 #include "core/records/json_archive.h"
 #include "report/cluster/figures.h"
 #include <filesystem>

@@ -1,9 +1,9 @@
 // Frequency response and Campbell diagram as the page shows them.
-#include "core/records/files.h"
+#include "core/base/files.h"
 #include "core/records/json_archive.h"
 #include "report/frequency/figures.h"
-#include "report/page/names.h"
 #include "report/page/sections.h"
+#include "report/results/names.h"
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>

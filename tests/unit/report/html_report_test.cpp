@@ -1,5 +1,5 @@
-#include "core/case/errors.h"
-#include "report/page/html.h"
+#include "core/base/errors.h"
+#include "report/front/html.h"
 #include "tests/support/sample_run.h"
 #include <filesystem>
 #include <fstream>

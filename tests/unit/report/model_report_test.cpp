@@ -1,7 +1,7 @@
+#include "report/front/html.h"
 #include "report/models/figures.h"
 #include "report/modes/animation.h"
 #include "report/modes/drawing.h"
-#include "report/page/html.h"
 #include "tests/support/html_page.h"
 #include "tests/support/sample_models.h"
 #include <gtest/gtest.h>

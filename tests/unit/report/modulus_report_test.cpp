@@ -1,7 +1,7 @@
 // Mill modulus and names of modes as the page shows them.
-#include "report/modes/names.h"
-#include "report/page/names.h"
+#include "report/modes/named_modes.h"
 #include "report/page/sections.h"
+#include "report/results/names.h"
 #include <cmath>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "report/page/number.h"
+#include "report/plot/number.h"
 #include "tests/support/near.h"
 #include <cmath>
 

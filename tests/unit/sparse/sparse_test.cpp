@@ -1,4 +1,4 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/numerics/sparse.h"
 #include "tests/support/near.h"
 #include <Eigen/Dense>

@@ -1,6 +1,7 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/case/fields.h"
-#include "verify/manual.h"
+#include "tests/manual/groups.h"
+#include "tests/manual/manual.h"
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>

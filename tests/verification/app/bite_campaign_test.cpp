@@ -1,5 +1,5 @@
-#include "app/stages/bite_study.h"
-#include "core/case/errors.h"
+#include "app/stages/bite/bite_study.h"
+#include "core/base/errors.h"
 #include "core/model/case.h"
 #include "tests/support/drawn_pass.h"
 #include <atomic>

@@ -1,10 +1,10 @@
 // millstand calibrate from records to a calibrated case, its refusals, its plan, and what it says to wrong input.
 #include "app/twin/calibrate/calibrate_command.h"
+#include "core/base/files.h"
 #include "core/case/case_file.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
 #include "core/records/csv.h"
-#include "core/records/files.h"
 #include "tests/support/calibration_record.h"
 #include "tests/support/program.h"
 #include <cmath>

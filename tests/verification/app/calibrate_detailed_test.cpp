@@ -1,8 +1,8 @@
 // millstand calibrate on rolls as beams: connections from a record that the whole matrices made, back as a case.
+#include "core/base/files.h"
 #include "core/case/case_file.h"
 #include "core/model/case.h"
 #include "core/records/detailed_model.h"
-#include "core/records/files.h"
 #include "core/records/json_archive.h"
 #include "tests/support/beam_demo.h"
 #include "tests/support/program.h"

@@ -1,5 +1,5 @@
+#include "core/base/files.h"
 #include "core/records/csv.h"
-#include "core/records/files.h"
 #include "tests/support/near.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/program.h"

@@ -1,6 +1,6 @@
+#include "core/base/files.h"
 #include "core/case/input_reference.h"
 #include "core/records/csv.h"
-#include "core/records/files.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
 #include <cmath>

@@ -1,9 +1,9 @@
 // The unit of a stand on curves: its steps against those of the program, and what clients do with it.
 #include "app/export/exported_curves.h"
 #include "app/export/exported_stand.h"
+#include "dynamics/fmu/model_text.h"
+#include "dynamics/fmu/unit_archive.h"
 #include "dynamics/nonlinear/curve_response.h"
-#include "fmu/model_text.h"
-#include "fmu/unit_archive.h"
 #include "tests/support/curve_stands.h"
 #include "tests/support/near.h"
 #include "tests/support/unit_client.h"

@@ -1,7 +1,7 @@
 // millstand export modelica, matlab and statespace as a user meets them.
 #include "app/export/exported_files.h"
+#include "core/base/files.h"
 #include "core/records/csv.h"
-#include "core/records/files.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
 #include "tests/support/refusal.h"

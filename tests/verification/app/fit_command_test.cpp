@@ -1,4 +1,4 @@
-#include "core/records/files.h"
+#include "core/base/files.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
 #include "tests/support/run_results.h"

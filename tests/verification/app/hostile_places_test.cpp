@@ -1,6 +1,6 @@
 // The program where files, folders and terminals are not what they should be: every answer is a sentence and an
 // exit code.
-#include "core/records/files.h"
+#include "core/base/files.h"
 #include "tests/support/program.h"
 #include <cstdlib>
 #include <filesystem>

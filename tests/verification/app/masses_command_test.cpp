@@ -1,5 +1,5 @@
+#include "core/base/files.h"
 #include "core/case/stand_rows.h"
-#include "core/records/files.h"
 #include "core/records/matrix_market.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"

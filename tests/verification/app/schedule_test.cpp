@@ -1,4 +1,4 @@
-#include "core/records/files.h"
+#include "core/base/files.h"
 #include "tests/support/coarse_run.h"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

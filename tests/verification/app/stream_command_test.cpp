@@ -1,10 +1,10 @@
 // millstand simulate --stream: any length of record, cut at a signal.
+#include "app/command/linked_subjects.h"
 #include "app/export/stream_command.h"
-#include "app/linked_subjects.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/model/case.h"
 #include "core/records/csv.h"
-#include "core/records/files.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
 #include "tests/support/refusal.h"

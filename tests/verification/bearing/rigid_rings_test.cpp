@@ -1,5 +1,5 @@
-#include "bearing/rigid_rings.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
+#include "reduce/bearing/rigid_rings.h"
 #include "tests/support/demo_bearing.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"

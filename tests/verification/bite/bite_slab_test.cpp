@@ -1,7 +1,7 @@
 // The closed pressure hill against the slab equation it comes from, integrated step by step here.
-#include "bite/slab/slab_bite.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "core/laws/flow_stress_law.h"
+#include "reduce/bite/slab/slab_bite.h"
 #include "tests/support/demo_pass.h"
 #include "tests/support/near.h"
 #include <cmath>

@@ -1,5 +1,5 @@
-#include "cluster/stack_of_case.h"
 #include "core/model/case.h"
+#include "dynamics/cluster/stack_of_case.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modes.h"
 #include "tests/support/near.h"

@@ -1,4 +1,4 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/bearing/dynamics.h"
 #include "dynamics/response/time_integration.h"
 #include "tests/support/near.h"

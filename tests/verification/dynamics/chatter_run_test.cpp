@@ -1,10 +1,10 @@
 // The bite at one moment, the linear and the nonlinear motion, and what a record tells, over stands and strips
 // that no publication has.
-#include "bite/linear/unsteady_bite.h"
-#include "bite/slab/bland_ford.h"
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/chatter/equations.h"
 #include "dynamics/chatter/run.h"
+#include "reduce/bite/linear/unsteady_bite.h"
+#include "reduce/bite/slab/bland_ford.h"
 #include "tests/support/near.h"
 #include "tests/support/refusal.h"
 #include <cmath>

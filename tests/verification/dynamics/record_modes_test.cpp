@@ -1,5 +1,5 @@
 // What a record tells: motions, their growth, a limit cycle.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/chatter/run.h"
 #include "tests/support/near.h"
 #include <cmath>

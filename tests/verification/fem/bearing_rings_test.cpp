@@ -1,9 +1,9 @@
-#include "bearing/ring_sections.h"
 #include "fem/bearing/chock_flexibility.h"
 #include "fem/bearing/ring_flexibility.h"
 #include "fem/body/harmonic_body.h"
 #include "meshes/bearing/bearing_rings.h"
 #include "meshes/bearing/chock.h"
+#include "reduce/bearing/ring_sections.h"
 #include "tests/support/demo_bearing.h"
 #include <cmath>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "fem/roll/fourier_contact.h"
 #include "meshes/bearing/meridian.h"
 #include "tests/support/closed_form.h"

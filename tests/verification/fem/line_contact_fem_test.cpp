@@ -1,7 +1,7 @@
+#include "tests/manual/solvers/full_contact.h"
 #include "tests/support/closed_form.h"
 #include "tests/support/near.h"
 #include "tests/support/roll_pair.h"
-#include "verify/solvers/full_contact.h"
 
 // Two long rolls as plane-strain slabs, each squeezed between two opposite contacts: the state of Johnson's closed
 // form.

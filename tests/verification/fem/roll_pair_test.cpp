@@ -1,4 +1,4 @@
-#include "verify/solvers/full_contact.h"
+#include "tests/manual/solvers/full_contact.h"
 #include "tests/support/closed_form.h"
 #include "tests/support/near.h"
 #include "tests/support/roll_pair.h"
@@ -71,13 +71,16 @@ TEST(RollPair, TangentGrowsWithTheLogarithmOfTheLoad)
     return roll;
   };
   const auto size = meshes::roll_contact_size(half_width(15e6), 6);
-  const Rolls r{meshed_roll("backup", halved(backup), size, steel), meshed_roll("work", halved(work), size, steel)};
+  const Rolls r{meshed_roll("backup", halved(backup), size, steel),
+                meshed_roll("work", halved(work), size, steel)};
   const auto curve = fem::sweep(mirrored(r), fem::log_spaced(0.35e6, 7.5e6, 20));
   // Slope of approach over load between neighbouring loads: free of the steps of one active set.
   const auto tangent = [&](const int i) {
     return (curve.load[i + 2] - curve.load[i - 2]) / (curve.approach[i + 2] - curve.approach[i - 2]);
   };
-  const auto exact = [&](const double F) { return closed_form::line_contact(F / length, 0.420, 1.450, 210e9, 0.28); };
+  const auto exact = [&](const double F) {
+    return closed_form::line_contact(F / length, 0.420, 1.450, 210e9, 0.28);
+  };
   const auto reference = [&](const int i) {
     return (curve.load[i + 2] - curve.load[i - 2]) /
            (exact(curve.load[i + 2]).approach - exact(curve.load[i - 2]).approach);

@@ -1,7 +1,7 @@
 // What clients of both versions rely on: order of calls, refusals, copies, several instances, places of files.
-#include "fmu/archive.h"
-#include "fmu/runtime/variables.h"
-#include "fmu/unit_archive.h"
+#include "dynamics/fmu/archive.h"
+#include "dynamics/fmu/runtime/variables.h"
+#include "dynamics/fmu/unit_archive.h"
 #include "tests/support/near.h"
 #include "tests/support/unit_client.h"
 #include <cmath>

@@ -1,6 +1,6 @@
 // What a unit computes, through its C interface, against the integrator of this program and closed forms.
+#include "dynamics/fmu/runtime/motion.h"
 #include "dynamics/response/response.h"
-#include "fmu/runtime/motion.h"
 #include "tests/support/near.h"
 #include "tests/support/unit_client.h"
 #include <cmath>

@@ -1,5 +1,5 @@
 // What a unit leaves alone in the process of its client, and what a step inside a call costs.
-#include "fmu/unit_archive.h"
+#include "dynamics/fmu/unit_archive.h"
 #include "tests/support/near.h"
 #include "tests/support/unit_client.h"
 #include <cfenv>

@@ -1,11 +1,11 @@
 // The live stepper against the batch integrator and an exported unit; a change on the run against its definition.
+#include "dynamics/fmu/runtime/motion.h"
 #include "dynamics/response/response.h"
 #include "dynamics/response/state_space.h"
-#include "fmu/runtime/motion.h"
-#include "live/engine/engine.h"
 #include "tests/support/live_samples.h"
 #include "tests/support/near.h"
 #include "tests/support/published_stand.h"
+#include "twin/live/engine/engine.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,11 +1,11 @@
-#include "live/page/event_text.h"
-#include "live/page/page_command.h"
-#include "live/page/page_server.h"
 #include "tests/support/live_mill.h"
 #include "tests/support/live_page_look.h"
 #include "tests/support/near.h"
 #include "tests/support/raw_client.h"
 #include "tests/support/web_driver.h"
+#include "twin/live/page/event_text.h"
+#include "twin/live/page/page_command.h"
+#include "twin/live/page/page_server.h"
 #include <atomic>
 #include <cmath>
 #include <cstdlib>

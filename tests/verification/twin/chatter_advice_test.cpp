@@ -1,6 +1,6 @@
 // Advice on the critical speed of stand D at condition 2 against numbers computed apart from the program
 // (entry advice_chatter), and what the ranking promises.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "tests/support/film_pass.h"
 #include "tests/support/near.h"
 #include "tests/support/rated_action.h"

@@ -1,6 +1,6 @@
 // Advice on a level of set R against numbers computed apart from the program (entries advice.*), and against the
 // equations of motion with dampers and added masses solved frequency by frequency.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "tests/support/near.h"
 #include "tests/support/rated_action.h"
 #include "tests/support/reference.h"

@@ -1,6 +1,6 @@
 // The level of a stand that rolls a pass, against the equations of motion of stand, bite and strip solved
 // frequency by frequency, and its limits.
-#include "core/case/errors.h"
+#include "core/base/errors.h"
 #include "dynamics/chatter/chatter.h"
 #include "tests/support/film_pass.h"
 #include "tests/support/near.h"

@@ -1,11 +1,11 @@
 // Every derivative of the closed slab theories, against differences of whole solutions and against complex step.
-#include "bite/slab/bland_ford.h"
-#include "bite/slab/hu_ehmann.h"
-#include "bite/slab/slab_bite.h"
+#include "reduce/bite/slab/bland_ford.h"
+#include "reduce/bite/slab/hu_ehmann.h"
+#include "reduce/bite/slab/slab_bite.h"
+#include "tests/manual/solvers/moved_bite.h"
 #include "tests/support/demo_pass.h"
 #include "tests/support/film_pass.h"
 #include "tests/support/near.h"
-#include "verify/solvers/moved_bite.h"
 
 using namespace mill;
 using namespace mill::bite;

@@ -1,0 +1,332 @@
+#include "app/command/command_line.h"
+#include "app/process/console.h"
+#include "app/process/version.h"
+#include "core/case/fields.h"
+#include "core/numerics/sparse.h"
+#include "fem/body/elastic_body.h"
+#include "meshes/common/mesher.h"
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
+#include <sstream>
+
+namespace mill {
+namespace {
+std::string version_text()
+{
+  return "millstand " + version() + "\ndeal.II " + fem::library_version() + ", Gmsh " + meshes::library_version() +
+         ", BLAS " + blas_in_use() +
+         "\nLicence: GPL-3.0-or-later; so is every binary, since Debian's deal.II links Gmsh and others.";
+}
+
+void add_output(CLI::App *verb, CommandLine &c, const char *what)
+{
+  verb->add_option("-o,--output", c.output, what);
+}
+
+void add_cache(CLI::App *verb, CommandLine &c)
+{
+  verb->add_flag("--fresh", c.fresh, "compute everything anew, ignore the cache");
+  verb->add_option("--cache", c.cache, "folder of condensed rolls (default: the user's cache folder)");
+}
+
+void add_common(CLI::App *verb, CommandLine &c)
+{
+  add_output(verb, c, "folder of the results (default out/<case name>)");
+  verb->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
+  add_cache(verb, c);
+  verb->add_flag("-q,--quiet", c.quiet, "no progress, no table");
+  verb->add_flag("-v,--verbose", c.verbose, "say what is reused and computed");
+  verb->add_option("--log", c.log, "log file (besides DIR/millstand.log)");
+  verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
+  verb->add_option("--set", c.sets, "override section.key=value, repeatable")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_simulate(CLI::App *verb, CommandLine &c)
+{
+  verb->add_option("--force", c.force, "force record that replaces those of the passes (CSV)");
+  verb->add_flag(
+      "--stream", c.stream,
+      "read the record of --force in blocks, for one of any length: rows, spectrum and levels, no report");
+  verb->add_option("--pass", c.pass, "with --stream: pass whose stand is driven (default: the first)");
+}
+
+void add_repeatable(CLI::App *verb, const char *option, std::vector<std::string> &into, const char *what)
+{
+  verb->add_option(option, into, what)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_record_options(CLI::App *verb, CommandLine &c)
+{
+  verb->add_option("--rate", c.record_rate, "samples per second of records without times");
+  verb->add_option("--zone", c.zone, "time zone of local times, Europe/Berlin");
+  add_repeatable(verb, "--channel", c.channels, "a column and its place, AI_07=upper_work_roll, repeatable");
+  add_repeatable(verb, "--unit", c.channel_units,
+                 "a column and its unit, AI_07=g, where the source says none, repeatable");
+}
+
+// What verbs that read records or give advice have in common behind their own options.
+void add_folder_of_records(CLI::App *verb, CommandLine &c, const char *folder, const char *quiet)
+{
+  add_repeatable(verb, "--set", c.sets, "override section.key=value of the case, repeatable");
+  add_output(verb, c, folder);
+  verb->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
+  verb->add_flag("-q,--quiet", c.quiet, quiet);
+  verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
+}
+
+void add_calibrate(CLI::App &app, CommandLine &c)
+{
+  auto *verb = app.add_subcommand(
+      "calibrate", "springs and damping of a stand from records: what they tell, and what they do not");
+  CalibrateOptions &o = c.calibrate;
+  verb->add_option("CASE", c.target, "stand, kind four-high or lumped")->required();
+  verb->add_option("--measured", o.measured, "folder of the records, with records.toml where they have roles");
+  verb->add_option("--free", o.free, "what is fitted, K1,K2,zeta (default: all springs and zeta)");
+  verb->add_flag("--plan", o.plan, "what a record would tell, before anyone measures");
+  verb->add_flag("--accept", o.accept, "write calibrated.toml although it is refused, and say so in it");
+  verb->add_flag("--align", o.align, "force and vibration have two clocks: fit their delay");
+  verb->add_option("--sensors", o.sensors, "with --plan: places (default: upper_work_roll,lower_work_roll)");
+  verb->add_option("--duration", o.duration, "with --plan: of the record (default \"20 s\")");
+  verb->add_option("--noise", o.noise, "with --plan: of a sensor, per root Hz (default \"0.005 m/s2\")");
+  verb->add_option("--force-rms", o.force, "with --plan: of the force (default \"1 kN\")");
+  verb->add_option("--force-up-to", o.highest, "with --plan: where the force ends (default \"1500 Hz\")");
+  verb->add_flag("--without-force", o.without_force, "with --plan: the force is not recorded");
+  add_record_options(verb, c);
+  add_folder_of_records(verb, c, "folder of the results (default out/<case name>-calibration)",
+                        "no progress, no table");
+}
+
+void add_advise(CLI::App &app, CommandLine &c)
+{
+  auto *advise = app.add_subcommand(
+      "advise", "what would lower the vibration: actions computed anew, ranked, with what they cost");
+  advise
+      ->add_option("CASE", c.target,
+                   "case file of kind four-high or lumped (level of a place) or chatter "
+                   "(critical speed); [advice] says what may be tried")
+      ->required();
+  advise->add_option("--measured", c.measured, "folder of records with the rolling force that shakes the stand");
+  add_record_options(advise, c);
+  add_cache(advise, c);
+  add_folder_of_records(advise, c, "folder of the results (default out/<case name>-advice)", "no table");
+}
+
+void add_analyse(CLI::App &app, CommandLine &c)
+{
+  auto *analyse = app.add_subcommand(
+      "analyse", "records of a mill: spectra, modes, what follows the speed, whose each peak is");
+  analyse->add_option("RECORD", c.names, "CSV, .npy with .json, .uff or .mat")->required();
+  analyse->add_option("--case", c.case_file, "stand of the record, kind four-high or lumped");
+  add_record_options(analyse, c);
+  analyse->add_option("--speed", c.speed, "of the rolls' surface, where it was not recorded, \"4 m/s\"");
+  analyse->add_option("--limit", c.limit, "the mill's own limit of a vibration, 0-peak, \"2 g\"");
+  add_repeatable(analyse, "--severity", c.severity,
+                 "upper end of a zone, \"2.3 mm/s\", repeatable; none is built in");
+  analyse->add_flag("--align", c.align, "take the delay between the clocks of force and vibrations out of H1");
+  analyse->add_option("--baseline", c.baseline, "folder of an earlier analysis, for changes and bearings");
+  add_folder_of_records(analyse, c, "folder of the results (default out/<record>-analysis)",
+                        "no progress, no table");
+}
+
+void add_live(CLI::App &app, CommandLine &c)
+{
+  auto *live =
+      app.add_subcommand("live", "the chain of a stand beside the mill, driven by its force as it is measured");
+  LiveOptions &o = c.live;
+  live->add_option("CASE", c.target, "case file of kind four-high, chatter or lumped")->required();
+  live->add_option(
+      "--input", o.input,
+      "FILE.csv (played), tail:FILE.csv (growing), - (lines on standard input), tcp:ADDR:PORT (default "
+      "tcp:127.0.0.1:8461) or mqtt:HOST:PORT/STAND");
+  live->add_option("--listen", o.listen, "address of the page, ADDR:PORT (default 127.0.0.1:8460), or none");
+  live->add_option("--record", o.record, "folder for recordings and the state for a restart");
+  live->add_option("--keep", o.keep, "of the recordings: 24h, 7d, 50GB (default: all)");
+  live->add_option("--speed", o.speed, "of a record that is played: times real time, or max (default 1)");
+  live->add_option("--limit", c.limit,
+                   "the mill's own limit of a vibration in a band, 0-peak, \"2 g\" (default monitoring.limit)");
+  live->add_option("--token-file", o.token_file,
+                   "file with the token of page and data port; needed for addresses that are not loopback");
+  live->add_option("--host", o.host, "name by which a proxy in front asks for the page");
+  live->add_option("--response", o.response, "write the accelerations of the twin into this file (CSV)");
+  add_record_options(live, c);
+  add_repeatable(live, "--set", c.sets, "override section.key=value of the case, repeatable");
+  live->add_flag("--fresh", c.fresh, "start anew and not from the state of an earlier program");
+  live->add_flag("--force-overwrite", c.force_overwrite, "replace an existing --response file");
+  live->add_flag("-q,--quiet", c.quiet, "no lines on the console");
+}
+
+// "--output" of "--output=DIR"
+std::string option_name(const std::string &argument)
+{
+  return argument.substr(0, argument.find('='));
+}
+
+// A verb or an option that nobody knows, with the nearest one; empty where something else is wrong.
+std::string mistyped(const CLI::App &app, const int argc, char **argv)
+{
+  std::vector<std::string> verbs;
+  for (const CLI::App *verb : app.get_subcommands([](const CLI::App *) { return true; }))
+    verbs.push_back(verb->get_name());
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first.empty() || first[0] == '-')
+    return "";
+  if (std::find(verbs.begin(), verbs.end(), first) == verbs.end())
+    return fmt::format("there is no verb '{}'{}", first, suggestion(first, verbs));
+  std::vector<std::string> known;
+  for (const CLI::Option *option : app.get_subcommand(first)->get_options()) {
+    for (const std::string &name : option->get_lnames())
+      known.push_back("--" + name);
+    for (const std::string &name : option->get_snames())
+      known.push_back("-" + name);
+  }
+  for (int i = 2; i < argc; ++i) {
+    const std::string name = option_name(argv[i]);
+    if (name.size() > 2 && name.compare(0, 2, "--") == 0 &&
+        std::find(known.begin(), known.end(), name) == known.end())
+      return fmt::format("millstand {} has no option {}{}", first, name, suggestion(name, known));
+  }
+  return "";
+}
+}  // namespace
+
+namespace {
+// Every verb with its options, for the completion of a shell.
+std::map<std::string, std::vector<std::string>> words_to_complete(const CLI::App &app)
+{
+  std::map<std::string, std::vector<std::string>> words;
+  for (const CLI::App *verb : app.get_subcommands([](const CLI::App *) { return true; }))
+    for (const CLI::Option *option : verb->get_options())
+      for (const std::string &name : option->get_lnames())
+        words[verb->get_name()].push_back("--" + name);
+  return words;
+}
+}  // namespace
+
+const std::vector<std::string> &export_formats()
+{
+  static const std::vector<std::string> formats{"fmu", "modelica", "matlab", "statespace"};
+  return formats;
+}
+
+std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &exit_code)
+{
+  CommandLine c;
+  c.arguments = argv;
+  CLI::App app("From the drawing of a rolling-mill stand to the vibration of its rolls.", "millstand");
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+
+  auto *fresh = app.add_subcommand("new", "write a commented case file that runs as it is");
+  fresh->add_option("KIND", c.target, "four-high, two-cylinders, bearing, bite, chatter, cluster or lumped")
+      ->required();
+  add_output(fresh, c, "file (default: standard output)");
+  fresh->add_flag("--force-overwrite", c.force_overwrite, "replace an existing file");
+  fresh->add_option("--from", c.from, "sheet (CSV) of rows key, value[, unit] that fills the template");
+
+  auto *check = app.add_subcommand("check", "list every input error of a case, compute nothing");
+  check->add_option("CASE", c.target, "case file")->required();
+  check->add_option("--set", c.sets, "override section.key=value, repeatable")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+
+  const std::pair<const char *, const char *> chain[] = {
+      {"run",       "the whole chain and the report"                },
+      {"stiffness", "K3, K4, K5, Kzc with their curves"             },
+      {"masses",    "equivalent masses with their shapes"           },
+      {"modes",     "natural frequencies, shapes, energy shares"    },
+      {"chatter",   "critical speed, sensitivities, stability map"  },
+      {"simulate",  "drive the lumped model with the recorded force"}
+  };
+  for (const auto &[verb, what] : chain) {
+    auto *command = app.add_subcommand(verb, what);
+    command->add_option("CASE", c.target, "case file")->required();
+    add_common(command, c);
+    if (std::string(verb) == "simulate")
+      add_simulate(command, c);
+  }
+
+  auto *unit =
+      app.add_subcommand("export", "the driven model for other programs: as a unit (FMI 2 or 3), in Modelica, "
+                                   "MATLAB, or as state-space matrices");
+  unit->add_option("FORMAT", c.format, "fmu, modelica, matlab or statespace")
+      ->required()
+      ->check(CLI::IsMember(export_formats()));
+  unit->add_option("CASE", c.target, "case file of kind four-high or lumped; chatter for fmu")->required();
+  unit->add_option("--fmi", c.fmi, "fmu: version of the FMI standard, 2 or 3")
+      ->check(CLI::IsMember({2, 3}))
+      ->capture_default_str();
+  unit->add_option("--pass", c.pass,
+                   "pass whose load and force it belongs to, condition of a chatter case (default: the first)");
+  add_common(unit, c);
+  unit->get_option("--output")
+      ->description("file to write, a folder for statespace (default out/<case name>.fmu, .mo, .m, -statespace)");
+
+  auto *marks = app.add_subcommand("marks", "marks at equal distances: which roll, which bearing, which mode");
+  marks->add_option("CASE", c.target, "case file")->required();
+  marks->add_option("--spacing", c.marks.spacing, "distance of the marks along the strip, \"2 mm\"")->required();
+  marks->add_option("--speed", c.marks.speed, "speed of the strip behind the stand, \"500 m/min\"")->required();
+  marks->add_option("--forward-slip", c.marks.forward_slip, "of the strip over the rolls (default 0 %)");
+  marks->add_option("--accuracy", c.marks.accuracy,
+                    "of spacing and diameters together (default 1 %): a whole number of marks within it is one");
+  marks->add_option("--side-bands", c.marks.side_bands, "distance of side bands in a spectrum, \"49 Hz\"");
+  marks->add_option("--run", c.marks.run, "folder of a run whose modes are taken (default out/<case name>)");
+  add_output(marks, c, "folder of the results (default out/<case name>-marks)");
+  marks->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
+  marks->add_flag("-q,--quiet", c.quiet, "no table");
+  marks->add_option("--set", c.sets, "override section.key=value, repeatable")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+
+  add_analyse(app, c);
+  add_calibrate(app, c);
+  add_advise(app, c);
+  add_live(app, c);
+  auto *trace =
+      app.add_subcommand("trace", "which results one input reaches, through which relation, with elasticities");
+  trace->add_option("CASE", c.target, "case file")->required();
+  trace->add_option("KEY", c.key, "input as --set names it, backup_roll.barrel_diameter")->required();
+  trace->add_flag("--full", c.full,
+                  "springs as the last run stored them; how they change is taken from closed forms all the same, "
+                  "finite elements are not solved again");
+  add_output(trace, c, "folder of the last run, to compare with (default out/<case name>)");
+  trace->add_flag("-q,--quiet", c.quiet, "the table alone");
+  trace->add_option("--set", c.sets, "override section.key=value, repeatable")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+
+  auto *verify = app.add_subcommand("verify", "run the verification manual: result, reference, tolerance");
+  verify->add_option("NAME", c.names, "cases to run (default: all)");
+  verify->add_flag("--list", c.list, "list the cases, run nothing");
+  verify->add_option("--markdown", c.markdown, "write the manual as a page, after running all cases");
+  verify->add_flag("-q,--quiet", c.quiet, "no progress, no table of a case that passes");
+  verify->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
+
+  auto *report =
+      app.add_subcommand("report", "write DIR/report.html again from the stored results, or compare runs");
+  report->add_option("DIR", c.target, "folder of a run")->required();
+  report->add_option("MORE", c.names, "further runs: what differs is written to DIR/comparison.html");
+  report->add_option("-o", c.output, "file of the comparison");
+
+  app.add_subcommand("schema", "print the JSON Schema of the case file");
+  auto *completion = app.add_subcommand("completion", "print the completion of a shell");
+  completion->add_option("SHELL", c.target, "bash or zsh")->required();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError &e) {
+    std::ostringstream out, err;
+    exit_code = app.exit(e, out, err) == 0 ? 0 : 2;
+    if (const std::string slip = exit_code == 2 ? mistyped(app, argc, argv) : ""; !slip.empty())
+      throw InputError(slip);
+    console::print(out.str());
+    console::say(err.str());
+    return {};
+  }
+  c.verb = app.get_subcommands().front()->get_name();
+  if (c.verb == "completion")
+    c.words = words_to_complete(app);
+  return c;
+}
+}  // namespace mill

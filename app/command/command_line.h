@@ -1,0 +1,56 @@
+#pragma once
+#include "app/command/calibrate_options.h"
+#include "app/command/live_options.h"
+#include "app/command/marks_options.h"
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mill {
+/// What the user asked for.
+struct CommandLine {
+  char **arguments = nullptr;      ///< of main(), to start the program again
+  std::string verb;                ///< "run", "check", ...
+  std::string target;              ///< case file, kind (new) or folder (report)
+  std::string output;              ///< -o; empty: default
+  std::string force;               ///< simulate --force
+  std::string from;                ///< new --from: sheet of keys and values
+  std::string key;                 ///< trace: input that is followed
+  std::string format;              ///< export: one of export_formats()
+  std::string pass;                ///< export --pass, simulate --pass; empty: the first
+  int fmi = 2;                     ///< export --fmi: version of the standard
+  std::string log;                 ///< --log
+  std::string cache;               ///< --cache; empty: the user's cache folder
+  std::vector<std::string> sets;   ///< --set section.key=value
+  std::vector<std::string> names;  ///< verify: cases, empty: all; report: further folders; analyse: records
+  std::string markdown;            ///< verify --markdown
+  MarksOptions marks;              ///< marks
+  CalibrateOptions calibrate;      ///< calibrate
+  LiveOptions live;                ///< live
+  std::string case_file;           ///< analyse --case; empty: none
+  std::string measured;            ///< advise --measured; empty: none
+  std::string record_rate;         ///< analyse, calibrate, advise --rate
+  std::string zone;                ///< analyse, calibrate, advise --zone
+  std::string speed;               ///< analyse --speed
+  std::string limit;               ///< analyse, live --limit
+  std::vector<std::string> channels,
+      channel_units;                  ///< analyse, calibrate, advise --channel, --unit: NAME=PLACE, NAME=UNIT
+  std::vector<std::string> severity;  ///< analyse --severity: upper ends of zones
+  std::string baseline;               ///< analyse --baseline: folder of an earlier analysis
+  bool align = false;                 ///< analyse --align
+  std::map<std::string, std::vector<std::string>> words;  ///< completion: options by verb
+  bool list            = false;                           ///< verify --list
+  bool full            = false;                           ///< trace --full
+  bool stream          = false;                           ///< simulate --stream
+  bool force_overwrite = false, fresh = false, quiet = false, verbose = false;
+  int threads = 0;  ///< 0: all
+};
+
+/// What `millstand export` writes: "fmu", "modelica", ...
+const std::vector<std::string> &export_formats();
+
+/// Parses the command line.  Nothing is returned when it was --help or --version; `exit_code` is then what main
+/// returns (2 for a wrong command line, whose message has been printed).
+std::optional<CommandLine> parse_command_line(int argc, char **argv, int &exit_code);
+}  // namespace mill

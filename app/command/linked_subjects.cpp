@@ -1,0 +1,58 @@
+#include "app/command/linked_subjects.h"
+#include "app/process/hand_over.h"
+#include "core/model/case.h"
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+namespace {
+[[noreturn]] void hand_over_to_all(const CommandLine &command, const std::string &what)
+{
+  hand_over("millstand-all", command.arguments, what);
+}
+}  // namespace
+
+bool is_folder_of_records(const std::string &directory)
+{
+  return !fs::exists(directory + "/results.json") &&
+         (fs::exists(directory + "/calibration.json") || fs::exists(directory + "/analysis.json") ||
+          fs::exists(directory + "/advice.json"));
+}
+
+bool is_streamed(const CommandLine &command)
+{
+  std::error_code error;
+  return command.verb == "simulate" &&
+         (command.stream || (!command.force.empty() && fs::is_regular_file(command.force, error) &&
+                             (long long)(fs::file_size(command.force, error)) > longest_in_memory));
+}
+
+bool is_of_subjects(const CommandLine &command)
+{
+  const auto &verb = command.verb;
+  return verb == "analyse" || verb == "calibrate" || verb == "advise" || verb == "live" || verb == "export" ||
+         is_streamed(command) ||
+         (verb == "report" && command.names.empty() && is_folder_of_records(command.target));
+}
+
+int carry_out_subject(const CommandLine &command)
+{
+  if (linked_subjects.command)
+    return linked_subjects.command(command);
+  // Of the verb report only the pages of its folders are there.
+  hand_over_to_all(command, command.verb == "report" ? "the page of records"
+                            : is_streamed(command)   ? "millstand simulate --stream"
+                                                     : "millstand " + command.verb);
+}
+
+void require_linked(const Case &the_case, const CommandLine &command)
+{
+  if (std::holds_alternative<ChatterCase>(the_case.spec) && !linked_subjects.chatter)
+    hand_over_to_all(command, "kind = \"chatter\"");
+  if (std::holds_alternative<ClusterCase>(the_case.spec) && !linked_subjects.cluster)
+    hand_over_to_all(command, "kind = \"cluster\"");
+  if (command.verb == "chatter" && !linked_subjects.stand_chatter)
+    hand_over_to_all(command, "millstand chatter");
+}
+}  // namespace mill

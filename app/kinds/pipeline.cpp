@@ -1,0 +1,497 @@
+#include "app/kinds/pipeline.h"
+#include "app/command/linked_subjects.h"
+#include "app/review/estimate_review.h"
+#include "app/run/curve_files.h"
+#include "app/run/result_inputs.h"
+#include "app/run/run_kind.h"
+#include "app/stages/bearing/bearing_stage.h"
+#include "app/stages/bite/bite_stage.h"
+#include "app/stages/bite/fit_stage.h"
+#include "app/stages/bite/free_strip.h"
+#include "app/stages/contact/contact_stage.h"
+#include "app/stages/response/campbell_stage.h"
+#include "app/stages/response/contact_curves.h"
+#include "app/stages/response/detailed_model_stage.h"
+#include "app/stages/response/dynamics_stage.h"
+#include "app/stages/response/frf_stage.h"
+#include "app/stages/response/turning_rolls.h"
+#include "app/stages/stand/frame_stage.h"
+#include "app/stages/stand/headline.h"
+#include "app/stages/stand/mode_results.h"
+#include "app/stages/stand/model_stage.h"
+#include "app/stages/stand/modulus_stage.h"
+#include "core/case/chain_curves.h"
+#include "core/case/given_instead.h"
+#include "core/case/lumped_model_toml.h"
+#include "core/case/provenance.h"
+#include "core/case/stand_rows.h"
+#include "core/model/case.h"
+#include "core/model/four_high.h"
+#include "core/model/lumped.h"
+#include "core/records/csv.h"
+#include "reduce/stand/lumped_stand.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace mill {
+namespace {
+void add_model(RunContext &run, const LumpedModel &model, const std::string &prefix)
+{
+  reduce::each_number(
+      [&](const std::string &name, const Parameter &number) { run.results.add(prefix + name, number); }, model);
+}
+
+// Published values of the case beside the computed ones, under the plain name and beside tangent or plastic slope.
+void set_beside(RunContext &run, const GivenValues &published)
+{
+  for (auto &[name, parameter] : run.results.values)
+    for (const auto &[key, value] : published)
+      if (name == key || name == key + ".tangent" || name == key + ".combined")
+        parameter.checks.push_back(check(CheckId::published, value.parameter.value, value.parameter.at.text()));
+}
+
+void write_shapes(RunContext &run, const reduce::LumpedStand &s)
+{
+  Table work, backup;
+  work.add("x", "m", s.f1_upper.x).add("f1_upper", "m/N", s.f1_upper.value);
+  work.add("f1_lower", "m/N", s.f1_lower.value);
+  backup.add("x", "m", s.f2_upper.x).add("f2_upper", "m/N", s.f2_upper.value);
+  backup.add("f2_lower", "m/N", s.f2_lower.value);
+  write_curve(run, curve::shape_work_roll, "", work);
+  write_curve(run, curve::shape_backup_roll, "", backup);
+}
+
+// K4 over reduction, tension and friction says nothing of masses and modes.
+bool draws_bite_curves(const Goal goal)
+{
+  return goal == Goal::stiffness || goal == Goal::simulate;
+}
+
+// What a pass drives: the six masses, or the model that the case asks for.
+PassModel model_of_pass(const FourHigh &stand, const reduce::LumpedStand &chain, const StandModels &models)
+{
+  if (const auto *detailed = driven(models, stand.dynamics))
+    return pass_model(*detailed, chain.model, stand.dynamics);
+  PassModel six = pass_model(chain.model, stand.dynamics);
+  six.missing   = models.verdict.missing;
+  return six;
+}
+
+// Records and working loads of all passes.
+struct PassForces {
+  std::vector<ForceRecord> records;
+  std::vector<double> loads;  // N
+};
+
+PassForces forces_of(RunContext &run, FourHigh &stand, const std::string &force_file)
+{
+  PassForces forces;
+  forces.records.resize(stand.passes.size());
+  for (std::size_t p = 0; p < stand.passes.size(); ++p) {
+    Pass &pass          = stand.passes[p];
+    ForceRecord &record = forces.records[p];
+    if (!force_file.empty())
+      pass.force_file = force_file;
+    if (has_force(pass))
+      record = force_of(pass);
+    forces.loads.push_back(working_load(pass, record));
+    if (record.force.size() > 0)
+      run.warn(load_beside_record(pass, record.force.mean()));
+  }
+  return forces;
+}
+
+// What the chain is made of: parts that need nothing of each other.  What is given is not solved.
+struct StandParts {
+  ComponentSets components;
+  std::map<std::string, SolvedContact> contacts;
+  std::vector<StandBearings> bearings;  // by pass
+  std::vector<BiteSpring> K4;           // by pass
+};
+
+// All parts side by side, those that take longest first; results come in the order in which they are taken.
+class PartsOfStand {
+public:
+  PartsOfStand(RunContext &run, const FourHigh &stand, const std::vector<double> &loads, const Goal goal,
+               const bool with_bites = true)
+      : all(run), n_passes(stand.passes.size())
+  {
+    parts.K4.resize(n_passes);
+    add(contacts, [&](RunContext &own) { parts.contacts = solve_contacts(own, stand, loads); });
+    add(bearings, [&](RunContext &own) { parts.bearings = solve_bearings(own, stand, loads); });
+    add(components, [&, goal](RunContext &own) {
+      if (goal >= Goal::masses || stand.backup_roll.bending_model == "solid")
+        parts.components = stand_components(own, stand, goal >= Goal::masses);
+    });
+    for (std::size_t p = 0; p < n_passes; ++p)
+      add(first_bite + p, [&, goal, p, with_bites](RunContext &own) {
+        if (with_bites && !stand.given.count("K4"))
+          parts.K4[p] = solve_bite_spring(own, stand, stand.passes[p], loads[p], p == 0, draws_bite_curves(goal));
+      });
+    all.work();
+    for (const std::size_t part : {components, contacts, bearings})
+      all.take(part);
+  }
+  bool has_bite(const std::size_t pass) const  // else take_bite() throws
+  {
+    return !all.failed(first_bite + pass);
+  }
+  void take_bite(const std::size_t pass)
+  {
+    all.take(first_bite + pass);
+  }
+  StandParts parts;
+
+private:
+  enum : std::size_t { contacts, bearings, components, first_bite };
+  void add(const std::size_t place, IndependentStage stage)
+  {
+    if (place != n_added++)
+      throw std::logic_error("a part of the stand stands in the wrong place");
+    all.add(std::move(stage));
+  }
+  SideBySide all;
+  std::size_t n_passes, n_added = 0;
+};
+
+reduce::ChainInputs chain_inputs(const FourHigh &stand, const StandParts &parts, const std::size_t p,
+                                 const double load)
+{
+  reduce::ChainInputs in;
+  if (parts.contacts.count("upper"))
+    in.K3 = parts.contacts.at("upper").tangent[p];
+  if (parts.contacts.count("lower"))
+    in.K5 = parts.contacts.at("lower").tangent[p];
+  in.K4         = parts.K4[p].combined;
+  in.K_Zy_upper = parts.bearings[p].K_Zy_upper;
+  in.K_Zy_lower = parts.bearings[p].K_Zy_lower;
+  in.Kzc        = parts.bearings[p].Kzc;
+  in.Kzc_across = parts.bearings[p].Kzc_across;
+  in.solid      = solid_rolls(parts.components);
+  in.at         = at_force(load);
+  set_inputs(in, stand, p);
+  return in;
+}
+
+// The curves of a pass, as far as its parts have them.
+StandCurves curves_of(const FourHigh &stand, const StandParts &parts, const std::size_t p)
+{
+  const auto curve = [&](const char *contact) {
+    const auto found = parts.contacts.find(contact);
+    return found == parts.contacts.end() ? nullptr : &found->second.curve;
+  };
+  // A roller bearing has one curve whatever the pass; an oil film has one for each speed.
+  const bool same = !oil_film_of(stand.oil_films, stand.backup_roll.bearing) ||
+                    stand.passes[p].speed == stand.passes.front().speed;
+  return {curve("upper"), curve("lower"), same ? &parts.bearings.front().backup_deflection : nullptr};
+}
+
+// The mill modulus of a pass, from the results of all stages.
+void add_modulus(RunContext &run, const FourHigh &stand, const StandParts &parts, const double load,
+                 const std::size_t p, const std::vector<Check> &gaps)
+{
+  const StandCurves curves = curves_of(stand, parts, p);
+  ModulusParts of;
+  of.pass              = p;
+  of.load              = load;
+  of.upper             = curves.upper;
+  of.lower             = curves.lower;
+  of.K4                = parts.K4[p];
+  of.K_Zy              = {parts.bearings[p].K_Zy_upper, parts.bearings[p].K_Zy_lower};
+  of.backup_deflection = curves.bearings;
+  of.solid             = solid_rolls(parts.components);
+  of.gap               = gaps;
+  add_stand_modulus(run, stand, of);
+}
+
+// Frequency response and Campbell diagram of the best model.
+void add_turning_and_response(RunContext &run, const FourHigh &stand, const reduce::LumpedStand &chain,
+                              const StandModels &models, const ComponentSets &components)
+{
+  const double C = chain.model.C.value;
+  RespondingStand responding;
+  responding.models     = {&models.craig_bampton, &models.beam, &models.chain};
+  responding.uncertain  = inputs_of_modes(stand, chain, models, components);
+  responding.gap_damper = stand.dynamics.force_meaning == "measured" || std::isnan(C) ? 0 : C;
+  responding.limit      = stand.dynamics.frequency_limit;
+  responding.at         = chain.model.at;
+  // The work-roll chocks of the components stand on their bearings.
+  responding.inputs = joined(keys_of_models(chain), chain.model.Kzc[1].inputs, chain.model.Kzc[2].inputs);
+  add_frequency_responses(run, stand.frequency_response, stand.dynamics, responding);
+  add_campbell(run, stand.campbell, {&models.craig_bampton, turning_rolls(stand), stand.passes, stand.drive});
+}
+
+// The frame of the chain; parts that a given K2 or K6 represents are as sure as that.
+Frame with_tolerance_of_given(const FourHigh &drawn, Frame frame)
+{
+  for (const Field<Frame> &row : frame_rows())
+    for (const char *spring : {"K2", "K6"})
+      if (const auto given = drawn.given.find(spring);
+          given != drawn.given.end() && is_needless("frame", row.key, {spring}) &&
+          std::isnan(drawn.frame.*std::get<double Frame::*>(row.member)))
+        if (const double error = given->second.parameter.error_estimate; !std::isnan(error))
+          frame.tolerance[row.key] = error;
+  return frame;
+}
+
+// The response of a pass to its force.
+void drive_pass(RunContext &run, const FourHigh &stand, const reduce::LumpedStand &chain,
+                const StandModels &models, const StandParts &parts, const PassForces &forces, const std::size_t p)
+{
+  const Pass &pass = stand.passes[p];
+  if (!has_force(pass)) {
+    run.warn(pass.name + " has a load but no force record: nothing was simulated for it");
+    return;
+  }
+  PassModel model = model_of_pass(stand, chain, models);
+  if (stand.dynamics.contact == "curve")
+    model.curves = std::make_shared<CurveDrive>(curve_drive(run, curves_of(stand, parts, p), chain,
+                                                            driven(models, stand.dynamics), stand.dynamics, pass,
+                                                            forces.loads[p]));
+  simulate_pass(run, model, stand.dynamics, pass, forces.records[p]);
+}
+
+// The chain of one pass, what stands beside it, and what is done with it.
+// @param gaps  for the mill modulus of the pass, which comes when the bite is there
+void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, const PassForces &forces,
+              const std::size_t p, const Goal goal, std::vector<Check> &gaps)
+{
+  const bool first = p == 0;
+  auto chain       = reduce::lumped_stand(drawn, chain_inputs(drawn, parts, p, forces.loads[p]));
+  FourHigh stand   = drawn;
+  stand.frame      = with_tolerance_of_given(drawn, chain.frame);
+  const Pass &pass = stand.passes[p];
+  StandModels models;
+  reduce::FeMasses fe_masses{};
+  if (goal >= Goal::masses) {
+    models    = stand_models(stand, chain, parts.components);
+    fe_masses = add_fe_masses(chain.model, stand, models);
+  }
+  add_model(run, chain.model, first ? "" : pass.name + ".");
+  if (first) {
+    run.results.add("K_ZW", chain.K_ZW);
+    run.results.add("K_Zy", chain.K_Zy_upper);
+    run.results.add("K_Zy_lower", chain.K_Zy_lower);
+    write_shapes(run, chain);
+    std::string curves;
+    if (stand.dynamics.contact == "curve")
+      curves = chain_curves_toml(chain_curves_of(curves_of(stand, parts, p), chain, forces.loads[p]));
+    run.out.write("lumped_model.toml", lumped_model_toml(chain.model, run.the_case, run.out.path()) + curves);
+  }
+  if (goal >= Goal::modes && first)
+    add_modes(run, chain.model, stand.dynamics, stand.frame.chock_to_housing_stiffness,
+              {2 * stand.work_roll.chock_mass_upper, 2 * stand.work_roll.chock_mass_lower});
+  if (goal >= Goal::masses && first) {
+    compare_models(run, stand, chain, models, parts.components, fe_masses);
+    add_housing_frequencies(run, stand, parts.components);
+    add_model_checks(run, models);
+    add_named_modes(run, {&models.craig_bampton, &models.beam, &models.chain}, stand.dynamics.frequency_limit);
+    run.summary += headline(models, stand.dynamics.frequency_limit);
+  }
+  if (goal >= Goal::masses)
+    gaps = gaps_of(models, stand.dynamics.mass_reference);
+  std::vector<IndependentStage> rest;
+  if (goal >= Goal::modes && first)
+    rest.push_back(
+        [&](RunContext &own) { add_turning_and_response(own, stand, chain, models, parts.components); });
+  if (goal >= Goal::simulate)
+    rest.push_back([&](RunContext &own) { drive_pass(own, stand, chain, models, parts, forces, p); });
+  run_side_by_side(run, std::move(rest));
+  if (goal == Goal::chatter)
+    linked_subjects.stand_chatter(run, stand, pass, chain, models);
+  run.progress.at("passes", double(p + 1) / double(stand.passes.size()));
+}
+}  // namespace
+
+namespace {
+// K4 makes the strip optional, chatter does not.
+void require_bite(const Case &the_case)
+{
+  const std::string missing = missing_of_bite(the_case);
+  if (!missing.empty())
+    throw InputError("millstand chatter needs " + missing + " (" + the_case.path +
+                     "): given.K4 is the slope of a bite, not how it follows speed and tension");
+}
+}  // namespace
+
+void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::string &force_file)
+{
+  if (goal == Goal::chatter) {
+    require_bite(run.the_case);
+    stand.dynamics.force_meaning = "measured";  // the stand without the strip, which the bite then adds
+  }
+  const PassForces forces = forces_of(run, stand, force_file);
+  set_given_inputs(stand.given);
+  resolve_frame(run, stand);
+  stand.strip = fitted_strip(run, fit_question(stand, forces.loads));
+  PartsOfStand made(run, stand, forces.loads, goal);
+  SideBySide passes(run);
+  std::vector<std::vector<Check>> gaps(stand.passes.size());
+  for (std::size_t p = 0; p < stand.passes.size(); ++p)
+    passes.add([&, p](RunContext &own) {
+      if (made.has_bite(p))
+        run_pass(own, stand, made.parts, forces, p, goal, gaps[p]);
+    });
+  passes.work();
+  for (std::size_t p = 0; p < stand.passes.size(); ++p) {
+    made.take_bite(p);
+    passes.take(p);
+  }
+  for (std::size_t p = 0; p < stand.passes.size(); ++p)
+    add_modulus(run, stand, made.parts, forces.loads[p], p, gaps[p]);
+  set_beside(run, stand.published);
+  if (stand.passes.size() > 1)
+    run.assume("lumped_model.toml holds the model at the load of " + stand.passes[0].name +
+               "; here every pass has its own");
+  run.assume("modal damping of " + fmt::format("{:g}", 100 * stand.dynamics.modal_damping) +
+             " % in every mode; acceleration levels of a given force range follow (damping x "
+             "bandwidth)^(-1/2), so that only "
+             "this product can be told from measured levels");
+}
+
+namespace {
+void add_turning_and_response(RunContext &run, const Lumped &lumped, const LumpedModel &model,
+                              const reduce::StandWithModes &chain)
+{
+  const bool measured = lumped.dynamics.force_meaning == "measured";
+  RespondingStand responding;
+  responding.models     = {&chain};
+  responding.uncertain  = reduce::modal_sensitivities(chain, model);
+  responding.gap_damper = measured || std::isnan(model.C.value) ? 0 : model.C.value;
+  responding.inputs     = joined(chain_mode_keys(model, lumped.dynamics, Half::upper),
+                                 chain_mode_keys(model, lumped.dynamics, Half::lower));
+  add_frequency_responses(run, lumped.frequency_response, lumped.dynamics, responding);
+  add_campbell(run, lumped.campbell, {&chain, turning_rolls(lumped), lumped.passes, lumped.drive});
+}
+}  // namespace
+
+namespace {
+// The chain as it is given, or at the load of the pass on its curves.
+void simulate_lumped_pass(RunContext &run, const LumpedModel &given, const Lumped &lumped, const Pass &pass,
+                          const ForceRecord &force)
+{
+  if (lumped.dynamics.contact != "curve")
+    return simulate_pass(run, pass_model(given, lumped.dynamics), lumped.dynamics, pass, force);
+  const double load       = working_load(pass, force);
+  const LumpedModel model = at_load(run, given, lumped.curves, lumped.dynamics, pass, load);
+  PassModel driven        = pass_model(model, lumped.dynamics);
+  driven.curves = std::make_shared<CurveDrive>(curve_drive(lumped.curves, lumped.dynamics, given, model, load));
+  simulate_pass(run, driven, lumped.dynamics, pass, force);
+}
+}  // namespace
+
+void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::string &force_file)
+{
+  if (lumped.detailed)
+    return run_detailed_model(run, lumped, goal, force_file);
+  LumpedModel model = lumped_model_of(run.the_case);
+  set_given_inputs(model);
+  add_model(run, model, "");
+  run.out.write("lumped_model.toml",
+                lumped_model_toml(model, run.the_case, run.out.path()) + chain_curves_toml(lumped.curves));
+  if (goal >= Goal::modes)
+    add_modes(run, model, lumped.dynamics, not_given, {0, 0});
+  if (goal >= Goal::modes) {
+    const auto chain = chain_with_modes(model, lumped.dynamics);
+    add_named_modes(run, {&chain});
+    add_turning_and_response(run, lumped, model, chain);
+  }
+  if (goal < Goal::simulate)
+    return;
+  for (std::size_t p = 0; p < lumped.passes.size(); ++p) {
+    Pass &pass = lumped.passes[p];
+    if (!force_file.empty())
+      pass.force_file = force_file;
+    if (has_force(pass))
+      simulate_lumped_pass(run, model, lumped, pass, force_of(pass));
+    run.progress.at("passes", double(p + 1) / double(lumped.passes.size()));
+  }
+}
+
+namespace {
+std::size_t place_of(const std::vector<Pass> &passes, const std::string &wanted)
+{
+  std::string names;
+  for (std::size_t p = 0; p < passes.size(); ++p) {
+    if (wanted.empty() || passes[p].name == wanted)
+      return p;
+    names += (p == 0 ? "\"" : ", \"") + passes[p].name + "\"";
+  }
+  throw InputError("--pass \"" + wanted + "\": the case has no pass of this name; it has " +
+                   (names.empty() ? "none" : names));
+}
+}  // namespace
+
+DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string &pass)
+{
+  const std::size_t p     = place_of(stand.passes, pass);
+  const PassForces forces = forces_of(run, stand, "");
+  set_given_inputs(stand.given);
+  resolve_frame(run, stand);
+  // A measured force leaves K4 out, so that no bite has to be solved for it.
+  const bool gap_springs = stand.dynamics.force_meaning != "measured";
+  PartsOfStand made(run, stand, forces.loads, Goal::simulate, gap_springs);
+  made.take_bite(p);
+  DrivenStand driven_stand;
+  auto chain = reduce::lumped_stand(stand, chain_inputs(stand, made.parts, p, forces.loads[p]));
+  std::optional<StandModels> models;
+  const reduce::StandWithModes *detailed = nullptr;
+  if (stand.dynamics.model != "six-mass" || stand.dynamics.mass_source != "closed-form") {
+    models = stand_models(stand, chain, made.parts.components);
+    add_fe_masses(chain.model, stand, *models);
+    detailed = driven(*models, stand.dynamics);
+    if (detailed) {
+      driven_stand.modes    = driven_modes(*detailed, chain.model, stand.dynamics);
+      driven_stand.detailed = std::make_shared<const reduce::StandWithModes>(
+          with_connection_errors(*detailed, stand, chain, made.parts.components));
+    }
+  }
+  if (stand.dynamics.contact == "curve")
+    driven_stand.curves = std::make_shared<CurveDrive>(curve_drive(
+        run, curves_of(stand, made.parts, p), chain, detailed, stand.dynamics, stand.passes[p], forces.loads[p]));
+  driven_stand.chain    = chain.model;
+  driven_stand.dynamics = stand.dynamics;
+  driven_stand.pass     = stand.passes[p];
+  driven_stand.force    = forces.records[p];
+  driven_stand.load     = forces.loads[p];
+  return driven_stand;
+}
+
+DrivenStand driven_lumped(RunContext &run, const Lumped &lumped, const std::string &pass)
+{
+  DrivenStand driven_stand;
+  driven_stand.dynamics = lumped.dynamics;
+  if (lumped.detailed)
+    drive_files(driven_stand, lumped.model);
+  else
+    driven_stand.chain = lumped_model_of(run.the_case);
+  if (!lumped.passes.empty() || !pass.empty()) {
+    driven_stand.pass = lumped.passes[place_of(lumped.passes, pass)];
+    if (has_force(driven_stand.pass))
+      driven_stand.force = force_of(driven_stand.pass);
+    if (driven_stand.force.force.size() > 0 || !std::isnan(driven_stand.pass.load))
+      driven_stand.load = working_load(driven_stand.pass, driven_stand.force);
+    if (lumped.dynamics.contact == "curve" && !lumped.detailed) {
+      const LumpedModel given = driven_stand.chain;
+      driven_stand.chain =
+          at_load(run, given, lumped.curves, lumped.dynamics, driven_stand.pass, driven_stand.load);
+      driven_stand.curves = std::make_shared<CurveDrive>(
+          curve_drive(lumped.curves, lumped.dynamics, given, driven_stand.chain, driven_stand.load));
+    }
+  }
+  return driven_stand;
+}
+
+void run_stages(RunContext &run, const Goal goal, const std::string &force_file)
+{
+  run_kind(run.the_case).run(run, goal, force_file);
+  set_inputs(run.results, run.the_case);
+  mark_estimates(run);
+}
+}  // namespace mill

@@ -1,0 +1,24 @@
+#pragma once
+#include "app/run/driven_stand.h"
+#include "app/run/run_context.h"
+#include <string>
+
+namespace mill {
+struct FourHigh;
+struct Lumped;
+
+/// Those of kind "four-high" and of kind "lumped", from the stages that are needed for it.
+/// @param pass  its name; empty: the first
+/// @throws InputError  no pass of this name
+DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string &pass);
+DrivenStand driven_lumped(RunContext &run, const Lumped &lumped, const std::string &pass);
+
+/// The stages of a case in order, up to the goal.  Results, curves and the lumped model are in the run's
+/// folder afterwards.
+/// @param force_file  replaces the force record of every pass (simulate --force); empty: none
+void run_stages(RunContext &run, Goal goal, const std::string &force_file = "");
+
+/// Those of kind "four-high" and of kind "lumped".
+void run_four_high(RunContext &run, FourHigh stand, Goal goal, const std::string &force_file);
+void run_lumped(RunContext &run, Lumped lumped, Goal goal, const std::string &force_file);
+}  // namespace mill

@@ -1,0 +1,139 @@
+#include "app/process/console.h"
+#include "core/base/error_list.h"
+#include "core/base/visible_text.h"
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <mutex>
+#include <unistd.h>
+#include <vector>
+
+namespace mill::console {
+namespace {
+void put(const std::string &text)
+{
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+[[noreturn]] void output_failed(const int error)
+{
+  throw OutputError(std::string("standard output cannot be written: ") + std::strerror(error));
+}
+}  // namespace
+
+void open_standard_files()
+{
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(number, F_GETFD) < 0)
+      ::open("/dev/null",
+             number == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // used the wrong way round: an error, as closed
+}
+
+void print(const std::string &text)
+{
+  const std::string shown = visible(text);
+  if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size())
+    output_failed(errno);
+}
+
+void flush()
+{
+  if (std::fflush(stdout) != 0)
+    output_failed(errno);
+}
+
+void say(const std::string &text)
+{
+  put(visible(text));
+}
+
+struct ProgressBar::State {
+  std::vector<std::pair<std::string, double>> stages;
+  bool quiet, terminal;
+  double done                  = 0;  // share of the whole, never falls
+  int last_percent             = -1;
+  std::vector<double> fraction = std::vector<double>(stages.size(), 0.);  // of each stage
+  std::mutex access;                                                      // stages run side by side
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+};
+
+ProgressBar::ProgressBar(std::vector<std::pair<std::string, double>> stages, const bool quiet)
+    : state(new State{std::move(stages), quiet, isatty(STDERR_FILENO) == 1})
+{
+}
+
+ProgressBar::~ProgressBar() = default;
+
+void ProgressBar::show(const std::string &stage, const double fraction)
+{
+  State &s = *state;
+  if (s.quiet)
+    return;
+  const std::lock_guard lock(s.access);
+  // Stages run side by side; the next report of a name that is done belongs to the next stage of that name.
+  double all = 0, reached = 0;
+  bool known = false;
+  for (std::size_t i = 0; i < s.stages.size(); ++i) {
+    if (!known && s.stages[i].first == stage && s.fraction[i] < 1) {
+      s.fraction[i] = std::max(s.fraction[i], fraction);
+      known         = true;
+    }
+    all += s.stages[i].second;
+    reached += s.stages[i].second * s.fraction[i];
+  }
+  s.done                                      = std::max(s.done, all > 0 ? reached / all : fraction);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - s.start;
+  const int percent                           = int(100 * s.done);
+  if (s.terminal) {
+    const int filled = int(30 * s.done);
+    const std::string left =
+        s.done > 0.02 ? fmt::format("{:.0f} s left", elapsed.count() * (1 - s.done) / s.done) : "";
+    put(fmt::format("\r\033[K[{}{}] {:3} %  {}  {}", std::string(filled, '#'), std::string(30 - filled, '.'),
+                    percent, visible(stage, true), left));
+  } else if (percent / 10 > s.last_percent / 10 || s.last_percent < 0) {
+    say(fmt::format("{:3} %  {}\n", percent, stage));
+    s.last_percent = percent;
+  }
+}
+
+void ProgressBar::finish()
+{
+  if (!state->quiet && state->terminal)
+    put("\r\033[K");
+}
+
+void show(const InputError &error)
+{
+  say(render_list(error.problems));
+}
+
+void show(const SolverError &error)
+{
+  const auto &r = error.report;
+  say(visible(r.what, true) + "\n");
+  if (!r.where.empty())
+    say("  " + visible(r.where, true) + "\n");
+  for (const auto &[name, text] : {
+           std::pair{"usual cause", r.cause },
+           std::pair{"change",      r.remedy},
+           std::pair{"kept",        r.kept  }
+  })
+    if (!text.empty())
+      say(fmt::format("  {:<12}  {}\n", name, visible(text, true)));
+}
+
+void show(const OutputError &error)
+{
+  say(std::string("error: ") + error.what() + "\n");
+}
+
+void show_bug(const std::exception &error, const std::string &manifest)
+{
+  say(std::string("millstand failed on its own account: ") + error.what() + "\n" +
+      "please report this with the case file" + (manifest.empty() ? "" : " and " + manifest) + "\n");
+}
+}  // namespace mill::console

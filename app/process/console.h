@@ -1,0 +1,44 @@
+#pragma once
+#include "core/base/errors.h"
+#include "core/process/progress.h"
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace mill::console {
+/// Standard output cannot take what is printed: exit code 3.
+struct OutputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A closed standard input, output or error is opened on nothing, so that no file of ours gets its number.  Called
+/// first.
+void open_standard_files();
+
+/// Text for standard output; control characters are written out.  @throws OutputError
+void print(const std::string &text);
+/// What was printed has arrived.  @throws OutputError  it has not (disk full, closed)
+void flush();
+/// Text for standard error, control characters written out; a standard error that takes nothing is no error.
+void say(const std::string &text);
+
+/// What the user sees while a run works: a bar with stage and time left on a terminal, percent lines elsewhere.
+class ProgressBar {
+public:
+  /// @param stages  expected stages and their share of the time, in order; shares need not sum to one
+  ProgressBar(std::vector<std::pair<std::string, double>> stages, bool quiet);
+  ~ProgressBar();
+  void show(const std::string &stage, double fraction);
+  void finish();
+
+private:
+  struct State;
+  std::unique_ptr<State> state;
+};
+
+void show(const InputError &error);
+void show(const SolverError &error);
+void show(const OutputError &error);
+/// @param manifest  path of run.json, empty when there is none
+void show_bug(const std::exception &error, const std::string &manifest);
+}  // namespace mill::console

@@ -1,0 +1,40 @@
+#pragma once
+#include "app/run/run_context.h"
+#include "core/base/errors.h"
+#include <optional>
+#include <string>
+
+namespace mill {
+/// A part that outlives the run: taken from the cache, or made and kept there.  Two stages that run side by side
+/// and want the same one make it once.
+/// @param file  in the cache, `key` the hash of everything that the part depends on
+/// @param load  (file, key, std::string *note) -> std::optional<Part>, nothing where no entry can be used
+/// @param make  () -> Part
+/// @param save  (file, key, part)
+template <class Part, class Load, class Make, class Save>
+Part kept_part(RunContext &run, const std::string &stage, const std::string &file, const std::string &key,
+               const Load &load, const Make &make, const Save &save)
+{
+  const MadeKeys::Turn alone(*run.made, key);
+  StageTimer timer(run, stage);
+  std::string note;
+  std::optional<Part> stored;
+  if (!run.fresh || run.made->count(key))
+    stored = load(file, key, &note);
+  if (!note.empty())
+    run.progress.note(note);
+  if (stored) {
+    run.progress.note(stage + ": taken from " + file);
+    timer.cached = true;
+    return std::move(*stored);
+  }
+  Part part = make();
+  try {
+    save(file, key, part);
+    run.made->insert(key);
+  } catch (const InputError &e) {
+    run.warn(stage + " could not be kept for the next run: " + e.what());  // but it is good
+  }
+  return part;
+}
+}  // namespace mill

@@ -1,0 +1,155 @@
+#include "app/run/output_dir.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
+#include "core/case/kinds.h"
+#include "core/records/run_identity.h"
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+namespace {
+// Name of the case a folder belongs to; empty when it is no folder of a run.
+std::string owner_of(const std::string &directory)
+{
+  const std::string manifest = directory + "/run.json";
+  if (!fs::exists(manifest))
+    return "";
+  const auto json  = nlohmann::json::parse(read_text(manifest), nullptr, false);
+  const bool named = json.is_object() && json.contains("case") && json["case"].is_string();
+  return named ? json["case"].get<std::string>() : "";
+}
+
+// Nothing but what an interrupted run left behind.
+bool is_free(const std::string &directory)
+{
+  for (const auto &entry : fs::directory_iterator(directory))
+    if (!is_staging(entry.path().filename().string()) && entry.path().filename() != "cache")
+      return false;
+  return true;
+}
+}  // namespace
+
+OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite, std::string run_id)
+    : directory(std::move(path)), id(std::move(run_id))
+{
+  const auto require = [&](const std::error_code &error) {
+    if (error)
+      refuse_file(error.value(),
+                  "the folder " + directory + " cannot be made: " + error.message() + "; choose another with -o");
+  };
+  std::error_code error;
+  const fs::file_status found = fs::status(directory, error);
+  if (error && found.type() != fs::file_type::not_found)
+    refuse_file(error.value(),
+                directory + " cannot be looked at: " + error.message() + "; choose another with -o");
+  if (fs::exists(found) && !fs::is_directory(found))
+    throw InputError(directory + " is a file, not a folder; choose another with -o");
+  fs::create_directories(directory, error);
+  require(error);
+  const FolderLock alone(directory);  // no run is in the middle of publishing here
+  finish_publishing(directory);
+  if (!is_free(directory) && !overwrite) {
+    const std::string owner = owner_of(directory);
+    if (owner.empty())
+      throw InputError("the folder " + directory +
+                       " holds files that no run wrote; choose another with -o, or give --force-overwrite");
+    if (owner != of.name)
+      throw InputError("the folder " + directory + " holds the results of the case '" + owner +
+                       "'; choose another with -o, or give --force-overwrite");
+  }
+  require_replaceable(directory);
+  if (alone.held())
+    remove_leftovers(directory);
+  staged = std::make_unique<Staging>(directory);
+  for (const char *part : {"curves", "response", "fields", "models"}) {
+    fs::create_directory(file(part), error);
+    require(error);
+  }
+}
+
+const std::string &OutputDir::path() const
+{
+  return directory;
+}
+
+const std::string &OutputDir::run_id() const
+{
+  return id;
+}
+
+const std::string &OutputDir::staging() const
+{
+  return staged->path();
+}
+
+std::string OutputDir::file(const std::string &name) const
+{
+  return staging() + "/" + name;
+}
+
+void OutputDir::write(const std::string &name, const std::string &text) const
+{
+  if (fs::path(name).extension() == ".toml")
+    write_atomically(file(name), run_id_line(id) + text);
+  else
+    write_atomically(file(name), text);
+  if (is_summed(name)) {
+    const std::string sum = hash_of(text);
+    const std::lock_guard lock(written->access);
+    written->sums[name] = sum;
+  }
+}
+
+void OutputDir::write_table(const std::string &name, Table table) const
+{
+  write(name + ".csv", csv_text(table));
+  const std::lock_guard lock(written->access);
+  written->tables[name] = std::move(table);
+}
+
+std::map<std::string, Table> OutputDir::take_tables() const
+{
+  const std::lock_guard lock(written->access);
+  return std::exchange(written->tables, {});
+}
+
+std::map<std::string, std::string> OutputDir::checksums() const
+{
+  const std::lock_guard lock(written->access);
+  return checksums_below(staging(), written->sums);
+}
+
+void OutputDir::publish() const
+{
+  const FolderLock alone(directory);
+  publish_results(staging(), directory);
+}
+
+void check_file_names(const Case &the_case)
+{
+  std::map<std::string, Pass> written;  // file name -> pass that writes it
+  std::vector<Problem> problems;
+  for (const Pass &pass : all_passes(the_case)) {
+    if (pass.name.size() > 100)
+      problems.push_back(
+          {pass.place, "pass.name is longer than 100 characters; it names the files of the pass", {}});
+    for (const char *ending : {"", "-spectrum", "-measured"}) {
+      const std::string file = "response/" + slug(pass.name) + ending + ".csv";
+      if (const auto other = written.find(file); other != written.end()) {
+        problems.push_back({pass.place,
+                            "pass.name = \"" + pass.name + "\" and \"" + other->second.name + "\" both write " +
+                                file + "; rename one of them",
+                            {other->second.place}});
+        break;
+      }
+      written[file] = pass;
+    }
+  }
+  if (!problems.empty())
+    throw InputError(problems);
+}
+}  // namespace mill

@@ -1,0 +1,49 @@
+#include "app/run/result_inputs.h"
+#include "app/run/run_kind.h"
+#include "core/case/provenance.h"
+#include "core/model/case.h"
+#include <optional>
+
+namespace mill {
+void set_inputs(Results &results, const Case &the_case)
+{
+  for (auto &[name, parameter] : results.values)
+    if (const auto keys = run_kind(the_case).inputs(the_case, results, name))
+      parameter.inputs = *keys;
+}
+
+std::vector<std::string> beside_the_chain(const Case &the_case, const std::string &key)
+{
+  std::vector<std::string> names{"K3.friction_tangent",
+                                 "K3.path_plateau",
+                                 "K5.friction_tangent",
+                                 "K5.path_plateau",
+                                 "K4.path_plateau",
+                                 "Kzc.motion.frequency",
+                                 "frf.bite.upper_work_roll.peak",
+                                 "campbell.third_octave_upper.speed"};
+  std::vector<std::string> found;
+  for (const std::string &name : names) {
+    const auto keys = run_kind(the_case).inputs(the_case, Results(), name);
+    if (keys && holds(*keys, key))
+      found.push_back(name);
+  }
+  return found;
+}
+
+void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, const std::size_t pass)
+{
+  // What is given was not solved; half of K_Zy is the bearing of its seat.
+  const auto solved = [&](const std::string &name) {
+    if (name.rfind("K_Zy", 0) == 0)
+      return !stand.given.count(name == "K_Zy" ? "Kzc1" : "Kzc4");
+    return name.rfind("Kzc", 0) != 0 || !stand.given.count(name.substr(0, 4));
+  };
+  reduce::each_spring(
+      [&](const std::string &name, Parameter &spring) {
+        if (solved(name))
+          spring.inputs = spring_keys(stand, name, pass);
+      },
+      springs);
+}
+}  // namespace mill

@@ -1,0 +1,21 @@
+#pragma once
+#include "core/records/results.h"
+#include "reduce/stand/lumped_stand.h"
+
+namespace mill {
+struct Case;
+struct FourHigh;
+
+/// Writes into contacts, bearings, bites and responses of a run the keys that stand behind them, by the lists of
+/// core/case/provenance.h that a trace follows too.  Masses, springs and modes carry theirs along from the
+/// chain.
+void set_inputs(Results &results, const Case &the_case);
+
+/// Results that a run adds to those of a trace and that state this key, none of them in the chain of springs and
+/// masses: "K3.friction_tangent" of "contact.upper.friction".
+std::vector<std::string> beside_the_chain(const Case &the_case, const std::string &key);
+
+/// The computed springs of a chain with their keys.
+/// @param pass  whose load they belong to
+void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, std::size_t pass);
+}  // namespace mill

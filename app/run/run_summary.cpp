@@ -1,0 +1,116 @@
+#include "app/run/run_summary.h"
+#include "core/base/error_list.h"
+#include "core/base/visible_text.h"
+#include "core/case/fields.h"
+#include "core/records/result_names.h"
+#include "report/results/names.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <vector>
+
+namespace mill {
+namespace {
+constexpr std::size_t most_lines = 25, most_modes = 8, most_limits = 6, most_values = 10;
+
+std::string one_line(const std::string &text)
+{
+  return shortened(visible(text, true));
+}
+
+std::string accuracy(const Parameter &p)
+{
+  return std::isnan(p.error_estimate) ? "" : fmt::format("  (within {:.2g} %)", 100 * p.error_estimate);
+}
+
+std::string value_line(const std::string &name, const Parameter &p)
+{
+  return fmt::format("  {:<34} {:>16}{}", name, engineering(p), accuracy(p));
+}
+
+void add_modulus_line(const Results &results, std::vector<std::string> &lines)
+{
+  const Parameter *strip = results.find("stand.modulus.tangent"), *kiss = results.find("stand.modulus.kiss");
+  if (!strip && !kiss)
+    return;
+  std::string text = "mill modulus:";
+  if (strip)
+    text += fmt::format(" {:.3g} MN/mm with strip{}", strip->value / 1e9, accuracy(*strip));
+  if (kiss)
+    text += fmt::format("{} {:.3g} MN/mm with touching work rolls", strip ? "," : "", kiss->value / 1e9);
+  lines.push_back(text);
+}
+
+// mode.third_octave.frequency -> third octave; third and fifth octave first, as they are what a mill asks for.
+void add_mode_lines(const Results &results, std::vector<std::string> &lines)
+{
+  std::vector<std::pair<std::string, const Parameter *>> modes;
+  for (const auto &[name, p] : results.values)
+    if (const auto parts = parts_of(name);
+        parts.size() == 3 && parts[0] == family::mode && parts[2] == "frequency") {
+      modes.emplace_back(parts[1], &p);
+      std::replace(modes.back().first.begin(), modes.back().first.end(), '_', ' ');
+    }
+  std::stable_partition(modes.begin(), modes.end(), [](const auto &mode) {
+    return mode.first.rfind("third octave", 0) == 0 || mode.first.rfind("fifth octave", 0) == 0;
+  });
+  for (std::size_t i = 0; i < std::min(modes.size(), most_modes); ++i)
+    lines.push_back(value_line("mode " + modes[i].first, *modes[i].second));
+  if (modes.size() > most_modes)
+    lines.push_back(fmt::format("  and {} more named modes", modes.size() - most_modes));
+}
+
+// Where nothing vibrates the first results speak.
+void add_first_values(const Results &results, std::vector<std::string> &lines)
+{
+  std::size_t n = 0;
+  for (const auto &[name, p] : results.values)
+    if (!report::is_of_one_model(name) && std::count(name.begin(), name.end(), '.') < 3 && n++ < most_values)
+      lines.push_back(value_line(visible(name, true), p));
+}
+}  // namespace
+
+std::string engineering(const Parameter &p)
+{
+  if (p.unit == "N/m")
+    return fmt::format("{:.5g} kN/mm", p.value / 1e6);
+  if (p.unit == "N/m2")
+    return fmt::format("{:.6g} N/mm per mm", p.value / 1e6);
+  if (p.unit == "m")
+    return fmt::format("{:.5g} mm", 1e3 * p.value);
+  if (p.unit == "Pa")
+    return fmt::format("{:.5g} MPa", p.value / 1e6);
+  if (p.unit == "N")
+    return fmt::format("{:.6g} kN", p.value / 1e3);
+  return fmt::format("{:.6g} {}", p.value, p.unit == "1" ? "" : p.unit);
+}
+
+std::string run_summary(const Results &results, const std::string &name, const std::string &limits,
+                        const std::string &page)
+{
+  const std::size_t n_warnings = results.warnings.size();
+  std::vector<std::string> lines{fmt::format(
+      "{}: done, {}{}", visible(name, true),
+      n_warnings == 0   ? "nothing to warn of"
+      : n_warnings == 1 ? "one warning"
+                        : fmt::format("{} warnings", n_warnings),
+      results.estimates.empty() ? "" : fmt::format(", {} values estimated", results.estimates.size()))};
+  add_modulus_line(results, lines);
+  add_mode_lines(results, lines);
+  if (lines.size() == 1)
+    add_first_values(results, lines);
+  std::size_t n_limits = 0;
+  for (const std::string &line : split(limits, "\n"))
+    if (!line.empty() && n_limits++ < most_limits)
+      lines.push_back(one_line(line));
+  const std::size_t room = most_lines - lines.size() - 2, shown = std::min(room, n_warnings);
+  for (std::size_t i = 0; i < shown; ++i)
+    lines.push_back(one_line("warning: " + results.warnings[i]));
+  if (shown < n_warnings)
+    lines.push_back(fmt::format("and {} more warnings on the page", n_warnings - shown));
+  std::string text;
+  for (const std::string &line : lines)
+    text += line + "\n";
+  return text + "report: " + page + "\n";
+}
+}  // namespace mill

@@ -1,0 +1,113 @@
+#include "core/model/bearing_case.h"
+#include "app/run/curve_files.h"
+#include "app/stages/bearing/bearing_files.h"
+#include "app/stages/bearing/bearing_published.h"
+#include "app/stages/bearing/bearing_ratings.h"
+#include "app/stages/bearing/bearing_results.h"
+#include "app/stages/bearing/bearing_stage.h"
+#include "app/stages/bearing/oil_film_results.h"
+#include "core/model/case.h"
+#include "core/records/csv.h"
+#include "dynamics/bearing/dynamics.h"
+#include "reduce/bearing/clearance.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+std::vector<double> log_spaced(const std::array<double, 2> &range, const int n)
+{
+  std::vector<double> out;
+  for (int i = 0; i < n; ++i)
+    out.push_back(range[0] * std::pow(range[1] / range[0], double(i) / (n - 1)));
+  return out;
+}
+
+// The mass swings on the computed curve; its force is the same in every direction, as that of a round bearing.
+void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &study)
+{
+  const BearingExcitation &e = spec.motion;
+  if (std::isnan(e.mass))
+    return;
+  StageTimer timer(run, "bearing dynamics");
+  dynamics::BearingOscillator mass;
+  mass.mass    = e.mass;
+  mass.damping = e.damping;
+  const auto n = Eigen::Index(study.curve.states.size());
+  mass.curve.displacement.resize(n);
+  mass.curve.force.resize(n);
+  mass.curve.tangent.resize(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto &at             = study.curve.states[std::size_t(i)];
+    mass.curve.displacement[i] = at.motion[0];
+    mass.curve.force[i]        = at.load[0];
+    mass.curve.tangent[i]      = bearing::radial_tangent(at, study.loading);
+  }
+  mass.mean_load    = {spec.load.radial, 0};
+  mass.direction    = {std::cos(e.direction), std::sin(e.direction)};
+  mass.amplitude    = e.amplitude;
+  mass.frequency    = e.frequency;
+  const auto motion = dynamics::simulate(mass, e.duration, e.output_rate);
+  run.out.write_table("response/bearing-" + slug(spec.load.bearing), dynamics::bearing_response_table(motion));
+  write_curve(run, curve::bearing_spectrum, slug(spec.load.bearing), dynamics::bearing_spectrum_table(motion));
+  const auto add = [&](const std::string &name, const std::string &unit, const double value,
+                       const std::string &method, std::vector<Check> checks = {}) {
+    Parameter p;
+    p.value  = value;
+    p.unit   = unit;
+    p.method = method;
+    p.at     = {
+            "{}, {} at {}", {{spec.load.radial, "kN", ".4g"}, {e.amplitude, "kN", ".4g"}, {e.frequency, "Hz", ".4g"}}
+    };
+    p.checks = std::move(checks);
+    p.inputs = {"dynamics.mass",      "dynamics.damping",   "dynamics.amplitude",
+                "dynamics.frequency", "dynamics.direction", "load.radial"};
+    run.results.add("Kzc.motion." + name, p);
+  };
+  const double linear = std::sqrt(study.tangent / e.mass) / (2 * M_PI);
+  add("frequency", "Hz", motion.frequency_along, "small motions about the load, on the interpolated curve",
+      {
+          {"tangent of the assembled bearing", linear, ""}
+  });
+  add("frequency_across", "Hz", motion.frequency_across,
+      "small motions across the load, on the interpolated curve",
+      {
+          {"tangent of the assembled bearing across the load",
+           std::sqrt(study.tangent_across / e.mass) / (2 * M_PI),
+           "a bearing in a chock is not the same all round"}
+  });
+  add("spectrum_peak", "Hz", motion.spectrum_peak, "highest line of the acceleration's spectrum");
+  add("peak_acceleration", "m/s2", motion.peak_acceleration, "time integration on the bearing's curve");
+  add("peak_force", "N", motion.peak_force, "time integration on the bearing's curve");
+  add("without_contact", "1", motion.without_contact, "share of the time, from the instants of loss and return");
+  for (const std::string &note : motion.notes)
+    run.assume(note);
+}
+}  // namespace
+
+void solve_bearing_case(RunContext &run, const BearingCase &spec)
+{
+  if (const OilFilmBearing *film = oil_film_of(spec.oil_films, spec.load.bearing))
+    return solve_oil_film_case(run, spec, *film);
+  BearingQuestion q = question_of(spec);
+  if (spec.load.radial > 0)
+    q.loads = log_spaced(spec.load.loads, spec.load.samples);
+  q.published       = spec.published;
+  q.published_total = "Kzc";
+  const auto parts  = bearing_parts(run, q.bearing, largest_roller_load(q));
+  const auto study  = study_bearing(run, parts, q);
+  auto inputs       = bearing_inputs(q.bearing);
+  for (const char *key : {"radial", "axial", "tilt", "cage_angle", "axial_displacement", "moment", "speed"})
+    inputs.push_back(std::string("load.") + key);
+  add_bearing_results(run, "Kzc", study, inputs);
+  add_published_results(run, "Kzc", study, inputs);
+  add_rating_results(run, study, inputs);
+  note_bearing(run, "Kzc", study);
+  write_bearing(run, study);
+  study.readings->keep(run);
+  if (q.cage_angle == 0)  // the field is symmetric about the load line
+    write_chock(run, q.bearing, study.at.roller_load);
+  drive_mass(run, spec, study);
+}
+}  // namespace mill

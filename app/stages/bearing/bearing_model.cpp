@@ -1,0 +1,371 @@
+#include "app/stages/bearing/bearing_model.h"
+#include "app/run/kept_part.h"
+#include "core/base/files.h"
+#include "core/case/kinds.h"
+#include "core/records/record_text.h"
+#include "fem/bearing/chock_flexibility.h"
+#include "fem/bearing/roller_slices.h"
+#include "fem/cache/roll_cache.h"
+#include "meshes/bearing/bearing_rings.h"
+#include "meshes/bearing/chock.h"
+#include "meshes/bearing/roller.h"
+#include "meshes/common/mesher.h"
+#include "reduce/bearing/clearance.h"
+#include "reduce/bearing/geometry.h"
+#include "reduce/bearing/ring_sections.h"
+#include "reduce/bearing/roller_profile.h"
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace mill {
+namespace {
+// Raised by hand when meshing or condensation changes what it computes.
+constexpr const char *roller_version = "roller 2", *rings_version = "rings 6";
+
+std::string file_name(const RunContext &run, const char *what, const std::string &key)
+{
+  return run.cache + "/" + what + "-" + key + ".bin";
+}
+
+std::string inputs_of(const RollerSetup &setup)
+{
+  return record_text(roller_version, fem::library_version(), meshes::library_version(), setup);
+}
+
+fem::CondensedRoller condensed_roller(RunContext &run, const std::string &name, const RollerSetup &s)
+{
+  const std::string key = hash_of(inputs_of(s));
+  const auto make       = [&] {
+    const RollerMeshes meshes = meshes::mesh_roller(s, run.out.staging(), "roller-" + key);
+    auto roller               = fem::condense_roller(s, meshes, run.progress);
+    meshes::remove_meshes(meshes);
+    return roller;
+  };
+  return kept_part<fem::CondensedRoller>(run, name, file_name(run, "roller", key), key, fem::load_roller, make,
+                                         fem::save_roller);
+}
+
+// Everything the rings' flexibility is made from: their sections and what holds them.
+std::string inputs_of(const RingSections &sections)
+{
+  return record_text(rings_version, fem::library_version(), meshes::library_version(), sections);
+}
+
+std::string ring_key(const RollerBearing &b, const bearing::RacewayDatum &datum)
+{
+  return hash_of(inputs_of(bearing::ring_sections(b, datum)));
+}
+
+fem::RingResult condensed_rings(RunContext &run, const RollerBearing &b, const bearing::RacewayDatum &datum)
+{
+  const std::string key = ring_key(b, datum);
+  const auto make       = [&] {
+    const RingSections sections = bearing::ring_sections(b, datum);
+    const std::string own       = "rings-" + key;
+    const RingMeshes fine       = meshes::mesh_rings(sections, {}, run.out.staging(), own);
+    const RingMeshes coarse =
+        meshes::mesh_rings(sections, meshes::coarsened({}), run.out.staging(), own + "-coarse");
+    auto result = fem::ring_flexibility(sections, fine, &coarse, {}, run.progress, run.threads);
+    meshes::remove_meshes(fine);
+    meshes::remove_meshes(coarse);
+    return result;
+  };
+  return kept_part<fem::RingResult>(run, "rings and chock of bearing " + b.name, file_name(run, "rings", key), key,
+                                    fem::load_rings, make, fem::save_rings);
+}
+
+// What surrounds the cup in another way: the orders in which it shows, on the coarser meshes.
+fem::RingResult condensed_surroundings(RunContext &run, const bearing::ChockSupport &support,
+                                       const bearing::RacewayDatum &datum, const int harmonics)
+{
+  const std::string key =
+      hash_of(fmt::format("{} | {} orders of the surroundings", ring_key(support.bearing, datum), harmonics));
+  const auto make = [&] {
+    const RingSections sections = bearing::ring_sections(support.bearing, datum);
+    const RingMeshes meshes =
+        meshes::mesh_rings(sections, meshes::coarsened({}), run.out.staging(), "rings-" + key);
+    fem::RingOptions options;
+    options.chock_harmonics = harmonics;
+    options.last_harmonic   = harmonics - 1;
+    options.share           = 0;  // all of these orders
+    auto result             = fem::ring_flexibility(sections, meshes, nullptr, options, run.progress, run.threads);
+    meshes::remove_meshes(meshes);
+    return result;
+  };
+  return kept_part<fem::RingResult>(run, support.name + ", bearing " + support.bearing.name,
+                                    file_name(run, "rings", key), key, fem::load_rings, make, fem::save_rings);
+}
+
+// What the law of one roller counts of the rings; the rest is theirs.
+bearing::RacewayDatum datum_of(const RollerBearing &b)
+{
+  const auto walls = bearing::ring_walls(b);
+  return {walls.inner, walls.outer, not_given};
+}
+
+// Straight raceway beyond the rollers' ends, the same for the roller and for the rings; no matter what holds the
+// cup.
+double land_of(RollerBearing b)
+{
+  b.chock = "rigid";
+  return bearing::ring_sections(b, datum_of(b)).cone.land;
+}
+
+RollerSetup setup_of(const RollerBearing &b, const bearing::RingWalls &walls, const double land,
+                     const double largest_load)
+{
+  RollerSetup s;
+  s.diameter       = b.roller_diameter;
+  s.length         = std::isnan(b.roller_total_length) ? b.roller_length : b.roller_total_length;
+  s.contact_length = b.roller_length;
+  s.inner_radius   = (bearing::pitch_diameter(b) - b.roller_diameter) / 2;
+  s.outer_radius   = (bearing::pitch_diameter(b) + b.roller_diameter) / 2;
+  s.inner_depth    = walls.inner;
+  s.outer_depth    = walls.outer;
+  s.land           = land;
+  s.material       = {b.youngs_modulus, b.poisson_ratio, 7850};
+  s.largest_load   = largest_load;
+  return s;
+}
+}  // namespace
+
+RollerBearing with_row_places(RollerBearing b)
+{
+  if (std::isnan(b.width))
+    b.width = b.rows * b.roller_length;
+  if (std::isnan(bearing::pitch_diameter(b)))
+    b.pitch_diameter =
+        b.rollers_per_row * (std::isnan(b.roller_diameter) ? b.roller_length : b.roller_diameter) / M_PI;
+  return b;
+}
+
+double roller_load_bound(const RollerBearing &b, const double radial_load, const double tilt)
+{
+  // Stribeck's number raised to 5 for clearance; tilted by 0.5 mrad one row of four carries two thirds of 1 MN and
+  // all of 500 kN.
+  const double even = 5 * radial_load / (b.rows * b.rollers_per_row * std::cos(b.cup_angle));
+  // A crowned roller carries little loads on a short line: the patch serves at least a pressure of 1.5 GPa.
+  constexpr double always = 1.5e9;
+  double least            = 1e3;
+  if (std::isfinite(b.roller_diameter) && std::isfinite(bearing::pitch_diameter(b))) {
+    const double modulus = b.youngs_modulus / (2 * (1 - b.poisson_ratio * b.poisson_ratio));
+    least                = M_PI * bearing::effective_radius(b, true) * always * always / modulus * b.roller_length;
+  }
+  const double bound = std::max(even * (tilt == 0 ? 2 : 4), least);
+  return 1e3 * std::exp2(std::ceil(std::log2(bound / 1e3)));
+}
+
+std::function<double(double)> drop_of(const RollerBearing &b)
+{
+  return [b](const double x) { return bearing::profile_drop(b, Eigen::VectorXd::Constant(1, x))[0]; };
+}
+
+namespace {
+void add_rings(RunContext &run, const RollerBearing &b, const fem::RingResult &rings, BearingParts &parts)
+{
+  parts.model.rings = rings.flexibility;
+  parts.notes       = rings.notes;
+  for (BearingVariant &companion : parts.companions)
+    companion.model.rings = rings.flexibility;
+  parts.companions.push_back({"rings and chock on a coarser mesh", parts.model});
+  parts.companions.back().model.rings = parts.coarse_rings = rings.companion;
+  for (const bearing::ChockSupport &support : bearing::open_supports(b))
+    parts.supports.push_back({support.name, with_support(run, b, parts, support).model});
+}
+
+// What is condensed for a bearing, each by itself.
+struct CondensedParts {
+  std::optional<fem::CondensedRoller> roller, coarse_roller;
+  std::optional<fem::RingResult> rings;
+  std::map<std::string, fem::RingResult> surroundings;
+};
+
+CondensedParts condensed_parts(RunContext &run, const RollerBearing &b, const double largest_load,
+                               const std::vector<bearing::ChockSupport> &supports)
+{
+  CondensedParts parts;
+  std::vector<IndependentStage> stages;
+  if (b.rings == "elastic")
+    stages.push_back([&](RunContext &own) { parts.rings = condensed_rings(own, b, datum_of(b)); });
+  if (b.roller_law == "fe") {
+    const auto setup = setup_of(b, bearing::ring_walls(b), land_of(b), largest_load);
+    const auto name  = "roller of bearing " + b.name;
+    stages.push_back([&, setup, name](RunContext &own) { parts.roller = condensed_roller(own, name, setup); });
+    stages.push_back([&, setup, name](RunContext &own) {
+      parts.coarse_roller = condensed_roller(own, name + ", coarse mesh", coarsened(setup));
+    });
+  }
+  for (const bearing::ChockSupport &support : supports) {
+    auto &result = parts.surroundings[support.name];
+    stages.push_back([&](RunContext &own) {
+      result = condensed_surroundings(own, support, datum_of(b), fem::RingOptions().chock_harmonics);
+    });
+  }
+  run_side_by_side(run, std::move(stages));
+  return parts;
+}
+}  // namespace
+
+BearingParts with_support(RunContext &run, const RollerBearing &b, BearingParts parts,
+                          const bearing::ChockSupport &support)
+{
+  const int harmonics = parts.model.rings.chock_harmonics;
+  const auto made     = parts.surroundings.find(support.name);
+  const auto other    = made != parts.surroundings.end() && harmonics == fem::RingOptions().chock_harmonics
+                            ? made->second
+                            : condensed_surroundings(run, support, datum_of(b), harmonics);
+  const auto exchange = [&](bearing::BearingModel &model) {
+    model.rings = bearing::with_surroundings_of(model.rings, parts.coarse_rings, other.flexibility, harmonics);
+  };
+  exchange(parts.model);
+  for (BearingVariant &companion : parts.companions)
+    exchange(companion.model);
+  return parts;
+}
+
+std::string roller_inputs(const RollerBearing &b, const double largest_load)
+{
+  return b.roller_law == "fe" ? inputs_of(setup_of(b, bearing::ring_walls(b), land_of(b), largest_load)) : "";
+}
+
+std::string ring_inputs(const RollerBearing &b)
+{
+  return b.rings == "elastic" ? inputs_of(bearing::ring_sections(b, datum_of(b))) : "";
+}
+
+BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double largest_load,
+                           const std::vector<bearing::ChockSupport> &also)
+{
+  BearingParts parts;
+  parts.model.bearing = with_row_places(b);
+  auto supports       = also;
+  if (b.rings == "elastic") {
+    const auto open = bearing::open_supports(b);
+    supports.insert(supports.begin(), open.begin(), open.end());
+  }
+  auto condensed     = condensed_parts(run, b, largest_load, supports);
+  parts.surroundings = std::move(condensed.surroundings);
+  if (b.roller_law == "fe") {
+    const auto walls      = bearing::ring_walls(b);
+    parts.law_depth_inner = walls.inner;
+    parts.law_depth_outer = walls.outer;
+    parts.companions.push_back({"roller on a mesh twice as coarse", parts.model});
+    parts.companions.back().model.roller =
+        bearing::with_limits(fem::fe_roller_law(*condensed.coarse_roller, b.slices, drop_of(b)));
+    parts.roller       = std::make_shared<const fem::CondensedRoller>(std::move(*condensed.roller));
+    parts.model.roller = bearing::with_limits(fem::fe_roller_law(*parts.roller, b.slices, drop_of(b)));
+  } else
+    parts.model.roller = bearing::with_limits(bearing::roller_law(b));
+  if (b.rings == "elastic")
+    add_rings(run, b, *condensed.rings, parts);
+  return parts;
+}
+
+double largest_contact_load(const BearingParts &parts)
+{
+  return parts.roller ? 0.6 * parts.roller->setup.largest_load : 0;
+}
+
+void write_chock(RunContext &run, const RollerBearing &b, const Eigen::MatrixXd &load)
+{
+  if (!counts_its_chock(b))
+    return;
+  StageTimer timer(run, "fields of bearing " + b.name);
+  const RingSections sections = bearing::ring_sections(b, datum_of(b));
+  const std::string mesh_file = run.out.file("fields/chock.msh");
+  const MeshFile mesh         = meshes::mesh_chock(sections.cup, sections.housing, 1, mesh_file);
+  fem::write_chock_vtu(run.out.file("fields/bearing-" + slug(b.name) + "-chock.vtu"), sections.cup, mesh,
+                       meshes::mirrored_rows(sections.cup), sections.material, load);
+  std::filesystem::remove(mesh_file);
+}
+
+namespace {
+// What presses every roller at rest, between rigid rings and by the standard's law; N.  0: nothing.
+double load_at_rest(RollerBearing b)
+{
+  b.roller_law         = "iso";
+  const auto law       = bearing::roller_law(b);
+  const double pressed = bearing::approach_offset(b, law);
+  return pressed > 0 ? bearing::roller_load(law, pressed, 0).load : 0;
+}
+
+Place place_of(const Case &the_case, const std::string &key)
+{
+  const auto place = the_case.places.find(key);
+  return place == the_case.places.end() ? Place{the_case.path} : place->second;
+}
+
+void check_fit(const Case &the_case, const RollerBearing &b, std::vector<Problem> &problems)
+{
+  if (!std::isfinite(b.roller_diameter) || !std::isfinite(bearing::pitch_diameter(b)))
+    return;
+  const double load = load_at_rest(b);
+  if (!(load > 0))
+    return;
+  const double pressure = bearing::elastic_roller(b, load, b.roller_diameter / 2).inner_peak_pressure;
+  if (pressure <= b.yield_pressure)
+    return;
+  // Pressure goes with the root of the roller's load, that with the preload or the interference to the 10/9.
+  const bool preloaded  = b.preload > 0;
+  const double part     = std::pow(b.yield_pressure / pressure, preloaded ? 2 : 1.8);
+  const std::string key = "bearing." + b.name + (preloaded ? ".preload" : ".radial_clearance");
+  const std::string given =
+      preloaded ? fmt::format("{:.4g} kN", b.preload / 1e3) : fmt::format("{:.4g} mm", 1e3 * b.radial_clearance);
+  const std::string most = preloaded ? fmt::format("{:.3g} kN", part * b.preload / 1e3)
+                                     : fmt::format("{:.3g} mm", 1e3 * part * b.radial_clearance);
+  problems.push_back(
+      {place_of(the_case, key),
+       fmt::format("{} = \"{}\" presses every roller with {:.4g} kN before any load acts, {:.0f} MPa on the inner "
+                   "raceway; it yields at {:.0f} MPa (yield_pressure), reached at about {}",
+                   key, given, load / 1e3, pressure / 1e6, b.yield_pressure / 1e6, most),
+       {}});
+}
+
+// A drawing that cannot be meshed, said before anything is computed.
+void check_drawing(const Case &the_case, const RollerBearing &b, std::vector<Problem> &problems)
+{
+  if (b.rings != "elastic" && b.roller_law != "fe")
+    return;
+  try {
+    if (b.rings == "elastic")
+      bearing::ring_sections(b, datum_of(b));
+    else
+      land_of(b);
+    if (b.profile != "none")
+      drop_of(b)(0);
+  } catch (const InputError &e) {
+    problems.push_back({place_of(the_case, "bearing." + b.name + ".type"), e.problems.at(0).message, {}});
+  }
+}
+}  // namespace
+
+std::vector<std::string> said_of_bearings(const Case &the_case)
+{
+  std::vector<std::string> out;
+  for (const RollerBearing &b : all_bearings(the_case)) {
+    if (const double closing = closing_cup_angle(b); std::isfinite(closing))
+      out.push_back(fmt::format(
+          "bearing.{}: the apex condition closes at a cup angle of {:.4g} deg; cup_angle is {:.4g} deg", b.name,
+          closing * 180 / M_PI, b.cup_angle * 180 / M_PI));
+    if (b.row_hands_assumed)
+      out.push_back(fmt::format("bearing.{}: row_hands is not given; {} is assumed", b.name,
+                                arrangement_name(b.row_hands, b.rows)));
+  }
+  return out;
+}
+
+void check_fits(const Case &the_case)
+{
+  std::vector<Problem> problems;
+  for (const RollerBearing &b : all_bearings(the_case)) {
+    check_fit(the_case, b, problems);
+    check_drawing(the_case, b, problems);
+  }
+  if (!problems.empty())
+    throw InputError(std::move(problems));
+}
+}  // namespace mill

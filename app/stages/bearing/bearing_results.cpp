@@ -1,0 +1,305 @@
+#include "app/stages/bearing/bearing_results.h"
+#include "app/stages/bearing/bearing_published.h"
+#include "core/case/provenance.h"
+#include "core/model/bearing_ratings.h"
+#include "reduce/bearing/chock_supports.h"
+#include "reduce/bearing/geometry.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <functional>
+
+namespace mill {
+namespace {
+Parameter plain(const BearingStudy &s, const std::vector<std::string> &inputs)
+{
+  Parameter p;
+  p.unit   = "N/m";
+  p.method = model_name(s.question.bearing);
+  p.at     = operating_point(s);
+  p.inputs = inputs;
+  return p;
+}
+
+// The same number of the standard's model beside it, and of the other arrangements of the rows where nobody said
+// which one it is; their distance is no error of ours.
+std::vector<Check> beside(const BearingStudy &s, const StateNumber &number, const bool of_arrangement = false)
+{
+  std::vector<Check> checks{
+      {"ISO/TS 16281, rigid rings", number(s.standard), ""}
+  };
+  if (!of_arrangement || s.arrangements.empty())
+    return checks;
+  const RollerBearing &b = s.question.bearing;
+  checks.push_back(
+      {"rows " + arrangement_name(b.row_hands, b.rows) + ", rigid rings", number(s.rigid), "assumed"});
+  for (const StudyVariant &v : s.arrangements)
+    checks.push_back({"rows " + v.about + ", rigid rings", number(v.at), "not excluded by the case"});
+  return checks;
+}
+
+// One number of the heaviest roller.
+StateNumber of_heaviest(Eigen::VectorXd RowRollers::*number)
+{
+  return [number](const bearing::AssemblyState &at) {
+    const RowRollers rows = heaviest_of_rows(at);
+    Eigen::Index row;
+    rows.load.maxCoeff(&row);
+    return (rows.*number)[row];
+  };
+}
+}  // namespace
+
+namespace {
+// What estimated rollers leave open of a stiffness, beside what the model leaves open.
+double with_estimates(const BearingStudy &s, const double error)
+{
+  return error + stiffness_spread(s.question.bearing.candidates);
+}
+
+// The same of another number: what hangs on the contact angle, and what on the number of rollers.
+double estimate_error(const BearingStudy &s, const std::string &name)
+{
+  const auto &candidates = s.question.bearing.candidates;
+  if (name.rfind("roller_", 0) == 0) {
+    double spread = 0;
+    for (const RollerCandidate &c : candidates)
+      spread =
+          std::max(spread, std::abs(double(candidates.front().rollers_per_row) / double(c.rollers_per_row) - 1));
+    return spread;
+  }
+  const bool of_angle =
+      name.find("axial") != std::string::npos || name.find("tilt") == 0 || name == "moment" || name == "rib_max";
+  return of_angle ? axial_spread(candidates) : 0;
+}
+}  // namespace
+
+std::vector<std::string> bearing_inputs(const RollerBearing &b)
+{
+  return bearing_keys(b);
+}
+
+Parameter tangent_of(const BearingStudy &s, const std::vector<std::string> &inputs)
+{
+  Parameter p = plain(s, inputs);
+  p.value     = s.tangent;
+  p.error_estimate =
+      with_estimates(s, error_of(s, [&](const auto &at) { return bearing::radial_tangent(at, s.loading); }));
+  p.checks = s.tangent_checks;
+  return p;
+}
+
+Parameter across_of(const BearingStudy &s, const std::vector<std::string> &inputs)
+{
+  const auto across = [&](const bearing::AssemblyState &at) { return bearing::stiffness_along(at, s.loading, 1); };
+  Parameter p       = plain(s, inputs);
+  p.value           = s.tangent_across;
+  p.error_estimate  = with_estimates(s, error_of(s, across));
+  p.method += ", across the load";
+  p.checks = beside(s, across);
+  return p;
+}
+
+namespace {
+void add_closing_angle(RunContext &run, const std::string &prefix, const RollerBearing &b)
+{
+  Parameter p;
+  p.value = closing_cup_angle(b);
+  if (std::isnan(p.value))
+    return;
+  p.unit   = "rad";
+  p.method = "cup angle at which roller, cup and cone share one apex, (5.1)";
+  p.checks = {
+      {"cup_angle of the case", b.cup_angle, "up to 0.5 deg apart are accepted"}
+  };
+  for (const char *key : {"pitch_diameter", "roller_diameter", "roller_cone_angle"})
+    p.inputs.push_back("bearing." + b.name + "." + key);
+  run.results.add(prefix + ".closing_cup_angle", p);
+}
+
+using Add =
+    std::function<void(const std::string &, const std::string &, const StateNumber &, bool, const std::string &)>;
+
+void add_stiffnesses(const BearingStudy &s, const Add &add)
+{
+  add(
+      "axial", "N/m", [](const auto &at) { return at.tangent(2, 2); }, false,
+      ", tangent along the axis, all other motions held");
+  if (std::isfinite(s.question.bearing.width))  // else the places of the rows are not known
+    add(
+        "tilting", "N m/rad", [&](const auto &at) { return bearing::stiffness_along(at, s.loading, 4); }, true,
+        ", tangent against tilt in the plane of the load, loads and imposed motions held");
+}
+
+// How the ring stands under what else acts on it.
+void add_motions(const BearingStudy &s, const Add &add)
+{
+  const BearingQuestion &q = s.question;
+  if (std::isfinite(q.axial_displacement))
+    add(
+        "axial_load", "N", [](const auto &at) { return at.load[2]; }, true,
+        ", under the imposed axial displacement");
+  else if (q.axial != 0)
+    add(
+        "axial_displacement", "m", [](const auto &at) { return at.motion[2]; }, true,
+        ", of the inner ring from its concentric place");
+  if (std::isfinite(q.moment))
+    add(
+        "tilt", "rad", [](const auto &at) { return at.motion[4]; }, true, ", of the inner ring under the moment");
+  else if (q.tilt != 0)
+    add(
+        "moment", "N m", [](const auto &at) { return at.load[4]; }, true, ", that holds the imposed tilt");
+}
+
+void add_rollers(const BearingStudy &s, const Add &add)
+{
+  add("roller_secant", "N/m", of_heaviest(&RowRollers::secant), false, ", heaviest roller between its raceways");
+  add("roller_tangent", "N/m", of_heaviest(&RowRollers::tangent), false, ", heaviest roller between its raceways");
+  add("roller_max", "N", of_heaviest(&RowRollers::load), false, ", heaviest roller");
+  const bool tilted = s.question.tilt != 0 || std::isfinite(s.question.moment);
+  for (Eigen::Index r = 0; s.question.radial > 0 && r < s.at.row_share.size(); ++r)
+    add(
+        fmt::format("row{}_share", r + 1), "1", [r](const auto &at) { return at.row_share[r]; }, tilted, "");
+  if (!(s.question.bearing.cup_angle > 0))
+    return;
+  for (Eigen::Index r = 0; r < s.at.row_axial.size(); ++r)
+    add(
+        fmt::format("row{}_axial", r + 1), "N", [r](const auto &at) { return at.row_axial[r]; }, true,
+        ", axial force of the row on the cup");
+  add(
+      "rib_max", "N", [](const auto &at) { return at.rib_force.maxCoeff(); }, false,
+      ", heaviest roller on the cone's rib");
+}
+}  // namespace
+
+void add_bearing_results(RunContext &run, const std::string &prefix, const BearingStudy &s,
+                         const std::vector<std::string> &inputs)
+{
+  const Add add = [&](const std::string &name, const std::string &unit, const StateNumber &number,
+                      const bool of_arrangement, const std::string &more) {
+    Parameter p      = plain(s, inputs);
+    p.value          = number(s.at);
+    p.unit           = unit;
+    p.error_estimate = error_of(s, number) + estimate_error(s, name);
+    p.checks         = beside(s, number, of_arrangement);
+    p.method += more;
+    run.results.add(prefix + "." + name, p);
+  };
+  run.results.add(prefix + ".tangent", tangent_of(s, inputs));
+  if (s.question.radial > 0) {
+    Parameter secant      = plain(s, inputs);
+    secant.value          = s.secant;
+    secant.error_estimate = with_estimates(s, error_of(s, bearing::radial_secant));
+    secant.checks         = s.secant_checks;
+    run.results.add(prefix + ".secant", secant);
+  }
+  run.results.add(prefix + ".tangent_across", across_of(s, inputs));
+  add_stiffnesses(s, add);
+  add_motions(s, add);
+  add_rollers(s, add);
+  const auto state = [&](const std::string &name, const std::string &unit, const double value,
+                         const std::string &more, std::vector<Check> checks) {
+    Parameter p = plain(s, inputs);
+    p.value     = value;
+    p.unit      = unit;
+    p.checks    = std::move(checks);
+    p.method += more;
+    run.results.add(prefix + "." + name, p);
+  };
+  Eigen::Index row, roller;
+  s.at.roller_load.maxCoeff(&row, &roller);
+  // Both flanks carry alike without a load across; the angle is counted without its sign.
+  state("heaviest_angle", "rad", std::abs(std::remainder(s.at.azimuth[roller], 2 * M_PI)),
+        ", of the heaviest roller from the line of the load", {});
+  state("loaded_rollers", "1", s.at.loaded_rollers.maxCoeff(),
+        fmt::format(", in the fullest row; {} of {} in all rows", s.at.loaded_rollers.sum(),
+                    s.at.roller_load.size()),
+        {
+            {"ISO/TS 16281, rigid rings", double(s.standard.loaded_rollers.maxCoeff()), ""}
+  });
+  add_closing_angle(run, prefix, s.question.bearing);
+}
+
+namespace {
+// What is assumed of the rows decides results: said in amber, with what it is worth.
+void warn_of_arrangement(RunContext &run, const std::string &prefix, const BearingStudy &s)
+{
+  const RollerBearing &b = s.question.bearing;
+  if (!b.row_hands_assumed)
+    return;
+  const auto range = [&](const StateNumber &number, const char *format, const double unit) {
+    double low = number(s.rigid), high = low;
+    for (const StudyVariant &v : s.arrangements) {
+      low  = std::min(low, number(v.at));
+      high = std::max(high, number(v.at));
+    }
+    return fmt::format(fmt::runtime(format), unit * low, unit * high);
+  };
+  std::string others, shares;
+  for (const StudyVariant &v : s.arrangements)
+    others += (others.empty() ? "" : "; ") + v.about;
+  if (s.question.tilt == 0)
+    shares = "the shares of the rows do not depend on it as long as nothing tilts";
+  else
+    for (Eigen::Index r = 0; r < s.rigid.row_share.size(); ++r)
+      shares += fmt::format("{} {}: {}", shares.empty() ? "shares between rigid rings, row" : ", row", r + 1,
+                            range([r](const auto &at) { return at.row_share[r]; }, "{:.1f} .. {:.1f} %", 100));
+  std::string tilting;
+  if (std::isfinite(b.width))
+    tilting = prefix + ".tilting between rigid rings: " +
+              range([&](const auto &at) { return bearing::stiffness_along(at, s.loading, 4); },
+                    "{:.3g} .. {:.3g} kN m/mrad; ", 1e-6);
+  run.warn(fmt::format(
+      "bearing {}: row_hands is not given; {} is assumed, and {}.tilting, the axial forces of the rows "
+      "and, under tilt, their shares hang on it (others: {}). {}{}. Give bearing.{}.row_hands as the "
+      "drawing shows it",
+      b.name, arrangement_name(b.row_hands, b.rows), prefix, others, tilting, shares, b.name));
+}
+
+void say_supports(RunContext &run, const std::string &prefix, const BearingStudy &s)
+{
+  const RollerBearing &b = s.question.bearing;
+  if (s.supports.empty())
+    return;
+  std::string text = fmt::format("bearing.{} does not say how its chock is held: {}.tangent is {:.4g} kN/mm, {}",
+                                 b.name, prefix, s.tangent / 1e6, bearing::support_name(b));
+  for (const StudyVariant &v : s.supports)
+    text += fmt::format("; {:.4g} kN/mm, {}", bearing::radial_tangent(v.at, s.loading) / 1e6, v.about);
+  run.assume(text + "; the largest difference is part of the error of every result of this bearing");
+}
+}  // namespace
+
+void note_bearing(RunContext &run, const std::string &prefix, const BearingStudy &s)
+{
+  const RollerBearing &b = s.question.bearing;
+  warn_of_arrangement(run, prefix, s);
+  say_supports(run, prefix, s);
+  for (const std::string &sentence : b.filled)
+    run.assume(sentence);
+  for (const std::string &sentence : s.parts.notes)
+    run.assume("bearing " + b.name + ": " + sentence);
+  if (std::isnan(b.pitch_diameter) && std::isfinite(bearing::pitch_diameter(b)))
+    run.assume(
+        fmt::format("bearing.{}.pitch_diameter is not given: {:.5g} mm, the mean of bore and outside diameter",
+                    b.name, 1e3 * bearing::pitch_diameter(b)));
+  const int loaded = s.at.loaded_rollers.maxCoeff();
+  if (loaded <= 2)
+    run.warn(fmt::format("bearing {}: of {} rollers of a row {} carr{} {}; with a clearance of {:.4g} mm the "
+                         "stiffness hangs on the place of the cage",
+                         b.name, b.rollers_per_row, loaded, loaded == 1 ? "ies" : "y",
+                         s.question.radial > 0 ? fmt::format("{:.4g} kN", s.question.radial / 1e3) : "the load",
+                         1e3 * b.radial_clearance));
+  const double heaviest = s.at.roller_load.maxCoeff();
+  if (std::isfinite(b.roller_diameter) && std::isfinite(bearing::pitch_diameter(b))) {
+    const double pressure = bearing::elastic_roller(b, heaviest, b.roller_diameter / 2).inner_peak_pressure;
+    if (pressure > b.yield_pressure)
+      run.warn(
+          fmt::format("bearing {}: the heaviest roller presses its inner raceway with {:.0f} MPa under {:.4g} kN; "
+                      "bearing.{}.yield_pressure is {:.0f} MPa, beyond which elastic stiffnesses end",
+                      b.name, pressure / 1e6, heaviest / 1e3, b.name, b.yield_pressure / 1e6));
+  }
+  if (s.at.row_share.minCoeff() < 0)
+    run.warn(fmt::format("bearing {}: the tilt loads a row on the far side (its share is {:.3g} %)", b.name,
+                         100 * s.at.row_share.minCoeff()));
+}
+}  // namespace mill

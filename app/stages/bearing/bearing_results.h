@@ -1,0 +1,21 @@
+#pragma once
+#include "app/stages/bearing/bearing_study.h"
+
+namespace mill {
+/// Keys of the case file that a bearing's stiffness depends on, without those of its load.
+std::vector<std::string> bearing_inputs(const RollerBearing &bearing);
+
+/// The radial tangent with error, checks and load.
+Parameter tangent_of(const BearingStudy &study, const std::vector<std::string> &inputs);
+
+/// The tangent across the load, the same.
+Parameter across_of(const BearingStudy &study, const std::vector<std::string> &inputs);
+
+/// All scalar results of a bearing under `prefix` ("Kzc", "Kzc2").
+void add_bearing_results(RunContext &run, const std::string &prefix, const BearingStudy &study,
+                         const std::vector<std::string> &inputs);
+
+/// Sentences about what was filled in and what is open, and warnings: rows whose arrangement nobody stated, and
+/// where the result leaves its range: few rollers loaded, pressure beyond yield, rows on the far side.
+void note_bearing(RunContext &run, const std::string &prefix, const BearingStudy &study);
+}  // namespace mill

@@ -1,0 +1,337 @@
+#include "app/stages/bearing/bearing_study.h"
+#include "app/run/kept_part.h"
+#include "app/stages/bearing/bearing_files.h"
+#include "app/stages/bearing/bearing_store.h"
+#include "core/base/files.h"
+#include "core/model/bearing_ratings.h"
+#include "core/model/case.h"
+#include "core/numerics/mesh_pair.h"
+#include "core/process/parallel.h"
+#include "reduce/bearing/geometry.h"
+#include "reduce/bearing/rating_life.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+namespace mill {
+namespace {
+RollerBearing by_standard(RollerBearing b, const std::string &law)
+{
+  b.roller_law = law;
+  b.rings      = "rigid";
+  return b;
+}
+
+bearing::BearingModel standard_model(const BearingQuestion &q, const std::string &law)
+{
+  auto model              = bearing::rigid_model(by_standard(with_row_places(q.bearing), law));
+  model.cage_angle        = q.cage_angle;
+  model.centrifugal_force = q.centrifugal;
+  return model;
+}
+
+// Load of the contact elements over that of the slices at one approach, less one.
+double deviation_of_slices(const BearingParts &parts, const double load)
+{
+  if (!parts.roller || !(load > 0) || load > largest_contact_load(parts))
+    return 0;
+  fem::RollerContact contact(*parts.roller, drop_of(parts.model.bearing));
+  const auto state = contact.solve_load(load);
+  return state.load / bearing::roller_load(parts.model.roller, state.approach, 0).load - 1;
+}
+
+bearing::AssemblyState solved(bearing::BearingModel model, const BearingStudy &s)
+{
+  model.cage_angle        = s.question.cage_angle;
+  model.centrifugal_force = s.question.centrifugal;
+  return bearing::BearingAssembly(std::move(model)).solve(s.loading);
+}
+
+// How well each ingredient of the model is known: the model without it, or with its neighbour.
+std::vector<BearingVariant> companions_of(const BearingStudy &s)
+{
+  std::vector<BearingVariant> out = s.parts.companions;
+  if (s.slice_deviation != 0) {
+    out.push_back({"contact elements instead of slices", s.parts.model});
+    out.back().model.roller = bearing::stiffened(s.parts.model.roller, 1 + s.slice_deviation);
+  }
+  if (!s.parts.roller) {
+    // Without elements the spread of the published laws is how well the law of one roller is known.
+    const bool is_iso = s.question.bearing.roller_law == "iso";
+    out.push_back({"another law of one roller", s.parts.model});
+    auto &other = out.back().model;
+    other.roller =
+        bearing::with_limits(bearing::roller_law(by_standard(other.bearing, is_iso ? "palmgren" : "iso")));
+  }
+  return out;
+}
+
+// Rows in the other arrangements in use, between rigid rings: what hangs on an arrangement that nobody stated.
+std::vector<BearingVariant> arrangements_of(const BearingStudy &s, const bearing::BearingModel &rigid)
+{
+  std::vector<BearingVariant> out;
+  const RollerBearing &b = s.question.bearing;
+  if (!b.row_hands_assumed)
+    return out;
+  for (const std::string &hands : usual_arrangements(b.rows))
+    if (const std::string name = arrangement_name(hands, b.rows); name != arrangement_name(b.row_hands, b.rows)) {
+      out.push_back({name, rigid});
+      out.back().model.bearing.row_hands = hands;
+    }
+  return out;
+}
+
+std::vector<bearing::AssemblyState> solved_all(const RunContext &run, const BearingStudy &s,
+                                               const std::vector<BearingVariant> &variants)
+{
+  std::vector<bearing::AssemblyState> states(variants.size());
+  share_tasks(long(variants.size()), run.threads,
+              [&](const long i) { states[std::size_t(i)] = solved(variants[std::size_t(i)].model, s); });
+  return states;
+}
+
+std::vector<StudyVariant> named(const std::vector<BearingVariant> &variants,
+                                std::vector<bearing::AssemblyState> &&states)
+{
+  std::vector<StudyVariant> out;
+  for (std::size_t i = 0; i < variants.size(); ++i)
+    out.push_back({variants[i].about, std::move(states.at(i))});
+  return out;
+}
+
+// The radial stiffness by the other models, beside that of the case.
+void add_checks(BearingStudy &s, const bearing::AssemblyState &palmgren, const std::string &rigid_name)
+{
+  const bool elastic      = s.question.bearing.rings == "elastic";
+  const std::string other = elastic ? "rigid rings" : "another law of one roller";
+  const auto add = [&](const std::string &name, const bearing::AssemblyState &at, const std::string &note) {
+    s.tangent_checks.push_back({name, bearing::radial_tangent(at, s.loading), note});
+    if (s.question.radial > 0)
+      s.secant_checks.push_back({name, bearing::radial_secant(at), note});
+  };
+  add("ISO/TS 16281, rigid rings", s.standard, other);
+  add("Palmgren, rigid rings", palmgren, other);
+  if (elastic)
+    add(rigid_name, s.rigid, "the same rollers, rigid rings");
+  for (const StudyVariant &support : s.supports)
+    add(support.about, support.at, "a support that the case leaves open; part of the error");
+}
+
+// The state at the working load; without one, the curve as far as it went is left behind.
+bearing::AssemblyState solve_or_keep(RunContext &run, const BearingStudy &s, bearing::BearingAssembly &assembly)
+{
+  try {
+    return assembly.solve(s.loading);
+  } catch (SolverError &e) {
+    if (!s.curve.states.empty()) {
+      write_load_curve(run, s);
+      e.report.kept =
+          fmt::format("{} loads of the curve up to {:.4g} kN, curves/bearing-{}.csv", s.curve.states.size(),
+                      s.question.loads[s.curve.states.size() - 1] / 1e3, slug(s.question.bearing.name));
+    }
+    throw;
+  }
+}
+}  // namespace
+
+BearingQuestion question_of(const BearingCase &spec)
+{
+  BearingQuestion q;
+  q.bearing            = bearing_of(spec.bearings, spec.load.bearing);
+  q.radial             = spec.load.radial;
+  q.axial              = spec.load.axial;
+  q.tilt               = spec.load.tilt;
+  q.cage_angle         = spec.load.cage_angle;
+  q.axial_displacement = spec.load.axial_displacement;
+  q.moment             = spec.load.moment;
+  q.speed              = spec.load.speed;
+  q.centrifugal        = std::isfinite(q.speed) ? bearing::centrifugal_force(q.bearing, q.speed) : 0;
+  return q;
+}
+
+bearing::RingLoading drive_of(const BearingQuestion &q, const double radial)
+{
+  auto loading = bearing::radial_drive(radial, q.tilt);
+  if (std::isfinite(q.axial_displacement))
+    loading.value[2] = q.axial_displacement;
+  else if (q.axial != 0) {
+    loading.value[2]      = q.axial;
+    loading.prescribed[2] = false;
+  }
+  if (std::isfinite(q.moment)) {
+    loading.value[4]      = q.moment;
+    loading.prescribed[4] = false;
+  }
+  return loading;
+}
+
+OperatingPoint operating_point(const BearingStudy &s)
+{
+  const BearingQuestion &q = s.question;
+  OperatingPoint at        = "no radial load";
+  if (q.radial > 0)
+    at = {"{} on one bearing", {{q.radial, "kN"}}};
+  if (std::isfinite(q.axial_displacement))
+    at.add(", {} along the axis", {
+                                      {q.axial_displacement, "um", ".4g"}
+    });
+  else if (q.axial != 0)
+    at.add(", {} axial", {
+                             {q.axial, "kN"}
+    });
+  if (std::isfinite(q.moment))
+    at.add(", moment {}", {
+                              {q.moment, "kN m", ".4g"}
+    });
+  else if (q.tilt != 0)
+    at.add(", tilted by {}", {
+                                 {q.tilt, "mrad", ".4g"}
+    });
+  return at;
+}
+
+std::string model_name(const RollerBearing &b)
+{
+  const std::string law = b.roller_law == "fe"         ? "contact FEM of one roller"
+                          : b.roller_law == "iso"      ? "ISO/TS 16281 laminae"
+                          : b.roller_law == "palmgren" ? "Palmgren, two contacts in series"
+                                                       : "elastic line contact";
+  if (b.rings != "elastic")
+    return law + ", rigid rings";
+  return law + ", elastic rings, " +
+         (b.chock == "rigid"   ? "cup held"
+          : b.chock == "round" ? "round housing"
+                               : "block chock");
+}
+
+double largest_roller_load(const BearingQuestion &q)
+{
+  double radial = q.radial;
+  for (const double load : q.loads)
+    radial = std::max(radial, load);
+  double bound = roller_load_bound(q.bearing, radial, q.tilt);
+  if (q.axial != 0)
+    bound =
+        std::max(bound, roller_load_bound(q.bearing, std::abs(q.axial) / std::tan(q.bearing.cup_angle), q.tilt));
+  if (std::isfinite(q.moment)) {
+    // The rows stand apart by a quarter of the width, and lean: half of the smaller lever is on the safe side.
+    const double R = bearing::pitch_diameter(q.bearing) / 2, lever = std::max(q.bearing.width / 8, R / 4);
+    bound = std::max(bound, roller_load_bound(q.bearing, radial + std::abs(q.moment) / lever, 0));
+  }
+  if (std::isfinite(q.axial_displacement)) {
+    const double approach = std::abs(q.axial_displacement) * std::sin(q.bearing.cup_angle);
+    const double each     = bearing::roller_constant("iso", q.bearing.roller_length) * std::pow(approach, 10. / 9);
+    const double even     = each * q.bearing.rows * q.bearing.rollers_per_row * std::cos(q.bearing.cup_angle) / 5;
+    bound                 = std::max(bound, roller_load_bound(q.bearing, radial + even, q.tilt));
+  }
+  return bound;
+}
+
+namespace {
+bearing::BearingModel with_rigid_rings(bearing::BearingModel model)
+{
+  model.rings         = {};
+  model.bearing.rings = "rigid";
+  return model;
+}
+
+// Curves and working load by the model of the case, by the standard, and between rigid rings; then what each
+// ingredient is known to.  The curve's failure is left in the study.
+SolvedBearing solve_all(RunContext &run, BearingStudy &s)
+{
+  const BearingQuestion &q = s.question;
+  SolvedBearing out;
+  const auto rigid_model = with_rigid_rings(s.parts.model);
+  std::vector<bearing::RingLoading> loadings;
+  for (const double load : q.loads)
+    loadings.push_back(drive_of(q, load));
+  run.progress.at("bearing " + q.bearing.name, 0);
+  bearing::AssemblyCurve standard_curve, rigid_curve;
+  const auto by = [&](const bearing::BearingModel &model, bearing::AssemblyCurve &curve,
+                      bearing::AssemblyState &at) {
+    bearing::BearingAssembly assembly(model);
+    curve = assembly.curve(loadings);
+    at    = assembly.solve(s.loading);
+  };
+  run_side_by_side(run, {[&](RunContext &own) {
+                           bearing::BearingAssembly assembly(s.parts.model);
+                           s.curve = assembly.curve(loadings);
+                           out.at  = solve_or_keep(own, s, assembly);
+                         },
+                         [&](RunContext &) { by(standard_model(q, "iso"), standard_curve, out.standard); },
+                         [&](RunContext &) { by(rigid_model, rigid_curve, out.rigid); }});
+  run.progress.at("bearing " + q.bearing.name, 0.8);
+  out.palmgren        = bearing::BearingAssembly(standard_model(q, "palmgren")).solve(s.loading);
+  out.slice_deviation = s.slice_deviation = deviation_of_slices(s.parts, out.at.roller_load.maxCoeff());
+  out.companions                          = solved_all(run, s, companions_of(s));
+  out.supports                            = solved_all(run, s, s.parts.supports);
+  out.arrangements                        = solved_all(run, s, arrangements_of(s, rigid_model));
+  out.curve                               = s.curve.states;
+  out.standard_curve                      = std::move(standard_curve.states);
+  out.rigid_curve                         = std::move(rigid_curve.states);
+  return out;
+}
+
+SolvedBearing solved_or_kept(RunContext &run, BearingStudy &s)
+{
+  const BearingQuestion &q = s.question;
+  const std::string inputs = bearing_inputs_text(q, s.parts.roller ? s.parts.roller->setup.largest_load : 0);
+  const std::string key    = hash_of(inputs);
+  s.readings               = std::make_shared<BearingReadings>(run, inputs);
+  const auto save          = [&](const std::string &file, const std::string &of, const SolvedBearing &solved) {
+    if (!s.curve.failure)  // which the next run has to say again
+      save_bearing(file, of, solved);
+  };
+  return kept_part<SolvedBearing>(
+      run, "bearing " + q.bearing.name, run.cache + "/bearing-" + key + ".bin", key, load_bearing,
+      [&] { return solve_all(run, s); }, save);
+}
+}  // namespace
+
+BearingStudy study_bearing(RunContext &run, const BearingParts &parts, const BearingQuestion &q)
+{
+  BearingStudy s;
+  s.question                      = q;
+  s.parts                         = parts;
+  s.parts.model.cage_angle        = q.cage_angle;
+  s.parts.model.centrifugal_force = q.centrifugal;
+  s.loading                       = drive_of(q, q.radial);
+  SolvedBearing solved            = solved_or_kept(run, s);
+  s.curve.states                  = std::move(solved.curve);
+  s.standard_curve.states         = std::move(solved.standard_curve);
+  s.rigid_curve.states            = std::move(solved.rigid_curve);
+  if (s.curve.failure)
+    run.warn(fmt::format("bearing {}: {}; the curve ends at {} of {} loads", q.bearing.name, s.curve.failure->what,
+                         s.curve.states.size(), q.loads.size()));
+  s.at              = std::move(solved.at);
+  s.standard        = std::move(solved.standard);
+  s.rigid           = std::move(solved.rigid);
+  s.tangent         = bearing::radial_tangent(s.at, s.loading);
+  s.secant          = bearing::radial_secant(s.at);
+  s.tangent_across  = bearing::stiffness_along(s.at, s.loading, 1);
+  s.slice_deviation = solved.slice_deviation;
+  const auto rigid  = with_rigid_rings(s.parts.model);
+  s.companions      = named(companions_of(s), std::move(solved.companions));
+  s.supports        = named(s.parts.supports, std::move(solved.supports));
+  s.arrangements    = named(arrangements_of(s, rigid), std::move(solved.arrangements));
+  add_checks(s, solved.palmgren, model_name(rigid.bearing));
+  run.progress.at("bearing " + q.bearing.name, 1);
+  return s;
+}
+
+double error_of(const BearingStudy &s, const StateNumber &number)
+{
+  const double value = number(s.at);
+  if (s.companions.empty() || !(std::abs(value) > 0))
+    return not_given;
+  const auto change = [&](const StudyVariant &v) { return std::abs(number(v.at) / value - 1); };
+  double sum = 0, support = 0;
+  const std::size_t meshes = s.parts.companions.size();  // these come first; the others are other models
+  for (std::size_t i = 0; i < s.companions.size(); ++i)
+    sum += (i < meshes ? mesh_pair_safety : 1) * change(s.companions[i]);
+  for (const StudyVariant &v : s.supports)
+    support = std::max(support, change(v));
+  return sum + support;
+}
+}  // namespace mill

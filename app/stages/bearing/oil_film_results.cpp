@@ -1,0 +1,314 @@
+#include "app/stages/bearing/oil_film_results.h"
+#include "app/run/curve_files.h"
+#include "core/base/files.h"
+#include "core/case/provenance.h"
+#include "core/numerics/mesh_pair.h"
+#include "core/records/csv.h"
+#include "reduce/bearing/oil_film/closed_forms.h"
+#include "reduce/bearing/oil_film/parabolic_film.h"
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+using bearing::OilFilmState;
+
+// The rigid, aligned film with a parabola along the bearing, and the short bearing, at the load and viscosity of
+// the state: what stands beside it.
+struct BesideFilm {
+  double eccentricity, attitude, short_eccentricity;
+  Eigen::Matrix2d stiffness;                     // N/m, of the parabola
+  Eigen::Matrix2d short_damping;                 // N s/m
+  double short_peak, short_flow, full_friction;  // Pa, m3/s, N m
+};
+
+// Turns numbers in the axes of a force (r, t) into those along it and 90 degrees on.
+Eigen::Matrix2d along_force(const Eigen::Matrix2d &m, const Eigen::Vector2d &force)
+{
+  Eigen::Matrix2d axes;
+  axes << force[0], -force[1], force[1], force[0];
+  axes /= force.norm();
+  return axes.transpose() * m * axes;
+}
+
+Eigen::Matrix2d parabolic_stiffness(const double length_ratio, const double e)
+{
+  const double step       = 1e-3 * std::min(e, 1 - e);
+  const Eigen::Vector2d f = bearing::parabolic_force(length_ratio, e);
+  Eigen::Matrix2d k;
+  k.col(0) =
+      (bearing::parabolic_force(length_ratio, e + step) - bearing::parabolic_force(length_ratio, e - step)) /
+      (2 * step);
+  k.col(1) = Eigen::Vector2d(-f[1], f[0]) / e;
+  return along_force(k, f);
+}
+
+double short_peak(const double length_ratio, const double e)
+{
+  double peak = 0;
+  for (int i = 0; i < 720; ++i) {
+    const double t = M_PI * i / 720;
+    peak = std::max(peak, 3 * length_ratio * length_ratio * e * std::sin(t) / std::pow(1 + e * std::cos(t), 3));
+  }
+  return peak;
+}
+
+BesideFilm beside(const OilFilmQuestion &q, const OilFilmState &at)
+{
+  const OilFilmBearing &b = q.bearing;
+  const double R = b.diameter / 2, half = b.length / 2, w = q.load.speed, ratio = R / b.clearance;
+  const double pressure = at.viscosity * w * ratio * ratio, force = pressure * R * half, W = q.load.load / force;
+  const double slender = b.length / b.diameter;
+  BesideFilm s;
+  s.eccentricity          = bearing::parabolic_eccentricity(slender, W);
+  const Eigen::Vector2d f = bearing::parabolic_force(slender, s.eccentricity);
+  s.attitude              = -std::atan2(f[1], f[0]);
+  s.stiffness             = parabolic_stiffness(slender, s.eccentricity) * force / b.clearance;
+  s.short_eccentricity    = bearing::ocvirk_eccentricity(slender, W);
+  s.short_damping = bearing::ocvirk_coefficients(s.short_eccentricity).damping * q.load.load / (b.clearance * w);
+  s.short_peak    = short_peak(slender, s.short_eccentricity) * pressure;
+  s.short_flow    = 2 * s.eccentricity * R * b.clearance * w * half;
+  s.full_friction = (bearing::petroff_friction() / std::sqrt(1 - s.eccentricity * s.eccentricity) +
+                     s.eccentricity * W * std::sin(s.attitude) / 2) *
+                    at.viscosity * w * R * R * ratio * half;
+  return s;
+}
+
+bool is_plain(const OilFilmQuestion &q)
+{
+  return bearing::layer_compliance(q.bearing) == 0 && q.load.tilt.norm() == 0 && q.bearing.grooves == 0 &&
+         q.bearing.pressure_viscosity == 0;
+}
+
+std::string film_model(const OilFilmQuestion &q)
+{
+  std::string name = "Reynolds equation with rupture, two grids (29.2)";
+  const auto add   = [&](const bool has, const char *what) { name += has ? what : ""; };
+  add(bearing::layer_compliance(q.bearing) > 0, ", elastic bush and sleeve");
+  add(q.bearing.pressure_viscosity > 0, ", viscosity over pressure");
+  add(q.bearing.grooves > 0, ", inlet grooves");
+  add(q.load.tilt.norm() > 0, ", tilted sleeve");
+  return name;
+}
+
+Parameter plain_film(const OilFilmStudy &s, const std::vector<std::string> &inputs)
+{
+  Parameter p;
+  p.method = film_model(s.question);
+  p.at     = {
+          "{} on one bearing, {}", {{s.question.load.load, "kN"}, shown_speed(s.question, s.question.load.speed)}
+  };
+  p.inputs = inputs;
+  return p;
+}
+
+const char *rigid_note(const OilFilmQuestion &q)
+{
+  return is_plain(q) ? "" : "rigid and aligned, no grooves, viscosity without pressure";
+}
+
+constexpr const char *parabola_name = "film with a parabola along the bearing (29.15)";
+constexpr const char *short_name    = "short bearing (29.13)";
+
+// An entry of stiffness or damping with its error on two grids.
+Parameter film_entry(const OilFilmStudy &s, const std::vector<std::string> &inputs,
+                     const Eigen::Matrix2d OilFilmState::*matrix, const int i, const int j)
+{
+  Parameter p = plain_film(s, inputs);
+  p.value     = (s.solution.at.*matrix)(i, j);
+  p.error_estimate =
+      mesh_pair_error((s.solution.fine.*matrix)(i, j), (s.solution.coarse.*matrix)(i, j), second_order);
+  return p;
+}
+
+void add_matrices(RunContext &run, const std::string &prefix, const OilFilmStudy &s, const BesideFilm &other,
+                  const std::vector<std::string> &inputs)
+{
+  const char *axes[] = {"x", "y"};
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) {
+      Parameter k = film_entry(s, inputs, &OilFilmState::stiffness, i, j);
+      k.unit      = "N/m";
+      k.checks    = {
+             {parabola_name, other.stiffness(i, j), rigid_note(s.question)}
+      };
+      k.method += i == j ? "" : ", force along the first axis by motion along the second";
+      run.results.add(prefix + "k_" + axes[i] + axes[j], k);
+      Parameter b = film_entry(s, inputs, &OilFilmState::damping, i, j);
+      b.unit      = "N s/m";
+      b.checks    = {
+             {"short bearing (29.14)", other.short_damping(i, j), "L/D -> 0"}
+      };
+      run.results.add(prefix + "b_" + axes[i] + axes[j], b);
+    }
+}
+
+void add_layers(RunContext &run, const std::string &prefix, const OilFilmStudy &s,
+                const std::vector<std::string> &inputs)
+{
+  if (!std::isfinite(s.solution.at.layer_stiffness))
+    return;
+  OilFilmBearing rigid = s.question.bearing;
+  rigid.bush_thickness = rigid.sleeve_thickness = not_given;
+  rigid.viscosity                               = {
+                                    {s.solution.at.temperature, s.solution.at.viscosity}
+  };
+  rigid.heat_share = 0;
+  Parameter p      = plain_film(s, inputs);
+  p.unit           = "N/m";
+  p.value          = s.solution.at.layer_stiffness;
+  p.method         = "layers of bush and sleeve under the film's pressure, W^2/(C int p^2 dA), (29.16)";
+  p.error_estimate =
+      mesh_pair_error(s.solution.fine.layer_stiffness, s.solution.coarse.layer_stiffness, second_order);
+  run.results.add(prefix + "layer_stiffness", p);
+  Parameter series = plain_film(s, inputs);
+  series.unit      = "N/m";
+  series.method    = "rigid film along the load and layers as plain springs in series";
+  try {
+    const double film = bearing::solve_oil_film(rigid, s.question.load).at.stiffness(0, 0);
+    series.value      = 1 / (1 / film + 1 / p.value);
+    series.checks     = {
+            {"film and layers solved together", s.solution.at.stiffness(0, 0), "the layers reshape the film"}
+    };
+    run.results.add(prefix + "series_stiffness", series);
+  } catch (const SolverError &) {
+    run.assume(
+        fmt::format("bearing.{}: between rigid surfaces no film carries this load; plain springs in series are "
+                    "left out",
+                    rigid.name));
+  }
+}
+}  // namespace
+
+Parameter film_stiffness(const OilFilmStudy &s, const std::vector<std::string> &inputs, const bool across)
+{
+  const int axis = across ? 1 : 0;
+  Parameter p    = film_entry(s, inputs, &OilFilmState::stiffness, axis, axis);
+  p.unit         = "N/m";
+  p.method += across ? ", across the load" : ", along the load";
+  p.checks = {
+      {parabola_name, beside(s.question, s.solution.at).stiffness(axis, axis), rigid_note(s.question)}
+  };
+  return p;
+}
+
+void add_oil_film_results(RunContext &run, const OilFilmStudy &s, const std::vector<std::string> &inputs)
+{
+  const std::string prefix = "bearing." + s.question.bearing.name + ".film.";
+  const OilFilmState &at   = s.solution.at;
+  const BesideFilm other   = beside(s.question, at);
+  const std::string note   = rigid_note(s.question);
+  const auto add           = [&](const char *name, const char *unit, double OilFilmState::*number,
+                       std::vector<Check> checks = {}, const double spread = 0) {
+    Parameter p      = plain_film(s, inputs);
+    p.value          = at.*number;
+    p.unit           = unit;
+    p.error_estimate = mesh_pair_error(s.solution.fine.*number, s.solution.coarse.*number, second_order) + spread;
+    p.checks         = std::move(checks);
+    run.results.add(prefix + name, p);
+  };
+  const double c = s.question.bearing.clearance;
+  add("eccentricity", "1", &OilFilmState::eccentricity,
+      {
+          {parabola_name, other.eccentricity,       note      },
+          {short_name,    other.short_eccentricity, "L/D -> 0"}
+  });
+  add("attitude", "rad", &OilFilmState::attitude,
+      {
+          {parabola_name, other.attitude,                                     note      },
+          {short_name,    bearing::ocvirk_attitude(other.short_eccentricity), "L/D -> 0"}
+  });
+  add("minimum_film", "m", &OilFilmState::least_film,
+      {
+          {parabola_name, c * (1 - other.eccentricity), note}
+  });
+  add("peak_pressure", "Pa", &OilFilmState::peak_pressure,
+      {
+          {short_name, other.short_peak, "L/D -> 0"}
+  });
+  const double streamers = std::abs(at.power_streamers / at.power_loss - 1);
+  const double w         = s.question.load.speed;
+  add("power_loss", "W", &OilFilmState::power_loss,
+      {
+          {"full film of the parabola's eccentricity", other.full_friction * w, note               },
+          {"oil in streamers behind the rupture",      at.power_streamers,      "part of the error"}
+  },
+      streamers);
+  add("friction_torque", "N m", &OilFilmState::friction_torque,
+      {
+          {"full film of the parabola's eccentricity", other.full_friction, note}
+  },
+      streamers);
+  add("side_flow", "m3/s", &OilFilmState::side_flow,
+      {
+          {"short bearing, 2 e R c w L/2", other.short_flow, "L/D -> 0"}
+  });
+  const OilFilmBearing &b = s.question.bearing;
+  const double warming = b.heat_share * other.full_friction * w / (b.oil_density * b.oil_heat * other.short_flow);
+  add("temperature", "K", &OilFilmState::temperature,
+      {
+          {"by full film and short bearing", b.inlet_temperature + b.warming_share * warming, note}
+  });
+  add("outlet_temperature", "K", &OilFilmState::outlet_temperature,
+      {
+          {"by full film and short bearing", b.inlet_temperature + warming, note}
+  });
+  add("viscosity", "Pa s", &OilFilmState::viscosity);
+  add("sommerfeld", "1", &OilFilmState::sommerfeld,
+      {
+          {parabola_name,
+           bearing::sommerfeld_number(bearing::parabolic_force(b.length / b.diameter, at.eccentricity).norm()),
+           note}
+  });
+  add_matrices(run, prefix, s, other, inputs);
+  Parameter still      = plain_film(s, inputs);
+  still.unit           = "N/m";
+  still.value          = 1 / at.stiffness.inverse()(0, 0);
+  still.error_estimate = mesh_pair_error(1 / s.solution.fine.stiffness.inverse()(0, 0),
+                                         1 / s.solution.coarse.stiffness.inverse()(0, 0), second_order);
+  still.method += ", along the load, free to move across";
+  still.checks = {
+      {"difference of two loads", s.static_slope, ""}
+  };
+  run.results.add(prefix + "k_static", still);
+  Parameter least = plain_film(s, inputs);
+  least.unit      = "Hz";
+  least.value     = s.least_speed / (2 * M_PI);
+  least.method += ", least speed of the sleeve at which a film carries this load";
+  run.results.add(prefix + "least_speed", least);
+  if (s.question.load.tilt.norm() > 0)
+    add("tilting_stiffness", "N m/rad", &OilFilmState::tilting_stiffness);
+  add_layers(run, prefix, s, inputs);
+}
+
+void note_oil_film(RunContext &run, const OilFilmStudy &s, const bool in_chain)
+{
+  const OilFilmState &at  = s.solution.at;
+  const std::string &name = s.question.bearing.name;
+  const double locks      = at.stiffness(0, 0) / (2 * M_PI * at.damping(0, 0));
+  const std::string film =
+      fmt::format("bearing.{}: the film resists motion along the load by {:.4g} kN/mm and {:.4g} kN s/mm; above "
+                  "{:.3g} Hz its damping is more than its stiffness",
+                  name, at.stiffness(0, 0) / 1e6, at.damping(0, 0) / 1e6, locks);
+  if (in_chain)
+    run.warn(film +
+             fmt::format(". The springs of the chain take the stiffness alone (its only dashpot stands beside "
+                         "K4): faster vibrations meet a film that is all but locked, and their frequencies are "
+                         "higher. given.Kzc1 and given.Kzc4 take a stiffness for them, at f about 2 pi f b"));
+  else
+    run.assume(film);
+  run.assume(fmt::format(
+      "bearing.{}: motion across the load moves the force along it by k_xy = {:.4g} kN/mm, the other "
+      "way round by k_yx = {:.4g} kN/mm{}",
+      name, at.stiffness(0, 1) / 1e6, at.stiffness(1, 0) / 1e6, in_chain ? "; the chain takes neither" : ""));
+  run.assume(
+      fmt::format("bearing.{}: behind the rupture the gap counts as full of oil for the friction; in streamers "
+                  "the loss were {:.3g} kW in place of {:.3g} kW",
+                  name, at.power_streamers / 1e3, at.power_loss / 1e3));
+  if (at.temperature > 273.15 + 90)
+    run.warn(fmt::format("bearing {}: the film is at {:.3g} degC; babbitt softens and oil ages above 90 degC",
+                         name, at.temperature - 273.15));
+}
+}  // namespace mill

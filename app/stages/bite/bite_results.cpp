@@ -1,0 +1,388 @@
+#include "app/stages/bite/bite_results.h"
+#include "app/stages/bite/bite_accuracy.h"
+#include "app/stages/contact/contact_stage.h"
+#include "core/records/result_names.h"
+#include "reduce/bite/slab/neutral_point.h"
+#include "reduce/bite/slab/path_stiffness.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+using bite::by;
+using bite::Input;
+
+OperatingPoint operating_point(const BiteStudy &s)
+{
+  const Strip &strip = s.question.bite.strip;
+  return OperatingPoint(s.question.pass)
+      .add(", {} -> {}, {}", {
+                                 {strip.entry_thickness,  "mm", ".4g"},
+                                 {strip.exit_thickness,   "mm", ".4g"},
+                                 {s.chosen().state.force, "kN", ".1f"}
+  });
+}
+
+Parameter plain(const BiteStudy &s, const BiteAnswer &answer)
+{
+  Parameter p;
+  p.method = model_text(answer);
+  p.at     = operating_point(s);
+  return p;
+}
+
+// The same number by every other model.
+std::vector<Check> beside(const BiteStudy &s, const std::function<double(const BiteAnswer &)> &same)
+{
+  std::vector<Check> checks;
+  for (const BiteAnswer &answer : s.answers)
+    if (answer.refused.empty() && &answer != &s.chosen())
+      checks.push_back({model_text(answer), same(answer), ""});
+  return checks;
+}
+
+double force_in(const BiteAnswer &a)
+{
+  return a.state.force;
+}
+double torque_in(const BiteAnswer &a)
+{
+  return a.state.torque;
+}
+double slope_in(const BiteAnswer &a)
+{
+  return a.stiffness.plastic_slope;
+}
+double slip_in(const BiteAnswer &a)
+{
+  return a.state.forward_slip;
+}
+double combined_in(const BiteAnswer &a)
+{
+  return a.stiffness.combined;
+}
+
+struct Adder {
+  RunContext &run;
+  const BiteStudy &study;
+  std::string prefix;
+  void operator()(const std::string &name, const std::string &unit, const double value, const double error,
+                  std::vector<Check> checks = {}, const std::string &more = "") const
+  {
+    if (std::isnan(value))
+      return;
+    Parameter p      = plain(study, study.chosen());
+    p.unit           = unit;
+    p.value          = value;
+    p.error_estimate = error;
+    p.checks         = std::move(checks);
+    p.method += more;
+    run.results.add(prefix + name, p);
+  }
+};
+
+void add_every_model(RunContext &run, const BiteStudy &s)
+{
+  for (const BiteAnswer &answer : s.answers) {
+    if (!answer.refused.empty())
+      continue;
+    const auto add = [&](const char *name, const char *unit, const double value) {
+      Parameter p = plain(s, answer);
+      p.unit      = unit;
+      p.value     = value;
+      run.results.add("bite." + s.question.pass + "." + answer.key + "." + name, p);
+    };
+    add("force", "N", answer.state.force);
+    add("torque", "N m", answer.state.torque);
+    add("forward_slip", "1", answer.state.forward_slip);
+    add("neutral_angle", "rad", bite::neutral_angle(s.question.bite, answer.state));
+    add("flattened_radius", "m", answer.state.flattened_radius);
+    add("plastic_slope", "N/m", answer.stiffness.plastic_slope);
+  }
+}
+
+void add_balances(RunContext &run, const BiteStudy &s)
+{
+  if (!s.flow)
+    return;
+  const fem::StripFlow &f = s.flow->fine;
+  const auto add          = [&](const char *name, const char *unit, const double value, const char *how) {
+    Parameter p = plain(s, *s.find("fe"));
+    p.unit      = unit;
+    p.value     = value;
+    p.method += how;
+    run.results.add("bite." + s.question.pass + ".fe." + name, p);
+  };
+  add("flux_balance", "1", f.balance.flux, ", flow out over flow in minus one");
+  add("force_balance", "1", f.balance.force_x, ", horizontal forces over k h1");
+  add("power_balance", "1", f.balance.power, ", power of rolls and tensions over power dissipated minus one");
+  add("exit_thickness", "m", f.exit_thickness, ", of the strip far behind the bite");
+  add("entry_position", "m", f.entry_position, ", where the contact begins");
+  add("exit_position", "m", f.state.exit_position, ", where the contact ends");
+  if (!s.flow->elastic)
+    return;
+  add("smallest_thickness", "m", s.flow->smallest_thickness, ", of the strip under the rolls");
+  add("elastic_entry", "m", s.flow->elastic_entry, ", contact before the surface of the strip yields");
+  add("elastic_exit", "m", s.flow->elastic_exit, ", contact behind its last yielding");
+  add("elastic_power", "1", s.flow->elastic_power, ", elastic energy carried off over the power spent");
+}
+}  // namespace
+
+namespace {
+// On a free arc strip.exit_thickness is the smallest thickness under load; the strip springs back behind it.
+void add_thicknesses(const BiteStudy &s, const Adder &add)
+{
+  const bool fe        = &s.chosen() == s.find("fe");
+  const bool free_slab = !fe && s.chosen().key == "karman-elastic-arc";
+  const double leaving = fe ? s.flow->fine.exit_thickness
+                            : bite::leaving_thickness(s.question.bite, s.chosen().state,
+                                                      free_slab ? bite::Arc::elastic : bite::Arc::rigid);
+  add("exit_thickness", "m", leaving, not_given, {},
+      ", of the strip that leaves the stand, under its front tension");
+  if (fe && s.flow->elastic)
+    add("smallest_thickness", "m", s.flow->smallest_thickness, not_given, {}, ", under the rolls, loaded");
+  else if (free_slab)
+    add("smallest_thickness", "m", s.question.bite.strip.exit_thickness, not_given, {},
+        ", under the rolls, loaded: as given");
+}
+}  // namespace
+
+namespace {
+// What chose the solver, theory.md 8.10.
+void add_regime(const BiteStudy &s, const Adder &add)
+{
+  add("friction_margin", "1", s.regime.friction_margin, not_given, {},
+      ", friction over the least that draws the strip in, by Karman's slab");
+  add("elastic_share", "1", s.regime.elastic_share, not_given, {}, ", length of the elastic zones over the arc");
+  add("arc_over_thickness", "1", s.regime.arc_over_thickness, not_given, {}, ", of a rigid roll, mean thickness");
+}
+}  // namespace
+
+void add_bite_results(RunContext &run, const BiteStudy &s)
+{
+  const bite::BiteState &state = s.chosen().state;
+  const Adder add{run, s, "bite." + s.question.pass + "."};
+  const double coarse_force  = s.flow ? s.flow->coarse_force : not_given;
+  const double coarse_torque = s.flow ? s.flow->coarse_torque : not_given;
+  auto checks                = beside(s, force_in);
+  if (!std::isnan(s.question.force))
+    checks.push_back({s.question.force_name, s.question.force, ""});
+  const auto with_measured = [](std::vector<Check> checks, const double value) {
+    if (!std::isnan(value))
+      checks.push_back(check(CheckId::measured, value));
+    return checks;
+  };
+  const double error = bite_error(s, state.force, coarse_force, force_in);
+  add("force", "N", state.force, error, std::move(checks));
+  add("torque", "N m", state.torque, bite_error(s, state.torque, coarse_torque, torque_in),
+      with_measured(beside(s, torque_in), s.question.measured_torque), ", of one roll");
+  add("friction", "1", state.friction, not_given);
+  add("film_thickness", "m", state.film_thickness, not_given);
+  add("flattened_radius", "m", state.flattened_radius, not_given,
+      beside(s, [](const BiteAnswer &a) { return a.state.flattened_radius; }));
+  add("arc_length", "m", state.arc_length, not_given);
+  add("sticking_length", "m", state.sticking_length, not_given);
+  add("forward_slip", "1", state.forward_slip,
+      bite_error(s, state.forward_slip, s.flow ? s.flow->coarse_slip : not_given, slip_in),
+      with_measured(beside(s, slip_in), s.question.measured_slip));
+  const auto neutral = [&](const BiteAnswer &a) { return bite::neutral_angle(s.question.bite, a.state); };
+  add("neutral_angle", "rad", neutral(s.chosen()), not_given, beside(s, neutral),
+      ", at the axis of the roll: asin of its distance from the line of centres over the roll's own radius");
+  add("peak_pressure", "Pa", state.peak_pressure, not_given,
+      beside(s, [](const BiteAnswer &a) { return a.state.peak_pressure; }));
+  add_thicknesses(s, add);
+  add("entry_speed", "m/s", state.entry_speed, not_given);
+  add("exit_speed", "m/s", state.exit_speed, not_given);
+  const std::pair<const char *, Input> inputs[] = {
+      {"force_by_entry_thickness", Input::entry_thickness},
+      {"force_by_exit_thickness",  Input::exit_thickness },
+      {"force_by_entry_tension",   Input::entry_tension  },
+      {"force_by_exit_tension",    Input::exit_tension   },
+      {"force_by_friction",        Input::friction       },
+      {"force_by_flow_stress",     Input::flow_stress    },
+      {"force_by_roll_speed",      Input::roll_speed     },
+  };
+  const char *const units[] = {"N/m", "N/m", "m2", "m2", "N", "N", "N s/m"};
+  for (int i = 0; i < 7; ++i) {
+    const Input input = inputs[i].second;
+    add(inputs[i].first, units[i], by(state.force_by, input), not_given,
+        beside(s, [input](const BiteAnswer &a) { return by(a.state.force_by, input); }),
+        ", exact derivative, arc held");
+  }
+  add_every_model(run, s);
+  add_balances(run, s);
+  add_regime(s, add);
+}
+
+namespace {
+// Value at one place of a function given by rising points.
+double interpolated(const Eigen::VectorXd &x, const Eigen::VectorXd &y, const double at)
+{
+  if (at <= x[0] || at >= x[x.size() - 1])
+    return at <= x[0] ? y[0] : y[y.size() - 1];
+  const auto i   = std::upper_bound(x.data(), x.data() + x.size(), at) - x.data();
+  const double t = (at - x[i - 1]) / (x[i] - x[i - 1]);
+  return (1 - t) * y[i - 1] + t * y[i];
+}
+
+// (contact nodes) m, how far the section of the roll deflects under the pressure of the finite elements.
+Eigen::VectorXd roll_displacement(const BiteStudy &s)
+{
+  const bite::BiteState &state     = s.flow->fine.state;
+  const bite::ArcFlexibility &roll = s.flexibility;
+  Eigen::VectorXd pressure         = Eigen::VectorXd::Zero(roll.position.size());
+  for (Eigen::Index i = 0; i < pressure.size(); ++i)
+    if (const double x = roll.position[i];
+        x >= state.position[0] && x <= state.position[state.position.size() - 1])
+      pressure[i] = interpolated(state.position, state.pressure, x);
+  const Eigen::VectorXd u = roll.influence * pressure;
+  Eigen::VectorXd at_nodes(state.position.size());
+  for (Eigen::Index i = 0; i < at_nodes.size(); ++i)
+    at_nodes[i] = interpolated(roll.position, u, state.position[i]);
+  return at_nodes;
+}
+
+// The path form: nodal forces over how far the roll deflects there.  It belongs to the mesh, so its number of
+// nodes stands with it.
+void add_path_plateau(const BiteStudy &s, BiteSpring &spring)
+{
+  if (!s.flow || s.flexibility.position.size() == 0)
+    return;  // a rigid roll deflects nowhere
+  const fem::StripFlow &f = s.flow->fine;
+  bite::PathStiffness path;
+  try {
+    path = bite::path_stiffness(f.state.position, f.state.pressure, roll_displacement(s),
+                                s.question.bite.strip.width, s.question.setup.path_trim);
+  } catch (const InputError &) {
+    return;  // no place with both pressure and displacement
+  }
+  Parameter &p = spring.path_plateau;
+  p            = plain(s, *s.find("fe"));
+  p.unit       = "N/m";
+  p.value      = path.plateau;
+  p.method += fmt::format(", nodal force over nodal displacement, {:g} % left out at each end; {} nodes, falls as "
+                          "1/nodes",
+                          100 * s.question.setup.path_trim, path.nodes);
+  // The one other reading of the flattening: the section of the roll under the pressure found.
+  spring.flattening.checks = {
+      {"finite elements of the roll's section, sum of nodal forces over mean displacement", path.sum,
+       "reads the mean over the arc, the closed form its middle"}
+  };
+  spring.flattening.error_estimate = apart(path.sum, spring.flattening.value);
+  p.checks                         = {
+                              {"sum of nodal forces over mean displacement",          path.sum,                             "does not depend on the mesh"},
+                              {"flattening of one roll, closed form, over the nodes", spring.flattening.value / path.nodes, ""                           }
+  };
+}
+// Plastic slope and the flattening of both rolls in series; what is not known of the flattening comes with it.
+void add_combined(const BiteStudy &s, BiteSpring &spring)
+{
+  const bite::BiteStiffness &k = s.chosen().stiffness;
+  const double coarse_slope    = s.flow ? s.flow->coarse_slope : not_given;
+  const double coarse          = 1 / (1 / coarse_slope + 2 / k.flattening);
+  const double of_flattening   = 2 * k.combined / k.flattening * spring.flattening.error_estimate;
+  spring.combined              = plain(s, s.chosen());
+  spring.combined.unit         = "N/m";
+  spring.combined.value        = k.combined;
+  spring.combined.method = model_text(s.chosen()) + ", plastic slope in series with the flattening of both rolls";
+  spring.combined.checks = beside(s, combined_in);
+  spring.combined.error_estimate = bite_error(s, k.combined, coarse, combined_in);
+  if (!std::isnan(of_flattening))
+    spring.combined.error_estimate += of_flattening;
+}
+}  // namespace
+
+BiteSpring bite_spring(const BiteStudy &s)
+{
+  const BiteAnswer &chosen = s.chosen();
+  const double coarse      = s.flow ? s.flow->coarse_slope : not_given;
+  const double dh          = s.question.bite.strip.entry_thickness - s.question.bite.strip.exit_thickness;
+  BiteSpring spring;
+  spring.plastic_slope                = plain(s, chosen);
+  spring.plastic_slope.unit           = "N/m";
+  spring.plastic_slope.value          = chosen.stiffness.plastic_slope;
+  spring.plastic_slope.error_estimate = bite_error(s, chosen.stiffness.plastic_slope, coarse, slope_in);
+  spring.plastic_slope.method += ", -dF/dh_exit at fixed entry thickness, arc held";
+  spring.plastic_slope.checks = beside(s, slope_in);
+  if (!std::isnan(chosen.stiffness.plastic_slope_following))
+    spring.plastic_slope.checks.push_back(
+        {"with the arc following the force", chosen.stiffness.plastic_slope_following, "quasi-static rolls"});
+  spring.plastic_slope.checks.push_back({"F / reduction, upper rule of thumb", chosen.state.force / dh, ""});
+  spring.plastic_slope.checks.push_back(
+      {"F / (2 reduction), lower rule of thumb", chosen.state.force / (2 * dh), ""});
+
+  spring.flattening        = plain(s, chosen);
+  spring.flattening.unit   = "N/m";
+  spring.flattening.value  = chosen.stiffness.flattening;
+  spring.flattening.method = "closed form, elastic flattening of one roll on the arc of the loaded roll";
+  add_path_plateau(s, spring);
+  add_combined(s, spring);
+  return spring;
+}
+
+void add_bite_spring(RunContext &run, const BiteSpring &spring)
+{
+  run.results.add("K4.plastic_slope", spring.plastic_slope);
+  run.results.add("K4.flattening", spring.flattening);
+  run.results.add("K4.combined", spring.combined);
+  if (!std::isnan(spring.path_plateau.value))
+    run.results.add("K4.path_plateau", spring.path_plateau);
+}
+
+namespace {
+// Flow stress and friction that belong to another force give another K4: beyond this it is said on the first page.
+// A strip that was fitted to the force is within three standard deviations of it.
+constexpr double same_force = 0.1;
+
+void note_force(RunContext &run, const BiteStudy &s, const std::string &where)
+{
+  if (std::isnan(s.question.force))
+    return;
+  const double force = s.chosen().state.force;
+  const bool fitted  = !std::isnan(s.question.force_deviation);
+  const std::string sentence =
+      fmt::format("{}{} give {} by {}; {} is {}", where,
+                  fitted ? "the fitted flow stress and friction" : "strip.flow_stress and strip.friction",
+                  in_kN(force), model_text(s.chosen()), s.question.force_name, in_kN(s.question.force));
+  if (apart(force, s.question.force) <= (fitted ? 3 * s.question.force_deviation : same_force))
+    run.assume(sentence);
+  else
+    run.warn(
+        fmt::format("{}, {:+.0f} %: K4 is that of the former", sentence, 100 * (force / s.question.force - 1)));
+}
+}  // namespace
+
+void note_bite(RunContext &run, const BiteStudy &s)
+{
+  const std::string where = "bite of " + s.question.pass + ": ";
+  for (const std::string &note : s.chosen().state.notes)
+    run.warn(where + note);
+  for (const std::string &remark : s.chosen().state.remarks)
+    run.assume(where + remark);
+  if (!s.failures.empty()) {
+    std::string causes;
+    for (const std::string &failure : s.failures)
+      causes += (causes.empty() ? "" : "; ") + failure;
+    run.warn(where + "the value is that of " + model_text(s.chosen()) +
+             ", because finite elements found none: " + causes);
+  }
+  if (!s.slab().refused.empty())
+    run.warn(where + "the slab theory that stands beside has no answer: " + s.slab().refused);
+  const bool free_arc = s.chosen().key == "karman-elastic-arc" ||
+                        (&s.chosen() == s.find("fe") && s.flow->elastic && s.question.setup.arc == "elastic");
+  if (free_arc)
+    run.assume(where +
+               "strip.exit_thickness is the smallest thickness of the strip under elastic rolls; the strip "
+               "springs back from there to bite." +
+               s.question.pass + ".exit_thickness");
+  if (s.beyond_circle())
+    run.warn(where + (s.find("karman-elastic-arc")
+                          ? "the accuracies hold the distance to the free arc, which is no circle"
+                          : "no free arc was found to compare with: force and K4 are stated without an accuracy"));
+  for (const BiteAnswer &answer : s.answers)
+    if (!answer.refused.empty() && answer.key != "fe" && &answer != &s.slab())
+      run.assume(where + answer.key + " has no answer: " + answer.refused);
+  note_force(run, s, where);
+}
+}  // namespace mill

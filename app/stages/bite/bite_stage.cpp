@@ -1,0 +1,150 @@
+#include "app/stages/bite/bite_stage.h"
+#include "app/stages/bite/bite_curves.h"
+#include "app/stages/bite/bite_files.h"
+#include "app/stages/bite/bite_results.h"
+#include "app/stages/bite/fit_stage.h"
+#include "core/model/bite_case.h"
+#include "core/model/case.h"
+#include "core/model/four_high.h"
+#include "reduce/chain/line_contact.h"
+#include <algorithm>
+#include <cmath>
+
+namespace mill {
+namespace {
+// Where the back-up roll carries the work roll, Hertz.
+double backup_half_width(const FourHigh &stand, const double force)
+{
+  const double length = std::min(stand.work_roll.barrel_length, stand.backup_roll.barrel_length);
+  return reduce::line_contact(
+             {stand.work_roll.barrel_diameter, stand.backup_roll.barrel_diameter, length, stand.steel}, force)
+      .half_width;
+}
+
+// A flattened arc is flatter than the roll's own circle and asks for less friction: a pass is refused where no arc
+// takes it.
+bool some_arc_takes(const bite::RollBite &bite)
+{
+  for (const bite::Arc arc : {bite::Arc::hitchcock, bite::Arc::elastic})
+    try {
+      bite::solve_slab(bite, {bite::Theory::karman, arc, 0});
+      return true;
+    } catch (const InputError &) {
+    } catch (const SolverError &) {  // it is left to the run
+      return true;
+    }
+  return false;
+}
+
+// A film's friction is found with the flattened arc only.
+void check_pass(const bite::RollBite &bite, const BiteSetup &setup, const Pass &pass,
+                std::vector<Problem> &problems)
+{
+  if (follows_bite(bite.strip.friction) || !setup.fit.empty())  // of a fit the case's friction is a start only
+    return;
+  try {
+    bite::solve_slab(bite, {slab_model(setup).theory, bite::Arc::rigid});
+  } catch (const InputError &e) {
+    if (!some_arc_takes(bite))
+      problems.push_back({pass.place, "pass \"" + pass.name + "\": " + e.problems.front().message, {}});
+  } catch (const SolverError &e) {
+    problems.push_back({pass.place, "pass \"" + pass.name + "\": " + e.what(), {}});
+  }
+}
+
+// What was measured stands beside the computed values; after a fit the force is no coincidence.
+void add_measured(BiteQuestion &q, const Pass &pass)
+{
+  q.measured_slip   = pass.forward_slip;
+  q.measured_torque = pass.torque;
+  if (std::count(q.setup.fit.begin(), q.setup.fit.end(), "force") > 0)
+    q.force_deviation = pass.force_deviation;
+}
+
+// What the slab theories say is kept also where the finite elements fail.
+void add_study(RunContext &run, const BiteStudy &study)
+{
+  add_bite_results(run, study);
+  note_bite(run, study);
+  write_bite(run, study);
+}
+}  // namespace
+
+bite::RollBite bite_of(const Strip &strip, const Pass &pass, const double roll_diameter, const Material &roll)
+{
+  bite::RollBite bite;
+  bite.strip     = strip;
+  const auto own = [](double &value, const double of_pass) {
+    if (!std::isnan(of_pass))
+      value = of_pass;
+  };
+  own(bite.strip.entry_thickness, pass.entry_thickness);
+  own(bite.strip.exit_thickness, pass.exit_thickness);
+  own(bite.strip.entry_tension, pass.entry_tension);
+  own(bite.strip.exit_tension, pass.exit_tension);
+  bite.roll_radius = 0.5 * roll_diameter;
+  bite.roll        = roll;
+  bite.roll_speed  = pass.speed;
+  return bite;
+}
+
+void check_bites(const Case &the_case)
+{
+  std::vector<Problem> problems;
+  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec); stand && !stand->given.count("K4"))
+    for (const Pass &pass : stand->passes)
+      check_pass(bite_of(stand->strip, pass, stand->work_roll.barrel_diameter, stand->steel), stand->bite, pass,
+                 problems);
+  if (const auto *bite = std::get_if<BiteCase>(&the_case.spec))
+    for (const Pass &pass : bite->passes)
+      check_pass(bite_of(bite->strip, pass, bite->roll_diameter, bite->steel), bite->bite, pass, problems);
+  if (!problems.empty())
+    throw InputError(std::move(problems));
+}
+
+BiteSpring solve_bite_spring(RunContext &run, const FourHigh &stand, const Pass &pass, const double force,
+                             const bool first, const bool curves)
+{
+  BiteQuestion q;
+  q.bite              = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
+  q.setup             = stand.bite;
+  q.pass              = pass.name;
+  q.force             = force;
+  q.force_name        = std::isnan(pass.load) ? "the mean of the recorded force" : "the load of the pass";
+  q.roll_key          = "work_roll.barrel_diameter";
+  q.backup_half_width = backup_half_width(stand, force);
+  add_measured(q, pass);
+  const BiteStudy study = study_bite(run, q);
+  add_study(run, study);
+  const BiteSpring spring = bite_spring(study);
+  if (first) {
+    add_bite_spring(run, spring);
+    if (curves)
+      write_bite_curves(run, study);
+  }
+  return spring;
+}
+
+void solve_bite_case(RunContext &run, const BiteCase &spec)
+{
+  const Strip strip = fitted_strip(run, fit_question(spec));
+  for (std::size_t p = 0; p < spec.passes.size(); ++p) {
+    BiteQuestion q;
+    q.bite       = bite_of(strip, spec.passes[p], spec.roll_diameter, spec.steel);
+    q.setup      = spec.bite;
+    q.pass       = spec.passes[p].name;
+    q.force      = spec.passes[p].load;
+    q.force_name = "the load of the pass";
+    q.roll_key   = "work_roll.diameter";
+    q.curves     = p == 0;
+    add_measured(q, spec.passes[p]);
+    const BiteStudy study = study_bite(run, q);
+    add_study(run, study);
+    const BiteSpring spring = bite_spring(study);
+    if (p == 0) {
+      add_bite_spring(run, spring);
+      write_bite_curves(run, study);
+    }
+  }
+}
+}  // namespace mill

@@ -1,0 +1,28 @@
+#pragma once
+#include "app/stages/bite/bite_results.h"
+#include "app/stages/bite/bite_study.h"
+#include "core/model/pass.h"
+
+namespace mill {
+struct BiteCase;
+struct Case;
+struct FourHigh;
+
+/// Roll bite of one pass: what of the pass differs from the strip.
+bite::RollBite bite_of(const Strip &strip, const Pass &pass, double roll_diameter, const Material &roll);
+
+/// Passes that no roll can take (but not of a strip that is fitted), said before anything long is computed.
+/// @throws InputError  with the place of every such pass
+void check_bites(const Case &the_case);
+
+/// K4 of one pass of a stand, by the model of [bite]; its combined stiffness (plastic slope in series with both
+/// arcs) is that of the chain.
+/// @param first   true: add K4.* to the results
+/// @param curves  and write its curves, where that
+/// @param force  N, recorded, stands beside the computed one
+BiteSpring solve_bite_spring(RunContext &run, const FourHigh &stand, const Pass &pass, double force, bool first,
+                             bool curves = true);
+
+/// kind = "bite": every pass, K4 of the first.
+void solve_bite_case(RunContext &run, const BiteCase &spec);
+}  // namespace mill

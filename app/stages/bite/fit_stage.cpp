@@ -1,0 +1,233 @@
+#include "app/stages/bite/fit_stage.h"
+#include "app/stages/bite/bite_stage.h"
+#include "app/stages/bite/bite_study.h"
+#include "app/stages/bite/fit_results.h"
+#include "core/base/errors.h"
+#include "core/model/bite_case.h"
+#include "core/model/four_high.h"
+#include <algorithm>
+#include <cmath>
+
+namespace mill {
+namespace {
+using bite::Measured;
+
+bool asked(const BiteSetup &setup, const Measured kind)
+{
+  return std::count(setup.fit.begin(), setup.fit.end(), bite::measured_words[std::size_t(kind)]) > 0;
+}
+
+std::vector<bite::FitUnknown> unknowns_of(const BiteSetup &setup)
+{
+  std::vector<bite::FitUnknown> unknowns;
+  const std::vector<std::string> both{"friction", "flow_stress"};
+  for (const std::string &name : setup.fit_for.empty() ? both : setup.fit_for)
+    unknowns.push_back(bite::fit_unknown(name));
+  return unknowns;
+}
+
+bite::MeasuredPass measured_pass(const FitQuestion &q, const std::size_t p)
+{
+  const Pass &pass = q.passes[p];
+  bite::MeasuredPass measured;
+  measured.name   = pass.name;
+  measured.bite   = bite_of(q.strip, pass, q.roll_diameter, q.steel);
+  const auto give = [&](const Measured kind, const double value, const double deviation) {
+    if (!asked(q.setup, kind) || std::isnan(value))
+      return;
+    measured.value[std::size_t(kind)]     = value;
+    measured.deviation[std::size_t(kind)] = deviation;
+  };
+  give(Measured::force, q.loads[p], pass.force_deviation * q.loads[p]);
+  give(Measured::slip, pass.forward_slip, pass.slip_deviation);
+  give(Measured::torque, pass.torque, pass.torque_deviation * std::abs(pass.torque));
+  return measured;
+}
+
+// The strip of the case with the laws of the fitted passes.
+Strip strip_of(const FitQuestion &q, const bite::FitAnswer &answer)
+{
+  const Strip fitted =
+      with_factors(answer.problem.passes.front().bite.strip, answer.problem.unknowns, answer.best.x);
+  Strip strip       = q.strip;
+  strip.friction    = fitted.friction;
+  strip.flow_stress = fitted.flow_stress;
+  return strip;
+}
+
+bool has_data(const bite::MeasuredPass &pass)
+{
+  return std::any_of(pass.value.begin(), pass.value.end(), [](const double x) { return !std::isnan(x); });
+}
+
+// Karman's slab on Hitchcock's circle or a rigid roll is what the fit computes with anyway.
+bool is_the_slab(const BiteSetup &setup)
+{
+  return setup.method == "slab" && setup.theory == "karman" && (setup.arc == "rigid" || setup.arc == "hitchcock");
+}
+
+/// The model of the run for one pass of the fitted strip.
+struct ModelValue {
+  Eigen::Vector3d value{not_given, not_given, not_given};
+  std::string model, refused;
+};
+
+// All passes side by side; what their stages say belongs to strips that are not the last one.
+std::vector<ModelValue> values_of_run(RunContext &run, const StripFit &fit)
+{
+  const FitQuestion &q = fit.question;
+  const Strip strip    = strip_of(q, fit.answer);
+  std::vector<ModelValue> values(q.passes.size());
+  SideBySide all(run);
+  for (std::size_t p = 0; p < q.passes.size(); ++p)
+    all.add([&, p](RunContext &own) {
+      if (!has_data(fit.answer.problem.passes[p]))
+        return;
+      BiteQuestion one;
+      one.bite     = bite_of(strip, q.passes[p], q.roll_diameter, q.steel);
+      one.setup    = q.setup;
+      one.pass     = q.passes[p].name;
+      one.roll_key = q.roll_key;
+      one.curves   = false;
+      try {
+        const BiteStudy study    = study_bite(own, one);
+        const BiteAnswer &chosen = study.chosen();
+        const bite::BiteState &s = chosen.state;
+        values[p]                = {
+                           {s.force, s.forward_slip, s.torque},
+                           model_text(chosen), ""
+        };
+      } catch (const InputError &e) {
+        values[p].refused = e.problems.front().message;
+      } catch (const SolverError &e) {
+        values[p].refused = e.report.what;
+      }
+    });
+  all.work();
+  return values;
+}
+
+// A torque near zero has no ratio.
+bool has_ratio(const double value, const double slab)
+{
+  const double ratio = value / slab;
+  return ratio > 0.3 && ratio < 3;
+}
+
+/// Takes over how the model of the run differs from the slab, (31.7).
+/// @return standard deviations by which that moved a measured value at most
+double correct(bite::FitProblem &problem, const Eigen::VectorXd &x, const std::vector<ModelValue> &values)
+{
+  double change = 0;
+  for (std::size_t p = 0; p < problem.passes.size(); ++p) {
+    bite::MeasuredPass &pass = problem.passes[p];
+    const auto slab          = predict_pass(pass.bite, problem.arc, problem.unknowns, x, false).value;
+    for (std::size_t kind = 0; kind < bite::n_measured; ++kind) {
+      if (std::isnan(pass.value[kind]))
+        continue;
+      const double by_slab = slab[Eigen::Index(kind)], by_run = values[p].value[Eigen::Index(kind)];
+      const double before = pass.factor[kind] * by_slab + pass.shift[kind];
+      const bool ratio    = kind != std::size_t(Measured::slip) && has_ratio(by_run, by_slab);
+      pass.factor[kind]   = ratio ? by_run / by_slab : 1;
+      pass.shift[kind]    = ratio ? 0 : by_run - by_slab;
+      change              = std::max(change, std::abs(by_run - before) / pass.deviation[kind]);
+    }
+  }
+  return change;
+}
+
+/// Rounds of the model of the run and a fit with its distance to the slab.
+void correct_by_run(RunContext &run, StripFit &fit)
+{
+  constexpr int most_rounds  = 3;
+  constexpr double is_enough = 0.05;  // standard deviations of a measured value
+  for (int round = 0; round < most_rounds; ++round) {
+    const auto values = values_of_run(run, fit);
+    for (const ModelValue &value : values)
+      if (!value.refused.empty()) {
+        fit.uncorrected = value.refused;
+        return;
+      }
+    fit.models.clear();
+    for (const ModelValue &value : values)
+      fit.models.push_back(value.model);
+    fit.last_change = correct(fit.answer.problem, fit.answer.best.x, values);
+    if (const auto start = fit_point(fit.answer.problem, fit.answer.best.x))
+      fit.answer.best = least_misfit(fit.answer.problem, *start);
+    if (fit.last_change < is_enough)
+      return;
+  }
+}
+
+StripFit solved_fit(RunContext &run, const FitQuestion &question)
+{
+  StageTimer timer(run, "fit of friction and flow stress");
+  StripFit fit;
+  fit.question = question;
+  fit.slab     = bite::identify(fit_problem(question), one_number_only(question.setup));
+  fit.answer   = fit.slab;
+  if (!is_the_slab(question.setup))
+    correct_by_run(run, fit);
+  bite::find_intervals(fit.answer);
+  fit.strip = strip_of(question, fit.answer);
+  return fit;
+}
+}  // namespace
+
+FitQuestion fit_question(const BiteCase &spec)
+{
+  FitQuestion q{spec.strip, spec.bite, spec.passes, {}, spec.roll_diameter, spec.steel, "work_roll.diameter"};
+  for (const Pass &pass : spec.passes)
+    q.loads.push_back(pass.load);
+  return q;
+}
+
+FitQuestion fit_question(const FourHigh &stand, const std::vector<double> &loads)
+{
+  return {stand.strip,
+          stand.bite,
+          stand.passes,
+          loads,
+          stand.work_roll.barrel_diameter,
+          stand.steel,
+          "work_roll.barrel_diameter"};
+}
+
+bool one_number_only(const BiteSetup &setup)
+{
+  return setup.fit.size() == 1 && setup.fit_for.empty();
+}
+
+bite::FitProblem fit_problem(const FitQuestion &question)
+{
+  bite::FitProblem problem;
+  problem.arc      = question.setup.arc == "rigid" ? bite::Arc::rigid : bite::Arc::hitchcock;
+  problem.unknowns = unknowns_of(question.setup);
+  for (std::size_t p = 0; p < question.passes.size(); ++p)
+    problem.passes.push_back(measured_pass(question, p));
+  return problem;
+}
+
+Strip fitted_strip(RunContext &run, const FitQuestion &question)
+{
+  if (question.setup.fit.empty())
+    return question.strip;
+  const StripFit fit = solved_fit(run, question);
+  add_fit_results(run, fit);
+  note_fit(run, fit);
+  write_fit(run, fit);
+  return fit.strip;
+}
+
+Strip quickly_fitted_strip(const FitQuestion &question)
+{
+  if (question.setup.fit.empty())
+    return question.strip;
+  try {
+    return strip_of(question, bite::identify(fit_problem(question), one_number_only(question.setup)));
+  } catch (const InputError &) {
+  } catch (const SolverError &) {
+  }
+  return question.strip;
+}
+}  // namespace mill

@@ -1,0 +1,262 @@
+#include "app/stages/bite/strip_flow_stage.h"
+#include "app/stages/bite/strip_flow_store.h"
+#include "core/base/errors.h"
+#include "core/process/parallel.h"
+#include "core/records/cache_entry.h"
+#include "core/records/record_text.h"
+#include "fem/body/elastic_body.h"
+#include "fem/strip/elastic_plastic/strip_elastic.h"
+#include "meshes/strip/strip_flow.h"
+#include "reduce/bite/members.h"
+#include <algorithm>
+#include <cstdio>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+// Raised by hand when the finite-element bite changes what it computes.
+constexpr const char *flow_version = "strip flow 6";
+constexpr const char *flow_kind = "millstand bite 1", *point_kind = "millstand bite point 1";
+
+// Unknowns times factorisations of both meshes of a pass: twice what the usual mesh takes, some 8 and 14 s on one
+// core.  A finer mesh may take more.
+double allowed_work(const BiteSetup &setup)
+{
+  const double elements = double(setup.elements_along) * setup.elements_through;
+  return setup.strip == "elastic-plastic" ? 1.3e6 * std::max(1., elements / (36 * 8))
+                                          : 6e5 * std::max(1., elements / (48 * 12));
+}
+
+std::string key_of(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
+{
+  return hash_of(flow_inputs(q, flexibility));
+}
+
+// What an earlier run kept under the key, unless the run is a fresh one.
+std::optional<std::string> kept(const RunContext &run, const std::string &file, const char *kind,
+                                const std::string &key)
+{
+  std::string note;
+  auto text = run.fresh ? std::nullopt : read_cache_entry(file, kind, key, &note);
+  if (!note.empty())
+    run.progress.note(note);
+  return text;
+}
+
+std::optional<FlowAnswer> kept_flow(const RunContext &run, const std::string &file, const std::string &key)
+{
+  const auto text = kept(run, file, flow_kind, key);
+  return text ? restored_flow(*text) : std::nullopt;
+}
+
+std::string timer_name(const FlowQuestion &q)
+{
+  return "bite, finite elements, " + q.pass;
+}
+
+double slope_of(const fem::StripFlow &flow)
+{
+  return -bite::by(flow.state.force_by, bite::Input::exit_thickness);
+}
+
+StripLines lines_of(const FlowQuestion &q, const int along, const int through)
+{
+  return meshes::strip_lines(meshes::strip_block(q.bite.strip, q.bite.roll_radius, along, through));
+}
+
+fem::StripFlowModel rigid_model(const FlowQuestion &q)
+{
+  fem::StripFlowModel model;
+  model.arc = slab_model(q.setup).arc;
+  // A rigid-plastic strip ends with a step of pressure, under which a free arc has no limit (theory.md 17).
+  if (model.arc == bite::Arc::elastic)
+    model.arc = bite::Arc::hitchcock;
+  return model;
+}
+
+// Rigid-plastic strip on a mesh of so many elements.
+fem::StripFlow rigid_flow(const FlowQuestion &q, const int along, const int through, const fem::StripFlow *start,
+                          const double work)
+{
+  fem::StripFlowModel model = rigid_model(q);
+  model.work_limit          = work;
+  return fem::solve_strip_flow(lines_of(q, along, through), q.bite, model, nullptr, start);
+}
+
+fem::StripElastic elastic_flow(const FlowQuestion &q, const int along, const int through,
+                               const bite::ArcFlexibility *flexibility, const double work)
+{
+  fem::StripElasticModel model;
+  model.arc              = q.setup.arc == "rigid" ? bite::Arc::rigid : bite::Arc::elastic;
+  model.elements_along   = along;
+  model.elements_through = through;
+  model.work_limit       = work;
+  try {
+    return fem::solve_elastic_strip(q.bite, model, flexibility);
+  } catch (const InputError &) {
+    if (!flexibility)
+      throw;
+    // The contact is longer than the section of the roll was made for.  On a half plane, which has no end, only
+    // what is wrong with the pass itself is thrown again.
+    return fem::solve_elastic_strip(q.bite, model);
+  }
+}
+
+int half(const int elements)
+{
+  return (elements + 1) / 2;
+}
+
+int multiple_of_four(const int elements)
+{
+  return 4 * ((elements + 3) / 4);
+}
+
+FlowAnswer rigid_answer(RunContext &run, const FlowQuestion &q)
+{
+  FlowAnswer answer;
+  const int along   = multiple_of_four(q.setup.elements_along);
+  const double work = allowed_work(q.setup);
+  const auto coarse = rigid_flow(q, multiple_of_four(along / 2), half(q.setup.elements_through), nullptr, work);
+  run.progress.at(timer_name(q), 0.3);
+  answer.fine          = rigid_flow(q, along, q.setup.elements_through, &coarse, work - coarse.work);
+  answer.coarse_force  = coarse.state.force;
+  answer.coarse_torque = coarse.state.torque;
+  answer.coarse_slope  = slope_of(coarse);
+  answer.coarse_slip   = coarse.state.forward_slip;
+  return answer;
+}
+
+FlowAnswer elastic_answer(RunContext &run, const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
+{
+  FlowAnswer answer;
+  // Ten times dearer than the rigid-plastic strip, and made for thin strip: fewer elements, half the rows.
+  const int along   = std::max(16, 2 * q.setup.elements_along / 3),
+            through = std::max(3, half(q.setup.elements_through));
+  const double work = allowed_work(q.setup);
+  const auto coarse = elastic_flow(q, std::max(10, half(along)), half(through), flexibility, work);
+  run.progress.at(timer_name(q), 0.3);
+  const auto fine           = elastic_flow(q, along, through, flexibility, work - coarse.flow.work);
+  answer.fine               = fine.flow;
+  answer.coarse_force       = coarse.flow.state.force;
+  answer.coarse_torque      = coarse.flow.state.torque;
+  answer.coarse_slope       = slope_of(coarse.flow);
+  answer.coarse_slip        = coarse.flow.state.forward_slip;
+  answer.elastic            = true;
+  answer.smallest_thickness = fine.smallest_thickness;
+  answer.elastic_entry      = fine.elastic_entry;
+  answer.elastic_exit       = fine.elastic_exit;
+  answer.elastic_power      = fine.elastic_power;
+  answer.outlet_height      = fine.outlet_height;
+  answer.outlet_stress      = fine.outlet_stress;
+  return answer;
+}
+}  // namespace
+
+std::string flow_inputs(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
+{
+  return record_text(flow_version, fem::library_version(), q.bite, flow_settings(q.setup),
+                     flexibility ? *flexibility : bite::ArcFlexibility());
+}
+
+FlowAnswer solve_flow(RunContext &run, const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
+{
+  StageTimer timer(run, "bite, finite elements, " + q.pass);
+  const std::string key  = key_of(q, flexibility);
+  const std::string file = run.cache + "/bite-" + key + ".bin";
+  if (auto answer = kept_flow(run, file, key)) {
+    timer.cached = true;
+    run.progress.note("finite-element bite taken from " + file);
+    return std::move(*answer);
+  }
+  run.progress.at(timer_name(q), 0);
+  FlowAnswer answer =
+      q.setup.strip == "elastic-plastic" ? elastic_answer(run, q, flexibility) : rigid_answer(run, q);
+  for (const auto &level : answer.fine.history)
+    run.progress.note(
+        fmt::format("bite {}: {}, {} unknowns, g0 {:.3g}, d0 {:.3g}, {} steps, residual {:.2g}, force "
+                    "{:.6g} kN",
+                    q.pass, level.stage, level.n_unknowns, level.cutoff_strain_rate, level.cutoff_slip,
+                    level.iterations, level.residual, level.force / 1e3));
+  try {
+    write_cache_entry(file, flow_kind, key, stored_flow(answer));
+  } catch (const InputError &e) {
+    run.warn(std::string("the finite-element bite could not be kept for the next run: ") + e.what());
+  }
+  return answer;
+}
+
+namespace {
+struct PointTask {
+  const FlowQuestion *question;
+  std::string key, file;
+  std::optional<FlowPoint> point;
+  std::string refused;
+};
+
+// A point on disk: force and slope in hexadecimal.
+std::string point_text(const FlowPoint &point)
+{
+  return fmt::format("{:a} {:a}\n", point.force, point.plastic_slope);
+}
+
+std::optional<FlowPoint> kept_point(const RunContext &run, const std::string &file, const std::string &key)
+{
+  FlowPoint point;
+  const auto text = kept(run, file, point_kind, key);
+  if (!text || std::sscanf(text->c_str(), "%la %la", &point.force, &point.plastic_slope) != 2)
+    return std::nullopt;
+  return point;
+}
+
+void keep_point(RunContext &run, const PointTask &task)
+{
+  try {
+    write_cache_entry(task.file, point_kind, task.key, point_text(*task.point));
+  } catch (const InputError &e) {
+    run.warn(std::string("a point of the bite's curves could not be kept for the next run: ") + e.what());
+  }
+}
+
+void solve_point(PointTask &task)
+{
+  try {
+    const FlowQuestion &q = *task.question;
+    const auto flow = rigid_flow(q, multiple_of_four(q.setup.elements_along), q.setup.elements_through, nullptr,
+                                 allowed_work(q.setup));
+    task.point      = FlowPoint{flow.state.force, slope_of(flow)};
+  } catch (const InputError &e) {
+    task.refused = e.problems.front().message;
+  } catch (const SolverError &e) {
+    task.refused = e.what();
+  }
+}
+}  // namespace
+
+std::vector<std::optional<FlowPoint>> solve_flow_points(RunContext &run,
+                                                        const std::vector<FlowQuestion> &questions)
+{
+  std::vector<std::optional<FlowPoint>> points(questions.size());
+  std::vector<PointTask> tasks;
+  std::vector<std::size_t> place;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const FlowQuestion &q  = questions[i];
+    const std::string key  = key_of(q, nullptr);
+    const std::string file = run.cache + "/bite-point-" + key + ".bin";
+    points[i]              = kept_point(run, file, key);
+    if (points[i])
+      continue;
+    tasks.push_back({&q, key, file, std::nullopt, ""});
+    place.push_back(i);
+  }
+  share_tasks(long(tasks.size()), run.threads, [&](const long i) { solve_point(tasks[std::size_t(i)]); });
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (tasks[i].point)
+      keep_point(run, tasks[i]);
+    else
+      run.progress.note("bite " + tasks[i].question->pass + ": " + tasks[i].refused);
+    points[place[i]] = tasks[i].point;
+  }
+  return points;
+}
+}  // namespace mill

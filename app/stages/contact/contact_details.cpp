@@ -1,0 +1,271 @@
+#include "app/stages/contact/contact_details.h"
+#include "app/run/curve_files.h"
+#include "app/stages/contact/contact_slope.h"
+#include "app/stages/contact/contact_stage.h"
+#include "core/model/four_high.h"
+#include "core/numerics/mesh_pair.h"
+#include "core/records/csv.h"
+#include "fem/roll/contact_readings.h"
+#include "fem/roll/frictional_pair.h"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+Parameter computed(const std::string &unit, const double value, const double error, const double load,
+                   const std::string &method)
+{
+  Parameter p;
+  p.value          = value;
+  p.unit           = unit;
+  p.method         = method;
+  p.at             = at_force(load);
+  p.error_estimate = error;
+  return p;
+}
+
+// Length over which the rolls touch, and a word about it where it is not the whole barrel.
+void add_contact_length(RunContext &run, const ContactModel &m, const std::string &name, const double load)
+{
+  struct Touch {
+    double length = 0, edge = 0;  // m; the second of the outermost stations that carry load
+    bool middle = false;
+  };
+  const auto at = [&](const fem::ContactPair &pair) {
+    const Eigen::VectorXd q = fem::barrel_profile(pair, fem::solve_load(pair, load)).line_load;
+    const int sides         = pair.grid.whole ? 1 : 2;
+    const auto open         = [&](const Eigen::Index k) { return k >= 0 && k < q.size() && !(q[k] > 0); };
+    Touch touch;
+    for (Eigen::Index k = 0; k < q.size(); ++k)
+      if (q[k] > 0) {
+        touch.length += sides * pair.path[k];
+        touch.edge += open(k - 1) || open(k + 1) ? sides * pair.path[k] : 0;
+      }
+    touch.middle = q[fem::middle_station(pair.grid)] > 0;
+    return touch;
+  };
+  const auto [length, edge, middle] = at(m.in_stand);
+  const double coarse               = at(m.in_stand_coarse).length;
+  const double whole                = m.closed_form.length;
+  // A mesh tells where a contact ends to one station.
+  Parameter p = computed("m", length, std::max(mesh_pair_error(length, coarse), edge / length), load,
+                         "contact FEM, stations that carry load, held as in the stand");
+  p.checks.push_back({"length over which the barrels face each other", whole, ""});
+  run.results.add("contact." + name + ".contact_length", p);
+  if (!middle)
+    run.warn(
+        fmt::format("contact {}: at {} the rolls do not touch at mid-length, only over {:.0f} of {:.0f} mm: the "
+                    "approach does not close the gap there; stiffness and half width at mid-length "
+                    "mean little",
+                    name, in_kN(load), 1e3 * length, 1e3 * whole));
+  else if (length < 0.98 * whole)
+    run.warn(fmt::format(
+        "contact {}: at {} the rolls touch over {:.0f} of {:.0f} mm; profile, tilt or bending keeps the rest open",
+        name, in_kN(load), 1e3 * length, 1e3 * whole));
+}
+
+void add_path_plateau(RunContext &run, const ContactModel &m, const std::string &K,
+                      const ContactSettings &settings, const double load)
+{
+  const auto point  = fem::solve_load(m.mirrored, load);
+  const auto path   = fem::path_plateau(m.mirrored, point, settings.path_trim);
+  const auto second = fem::path_plateau(m.coarse, fem::solve_load(m.coarse, load), settings.path_trim);
+  if (path.stations == 0)
+    return;
+  const double scaled = second.mean * path.tributary_length / second.tributary_length;
+  Parameter p =
+      computed("N/m", path.mean, difference(scaled, path.mean), load,
+               fmt::format("mean of nodal force (summed over the width) over nodal relative "
+                           "displacement, {} stations of {:.1f} mm on average, {:.0f} % of the path left "
+                           "out at each end",
+                           path.stations, 1e3 * path.tributary_length, 100 * settings.path_trim));
+  p.checks.push_back({"secant of the contact for the same length",
+                      load / point.approach * path.tributary_length / m.closed_form.length,
+                      "the plateau grows with the length that belongs to a node: no property of the contact"});
+  p.checks.push_back({"mesh twice as coarse, for the same length", scaled, ""});
+  run.results.add(K + ".path_plateau", p);
+}
+
+void add_joint(RunContext &run, const ContactModel &m, const std::string &name, const double load,
+               const double largest)
+{
+  const auto fitted = [&](const fem::ContactPair &pair) {
+    return fem::remembered(pair, fmt::format("joint {:a} {:a}", load, largest),
+                           [&] { return fem::fitted_joint_stiffness(pair, load, largest); });
+  };
+  const Eigen::MatrixXd fine = fitted(m.whole), coarse = fitted(m.whole_coarse),
+                        exact = fem::remembered(m.whole, fmt::format("joint at {:a}", load), [&] {
+                          return fem::joint_stiffness(m.whole, fem::solve_load(m.whole, load));
+                        });
+  const double L              = m.closed_form.length;
+  const auto hertz            = reduce::line_contact(m.closed_form, load);
+  const double axes           = m.whole.radii_sum;
+  const std::string method =
+      "contact FEM, slope over the load fitted, frictionless, " + m.whole.reference + ", theory.md (2.14)";
+  // Own to each entry: two meshes, and how far the active set of this one load stands from the fit.
+  const auto add = [&](const char *what, const char *unit, const int row, const int column, const char *check,
+                       const double beside) {
+    const double value = fine(row, column);
+    const double error =
+        value == 0 ? 0
+                   : std::max(mesh_pair_error(value, coarse(row, column)), difference(exact(row, column), value));
+    Parameter p = computed(unit, value, error, load, method);
+    p.checks.push_back({check, beside, "uniform load, no barrel ends"});
+    p.checks.push_back({"mesh twice as coarse", coarse(row, column), ""});
+    run.results.add("contact." + name + ".joint." + what, p);
+  };
+  add("yy", "N/m", 1, 1, "Hertz line contact (3.5b)", hertz.tangent);
+  add("rx_rx", "N m", 3, 3, "the same spread over the length, K L^2/12", hertz.tangent * L * L / 12);
+  add("xx", "N/m", 0, 0, "geometric term of the force, -F over the distance of the axes", -load / axes);
+  add("ry_ry", "N m", 4, 4, "geometric term of a uniform load, -F L^2/12 over it", -load * L * L / 12 / axes);
+  if (fine(2, 2) != 0)
+    add("zz", "N/m", 2, 2, "straight profiles", 0);
+  if (m.extent == fem::Extent::whole) {
+    add("y_rx", "N", 1, 3, "the same on both sides", 0);
+    add("y_z", "N/m", 1, 2, "straight profiles", 0);
+  }
+}
+
+// The tangent with Coulomb friction: that without, times what friction does to it on one mesh.
+void add_friction(RunContext &run, const FourHigh &stand, const ContactModel &m, const std::string &name,
+                  const std::string &K, const ContactSettings &settings, const double load,
+                  const Parameter &tangent)
+{
+  constexpr int steps = 10;
+  const auto solved   = [&](const fem::CondensedRoll &backup, const fem::CondensedRoll &work, const int n_steps) {
+    const auto quarter = fem::make_pair(name, backup, fem::held_by_mirror(backup), work, fem::held_by_mirror(work),
+                                          even_drop(stand, settings, backup.grid.z));
+    return fem::friction_effect(quarter, backup, work, settings.friction, load, n_steps);
+  };
+  const auto effect = [&](const fem::ContactPair &pair,
+                          std::shared_ptr<const fem::CondensedRoll> CondensedPair::*mesh, const int n_steps) {
+    const Eigen::MatrixXd both =
+        fem::remembered(pair, fmt::format("friction {:a} {:a} {}", settings.friction, load, n_steps), [&] {
+          const ContactModel &all = complete(m);
+          const auto made         = solved(*(all.backup.*mesh), *(all.work.*mesh), n_steps);
+          return Eigen::MatrixXd(Eigen::RowVector2d(made.ratio, made.slipping));
+        });
+    return fem::FrictionEffect{both(0, 0), both(0, 1)};
+  };
+  const auto fine   = effect(m.mirrored, &CondensedPair::fine, steps);
+  const auto coarse = effect(m.coarse, &CondensedPair::coarse, steps),
+             twice  = effect(m.coarse, &CondensedPair::coarse, 2 * steps);
+  Parameter p       = computed(
+            "N/m", tangent.value * fine.ratio,
+            tangent.error_estimate + mesh_pair_error(fine.ratio, coarse.ratio) + difference(twice.ratio, coarse.ratio),
+            load,
+            fmt::format("contact FEM, {}.tangent times {:.5f}, the tangent with Coulomb friction {:g} "
+                              "over that without on the same mesh, loaded from zero in {} equal steps, "
+                              "{:.0f} % of the touching nodes slip",
+                        K, fine.ratio, settings.friction, steps, 100 * fine.slipping));
+  p.checks.push_back({"without friction", tangent.value, "equal materials: nearly uncoupled"});
+  p.checks.push_back({"effect of friction on a mesh twice as coarse", tangent.value * coarse.ratio, ""});
+  p.checks.push_back(
+      {"the same in twice as many load steps", tangent.value * twice.ratio, "the load path matters"});
+  run.results.add(K + ".friction_tangent", p);
+}
+
+// Where the force stands and how the axes are tilted: one is imposed, the other follows.
+void add_one_sidedness(RunContext &run, const ContactModel &m, const std::string &name, const double load)
+{
+  if (m.extent != fem::Extent::whole)
+    return;
+  const auto fine = fem::solve_load(m.in_stand, load), coarse = fem::solve_load(m.in_stand_coarse, load),
+             mirrored = fem::solve_load(m.mirrored, load);
+  const double L      = m.closed_form.length;
+  const auto add      = [&](const char *what, const char *unit, const double value, const double on_coarse,
+                       const double scale, const double beside) {
+    const double error = mesh_pair_safety * std::abs(on_coarse - value) / std::max(std::abs(value), 1e-6 * scale);
+    Parameter p        = computed(unit, value, error, load, "contact FEM, held as in the stand");
+    p.checks.push_back({"squeezed between mirrored contacts", beside, "another way of holding the rolls"});
+    p.checks.push_back({"mesh twice as coarse", on_coarse, ""});
+    run.results.add("contact." + name + "." + what, p);
+  };
+  add("tilt", "rad", fine.tilt, coarse.tilt, fine.approach / L, mirrored.tilt);
+  add("load_offset", "m", fine.moment / load, coarse.moment / load, L, mirrored.moment / load);
+}
+
+void add_largest_pressure(RunContext &run, const ContactModel &m, const FourHigh &stand, const std::string &name,
+                          const double load)
+{
+  const auto largest = [&](const fem::ContactPair &pair) {
+    return fem::pressure_map(pair, fem::solve_load(pair, load)).maxCoeff();
+  };
+  const double peak = largest(m.in_stand), coarse = largest(m.in_stand_coarse);
+  Parameter p = computed("Pa", peak, mesh_pair_error(peak, coarse), load,
+                         "contact FEM, largest nodal pressure of the patch, held as in the stand; at a sharp end "
+                         "it grows with the mesh");
+  p.checks.push_back(
+      {"squeezed between mirrored contacts", largest(m.mirrored), "another way of holding the rolls"});
+  p.checks.push_back({"mesh twice as coarse", coarse, ""});
+  run.results.add("contact." + name + ".largest_pressure", p);
+  if (peak > 5 * stand.steel.yield_stress)
+    run.warn(
+        fmt::format("contact {}: the largest pressure of {:.0f} MPa at {} is above five times steel.yield_stress "
+                    "= {:.0f} MPa: small elastic strain does not hold there",
+                    name, 1e-6 * peak, in_kN(load), 1e-6 * stand.steel.yield_stress));
+}
+
+void write_pressure_map(RunContext &run, const fem::ContactPair &pair, const std::string &name, const double load)
+{
+  const Eigen::MatrixXd p = fem::pressure_map(pair, fem::solve_load(pair, load));
+  const auto &g           = pair.grid;
+  Eigen::VectorXd z(p.size()), x(p.size()), value(p.size());
+  Eigen::Index row = 0;
+  for (int k = 0; k < g.n_z; ++k)
+    for (int i = 0; i < p.cols(); ++i, ++row) {
+      z[row]     = g.z[k];
+      x[row]     = (i < g.n_x - 1 ? -1 : 1) * g.x[std::abs(i - (g.n_x - 1))];
+      value[row] = p(k, i);
+    }
+  Table table;
+  table.add("z", "m", z).add("x", "m", x).add("pressure", "Pa", value);
+  write_curve(run, curve::contact_pressure, name, table);
+}
+}  // namespace
+
+void require_resolved(RunContext &run, const ContactModel &m, const std::string &name,
+                      const ContactSettings &settings, const double load)
+{
+  const auto &grid     = m.mirrored.grid;
+  const double element = grid.x[grid.degree] - grid.x[0];
+  const double b       = reduce::line_contact(m.closed_form, load).half_width;
+  if (b >= 2 * element)
+    return;
+  const std::string said = fmt::format(
+      "contact.{}.elements_per_half_width = {} makes elements of {:.3f} mm for the largest load; at the "
+      "working load of {} the contact is only {:.3f} mm to each side and needs elements of {:.3f} mm: take "
+      "{} or more, or narrow contact.{}.loads",
+      name, settings.elements_per_half_width, 1e3 * element, in_kN(load), 1e3 * b, 1e3 * b / 2,
+      int(std::ceil(settings.elements_per_half_width * 2 * element / b)), name);
+  if (b < element)
+    throw InputError(settings.elements_place, said);
+  run.warn(said);
+}
+
+void add_contact_details(RunContext &run, const ContactModel &model, const std::string &name, const std::string &K,
+                         const FourHigh &stand, const ContactSettings &settings, const double load,
+                         const double largest, const Parameter &tangent)
+{
+  add_contact_length(run, model, name, load);
+  add_path_plateau(run, model, K, settings, load);
+  add_joint(run, model, name, load, largest);
+  if (!std::isnan(settings.friction)) {
+    if (model.extent == fem::Extent::whole)
+      run.assume(
+          fmt::format("contact {}: the effect of friction is that of the mean of both sides: neither tilt nor "
+                      "offset enter it",
+                      name));
+    add_friction(run, stand, model, name, K, settings, load, tangent);
+  }
+  write_pressure_map(run, model.in_stand, name, load);
+  add_one_sidedness(run, model, name, load);
+  add_largest_pressure(run, model, stand, name, load);
+  const auto &bending = stand.work_roll.bending_force;
+  if (load < bending[0] + bending[1])
+    run.warn(
+        fmt::format("contact {}: the bending forces on the chocks exceed the load of {}: the strip would have to "
+                    "pull on the roll; values held as in the stand mean nothing",
+                    name, in_kN(load)));
+}
+}  // namespace mill

@@ -1,0 +1,36 @@
+#pragma once
+#include "app/stages/contact/body_pair.h"
+#include "fem/contact/partial_slip.h"
+
+// One contact in space solved on a grid that suits it.  theory.md 33.3
+namespace mill {
+struct SpaceAnswer {
+  contact::HalfSpaceState state;
+  contact::QuarterGrid grid;
+  double tangent       = 0;      ///< N/m
+  int row              = 0;      ///< next to mid-length; of a point contact that with the largest line load
+  double half_width    = 0;      ///< m, there; mean of both rows at mid-length where none lies on it
+  double peak_pressure = 0;      ///< Pa, there
+  double length        = 0;      ///< m, of what carries
+  bool cut             = false;  ///< the contact reaches an end of the faces
+};
+
+/// @param rectangles  over the half width
+/// @throws SolverError  the contact is wider than any grid tried
+SpaceAnswer solve_in_space(const SpaceShape &shape, double load, double tilt, int rectangles);
+
+/// Does the pressure grow without limit at an end of the faces?
+bool singular_end(const SpaceShape &shape, const SpaceAnswer &answer, double tilt);
+
+struct SpaceSlip {
+  double stick_half_width;  ///< m, at the row of the scalar results
+  double displacement;      ///< m
+  double first_stiffness;   ///< N/m, of the first increment
+  double tangent;           ///< N/m, at the tangential load
+  contact::RectangleContact contact;
+  contact::FrictionState state;
+};
+/// @param cells  over each side of the contact, of a quarter
+SpaceSlip slip_in_space(const SpaceShape &shape, const SpaceContactSettings &settings, const SpaceAnswer &pressed,
+                        int cells);
+}  // namespace mill

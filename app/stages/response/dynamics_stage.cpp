@@ -1,0 +1,391 @@
+#include "app/stages/response/dynamics_stage.h"
+#include "app/run/curve_files.h"
+#include "app/stages/contact/contact_stage.h"
+#include "app/stages/response/nonlinear_stage.h"
+#include "app/stages/stand/mode_results.h"
+#include "core/case/provenance.h"
+#include "core/records/csv.h"
+#include "core/records/result_names.h"
+#include "dynamics/response/mill_model.h"
+#include "dynamics/response/modes.h"
+#include "dynamics/response/response.h"
+#include "dynamics/response/rolling_force.h"
+#include "dynamics/response/spectrum.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+#include <utility>
+
+namespace mill {
+namespace {
+// Keys behind both halves of the chain.
+KeyList inputs_of(const LumpedModel &model, const DynamicsSettings &settings)
+{
+  return joined(chain_mode_keys(model, settings, Half::upper), chain_mode_keys(model, settings, Half::lower));
+}
+
+// Error of a frequency from the errors of springs and masses: half the strain-energy share of a spring, and half
+// the kinetic share of a mass, is how the frequency follows it.  One without an error leaves the frequency
+// without.
+void state_error(Parameter &f, const dynamics::Modes &modes, const Eigen::Index mode, const LumpedModel &model)
+{
+  constexpr double no_share = 1e-5;  // too little to matter even of a spring that is twice as stiff
+  f.error_estimate          = 0;
+  const auto add            = [&](const std::string &name, const Parameter &part, const double share) {
+    if (share < no_share)
+      return;
+    f.error_estimate += 0.5 * share * part.error_estimate;
+    if (std::isnan(part.error_estimate))
+      f.error_lacks =
+          joined(std::move(f.error_lacks), part.error_lacks.empty() ? KeyList{name} : part.error_lacks);
+  };
+  for (int j = 0; j < 7; ++j)
+    add("K" + std::to_string(j + 1), model.K[std::size_t(j)], modes.strain_share(mode, j));
+  for (int j = 0; j < 6; ++j)
+    add("M" + std::to_string(j + 1), model.M[std::size_t(j)], modes.kinetic_share(mode, j));
+}
+
+double in_g(const double acceleration)
+{
+  return acceleration / dynamics::standard_gravity;
+}
+}  // namespace
+
+bool has_force(const Pass &pass)
+{
+  return !pass.force_file.empty() || !std::isnan(pass.synthetic_range[0]);
+}
+
+double working_load(const Pass &pass, const ForceRecord &force)
+{
+  return std::isnan(pass.load) ? force.force.mean() : pass.load;
+}
+
+ForceRecord force_of(const Pass &pass)
+{
+  if (!pass.force_file.empty())
+    return read_force(pass.force_file);
+  dynamics::NoiseSettings noise;
+  noise.range     = pass.synthetic_range;
+  noise.duration  = pass.synthetic_duration;
+  noise.bandwidth = pass.synthetic_bandwidth;
+  noise.rate      = 10 * pass.synthetic_bandwidth;
+  noise.seed      = std::uint64_t(pass.synthetic_seed);
+  if (noise.duration * noise.rate > 2e7)
+    throw InputError(
+        pass.place,
+        fmt::format("{}: synthetic_duration x synthetic_bandwidth asks for {:.3g} samples (ten per period "
+                    "of the bandwidth); at most 2e7 are made, lower one of them",
+                    pass.name, noise.duration * noise.rate));
+  return dynamics::synthetic_force(noise);
+}
+
+std::string load_beside_record(const Pass &pass, const double mean)
+{
+  if (std::isnan(pass.load) || !(std::abs(pass.load / mean - 1) > 0.05))
+    return "";
+  return fmt::format("{}: pass.load is {}, the mean of its force record {}; stiffnesses belong to the first, "
+                     "accelerations to the second",
+                     pass.name, in_kN(pass.load), in_kN(mean));
+}
+
+namespace {
+// The damped chain: its poles need not belong to the undamped modes one by one.
+void write_poles(RunContext &run, const dynamics::MillModel &chain)
+{
+  const auto poles = dynamics::poles(chain);
+  const auto n     = Eigen::Index(poles.size());
+  Eigen::VectorXd frequency(n), damping(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    frequency[i] = poles[std::size_t(i)].frequency;
+    damping[i]   = poles[std::size_t(i)].damping;
+  }
+  Table table;
+  table.add("pole", "", Eigen::VectorXd::LinSpaced(n, 1, double(n)))
+      .add("frequency", "Hz", frequency)
+      .add("damping", "", damping);
+  write_curve(run, curve::poles, "", table);
+}
+}  // namespace
+
+ChainModes chain_modes(const LumpedModel &model, const DynamicsSettings &settings)
+{
+  ChainModes all;
+  all.chain = dynamics::mill_model(model, settings);
+  all.modes = dynamics::modes(all.chain);
+  for (Eigen::Index i = 0; i < all.modes.frequency.size(); ++i)
+    all.half.push_back(all.modes.kinetic_share.row(i).head(3).sum() > 0.5 ? Half::upper : Half::lower);
+  return all;
+}
+
+HorizontalModes horizontal_modes(const LumpedModel &model, const double chock_seat,
+                                 const std::array<double, 2> &chock_mass)
+{
+  dynamics::ChockSeats seats;
+  seats.stiffness  = {chock_seat, chock_seat};
+  seats.chock_mass = chock_mass;
+  HorizontalModes all;
+  all.rolls = dynamics::horizontal_model(model, seats);
+  if (all.rolls.M.size() == 0)
+    return all;
+  all.modes = dynamics::modes(all.rolls);
+  for (Eigen::Index i = 0; i < all.modes.frequency.size(); ++i) {
+    Eigen::Index most = 0;
+    all.modes.kinetic_share.row(i).maxCoeff(&most);
+    all.mover.push_back(all.rolls.labels[std::size_t(most)]);
+  }
+  return all;
+}
+
+void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings,
+               const double chock_seat, const std::array<double, 2> chock_mass)
+{
+  StageTimer timer(run, "modes");
+  const auto [chain, modes, half] = chain_modes(model, settings);
+  const auto n                    = modes.frequency.size();
+  Table table;
+  table.add("mode", "", Eigen::VectorXd::LinSpaced(n, 1, double(n))).add("frequency", "Hz", modes.frequency);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    Eigen::VectorXd y(n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      y[i] = modes.shape(j, i) / modes.shape.col(i).cwiseAbs().maxCoeff();
+    table.add("y" + std::to_string(j + 1), "", y);
+  }
+  for (std::size_t s = 0; s < chain.springs.size(); ++s)
+    table.add("energy_" + chain.springs[s].name, "", modes.strain_share.col(Eigen::Index(s)));
+  write_curve(run, curve::modes, "", table);
+  write_poles(run, chain);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    Parameter f;
+    f.value  = modes.frequency[i];
+    f.unit   = "Hz";
+    f.method = "six-mass chain, force " + settings.force_meaning;
+    f.at     = model.at;
+    state_error(f, modes, i, model);
+    f.inputs = chain_mode_keys(model, settings, half[std::size_t(i)]);
+    run.results.add("f" + std::to_string(i + 1), f);
+  }
+
+  const auto [horizontal, sideways, mover] = horizontal_modes(model, chock_seat, chock_mass);
+  if (mover.empty())
+    return;
+  const auto n_plane = horizontal.M.size();
+  Table plane;
+  plane.add("mode", "", Eigen::VectorXd::LinSpaced(n_plane, 1, double(n_plane)))
+      .add("frequency", "Hz", sideways.frequency);
+  for (Eigen::Index j = 0; j < n_plane; ++j) {
+    Eigen::VectorXd x(n_plane);
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      x[i] = sideways.shape(j, i) / sideways.shape.col(i).cwiseAbs().maxCoeff();
+    plane.add(slug(horizontal.labels[std::size_t(j)]), "", x);
+  }
+  write_curve(run, curve::modes_horizontal, "", plane);
+  for (Eigen::Index i = 0; i < sideways.frequency.size(); ++i) {
+    const std::string &label = mover[std::size_t(i)];
+    Parameter f;
+    f.value       = sideways.frequency[i];
+    f.unit        = "Hz";
+    f.method      = "rolls on their bearings, " + label + (std::isnan(chock_seat) ? ", chock seats rigid" : "");
+    f.at          = model.at;
+    f.inputs      = horizontal_mode_keys(model, label, !std::isnan(chock_seat));
+    f.error_lacks = {"mass that moves along the pass line: the vertical equivalent mass stands in"};
+    run.results.add("fh" + std::to_string(i + 1), f);
+  }
+  if (std::isnan(chock_seat))
+    run.assume("the seats of the work-roll chocks in the housing are rigid (frame.chock_to_housing_stiffness "
+               "is not given); "
+               "a seat softer than the bearing lowers the horizontal frequencies");
+}
+
+namespace {
+// A record must last for some output samples, and its response must fit into memory.
+void require_sensible_length(const Pass &pass, const ForceRecord &force, const double output_rate)
+{
+  const double duration = force.time[force.time.size() - 1] - force.time[0];
+  const double samples  = duration * output_rate;
+  const auto refuse     = [&](const std::string &why) {
+    throw InputError(pass.force_place,
+                         fmt::format("{}: the force record lasts {:.4g} s, which is {:.3g} samples at "
+                                         "dynamics.output_rate = {:g} kHz; {}",
+                                     pass.name, duration, samples, output_rate / 1e3, why));
+  };
+  if (samples < 16)
+    refuse("at least 16 are needed, give a longer record or a higher rate");
+  if (samples > 5e6)
+    refuse(
+        "at most 5e6 are kept; stream it (millstand simulate --stream --force FILE), cut it, or lower the rate");
+}
+}  // namespace
+
+PassModel pass_model(const LumpedModel &model, const DynamicsSettings &settings)
+{
+  const auto chain = dynamics::mill_model(model, settings);
+  const auto modes = dynamics::modes(chain);
+  return {
+      dynamics::driven_model(chain), "six-mass chain", modes.frequency.maxCoeff(), inputs_of(model, settings), {}};
+}
+
+dynamics::ModalModel driven_modes(const reduce::StandWithModes &stand, const LumpedModel &chain,
+                                  const DynamicsSettings &settings)
+{
+  return dynamics::modal_model(
+      stand.model, stand.modes.frequency, stand.modes.shape, settings.modal_damping, 2 * settings.frequency_limit,
+      settings.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value);
+}
+
+PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &chain,
+                     const DynamicsSettings &settings)
+{
+  const double limit = settings.frequency_limit;
+  PassModel p{dynamics::driven_model(driven_modes(stand, chain, settings)),
+              title_of(stand.model.name),
+              limit,
+              inputs_of(chain, settings),
+              {},
+              limit};
+  // Modes up to the limit are trusted; those above are driven too, since they deflect under slower forces.
+  for (Eigen::Index i = 0; i < stand.modes.frequency.size() && stand.modes.frequency[i] <= limit; ++i)
+    p.highest_mode = stand.modes.frequency[i];
+  return p;
+}
+
+namespace {
+// Modes of the stand that the force excites and the model does not have.
+void warn_of_missing_modes(RunContext &run, const PassModel &model, const Pass &pass, const double content)
+{
+  constexpr int most_listed = 9;
+  std::string modes;
+  int excited = 0;
+  for (const double f : model.missing)
+    if (f <= content && ++excited <= most_listed)
+      modes += fmt::format("{}{:.0f}", modes.empty() ? "" : ", ", f);
+  if (excited > most_listed)
+    modes += fmt::format(" and {} more", excited - most_listed);
+  // The frequencies of a made force are the user's choice, not the mill's.
+  const auto say = [&](const std::string &sentence) {
+    pass.synthetic ? run.assume(sentence) : run.warn(sentence);
+  };
+  if (!modes.empty())
+    say(fmt::format("{}: the force reaches {:.0f} Hz, but the chain of six masses has no counterpart of the "
+                    "stand's modes at {} Hz; drive dynamics.model = \"craig-bampton\" or \"beam\" to see them",
+                    pass.name, content, modes));
+  if (content > model.limit)
+    run.warn(fmt::format("{}: the force reaches {:.0f} Hz, the modes are made to be right up to "
+                         "dynamics.frequency_limit = {:g} Hz; raise it",
+                         pass.name, content, model.limit));
+}
+}  // namespace
+
+namespace {
+// What half the output rate would show of it.
+Eigen::MatrixXd every_other(const Eigen::MatrixXd &samples)
+{
+  return Eigen::Map<const Eigen::MatrixXd, 0, Eigen::Stride<Eigen::Dynamic, 2>>(
+      samples.data(), (samples.rows() + 1) / 2, samples.cols(), {samples.rows(), 2});
+}
+}  // namespace
+
+void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettings &settings, const Pass &pass,
+                   const ForceRecord &force)
+{
+  StageTimer timer(run, "response, " + pass.name);
+  require_sensible_length(pass, force, settings.output_rate);
+  const std::string file = "response/" + slug(pass.name);
+  const double highest   = model.highest_mode;
+  const auto statistics  = dynamics::force_statistics(force);
+  warn_of_missing_modes(run, model, pass, statistics.content);
+  for (const std::string &note : force.notes)
+    pass.synthetic ? run.assume(pass.name + ": " + note) : run.warn(pass.name + ": " + note);
+  run.warn(dynamics::bandwidth_warning(statistics, highest).empty()
+               ? ""
+               : pass.name + ": " + dynamics::bandwidth_warning(statistics, highest));
+  run.warn(dynamics::output_rate_warning(settings.output_rate, highest));
+  std::optional<CurveRuns> curves;
+  if (model.curves)
+    curves = run_on_curves(*model.curves, model.driven, force, settings.output_rate);
+  const auto response =
+      curves ? curves->curve.response : dynamics::mill_response(model.driven, force, settings.output_rate);
+  if (!response.note.empty())
+    run.warn(pass.name + ": " + response.note);
+
+  const Eigen::VectorXd upper = response.acceleration.col(dynamics::upper_work_roll);
+  const Eigen::VectorXd lower = response.acceleration.col(dynamics::lower_work_roll);
+  // Half the output rate shows what the sampling does; the rest of what a level is unsure of nobody knows.
+  const Eigen::MatrixXd coarse =
+      curves ? every_other(response.acceleration)
+             : dynamics::mill_response(model.driven, force, 0.5 * settings.output_rate).acceleration;
+  const auto add = [&](const std::string &what, const std::string &roll, const double value, const double second,
+                       std::vector<Check> checks) {
+    Parameter p;
+    p.value  = value;
+    p.unit   = "g";
+    p.method = model.method +
+               (curves ? ", curves of the contacts, Runge-Kutta of order 8" : ", exact first-order hold") +
+               ", force " + settings.force_meaning;
+    p.at = {
+        "{} mean, {} peak to peak",
+        {{statistics.mean, "kN", ".1f"}, {statistics.largest - statistics.smallest, "kN", ".3f"}}
+    };
+    p.error_lacks = {"dynamics.modal_damping", "spectrum of pass.force", "dynamics.model: modes that it lacks"};
+    p.inputs      = model.inputs;
+    p.checks      = std::move(checks);
+    p.checks.push_back({"half the output rate", second, "what the sampling moves"});
+    run.results.add(pass.name + "." + what + "." + roll, p);
+  };
+  std::vector<Check> measured_rms[2], measured_peak[2];
+  if (!pass.measured_file.empty()) {
+    const auto measured = read_measured(pass.measured_file);
+    for (const std::string &note : measured.notes)
+      run.warn(pass.name + ", measured: " + note);
+    const auto beside                       = dynamics::compare(response, measured);
+    const std::string span                  = fmt::format("{:.3g} .. {:.3g} s", beside.begin, beside.end);
+    const dynamics::RollComparison *rolls[] = {&beside.upper_work_roll, &beside.lower_work_roll};
+    for (int r = 0; r < 2; ++r) {
+      measured_peak[r].push_back(check(CheckId::measured, in_g(rolls[r]->measured.peak), span));
+      measured_rms[r].push_back(check(CheckId::measured, in_g(rolls[r]->measured.rms), span));
+    }
+    Table record;
+    record.add("time", "s", measured.time)
+        .add("upper_work_roll", "g", measured.upper_work_roll / dynamics::standard_gravity)
+        .add("lower_work_roll", "g", measured.lower_work_roll / dynamics::standard_gravity);
+    run.out.write_table(file + "-measured", std::move(record));
+  }
+  const Eigen::VectorXd *rolls[] = {&upper, &lower};
+  const int columns[]            = {dynamics::upper_work_roll, dynamics::lower_work_roll};
+  const char *names[]            = {"upper_work_roll", "lower_work_roll"};
+  for (int r = 0; r < 2; ++r) {
+    const auto fine = dynamics::level(*rolls[r]), half = dynamics::level(coarse.col(columns[r]));
+    const auto with_runs = [&](std::vector<Check> checks, const bool peak) {
+      if (curves)
+        for (Check &beside : checks_of_level(*curves, columns[r], peak))
+          checks.push_back(std::move(beside));
+      return checks;
+    };
+    if (!std::isnan(pass.published_peak_g[r]))
+      measured_peak[r].insert(measured_peak[r].begin(), check(CheckId::published_model, pass.published_peak_g[r]));
+    if (!std::isnan(pass.measured_peak_g[r]))
+      measured_peak[r].push_back(
+          check(CheckId::measured, pass.measured_peak_g[r], "peak of a record that is not at hand"));
+    add("peak_g", names[r], in_g(fine.peak), in_g(half.peak), with_runs(measured_peak[r], true));
+    add("rms_g", names[r], in_g(fine.rms), in_g(half.rms), with_runs(measured_rms[r], false));
+  }
+
+  run.out.write_table(file, dynamics::response_table(response));
+  const auto spectrum_f = dynamics::amplitude_spectral_density(response.force, settings.output_rate);
+  const auto spectrum_u = dynamics::amplitude_spectral_density(upper, settings.output_rate);
+  const auto spectrum_l = dynamics::amplitude_spectral_density(lower, settings.output_rate);
+  Table spectrum;
+  spectrum.add("frequency", "Hz", spectrum_f.frequency)
+      .add("force", "N/sqrt(Hz)", spectrum_f.density)
+      .add("upper_work_roll", "g/sqrt(Hz)", spectrum_u.density / dynamics::standard_gravity)
+      .add("lower_work_roll", "g/sqrt(Hz)", spectrum_l.density / dynamics::standard_gravity);
+  run.out.write_table(file + "-spectrum", std::move(spectrum));
+  run.progress.note(fmt::format("{}: spectra of {} segments of {} samples, {} window", pass.name,
+                                spectrum_f.n_segments, spectrum_f.segment_length, spectrum_f.window));
+  if (pass.synthetic || pass.force_file.empty())
+    run.assume(pass.name + ": the force record is synthetic, noise in the stated range; its spectrum is assumed");
+  if (curves)
+    add_nonlinear(run, *model.curves, *curves, settings, pass, force, model.method);
+}
+}  // namespace mill

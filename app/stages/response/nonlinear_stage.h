@@ -1,0 +1,28 @@
+#pragma once
+#include "app/run/run_context.h"
+#include "app/stages/response/contact_curves.h"
+#include "core/base/parameter.h"
+#include "dynamics/nonlinear/curve_response.h"
+
+namespace mill {
+struct Pass;
+
+/// A pass driven on curves, on their slopes, and on the curves by fixed steps.
+struct CurveRuns {
+  dynamics::CurveRun curve, fixed;
+  dynamics::Response linear;
+};
+CurveRuns run_on_curves(const CurveDrive &drive, const dynamics::DrivenModel &linear, const ForceRecord &force,
+                        double output_rate);
+
+/// What stands beside a level on the curves: the linear run and the fixed steps.
+/// @param column  of the accelerations
+/// @param peak    the largest value, else the rms; g
+std::vector<Check> checks_of_level(const CurveRuns &runs, int column, bool peak);
+
+/// nonlinear.<pass>.*, curves/nonlinear-<pass>.json, curves/nonlinear-<pass>-spectrum.csv,
+/// curves/backbone-<pass>.csv, response/<pass>-parted.csv, and a warning where linear springs were not enough.
+void add_nonlinear(RunContext &run, const CurveDrive &drive, const CurveRuns &runs,
+                   const DynamicsSettings &settings, const Pass &pass, const ForceRecord &force,
+                   const std::string &method);
+}  // namespace mill

@@ -1,0 +1,188 @@
+#include "app/stages/stand/gauge_results.h"
+#include "app/stages/bite/bite_stage.h"
+#include "app/stages/contact/contact_slope.h"
+#include "core/records/result_names.h"
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace mill {
+namespace {
+constexpr double gauge_step = 1e-4;  // relative to the thickness, of the coupled solutions
+
+// The rolling force of a slab theory on the circle of the loaded roll, which is held: what a pass of strip answers
+// to another thickness or tension.
+struct SlabForce {
+  bite::RollBite bite;
+  bite::SlabModel model;
+  double operator()(const double h2) const
+  {
+    bite::RollBite other       = bite;
+    other.strip.exit_thickness = h2;
+    return bite::solve_slab(other, model).force;
+  }
+};
+
+// Thickness that the stand rolls with the screw, or the strip, changed; central differences of the coupled
+// solution.
+class CoupledGauge {
+public:
+  CoupledGauge(SlabForce strip, reduce::LoadDeflection stand)
+      : slab(std::move(strip)), curve(std::move(stand)), h2(slab.bite.strip.exit_thickness),
+        S(h2 - reduce::deflected_at(curve, slab(h2)).deflection)
+  {
+  }
+  double by_screw() const
+  {
+    const double d = gauge_step * h2;
+    return (rolled(slab, S + d) - rolled(slab, S - d)) / (2 * d);
+  }
+  double by(double Strip::*input, const double size) const
+  {
+    const double step = input == &Strip::entry_thickness ? size * slab.bite.strip.entry_thickness : size;
+    SlabForce up = slab, down = slab;
+    up.bite.strip.*input += step;
+    down.bite.strip.*input -= step;
+    return (rolled(up, S) - rolled(down, S)) / (2 * step);
+  }
+
+private:
+  SlabForce slab;
+  reduce::LoadDeflection curve;
+  double h2, S;  // m
+  double rolled(const SlabForce &strip, const double screw) const
+  {
+    return reduce::coupled_thickness(
+        screw, strip, [&](const double F) { return reduce::deflected_at(curve, F).deflection; }, h2 * 0.998,
+        h2 * 1.002);
+  }
+};
+
+// What the coupled solution says, where a slab theory takes this pass on that circle; else NaN.
+class CoupledCheck {
+public:
+  CoupledCheck(const FourHigh &stand, const Pass &pass, const double radius, const reduce::LoadDeflection &stretch)
+  {
+    SlabForce slab{bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel),
+                   slab_model(stand.bite)};
+    slab.model.arc          = bite::Arc::rigid;
+    slab.model.curve_points = 0;
+    if (stand.bite.method == "fe")
+      slab.model.theory = bite::Theory::karman;
+    slab.bite.roll_radius = radius;
+    attempt([&] { gauge.emplace(std::move(slab), stretch); });
+  }
+  double read(const std::function<double(const CoupledGauge &)> &slope) const
+  {
+    double value = not_given;
+    if (gauge)
+      attempt([&] { value = slope(*gauge); });
+    return value;
+  }
+
+private:
+  std::optional<CoupledGauge> gauge;
+  template <class Act> static void attempt(Act &&act)
+  {
+    try {
+      act();
+    } catch (const InputError &) {
+    } catch (const SolverError &) {
+    }
+  }
+};
+
+// An input of the bite that moves the thickness.
+struct GaugeInput {
+  const char *name, *unit;  ///< of dh2/dx
+  double Strip::*member;    ///< nullptr: none that a number of the strip is
+  double step;              ///< of the differences: relative to a thickness, Pa
+};
+const GaugeInput gauge_inputs[] = {
+    {"entry_thickness", "1",    &Strip::entry_thickness, gauge_step},
+    {"entry_tension",   "m/Pa", &Strip::entry_tension,   1e4       },
+    {"exit_tension",    "m/Pa", &Strip::exit_tension,    1e4       },
+    {"friction",        "m",    nullptr,                 0         },
+    {"flow_stress",     "m",    nullptr,                 0         },
+    {"roll_speed",      "s",    nullptr,                 0         }
+};
+
+// A number of the gauge: its error is that of modulus, plastic slope and slope of the bite with their shares.
+struct GaugeNumber {
+  std::string name;
+  const char *unit, *equation;
+  double value, error, beside;
+  std::string also;  ///< what else has no error
+};
+
+void add_gauge_number(RunContext &run, const GaugeNumber &g, const Parameter &M, const Parameter &slope)
+{
+  Parameter p;
+  p.unit           = g.unit;
+  p.value          = g.value;
+  p.method         = "mill modulus and plastic slope " + std::string(g.equation);
+  p.at             = slope.at;
+  p.error_estimate = g.error;
+  if (std::isnan(g.error)) {
+    p.error_lacks = M.error_lacks;
+    if (std::isnan(slope.error_estimate))
+      p.error_lacks.push_back("K4.plastic_slope");
+    if (!g.also.empty())
+      p.error_lacks.push_back(g.also);
+  }
+  if (!std::isnan(g.beside))
+    p.checks.push_back({"differences of the coupled solution h2 = S + F/M", g.beside,
+                        "the strip by a slab theory on the circle of the loaded roll"});
+  run.results.add(g.name, p);
+}
+}  // namespace
+
+std::string stand_result(const FourHigh &stand, const std::size_t pass, const std::string &quantity,
+                         const std::string &aspect)
+{
+  return result_name({family::stand, pass == 0 ? "" : stand.passes[pass].name, quantity, aspect});
+}
+
+void add_gauge(RunContext &run, const FourHigh &stand, const std::size_t pass, const Parameter &slope,
+               const reduce::LoadDeflection &stretch)
+{
+  const auto bite_result = [&](const std::string &name) {
+    return result_name({family::bite, stand.passes[pass].name, name});
+  };
+  const auto own = [&](const std::string &quantity, const std::string &aspect = "") {
+    return stand_result(stand, pass, quantity, aspect);
+  };
+  const Parameter *modulus = run.results.find(own("modulus", "tangent"));
+  const Parameter *circle  = run.results.find(bite_result("flattened_radius"));
+  if (!modulus || !(slope.value > 0) || !circle)
+    return;
+  const Parameter M = *modulus;  // results move with every new one
+  const reduce::GaugeCoupling gauge{M.value, slope.value};
+  const CoupledCheck coupled(stand, stand.passes[pass], circle->value, stretch);
+  const double share = gauge.Q / (gauge.M + gauge.Q), eM = M.error_estimate, eQ = slope.error_estimate;
+  const double by_screw = coupled.read([](const CoupledGauge &c) { return c.by_screw(); });
+  const auto add        = [&](const GaugeNumber &g) { add_gauge_number(run, g, M, slope); };
+  add({own("screw_sensitivity"), "1", "(30.7)", gauge.screw(), share * (eM + eQ), by_screw, ""});
+  add({own("thickness_by", "eccentricity"), "1", "(30.7)", -gauge.screw(), share * (eM + eQ), -by_screw, ""});
+  add({own("force_by", "screw"), "N/m", "(30.9)", gauge.force_by_screw(), share * eM + (1 - share) * eQ, not_given,
+       ""});
+  for (const GaugeInput &input : gauge_inputs) {
+    const std::string of_bite = bite_result(std::string("force_by_") + input.name);
+    const Parameter *there    = run.results.find(of_bite);
+    if (!there || there->value == 0)
+      continue;
+    const double F_x       = there->value;
+    const double eF        = there->checks.empty() ? not_given : difference(there->checks.front().value, F_x);
+    const std::string also = std::isnan(eF) ? of_bite : "";
+    const double beside    = input.member
+                                 ? coupled.read([&](const CoupledGauge &c) { return c.by(input.member, input.step); })
+                                 : not_given;
+    add({own("thickness_by", input.name), input.unit, "(30.8)", gauge.thickness_by(F_x),
+         eF + (1 - share) * eM + share * eQ, beside, also});
+    if (input.member == &Strip::entry_thickness)
+      add({own("force_by", input.name), "N/m", "(30.9)", gauge.force_by(F_x), eF + share * (eM + eQ),
+           gauge.M * beside, also});
+  }
+}
+}  // namespace mill

@@ -1,0 +1,18 @@
+#pragma once
+#include "app/run/run_context.h"
+#include "core/model/four_high.h"
+#include "reduce/chain/mill_modulus.h"
+#include <string>
+
+namespace mill {
+/// "stand.modulus.kiss" of the first pass, "stand.pass 2.modulus.kiss" of a later one.
+std::string stand_result(const FourHigh &stand, std::size_t pass, const std::string &quantity,
+                         const std::string &aspect = "");
+
+/// stand.screw_sensitivity, stand.thickness_by.*, stand.force_by.* of a pass from its stand.modulus.tangent, its
+/// plastic slope and bite.*, beside differences of the coupled solution.  theory.md (30.6)-(30.9)
+/// Nothing where the bite has no plastic slope.
+/// @param stretch  of the stand with strip over the rolling force
+void add_gauge(RunContext &run, const FourHigh &stand, std::size_t pass, const Parameter &plastic_slope,
+               const reduce::LoadDeflection &stretch);
+}  // namespace mill

@@ -1,0 +1,13 @@
+#pragma once
+#include "app/run/run_context.h"
+#include "app/stages/stand/model_stage.h"
+
+namespace mill {
+/// The most detailed model of a stand that has modes: component modes, else beams, else six masses.  Its
+/// frequencies and names are those of the run.
+const reduce::StandWithModes &best_model(const StandModels &models);
+
+/// For the console: the modes of the best model below the limit (Hz) by name, the six masses beside them, and what
+/// those are good for.
+std::string headline(const StandModels &models, double limit);
+}  // namespace mill

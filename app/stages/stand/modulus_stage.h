@@ -1,0 +1,44 @@
+#pragma once
+#include "app/stages/bearing/bearing_stage.h"
+#include "app/stages/bite/bite_results.h"
+#include "app/stages/contact/contact_stage.h"
+#include "app/stages/stand/model_stage.h"
+#include "core/model/four_high.h"
+#include "reduce/chain/line_contact.h"
+#include "reduce/chain/roll_shapes.h"
+
+namespace mill {
+/// What the mill modulus of one pass is made of beside the results of the run.
+struct ModulusParts {
+  std::size_t pass          = 0;
+  double load               = not_given;                  ///< N, rolling force
+  const ContactCurve *upper = nullptr, *lower = nullptr;  ///< roll contacts; null: given
+  BiteSpring K4;                                          ///< of the pass; NaN: given
+  std::array<Parameter, 2> K_Zy;  ///< N/m, both bearings of the upper and of the lower backup roll
+  /// Both bearings of the upper and of the lower backup roll over the rolling force; null: not known for this
+  /// pass.
+  const std::array<reduce::LoadDeflection, 2> *backup_deflection = nullptr;
+  reduce::SolidRolls solid;  ///< for the bending of the work rolls, where the case wants solid rolls
+  std::vector<Check> gap;    ///< m/N, opening of the gap per force by other models of the stand, without the bite
+};
+
+/// The two work rolls on each other.
+reduce::CylinderPair work_roll_pair(const FourHigh &stand);
+
+/// Bending of both work rolls between a strip of this width and their contact lines, as compliance of the gap:
+/// m/N, (30.3).
+/// @param solid  the work roll by finite elements; null: Euler's beam
+double work_rolls_bending(const FourHigh &stand, const Component *solid, double width, double K3, double K5);
+
+/// A share of the flexibility of K3 below which the strip counts as being as wide as the barrel.
+inline constexpr double least_bending = 1e-6;
+
+/// Opening of the gap per rolling force by beams and finite elements, K4 left out, m/N.  theory.md (30.4)
+std::vector<Check> gaps_of(const StandModels &models, const std::string &reference);
+
+/// stand.modulus.*, stand.K_ww.*, stand.K_bend, stand.screw_sensitivity, stand.thickness_by.*, stand.force_by.* of
+/// the first pass and curves/stand-modulus.csv; of a later pass the same as stand.<pass>.modulus.* and so on,
+/// without curve.  Needs K1..K7 and bite.* of the pass; where K4 is given nothing is known of the flattening, and
+/// only rolls that kiss have a modulus.
+void add_stand_modulus(RunContext &run, const FourHigh &stand, const ModulusParts &parts);
+}  // namespace mill

@@ -1,0 +1,128 @@
+#include "app/twin/analyse/analyse_command.h"
+#include "app/process/address_space.h"
+#include "app/process/console.h"
+#include "app/twin/analyse/analysed_stand.h"
+#include "app/twin/stand/record_options.h"
+#include "core/base/files.h"
+#include "core/base/visible_text.h"
+#include "core/case/monitoring.h"
+#include "core/model/case.h"
+#include "core/records/csv.h"
+#include "report/twin/analysis/analysis_page.h"
+#include "twin/analysis/analysis_files.h"
+#include "twin/records/raw_record.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <optional>
+#include <thread>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+namespace {
+twin::AnalysisSettings settings_of(const CommandLine &command, const Monitoring &monitoring)
+{
+  twin::AnalysisSettings settings;
+  if (!command.speed.empty())
+    settings.speed = option_quantity("--speed", command.speed, "4 m/s");
+  settings.limit = own_limit(command, monitoring);
+  for (const std::string &zone : command.severity)
+    settings.severity.push_back(option_quantity("--severity", zone, "2.3 mm/s"));
+  if (!std::is_sorted(settings.severity.begin(), settings.severity.end()))
+    throw InputError(
+        "--severity: the upper ends of the zones grow, for example \"2.3 mm/s\" \"4.5 mm/s\" \"7.1 mm/s\"");
+  if (settings.severity.empty())
+    settings.severity = monitoring.zones();
+  settings.bands = {
+      {"third_octave", monitoring.third_octave[0], monitoring.third_octave[1]},
+      {"fifth_octave", monitoring.fifth_octave[0], monitoring.fifth_octave[1]}
+  };
+  if (const std::string &folder = command.baseline.empty() ? monitoring.baseline : command.baseline;
+      !folder.empty())
+    settings.baseline = twin::read_baseline(folder);
+  settings.align = command.align;
+  const int wanted =
+      command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
+  settings.threads = threads_that_start(threads_that_fit(wanted));
+  return settings;
+}
+
+// analysis.json leaves first and comes last, so that a folder with it is whole.
+void write_folder(const std::string &folder, const twin::CleanRecord &record, const twin::Analysis &analysis,
+                  const twin::CaseModel *stand, const twin::AnalysisSettings &settings)
+{
+  std::error_code ignored;
+  for (const char *old : {"analysis.json", "spectrum.csv", "waterfall.csv", "distance.csv", "modes.csv",
+                          "poles.csv", "singular.csv", "h1.csv", "modes_h1.csv", "report.html"})
+    fs::remove(folder + "/" + old, ignored);
+  const auto tables = twin::analysis_tables(analysis);
+  for (const auto &[name, table] : tables)
+    write_atomically(folder + "/" + name + ".csv", csv_text(table));
+  const std::string json = twin::analysis_json(record, analysis, stand, settings);
+  write_atomically(folder + "/report.html", report::analysis_page(folder, json, tables));
+  write_atomically(folder + "/analysis.json", json);
+}
+
+void say_findings(const twin::Analysis &analysis, const std::string &folder)
+{
+  using console::print;
+  for (const twin::ChannelAnalysis &seen : analysis.channels)
+    print(fmt::format("{:<24} rms {:<10.4g} peak {:<10.4g} {:<6} {}\n", visible(seen.name, true), seen.rms,
+                      seen.peak, visible(seen.unit, true),
+                      std::isfinite(seen.velocity_rms) ? fmt::format("{:.3g} mm/s rms", 1e3 * seen.velocity_rms)
+                                                       : ""));
+  for (const twin::Finding &finding : analysis.findings)
+    print(fmt::format("{:<20} {:>10}  {:<22} {}\n", finding.kind,
+                      std::isfinite(finding.frequency) ? fmt::format("{:.2f} Hz", finding.frequency) : "",
+                      visible(finding.channel, true), visible(finding.owner, true)));
+  for (const std::string &note : analysis.notes)
+    print("note: " + visible(note, true) + "\n");
+  print("report: " + folder + "/report.html\n");
+}
+}  // namespace
+
+int analyse_command(const CommandLine &command)
+{
+  std::optional<twin::CaseModel> stand;
+  Monitoring monitoring;
+  if (!command.case_file.empty()) {
+    stand      = analysed_stand(read_case(command.case_file, command.sets));
+    monitoring = monitoring_of(command.case_file, command.sets);
+  }
+  const twin::ReadOptions reading       = read_options(command, monitoring);
+  const twin::AnalysisSettings settings = settings_of(command, monitoring);
+  for (const std::string &path : command.names) {
+    const std::string stem   = fs::path(path).stem().string();
+    const bool alone         = command.names.size() == 1;
+    const std::string folder = command.output.empty() ? "out/" + stem + "-analysis"
+                               : alone                ? command.output
+                                                      : command.output + "/" + stem;
+    twin::RawRecord raw;
+    console::ProgressBar bar(
+        {
+            {"read",     3},
+            {"clean",    1},
+            {"spectra",  4},
+            {"modes",    3},
+            {"findings", 1}
+    },
+        command.quiet);
+    Progress progress;
+    progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
+    progress.at("read", 0);
+    raw = twin::read_record(path, reading);
+    require_result_folder(folder, "analysis.json", "analysis", command.force_overwrite);
+    progress.at("clean", 0);
+    const twin::CleanRecord record = twin::clean_record(std::move(raw));
+    raw                            = {};  // its times are done with
+    const twin::Analysis analysis  = twin::analyse(record, stand ? &*stand : nullptr, settings, progress);
+    write_folder(folder, record, analysis, stand ? &*stand : nullptr, settings);
+    bar.finish();
+    if (!command.quiet)
+      say_findings(analysis, folder);
+  }
+  return 0;
+}
+}  // namespace mill

@@ -1,0 +1,81 @@
+#include "app/twin/analyse/analysed_stand.h"
+#include "app/twin/stand/case_chain.h"
+#include "core/model/case.h"
+#include "core/model/lumped_model.h"
+#include "dynamics/response/mill_model.h"
+#include "dynamics/response/modes.h"
+#include "reduce/bearing/pass_frequencies.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+constexpr double unknown_error = 0.10;  // of a given stiffness whose accuracy nobody stated
+
+void add_chain(twin::CaseModel &stand, const LumpedModel &model, const DynamicsSettings &settings)
+{
+  const auto chain = dynamics::mill_model(model, settings);
+  const auto modes = dynamics::modes(chain);
+  for (std::string label : chain.labels) {
+    std::replace(label.begin(), label.end(), ' ', '_');
+    stand.places.push_back(label);
+  }
+  stand.spring_error.resize(Eigen::Index(chain.springs.size()));
+  std::string unknown;
+  for (std::size_t j = 0; j < chain.springs.size(); ++j) {
+    stand.springs.push_back(chain.springs[j].name);
+    double error = unknown_error;
+    if (j < model.K.size() && std::isfinite(model.K[j].error_estimate))
+      error = model.K[j].error_estimate;
+    else if (chain.springs[j].stiffness > 0)
+      unknown += (unknown.empty() ? "" : ", ") + chain.springs[j].name;
+    stand.spring_error[Eigen::Index(j)] = error;
+  }
+  if (!unknown.empty())
+    stand.notes.push_back(
+        fmt::format("the accuracy of {} is not known; 10 % was taken where owners are named", unknown));
+  stand.frequency     = modes.frequency;
+  stand.shape         = modes.shape;
+  stand.strain_share  = modes.strain_share;
+  stand.kinetic_share = modes.kinetic_share;
+}
+
+void add_roll(twin::CaseModel &stand, const std::string &name, const double diameter)
+{
+  if (std::isfinite(diameter))
+    stand.rolls.push_back({name, diameter});
+}
+
+void add_bearing(twin::CaseModel &stand, const std::vector<RollerBearing> &bearings, const std::string &name,
+                 const std::string &roll, const double diameter)
+{
+  const auto bearing =
+      std::find_if(bearings.begin(), bearings.end(), [&](const RollerBearing &b) { return b.name == name; });
+  if (bearing == bearings.end())
+    return;
+  const auto orders = bearing::pass_frequencies(*bearing);
+  stand.bearings.push_back({name, roll, diameter, orders.cage, orders.outer, orders.inner, orders.roller});
+}
+}  // namespace
+
+twin::CaseModel analysed_stand(const Case &the_case)
+{
+  const CaseChain chain = case_chain(the_case, "analyse");
+  twin::CaseModel stand;
+  stand.name   = the_case.name;
+  stand.source = chain.source;
+  add_chain(stand, chain.model, chain.dynamics);
+  if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
+    add_roll(stand, "work_roll", four->work_roll.barrel_diameter);
+    add_roll(stand, "backup_roll", four->backup_roll.barrel_diameter);
+    add_bearing(stand, four->bearings, four->work_roll.bearing, "work_roll", four->work_roll.barrel_diameter);
+    add_bearing(stand, four->bearings, four->backup_roll.bearing, "backup_roll",
+                four->backup_roll.barrel_diameter);
+  } else if (const auto *lumped = std::get_if<Lumped>(&the_case.spec)) {
+    add_roll(stand, "work_roll", lumped->campbell.work_roll_diameter);
+    add_roll(stand, "backup_roll", lumped->campbell.backup_roll_diameter);
+  }
+  return stand;
+}
+}  // namespace mill

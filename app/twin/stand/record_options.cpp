@@ -1,0 +1,79 @@
+#include "app/twin/stand/record_options.h"
+#include "core/base/files.h"
+#include "core/base/units.h"
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <map>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+namespace {
+// "AI_07=upper_work_roll"
+std::map<std::string, std::string> pairs_of(const std::string &option, const std::vector<std::string> &texts,
+                                            const char *sample)
+{
+  std::map<std::string, std::string> pairs;
+  for (const std::string &text : texts) {
+    const auto at = text.find('=');
+    if (at == std::string::npos || at == 0 || at + 1 == text.size())
+      throw InputError(fmt::format("{} \"{}\": a name and what it stands for are needed, for example {} {}",
+                                   option, text, option, sample));
+    pairs[text.substr(0, at)] = text.substr(at + 1);
+  }
+  return pairs;
+}
+}  // namespace
+
+double option_quantity(const std::string &option, const std::string &text, const std::string &sample)
+{
+  const ParsedQuantity parsed = parse_quantity(text);
+  const Unit &wanted          = unit(sample.substr(sample.find(' ') + 1));
+  if (parsed.fault != ParsedQuantity::Fault::none || !(parsed.unit->dimension == wanted.dimension) ||
+      !(parsed.value() > 0))
+    throw InputError(fmt::format("{} \"{}\": {} above zero is needed, for example {} \"{}\"", option, text,
+                                 wanted.quantity, option, sample));
+  return parsed.value();
+}
+
+std::optional<double> own_limit(const CommandLine &command, const Monitoring &monitoring)
+{
+  if (!command.limit.empty())
+    return option_quantity("--limit", command.limit, "2 g");
+  return std::isnan(monitoring.limit) ? std::nullopt : std::optional(monitoring.limit);
+}
+
+twin::ReadOptions read_options(const CommandLine &command, const Monitoring &monitoring)
+{
+  twin::ReadOptions options;
+  if (!command.record_rate.empty()) {
+    double rate = 0;
+    if (!parse_number(command.record_rate, rate))
+      rate = option_quantity("--rate", command.record_rate, "20000 Hz");
+    options.rate = rate;
+  }
+  options.zone     = command.zone;
+  options.channels = monitoring.channels();
+  for (const auto &[column, place] : pairs_of("--channel", command.channels, "AI_07=upper_work_roll"))
+    options.channels[column] = place;
+  options.units = pairs_of("--unit", command.channel_units, "AI_07=g");
+  return options;
+}
+
+void require_result_folder(const std::string &folder, const std::string &proof, const std::string &what,
+                           const bool overwrite)
+{
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+    throw InputError(folder + " is a file, not a folder; choose another with -o");
+  fs::create_directories(folder, error);
+  if (error)
+    refuse_file(error.value(),
+                "the folder " + folder + " cannot be made: " + error.message() + "; choose another with -o");
+  if (!overwrite && !fs::is_empty(folder) && !fs::exists(folder + "/" + proof))
+    throw InputError("the folder " + folder + " holds files that no " + what +
+                     " wrote; choose another with -o, or give --force-overwrite");
+}
+}  // namespace mill

@@ -1,0 +1,27 @@
+#include "app/verbs/checked_case.h"
+#include "app/command/command_line.h"
+#include "app/command/linked_subjects.h"
+#include "app/process/fast_blas.h"
+#include "app/run/run_kind.h"
+#include "app/stages/bearing/bearing_model.h"
+#include "core/base/errors.h"
+
+namespace mill {
+CheckedCase checked_case(const CommandLine &command)
+{
+  CheckedCase checked{read_case(command.target, command.sets), {}};
+  const Case &the_case = checked.the_case;
+  require_linked(the_case, command);
+  check_file_names(the_case);
+  check_fits(the_case);
+  if (command.verb != "check")  // before records are read, which would be read twice
+    use_fast_blas(command.arguments);
+  if (const auto check = run_kind(the_case).check)
+    check(the_case);
+  if (const auto review = run_kind(the_case).review)
+    checked.review = review(the_case, command.force);
+  if (!checked.review.problems.empty())
+    throw InputError(checked.review.problems);
+  return checked;
+}
+}  // namespace mill

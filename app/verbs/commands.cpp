@@ -1,0 +1,248 @@
+#include "app/verbs/commands.h"
+#include "app/command/completion.h"
+#include "app/command/linked_subjects.h"
+#include "app/command/verify_options.h"
+#include "app/kinds/pipeline.h"
+#include "app/process/console.h"
+#include "app/process/fast_blas.h"
+#include "app/process/out_of_memory.h"
+#include "app/process/version.h"
+#include "app/run/run_kind.h"
+#include "app/run/run_log.h"
+#include "app/run/run_setup.h"
+#include "app/run/run_summary.h"
+#include "app/stages/bearing/bearing_model.h"
+#include "app/stages/stand/mass_table.h"
+#include "app/trace/trace_text.h"
+#include "app/verbs/checked_case.h"
+#include "app/verbs/marks_command.h"
+#include "core/base/files.h"
+#include "core/base/visible_text.h"
+#include "core/case/case_sheet.h"
+#include "core/case/input_reference.h"
+#include "core/model/case.h"
+#include "core/numerics/sparse.h"
+#include "report/compare/comparison.h"
+#include "report/front/html.h"
+#include "report/results/names.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <new>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+namespace {
+std::string manifest_path;
+
+// chatter.CONDITION.variant.NAME.*, .scheme., .speed_slope.KEY and the like.
+bool is_beside_a_condition(const std::string &name)
+{
+  return name.rfind("chatter.", 0) == 0 && std::count(name.begin(), name.end(), '.') > 2;
+}
+
+void print_table(const Results &results)
+{
+  using console::print;
+  print(fmt::format("{:<34} {:>22} {:>9}  {}\n", "result", "value", "error", "at"));
+  for (const auto &[name, p] : results.values) {
+    if (report::is_of_one_model(name) || is_beside_a_condition(name))
+      continue;  // side by side in the report
+    print(fmt::format("{:<34} {:>22} {:>9}  {}\n", visible(name, true), engineering(p),
+                      std::isnan(p.error_estimate) ? "-" : fmt::format("{:.2g} %", 100 * p.error_estimate),
+                      visible(p.at.text(), true)));
+  }
+  for (const std::string &warning : results.warnings)
+    print("warning: " + visible(warning, true) + "\n");
+}
+
+Goal goal_of(const std::string &verb)
+{
+  if (verb == "stiffness")
+    return Goal::stiffness;
+  if (verb == "masses")
+    return Goal::masses;
+  if (verb == "chatter")
+    return Goal::chatter;
+  return verb == "modes" ? Goal::modes : Goal::simulate;
+}
+
+// A verb that the kind of the case cannot answer.
+void require_fitting(const std::string &verb, const Case &the_case)
+{
+  const RunKind &kind = run_kind(the_case);
+  if (std::find(kind.verbs.begin(), kind.verbs.end(), verb) != kind.verbs.end())
+    return;
+  if (const std::string why = kind.refusal ? kind.refusal(the_case, verb) : ""; !why.empty())
+    throw InputError(why);
+  throw InputError("millstand " + verb + " has nothing to compute for kind = \"" + the_case.kind + "\" (" +
+                   the_case.path + "); use millstand run");
+}
+
+int check_case(const CommandLine &command)
+{
+  const auto [the_case, review] = checked_case(command);
+  console::print(
+      fmt::format("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, visible(the_case.title, true)));
+  for (const auto *warnings : {&the_case.warnings, &review.warnings, &review.said_by_run})
+    for (Problem problem : *warnings) {
+      problem.message = visible(problem.message, true);
+      console::print(render(problem, "warning") + "\n");
+    }
+  for (const std::string &sentence : said_of_bearings(the_case))
+    console::print(visible(sentence, true) + "\n");
+  for (const std::string &sentence : review.facts)
+    console::print(visible(sentence, true) + "\n");
+  return 0;
+}
+
+int run_chain(const CommandLine &command)
+{
+  const CheckedCase checked = checked_case(command);
+  const Case &the_case      = checked.the_case;
+  require_fitting(command.verb, the_case);
+  const OutputDir out(command.output.empty() ? "out/" + the_case.name : command.output, the_case,
+                      command.force_overwrite, run_id_of(the_case, command.verb, command.force));
+  const RunLog log(out, command.log, command.verbose);
+  console::ProgressBar bar(run_kind(the_case).stages(the_case), command.quiet);
+  RunContext run{the_case, out, cache_folder(command, out.path() + "/cache"), command.fresh};
+  open_cache(run, out.staging());
+  const int wanted  = set_up_threads(run, command);
+  run.started       = local_time();
+  run.progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
+  run.progress.log  = [&](const std::string &line) { log.line(line); };
+  if (run.threads < wanted)
+    log.line(fmt::format("{} threads in place of {}: more do not fit (ulimit -v) or do not start (ulimit -u)",
+                         run.threads, wanted));
+  log.line("millstand " + version() + " " + command.verb + " " + command.target);
+  log.line("BLAS " + blas_in_use());
+  if (is_reference_blas(blas_in_use()))
+    run.warn("the BLAS in use is the reference one (" + blas_in_use() +
+             "), 6 to 20 times slower than OpenBLAS; install libopenblas0-openmp");
+
+  for (const auto *warnings : {&the_case.warnings, &checked.review.warnings})
+    for (const Problem &problem : *warnings)
+      run.warn(problem.message);
+  run.results.left_at_template = the_case.left_at_template;
+  manifest_path                = out.path() + "/run.json";
+  out.write("resolved.toml", the_case.resolved);
+  out.write("run.json", manifest_json(run));
+  const auto store = [&](const std::string &status) {
+    out.write("results.json", results_json(run.results, the_case.name, status, out.run_id()));
+    out.write("run.json", manifest_json(run));
+    StageTimer timer(run, "report");
+    out.write("report.html", report::html_page(report::read_own_run(out.staging(), out.take_tables())));
+    out.publish();
+    log.require_complete();
+  };
+  const auto fail = [&](const SolverError &e) {
+    bar.finish();
+    run.warn(e.report.what);
+    store("failed: " + e.report.what);
+    throw SolverError(e);
+  };
+  try {
+    run_stages(run, goal_of(command.verb), command.force);
+  } catch (const SolverError &e) {
+    fail(e);
+  } catch (const std::bad_alloc &) {
+    fail(out_of_memory(stage_in_progress()));
+  }
+  bar.finish();
+  store(run.results.warnings.empty() ? "ok" : "warnings");
+  if (command.verb == "run" && !command.quiet && !command.verbose) {
+    console::print(run_summary(run.results, the_case.name, run.summary, out.path() + "/report.html"));
+  } else if (!command.quiet) {
+    print_table(run.results);
+    if (!run.summary.empty())
+      console::print("\n" + run.summary + "\n");
+    if (command.verb == "masses")
+      console::print("\n" + mass_table(run.results));
+    console::print("report: " + out.path() + "/report.html\n");
+  }
+  return 0;
+}
+
+int write_template(const CommandLine &command)
+{
+  const std::string text = command.from.empty()
+                               ? template_of(command.target)
+                               : template_from_sheet(command.target, command.from, read_text(command.from));
+  if (command.output.empty()) {
+    console::print(text);
+    return 0;
+  }
+  if (fs::exists(command.output) && !command.force_overwrite)
+    throw InputError("the file " + command.output + " exists; choose another with -o, or give --force-overwrite");
+  write_atomically(command.output, text);
+  return 0;
+}
+// From what is stored; a run whose publishing was interrupted comes first.
+int write_report(const std::string &directory)
+{
+  {
+    const FolderLock alone(directory);  // a run that ends now publishes before or after
+    finish_publishing(directory);
+    write_atomically(directory + "/report.html", report::html_report(directory));
+  }
+  console::print("report: " + directory + "/report.html\n");
+  return 0;
+}
+
+// Runs beside each other; the page stands in the first folder unless -o says where.
+int write_comparison(const CommandLine &command)
+{
+  std::vector<std::string> directories{command.target};
+  directories.insert(directories.end(), command.names.begin(), command.names.end());
+  for (const std::string &directory : directories) {
+    const FolderLock alone(directory);
+    finish_publishing(directory);
+  }
+  const std::string file = command.output.empty() ? command.target + "/comparison.html" : command.output;
+  write_atomically(file, report::comparison_of(directories));
+  console::print("comparison: " + file + "\n");
+  return 0;
+}
+}  // namespace
+
+std::string current_manifest()
+{
+  std::error_code ignored;
+  return fs::exists(manifest_path, ignored) ? manifest_path : "";
+}
+
+int carry_out(const CommandLine &command)
+{
+  if (command.verb == "new")
+    return write_template(command);
+  if (command.verb == "check")
+    return check_case(command);
+  if (command.verb == "trace") {
+    require_linked(read_case(command.target, command.sets), command);
+    const TraceOptions options{command.target, command.key, command.sets, command.output, command.full};
+    console::print(trace_text(trace(options), !command.quiet));
+    return 0;
+  }
+  if (command.verb == "verify") {
+    use_fast_blas(command.arguments);
+    return verify_command({command.names, command.list, command.quiet, command.markdown, command.threads});
+  }
+  if (command.verb == "completion") {
+    console::print(completion_script(command.target, command.words));
+    return 0;
+  }
+  if (command.verb == "schema") {
+    console::print(case_schema());
+    return 0;
+  }
+  if (is_of_subjects(command))
+    return carry_out_subject(command);
+  if (command.verb == "marks")
+    return marks_command(command, checked_case(command).the_case);
+  if (command.verb == "report")
+    return command.names.empty() ? write_report(command.target) : write_comparison(command);
+  return run_chain(command);
+}
+}  // namespace mill

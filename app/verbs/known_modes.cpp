@@ -1,0 +1,112 @@
+#include "app/verbs/known_modes.h"
+#include "app/run/run_kind.h"
+#include "app/trace/closed_form_chain.h"
+#include "app/trace/stored_run.h"
+#include "core/base/errors.h"
+#include "core/model/case.h"
+#include "core/records/result_names.h"
+#include <algorithm>
+
+namespace mill {
+namespace {
+bool is_number(const std::string &text)
+{
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+// "mode.third_octave_upper.frequency" -> key and words; a mode without a name of its own is none here.
+bool is_named(const std::vector<std::string> &parts)
+{
+  return parts.size() == 3 && parts[0] == family::mode && parts[2] == "frequency" && parts[1] != "mixed";
+}
+
+// "f3", "cluster.pass 1.f3", "cluster.f3"
+bool is_numbered(const std::vector<std::string> &parts)
+{
+  const std::string &last = parts.back();
+  const bool stack        = parts[0] == "cluster" && parts.size() <= 3;
+  return (parts.size() == 1 || stack) && last.size() > 1 && last[0] == 'f' && is_number(last.substr(1));
+}
+
+// Results that are natural frequencies: those with names, else those of the first pass by their numbers.
+class Frequencies {
+public:
+  void add(const std::string &name, const double value, const double error, const std::vector<std::string> &inputs)
+  {
+    const auto parts = parts_of(name);
+    if (!(value > 0) || (!is_named(parts) && !is_numbered(parts)))
+      return;
+    CampbellMode mode;
+    mode.key            = is_named(parts) ? parts[1] : parts.back();
+    mode.name           = is_named(parts) ? parts[1] : "mode " + parts.back().substr(1);
+    mode.frequency      = value;
+    mode.error_estimate = error;
+    std::replace(mode.name.begin(), mode.name.end(), '_', ' ');
+    auto &list = is_named(parts) ? named : numbered;
+    if (std::any_of(list.begin(), list.end(), [&](const CampbellMode &m) { return m.key == mode.key; }))
+      return;  // of a later pass
+    list.push_back(mode);
+    all_inputs[mode.key] = inputs;
+  }
+  KnownModes modes() const
+  {
+    KnownModes known;
+    known.modes = named.empty() ? numbered : named;
+    std::stable_sort(known.modes.begin(), known.modes.end(),
+                     [](const CampbellMode &a, const CampbellMode &b) { return a.frequency < b.frequency; });
+    known.inputs = all_inputs;
+    return known;
+  }
+
+private:
+  std::vector<CampbellMode> named, numbered;
+  std::map<std::string, std::vector<std::string>> all_inputs;
+};
+
+KnownModes of_run(const StoredRun &run)
+{
+  Frequencies all;
+  for (const auto &[name, value] : run.values) {
+    const auto error  = run.errors.find(name);
+    const auto inputs = run.inputs.find(name);
+    all.add(name, value, error == run.errors.end() ? not_given : error->second,
+            inputs == run.inputs.end() ? std::vector<std::string>() : inputs->second);
+  }
+  KnownModes known = all.modes();
+  known.model      = "of the run in " + run.folder;
+  return known;
+}
+
+KnownModes by_closed_forms(const Case &the_case)
+{
+  Frequencies all;
+  if (run_kind(the_case).trace) {
+    ClosedFormMemory memory;
+    for (const ClosedFormResult &r : run_kind(the_case).trace(the_case, memory, {}))
+      all.add(r.name, r.parameter.value, r.parameter.error_estimate, r.parameter.inputs);
+  }
+  KnownModes known = all.modes();
+  known.model      = "by closed forms";
+  return known;
+}
+}  // namespace
+
+KnownModes known_modes(const Case &the_case, const std::string &folder)
+{
+  const std::string from = folder_of_run(folder, the_case);
+  const auto run         = stored_run(from, the_case);
+  if (run && run->same_inputs)
+    if (KnownModes known = of_run(*run); !known.modes.empty())
+      return known;
+  const std::string why = !run                ? "there is no run in " + from
+                          : !run->same_inputs ? "the run in " + from + " is of other inputs"
+                                              : "the run in " + from + " has no natural frequencies";
+  if (!folder.empty())
+    throw InputError("--run " + folder + ": " + why + "; leave --run out to take modes by closed forms");
+  KnownModes known = by_closed_forms(the_case);
+  if (!known.modes.empty())
+    known.note = why + ": modes are those of closed forms; millstand modes " + the_case.path +
+                 " first, for those of finite elements";
+  return known;
+}
+}  // namespace mill

@@ -1,0 +1,217 @@
+#include "core/base/csv_sheet.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+namespace mill::csv {
+std::string_view without_blanks(std::string_view text)
+{
+  const auto is_blank = [](const char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!text.empty() && is_blank(text.front()))
+    text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back()))
+    text.remove_suffix(1);
+  return text;
+}
+
+namespace {
+// The first of these that stands outside quotes separates the columns.
+char separator_of(const std::string_view line)
+{
+  for (const char separator : {';', '\t', ','}) {
+    bool in_quotes = false;
+    for (const char c : line) {
+      in_quotes = in_quotes != (c == '"');
+      if (c == separator && !in_quotes)
+        return separator;
+    }
+  }
+  return ',';
+}
+
+// The cells of one line, quoted as in RFC 4180 or as they stand.
+class CellReader {
+public:
+  CellReader(Sheet &sheet, const std::string_view line, const int number)
+      : file_(sheet.file), unquoted_(sheet.unquoted), line_(line), separator_(sheet.separator), number_(number)
+  {
+  }
+  // Appends them and tells how many.
+  std::size_t add_to(std::vector<Cell> &all)
+  {
+    const std::size_t before = all.size();
+    do {
+      skip_blanks();
+      const int column = column_;
+      all.push_back({at_ < line_.size() && line_[at_] == '"' ? quoted_text() : plain_text(), number_, column});
+    } while (step_over_separator());
+    return all.size() - before;
+  }
+
+private:
+  void skip_blanks()
+  {
+    while (at_ < line_.size() && line_[at_] != separator_ && (line_[at_] == ' ' || line_[at_] == '\t'))
+      step();
+  }
+  void step()
+  {
+    column_ += (line_[at_++] & 0xC0) != 0x80;  // characters, not bytes
+  }
+  bool step_over_separator()
+  {
+    if (at_ == line_.size())
+      return false;
+    step();
+    return true;
+  }
+  std::string_view plain_text()
+  {
+    const std::size_t begin = at_;
+    while (at_ < line_.size() && line_[at_] != separator_)
+      step();
+    return without_blanks(line_.substr(begin, at_ - begin));
+  }
+  // Between quotes, a doubled one standing for itself.
+  std::string_view quoted_text()
+  {
+    const Place open{file_, number_, column_};
+    std::string text;
+    step();
+    while (true) {
+      if (at_ == line_.size())
+        throw InputError(open, "this quote is not closed on its line");
+      const char c = line_[at_];
+      step();
+      if (c != '"')
+        text += c;
+      else if (at_ < line_.size() && line_[at_] == '"') {
+        text += '"';
+        step();
+      } else
+        break;
+    }
+    skip_blanks();
+    if (at_ < line_.size() && line_[at_] != separator_)
+      throw InputError({file_, number_, column_},
+                       "something follows a closing quote; a quote inside quotes is doubled");
+    return without_blanks(unquoted_.emplace_back(std::move(text)));
+  }
+
+  const std::string &file_;
+  std::deque<std::string> &unquoted_;
+  std::string_view line_;
+  char separator_;
+  int number_, column_ = 1;
+  std::size_t at_ = 0;
+};
+
+// "force [kN]" -> name and unit.
+Header header_of(const Cell &cell)
+{
+  const auto open = cell.text.rfind('[');
+  if (open == std::string_view::npos || cell.text.back() != ']')
+    return {std::string(cell.text), "", false, cell.line, cell.column};
+  return {std::string(without_blanks(cell.text.substr(0, open))),
+          std::string(without_blanks(cell.text.substr(open + 1, cell.text.size() - open - 2))), true, cell.line,
+          cell.column};
+}
+}  // namespace
+
+Sheet sheet_of(const std::string &file, std::string text, const std::string &example)
+{
+  Sheet sheet;
+  sheet.file            = file;
+  sheet.text            = std::make_unique<const std::string>(std::move(text));
+  std::string_view rest = *sheet.text;
+  if (rest.substr(0, 3) == "\xEF\xBB\xBF") {
+    rest.remove_prefix(3);
+    sheet.notes.push_back("a byte-order mark at the beginning of the file was ignored");
+  }
+  int number = 0, n_blank = 0;
+  while (!rest.empty()) {
+    ++number;
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (!line.empty() && line.back() == '\r')
+      line.remove_suffix(1);
+    if (without_blanks(line).empty()) {
+      ++n_blank;
+      continue;
+    }
+    if (line.front() == '#')
+      continue;
+    if (sheet.header.empty()) {
+      sheet.separator = separator_of(line);
+      std::vector<Cell> cells;
+      CellReader(sheet, line, number).add_to(cells);
+      for (const Cell &cell : cells)
+        sheet.header.push_back(header_of(cell));
+      sheet.cells.reserve(cells.size() * std::size_t(1 + std::count(rest.begin(), rest.end(), '\n')));
+      continue;
+    }
+    if (const auto n = CellReader(sheet, line, number).add_to(sheet.cells); n != sheet.header.size())
+      throw InputError(Place{file, number, 1},
+                       fmt::format("this line has {} cells, the header has {}; a decimal comma needs ';' or tab "
+                                   "between the columns",
+                                   n, sheet.header.size()));
+  }
+  if (sheet.header.empty())
+    throw InputError(Place{file, 1, 1},
+                     fmt::format("the file is empty; a header such as \"{}\" and data are needed", example));
+  if (n_blank > 0)
+    sheet.notes.push_back(fmt::format("{} blank line{} skipped", n_blank, n_blank == 1 ? " was" : "s were"));
+  return sheet;
+}
+
+double number_of(const Cell &cell, const std::string &name, Sheet &sheet)
+{
+  if (cell.text.empty())
+    throw InputError(sheet.place(cell), fmt::format("the cell of column '{}' is empty; a number is needed", name));
+  std::string_view text = cell.text;
+  std::string with_point;
+  if (sheet.separator != ',')
+    if (const auto comma = text.find(','); comma != std::string_view::npos) {
+      with_point          = text;
+      with_point[comma]   = '.';
+      text                = with_point;
+      sheet.decimal_comma = true;
+    }
+  double number = 0;
+  if (!parse_number(text, number) || std::abs(number) > largest_in_cell)
+    throw InputError(sheet.place(cell),
+                     fmt::format("'{}' in column '{}' is not a finite number", cell.text, name));
+  return number;
+}
+
+std::size_t index_of(const Sheet &sheet, const std::string &name, const std::string &sample)
+{
+  std::string names;
+  for (std::size_t i = 0; i < sheet.header.size(); ++i) {
+    if (sheet.header[i].name == name)
+      return i;
+    names += (names.empty() ? "'" : ", '") + sheet.header[i].name + "'";
+  }
+  throw InputError(sheet.place(sheet.header.front()),
+                   fmt::format("no column '{}' in the header, which has {}; write for example \"{}{}\"", name,
+                               names, name, sample.empty() ? "" : " [" + sample + "]"));
+}
+
+const Unit &unit_of(const Sheet &sheet, const Header &header, const std::string &sample)
+{
+  const Unit &wanted = unit(sample);
+  const auto remedy  = fmt::format("{} is needed, for example \"{} [{}]\"", wanted.quantity, header.name, sample);
+  if (!header.has_unit || header.unit.empty())
+    throw InputError(sheet.place(header), fmt::format("column '{}' has no unit; {}", header.name, remedy));
+  const Unit *found = find_unit(header.unit);
+  if (!found)
+    throw InputError(sheet.place(header),
+                     fmt::format("column '{}' has the unknown unit '{}'; {}", header.name, header.unit, remedy));
+  if (!(found->dimension == wanted.dimension))
+    throw InputError(sheet.place(header), fmt::format("column '{}' has the unit '{}', {}; {}", header.name,
+                                                      header.unit, found->quantity, remedy));
+  return *found;
+}
+}  // namespace mill::csv

@@ -1,0 +1,16 @@
+#pragma once
+#include "core/base/errors.h"
+#include <string>
+#include <vector>
+
+namespace mill {
+/// Problems shown of one list. Who mends fifty knows what was wrong with the rest.
+constexpr std::size_t most_problems_shown = 50;
+
+/// The problems as `render` shows each, one below the other, and how many more there are. Ends with a line break.
+/// Cost: each file is read once, whatever the number of problems.
+std::string render_list(const std::vector<Problem> &problems);
+
+/// First characters of a text with " ..." behind them, never half of a UTF-8 character; as it is when it is short.
+std::string shortened(const std::string &text);
+}  // namespace mill

@@ -1,0 +1,232 @@
+#include "core/base/files.h"
+#include "core/base/errors.h"
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <fmt/format.h>
+#include <random>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace mill {
+namespace {
+[[noreturn]] void cannot(const char *what, const std::string &path, const std::string &reason)
+{
+  throw InputError(Place{path}, fmt::format("cannot be {}: {}", what, reason));
+}
+
+[[noreturn]] void cannot_read(const std::string &path, const int error)
+{
+  if (error == EACCES || error == EPERM)  // of an input: the user named a file that is not theirs
+    cannot("read", path, std::strerror(error));
+  refuse_file(error, Place{path}, fmt::format("cannot be read: {}", std::strerror(error)));
+}
+
+[[noreturn]] void cannot_write(const std::string &path, const int error)
+{
+  refuse_file(error, Place{path}, fmt::format("cannot be written: {}", std::strerror(error)));
+}
+
+// A call that a signal interrupted is made again.
+template <class Call> auto uninterrupted(const Call &call)
+{
+  auto result = call();
+  while (result < 0 && errno == EINTR)
+    result = call();
+  return result;
+}
+
+class Descriptor {
+public:
+  Descriptor(const std::string &path, const int flags)
+      : number(uninterrupted([&] { return ::open(path.c_str(), flags | O_CLOEXEC | O_NOCTTY, 0666); }))
+  {
+  }
+  ~Descriptor()
+  {
+    if (number >= 0)
+      ::close(number);
+  }
+  explicit Descriptor(const int opened) : number(opened) {}
+  Descriptor(Descriptor &&other) : number(std::exchange(other.number, -1)) {}
+  Descriptor(const Descriptor &)            = delete;
+  Descriptor &operator=(const Descriptor &) = delete;
+  // Closed now; 0 or the error number.  What an interrupted close has closed stays closed.
+  int close()
+  {
+    const int error = ::close(number) == 0 || errno == EINTR ? 0 : errno;
+    number          = -1;
+    return error;
+  }
+  int number;
+};
+
+// Why such a file is not read or replaced; empty for a regular file.
+std::string other_kind(const mode_t mode)
+{
+  if (S_ISREG(mode))
+    return "";
+  if (S_ISDIR(mode))
+    return "it is a folder";
+  const char *kind = S_ISFIFO(mode) ? "a named pipe" : S_ISSOCK(mode) ? "a socket" : "a device";
+  return fmt::format("it is {}; name a regular file", kind);
+}
+
+// The file that is written aside, new and locked as long as it is open: remove_stale_parts() tells a living writer
+// by the lock.  One that it took for dead between open and lock is gone, and made again.
+Descriptor opened_aside(const std::string &temporary)
+{
+  while (true) {
+    Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
+    struct stat found {};
+    if (file.number < 0 || !lock_file(file.number, LOCK_EX) || ::fstat(file.number, &found) != 0 ||
+        found.st_nlink > 0)
+      return file;
+  }
+}
+
+// "name.<16 hex digits>.part"
+bool is_part_name(const std::string &name)
+{
+  const std::size_t tail = std::strlen(".0123456789abcdef.part");
+  return name.size() > tail && name[name.size() - tail] == '.' && name.substr(name.size() - 5) == ".part" &&
+         name.substr(name.size() - tail + 1, 16).find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+// Everything, or the error number.
+int write_all(const int file, const std::string &text)
+{
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t n = uninterrupted([&] { return ::write(file, text.data() + done, text.size() - done); });
+    if (n < 0)
+      return errno;
+    done += std::size_t(n);
+  }
+  return uninterrupted([&] { return ::fsync(file); }) == 0 ? 0 : errno;
+}
+}  // namespace
+
+void write_atomically(const std::string &path, const std::string &text)
+{
+  struct stat target {};
+  if (::lstat(path.c_str(), &target) == 0 && !S_ISLNK(target.st_mode) && !S_ISDIR(target.st_mode))
+    if (const std::string kind = other_kind(target.st_mode); !kind.empty())
+      cannot("written", path, kind);
+  // A rename is atomic only inside one file system, hence a name in the same folder.
+  const std::string temporary = name_aside(path);
+  Descriptor file             = opened_aside(temporary);
+  if (file.number < 0)
+    cannot_write(path, errno);
+  const Descriptor lock(::fcntl(file.number, F_DUPFD_CLOEXEC, 0));  // ours until the file has its name
+  int error        = write_all(file.number, text);
+  const int closed = file.close();
+  if (error == 0)
+    error = closed;
+  if (error == 0 && uninterrupted([&] { return std::rename(temporary.c_str(), path.c_str()); }) != 0)
+    error = errno;
+  if (error != 0) {
+    ::unlink(temporary.c_str());
+    cannot_write(path, error);
+  }
+}
+
+std::string read_text(const std::string &path)
+{
+  const Descriptor file(path, O_RDONLY | O_NONBLOCK);  // a pipe without a writer would be waited for
+  struct stat found {};
+  if (file.number < 0 || ::fstat(file.number, &found) != 0)
+    cannot_read(path, errno);
+  if (const std::string kind = other_kind(found.st_mode); !kind.empty())
+    cannot("read", path, kind);
+  std::string text, block(1 << 16, '\0');
+  text.reserve(std::min<std::size_t>(std::size_t(found.st_size), 1 << 26));  // a size may be a lie
+  while (true) {
+    const ssize_t n = uninterrupted([&] { return ::read(file.number, block.data(), block.size()); });
+    if (n < 0)
+      cannot_read(path, errno);
+    if (n == 0)
+      return text;
+    text.append(block, 0, std::size_t(n));
+  }
+}
+
+std::optional<std::string> text_if_readable(const std::string &path)
+{
+  try {
+    return read_text(path);
+  } catch (const InputError &) {
+    return {};
+  }
+}
+
+std::string random_name()
+{
+  std::random_device bits;
+  return fmt::format("{:08x}{:08x}", bits(), bits());
+}
+
+std::string name_aside(const std::string &path, const std::string &ending)
+{
+  return path + "." + random_name() + ending;
+}
+
+void remove_stale_parts(const std::string &folder)
+{
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (!is_part_name(entry->path().filename().string()))
+      continue;
+    const Descriptor part(entry->path().string(), O_RDWR | O_NOFOLLOW | O_NONBLOCK);
+    struct stat found {};
+    if (part.number >= 0 && ::fstat(part.number, &found) == 0 && S_ISREG(found.st_mode) &&
+        lock_file(part.number, LOCK_EX | LOCK_NB))
+      ::unlink(entry->path().c_str());
+  }
+}
+
+bool lock_file(const int file, const int how)
+{
+  return uninterrupted([&] { return ::flock(file, how); }) == 0;
+}
+
+void sync_to_disk(const std::string &path)
+{
+  const Descriptor file(path, O_RDONLY | O_NONBLOCK | O_NOFOLLOW);
+  if (file.number < 0)
+    cannot_write(path, errno);
+  if (uninterrupted([&] { return ::fsync(file.number); }) != 0 && errno != EINVAL && errno != EROFS)
+    cannot_write(path, errno);
+}
+
+std::string hash_of(const std::string &bytes)
+{
+  std::uint64_t hash = 0xcbf29ce484222325u;  // offset basis and prime of 64-bit FNV-1a (Fowler, Noll, Vo)
+  for (const char c : bytes) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 0x100000001b3u;
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+std::string slug(const std::string &name)
+{
+  std::string out;
+  for (const char c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)))
+      out += char(std::tolower(static_cast<unsigned char>(c)));
+    else if (!out.empty() && out.back() != '-')
+      out += '-';
+  while (!out.empty() && out.back() == '-')
+    out.pop_back();
+  return out.empty() ? "pass" : out;
+}
+}  // namespace mill

@@ -1,0 +1,19 @@
+#pragma once
+#include "core/base/parameter.h"
+#include <Eigen/Core>
+#include <array>
+#include <string>
+
+namespace mill {
+/// The six-mass chain of a four-high stand at one working load.  theory.md 6
+///     ground -K1- M1 -K2- M2 -K3- M3 -(K4 || C)- M4 -K5- M5 -K6- M6 -K7- ground
+struct LumpedModel {
+  std::array<Parameter, 6> M;  ///< kg, M1..M6
+  std::array<Parameter, 7> K;  ///< N/m, K1..K7
+  std::array<Parameter, 4>
+      Kzc;  ///< N/m, one bearing along its load: upper backup, upper work, lower work, lower backup; NaN: unknown
+  std::array<Parameter, 4> Kzc_across;  ///< N/m, the same across the load, chock on its liners; NaN: unknown
+  Parameter C;                          ///< N s/m, damper beside K4
+  OperatingPoint at;                    ///< working load, "976.2 kN"; empty for a given model
+};
+}  // namespace mill

@@ -1,7 +1,0 @@
-#pragma once
-
-// Texts that are part of the library, so that an installed program has them: made from files at build time
-// (cmake/embed_text.cmake).
-namespace mill::embedded {
-extern const char *const bearings_csv;  ///< data/bearings.csv
-}  // namespace mill::embedded

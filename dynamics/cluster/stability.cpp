@@ -1,0 +1,129 @@
+#include "dynamics/cluster/stability.h"
+#include "core/base/errors.h"
+#include "dynamics/cluster/modes.h"
+#include <algorithm>
+#include <cmath>
+
+namespace mill::cluster {
+namespace {
+// Equilibrium under a factor on the rolling force; nothing where there is none.
+std::optional<Equilibrium> at_factor(Stack stack, const double factor)
+{
+  for (Load &load : stack.loads)
+    load.force *= factor;
+  try {
+    return equilibrium(stack);
+  } catch (const SolverError &) {
+    return {};
+  }
+}
+
+// A contact or a roller that carried force and carries none.
+std::string lost_contact(const Stack &stack, const Equilibrium &before, const Equilibrium &now)
+{
+  for (const Support &s : stack.supports)
+    if (s.type == Support::Type::rollers) {
+      const auto f = roller_forces(s, before.u.segment<2>(2 * s.roll)),
+                 g = roller_forces(s, now.u.segment<2>(2 * s.roll));
+      const auto t = roller_directions(s);
+      for (std::size_t k = 0; k < 2; ++k)
+        if (f[k] > 0 && g[k] <= 0)
+          return s.name + (t[k].y() > t[1 - k].y() ? ", upper roller" : ", lower roller");
+    }
+  for (std::size_t i = 0; i < stack.contacts.size(); ++i)
+    if (before.contact_loads[i] > 0 && now.contact_loads[i] <= 0)
+      return stack.contacts[i].name;
+  return "";
+}
+
+// The parameter between a good and a bad value, to 1e-10 of it.
+template <class Good> double edge_of(double good, double bad, const Good &is_good)
+{
+  for (int i = 0; i < 60 && std::abs(bad - good) > 1e-10 * std::abs(bad); ++i) {
+    const double middle            = 0.5 * (good + bad);
+    (is_good(middle) ? good : bad) = middle;
+  }
+  return good;
+}
+}  // namespace
+
+std::optional<BucklingLoad> buckling_load(Stack stack, const double largest)
+{
+  set_rollers(stack, closed_form_approaches(stack));
+  const auto stable = [&](const double factor) {
+    const auto e = at_factor(stack, factor);
+    return e && e->stable();
+  };
+  double good = 0, factor = 1;
+  while (factor <= largest && stable(factor)) {
+    good = factor;
+    factor *= 1.5;
+  }
+  if (factor > largest)
+    return {};
+  const double edge = edge_of(good, factor, stable);
+  BucklingLoad load{edge, ""};
+  if (const auto e = at_factor(stack, edge))
+    load.motion = modes(stack, e->u).front().label;
+  return load;
+}
+
+std::optional<double> least_guide(Stack stack, const std::size_t support)
+{
+  set_rollers(stack, closed_form_approaches(stack));
+  const auto stable = [&](const double stiffness) {
+    stack.supports[support].law = {1 / stiffness, 1};
+    try {
+      return equilibrium(stack).stable();
+    } catch (const SolverError &) {
+      return false;
+    }
+  };
+  double good = 1 / stack.supports[support].law.kappa;
+  for (int i = 0; i < 30 && !stable(good); ++i)
+    good *= 4;
+  if (!stable(good))
+    return {};
+  if (stable(1))
+    return 0.;
+  return edge_of(good, 1, stable);
+}
+
+std::optional<LostContact> leaving_load(const Stack &stack, const int roll, const Eigen::Vector2d &direction,
+                                        const double largest)
+{
+  Stack pushed = stack;
+  set_rollers(pushed, closed_form_approaches(pushed));
+  const Equilibrium start = equilibrium(pushed);
+  pushed.side_loads.push_back({
+      roll, {0, 0}
+  });
+  Motion from     = start.u;
+  const auto lost = [&](const double load) {
+    pushed.side_loads.back().force = load * direction;
+    try {
+      const Equilibrium e       = equilibrium(pushed, {}, from);
+      const std::string contact = lost_contact(pushed, start, e);
+      if (contact.empty())
+        from = e.u;
+      return contact;
+    } catch (const SolverError &) {
+      return std::string("no state at rest beyond");
+    }
+  };
+  constexpr int steps = 40;
+  for (int i = 1; i <= steps; ++i) {
+    const double load = largest * i / steps;
+    if (std::string contact = lost(load); !contact.empty()) {
+      const double edge = edge_of(largest * (i - 1) / steps, load, [&](const double tried) {
+        const std::string now = lost(tried);
+        if (!now.empty())
+          contact = now;
+        return now.empty();
+      });
+      return LostContact{edge, contact};
+    }
+  }
+  return {};
+}
+}  // namespace mill::cluster

@@ -1,0 +1,50 @@
+#pragma once
+#include "dynamics/fmu/exported_model.h"
+#include "dynamics/fmu/runtime/variables.h"
+#include <string>
+#include <vector>
+
+namespace mill::fmu {
+/// A variable with the words and the places that a description gives it.
+struct DescribedVariable {
+  Variable variable;
+  std::string text;        ///< what it is, sign, where its value comes from
+  unsigned reference = 0;  ///< its place in the table of the runtime
+};
+
+/// The variables that a version of the standard shows: FMI 2 without the time.
+std::vector<DescribedVariable> described_variables(const ExportedModel &model, int fmi_version);
+
+/// What the input is, its sign, and what it contains: "rolling force, positive pushes the work rolls apart: ...".
+std::string force_text(const ExportedModel &model);
+
+/// Words of the standard.
+const char *name_of(Causality causality);
+const char *name_of(Variability variability);
+/// "exact", "calculated", or empty for inputs and the time, which have none.
+std::string initial_of(const Variable &variable);
+
+/// modelDescription.xml of version 2 or 3.
+std::string model_description(const ExportedModel &model, int fmi_version);
+/// sources/buildDescription.xml.
+std::string build_description(const ExportedModel &model);
+/// documentation/index.html.
+std::string documentation_page(const ExportedModel &model, int fmi_version);
+/// documentation/externalDependencies.txt.
+std::string external_dependencies();
+
+/// Text for XML: & < > " and line ends escaped.
+std::string escaped(const std::string &text);
+
+/// Rules of the standard that a table of variables must keep: combinations of attributes, start values, ranges,
+/// units, unique names.  One sentence for each that is broken.
+std::vector<std::string> broken_rules(const std::vector<DescribedVariable> &variables);
+
+/// A unit with its exponents of kg, m, s and the units that show it: displayed = factor * value.
+struct UnitRow {
+  const char *name;
+  int kg, m, s;
+  std::vector<std::pair<const char *, double>> displays;
+};
+const std::vector<UnitRow> &unit_rows();
+}  // namespace mill::fmu

@@ -1,0 +1,207 @@
+#include "dynamics/fmu/unpacked_unit.h"
+#include "dynamics/fmu/archive.h"
+#include "dynamics/fmu/runtime/fmi2_interface.h"
+#include "dynamics/fmu/runtime/fmi3_interface.h"
+#include "dynamics/fmu/runtime/variables.h"
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <dlfcn.h>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace mill::fmu {
+UnpackedUnit::UnpackedUnit(const std::string &archive, const std::string &identifier, const int fmi_version)
+{
+  std::string pattern = (fs::temp_directory_path() / "millstand-unit-XXXXXX").string();
+  if (!mkdtemp(pattern.data()))
+    throw std::runtime_error("no folder for the check can be made as " + pattern + ": " + std::strerror(errno));
+  folder_ = pattern;
+  try {
+    for (const ArchiveEntry &entry : entries_of(archive)) {
+      const fs::path path = fs::path(folder_) / entry.name;
+      fs::create_directories(path.parent_path());
+      std::ofstream file(path, std::ios::binary);
+      if (!file.write(entry.bytes.data(), std::streamsize(entry.bytes.size())).flush())
+        throw std::runtime_error("the folder for the check, " + folder_ + ", cannot be written");
+    }
+    const std::string path =
+        folder_ + "/binaries/" + (fmi_version == 3 ? "x86_64-linux/" : "linux64/") + identifier + ".so";
+    library_ = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!library_)
+      throw std::runtime_error(dlerror());
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+    throw;
+  }
+}
+
+UnpackedUnit::~UnpackedUnit()
+{
+  dlclose(library_);
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+std::string UnpackedUnit::resources() const
+{
+  return folder_ + "/resources/";
+}
+
+void *UnpackedUnit::symbol(const char *name) const
+{
+  void *found = dlsym(library_, name);
+  if (!found)
+    throw std::runtime_error(std::string("the library lacks ") + name);
+  return found;
+}
+
+namespace {
+// What the callbacks of both versions work on.
+struct Told {
+  std::string messages;
+  const UnpackedUnit *unit = nullptr;
+  fmi3Instance instance    = nullptr;
+  double force_at_end      = 0;
+};
+
+void note_2(void *told, fmi2String, fmi2Status, fmi2String, fmi2String message, ...)
+{
+  static_cast<Told *>(told)->messages += std::string(message) + "; ";
+}
+void note_3(fmi3InstanceEnvironment told, fmi3Status, fmi3String, fmi3String message)
+{
+  static_cast<Told *>(told)->messages += std::string(message) + "; ";
+}
+void set_force_at_end(fmi3InstanceEnvironment environment, fmi3Float64, fmi3Boolean, fmi3Boolean, fmi3Boolean,
+                      fmi3Boolean, fmi3Boolean *, fmi3Float64 *)
+{
+  auto &told                  = *static_cast<Told *>(environment);
+  const fmi3ValueReference vr = 1;
+  told.unit->function<decltype(&fmi3SetFloat64)>("fmi3SetFloat64")(told.instance, &vr, 1, &told.force_at_end, 1);
+}
+
+void require_ok(const int status, const char *function, const Told &told)
+{
+  if (status != 0)
+    throw std::runtime_error(std::string(function) + " returns " + std::to_string(status) + ": " + told.messages);
+}
+
+// References of the accelerations, then of the load cell; or of the outputs that are named.
+std::vector<unsigned> compared(const ModelData &model, const CheckRun &run)
+{
+  std::vector<unsigned> references;
+  const auto all = variables_of(model);
+  for (const std::string &name : run.names)
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].name == name)
+        references.push_back(unsigned(i));
+  if (!run.names.empty())
+    return references;
+  for (const Role role : {Role::acceleration, Role::cell_force})
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].role == role)
+        references.push_back(unsigned(i));
+  return references;
+}
+
+Eigen::MatrixXd run_2(const UnpackedUnit &unit, const CheckRun &run, const ExportedModel &model,
+                      const std::vector<unsigned> &outputs)
+{
+  Told told;
+  const fmi2CallbackFunctions callbacks{note_2, nullptr, nullptr, nullptr, &told};
+#define MILL_FMI(name) unit.function<decltype(&name)>(#name)
+  const fmi2Component c = MILL_FMI(fmi2Instantiate)("check", fmi2CoSimulation, model.data.guid.c_str(),
+                                                    ("file://" + unit.resources()).c_str(), &callbacks, 0, 0);
+  if (!c)
+    throw std::runtime_error(told.messages);
+  const auto n = run.force.size();
+  Eigen::MatrixXd result(n, Eigen::Index(outputs.size()));
+  std::vector<double> row(outputs.size());
+  const unsigned force = 1;
+  const int order      = 1;
+  require_ok(MILL_FMI(fmi2SetupExperiment)(c, 0, 0, 0, 0, 0), "fmi2SetupExperiment", told);
+  require_ok(MILL_FMI(fmi2EnterInitializationMode)(c), "fmi2EnterInitializationMode", told);
+  require_ok(MILL_FMI(fmi2SetReal)(c, &force, 1, &run.force[0]), "fmi2SetReal", told);
+  require_ok(MILL_FMI(fmi2ExitInitializationMode)(c), "fmi2ExitInitializationMode", told);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (i > 0) {
+      const double slope = (run.force[i] - run.force[i - 1]) / run.step;
+      require_ok(MILL_FMI(fmi2SetReal)(c, &force, 1, &run.force[i - 1]), "fmi2SetReal", told);
+      require_ok(MILL_FMI(fmi2SetRealInputDerivatives)(c, &force, 1, &order, &slope),
+                 "fmi2SetRealInputDerivatives", told);
+      require_ok(MILL_FMI(fmi2DoStep)(c, double(i - 1) * run.step, run.step, 1), "fmi2DoStep", told);
+    }
+    require_ok(MILL_FMI(fmi2GetReal)(c, outputs.data(), outputs.size(), row.data()), "fmi2GetReal", told);
+    result.row(i) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), Eigen::Index(row.size()));
+  }
+  MILL_FMI(fmi2FreeInstance)(c);
+  return result;
+}
+
+Eigen::MatrixXd run_3(const UnpackedUnit &unit, const CheckRun &run, const ExportedModel &model,
+                      const std::vector<unsigned> &outputs)
+{
+  Told told;
+  told.unit                      = &unit;
+  const fmi3ValueReference force = 1;
+  told.instance =
+      MILL_FMI(fmi3InstantiateCoSimulation)("check", model.data.guid.c_str(), unit.resources().c_str(), false,
+                                            false, false, false, &force, 1, &told, note_3, set_force_at_end);
+  const fmi3Instance c = told.instance;
+  if (!c)
+    throw std::runtime_error(told.messages);
+  const auto n = run.force.size();
+  Eigen::MatrixXd result(n, Eigen::Index(outputs.size()));
+  std::vector<double> row(outputs.size());
+  require_ok(MILL_FMI(fmi3EnterInitializationMode)(c, false, 0, 0, false, 0), "fmi3EnterInitializationMode", told);
+  require_ok(MILL_FMI(fmi3SetFloat64)(c, &force, 1, &run.force[0], 1), "fmi3SetFloat64", told);
+  require_ok(MILL_FMI(fmi3ExitInitializationMode)(c), "fmi3ExitInitializationMode", told);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (i > 0) {
+      bool event = false, end = false, early = false;
+      double last       = 0;
+      told.force_at_end = run.force[i];
+      require_ok(MILL_FMI(fmi3DoStep)(c, double(i - 1) * run.step, run.step, true, &event, &end, &early, &last),
+                 "fmi3DoStep", told);
+    }
+    require_ok(MILL_FMI(fmi3GetFloat64)(c, outputs.data(), outputs.size(), row.data(), row.size()),
+               "fmi3GetFloat64", told);
+    result.row(i) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), Eigen::Index(row.size()));
+  }
+  MILL_FMI(fmi3FreeInstance)(c);
+#undef MILL_FMI
+  return result;
+}
+}  // namespace
+
+double difference_from(const CheckRun &run, const std::string &archive, const ExportedModel &model,
+                       const int fmi_version)
+{
+  const UnpackedUnit unit(archive, model.identifier, fmi_version);
+  const auto outputs         = compared(model.data, run);
+  const Eigen::MatrixXd made = (fmi_version == 3 ? run_3 : run_2)(unit, run, model, outputs);
+  const Eigen::Index m       = run.acceleration.cols();
+  const auto relative        = [](const Eigen::MatrixXd &difference, const Eigen::MatrixXd &to) {
+    const double largest = to.cwiseAbs().maxCoeff();
+    return difference.cwiseAbs().maxCoeff() / (largest > 0 ? largest : 1);
+  };
+  if (!run.names.empty()) {
+    double worst = made.cols() == run.values.cols() ? 0 : INFINITY;
+    for (Eigen::Index c = 0; c < made.cols() && std::isfinite(worst); ++c) {
+      const double one = relative(made.col(c) - run.values.col(c), run.values.col(c));
+      worst            = std::isnan(one) ? INFINITY : std::max(worst, one);
+    }
+    return worst;
+  }
+  const double accelerations = relative(made.leftCols(m) - run.acceleration, run.acceleration);
+  const double cell          = relative(made.col(m) - run.load_cell, run.load_cell);
+  return std::isnan(accelerations) || std::isnan(cell) ? INFINITY : std::max(accelerations, cell);
+}
+}  // namespace mill::fmu

@@ -1,0 +1,70 @@
+#include "core/records/cluster_names.h"
+#include "report/results/names.h"
+#include <map>
+
+// The results of a run of kind "cluster" in quantity_words and in the order in which one asks for them.
+namespace mill::report {
+namespace {
+const std::map<std::string, std::string> quantity_words{
+    {"force",           "force"                                         },
+    {"approach",        "approach of the axes"                          },
+    {"tangent",         "tangent dF/d\u03b4"                            },
+    {"secant",          "secant F/\u03b4"                               },
+    {"x",               "displacement along the rolling direction"      },
+    {"y",               "displacement upwards"                          },
+    {"buckling_factor", "factor on the force at which the stack buckles"},
+    {"leaving_force",   "force across at which a roll leaves its nest"  },
+    {"least_guide",     "smallest stiffness of the guide"               },
+    {"velocity",        "velocity amplitude under the dynamic force"    },
+    {"mode",            "natural frequency"                             }
+};
+
+bool leads(const std::vector<std::string> &parts)
+{
+  const std::string &third = parts[2];
+  return parts[1] == cluster_fit || third == "mode" || third == "buckling_factor" || third == "leaving_force" ||
+         (third == "force" && parts.size() == 3);
+}
+}  // namespace
+
+std::string cluster_meaning(const std::string &name)
+{
+  const auto parts = parts_of(name);
+  if (parts.size() < 3 || parts[0] != family::cluster)
+    return "";
+  if (const std::string of_pass = schedule_meaning(parts[2]); parts.size() == 3 && !of_pass.empty())
+    return parts[1] == schedule_subject ? of_pass : parts[1] + ", " + of_pass;
+  std::string text = parts[1] == cluster_fit ? "fitted in variant " + parts[2] : parts[1];
+  for (std::size_t i = parts[1] == cluster_fit ? 3 : 2; i < parts.size(); ++i) {
+    const std::string &part = parts[i];
+    const auto known        = quantity_words.find(part);
+    if (parts[1] == cluster_fit)
+      text += (i == 3 ? ", " : ".") + part;
+    else if (parts.size() == 3 && part == "force")
+      text += ", rolling force";
+    else if (parts.size() == 3 && part.size() > 1 && part[0] == 'f' &&
+             part.find_first_not_of("0123456789", 1) == std::string::npos)
+      text += ", natural frequency " + part.substr(1);
+    else if (i + 1 == parts.size() && parts.size() == 5)
+      text += " along " + part;  // cluster.PASS.velocity.W.y
+    else
+      text += ", " + (known == quantity_words.end() ? part : known->second);
+  }
+  return text;
+}
+
+std::vector<Group> cluster_groups(const Run &run)
+{
+  std::vector<Group> groups;
+  for (const Result &result : run.results) {
+    const auto parts = parts_of(result.name);
+    if (parts.size() < 3 || parts[0] != family::cluster || !leads(parts))
+      continue;
+    const std::string title = parts[1] == cluster_fit ? "Fitted, variant " + parts[2] : "Stack under " + parts[1];
+    if (groups.empty() || groups.back().title != title)
+      groups.push_back({title, {}});
+    groups.back().results.push_back(&result);
+  }
+  return groups;
+}
+}  // namespace mill::report

@@ -1,0 +1,24 @@
+#include "core/records/marks_record.h"
+#include "core/records/result_names.h"
+#include "report/results/names.h"
+#include <algorithm>
+
+namespace mill::report {
+std::string marks_meaning(const std::string &name)
+{
+  const auto parts = parts_of(name);
+  if (parts[0] != marks_family)
+    return "";
+  if (parts.size() == 2 && parts[1] == "frequency")
+    return "frequency of the marks on the strip";
+  if (parts.size() != 3)
+    return "marks on the strip";
+  std::string of = parts[1];
+  std::replace(of.begin(), of.end(), '_', ' ');
+  if (parts[2] == "per_turn")
+    return "marks on one turn of the " + of;
+  if (parts[2] == "rotation")
+    return "turns of the " + of + " in a second";
+  return parts[2] == "speed" ? of + ", speed of the strip at which it makes this spacing" : "marks on the strip";
+}
+}  // namespace mill::report

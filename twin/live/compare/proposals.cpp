@@ -1,0 +1,205 @@
+#include "twin/live/compare/proposals.h"
+#include "core/base/files.h"
+#include "core/model/case.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fstream>
+#include <numeric>
+#include <utility>
+
+namespace mill::live {
+namespace {
+std::string utc_text(const double utc)
+{
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time_t(utc)));
+}
+
+std::string file_time(const double utc)
+{
+  return fmt::format("{:%Y%m%dT%H%M%SZ}", fmt::gmtime(std::time_t(utc)));
+}
+
+// "K3" -> 2
+std::size_t spring_index(const std::string &name)
+{
+  return std::size_t(name[1] - '1');
+}
+
+bool is_spring(const std::string &name)
+{
+  return name.size() == 2 && name[0] == 'K' && name[1] >= '1' && name[1] <= '7';
+}
+
+// The case with another damping ratio, since the chain is written with the dynamics of the case.  A chatter case
+// has dampers between single masses, of which a record tells the modes alone: its chain stands by itself.
+Case with_damping(Case origin, const double damping)
+{
+  if (std::holds_alternative<ChatterCase>(origin.spec))
+    origin.spec = Lumped{};
+  if (auto *four = std::get_if<FourHigh>(&origin.spec))
+    four->dynamics.modal_damping = damping;
+  else if (auto *lumped = std::get_if<Lumped>(&origin.spec))
+    lumped->dynamics.modal_damping = damping;
+  return origin;
+}
+
+// A name that nothing has yet: two proposals of one second stay apart.
+std::string free_name(const std::string &folder, const double utc)
+{
+  const std::string stem = folder + "/calibrated-" + file_time(utc);
+  std::string name       = stem + ".toml";
+  for (int i = 2; std::filesystem::exists(name); ++i)
+    name = fmt::format("{}-{}.toml", stem, i);
+  return name;
+}
+}  // namespace
+
+LumpedModel recalibrated(LumpedModel chain, const twin::Recalibration &found, const double load)
+{
+  for (const twin::RecalibratedValue &value : found.values) {
+    if (!value.told || !is_spring(value.name))
+      continue;
+    Parameter &K = chain.K[spring_index(value.name)];
+    K.value *= std::exp(value.change);
+    K.error_estimate = value.sd;
+    K.source         = Source::measured;
+    K.method         = fmt::format("re-calibration on {:.0f} s beside the mill", found.seconds);
+    K.at             = at_force(load);
+  }
+  return chain;
+}
+
+double recalibrated(double damping, const twin::Recalibration &found)
+{
+  for (const twin::RecalibratedValue &value : found.values)
+    if (value.told && value.name == "zeta")
+      damping *= std::exp(value.change);
+  return damping;
+}
+
+std::string calibrated_case(const Proposal &p, const Case &origin, const std::string &directory)
+{
+  std::string text = "# Re-calibrated beside the mill.  " + p.reason + "\n";
+  text += fmt::format("# Data: {} to {}, {:.0f} s at {:.1f} kN; misfit {:.3f} before, {:.3f} after.\n",
+                      utc_text(p.from), utc_text(p.to), p.found.seconds, p.found.load / 1e3, p.found.misfit_before,
+                      p.found.misfit_after);
+  std::string kept;
+  for (const twin::RecalibratedValue &value : p.found.values)
+    if (value.told)
+      text += fmt::format("# {}: {:+.2f} %, standard deviation {:.2f} %\n", value.name,
+                          100 * std::expm1(value.change), 100 * value.sd);
+    else
+      kept += (kept.empty() ? "" : ", ") + value.name;
+  if (!kept.empty())
+    text += "# not told by these data, as before: " + kept + "\n";
+  if (std::holds_alternative<ChatterCase>(origin.spec))
+    text += "# For a chatter case: [stand] from = \"this file\" in place of masses, stiffnesses and dampings.\n";
+  return text + lumped_model_toml(p.chain, with_damping(origin, p.damping), directory);
+}
+
+const Proposal &Proposals::add(Proposal proposal)
+{
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (list[i].state == "open") {
+      list[i].state = "out of date";
+      changed.push_back(i);
+    }
+  proposal.id = list.empty() ? 1 : list.back().id + 1;
+  list.push_back(std::move(proposal));
+  changed.push_back(list.size() - 1);
+  return list.back();
+}
+
+const Proposal *Proposals::find(const std::int64_t id) const
+{
+  const auto found = std::find_if(list.begin(), list.end(), [&](const Proposal &p) { return p.id == id; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+Proposal *Proposals::known(const std::int64_t id)
+{
+  return const_cast<Proposal *>(find(id));
+}
+
+void Proposals::resume(std::vector<Proposal> stored)
+{
+  list = std::move(stored);
+  changed.resize(list.size());
+  std::iota(changed.begin(), changed.end(), std::size_t(0));
+}
+
+const std::vector<Proposal> &Proposals::all() const
+{
+  return list;
+}
+
+std::optional<Proposal>
+Proposals::adopt(const std::int64_t id, const double utc, const std::string &folder,
+                 const std::function<std::string(const Proposal &, const std::string &folder)> &text)
+{
+  Proposal *open = known(id);
+  if (!open || open->state != "open")
+    return {};
+  Proposal adopted = *open;
+  adopted.file     = free_name(folder, utc);
+  write_atomically(adopted.file, text(adopted, folder));
+  const std::string line = fmt::format("{} proposal {} adopted: {}; {}\n", utc_text(utc), id,
+                                       std::filesystem::path(adopted.file).filename().string(), adopted.reason);
+  const std::string log  = folder + "/adopted.log";
+  write_atomically(log, text_if_readable(log).value_or("") + line);
+  adopted.state = "adopted";
+  *open         = adopted;
+  changed.push_back(std::size_t(open - list.data()));
+  return adopted;
+}
+
+bool Proposals::refuse(const std::int64_t id)
+{
+  Proposal *open = known(id);
+  if (!open || open->state != "open")
+    return false;
+  open->state = "refused";
+  changed.push_back(std::size_t(open - list.data()));
+  return true;
+}
+
+std::vector<PageProposal> Proposals::news()
+{
+  std::vector<PageProposal> pages;
+  for (const std::size_t i : std::exchange(changed, {}))
+    pages.push_back(page_proposal(list[i]));
+  return pages;
+}
+
+PageProposal page_proposal(const Proposal &p)
+{
+  PageProposal page;
+  page.id    = p.id;
+  page.utc   = p.utc;
+  page.state = p.state;
+  page.file  = p.file.empty() ? "" : std::filesystem::path(p.file).filename().string();
+  page.text =
+      fmt::format("{} On {:.0f} s from {} to {} the misfit falls from {:.3f} to {:.3f}.", p.reason,
+                  p.found.seconds, utc_text(p.from), utc_text(p.to), p.found.misfit_before, p.found.misfit_after);
+  if (p.state == "open")
+    page.text += " Nothing is changed until it is adopted.";
+  for (const twin::RecalibratedValue &value : p.found.values) {
+    ProposedValue row;
+    row.key          = value.name == "zeta" ? "damping" : value.name;
+    row.unit         = value.name == "zeta" ? "-" : "N/m";
+    row.told         = value.told;
+    const bool known = is_spring(value.name);
+    row.from         = known ? p.before.K[spring_index(value.name)].value : p.damping_before;
+    row.to           = known ? p.chain.K[spring_index(value.name)].value : p.damping;
+    if (value.told) {
+      row.low  = row.to * std::exp(-1.96 * value.sd);
+      row.high = row.to * std::exp(1.96 * value.sd);
+    }
+    page.values.push_back(row);
+  }
+  return page;
+}
+}  // namespace mill::live

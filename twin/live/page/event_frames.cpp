@@ -1,0 +1,93 @@
+#include "twin/live/page/event_frames.h"
+#include "twin/live/page/event_text.h"
+#include <algorithm>
+#include <set>
+
+namespace mill::live {
+namespace {
+constexpr std::size_t kept_frames  = 200;
+constexpr std::size_t most_waiting = 400;
+constexpr int waiting_of_a_kind    = 2;
+
+bool is_display(const std::string &event)
+{
+  static const std::set<std::string> others{event_names::alarm, event_names::proposal, event_names::parameters,
+                                            event_names::advice};
+  return others.count(event) == 0;
+}
+
+// Of these every event counts, not the latest alone.
+bool is_history(const std::string &event)
+{
+  return event == event_names::alarm || event == event_names::proposal;
+}
+}  // namespace
+
+FramePointer FrameStore::add(const std::string &event, const std::string &json)
+{
+  auto frame     = std::make_shared<EventFrame>();
+  frame->event   = event;
+  frame->display = is_display(event);
+  frame->text    = "id: " + std::to_string(++last_id_) + "\nevent: " + event + "\ndata: ";
+  const auto at  = frame->text.size();
+  frame->text += json;
+  // A line end would end the data; in JSON it can only stand between values.
+  std::replace_if(
+      frame->text.begin() + std::ptrdiff_t(at), frame->text.end(),
+      [](const char c) { return c == '\n' || c == '\r'; }, ' ');
+  frame->text += "\n\n";
+  if (is_history(event)) {
+    kept_.emplace_back(last_id_, frame);
+    if (kept_.size() > kept_frames)
+      kept_.pop_front();
+  } else {
+    latest_[event] = {last_id_, frame};
+  }
+  return frame;
+}
+
+std::vector<FramePointer> FrameStore::present_state() const
+{
+  std::map<std::int64_t, FramePointer> ordered(kept_.begin(), kept_.end());
+  for (const auto &entry : latest_)
+    ordered.insert(entry.second);
+  std::vector<FramePointer> out;
+  for (const auto &entry : ordered)
+    out.push_back(entry.second);
+  return out;
+}
+
+void FrameQueue::push(const FramePointer &frame)
+{
+  waiting_.push_back(frame);
+  if (!frame->display)
+    return;
+  const auto same = [&](const FramePointer &other) { return other->event == frame->event; };
+  if (std::count_if(waiting_.begin(), waiting_.end(), same) > waiting_of_a_kind) {
+    waiting_.erase(std::find_if(waiting_.begin(), waiting_.end(), same));
+    ++dropped_;
+  }
+}
+
+std::vector<FramePointer> FrameQueue::take()
+{
+  std::vector<FramePointer> out(waiting_.begin(), waiting_.end());
+  waiting_.clear();
+  return out;
+}
+
+bool FrameQueue::empty() const
+{
+  return waiting_.empty();
+}
+
+std::int64_t FrameQueue::dropped() const
+{
+  return dropped_;
+}
+
+bool FrameQueue::overfull() const
+{
+  return waiting_.size() > most_waiting;
+}
+}  // namespace mill::live

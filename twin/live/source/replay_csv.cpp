@@ -1,0 +1,61 @@
+#include "twin/live/source/csv_feed.h"
+#include "twin/live/source/file_sources.h"
+#include "twin/records/line_source.h"
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace mill::live {
+namespace {
+using Clock = std::chrono::steady_clock;
+
+// Gives blocks away when their last sample is due.
+class Pace {
+public:
+  explicit Pace(const double speed) : speed_(speed) {}
+  void wait(const SourceBlock &block, const double rate, const std::atomic<bool> &stop)
+  {
+    if (!std::isfinite(speed_))
+      return;
+    if (!begun_) {
+      begun_ = Clock::now();
+      first_ = block.first;
+    }
+    const double due = double(block.first + block.value.rows() - first_) / rate / speed_;
+    const auto when  = *begun_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(due));
+    while (!stop && Clock::now() < when)
+      std::this_thread::sleep_until(std::min(when, Clock::now() + std::chrono::milliseconds(50)));
+  }
+
+private:
+  double speed_;
+  std::optional<Clock::time_point> begun_;
+  std::int64_t first_ = 0;
+};
+}  // namespace
+
+void replay_csv(const FileSource &source, SampleQueue &queue, const std::atomic<bool> &stop)
+{
+  twin::LineSource lines(source.path);
+  CsvFeed feed(source.path, source.rules);
+  feed.skip_to(source.skip_to);
+  Pace pace(source.speed);
+  const auto pass_on = [&] {
+    for (Message &message : feed.take()) {
+      if (const auto *block = std::get_if<SourceBlock>(&message))
+        pace.wait(*block, feed.rate(), stop);
+      if (stop || !queue.push(std::move(message)))
+        return false;
+    }
+    return true;
+  };
+  std::string_view line;
+  while (!feed.closed() && lines.next(line)) {
+    feed.line(line, lines.number());
+    if (!pass_on())
+      return;
+  }
+  feed.finish();
+  pass_on();
+}
+}  // namespace mill::live

@@ -1,7 +1,0 @@
-#pragma once
-#include "verify/verification.h"
-
-namespace mill::verify {
-/// Checks of the case of that name: hexahedra condensed onto the patch against the Fourier series.
-std::vector<Check> engine_agreement();
-}  // namespace mill::verify

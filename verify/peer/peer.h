@@ -1,7 +1,0 @@
-#pragma once
-#include "verify/verification.h"
-
-namespace mill::verify {
-/// Comparisons with CalculiX on meshes of its own; each is skipped, and says so, where it is not installed.
-std::vector<Case> peer_cases();
-}  // namespace mill::verify

@@ -1,8 +1,0 @@
-#pragma once
-#include "verify/verification.h"
-#include <vector>
-
-namespace mill::verify {
-/// Frequency response of six masses and of component modes, theory.md 31.
-std::vector<Case> response_cases();
-}  // namespace mill::verify
