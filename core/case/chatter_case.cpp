@@ -1,6 +1,7 @@
 #include "core/base/files.h"
 #include "core/case/advice_rows.h"
 #include "core/case/given.h"
+#include "core/case/lumped_model_toml.h"
 #include "core/case/monitoring.h"
 #include "core/case/stand_reader.h"
 #include "core/model/case.h"

@@ -1,6 +1,7 @@
 #include "app/twin/calibrate/calibrated_case.h"
 #include "app/twin/stand/case_chain.h"
 #include "core/case/fields.h"
+#include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include "twin/calibration/words.h"
 #include <algorithm>

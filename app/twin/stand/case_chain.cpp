@@ -1,6 +1,7 @@
 #include "app/twin/stand/case_chain.h"
 #include "app/review/closed_form_modes.h"
 #include "app/trace/closed_form_chain.h"
+#include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include "core/records/csv.h"
 #include "dynamics/chatter/stand_structure.h"

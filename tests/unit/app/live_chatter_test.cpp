@@ -3,6 +3,7 @@
 #include "app/twin/live/live_chatter.h"
 #include "app/twin/live/live_stand.h"
 #include "core/base/files.h"
+#include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include "dynamics/chatter/stand_structure.h"
 #include "tests/support/near.h"

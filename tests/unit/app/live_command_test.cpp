@@ -1,4 +1,5 @@
 #include "app/twin/live/live_command.h"
+#include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include "tests/support/program.h"
 #include "twin/live/recording/npy_header.h"

@@ -1,5 +1,6 @@
 // The twin beside the measured, through all of it: levels, modes, a contact that softens, a proposal that waits.
 #include "core/base/files.h"
+#include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include "tests/support/near.h"
 #include "tests/support/reference.h"

@@ -1,5 +1,6 @@
 #include "twin/live/compare/proposals.h"
 #include "core/base/files.h"
+#include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include <algorithm>
 #include <cmath>
