@@ -4,7 +4,7 @@
 
 namespace mill::fem {
 namespace {
-constexpr char kind[] = "millstand component 3";
+constexpr char component_kind[] = "millstand component 3";
 
 // The same list of members is run through in both directions; one that is missing does not compile.
 template <class Archive> void members(Archive &a, Component &c)
@@ -31,12 +31,12 @@ void save_component(const std::string &path, const std::string &key, const Compo
   Component copy = component;
   Writer writer;
   members(writer, copy);
-  write_cache_entry(path, kind, key, writer.bytes);
+  write_cache_entry(path, component_kind, key, writer.bytes);
 }
 
 std::optional<Component> load_component(const std::string &path, const std::string &key, std::string *note)
 {
-  const auto bytes = read_cache_entry(path, kind, key, note);
+  const auto bytes = read_cache_entry(path, component_kind, key, note);
   if (!bytes)
     return std::nullopt;
   Component component;

@@ -4,7 +4,7 @@
 
 namespace mill::fem {
 namespace {
-constexpr char kind[] = "millstand condensed roll 2";
+constexpr char roll_kind[] = "millstand condensed roll 2";
 
 // The same list of members is run through in both directions.  A structured binding takes apart the whole struct:
 // a member that is added to it does not compile until it is named here.
@@ -136,12 +136,12 @@ template <class Roll> void save(const std::string &path, const std::string &key,
 {
   Writer writer;
   members(writer, const_cast<Roll &>(roll));  // only read: Writer takes constant references
-  write_cache_entry(path, kind, key, writer.bytes);
+  write_cache_entry(path, roll_kind, key, writer.bytes);
 }
 
 template <class Roll> std::optional<Roll> load(const std::string &path, const std::string &key, std::string *note)
 {
-  const auto bytes = read_cache_entry(path, kind, key, note);
+  const auto bytes = read_cache_entry(path, roll_kind, key, note);
   if (!bytes)
     return std::nullopt;
   Roll roll;
