@@ -57,7 +57,7 @@ Pressed press(const Cylinders &c, const double approach, const PeerSize &size)
 }
 
 // 1000 N/mm by Johnson's formula in plane strain.
-constexpr double approach = 35.931e-6, half_width = 1.2991e-3, upper_radius = 0.2, lower_radius = 0.65;
+constexpr double approach = 35.931e-6, patch_half_width = 1.2991e-3, upper_radius = 0.2, lower_radius = 0.65;
 }  // namespace
 
 // ---- peer-line ------------------------------------------------------------------------------------------------
@@ -66,7 +66,7 @@ std::vector<Check> peer_line()
 {
   const double thickness = 1e-3;
   const Cylinders pair{
-      lower_radius, upper_radius, half_width, {0, thickness},
+      lower_radius, upper_radius, patch_half_width, {0, thickness},
          true
   };
   const Pressed coarse = press(pair, approach, {2, 1.7}), fine = press(pair, approach, {4, 1.3});
@@ -74,7 +74,7 @@ std::vector<Check> peer_line()
   std::vector<Check> checks;
   peer::add(checks,
             {"line load at 35.931 um", "N/mm", per_width * coarse.force, per_width * fine.force,
-             line_load_at(upper_radius, lower_radius, steel, half_width, approach) / 1e3},
+             line_load_at(upper_radius, lower_radius, steel, patch_half_width, approach) / 1e3},
             {coarse.nodes, fine.nodes}, 3e-3);
   return checks;
 }
@@ -96,7 +96,7 @@ std::vector<double> barrel_lines(const int n)
 // N, by the product's condensed rolls, quadratic elements on the half width as asked.
 double force_of_pair(const int per_half_width)
 {
-  const auto size  = meshes::roll_contact_size(1.5 * half_width, per_half_width);
+  const auto size  = meshes::roll_contact_size(1.5 * patch_half_width, per_half_width);
   const auto model = [&](const std::string &name, const double radius) {
     RollGeometry cylinder;
     cylinder.radius      = radius;
@@ -114,7 +114,7 @@ double force_of_pair(const int per_half_width)
 std::vector<Check> peer_roll_pair()
 {
   const auto eighth = [](const int layers) {
-    return Cylinders{lower_radius, upper_radius, half_width, barrel_lines(layers), false};
+    return Cylinders{lower_radius, upper_radius, patch_half_width, barrel_lines(layers), false};
   };
   const Pressed coarse = press(eighth(3), approach, {2, 2.9}), fine = press(eighth(6), approach, {2, 1.7});
   // In plane strain the same two sections are 0.49 % and 0.015 % too stiff; the layers change it by 0.02 % only.
