@@ -11,10 +11,11 @@ string(REPLACE ";" "," all_groups "${manual_groups};Peer")
 string(REPLACE ";" "," all_long_groups "${long_groups}")
 mill_tests(verify LINK mill::verify mill::bite mill::fem_linked SUPPORT manual/manual_test.cpp DEFINE MANUAL_GROUPS="${all_groups}" LONG_GROUPS="${all_long_groups}")
 
+math(EXPR manual_timeout "300 * ${MILLSTAND_SLOWER}")
 foreach(group ${manual_groups})
   add_test(NAME manual_${group}
     COMMAND verify_tests --gtest_filter=Manual/GroupOfCases.Passes/${group} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  set_tests_properties(manual_${group} PROPERTIES LABELS verification TIMEOUT 300)
+  set_tests_properties(manual_${group} PROPERTIES LABELS verification TIMEOUT ${manual_timeout})
 endforeach()
 
 # The long form, "ctest -C long": studies on several meshes and the largest benchmarks ...

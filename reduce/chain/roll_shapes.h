@@ -26,7 +26,7 @@ struct BentBackupRoll {
   double mid = 0, mean = 0;  ///< m/N, 1/K_ZW by mid-length (4.8a) and by the mean under the load (4.8b)
   std::string method;        ///< "stepped Timoshenko beam"
   BentBackupRoll() = default;
-  BentBackupRoll(const SteppedBeam &beam);                           ///< (4.7), (4.8)
+  BentBackupRoll(const SteppedBeam &beam);                           ///< (4.7), (4.8a)
   BentBackupRoll(const Component &solid, double half_bearing_span);  ///< (22.13)
   /// 1/K_ZW.  @param reference  "mid" | "mean"
   double flexibility(const std::string &reference) const;

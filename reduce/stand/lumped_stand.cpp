@@ -71,7 +71,7 @@ Reduced reduce_stand(const FourHigh &stand, const ChainNumbers &n, const Rolls &
                      const std::string &reference)
 {
   Reduced r;
-  const double drawn = 1 / rolls.backup.flexibility(reference);  // (4.8)
+  const double drawn = 1 / rolls.backup.flexibility(reference);  // (4.8a)
   r.K_ZW             = (std::isnan(n.K_ZW) ? drawn : n.K_ZW) * n.K_ZW_factor;
   r.backup           = times(rolls.backup, drawn / r.K_ZW);  // shape and stiffness stay one roll
   r.work             = {rolls.work(n.K3), rolls.work(n.K5)};
@@ -172,7 +172,7 @@ std::string mass_method(const std::size_t i, const std::string &reference)
 Check other_reference(const std::size_t i, const std::string &chosen, const ChainValues &other)
 {
   const std::string name = chosen == "mean" ? "mid-span" : "mean";
-  return {name + " reference (4.8)", other[i], "same shape, other reference displacement of the backup roll"};
+  return {name + " reference (4.8a)", other[i], "same shape, other reference displacement of the backup roll"};
 }
 
 RollShape sampled(const double end, const std::function<double(double)> &shape)
@@ -228,7 +228,7 @@ Parameter bending_of(const FourHigh &stand, const ChainInputs &in, const Rolls &
     const double beam = 1 / BentBackupRoll(backup_beam(stand)).flexibility(reference);
     p.error_estimate  = solid ? mesh : std::abs(1 / (fine * beam) - 1) + mesh / (fine * beam);
     if (solid)
-      p.checks.push_back({"stepped Timoshenko beam (4.8)", beam, "its shoulder does not deflect, a roll's does"});
+      p.checks.push_back({"stepped Timoshenko beam (4.8a)", beam, "its shoulder does not deflect, a roll's does"});
     else
       p.checks.push_back(
           {"solid roll by finite elements (22.13)", 1 / fine, "its shoulder deflects, a beam's does not"});

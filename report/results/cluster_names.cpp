@@ -1,4 +1,5 @@
 #include "core/records/cluster_names.h"
+#include "core/records/schedule_record.h"
 #include "report/results/names.h"
 #include <map>
 

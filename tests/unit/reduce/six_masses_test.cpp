@@ -37,7 +37,7 @@ TEST(SixMasses, FrameOfTheBeamStandIsTheChains)
   }
 }
 
-// The mean of the backup roll's deflection under its load is less than that of mid-length, (4.8).
+// The mean of the backup roll's deflection under its load is less than that of mid-length, (4.8a).
 TEST(SixMasses, MeanReference)
 {
   const FourHigh drawing = demo_drawing();
