@@ -1,3 +1,4 @@
+#include "app/kinds/pipeline.h"
 #include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
 #include "app/kinds/mark_sources.h"

@@ -1,4 +1,5 @@
 #include "core/model/lumped.h"
+#include "app/kinds/pipeline.h"
 #include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
 #include "app/kinds/mark_sources.h"
