@@ -250,7 +250,8 @@ TEST(Headers, DoubleMembersStateTheirUnit)
     for (std::size_t i = 0; i < source.lines.size(); ++i) {
       const std::string &line = source.lines[i];
       body                    = line == "{" || (body && line != "}");
-      hidden = line.find("private:") != std::string::npos || (hidden && line.find("};") == std::string::npos);
+      hidden                  = line.find("private:") != std::string::npos ||
+               (hidden && !starts_with(line, "};") && line.find("public:") == std::string::npos);
       if (hidden || body || !finds(line, {"double"}, member))
         continue;
       ++seen;
