@@ -48,11 +48,16 @@ std::string shared_cache()
   return given ? given : scratch("cache");
 }
 
-Outcome millstand(const std::string &arguments, const std::string &folder, const std::string &before)
+Outcome shell(const std::string &command, const std::string &folder)
 {
   const fs::path out = base() / "stdout", err = base() / "stderr";
-  const std::string command = "cd '" + folder + "' && " + before + " && '" MILLSTAND_PROGRAM "' " + arguments +
-                              " >'" + out.string() + "' 2>'" + err.string() + "' </dev/null";
-  const int status = std::system(command.c_str());
+  const std::string whole =
+      "cd '" + folder + "' && " + command + " >'" + out.string() + "' 2>'" + err.string() + "' </dev/null";
+  const int status = std::system(whole.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(out), text_of(err)};
+}
+
+Outcome millstand(const std::string &arguments, const std::string &folder, const std::string &before)
+{
+  return shell(before + " && '" MILLSTAND_PROGRAM "' " + arguments, folder);
 }

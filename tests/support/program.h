@@ -13,6 +13,9 @@ struct Outcome {
 Outcome millstand(const std::string &arguments, const std::string &folder = MILLSTAND_SOURCE_DIR,
                   const std::string &before = "true");
 
+/// Runs a command of the shell in the given folder.
+Outcome shell(const std::string &command, const std::string &folder);
+
 /// A folder of this test alone, removed at the end of the program.
 std::string scratch(const std::string &name);
 
