@@ -10,26 +10,36 @@
 
 // The commands of the README and of the pages for users, run as a reader types them.  A block ```sh of commands
 // runs in a folder that has the cases of the tree; blocks of one page run in their order.  A block with the line
-// "<!-- not run: reason -->" before it is read only: its verbs and options must exist.
+// "<!-- not run: reason -->" before it is read only: its verbs and options must exist.  "<!-- exit code: 3 -->"
+// before a block says how its last command ends; others end with 0.
 namespace fs = std::filesystem;
 
 namespace {
 const fs::path root = MILLSTAND_SOURCE_DIR;
 
 struct Block {
-  std::size_t line;  // of its first command, from 1
-  std::string commands;
-  std::string not_run;  // the reason; empty when it runs
+  std::size_t line     = 0;    ///< of its first command, from 1
+  std::string not_run  = {};   ///< the reason; empty when it runs
+  std::string exit     = "0";  ///< exit code of its last command
+  std::string commands = {};
 };
+
+// "<!-- key: text -->" gives the text, other lines nothing.
+std::string note(const std::string &line, const std::string &key)
+{
+  const std::string start = "<!-- " + key + ": ", end = " -->";
+  if (line.compare(0, start.size(), start) != 0 || line.size() < start.size() + end.size())
+    return "";
+  return line.substr(start.size(), line.size() - start.size() - end.size());
+}
 
 std::vector<Block> blocks_of(const fs::path &page)
 {
   std::ifstream in(page);
   std::vector<Block> blocks;
-  std::string reason;
-  bool inside     = false;
-  std::size_t n   = 0;
-  const auto mark = std::string("<!-- not run: ");
+  Block next;  // what the notes before a block say of it
+  bool inside   = false;
+  std::size_t n = 0;
   for (std::string line; std::getline(in, line);) {
     ++n;
     if (inside && line.compare(0, 3, "```") == 0)
@@ -37,30 +47,40 @@ std::vector<Block> blocks_of(const fs::path &page)
     else if (inside)
       blocks.back().commands += line + "\n";
     else if (line == "```sh") {
-      inside = true;
-      blocks.push_back({n + 1, "", reason});
-      reason.clear();
-    } else if (line.compare(0, mark.size(), mark) == 0)
-      reason = line.substr(mark.size(), line.rfind(" -->") - mark.size());
+      inside    = true;
+      next.line = n + 1;
+      blocks.push_back(next);
+      next = {};
+    } else if (const std::string reason = note(line, "not run"); !reason.empty())
+      next.not_run = reason;
+    else if (const std::string code = note(line, "exit code"); !code.empty())
+      next.exit = code;
     else if (!line.empty())
-      reason.clear();
+      next = {};
   }
   return blocks;
 }
 
-// Paths from the root of the tree.
-std::vector<std::string> pages_for_users()
+// Pages for users that have a block for which `wanted` holds; paths from the root of the tree.
+template <class Wanted> std::vector<std::string> pages_with(const Wanted &wanted)
 {
-  std::vector<std::string> pages{"README.md"};
-  for (const auto &folder : {root / "docs", root / "docs/howto"})
+  std::vector<std::string> pages;
+  const auto look_at = [&](const fs::path &page) {
+    const auto blocks = blocks_of(page);
+    if (page.extension() == ".md" && std::any_of(blocks.begin(), blocks.end(), wanted))
+      pages.push_back(fs::relative(page, root).string());
+  };
+  for (const auto &folder : {root, root / "docs", root / "docs/howto"})
     for (const auto &entry : fs::directory_iterator(folder))
-      if (entry.path().extension() == ".md")
-        pages.push_back(fs::relative(entry.path(), root).string());
+      if (entry.is_regular_file())
+        look_at(entry.path());
   std::sort(pages.begin(), pages.end());
-  pages.erase(std::remove_if(pages.begin(), pages.end(),
-                             [](const std::string &page) { return blocks_of(root / page).empty(); }),
-              pages.end());
   return pages;
+}
+
+std::vector<std::string> all_pages()
+{
+  return pages_with([](const Block &) { return true; });
 }
 
 // The words of a command, as far as documents use the shell: blanks part them, quotes join them, "#" ends them.
@@ -151,30 +171,26 @@ TEST_P(DocumentCommands, Run)
   make_short_program(folder);
   fs::copy(root / "cases", folder / "cases", fs::copy_options::recursive);
   std::ostringstream script;
-  script << "set -e\nexport PATH='" << (folder / "bin").string() << "':\"$PATH\"\n";
-  std::size_t run = 0;
+  script << "export PATH='" << (folder / "bin").string() << "':\"$PATH\"\n";
   for (const Block &block : blocks_of(root / GetParam()))
-    if (block.not_run.empty()) {
-      ++run;
-      script << "echo 'block in line " << block.line << "' >&2\n" << block.commands;
-    }
-  if (!run) {
-    SUCCEED() << "all blocks of " << GetParam() << " are read only";
-    return;
-  }
+    if (block.not_run.empty())
+      script << "(set -e\n"
+             << block.commands << ")\ncode=$?\nif [ $code != " << block.exit << " ]; then echo \"" << GetParam()
+             << ":" << block.line << ": exit code $code\" >&2; exit 1; fi\n";
   std::ofstream(folder / "commands.sh") << script.str();
   const Outcome outcome = shell("sh commands.sh", folder.string());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
 }
 
-INSTANTIATE_TEST_SUITE_P(Pages, DocumentCommands, testing::ValuesIn(pages_for_users()),
+INSTANTIATE_TEST_SUITE_P(Pages, DocumentCommands,
+                         testing::ValuesIn(pages_with([](const Block &b) { return b.not_run.empty(); })),
                          [](const auto &page) { return slug(page.param); });
 
 TEST(DocumentVerbs, AndOptionsOfEveryCommandExist)
 {
   std::size_t seen = 0;
   std::map<std::string, std::string> help;
-  for (const std::string &page : pages_for_users())
+  for (const std::string &page : all_pages())
     for (const Block &block : blocks_of(root / page))
       for (const auto &words : commands_of(block.commands)) {
         const std::string &verb = words[0];
@@ -197,7 +213,7 @@ TEST(DocumentVerbs, AndOptionsOfEveryCommandExist)
 TEST(DocumentBlocks, ThatDoNotRunSayWhy)
 {
   std::size_t runs = 0;
-  for (const std::string &page : pages_for_users())
+  for (const std::string &page : all_pages())
     for (const Block &block : blocks_of(root / page)) {
       runs += block.not_run.empty();
       EXPECT_TRUE(block.not_run.empty() || block.not_run.size() > 10) << page << ":" << block.line;
