@@ -4,9 +4,9 @@
 
 // Which run a stored file is of.  run_id is the hash of all that decides the results (version, verb, resolved
 // case, bytes of the files it names), so that two runs of the same inputs have the same one: their results are the
-// same (to the bit but for component modes, see docs/architecture.md).  It stands in results.json, run.json,
-// report.html and the first line of every TOML file of a run; tables, fields and JSON below the folder keep the
-// form their readers know and stand with their checksums in run.json.
+// same (to the bit but for component modes, see docs/decisions/28-stages-side-by-side.md).  It stands in
+// results.json, run.json, report.html and the first line of every TOML file of a run; tables, fields and JSON
+// below the folder keep the form their readers know and stand with their checksums in run.json.
 namespace mill {
 /// "# run_id 0123456789abcdef\n", the first line of resolved.toml and lumped_model*.toml.
 std::string run_id_line(const std::string &run_id);
