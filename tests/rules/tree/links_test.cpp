@@ -30,7 +30,7 @@ std::set<std::string> rooms()
   std::set<std::string> names;
   for (const auto &entry : fs::directory_iterator(root)) {
     const std::string name = entry.path().filename().string();
-    if (entry.is_directory() && name[0] != '.' && name != "build" && name != "out")
+    if (entry.is_directory() && !fs::is_empty(entry) && name[0] != '.' && name != "build" && name != "out")
       names.insert(name);
   }
   return names;
