@@ -30,7 +30,7 @@ bool is_earlier_export(const std::string &path, const std::string &identifier)
       if (entry.name == "modelDescription.xml")
         return entry.bytes.find("modelIdentifier=\"" + identifier + "\"") != std::string::npos;
   } catch (const std::runtime_error &) {
-    return false;  // no archive
+    return false;  // not an archive
   }
   return false;
 }
@@ -46,21 +46,21 @@ void require_output(const std::string &path, const std::string &identifier, cons
                      ".fmu");
   if (fs::exists(found) && !overwrite && !is_earlier_export(path, identifier))
     throw InputError("the file " + path +
-                     " exists and is no earlier export of this case; choose another with -o, or "
+                     " exists and is not an earlier export of this case; choose another with -o, or "
                      "give --force-overwrite");
 }
 
 std::string platforms()
 {
   return fmu::named_file("win64").empty()
-             ? "Linux; no library for Windows was built with this program (package g++-mingw-w64-x86-64-posix), "
-               "build its sources/ there"
+             ? "Linux; this program was built without a library for Windows (package g++-mingw-w64-x86-64-posix), "
+               "build the files of sources/ there"
              : "Linux and Windows";
 }
 }  // namespace
 
 namespace {
-// A unit follows the curves; what leaves the program with slopes alone says so.
+// A unit follows the curves; an export that has slopes alone gives a warning.
 void warn_of_slopes(const DynamicsSettings &settings)
 {
   if (settings.contact == "curve")
@@ -76,7 +76,15 @@ fmu::ExportedModel unit_of(const DrivenStand &driven, const Case &the_case)
   return exported_model(driven, the_case);
 }
 
-DrivenStand driven_and_said(const CommandLine &command, const Case &the_case)
+// A name that other programs cannot write becomes another one there.
+void say_name(const Case &the_case, const std::string &name)
+{
+  if (fmu::is_transliterated(the_case.name))
+    console::say("note: other programs cannot write the name of the case \"" + the_case.name +
+                 "\"; the model is called " + name + " there\n");
+}
+
+DrivenStand driven_with_warnings(const CommandLine &command, const Case &the_case)
 {
   DrivenStand driven = driven_case(command, the_case);
   say_warnings(driven.warnings);
@@ -89,12 +97,15 @@ void export_unit(const CommandLine &command, const Case &the_case)
   require_output(path, fmu::identifier_of(the_case.name), command.force_overwrite);
   const auto *chatter            = std::get_if<ChatterCase>(&the_case.spec);
   const fmu::ExportedModel model = chatter ? exported_chatter(*chatter, command.pass, the_case)
-                                           : unit_of(driven_and_said(command, the_case), the_case);
+                                           : unit_of(driven_with_warnings(command, the_case), the_case);
   const std::string archive      = fmu::unit_archive(model, command.fmi);
   fmu::check_unit(archive, model, command.fmi);
-  if (command.output.empty())
-    fs::create_directories("out");
-  write_atomically(path, archive);
+  write_together(
+      {
+          {path, archive}
+  },
+      command.output.empty() ? "out" : "");
+  say_name(the_case, model.identifier);
   if (!command.quiet)
     console::print(
         fmt::format("{}: {}, FMI {}.0 co-simulation, {}\n", path, model.method, command.fmi, platforms()));
@@ -107,22 +118,19 @@ void export_matrices(const CommandLine &command, const Case &the_case)
   const std::string name    = exchange_name(format, path);
   if (!command.force_overwrite)
     require_own(format, path, the_case.name);
-  const DrivenStand driven = driven_and_said(command, the_case);
+  const DrivenStand driven = driven_with_warnings(command, the_case);
   warn_of_slopes(driven.dynamics);
   dynamics::ExchangedStand stand = exchanged_stand(driven, exported_model(driven, the_case));
   stand.name                     = name;
   const auto files               = exchange_files(format, stand, path);
   if (!command.force_overwrite)
     require_own_companions(format, files);
-  if (command.output.empty())
-    fs::create_directories("out");
-  if (format == "statespace")
-    fs::create_directories(path);
   std::string names;
-  for (const ExportedFile &file : files) {
-    write_atomically(file.path, file.text);
+  for (const ExportedFile &file : files)
     names += (names.empty() ? "" : ", ") + file.path;
-  }
+  write_together(files, format == "statespace" ? path : command.output.empty() ? "out" : "");
+  if (command.output.empty())
+    say_name(the_case, name);
   if (!command.quiet)
     console::print(fmt::format("{}: {}, {}\n", format == "statespace" ? path : names, stand.method, stand.origin));
 }
@@ -133,7 +141,7 @@ int export_command(const CommandLine &command, const Case &the_case)
   const bool unit = !is_exchange_format(command.format);
   if (!run_kind(the_case).driven && !(unit && std::holds_alternative<ChatterCase>(the_case.spec)))
     throw InputError("millstand export " + command.format + ": kind = \"" + the_case.kind +
-                     "\" has no stand that vibrates by itself (" + the_case.path + "); it exports cases of kind " +
+                     "\" has no stand that a force can drive (" + the_case.path + "); it exports cases of kind " +
                      (unit ? "four-high, lumped and chatter" : "four-high and lumped"));
   if (unit)
     export_unit(command, the_case);

@@ -1,5 +1,6 @@
 #include "app/export/exported_chatter.h"
 #include "app/chatter/chatter_question.h"
+#include "app/export/exported_stand.h"
 #include "app/process/version.h"
 #include "app/run/run_context.h"
 #include "core/base/files.h"
@@ -9,6 +10,7 @@
 #include "dynamics/fmu/model_text.h"
 #include "dynamics/fmu/unit_archive.h"
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -99,10 +101,10 @@ fmu::ChatterData chatter_data(const dynamics::ChatterStandModel &stand, const dy
 }
 
 namespace {
-// Twenty milliseconds of the nonlinear run, by CVODE; no force beside the bite's.
+// Twenty milliseconds of the nonlinear run, by CVODE; no force in addition to that of the bite.
 fmu::CheckRun chatter_check(const dynamics::ChatterStandModel &stand, const dynamics::WorkingPoint &point,
                             const bite::Linearisation scheme, dynamics::ChatterRunOptions options,
-                            const double start)
+                            const double start, const std::vector<std::string> &points)
 {
   options.duration = 0.02;
   options.rate     = 2000;
@@ -120,10 +122,17 @@ fmu::CheckRun chatter_check(const dynamics::ChatterStandModel &stand, const dyna
   check.values.col(2) = h.entry_tension.array() + point.bite.strip.entry_tension;
   check.values.col(3) = h.exit_tension.array() + point.bite.strip.exit_tension;
   for (Eigen::Index p = 0; p < h.point.rows(); ++p) {
-    check.names.push_back(fmt::format("y{}", p + 1));
+    check.names.push_back("y_" + points[std::size_t(p)]);
     check.values.col(4 + p) = h.point.row(p).transpose();
   }
   return check;
+}
+
+// Hz, of the stand without the bite.
+double highest_frequency(const dynamics::StandStructure &stand)
+{
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(stand.K, stand.M, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0., modes.eigenvalues().maxCoeff())) / (2 * M_PI);
 }
 }  // namespace
 
@@ -140,7 +149,7 @@ fmu::ExportedModel exported_chatter(const ChatterCase &spec, const std::string &
   model.title         = of.title.empty() ? of.name : of.title;
   model.force_meaning = "measured";
   model.program       = "millstand " + version();
-  model.step          = 1e-4;
+  model.step          = held_step(1e4, highest_frequency(q.stand.structure));
   model.method        = "stand, bite and strip, " + q.structure;
   model.origin = fmt::format("case {}, condition {} at {:g} m/s", of.name, q.condition.name, q.condition.speed);
   for (const char *key : {"entry_thickness", "entry_tension", "exit_tension"})
@@ -158,7 +167,7 @@ fmu::ExportedModel exported_chatter(const ChatterCase &spec, const std::string &
     data.points.push_back(label);
   }
   data.chatter = chatter_data(q.stand, point, q.scheme, options, q.analysis.disturbance);
-  model.check  = chatter_check(q.stand, point, q.scheme, options, q.analysis.disturbance);
+  model.check  = chatter_check(q.stand, point, q.scheme, options, q.analysis.disturbance, data.points);
   data.guid    = fmu::identity_of(model);
   return model;
 }

@@ -27,7 +27,7 @@ int steps_between_outputs(const dynamics::CurveStand &stand, const double output
 }
 
 namespace {
-// Twenty steps about the mean force, up and down by as much, so that their mean is the mean.
+// Twenty steps about the mean force, as much above as below, so that their mean is the mean.
 fmu::CheckRun curve_check(const CurveDrive &drive, const double mean, const double rate, const int parts)
 {
   constexpr Eigen::Index n = 21;
@@ -71,6 +71,8 @@ fmu::ExportedModel exported_curves(const DrivenStand &stand, const Case &of)
   data.curves              = curve_data(drive.stand, 1 / (rate * parts));
   model.method = fmt::format("{}; {} follow their curves from {:.6g} kN at rest, in steps of {:.4g} us",
                              model.method, springs_of(drive), drive.load / 1e3, 1e6 * data.curves.longest_step);
+  // Forty inner steps are the shortest period: a client takes one or two of them.
+  model.step   = data.curves.longest_step * (parts % 2 == 0 ? 2 : 1);
   model.check  = curve_check(drive, data.mean_force, rate, parts);
   data.guid    = fmu::identity_of(model);
   return model;

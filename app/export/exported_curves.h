@@ -10,7 +10,7 @@ struct Case;
 /// @param longest_step  s
 fmu::CurveData curve_data(const dynamics::CurveStand &stand, double longest_step);
 
-/// How many steps of a unit go into one of the output rate (1/s): none is longer than a fortieth of the shortest
+/// Number of steps of a unit in one step of the output rate (1/s): none is longer than a fortieth of the shortest
 /// period.
 int steps_between_outputs(const dynamics::CurveStand &stand, double output_rate);
 

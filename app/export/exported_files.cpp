@@ -14,17 +14,70 @@ namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
-// Words that neither language takes as a name.
+// Words that one of the languages does not take as a name.
 constexpr std::array reserved{
-    "algorithm", "and",       "annotation", "block",   "break",     "case",    "catch",       "class",  "connect",
-    "der",       "else",      "elseif",     "end",     "equation",  "each",    "enumeration", "for",    "function",
-    "global",    "if",        "import",     "in",      "initial",   "loop",    "model",       "not",    "operator",
-    "or",        "otherwise", "output",     "package", "parameter", "partial", "record",      "return", "switch",
-    "then",      "time",      "true",       "type",    "false",     "when",    "while",       "within"};
+    "algorithm", "and",          "annotation", "block",       "break",    "case",       "catch",     "class",
+    "connect",   "constant",     "continue",   "der",         "discrete", "each",       "else",      "elseif",
+    "elsewhen",  "encapsulated", "end",        "enumeration", "equation", "expandable", "extends",   "external",
+    "false",     "final",        "flow",       "for",         "function", "global",     "if",        "import",
+    "impure",    "in",           "initial",    "inner",       "input",    "loop",       "model",     "not",
+    "operator",  "or",           "otherwise",  "outer",       "output",   "package",    "parameter", "parfor",
+    "partial",   "persistent",   "protected",  "public",      "pure",     "record",     "redeclare", "replaceable",
+    "return",    "spmd",         "stream",     "switch",      "then",     "time",       "true",      "try",
+    "type",      "when",         "while",      "within"};
+
+// Libraries and built-in names that a package of the same name would hide; compared without regard to case, since
+// a file system may not distinguish it.
+constexpr std::array packages{"abs",
+                              "assertionlevel",
+                              "boolean",
+                              "clock",
+                              "complex",
+                              "connections",
+                              "externalobject",
+                              "integer",
+                              "max",
+                              "modelica",
+                              "modelica_linearsystems2",
+                              "modelica_synchronous",
+                              "modelicareference",
+                              "modelicaservices",
+                              "modelicatest",
+                              "modelicatestoverdetermined",
+                              "objectstab",
+                              "pre",
+                              "real",
+                              "sample",
+                              "stateselect",
+                              "string",
+                              "zeros"};
+
+// Functions that the function of MATLAB uses itself.
+constexpr std::array functions{"abs",       "any",      "diag", "diff", "error",     "expm",   "eye",
+                               "fileparts", "fullfile", "load", "max",  "mfilename", "nargin", "numel",
+                               "ones",      "size",     "sqrt", "sum",  "zeros"};
+
+std::string lower_case(std::string text)
+{
+  for (char &c : text)
+    c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+  return text;
+}
+
+template <std::size_t n> bool is_one_of(const std::array<const char *, n> &words, const std::string &word)
+{
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// Does a package or function of this name hide what its own text uses?
+bool hides(const std::string &name)
+{
+  return is_one_of(packages, lower_case(name)) || is_one_of(functions, name);
+}
 
 bool is_name(const std::string &name)
 {
-  return name == fmu::identifier_of(name) && std::find(reserved.begin(), reserved.end(), name) == reserved.end();
+  return name == fmu::identifier_of(name) && !is_one_of(reserved, name) && !hides(name);
 }
 
 std::string name_from(const std::string &text)
@@ -50,7 +103,7 @@ bool names_case(const std::string &text, const std::string &case_name)
   return false;
 }
 
-std::string beside(const std::string &output, const std::string &name)
+std::string next_to(const std::string &output, const std::string &name)
 {
   return (fs::path(output).parent_path() / name).string();
 }
@@ -76,8 +129,11 @@ std::string exchange_name(const std::string &format, const std::string &output)
   const char *what       = format == "modelica" ? "package of Modelica" : "function of MATLAB";
   if (fs::path(output).extension() != ending_of(format))
     throw InputError(fmt::format("-o {}: the name of a {} ends with {}", output, what, ending_of(format)));
+  if (hides(stem))
+    throw InputError(fmt::format("-o {}: a {} that is called \"{}\" hides what has this name there; take {}{}",
+                                 output, what, stem, name_from(stem), ending_of(format)));
   if (!is_name(stem))
-    throw InputError(fmt::format("-o {}: a {} is called as its file, and \"{}\" is no name there; take {}{}",
+    throw InputError(fmt::format("-o {}: a {} has the name of its file, and \"{}\" cannot be a name; take {}{}",
                                  output, what, stem, name_from(stem), ending_of(format)));
   if (fs::is_directory(output))
     throw InputError(fmt::format("-o {} is a folder; name the file, for example {}/{}", output, output,
@@ -93,10 +149,10 @@ std::vector<ExportedFile> exchange_files(const std::string &format, const dynami
     const std::string series = stand.name + "_force.txt";
     files.push_back({output, dynamics::modelica_package(stand, series)});
     if (stand.series.time.size() > dynamics::longest_series_in_package)
-      files.push_back({beside(output, series), dynamics::modelica_series(stand.series)});
+      files.push_back({next_to(output, series), dynamics::modelica_series(stand.series)});
   } else if (format == "matlab") {
     files.push_back({output, dynamics::matlab_function(stand)});
-    files.push_back({beside(output, stand.name + ".mat"), dynamics::matlab_data(stand)});
+    files.push_back({next_to(output, stand.name + ".mat"), dynamics::matlab_data(stand)});
   } else
     for (const dynamics::NamedText &file : dynamics::state_space_files(stand))
       files.push_back({output + "/" + file.name, file.text});
@@ -113,7 +169,7 @@ void require_own_companions(const std::string &format, const std::vector<Exporte
       const auto text = text_if_readable(files[i].path);
       if (!text || text->rfind(mark, 0) != 0)
         throw InputError("the file " + files[i].path +
-                         ", which belongs beside it, exists and is no earlier export; choose another with -o, or "
+                         ", which belongs to it, exists and is not an earlier export; choose another with -o, or "
                          "give --force-overwrite");
     }
 }
@@ -129,7 +185,71 @@ void require_own(const std::string &format, const std::string &output, const std
   const auto text = text_if_readable(folder ? output + "/about.txt" : output);
   if (!text || !names_case(*text, case_name))
     throw InputError((folder ? "" : "the file ") + output +
-                     " exists and is no earlier export of this case; choose another with -o, or "
+                     " exists and is not an earlier export of this case; choose another with -o, or "
                      "give --force-overwrite");
+}
+
+namespace {
+// What exists only while the files of an export are written.
+class Aside {
+public:
+  ~Aside()
+  {
+    std::error_code ignored;
+    for (const std::string &name : names_)
+      fs::remove(name, ignored);
+    for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder)
+      fs::remove(*folder, ignored);  // those that are empty
+  }
+  void make_folder(const fs::path &folder)
+  {
+    std::error_code error;
+    if (folder.empty() || fs::exists(folder, error))
+      return;
+    make_folder(folder.parent_path());
+    if (!fs::create_directory(folder, error) && error)
+      refuse_file(error.value(), Place{folder.string()}, "cannot be made: " + error.message());
+    made_.push_back(folder);
+  }
+  void write(const ExportedFile &file)
+  {
+    const std::string name = name_aside(file.path, ".new");
+    try {
+      write_atomically(name, file.text);
+    } catch (const SystemError &e) {  // with the name that the user knows
+      throw SystemError(Place{file.path}, e.problems.at(0).message);
+    } catch (const InputError &e) {
+      throw InputError(Place{file.path}, e.problems.at(0).message);
+    }
+    names_.push_back(name);
+    targets_.push_back(file.path);
+  }
+  void rename_all()
+  {
+    std::error_code error;
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      if (fs::rename(names_[i], targets_[i], error); error)
+        refuse_file(error.value(), Place{targets_[i]}, "cannot be written: " + error.message());
+    names_.clear();
+    made_.clear();
+  }
+
+private:
+  std::vector<std::string> names_, targets_;
+  std::vector<fs::path> made_;
+};
+}  // namespace
+
+void write_together(const std::vector<ExportedFile> &files, const std::string &folder)
+{
+  std::error_code error;
+  for (const ExportedFile &file : files)
+    if (const auto found = fs::symlink_status(file.path, error); fs::exists(found) && fs::is_other(found))
+      throw InputError(Place{file.path}, "cannot be written: it is not a regular file; name another");
+  Aside aside;
+  aside.make_folder(folder);
+  for (const ExportedFile &file : files)
+    aside.write(file);
+  aside.rename_all();
 }
 }  // namespace mill

@@ -5,6 +5,7 @@
 #include "core/model/case.h"
 #include "dynamics/fmu/model_text.h"
 #include "dynamics/fmu/unit_archive.h"
+#include "dynamics/response/modes.h"
 #include "dynamics/response/response.h"
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,7 @@ std::map<std::string, std::string> sources(const DrivenStand &stand)
   return all;
 }
 
-// Ten steps about the mean force, up and down by as much, so that their mean is the mean.
+// Ten steps about the mean force, as much above as below, so that their mean is the mean.
 fmu::CheckRun check_run(const dynamics::DrivenModel &driven, const double mean, const double rate)
 {
   constexpr Eigen::Index n = 11;
@@ -115,6 +116,12 @@ dynamics::DrivenModel driven_of(const DrivenStand &stand)
                      : dynamics::driven_model(dynamics::mill_model(stand.chain, stand.dynamics));
 }
 
+double held_step(const double output_rate, const double highest)
+{
+  constexpr double per_period = 20;
+  return 1 / (output_rate * std::max(1., std::ceil(per_period * highest / output_rate)));
+}
+
 fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of)
 {
   fmu::ExportedModel model;
@@ -122,7 +129,6 @@ fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of)
   model.title         = of.title.empty() ? of.name : of.title;
   model.force_meaning = stand.dynamics.force_meaning;
   model.program       = "millstand " + version();
-  model.step          = 1 / stand.dynamics.output_rate;
   model.source        = sources(stand);
   model.origin        = "case " + of.name + (stand.pass.name.empty() ? "" : ", " + stand.pass.name) +
                  (stand.chain.at.empty() ? "" : " at " + stand.chain.at.text());
@@ -132,6 +138,10 @@ fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of)
   model.method      = stand.modes ? fmt::format("stand in {} modes up to {:.0f} Hz", stand.modes->frequency.size(),
                                                 stand.modes->frequency.tail(1)[0])
                                   : std::string("chain of six masses");
+  model.step        = held_step(stand.dynamics.output_rate,
+                                stand.modes ? stand.modes->frequency.maxCoeff()
+                                            : dynamics::modes(dynamics::mill_model(stand.chain, stand.dynamics))
+                                           .frequency.maxCoeff());
   model.series      = stand.force;
   model.data.runtime    = fmu::runtime_version;
   model.data.has_series = stand.force.force.size() > 0;

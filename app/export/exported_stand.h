@@ -12,7 +12,12 @@ fmu::ModelData modal_data(const dynamics::ModalModel &modes);
 /// The stand in its modes, or its chain.
 dynamics::DrivenModel driven_of(const DrivenStand &stand);
 
-/// The stand as a unit needs it: model data, where each start value comes from, the force that travels along, and
+/// s, the longest communication step that a client should take which holds the force over it: an equal part of the
+/// output step and at most 1/(20 f).
+/// @param highest  Hz, frequency of the fastest mode
+double held_step(double output_rate, double highest);
+
+/// The stand as a unit needs it: model data, source of each start value, the recorded force, and
 /// the run that the unit must reproduce.  theory.md 35
 fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of);
 }  // namespace mill

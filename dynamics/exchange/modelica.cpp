@@ -118,7 +118,7 @@ std::string outputs(const ExchangedStand &stand)
     text += fmt::format("    output Real a_{}(unit=\"m/s2\") {};\n", point,
                         quoted("acceleration of the " + words_of(point) + ", up positive"));
   for (std::size_t j = 0; j < stand.points.size(); ++j)
-    text += fmt::format("    output Real y{}(unit=\"m\") {};\n", j + 1,
+    text += fmt::format("    output Real y_{}(unit=\"m\") {};\n", stand.points[j],
                         quoted("displacement of the " + words_of(stand.points[j]) +
                                ", up positive, from the state of rest under F_mean"));
   return text + "    output Real F_cell(unit=\"N\") "
@@ -168,7 +168,7 @@ std::string chain_equations(const ExchangedStand &stand)
                       "    end for;\n",
                       n);
   for (std::size_t j = 0; j < stand.points.size(); ++j)
-    text += fmt::format("    a_{0} = der(v[{1}]);\n    y{1} = y[{1}];\n", stand.points[j], j + 1);
+    text += fmt::format("    a_{0} = der(v[{1}]);\n    y_{0} = y[{1}];\n", stand.points[j], j + 1);
   return text + "    F_cell = cell_share * F_mean + L * y;\n  end Equations;\n";
 }
 
@@ -212,7 +212,7 @@ std::string modal_equations(const ExchangedStand &stand)
                   "    a = P * der(p);\n",
                   n, m);
   for (std::size_t j = 0; j < stand.points.size(); ++j)
-    text += fmt::format("    a_{0} = a[{1}];\n    y{1} = y[{1}];\n", stand.points[j], j + 1);
+    text += fmt::format("    a_{0} = a[{1}];\n    y_{0} = y[{1}];\n", stand.points[j], j + 1);
   return text + "    F_cell = cell_share * F_mean + L * q;\n  end Equations;\n";
 }
 
@@ -272,27 +272,28 @@ std::string components(const ExchangedStand &stand)
                       stand.unknowns[lower_work_roll], stand.unknowns[upper_work_roll]);
   text += "    bite.f = F - F_mean;\n";
   for (std::size_t j = 0; j < stand.points.size(); ++j)
-    text += fmt::format("    a_{0} = {0}.a;\n    y{1} = {0}.s;\n", stand.points[j], j + 1);
+    text += fmt::format("    a_{0} = {0}.a;\n    y_{0} = {0}.s;\n", stand.points[j]);
   return text + "    F_cell = cell_share * F_mean " + cell_of(stand) + ";\n  end Components;\n";
 }
 
+// An input that is not a connector is given where its component is declared (Modelica 3.4, 4.4.2.2).
 std::string step_test(const ExchangedStand &stand)
 {
   std::string text = "  model ForceStep \"test: the rolling force jumps once\"\n";
   text += fmt::format("    parameter Real step(unit=\"N\") = {} \"jump of the force\";\n"
-                      "    Equations stand;\n"
+                      "    parameter Real F_mean(unit=\"N\") = {} \"mean rolling force\";\n"
+                      "    Equations stand(F_mean = F_mean, F = F_mean + (if time < {} then 0 else step));\n"
                       "    discrete Real largest_upper(start=0, fixed=true) \"largest acceleration of the upper "
                       "work roll, m/s2\";\n"
                       "    discrete Real largest_lower(start=0, fixed=true) \"largest acceleration of the lower "
                       "work roll, m/s2\";\n"
                       "  equation\n"
-                      "    stand.F = stand.F_mean + (if time < {} then 0 else step);\n"
                       "    when sample(0, {}) then\n"
                       "      largest_upper = max(pre(largest_upper), abs(stand.a_{}));\n"
                       "      largest_lower = max(pre(largest_lower), abs(stand.a_{}));\n"
                       "    end when;\n",
-                      number(stand.step_force), number(step_test_begin), number(0.1 * stand.step),
-                      stand.points[upper_work_roll], stand.points[lower_work_roll]);
+                      number(stand.step_force), number(stand.mean_force), number(step_test_begin),
+                      number(0.1 * stand.step), stand.points[upper_work_roll], stand.points[lower_work_roll]);
   text += fmt::format("    // Expected at the end: largest_upper = {:.6g} m/s2, largest_lower = {:.6g} m/s2.\n",
                       stand.step_peak[0], stand.step_peak[1]);
   return text + fmt::format("    annotation(experiment(StartTime=0, StopTime={}, Interval={}, Tolerance=1e-9));\n"
@@ -309,19 +310,19 @@ std::string recorded(const ExchangedStand &stand, const std::string &series_file
   std::string text = "  model Recorded \"the stand under the recorded force, linear between its samples\"\n";
   std::string table;
   if (n > longest_series_in_package) {
-    text +=
-        fmt::format("    parameter String force_file = {} \"text table of CombiTimeTable, beside the package\";\n",
-                    quoted(series_file));
+    text += fmt::format("    parameter String force_file = Modelica.Utilities.Files.loadResource({})\n"
+                        "      \"text table of CombiTimeTable, in the folder of this package\";\n",
+                        quoted("modelica://" + stand.name + "/" + series_file));
     table = "tableOnFile=true, tableName=\"force\", fileName=force_file, columns={2}";
   } else {
     for (Index i = 0; i < n; ++i)
       table += fmt::format("{}\n      {}, {}", i == 0 ? "" : ";", number(force.time[i]), number(force.force[i]));
     table = "table=[" + table + "], columns={2}";
   }
-  text += "    Equations stand;\n    Modelica.Blocks.Sources.CombiTimeTable force(" + table +
+  text += "    Modelica.Blocks.Sources.CombiTimeTable force(" + table +
           ",\n      smoothness=Modelica.Blocks.Types.Smoothness.LinearSegments,\n"
           "      extrapolation=Modelica.Blocks.Types.Extrapolation.HoldLastPoint);\n"
-          "  equation\n    stand.F = force.y[1];\n";
+          "    Equations stand(F = force.y[1]);\n";
   return text + fmt::format("    annotation(experiment(StartTime={}, StopTime={}, Interval={}, Tolerance=1e-7));\n"
                             "  end Recorded;\n",
                             number(force.time[0]), number(force.time[n - 1]), number(stand.step));

@@ -39,15 +39,15 @@ std::string bite_number_text(const Variable &v)
 {
   switch (BiteNumber(v.index)) {
   case BiteNumber::roll_speed:
-    return "speed of the rolls' surface; the working point follows";
+    return "surface speed of the work rolls, held over each step; the working point follows";
   case BiteNumber::reduction:
-    return "thickness taken off over that of the entry; the working point follows";
+    return "reduction of thickness relative to that of the entry; the working point follows";
   case BiteNumber::entry_thickness:
-    return "thickness of the strip at the entry; the working point follows";
+    return "thickness of the strip at the entry, held over each step; the working point follows";
   case BiteNumber::entry_tension:
-    return "steady back tension; the working point follows";
+    return "steady back tension, held over each step; the working point follows";
   case BiteNumber::exit_tension:
-    return "steady front tension; the working point follows";
+    return "steady front tension, held over each step; the working point follows";
   case BiteNumber::viscosity:
     return "viscosity of the oil at the inlet of the bite; the working point follows";
   case BiteNumber::friction:
@@ -55,7 +55,7 @@ std::string bite_number_text(const Variable &v)
   case BiteNumber::friction_scale:
     return "factor on the friction coefficient of its law; the working point follows";
   case BiteNumber::entry_thickness_change:
-    return "thickness of the entering strip beside entry_thickness, held over each step; the working point stays";
+    return "change of the entry thickness from entry_thickness, held over each step; the working point stays";
   case BiteNumber::start:
     break;
   }
@@ -68,11 +68,11 @@ std::string bite_reading_text(const Variable &v)
   case BiteReadingKind::gap_change:
     return "change of the roll gap, open positive";
   case BiteReadingKind::exit_thickness:
-    return "thickness of the strip where it leaves the rolls";
+    return "thickness of the strip at the exit";
   case BiteReadingKind::force:
     return "rolling force, positive pushes the work rolls apart; zero where the strip is free";
   case BiteReadingKind::force_change:
-    return "rolling force beside that of the working point";
+    return "change of the rolling force from that of the working point";
   case BiteReadingKind::entry_tension:
     return "back tension; zero where the strip is slack";
   case BiteReadingKind::exit_tension:
@@ -82,8 +82,9 @@ std::string bite_reading_text(const Variable &v)
   case BiteReadingKind::events:
     break;
   }
-  return "strip that goes slack or taut, skids, leaves the rolls or is gripped, and rolls that part or meet, so "
-         "far";
+  return "number of events so far: strip that becomes slack or taut, rolls that skid or grip, strip that loses or "
+         "gains "
+         "contact, rolls that separate or touch";
 }
 
 std::string text_of(const ExportedModel &model, const Variable &v)
@@ -94,8 +95,9 @@ std::string text_of(const ExportedModel &model, const Variable &v)
   case Role::time:
     return "time";
   case Role::bite_force:
-    return model.data.kind == "chatter" ? "force beside that of the bite, positive pushes the work rolls apart"
-                                        : force_text(model);
+    return model.data.kind == "chatter"
+               ? "force in addition to that of the bite, positive pushes the work rolls apart"
+               : force_text(model);
   case Role::bite_number:
     return bite_number_text(v);
   case Role::bite_reading:
@@ -106,9 +108,12 @@ std::string text_of(const ExportedModel &model, const Variable &v)
                                    : "radius of the flattened rolls, which the vibration does not change";
   case Role::mean_force:
     return std::string("mean rolling force: displacements count from the state of rest under it") +
-           (model.data.kind == "curves" ? "; one value, to which the load of the springs at rest belongs" : "");
+           (model.data.kind == "curves" ? "; it cannot be changed, since the springs are loaded by it at rest"
+                                        : "");
   case Role::stored_force:
-    return "play resources/force.csv, linear between its samples, in place of F_roll";
+    return "true plays resources/force.csv, linear between its samples, whatever F_roll is; false does not. Where "
+           "it is "
+           "not set, the record is played until F_roll is set";
   case Role::mass:
     return "mass of the " + point();
   case Role::spring:
@@ -244,11 +249,11 @@ std::vector<std::string> broken_rules(const std::vector<DescribedVariable> &vari
     if (!references.insert(described.reference).second)
       complain("the value reference is not unique");
     if (!is_legal(v))
-      complain(fmt::format("{} and {} do not go together", name_of(v.causality), name_of(v.variability)));
+      complain(fmt::format("{} and {} cannot be combined", name_of(v.causality), name_of(v.variability)));
     if (v.type != Type::real && v.variability == Variability::continuous)
-      complain("only numbers are continuous");
+      complain("only real numbers can be continuous");
     if (v.has_start() && !std::isfinite(v.start))
-      complain("the start value is no finite number");
+      complain("the start value is not a finite number");
     if (v.has_start() && v.bounded() && (v.start < v.low || v.start > v.high))
       complain(
           fmt::format("the start value {:g} {} is out of the range {:g} .. {:g}", v.start, v.unit, v.low, v.high));
@@ -261,7 +266,7 @@ std::vector<std::string> broken_rules(const std::vector<DescribedVariable> &vari
     if (!unit)
       complain(fmt::format("the unit \"{}\" is not defined", v.unit));
     else if (!shows(*unit, v.display_unit))
-      complain(fmt::format("the display unit {} is none of {}", v.display_unit, v.unit));
+      complain(fmt::format("the display unit {} does not belong to {}", v.display_unit, v.unit));
   }
   return broken;
 }

@@ -1,5 +1,6 @@
 #include "dynamics/fmu/description.h"
 #include "core/records/xml_text.h"
+#include "dynamics/fmu/dependencies.h"
 #include "dynamics/fmu/embedded.h"
 #include "dynamics/fmu/model_text.h"
 #include "dynamics/fmu/runtime/log.h"
@@ -8,36 +9,33 @@
 #include <set>
 
 namespace mill::fmu {
+Attributes &Attributes::add(const char *name, const std::string &value)
+{
+  text_ += fmt::format(" {}=\"{}\"", name, escaped(value));
+  return *this;
+}
+
+Attributes &Attributes::add(const char *name, const double value)
+{
+  return add(name, exact_number(value));
+}
+
+Attributes &Attributes::add_if(const bool wanted, const char *name, const std::string &value)
+{
+  return wanted ? add(name, value) : *this;
+}
+
+std::string Attributes::element(const std::string &name) const
+{
+  return fmt::format("<{}{}/>", name, text_);
+}
+
+std::string Attributes::opening(const std::string &name) const
+{
+  return fmt::format("<{}{}>", name, text_);
+}
+
 namespace {
-// name="value" pairs of one element.
-class Attributes {
-public:
-  Attributes &add(const char *name, const std::string &value)
-  {
-    text_ += fmt::format(" {}=\"{}\"", name, escaped(value));
-    return *this;
-  }
-  Attributes &add(const char *name, const double value)
-  {
-    return add(name, exact_number(value));
-  }
-  Attributes &add_if(const bool wanted, const char *name, const std::string &value)
-  {
-    return wanted ? add(name, value) : *this;
-  }
-  std::string element(const char *name) const
-  {
-    return fmt::format("<{}{}/>", name, text_);
-  }
-  std::string opening(const char *name) const
-  {
-    return fmt::format("<{}{}>", name, text_);
-  }
-
-private:
-  std::string text_;
-};
-
 std::string root_of(const ExportedModel &model, const bool three)
 {
   Attributes root;
@@ -45,8 +43,8 @@ std::string root_of(const ExportedModel &model, const bool three)
       .add("modelName", model.title)
       .add(three ? "instantiationToken" : "guid", model.data.guid)
       .add("description", model.method + ", " + model.origin)
-      .add("version", runtime_version)
-      .add("license", "MIT")
+      .add("version", version_of(model))
+      .add("license", "runtime: MIT; model and its data: property of their owner")
       .add("generationTool", model.program)
       .add("variableNamingConvention", "flat");
   return root.opening("fmiModelDescription");
@@ -54,18 +52,19 @@ std::string root_of(const ExportedModel &model, const bool three)
 
 std::string capabilities(const ExportedModel &model, const bool three)
 {
-  const bool linear  = model.data.kind != "chatter";
-  const char *derive = linear ? "true" : "false";
+  const bool chatter = model.data.kind == "chatter";
+  const char *derive = chatter ? "false" : "true";
   Attributes a;
   a.add("modelIdentifier", model.identifier).add("canHandleVariableCommunicationStepSize", "true");
-  a.add("maxOutputDerivativeOrder", linear ? "1" : "0").add("canBeInstantiatedOnlyOncePerProcess", "false");
+  a.add("maxOutputDerivativeOrder", chatter ? "0" : "1").add("canBeInstantiatedOnlyOncePerProcess", "false");
   a.add(three ? "canGetAndSetFMUState" : "canGetAndSetFMUstate", "true");
   a.add(three ? "canSerializeFMUState" : "canSerializeFMUstate", "true");
   a.add(three ? "providesDirectionalDerivatives" : "providesDirectionalDerivative", derive);
   a.add("needsExecutionTool", "false");
   if (three) {
     a.add("providesAdjointDerivatives", derive).add("providesIntermediateUpdate", "true");
-    a.add("mightReturnEarlyFromDoStep", "false").add("canReturnEarlyAfterIntermediateUpdate", "false");
+    a.add("mightReturnEarlyFromDoStep", chatter ? "true" : "false")
+        .add("canReturnEarlyAfterIntermediateUpdate", "false");
     a.add("hasEventMode", "false");
     return "  " + a.element("CoSimulation") + "\n";
   }
@@ -83,7 +82,8 @@ std::string units(const std::vector<DescribedVariable> &variables)
 {
   std::set<std::string> named;
   for (const DescribedVariable &v : variables)
-    named.insert(v.variable.unit);
+    if (v.variable.type == Type::real)
+      named.insert(v.variable.unit);
   std::string text = "  <UnitDefinitions>\n";
   for (const UnitRow &unit : unit_rows()) {
     if (!named.count(unit.name))
@@ -124,7 +124,7 @@ std::string experiment(const ExportedModel &model)
 // Unit, range, start: those of the element of the type in both versions.
 Attributes &add_values(Attributes &a, const Variable &v)
 {
-  if (v.type != Type::real)
+  if (v.type != Type::real)  // no count has a start value
     return a.add_if(v.has_start(), "start", v.start != 0 ? "true" : "false");
   a.add("unit", v.unit).add_if(*v.display_unit, "displayUnit", v.display_unit);
   if (v.bounded())
@@ -145,20 +145,27 @@ Attributes identity(const DescribedVariable &described)
   return a;
 }
 
+std::string type_of(const Variable &v, const bool three)
+{
+  if (v.type == Type::boolean)
+    return "Boolean";
+  if (v.type == Type::whole)
+    return three ? "Int32" : "Integer";
+  return three ? "Float64" : "Real";
+}
+
 std::string variable_2(const DescribedVariable &described)
 {
   Attributes values;
   return identity(described).opening("ScalarVariable") +
-         add_values(values, described.variable)
-             .element(described.variable.type == Type::real ? "Real" : "Boolean") +
-         "</ScalarVariable>";
+         add_values(values, described.variable).element(type_of(described.variable, false)) + "</ScalarVariable>";
 }
 
 std::string variable_3(const DescribedVariable &described)
 {
   Attributes a = identity(described);
   a.add_if(described.variable.role == Role::bite_force, "intermediateUpdate", "true");
-  return add_values(a, described.variable).element(described.variable.type == Type::real ? "Float64" : "Boolean");
+  return add_values(a, described.variable).element(type_of(described.variable, true));
 }
 
 bool is_output(const Variable &v)
@@ -166,55 +173,42 @@ bool is_output(const Variable &v)
   return v.causality == Causality::output;
 }
 
-// Accelerations follow the force at once; displacements and the load cell do not.
-bool feels_force_at_once(const Variable &v)
+// What version 2 calls a variable is its place in the description, in version 3 its reference.
+std::string named_by(const std::vector<DescribedVariable> &variables, const std::vector<unsigned> &references,
+                     const bool three)
 {
-  return v.role == Role::acceleration;
+  std::string text;
+  for (std::size_t i = 0; i < variables.size(); ++i)
+    for (const unsigned reference : references)
+      if (variables[i].reference == reference)
+        text += (text.empty() ? "" : " ") + std::to_string(three ? reference : unsigned(i + 1));
+  return text;
 }
 
-std::string structure_2(const std::vector<DescribedVariable> &variables)
+std::string structure(const std::vector<DescribedVariable> &variables, const Dependencies &depends,
+                      const bool three)
 {
-  std::string outputs, unknowns, force;
-  for (std::size_t i = 0; i < variables.size(); ++i)
-    if (variables[i].variable.role == Role::bite_force)
-      force = std::to_string(i + 1);
-  for (std::size_t i = 0; i < variables.size(); ++i) {
-    const Variable &v       = variables[i].variable;
-    const std::string index = std::to_string(i + 1);
-    if (is_output(v))
-      outputs += "      " +
-                 Attributes()
-                     .add("index", index)
-                     .add("dependencies", feels_force_at_once(v) ? force : "")
-                     .element("Unknown") +
-                 "\n";
+  const char *id = three ? "valueReference" : "index";
+  std::string outputs, unknowns;
+  for (const DescribedVariable &described : variables) {
+    const Variable &v      = described.variable;
+    const std::string name = named_by(variables, {described.reference}, three);
+    const auto row         = [&](const std::vector<unsigned> &knowns, const char *element) {
+      return std::string(three ? "    " : "      ") +
+             Attributes().add(id, name).add("dependencies", named_by(variables, knowns, three)).element(element) +
+             "\n";
+    };
+    if (is_output(v)) {
+      const auto knowns = depends.at_communication(v);
+      outputs += row(three ? knowns : depends.inputs_of(knowns), three ? "Output" : "Unknown");
+    }
     if (initial_of(v) == "calculated")
-      unknowns += "      " + Attributes().add("index", index).element("Unknown") + "\n";
+      unknowns += row(depends.at_start(v), three ? "InitialUnknown" : "Unknown");
   }
+  if (three)
+    return "  <ModelStructure>\n" + outputs + unknowns + "  </ModelStructure>\n";
   return "  <ModelStructure>\n    <Outputs>\n" + outputs + "    </Outputs>\n    <InitialUnknowns>\n" + unknowns +
          "    </InitialUnknowns>\n  </ModelStructure>\n";
-}
-
-std::string structure_3(const std::vector<DescribedVariable> &variables)
-{
-  std::string outputs, unknowns, force;
-  for (const DescribedVariable &described : variables)
-    if (described.variable.role == Role::bite_force)
-      force = std::to_string(described.reference);
-  for (const DescribedVariable &described : variables) {
-    const Variable &v           = described.variable;
-    const std::string reference = std::to_string(described.reference);
-    if (is_output(v))
-      outputs += "    " +
-                 Attributes()
-                     .add("valueReference", reference)
-                     .add("dependencies", feels_force_at_once(v) ? force : "")
-                     .element("Output") +
-                 "\n";
-    if (initial_of(v) == "calculated")
-      unknowns += "    " + Attributes().add("valueReference", reference).element("InitialUnknown") + "\n";
-  }
-  return "  <ModelStructure>\n" + outputs + unknowns + "  </ModelStructure>\n";
 }
 }  // namespace
 
@@ -226,6 +220,11 @@ std::string escaped(const std::string &text)
   return xml_text(plain);
 }
 
+std::string version_of(const ExportedModel &model)
+{
+  return model.data.guid.substr(1, 8);  // behind the bracket
+}
+
 std::string model_description(const ExportedModel &model, const int fmi_version)
 {
   const bool three     = fmi_version == 3;
@@ -235,7 +234,7 @@ std::string model_description(const ExportedModel &model, const int fmi_version)
                      "  <ModelVariables>\n";
   for (const DescribedVariable &v : variables)
     text += "    " + (three ? variable_3(v) : variable_2(v)) + "\n";
-  return text + "  </ModelVariables>\n" + (three ? structure_3(variables) : structure_2(variables)) +
+  return text + "  </ModelVariables>\n" + structure(variables, Dependencies(model.data), three) +
          "</fmiModelDescription>\n";
 }
 
@@ -244,7 +243,7 @@ std::string build_description(const ExportedModel &model)
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiBuildDescription fmiVersion=\"3.0\">\n  " +
                      Attributes()
                          .add("modelIdentifier", model.identifier)
-                         .add("description", "C++17, no other library; every file into one shared library")
+                         .add("description", "C++17, no other library")
                          .opening("BuildConfiguration") +
                      "\n    " + Attributes().add("language", "C++17").opening("SourceFileSet") + "\n";
   for (const EmbeddedFile &file : source_files())

@@ -18,20 +18,44 @@ std::vector<DescribedVariable> described_variables(const ExportedModel &model, i
 /// What the input is, its sign, and what it contains: "rolling force, positive pushes the work rolls apart: ...".
 std::string force_text(const ExportedModel &model);
 
+/// Version of the model: the first eight digits of its identity, which another model does not share.
+std::string version_of(const ExportedModel &model);
+
 /// Words of the standard.
 const char *name_of(Causality causality);
 const char *name_of(Variability variability);
 /// "exact", "calculated", or empty for inputs and the time, which have none.
 std::string initial_of(const Variable &variable);
 
+/// name="value" pairs of one element of XML.
+class Attributes {
+public:
+  Attributes &add(const char *name, const std::string &value);
+  Attributes &add(const char *name, double value);
+  Attributes &add_if(bool wanted, const char *name, const std::string &value);
+  std::string element(const std::string &name) const;  ///< "<name a="1"/>"
+  std::string opening(const std::string &name) const;  ///< "<name a="1">"
+
+private:
+  std::string text_;
+};
+
 /// modelDescription.xml of version 2 or 3.
 std::string model_description(const ExportedModel &model, int fmi_version);
+/// terminalsAndIcons/terminalsAndIcons.xml of version 3: which variables belong together, and where they are
+/// drawn.
+std::string terminals_and_icons(const ExportedModel &model);
+/// Name of the picture of a terminal, without its ending.
+constexpr const char *terminal_icon = "terminal";
+
 /// sources/buildDescription.xml.
 std::string build_description(const ExportedModel &model);
 /// documentation/index.html.
 std::string documentation_page(const ExportedModel &model, int fmi_version);
 /// documentation/externalDependencies.txt.
 std::string external_dependencies();
+/// documentation/staticLinking.txt: how the sources become part of a program.
+std::string static_linking(const ExportedModel &model);
 
 /// Text for XML: & < > " and line ends escaped.
 std::string escaped(const std::string &text);

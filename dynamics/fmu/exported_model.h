@@ -7,18 +7,18 @@
 #include <vector>
 
 namespace mill::fmu {
-/// Rows of a run that the unit must reproduce before it is handed out: equal steps of linearly running force from
-/// rest under the first one.
+/// Rows of a run that the unit must reproduce before it is written: equal steps of a force that is linear over
+/// each step, from rest under the first force.
 struct CheckRun {
   double step = 0;               ///< s
   Eigen::VectorXd force;         ///< (k) N
   Eigen::MatrixXd acceleration;  ///< (k, points) m/s2
   Eigen::VectorXd load_cell;     ///< (k) N
-  /// Kind "chatter" has these in the place of the two: outputs of the unit by name, each over its own largest
+  /// Kind "chatter" has these instead of the two: outputs of the unit by name, each relative to its own largest
   /// value.
   std::vector<std::string> names;  ///< (r)
   Eigen::MatrixXd values;          ///< (k, r)
-  double agreement = 1e-9;         ///< -, that is asked for
+  double agreement = 1e-9;         ///< -, largest relative difference that is allowed
 };
 
 /// What an exported unit is made of.

@@ -3,9 +3,10 @@
 #include "dynamics/fmu/archive.h"
 #include "dynamics/fmu/description.h"
 #include "dynamics/fmu/embedded.h"
+#include "dynamics/fmu/icon.h"
 #include "dynamics/fmu/model_text.h"
+#include "dynamics/fmu/source_names.h"
 #include "dynamics/fmu/unpacked_unit.h"
-#include <cctype>
 #include <fmt/format.h>
 #include <stdexcept>
 
@@ -21,44 +22,54 @@ void require_rules(const ExportedModel &model, const int fmi_version)
 }
 }  // namespace
 
-std::string identifier_of(const std::string &name)
+namespace {
+void add_icons(std::vector<ArchiveEntry> &entries, const ExportedModel &model, const bool three)
 {
-  std::string identifier;
-  for (const char c : name) {
-    const auto u = static_cast<unsigned char>(c);
-    if (u < 0x80 && std::isalnum(u))
-      identifier += c;
-    else if (u < 0x80 && !identifier.empty() && identifier.back() != '_')
-      identifier += '_';
+  if (!three) {
+    entries.push_back({"model.png", icon_png()});
+    return;
   }
-  while (!identifier.empty() && identifier.back() == '_')
-    identifier.pop_back();
-  if (identifier.empty() || std::isdigit(static_cast<unsigned char>(identifier[0])))
-    identifier = "stand_" + identifier;
-  return identifier.substr(0, 60);
+  const std::string folder = "terminalsAndIcons/";
+  entries.push_back({folder + "terminalsAndIcons.xml", terminals_and_icons(model)});
+  entries.push_back({folder + "icon.png", icon_png()});
+  entries.push_back({folder + terminal_icon + ".png", terminal_png()});
 }
+
+void add_sources(std::vector<ArchiveEntry> &entries, const ExportedModel &model)
+{
+  const std::string folder = "sources/";
+  entries.push_back({folder + names_header, source_names(model.identifier)});
+  for (const EmbeddedFile &file : source_files())
+    entries.push_back({folder + file.name, travelling_source(file.name, file.bytes())});
+  entries.push_back({folder + "buildDescription.xml", build_description(model)});
+}
+
+void add_libraries(std::vector<ArchiveEntry> &entries, const ExportedModel &model, const bool three)
+{
+  const std::string linux_folder   = three ? "binaries/x86_64-linux/" : "binaries/linux64/";
+  const std::string windows_folder = three ? "binaries/x86_64-windows/" : "binaries/win64/";
+  entries.push_back({linux_folder + model.identifier + ".so", named_file("linux64"), true});
+  if (const std::string windows = named_file("win64"); !windows.empty())
+    entries.push_back({windows_folder + model.identifier + ".dll", windows, true});
+}
+}  // namespace
 
 std::string unit_archive(const ExportedModel &model, const int fmi_version)
 {
   require_rules(model, fmi_version);
   const bool three = fmi_version == 3;
-  std::vector<ArchiveEntry> entries{
-      {"modelDescription.xml",   model_description(model, fmi_version)},
-      {"documentation/index.html",                        documentation_page(model,                      fmi_version)},
-      {"documentation/licenses/license.txt",            named_file("licence")             },
-      {"documentation/externalDependencies.txt",external_dependencies() },
-      {"resources/model.json",          model_json(model.data)                               }
-  };
-  entries.push_back({(three ? "binaries/x86_64-linux/" : "binaries/linux64/") + model.identifier + ".so",
-                     named_file("linux64"), true});
-  if (const std::string windows = named_file("win64"); !windows.empty())
-    entries.push_back(
-        {(three ? "binaries/x86_64-windows/" : "binaries/win64/") + model.identifier + ".dll", windows, true});
+  std::vector<ArchiveEntry> entries;
+  entries.push_back({"modelDescription.xml", model_description(model, fmi_version)});
+  add_icons(entries, model, three);
+  entries.push_back({"documentation/index.html", documentation_page(model, fmi_version)});
+  entries.push_back({"documentation/licenses/license.txt", named_file("licence")});
+  entries.push_back({"documentation/externalDependencies.txt", external_dependencies()});
+  entries.push_back({"documentation/staticLinking.txt", static_linking(model)});
+  entries.push_back({"resources/model.json", model_json(model.data)});
   if (model.data.has_series)
     entries.push_back({"resources/force.csv", series_csv(model.series)});
-  for (const EmbeddedFile &file : source_files())
-    entries.push_back({std::string("sources/") + file.name, file.bytes()});
-  entries.push_back({"sources/buildDescription.xml", build_description(model)});
+  add_libraries(entries, model, three);
+  add_sources(entries, model);
   return archive_of(entries);
 }
 
@@ -67,6 +78,8 @@ void check_unit(const std::string &archive, const ExportedModel &model, const in
   double difference = 0;
   try {
     difference = difference_from(model.check, archive, model, fmi_version);
+  } catch (const SystemError &) {
+    throw;
   } catch (const std::exception &e) {
     throw std::logic_error(std::string("the exported unit does not run: ") + e.what());
   }

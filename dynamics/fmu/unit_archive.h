@@ -1,5 +1,6 @@
 #pragma once
 #include "dynamics/fmu/exported_model.h"
+#include "dynamics/fmu/identifier.h"
 #include <string>
 
 namespace mill::fmu {
@@ -7,9 +8,6 @@ namespace mill::fmu {
 /// same model gives the same bytes.  model.data.guid is set from the rest (identity_of) before.
 /// @throws InputError  a start value that the standard does not allow, or out of the range that a unit accepts
 std::string unit_archive(const ExportedModel &model, int fmi_version);
-
-/// "F-mill 4 (übung)" -> "F_mill_4_bung": an identifier of C, also the name of the library.
-std::string identifier_of(const std::string &name);
 
 /// Loads the unit of an archive and compares.  @throws std::logic_error  it differs by more than model.check
 /// allows, or does not run

@@ -1,4 +1,5 @@
 #include "dynamics/fmu/unpacked_unit.h"
+#include "core/base/errors.h"
 #include "dynamics/fmu/archive.h"
 #include "dynamics/fmu/runtime/fmi2_interface.h"
 #include "dynamics/fmu/runtime/fmi3_interface.h"
@@ -20,7 +21,8 @@ UnpackedUnit::UnpackedUnit(const std::string &archive, const std::string &identi
 {
   std::string pattern = (fs::temp_directory_path() / "millstand-unit-XXXXXX").string();
   if (!mkdtemp(pattern.data()))
-    throw std::runtime_error("no folder for the check can be made as " + pattern + ": " + std::strerror(errno));
+    throw SystemError("the folder for the check of the unit cannot be made as " + pattern + ": " +
+                      std::strerror(errno));
   folder_ = pattern;
   try {
     for (const ArchiveEntry &entry : entries_of(archive)) {
@@ -28,7 +30,7 @@ UnpackedUnit::UnpackedUnit(const std::string &archive, const std::string &identi
       fs::create_directories(path.parent_path());
       std::ofstream file(path, std::ios::binary);
       if (!file.write(entry.bytes.data(), std::streamsize(entry.bytes.size())).flush())
-        throw std::runtime_error("the folder for the check, " + folder_ + ", cannot be written");
+        throw SystemError("the folder for the check of the unit, " + folder_ + ", cannot be written");
     }
     const std::string path =
         folder_ + "/binaries/" + (fmi_version == 3 ? "x86_64-linux/" : "linux64/") + identifier + ".so";
@@ -64,33 +66,35 @@ void *UnpackedUnit::symbol(const char *name) const
 
 namespace {
 // What the callbacks of both versions work on.
-struct Told {
+struct Journal {
   std::string messages;
   const UnpackedUnit *unit = nullptr;
   fmi3Instance instance    = nullptr;
   double force_at_end      = 0;
 };
 
-void note_2(void *told, fmi2String, fmi2Status, fmi2String, fmi2String message, ...)
+void note_2(void *journal, fmi2String, fmi2Status, fmi2String, fmi2String message, ...)
 {
-  static_cast<Told *>(told)->messages += std::string(message) + "; ";
+  static_cast<Journal *>(journal)->messages += std::string(message) + "; ";
 }
-void note_3(fmi3InstanceEnvironment told, fmi3Status, fmi3String, fmi3String message)
+void note_3(fmi3InstanceEnvironment journal, fmi3Status, fmi3String, fmi3String message)
 {
-  static_cast<Told *>(told)->messages += std::string(message) + "; ";
+  static_cast<Journal *>(journal)->messages += std::string(message) + "; ";
 }
 void set_force_at_end(fmi3InstanceEnvironment environment, fmi3Float64, fmi3Boolean, fmi3Boolean, fmi3Boolean,
                       fmi3Boolean, fmi3Boolean *, fmi3Float64 *)
 {
-  auto &told                  = *static_cast<Told *>(environment);
+  auto &journal               = *static_cast<Journal *>(environment);
   const fmi3ValueReference vr = 1;
-  told.unit->function<decltype(&fmi3SetFloat64)>("fmi3SetFloat64")(told.instance, &vr, 1, &told.force_at_end, 1);
+  journal.unit->function<decltype(&fmi3SetFloat64)>("fmi3SetFloat64")(journal.instance, &vr, 1,
+                                                                      &journal.force_at_end, 1);
 }
 
-void require_ok(const int status, const char *function, const Told &told)
+void require_ok(const int status, const char *function, const Journal &journal)
 {
   if (status != 0)
-    throw std::runtime_error(std::string(function) + " returns " + std::to_string(status) + ": " + told.messages);
+    throw std::runtime_error(std::string(function) + " returns " + std::to_string(status) + ": " +
+                             journal.messages);
 }
 
 // References of the accelerations, then of the load cell; or of the outputs that are named.
@@ -114,31 +118,31 @@ std::vector<unsigned> compared(const ModelData &model, const CheckRun &run)
 Eigen::MatrixXd run_2(const UnpackedUnit &unit, const CheckRun &run, const ExportedModel &model,
                       const std::vector<unsigned> &outputs)
 {
-  Told told;
-  const fmi2CallbackFunctions callbacks{note_2, nullptr, nullptr, nullptr, &told};
+  Journal journal;
+  const fmi2CallbackFunctions callbacks{note_2, nullptr, nullptr, nullptr, &journal};
 #define MILL_FMI(name) unit.function<decltype(&name)>(#name)
   const fmi2Component c = MILL_FMI(fmi2Instantiate)("check", fmi2CoSimulation, model.data.guid.c_str(),
                                                     ("file://" + unit.resources()).c_str(), &callbacks, 0, 0);
   if (!c)
-    throw std::runtime_error(told.messages);
+    throw std::runtime_error(journal.messages);
   const auto n = run.force.size();
   Eigen::MatrixXd result(n, Eigen::Index(outputs.size()));
   std::vector<double> row(outputs.size());
   const unsigned force = 1;
   const int order      = 1;
-  require_ok(MILL_FMI(fmi2SetupExperiment)(c, 0, 0, 0, 0, 0), "fmi2SetupExperiment", told);
-  require_ok(MILL_FMI(fmi2EnterInitializationMode)(c), "fmi2EnterInitializationMode", told);
-  require_ok(MILL_FMI(fmi2SetReal)(c, &force, 1, &run.force[0]), "fmi2SetReal", told);
-  require_ok(MILL_FMI(fmi2ExitInitializationMode)(c), "fmi2ExitInitializationMode", told);
+  require_ok(MILL_FMI(fmi2SetupExperiment)(c, 0, 0, 0, 0, 0), "fmi2SetupExperiment", journal);
+  require_ok(MILL_FMI(fmi2EnterInitializationMode)(c), "fmi2EnterInitializationMode", journal);
+  require_ok(MILL_FMI(fmi2SetReal)(c, &force, 1, &run.force[0]), "fmi2SetReal", journal);
+  require_ok(MILL_FMI(fmi2ExitInitializationMode)(c), "fmi2ExitInitializationMode", journal);
   for (Eigen::Index i = 0; i < n; ++i) {
     if (i > 0) {
       const double slope = (run.force[i] - run.force[i - 1]) / run.step;
-      require_ok(MILL_FMI(fmi2SetReal)(c, &force, 1, &run.force[i - 1]), "fmi2SetReal", told);
+      require_ok(MILL_FMI(fmi2SetReal)(c, &force, 1, &run.force[i - 1]), "fmi2SetReal", journal);
       require_ok(MILL_FMI(fmi2SetRealInputDerivatives)(c, &force, 1, &order, &slope),
-                 "fmi2SetRealInputDerivatives", told);
-      require_ok(MILL_FMI(fmi2DoStep)(c, double(i - 1) * run.step, run.step, 1), "fmi2DoStep", told);
+                 "fmi2SetRealInputDerivatives", journal);
+      require_ok(MILL_FMI(fmi2DoStep)(c, double(i - 1) * run.step, run.step, 1), "fmi2DoStep", journal);
     }
-    require_ok(MILL_FMI(fmi2GetReal)(c, outputs.data(), outputs.size(), row.data()), "fmi2GetReal", told);
+    require_ok(MILL_FMI(fmi2GetReal)(c, outputs.data(), outputs.size(), row.data()), "fmi2GetReal", journal);
     result.row(i) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), Eigen::Index(row.size()));
   }
   MILL_FMI(fmi2FreeInstance)(c);
@@ -148,31 +152,32 @@ Eigen::MatrixXd run_2(const UnpackedUnit &unit, const CheckRun &run, const Expor
 Eigen::MatrixXd run_3(const UnpackedUnit &unit, const CheckRun &run, const ExportedModel &model,
                       const std::vector<unsigned> &outputs)
 {
-  Told told;
-  told.unit                      = &unit;
+  Journal journal;
+  journal.unit                   = &unit;
   const fmi3ValueReference force = 1;
-  told.instance =
+  journal.instance =
       MILL_FMI(fmi3InstantiateCoSimulation)("check", model.data.guid.c_str(), unit.resources().c_str(), false,
-                                            false, false, false, &force, 1, &told, note_3, set_force_at_end);
-  const fmi3Instance c = told.instance;
+                                            true, false, false, &force, 1, &journal, note_3, set_force_at_end);
+  const fmi3Instance c = journal.instance;
   if (!c)
-    throw std::runtime_error(told.messages);
+    throw std::runtime_error(journal.messages);
   const auto n = run.force.size();
   Eigen::MatrixXd result(n, Eigen::Index(outputs.size()));
   std::vector<double> row(outputs.size());
-  require_ok(MILL_FMI(fmi3EnterInitializationMode)(c, false, 0, 0, false, 0), "fmi3EnterInitializationMode", told);
-  require_ok(MILL_FMI(fmi3SetFloat64)(c, &force, 1, &run.force[0], 1), "fmi3SetFloat64", told);
-  require_ok(MILL_FMI(fmi3ExitInitializationMode)(c), "fmi3ExitInitializationMode", told);
+  require_ok(MILL_FMI(fmi3EnterInitializationMode)(c, false, 0, 0, false, 0), "fmi3EnterInitializationMode",
+             journal);
+  require_ok(MILL_FMI(fmi3SetFloat64)(c, &force, 1, &run.force[0], 1), "fmi3SetFloat64", journal);
+  require_ok(MILL_FMI(fmi3ExitInitializationMode)(c), "fmi3ExitInitializationMode", journal);
   for (Eigen::Index i = 0; i < n; ++i) {
     if (i > 0) {
       bool event = false, end = false, early = false;
-      double last       = 0;
-      told.force_at_end = run.force[i];
+      double last          = 0;
+      journal.force_at_end = run.force[i];
       require_ok(MILL_FMI(fmi3DoStep)(c, double(i - 1) * run.step, run.step, true, &event, &end, &early, &last),
-                 "fmi3DoStep", told);
+                 "fmi3DoStep", journal);
     }
     require_ok(MILL_FMI(fmi3GetFloat64)(c, outputs.data(), outputs.size(), row.data(), row.size()),
-               "fmi3GetFloat64", told);
+               "fmi3GetFloat64", journal);
     result.row(i) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), Eigen::Index(row.size()));
   }
   MILL_FMI(fmi3FreeInstance)(c);

@@ -3,11 +3,12 @@
 #include <string>
 
 namespace mill::fmu {
-/// An archive unpacked into a folder of its own, with the library of this platform loaded.  Both end with the
+/// An archive unpacked into its own folder, with the library of this platform loaded.  Both end with the
 /// object.
 class UnpackedUnit {
 public:
-  /// @throws std::runtime_error  no archive, no library in it, or it does not load
+  /// @throws std::runtime_error  the archive or its library cannot be read; SystemError  the disk refuses the
+  /// folder
   UnpackedUnit(const std::string &archive, const std::string &identifier, int fmi_version);
   ~UnpackedUnit();
   UnpackedUnit(const UnpackedUnit &)            = delete;

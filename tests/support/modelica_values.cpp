@@ -90,6 +90,8 @@ Eigen::MatrixXd value_of(const Expression &e, const Values &values)
   if (e.what == "call")
     return called(e, values);
   const Eigen::MatrixXd a = value_of(e.of.at(0), values);
+  if (e.what == "if")
+    return value_of(e.of.at(a(0, 0) != 0 ? 1 : 2), values);
   if (e.what == "negative")
     return -a;
   const Eigen::MatrixXd b = value_of(e.of.at(1), values);
@@ -97,6 +99,8 @@ Eigen::MatrixXd value_of(const Expression &e, const Values &values)
     return product(a, b);
   if (e.what == "/")
     return a / b(0, 0);
+  if (e.what == "<")
+    return scalar(a(0, 0) < b(0, 0) ? 1 : 0);
   if (e.what == "^")
     return scalar(std::pow(a(0, 0), b(0, 0)));
   if (a.rows() != b.rows() || a.cols() != b.cols())

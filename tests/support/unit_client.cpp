@@ -5,6 +5,7 @@
 #include "dynamics/fmu/unit_archive.h"
 #include "dynamics/response/modes.h"
 #include "tests/support/published_stand.h"
+#include <climits>
 #include <cmath>
 
 using namespace mill;
@@ -156,6 +157,20 @@ double Client2::get(const std::string &name)
   return FMI2(*this, GetReal)(c, &vr, 1, &value) == fmi2OK ? value : not_given;
 }
 
+int Client2::whole(const std::string &name)
+{
+  const unsigned vr = at(name);
+  int value         = INT_MIN;
+  return FMI2(*this, GetInteger)(c, &vr, 1, &value) == fmi2OK ? value : INT_MIN;
+}
+
+int Client2::choose(const std::string &name, const bool value)
+{
+  const unsigned vr = at(name);
+  const int truth   = value;
+  return FMI2(*this, SetBoolean)(c, &vr, 1, &truth);
+}
+
 int Client2::slope(const double value)
 {
   const unsigned vr = 1;
@@ -176,16 +191,23 @@ int Client2::step(const double from, const double length)
   return FMI2(*this, DoStep)(c, from, length, 1);
 }
 
-std::string Client2::told()
+std::string Client2::logged()
 {
   return taken(messages);
 }
 
-Client3::Client3(const fmu::ExportedModel &of, const bool asks_for_force)
-    : unit(std::make_shared<fmu::UnpackedUnit>(fmu::unit_archive(of, 3), of.identifier, 3)), model(of)
+Client3::Client3(const fmu::ExportedModel &of, const bool asks_for_force, const bool logging)
+    : Client3(std::make_shared<fmu::UnpackedUnit>(fmu::unit_archive(of, 3), of.identifier, 3), of, asks_for_force,
+              logging)
+{
+}
+
+Client3::Client3(std::shared_ptr<fmu::UnpackedUnit> made, const fmu::ExportedModel &of, const bool asks_for_force,
+                 const bool logging)
+    : unit(std::move(made)), model(of)
 {
   const unsigned force = 1;
-  c = FMI3(*this, InstantiateCoSimulation)("one", of.data.guid.c_str(), unit->resources().c_str(), false, false,
+  c = FMI3(*this, InstantiateCoSimulation)("one", of.data.guid.c_str(), unit->resources().c_str(), false, logging,
                                            false, false, &force, asks_for_force ? 1 : 0, this, note_3, give_force);
 }
 
@@ -214,15 +236,25 @@ int Client3::start(const double force, const double begin)
   return std::max<int>(worst, FMI3(*this, ExitInitializationMode)(c));
 }
 
-int Client3::step(const double from, const double length)
+int Client3::whole(const std::string &name)
 {
-  bool event = true, end = true, early = true;
-  double last      = not_given;
-  const int status = FMI3(*this, DoStep)(c, from, length, true, &event, &end, &early, &last);
-  return event || end || early ? 99 : status == 0 && last != from + length ? 98 : status;
+  const unsigned vr = at(name);
+  fmi3Int32 value   = INT_MIN;
+  return FMI3(*this, GetInt32)(c, &vr, 1, &value, 1) == fmi3OK ? value : INT_MIN;
 }
 
-std::string Client3::told()
+int Client3::step(const double from, const double length)
+{
+  bool event = true;
+  terminated = early = true;
+  last_time          = not_given;
+  const int status   = FMI3(*this, DoStep)(c, from, length, true, &event, &terminated, &early, &last_time);
+  if (event || early)
+    return 99;
+  return status == 0 && !terminated && last_time != from + length ? 98 : status;
+}
+
+std::string Client3::logged()
 {
   return taken(messages);
 }

@@ -28,7 +28,7 @@ void carry(mill::fmu::ExportedModel &model, const mill::ForceRecord &force);
 /// Place of a variable in the table.
 unsigned reference_of(const mill::fmu::ExportedModel &model, const std::string &name);
 
-/// An FMI 2 client in the least words: a unit that is unpacked and loaded once, and one instance of it.
+/// A short FMI 2 client: a unit that is unpacked and loaded once, and one instance of it.
 class Client2 {
 public:
   explicit Client2(const mill::fmu::ExportedModel &model, bool logging = false);
@@ -48,11 +48,13 @@ public:
   }
   int set(const std::string &name, double value);
   double get(const std::string &name);
+  int whole(const std::string &name);  ///< of an Integer; INT_MIN where it cannot be read
+  int choose(const std::string &name, bool value);
   int slope(double value);
   int start(double force, double begin = 0, double stop = -1);  ///< up to the end of initialization
   int step(double from, double length);
-  /// What was logged since the last call.
-  std::string told();
+  /// Messages since the last call.
+  std::string logged();
 
   std::shared_ptr<mill::fmu::UnpackedUnit> unit;
   const mill::fmu::ExportedModel &model;
@@ -68,7 +70,9 @@ public:
 /// The same for FMI 3.
 class Client3 {
 public:
-  explicit Client3(const mill::fmu::ExportedModel &model, bool asks_for_force = false);
+  explicit Client3(const mill::fmu::ExportedModel &model, bool asks_for_force = false, bool logging = true);
+  Client3(std::shared_ptr<mill::fmu::UnpackedUnit> unit, const mill::fmu::ExportedModel &model,
+          bool asks_for_force = false, bool logging = true);
   ~Client3();
   Client3(const Client3 &)            = delete;
   Client3 &operator=(const Client3 &) = delete;
@@ -82,13 +86,15 @@ public:
   }
   int set(const std::string &name, double value);
   double get(const std::string &name);
+  int whole(const std::string &name);
   int start(double force, double begin = 0);
   int step(double from, double length);
-  std::string told();
+  std::string logged();
 
   std::shared_ptr<mill::fmu::UnpackedUnit> unit;
   const mill::fmu::ExportedModel &model;
   std::string messages;
-  double force_at_end = 0;
-  fmi3Instance c      = nullptr;
+  double force_at_end = 0, last_time = 0;
+  bool terminated = false, early = false;  ///< what the last step asked for
+  fmi3Instance c = nullptr;
 };

@@ -5,7 +5,8 @@
 
 // What both C interfaces need: no exception passes beyond them.
 namespace mill::fmu {
-/// Carries out a call on an instance, which may be null.  What is thrown is told, and the instance is failed.
+/// Carries out a call on an instance, which may be null.  The message of an exception goes into the log, and the
+/// instance has failed.
 template <class Call> Status guarded(void *component, const char *function, const Call &call) noexcept
 {
   if (!component)

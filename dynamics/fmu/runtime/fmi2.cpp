@@ -12,7 +12,7 @@ namespace {
 class Fmi2Log : public Log {
 public:
   Fmi2Log(const fmi2CallbackFunctions &functions, std::string name, const bool others)
-      : Log(others), functions_(functions), name_(std::move(name))
+      : Log(others ? Start::all : Start::failures), functions_(functions), name_(std::move(name))
   {
   }
 
@@ -69,7 +69,7 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
     if (!functions)
       return nullptr;
     auto log          = std::make_unique<Fmi2Log>(*functions, name ? name : "", logging != 0);
-    const Log &told   = *log;
+    const Log &own    = *log;
     const char *wrong = !name || !*name            ? "the instance has no name"
                         : type != fmi2CoSimulation ? "this FMU is for co-simulation only"
                         : !guid                    ? "the guid is missing"
@@ -78,14 +78,14 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
     try {
       if (wrong)
         throw std::runtime_error(wrong);
-      const Fmi2Log kept = *log;  // tells what is thrown while the instance that owns the other is made
+      const Fmi2Log kept = *log;  // for what is thrown while the instance that owns the other is made
       try {
-        return new Instance(folder_of_uri(location), guid, std::move(log));
+        return new Instance(folder_of_uri(location), guid, std::move(log), 2);
       } catch (const std::exception &e) {
         kept.refuse(Status::error, std::string("fmi2Instantiate: ") + e.what());
       }
     } catch (const std::exception &e) {
-      told.refuse(Status::error, std::string("fmi2Instantiate: ") + e.what());
+      own.refuse(Status::error, std::string("fmi2Instantiate: ") + e.what());
     }
   } catch (...) {  // out of memory
   }
@@ -143,9 +143,9 @@ fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], std::size
   return call(c, "fmi2GetReal", [&](Instance &i) { return i.get("fmi2GetReal", vr, n, value); });
 }
 
-fmi2Status fmi2GetInteger(fmi2Component c, const fmi2ValueReference vr[], std::size_t n, fmi2Integer[])
+fmi2Status fmi2GetInteger(fmi2Component c, const fmi2ValueReference vr[], std::size_t n, fmi2Integer value[])
 {
-  return no_variables(c, "fmi2GetInteger", vr, n, "Integer");
+  return call(c, "fmi2GetInteger", [&](Instance &i) { return i.get_whole("fmi2GetInteger", vr, n, value); });
 }
 
 fmi2Status fmi2GetBoolean(fmi2Component c, const fmi2ValueReference vr[], std::size_t n, fmi2Boolean value[])
@@ -176,7 +176,7 @@ fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], std::size
 
 fmi2Status fmi2SetInteger(fmi2Component c, const fmi2ValueReference vr[], std::size_t n, const fmi2Integer[])
 {
-  return no_variables(c, "fmi2SetInteger", vr, n, "Integer");
+  return call(c, "fmi2SetInteger", [&](Instance &i) { return i.set_whole("fmi2SetInteger", vr, n); });
 }
 
 fmi2Status fmi2SetBoolean(fmi2Component c, const fmi2ValueReference vr[], std::size_t n, const fmi2Boolean value[])
@@ -256,9 +256,8 @@ fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReferenc
 fmi2Status fmi2DoStep(fmi2Component c, fmi2Real from, fmi2Real length, fmi2Boolean)
 {
   return call(c, "fmi2DoStep", [&](Instance &i) {
-    if (!i.may_step("fmi2DoStep", from, length))
-      return Status::error;
-    return i.do_step("fmi2DoStep", from, length, 2);
+    const Status status = i.may_step("fmi2DoStep", from, length);
+    return status == Status::ok ? i.do_step("fmi2DoStep", from, length) : status;
   });
 }
 

@@ -5,23 +5,27 @@
 #include <string>
 #include <vector>
 
-// FMI 3.0 for co-simulation: the functions that do something.  Those that this model has no use for stand in
-// fmi3_refused.cpp.
+// FMI 3.0 for co-simulation: the functions that do something.  fmi3_refused.cpp has those that this model does not
+// use.
 using namespace mill::fmu;
 
 namespace {
 class Fmi3Log : public Log {
 public:
-  Fmi3Log(fmi3InstanceEnvironment environment, fmi3LogMessageCallback message, const bool others)
-      : Log(others), environment_(environment), message_(message)
+  Fmi3Log(fmi3InstanceEnvironment environment, fmi3LogMessageCallback message, const bool logging)
+      : Log(logging ? Start::all : Start::nothing), environment_(environment), message_(message)
   {
   }
 
 protected:
   void send(const Status status, const char *category, const std::string &message) const override
   {
-    if (message_)
-      message_(environment_, fmi3Status(status), category, message.c_str());
+    if (!message_)
+      return;
+    std::string text;  // #12# means the variable of reference 12
+    for (const char c : message)
+      text += c == '#' ? "##" : std::string(1, c);
+    message_(environment_, fmi3Status(status), category, text.c_str());
   }
 
 private:
@@ -57,13 +61,13 @@ fmi3String fmi3GetVersion()
 }
 
 fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3String resource_path, fmi3Boolean,
-                                         fmi3Boolean logging, fmi3Boolean event_mode, fmi3Boolean,
+                                         fmi3Boolean logging, fmi3Boolean event_mode, fmi3Boolean early_return,
                                          const fmi3ValueReference intermediate[], std::size_t n_intermediate,
                                          fmi3InstanceEnvironment environment, fmi3LogMessageCallback message,
                                          fmi3IntermediateUpdateCallback update)
 {
   try {
-    const Fmi3Log told(environment, message, logging);
+    const Fmi3Log log(environment, message, logging);
     try {
       const char *wrong = !name || !*name ? "the instance has no name"
                           : !token        ? "the instantiation token is missing"
@@ -74,14 +78,17 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
       if (wrong)
         throw std::runtime_error(wrong);
       auto instance =
-          std::make_unique<Fmi3Instance>(folder_of_path(resource_path), token, std::make_unique<Fmi3Log>(told));
-      instance->environment = environment;
-      for (std::size_t k = 0; intermediate && k < n_intermediate; ++k)
-        if (intermediate[k] == Instance::bite_force)
+          std::make_unique<Fmi3Instance>(folder_of_path(resource_path), token, std::make_unique<Fmi3Log>(log), 3);
+      instance->environment          = environment;
+      instance->early_return_allowed = early_return;
+      for (std::size_t k = 0; update && intermediate && k < n_intermediate; ++k)
+        if (intermediate[k] == Instance::bite_force) {
           instance->intermediate_update = update;
+          instance->expect_force();
+        }
       return static_cast<Instance *>(instance.release());
     } catch (const std::exception &e) {
-      told.refuse(Status::error, std::string("fmi3InstantiateCoSimulation: ") + e.what());
+      log.refuse(Status::error, std::string("fmi3InstantiateCoSimulation: ") + e.what());
     }
   } catch (...) {  // out of memory
   }
@@ -165,6 +172,23 @@ fmi3Status fmi3SetBoolean(fmi3Instance instance, const fmi3ValueReference vr[], 
   });
 }
 
+fmi3Status fmi3GetInt32(fmi3Instance instance, const fmi3ValueReference vr[], std::size_t n, fmi3Int32 values[],
+                        std::size_t n_values)
+{
+  return call3(instance, "fmi3GetInt32", [&](Instance &i) {
+    return counts_agree(i, "fmi3GetInt32", n, n_values) ? i.get_whole("fmi3GetInt32", vr, n, values)
+                                                        : Status::error;
+  });
+}
+
+fmi3Status fmi3SetInt32(fmi3Instance instance, const fmi3ValueReference vr[], std::size_t n, const fmi3Int32[],
+                        std::size_t n_values)
+{
+  return call3(instance, "fmi3SetInt32", [&](Instance &i) {
+    return counts_agree(i, "fmi3SetInt32", n, n_values) ? i.set_whole("fmi3SetInt32", vr, n) : Status::error;
+  });
+}
+
 fmi3Status fmi3GetFMUState(fmi3Instance instance, fmi3FMUState *state)
 {
   return call3(instance, "fmi3GetFMUState", [&](Instance &i) { return i.copy("fmi3GetFMUState", state); });
@@ -245,10 +269,16 @@ fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 from, fmi3Float64 lengt
     for (fmi3Boolean *flag : {event_needed, terminate, early})
       if (flag)
         *flag = false;
-    Status status = Status::error;
-    if (i.may_step("fmi3DoStep", from, length)) {
-      ask_for_force(static_cast<Fmi3Instance &>(i), from, length);
-      status = i.do_step("fmi3DoStep", from, length, 3);
+    Status status = i.may_step("fmi3DoStep", from, length);
+    if (status == Status::ok) {
+      auto &instance = static_cast<Fmi3Instance &>(i);
+      ask_for_force(instance, from, length);
+      status           = i.do_step("fmi3DoStep", from, length);
+      const bool ended = status == Status::ok && i.ended();
+      if (terminate)
+        *terminate = ended;
+      if (early)
+        *early = ended && instance.early_return_allowed;
     }
     if (last_time)
       *last_time = i.time();

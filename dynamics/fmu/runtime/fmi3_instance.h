@@ -9,6 +9,7 @@ struct Fmi3Instance : Instance {
   fmi3InstanceEnvironment environment = nullptr;
   fmi3IntermediateUpdateCallback intermediate_update =
       nullptr;  ///< only where the client asked for the bite force
+  bool early_return_allowed = false;
 };
 
 template <class Call> fmi3Status call3(fmi3Instance i, const char *function, const Call &what)

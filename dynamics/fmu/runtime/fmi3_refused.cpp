@@ -1,8 +1,8 @@
 #include "fmi3_instance.h"
 #include <string>
 
-// The functions of FMI 3.0 that this model has no use for: types, clocks and other kinds of FMU.  All must be
-// there; they tell why they refuse.
+// The functions of FMI 3.0 that this model does not use: types, clocks and other kinds of FMU.  The standard wants
+// all of them; their messages say why they refuse.
 using namespace mill::fmu;
 
 namespace {
@@ -24,26 +24,28 @@ constexpr const char *no_events         = "this FMU has no event mode (hasEventM
 constexpr const char *no_configuration  = "this FMU has no structural parameters";
 constexpr const char *no_elements       = "dependencies of single elements are not provided";
 
-void tell(fmi3InstanceEnvironment environment, fmi3LogMessageCallback message, const char *text)
+void refuse_kind(fmi3InstanceEnvironment environment, fmi3LogMessageCallback message, const bool logging,
+                 const char *text)
 {
-  if (message)
+  if (message && logging)
     message(environment, fmi3Error, "logStatusError", text);
 }
 }  // namespace
 
-fmi3Instance fmi3InstantiateModelExchange(fmi3String, fmi3String, fmi3String, fmi3Boolean, fmi3Boolean,
+fmi3Instance fmi3InstantiateModelExchange(fmi3String, fmi3String, fmi3String, fmi3Boolean, fmi3Boolean logging,
                                           fmi3InstanceEnvironment environment, fmi3LogMessageCallback message)
 {
-  tell(environment, message, "fmi3InstantiateModelExchange: this FMU is for co-simulation only");
+  refuse_kind(environment, message, logging, "fmi3InstantiateModelExchange: this FMU is for co-simulation only");
   return nullptr;
 }
 
-fmi3Instance fmi3InstantiateScheduledExecution(fmi3String, fmi3String, fmi3String, fmi3Boolean, fmi3Boolean,
-                                               fmi3InstanceEnvironment environment, fmi3LogMessageCallback message,
-                                               fmi3ClockUpdateCallback, fmi3LockPreemptionCallback,
-                                               fmi3UnlockPreemptionCallback)
+fmi3Instance fmi3InstantiateScheduledExecution(fmi3String, fmi3String, fmi3String, fmi3Boolean,
+                                               fmi3Boolean logging, fmi3InstanceEnvironment environment,
+                                               fmi3LogMessageCallback message, fmi3ClockUpdateCallback,
+                                               fmi3LockPreemptionCallback, fmi3UnlockPreemptionCallback)
 {
-  tell(environment, message, "fmi3InstantiateScheduledExecution: this FMU is for co-simulation only");
+  refuse_kind(environment, message, logging,
+              "fmi3InstantiateScheduledExecution: this FMU is for co-simulation only");
   return nullptr;
 }
 
@@ -91,15 +93,6 @@ fmi3Status fmi3SetUInt16(fmi3Instance i, const fmi3ValueReference vr[], std::siz
                          std::size_t)
 {
   return no_variables(i, "fmi3SetUInt16", vr, n, "UInt16");
-}
-fmi3Status fmi3GetInt32(fmi3Instance i, const fmi3ValueReference vr[], std::size_t n, fmi3Int32[], std::size_t)
-{
-  return no_variables(i, "fmi3GetInt32", vr, n, "Int32");
-}
-fmi3Status fmi3SetInt32(fmi3Instance i, const fmi3ValueReference vr[], std::size_t n, const fmi3Int32[],
-                        std::size_t)
-{
-  return no_variables(i, "fmi3SetInt32", vr, n, "Int32");
 }
 fmi3Status fmi3GetUInt32(fmi3Instance i, const fmi3ValueReference vr[], std::size_t n, fmi3UInt32[], std::size_t)
 {

@@ -47,15 +47,15 @@ std::string number_text(const double value)
   return text;
 }
 
-Instance::Instance(std::string folder, const std::string &token, std::unique_ptr<Log> log)
-    : folder_(std::move(folder)), log_(std::move(log))
+Instance::Instance(std::string folder, const std::string &token, std::unique_ptr<Log> log, const int version)
+    : folder_(std::move(folder)), log_(std::move(log)), version_(version)
 {
   const std::string path = folder_ + "model.json";
   const std::string text = read_file(path);
   try {
     model_ = read_model(text);
   } catch (const std::exception &e) {
-    throw std::runtime_error(path + " is no model of this runtime: " + e.what());
+    throw std::runtime_error(path + " is not a model of this runtime: " + e.what());
   }
   if (token != model_.guid)
     throw std::runtime_error("the model has the identity " + model_.guid + ", the description says " + token +
@@ -67,8 +67,7 @@ Instance::Instance(std::string folder, const std::string &token, std::unique_ptr
 
 void Instance::set_start_values()
 {
-  now_   = Snapshot();
-  ended_ = false;
+  now_ = Snapshot();
   now_.values.reserve(variables_.size());
   for (const Variable &variable : variables_)
     now_.values.push_back(variable.start);
@@ -90,7 +89,7 @@ Status Instance::set_up(const char *function, const double start, const bool has
   if (!std::isfinite(start) || (has_stop && !(stop >= start)))
     return log_->refuse(Status::error, std::string(function) + ": start time " + number_text(start) +
                                            (has_stop ? " s and stop time " + number_text(stop) : "") +
-                                           " s are no span of time");
+                                           " s do not give a span of time");
   now_.start     = start;
   now_.time      = start;
   now_.has_stop  = has_stop;
@@ -113,6 +112,8 @@ Status Instance::exit_initialization(const char *function)
 {
   if (!allows(function, {Phase::initialization}))
     return Status::error;
+  if (const std::string why = solve_pass(); !why.empty())
+    return log_->refuse(Status::error, std::string(function) + ": " + why);
   bring_up_to_date();
   now_.phase = Phase::step;
   log_->event((chatter_ ? "vibrates from " : "at rest under " + number_text(now_.force) + " N at ") +
@@ -157,32 +158,38 @@ void Instance::load_series()
   }
 }
 
-// Rest in the equilibrium under the force that acts now.
-void Instance::settle()
+// N, at the start of the run.
+double Instance::first_force()
 {
-  if (chatter_) {
-    now_.force      = now_.values[bite_force];
-    now_.vibration  = chatter_->displaced(bite_number(BiteNumber::start));
-    now_.last_slope = 0;
-    return;
-  }
-  if (now_.stored) {
-    load_series();
-    now_.place = series_.before(now_.time, 0);
-    now_.force = series_.at(now_.time, now_.place);
-  } else
-    now_.force = now_.values[bite_force];
-  const double above = now_.force - mean();
-  now_.modes         = curves_ ? curves_->equilibrium(above) : motion_->equilibrium(above);
-  now_.last_slope    = 0;
+  if (!plays_series())
+    return now_.values[bite_force];
+  load_series();
+  now_.place = series_.before(now_.time, 0);
+  return series_.at(now_.time, now_.place);
 }
 
+// The state at the start of a run: rest in the equilibrium under a force, or displaced rolls.
+void Instance::settle(const double force)
+{
+  now_.force      = force;
+  now_.last_slope = 0;
+  if (model_.kind == "chatter") {
+    now_.vibration = chatter_->displaced(bite_number(BiteNumber::start));
+    return;
+  }
+  const double above = force - mean();
+  now_.modes         = curves_ ? curves_->equilibrium(above) : motion_->equilibrium(above);
+}
+
+// In kind "chatter" the working point of the present parameters is solved before, or can be.
 void Instance::bring_up_to_date()
 {
   if (!now_.outputs_stale)
     return;
-  if (now_.phase == Phase::initialization)
-    settle();
+  if (const std::string why = solve_pass(); !why.empty())
+    throw std::runtime_error(why);
+  if (now_.phase == Phase::initialization || now_.phase == Phase::instantiated)
+    settle(first_force());
   if (chatter_)
     evaluate_vibration();
   else
@@ -211,7 +218,7 @@ Tuning Instance::tuning_of(const std::vector<double> &values) const
 void Instance::use_parameters()
 {
   if (model_.kind == "chatter")
-    return use_pass();
+    return;  // solve_pass(), where its working point is needed
   const Tuning tuning = tuning_of(now_.values);
   if (motion_ && same_tuning(tuning, built_))
     return;
@@ -276,31 +283,31 @@ void Instance::evaluate(const ModalState &modes, const double force, std::vector
   }
 }
 
-bool Instance::may_step(const char *function, const double from, const double length) const
+Status Instance::may_step(const char *function, const double from, const double length)
 {
   const std::string who = std::string(function) + ": ";
   if (!allows(function, {Phase::step}))
-    return false;
+    return Status::error;
   constexpr double longest = 1e9;  // s
-  if (!(length > 0 && length <= longest) || !std::isfinite(from)) {
-    log_->refuse(Status::error, who + "the step from " + number_text(from) + " s over " + number_text(length) +
-                                    " s has no length above zero and up to " + number_text(longest) + " s");
-    return false;
-  }
+  if (!(length > 0 && length <= longest) || !std::isfinite(from))
+    return log_->refuse(Status::error, who + "the step from " + number_text(from) + " s over " +
+                                           number_text(length) + " s must have a length above zero and up to " +
+                                           number_text(longest) + " s");
   const double end = from + length;
   // A client adds or multiplies its step sizes: some rounding of the time, or a small part of the step.
   const double close = 1e-9 * length + 64 * 2.2e-16 * std::max(std::abs(from), std::abs(now_.time));
-  if (std::abs(from - now_.time) > close || !(end > now_.time)) {
-    log_->refuse(Status::error, who + "the step begins at " + number_text(from) + " s, the instance is at " +
-                                    number_text(now_.time) + " s");
-    return false;
-  }
-  if (now_.has_stop && end > now_.stop + 1e-9 * length + 64 * 2.2e-16 * std::abs(now_.stop)) {
-    log_->refuse(Status::error, who + "the step to " + number_text(end) + " s passes the stop time " +
-                                    number_text(now_.stop) + " s");
-    return false;
-  }
-  return true;
+  if (std::abs(from - now_.time) > close || !(end > now_.time))
+    return log_->refuse(Status::error, who + "the step begins at " + number_text(from) +
+                                           " s, the instance is at " + number_text(now_.time) + " s");
+  if (now_.has_stop && end > now_.stop + 1e-9 * length + 64 * 2.2e-16 * std::abs(now_.stop))
+    return log_->refuse(Status::error, who + "the step to " + number_text(end) + " s passes the stop time " +
+                                           number_text(now_.stop) + " s");
+  if (now_.ended)
+    return log_->refuse(Status::error, who + "the run has ended at " + number_text(now_.time) + " s");
+  if (const std::string why = solve_pass(); !why.empty())
+    return log_->refuse(version_ == 3 ? Status::discard : Status::error,
+                        who + why + "; the instance stays at " + number_text(now_.time) + " s");
+  return Status::ok;
 }
 
 // One straight stretch of force.
@@ -312,43 +319,58 @@ void Instance::travel(const double length, const StraightForce &force)
     motion_->advance(now_.modes, length, force);
 }
 
-Status Instance::do_step(const char *function, const double from, const double length, const int version)
+Status Instance::do_step(const char *function, const double from, const double length)
 {
   double end = from + length;
-  Snapshot before;
-  if (chatter_ && version == 3)
-    before = now_;
   std::string why;
-  ended_ = false;
   if (chatter_)
     why = vibrate(end);
-  else if (now_.stored)
+  else if (plays_series())
     play_series(end);
-  else {
-    const double begin = now_.values[bite_force];
-    if (!curves_)
-      motion_->begin(now_.modes);
-    travel(end - now_.time, {begin - mean(), now_.slope});
-    if (!curves_)
-      motion_->end(now_.modes);
-    now_.force      = end_is_said_ ? force_at_end_ : begin + now_.slope * (end - now_.time);
-    now_.last_slope = now_.slope;
-    if (end_is_said_)
-      now_.values[bite_force] = force_at_end_;
-  }
-  end_is_said_       = false;
+  else
+    drive(end);
+  end_is_given_      = false;
   now_.slope         = 0;
   now_.time          = end;
   now_.values[0]     = end;
   now_.outputs_stale = true;
-  if (why.empty())
-    return Status::ok;
-  if (version == 3) {
-    now_       = std::move(before);
-    now_.slope = 0;
-  }
-  ended_ = true;
-  return log_->refuse(Status::discard, std::string(function) + ": " + why);
+  return why.empty() ? Status::ok : end_run(function, why);
+}
+
+// The motion cannot go on: the rest of the step is not taken.
+Status Instance::end_run(const char *function, const std::string &why)
+{
+  now_.ended             = true;
+  const std::string text = std::string(function) + ": " + why;
+  if (version_ == 2)
+    return log_->refuse(Status::discard, text);
+  log_->refuse(Status::warning, text);
+  return Status::ok;
+}
+
+// A step under the force of the client.
+void Instance::drive(const double end)
+{
+  const double begin = now_.values[bite_force], length = end - now_.time;
+  if (!curves_)
+    motion_->begin(now_.modes);
+  travel(length, {begin - mean(), now_.slope});
+  if (!curves_)
+    motion_->end(now_.modes);
+  now_.force      = end_is_given_ ? force_at_end_ : begin + now_.slope * length;
+  now_.last_slope = now_.slope;
+  if (end_is_given_)
+    now_.values[bite_force] = force_at_end_;
+}
+
+// The stored force acts where the client asks for it, and where no input is connected.
+bool Instance::plays_series() const
+{
+  if (!model_.has_series)
+    return false;
+  if (now_.use_stored != StoredForce::not_set)
+    return now_.use_stored == StoredForce::on;
+  return !now_.input_set && !force_expected_;
 }
 
 // Every sample inside the step ends a stretch, so that each sees one straight line.
@@ -390,6 +412,6 @@ void Instance::leave_intermediate(const double length)
   force_at_end_           = now_.values[bite_force];
   now_.values[bite_force] = force_before_;
   now_.slope              = (force_at_end_ - force_before_) / length;
-  end_is_said_            = true;
+  end_is_given_           = true;
 }
 }  // namespace mill::fmu

@@ -18,6 +18,9 @@ enum class Phase : int { instantiated, set_up, initialization, step, intermediat
 
 using Reference = std::uint32_t;  ///< value reference: place in the table of variables
 
+/// What a client has said about the stored force.
+enum class StoredForce : int { not_set, off, on };
+
 /// All that changes in an instance while it runs: what a copy of its state holds.
 struct Snapshot {
   std::vector<double> values;  ///< of every real variable, by reference, SI
@@ -27,20 +30,31 @@ struct Snapshot {
   double slope      = 0;                 ///< N/s, of the input over the coming step
   double last_slope = 0;                 ///< N/s, of the force at the end of the last step
   double time = 0, start = 0, stop = 0;  ///< s
-  bool has_stop       = false;
-  bool stored         = false;  ///< the series is played
-  bool outputs_stale  = false;  ///< values of the outputs are those before the last step
-  std::uint64_t place = 0;      ///< samples of the series at or before the present time
-  Phase phase         = Phase::instantiated;
+  bool has_stop          = false;
+  StoredForce use_stored = StoredForce::not_set;
+  bool input_set         = false;  ///< the client has given a bite force
+  bool outputs_stale     = false;  ///< values of the outputs are those before the last step
+  bool ended             = false;  ///< the strip tore or the rolls met in the last step
+  std::uint64_t place    = 0;      ///< samples of the series at or before the present time
+  Phase phase            = Phase::instantiated;
 };
 
 /// One exported model in the hands of a client: what both versions of the interface share.  A call that is refused
-/// says why in the log and changes nothing.  theory.md 35
+/// writes the reason into the log and changes nothing.  theory.md 35
 class Instance {
 public:
-  /// Reads the model.  @throws std::runtime_error  no model there, or of another token
-  /// @param folder  of the resources, ends with a slash
-  Instance(std::string folder, const std::string &token, std::unique_ptr<Log> log);
+  /// Reads the model.
+  /// @param folder   of the resources, ends with a slash
+  /// @param version  of the interface, 2 or 3
+  /// @throws std::runtime_error  there is no model, or it has another token
+  Instance(std::string folder, const std::string &token, std::unique_ptr<Log> log, int version);
+
+  /// The client gives the bite force inside the steps: the stored force is then played only where
+  /// use_stored_force asks for it.
+  void expect_force()
+  {
+    force_expected_ = true;
+  }
 
   Log &log() const
   {
@@ -58,7 +72,7 @@ public:
   {
     now_.phase = Phase::failed;
   }
-  /// Is the call allowed in this phase?  Otherwise it is told, with the name of the function.
+  /// Is the call allowed in this phase?  Otherwise a message names the function and the phase.
   bool allows(const char *function, std::initializer_list<Phase> phases) const;
 
   // The order of a run; times in s.
@@ -73,6 +87,8 @@ public:
   Status set(const char *function, const Reference *references, std::size_t n, const double *values);
   Status get_truth(const char *function, const Reference *references, std::size_t n, bool *values);
   Status set_truth(const char *function, const Reference *references, std::size_t n, const bool *values);
+  Status get_whole(const char *function, const Reference *references, std::size_t n, std::int32_t *values);
+  Status set_whole(const char *function, const Reference *references, std::size_t n);
   /// Of a type that no variable has: right for none, refused for any.
   Status refuse_type(const char *function, const Reference *references, std::size_t n, const char *type) const;
   /// Derivatives of inputs by time, of order 1, for the coming step alone; of outputs at the present time.
@@ -92,20 +108,23 @@ public:
     double *result;
     bool adjoint;
   };
-  /// By the force exactly but for rounding; by a parameter from differences of fourth order, to about 1e-9 of the
-  /// derivative.  Cost: four evaluations of the model for each known.  theory.md (35.8)
+  /// By the force and by the time exactly but for rounding; by a parameter from differences of fourth order, to
+  /// about 1e-9 of the derivative.  Cost: four evaluations of the model for each known.  theory.md (35.8)
   Status derivative(const char *function, const Direction &asked);
 
-  /// Is a step from `from` over `length` (s) in order?  Otherwise it is told.
-  bool may_step(const char *function, double from, double length) const;
-  /// Carries out a step that may_step().  Exact for the force received where the stand is linear.  Where the strip
-  /// of kind "chatter" tears or its rolls meet inside the step, that is told and discard is returned: of version 2
-  /// the instance is then at that moment, at its end; of version 3 where it was before the call.
-  /// @throws std::runtime_error  kind "chatter": they do so at the very beginning; kind "curves": see CurveMotion
-  Status do_step(const char *function, double from, double length, int version);
-  bool ended() const  ///< inside the last step
+  /// Can a step from `from` over `length` (s) be taken?  Otherwise a message says why: error, or discard where
+  /// version 3 may go on with other values (there is no steady bite).
+  Status may_step(const char *function, double from, double length);
+  /// Carries out a step that may_step() accepts.  Exact for the force received where the stand is linear.  Where
+  /// the strip of kind "chatter" tears or its rolls meet inside the step, the instance stays at that moment,
+  /// ended() is true and a message says why.  @return  then discard in version 2, and ok in version 3, whose
+  /// clients ask ended() and keep the rows before
+  /// @throws std::runtime_error  kind "chatter": this happens at the start of the run; kind "curves": see
+  /// CurveMotion
+  Status do_step(const char *function, double from, double length);
+  bool ended() const
   {
-    return ended_;
+    return now_.ended;
   }
   /// In the middle of a step: the client sets the force that acts at its end.
   void enter_intermediate();
@@ -122,7 +141,9 @@ public:
   static constexpr Reference bite_force = 1;  ///< the input
 
 private:
+  bool may_get(const char *function) const;
   const Variable *known(const char *function, Reference reference, Type type) const;
+  Status compute(const char *function, const Reference *references, std::size_t n, Type type);
   bool may_set(const char *function, const Variable &variable) const;
   bool in_range(const char *function, const Variable &variable, double value) const;
   bool of_order_one(const char *function, const Variable &variable, int order) const;
@@ -131,25 +152,29 @@ private:
   Tuning tuning_of(const std::vector<double> &values) const;
   void use_parameters();
   void bring_up_to_date();
-  void settle();
+  double first_force();
+  void settle(double force);
   void load_series();
+  bool plays_series() const;
   void play_series(double end);
+  void drive(double end);
   double mean() const;
   void travel(double length, const StraightForce &force);
   /// @param rates_at  null: modes themselves; else `modes` are the rates of these
   void evaluate(const ModalState &modes, double force, std::vector<double> &values,
                 const ModalState *rates_at = nullptr);
-  std::vector<double> unknowns_at(std::vector<double> values, const Direction &asked);
+  double stored_force_rate() const;
+  std::vector<double> unknowns_at(std::vector<double> values, double more_force, const Direction &asked);
   std::vector<double> by_known(const Direction &asked, Reference known);
   bool is_copy(const char *function, const void *state) const;
   // Kind "chatter".
   PassData pass_of(const std::vector<double> &values) const;
   double bite_number(BiteNumber number) const;
-  void use_pass();
-  bool has_steady_bite(const char *function, const std::vector<double> &values) const;
+  std::string solve_pass();
   ChatterInput input_now() const;
   void evaluate_vibration();
   std::string vibrate(double &end);
+  Status end_run(const char *function, const std::string &why);
 
   std::string folder_;
   std::unique_ptr<Log> log_;
@@ -158,17 +183,18 @@ private:
   std::uint64_t mark_ = 0;  // of this model, in its copies
   ForceSeries series_;
   Snapshot now_;
-  double force_at_end_ = 0;  // N, said by the client in the middle of a step
-  bool end_is_said_    = false;
-  bool ended_          = false;
+  int version_;
+  bool force_expected_ = false;
+  double force_at_end_ = 0;  // N, given by the client in the middle of a step
+  bool end_is_given_   = false;
   double force_before_ = 0;
 
-  Tuning built_;  // what system_ and motion_ were made for
+  Tuning built_;  // parameters for which system_ and motion_ were made
   ModalSystem system_;
   std::unique_ptr<Motion> motion_;
   std::unique_ptr<CurveMotion> curves_;     // of kind "curves": steps in the place of motion_
   std::unique_ptr<ChatterMotion> chatter_;  // of kind "chatter" in their place
-  std::vector<double> built_pass_;          // parameters that it was made for
+  std::vector<double> built_pass_;          // parameters for which it was made
   std::vector<double> scratch_, row_;
 };
 

@@ -71,39 +71,34 @@ double Instance::bite_number(const BiteNumber number) const
   return 0;
 }
 
-bool Instance::has_steady_bite(const char *function, const std::vector<double> &values) const
+// The working point of the present parameters, solved where they have changed.  Gap, thickness and tensions count
+// from it: what holds them in the mill (screws, speeds of the neighbours) has followed, the vibration about it
+// goes on.
+// @return  empty, or why there is none: the last one is kept then
+std::string Instance::solve_pass()
 {
-  const PassData pass = pass_of(values);
-  if (key_of(pass) == built_pass_)
-    return true;
-  try {
-    const RollBite bite(pass);
-    return true;
-  } catch (const std::runtime_error &e) {
-    log_->refuse(Status::discard, std::string(function) + ": " + e.what() + "; all values stay as they were");
-    return false;
-  }
-}
-
-// The working point of the present parameters.  Gap, thickness and tensions count from it: what holds them in the
-// mill (screws, speeds of the neighbours) has followed, the vibration about it goes on.
-void Instance::use_pass()
-{
+  if (model_.kind != "chatter")
+    return "";
   const PassData pass     = pass_of(now_.values);
   std::vector<double> key = key_of(pass);
   if (!chatter_ || key != built_pass_) {
-    chatter_    = std::make_unique<ChatterMotion>(model_.chatter, pass);
-    built_pass_ = key;
+    try {
+      chatter_ = std::make_unique<ChatterMotion>(model_.chatter, pass);
+    } catch (const std::runtime_error &e) {
+      return e.what();
+    }
+    built_pass_ = std::move(key);
   }
+  const BiteReading &steady = chatter_->bite().steady();
   for (std::size_t i = 0; i < variables_.size(); ++i) {
     if (variables_[i].role != Role::steady_number)
       continue;
-    const BiteReading &steady = chatter_->bite().steady();
-    const auto number         = SteadyNumber(variables_[i].index);
-    now_.values[i]            = number == SteadyNumber::force      ? steady.force
-                                : number == SteadyNumber::friction ? steady.friction
-                                                                   : chatter_->bite().flattened_radius();
+    const auto number = SteadyNumber(variables_[i].index);
+    now_.values[i]    = number == SteadyNumber::force      ? steady.force
+                        : number == SteadyNumber::friction ? steady.friction
+                                                           : chatter_->bite().flattened_radius();
   }
+  return "";
 }
 
 ChatterInput Instance::input_now() const
@@ -155,22 +150,24 @@ void Instance::evaluate_vibration()
 // @return  why the motion ends before `end`, which is that moment then
 std::string Instance::vibrate(double &end)
 {
-  const double begin  = now_.values[bite_force];
-  ChatterInput input  = input_now();
-  input.force         = begin;
-  input.slope         = now_.slope;
-  double length       = end - now_.time;
-  const double wanted = length, from = now_.time;
-  const std::string why  = chatter_->advance(now_.vibration, length, input);
-  const std::string told = "at " + number_text(from + length) + " s " + why;
-  if (!why.empty() && !(from + length > from))
-    throw std::runtime_error(told);
-  if (!why.empty())
+  const double begin = now_.values[bite_force], from = now_.time, wanted = end - from;
+  ChatterInput input     = input_now();
+  input.force            = begin;
+  input.slope            = now_.slope;
+  double length          = wanted;
+  const std::string stop = chatter_->advance(now_.vibration, length, input);
+  const std::string why  = stop.empty() ? "" : "at " + number_text(from + length) + " s " + stop;
+  if (!why.empty()) {
+    // A client of version 3 has rows before this moment, unless it is the start of the run.
+    const bool has_rows = from + length > from || (version_ == 3 && from > now_.start);
+    if (!has_rows)
+      throw std::runtime_error(why);
     end = from + length;
-  const bool whole        = why.empty() && end_is_said_;
-  now_.force              = whole ? force_at_end_ : begin + now_.slope * (why.empty() ? wanted : length);
+  }
+  const bool given        = why.empty() && end_is_given_;
+  now_.force              = given ? force_at_end_ : begin + now_.slope * (why.empty() ? wanted : length);
   now_.last_slope         = now_.slope;
-  now_.values[bite_force] = whole ? force_at_end_ : now_.values[bite_force];
-  return why.empty() ? "" : told;
+  now_.values[bite_force] = given ? force_at_end_ : now_.values[bite_force];
+  return why;
 }
 }  // namespace mill::fmu

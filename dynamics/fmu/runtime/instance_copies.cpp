@@ -4,11 +4,11 @@
 #include <memory>
 #include <string>
 
-// Copies of the state in memory, and their serialised form: "MSTDFMU2", the mark of the model, the number of bytes
+// Copies of the state in memory, and their serialised form: "MSTDFMU3", the mark of the model, the number of bytes
 // that follow, their FNV-1a hash, then the members in a fixed order, numbers as the machine has them.
 namespace mill::fmu {
 namespace {
-constexpr char magic[8]           = {'M', 'S', 'T', 'D', 'F', 'M', 'U', '2'};
+constexpr char magic[8]           = {'M', 'S', 'T', 'D', 'F', 'M', 'U', '3'};
 constexpr std::size_t header_size = sizeof magic + 3 * sizeof(std::uint64_t);
 
 /// What a client holds behind its pointer.
@@ -35,7 +35,7 @@ template <class IO> void each_number(IO &io, Snapshot &s)
   for (double *number : {&s.vibration.next_step, &s.vibration.events, &s.force, &s.slope, &s.last_slope, &s.time,
                          &s.start, &s.stop})
     io.one(*number);
-  for (bool *truth : {&s.has_stop, &s.stored, &s.outputs_stale, &s.vibration.strip_held}) {
+  for (bool *truth : {&s.has_stop, &s.input_set, &s.outputs_stale, &s.ended, &s.vibration.strip_held}) {
     std::uint64_t number = *truth ? 1 : 0;
     io.one(number);
     *truth = number != 0;
@@ -43,7 +43,10 @@ template <class IO> void each_number(IO &io, Snapshot &s)
   io.one(s.place);
   std::uint64_t phase = std::uint64_t(s.phase);
   io.one(phase);
-  s.phase = phase <= std::uint64_t(Phase::failed) ? Phase(phase) : Phase::failed;
+  s.phase                  = phase <= std::uint64_t(Phase::failed) ? Phase(phase) : Phase::failed;
+  std::uint64_t use_stored = std::uint64_t(s.use_stored);
+  io.one(use_stored);
+  s.use_stored = use_stored <= std::uint64_t(StoredForce::on) ? StoredForce(use_stored) : StoredForce::not_set;
 }
 
 class StateWriter {
@@ -135,7 +138,7 @@ bool Instance::is_copy(const char *function, const void *state) const
   if (state && static_cast<const Copy *>(state)->mark == mark_)
     return true;
   log_->refuse(Status::error,
-               std::string(function) + (state ? ": the state is none of this model" : ": a state is missing"));
+               std::string(function) + (state ? ": the state belongs to another model" : ": a state is missing"));
   return false;
 }
 
@@ -147,12 +150,11 @@ Status Instance::restore(const char *function, const void *state)
     return Status::error;
   // The modes of a copy belong to its own parameters: nothing is to be carried over from the present ones.
   Snapshot wanted = static_cast<const Copy *>(state)->state;
-  if (wanted.stored)
-    load_series();
   ModalState modes;
   std::swap(modes, wanted.modes);
-  now_   = std::move(wanted);
-  ended_ = false;
+  now_ = std::move(wanted);
+  if (plays_series() && now_.phase != Phase::instantiated && now_.phase != Phase::set_up)
+    load_series();
   use_parameters();
   std::swap(modes, now_.modes);
   return Status::ok;
@@ -206,9 +208,9 @@ Status Instance::deserialize(const char *function, const char *bytes, const std:
     std::memcpy(head, bytes + sizeof magic, sizeof head);
   if (size < header_size || std::memcmp(bytes, magic, sizeof magic) != 0 || head[1] > size - header_size ||
       head[2] != check_of(bytes + header_size, std::size_t(head[1])))
-    return log_->refuse(Status::error, who + "the bytes are no serialised state, or they are damaged");
+    return log_->refuse(Status::error, who + "the bytes are not a serialised state, or they are damaged");
   if (head[0] != mark_)
-    return log_->refuse(Status::error, who + "the state is that of another model");
+    return log_->refuse(Status::error, who + "the state belongs to another model");
   auto made = std::make_unique<Copy>(Copy{mark_, {}});
   StateReader reader(bytes + header_size, std::size_t(head[1]));
   each_number(reader, made->state);
@@ -216,7 +218,7 @@ Status Instance::deserialize(const char *function, const char *bytes, const std:
   if (!reader.at_end() || made->state.values.size() != variables_.size() || made->state.modes.p.size() != modes ||
       (modes != 0 && modes != model_.n_modes()) ||
       (!made->state.vibration.z.empty() && made->state.vibration.z.size() != 2 * model_.n_modes() + 2))
-    return log_->refuse(Status::error, who + "the bytes are no serialised state, or they are damaged");
+    return log_->refuse(Status::error, who + "the bytes are not a serialised state, or they are damaged");
   if (*state) {
     if (!is_copy(function, *state))
       return Status::error;

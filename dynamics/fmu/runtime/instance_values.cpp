@@ -11,6 +11,17 @@ std::string with_unit(const double value, const Variable &variable)
 {
   return number_text(value) + (std::string(variable.unit) == "1" ? "" : std::string(" ") + variable.unit);
 }
+
+const char *name_of(const Type type)
+{
+  return type == Type::real ? "Real (Float64)" : type == Type::whole ? "Integer (Int32)" : "Boolean";
+}
+
+// Both the client and the model compute nothing of it before it is wanted.
+bool is_computed(const Variable &variable)
+{
+  return !variable.has_start() && variable.causality != Causality::independent;
+}
 }  // namespace
 
 const Variable *Instance::known(const char *function, const Reference reference, const Type type) const
@@ -24,8 +35,7 @@ const Variable *Instance::known(const char *function, const Reference reference,
   }
   const Variable &variable = variables_[reference];
   if (variable.type != type) {
-    log_->refuse(Status::error, who + variable.name + " is of type " +
-                                    (variable.type == Type::real ? "Real (Float64)" : "Boolean"));
+    log_->refuse(Status::error, who + variable.name + " is of type " + name_of(variable.type));
     return nullptr;
   }
   return &variable;
@@ -43,32 +53,86 @@ Status Instance::refuse_type(const char *function, const Reference *references, 
   return log_->refuse(Status::error, std::string(function) + ": the model has no variable of type " + type);
 }
 
+// Version 3 shows start values before initialization.
+bool Instance::may_get(const char *function) const
+{
+  if (version_ == 3 && now_.phase == Phase::instantiated)
+    return true;
+  return allows(function, {Phase::initialization, Phase::step, Phase::intermediate, Phase::terminated});
+}
+
+// Makes the values of the variables of a call ready to be read.
+Status Instance::compute(const char *function, const Reference *references, const std::size_t n, const Type type)
+{
+  bool outputs = false, working_point = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Variable *variable = known(function, references[i], type);
+    if (!variable)
+      return Status::error;
+    outputs       = outputs || is_computed(*variable);
+    working_point = working_point || variable->role == Role::steady_number;
+  }
+  if (!outputs)
+    return Status::ok;
+  if (now_.phase == Phase::instantiated)
+    now_.outputs_stale = true;
+  if (working_point || now_.outputs_stale)
+    if (const std::string why = solve_pass(); !why.empty())
+      return log_->refuse(Status::discard, std::string(function) + ": " + why);
+  bring_up_to_date();
+  return Status::ok;
+}
+
 Status Instance::get(const char *function, const Reference *references, const std::size_t n, double *values)
 {
-  if (!allows(function, {Phase::initialization, Phase::step, Phase::intermediate, Phase::terminated}))
+  if (!may_get(function))
     return Status::error;
   if (n > 0 && (!references || !values))
     return log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
-  for (std::size_t i = 0; i < n; ++i)
-    if (references[i] >= variables_.size() || variables_[references[i]].type != Type::real)
-      if (!known(function, references[i], Type::real))
-        return Status::error;
-  bring_up_to_date();
+  if (const Status status = compute(function, references, n, Type::real); status != Status::ok)
+    return status;
   for (std::size_t i = 0; i < n; ++i)
     values[i] = now_.values[references[i]];
   return Status::ok;
 }
 
+Status Instance::get_whole(const char *function, const Reference *references, const std::size_t n,
+                           std::int32_t *values)
+{
+  if (!may_get(function))
+    return Status::error;
+  if (n > 0 && (!references || !values))
+    return log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
+  if (const Status status = compute(function, references, n, Type::whole); status != Status::ok)
+    return status;
+  constexpr double largest = 2147483647;  // of the type; events are counted up to it
+  for (std::size_t i = 0; i < n; ++i)
+    values[i] = std::int32_t(std::min(largest, now_.values[references[i]]));
+  return Status::ok;
+}
+
+Status Instance::set_whole(const char *function, const Reference *references, const std::size_t n)
+{
+  if (n > 0 && !references)
+    return log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
+  for (std::size_t i = 0; i < n; ++i) {
+    const Variable *variable = known(function, references[i], Type::whole);
+    if (!variable || !may_set(function, *variable))
+      return Status::error;
+  }
+  return Status::ok;
+}
+
 Status Instance::get_truth(const char *function, const Reference *references, const std::size_t n, bool *values)
 {
-  if (!allows(function, {Phase::initialization, Phase::step, Phase::intermediate, Phase::terminated}))
+  if (!may_get(function))
     return Status::error;
   if (n > 0 && (!references || !values))
     return log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
   for (std::size_t i = 0; i < n; ++i) {
     if (!known(function, references[i], Type::boolean))
       return Status::error;
-    values[i] = now_.stored;
+    values[i] = now_.use_stored == StoredForce::on;
   }
   return Status::ok;
 }
@@ -78,7 +142,7 @@ bool Instance::may_set(const char *function, const Variable &variable) const
   const bool early =
       now_.phase == Phase::instantiated || now_.phase == Phase::set_up || now_.phase == Phase::initialization;
   const bool between = variable.causality == Causality::input || variable.variability == Variability::tunable;
-  if (now_.phase == Phase::intermediate ? variable.causality == Causality::input
+  if (now_.phase == Phase::intermediate ? variable.role == Role::bite_force
                                         : variable.has_start() && (early || between))
     return true;
   const char *why = " is computed and cannot be set";
@@ -99,7 +163,7 @@ bool Instance::in_range(const char *function, const Variable &variable, const do
   log_->refuse(Status::discard, std::string(function) + ": " + variable.name + " = " + with_unit(value, variable) +
                                     (variable.bounded() ? " is out of range (" + number_text(variable.low) +
                                                               " .. " + with_unit(variable.high, variable) + ")"
-                                                        : std::string(" is no finite number")) +
+                                                        : std::string(" is not a finite number")) +
                                     "; it stays " + with_unit(now_.values[reference], variable));
   return false;
 }
@@ -121,22 +185,23 @@ Status Instance::set(const char *function, const Reference *references, const st
     only_force = only_force && references[i] == bite_force;
   }
   if (!only_force) {
-    std::vector<double> wanted = now_.values;
-    for (std::size_t i = 0; i < n; ++i)
-      wanted[references[i]] = values[i];
-    if (chatter_ && !has_steady_bite(function, wanted))
-      return Status::discard;
-    const Tuning tuning = tuning_of(wanted);
-    if (model_.kind == "chain" && !is_held(modal_system(model_, tuning)))
-      return log_->refuse(Status::discard,
-                          std::string(function) +
-                              ": with these masses and springs a part of the chain is not held to "
-                              "the ground; all values stay as they were");
+    if (model_.kind == "chain") {
+      std::vector<double> wanted = now_.values;
+      for (std::size_t i = 0; i < n; ++i)
+        wanted[references[i]] = values[i];
+      if (!is_held(modal_system(model_, tuning_of(wanted))))
+        return log_->refuse(Status::discard,
+                            std::string(function) +
+                                ": with these masses and springs a part of the chain is not held to "
+                                "the ground; all values stay as they were");
+    }
     if (now_.phase == Phase::step)
       bring_up_to_date();  // what is read before the next step belongs to the last one
   }
-  for (std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < n; ++i) {
     now_.values[references[i]] = values[i];
+    now_.input_set             = now_.input_set || references[i] == bite_force;
+  }
   if (!only_force)
     use_parameters();
   if (now_.phase == Phase::initialization)
@@ -158,7 +223,7 @@ Status Instance::set_truth(const char *function, const Reference *references, co
       return Status::error;
   }
   for (std::size_t i = 0; i < n; ++i)
-    now_.stored = values[i];
+    now_.use_stored = values[i] ? StoredForce::on : StoredForce::off;
   if (now_.phase == Phase::initialization)
     now_.outputs_stale = true;
   return Status::ok;
@@ -180,12 +245,17 @@ Status Instance::set_input_derivatives(const char *function, const Reference *re
     return Status::error;
   if (n > 0 && (!references || !orders || !values))
     return log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
+  const Variable *held = nullptr;
   for (std::size_t i = 0; i < n; ++i) {
     const Variable *variable = known(function, references[i], Type::real);
     if (!variable || !of_order_one(function, *variable, orders[i]))
       return Status::error;
     if (variable->causality != Causality::input)
-      return log_->refuse(Status::error, std::string(function) + ": " + variable->name + " is no input");
+      return log_->refuse(Status::error, std::string(function) + ": " + variable->name + " is not an input");
+    if (variable->role != Role::bite_force) {
+      held = variable;
+      continue;
+    }
     if (!(std::abs(values[i]) <= steepest))
       return log_->refuse(Status::discard, std::string(function) + ": the derivative of " + variable->name + ", " +
                                                number_text(values[i]) + " N/s, is out of range (" +
@@ -193,7 +263,13 @@ Status Instance::set_input_derivatives(const char *function, const Reference *re
                                                " N/s); it stays " + number_text(now_.slope) + " N/s");
   }
   for (std::size_t i = 0; i < n; ++i)
-    now_.slope = values[i];
+    if (references[i] == bite_force) {
+      now_.slope     = values[i];
+      now_.input_set = true;
+    }
+  if (held)
+    return log_->refuse(Status::warning, std::string(function) + ": " + held->name +
+                                             " is held over each step; its derivative is not used");
   return Status::ok;
 }
 
@@ -210,7 +286,7 @@ Status Instance::get_output_derivatives(const char *function, const Reference *r
     if (!variable || !of_order_one(function, *variable, orders[i]))
       return Status::error;
     if (variable->causality != Causality::output)
-      return log_->refuse(Status::error, std::string(function) + ": " + variable->name + " is no output");
+      return log_->refuse(Status::error, std::string(function) + ": " + variable->name + " is not an output");
   }
   if (chatter_)
     return log_->refuse(Status::error, std::string(function) + ": outputs of this model have no derivatives");
@@ -228,7 +304,7 @@ Status Instance::get_output_derivatives(const char *function, const Reference *r
 
 bool Instance::may_derive(const char *function, const Direction &asked) const
 {
-  if (!allows(function, {Phase::initialization, Phase::step}))
+  if (!allows(function, {Phase::initialization, Phase::step, Phase::terminated}))
     return false;
   const std::size_t seeds = asked.adjoint ? asked.n_unknowns : asked.n_knowns;
   const std::size_t found = asked.adjoint ? asked.n_knowns : asked.n_unknowns;
@@ -242,7 +318,7 @@ bool Instance::may_derive(const char *function, const Direction &asked) const
     if (!variable)
       return false;
     if (variable->causality != Causality::output && variable->causality != Causality::calculated_parameter) {
-      log_->refuse(Status::error, std::string(function) + ": " + variable->name + " is no unknown");
+      log_->refuse(Status::error, std::string(function) + ": " + variable->name + " is not an unknown");
       return false;
     }
   }
@@ -250,26 +326,36 @@ bool Instance::may_derive(const char *function, const Direction &asked) const
     const Variable *variable = known(function, asked.knowns[i], Type::real);
     if (!variable)
       return false;
-    if (!variable->has_start()) {
-      log_->refuse(Status::error, std::string(function) + ": " + variable->name + " is no known");
+    if (is_computed(*variable)) {
+      log_->refuse(Status::error, std::string(function) + ": " + variable->name + " is not a known");
       return false;
     }
   }
   return true;
 }
 
-// The unknowns for other values of inputs and parameters: in initialization mode in equilibrium, else with the
-// displacements and velocities of the points as they are.
-std::vector<double> Instance::unknowns_at(std::vector<double> values, const Direction &asked)
+// N/s, of the stored force while it is played, behind the present time.
+double Instance::stored_force_rate() const
+{
+  const std::size_t place = std::size_t(now_.place);
+  if (!plays_series() || place == 0 || place >= series_.time.size())
+    return 0;
+  return (series_.force[place] - series_.force[place - 1]) / (series_.time[place] - series_.time[place - 1]);
+}
+
+// The unknowns for other values of inputs and parameters, and a force that is larger by more_force (N): in
+// initialization mode in equilibrium, else with the displacements and velocities of the points as they are.
+std::vector<double> Instance::unknowns_at(std::vector<double> values, const double more_force,
+                                          const Direction &asked)
 {
   Snapshot kept            = now_;
   const Tuning kept_tuning = built_;
   now_.values              = std::move(values);
   use_parameters();
   if (now_.phase == Phase::initialization)
-    settle();
-  else if (!now_.stored)
-    now_.force = now_.values[bite_force];
+    settle(first_force() + more_force);
+  else
+    now_.force = (plays_series() ? now_.force : now_.values[bite_force]) + more_force;
   evaluate(now_.modes, now_.force, now_.values);
   std::vector<double> result;
   for (std::size_t i = 0; i < asked.n_unknowns; ++i)
@@ -289,8 +375,12 @@ std::vector<double> Instance::by_known(const Direction &asked, const Reference r
 {
   const Variable &variable = variables_[reference];
   const double value       = now_.values[reference];
-  double width             = 1e-3 * std::abs(value);
-  if (variable.role == Role::bite_force || variable.role == Role::mean_force)
+  double width = 1e-3 * std::abs(value), rate = 1;
+  const bool by_time = variable.role == Role::time;  // by the force that is played
+  if (by_time) {
+    width = curves_ ? 1e-3 * curves_->rest_force() : 1e6;
+    rate  = stored_force_rate();
+  } else if (variable.role == Role::bite_force || variable.role == Role::mean_force)
     width = curves_ ? 1e-3 * curves_->rest_force() : std::max(1e6, std::abs(value));
   else if (variable.role == Role::gap_damper)
     width = std::max(1e3, std::abs(value));
@@ -300,12 +390,12 @@ std::vector<double> Instance::by_known(const Direction &asked, const Reference r
     width = 1e-3 * *std::max_element(built_.stiffness.begin(), built_.stiffness.end());
   const auto difference = [&](const double d) {
     std::vector<double> values = now_.values;
-    values[reference]          = value + d;
-    std::vector<double> above  = unknowns_at(values, asked);
-    values[reference]          = value - d;
-    const auto below           = unknowns_at(values, asked);
+    values[reference]          = value + (by_time ? 0 : d);
+    std::vector<double> above  = unknowns_at(values, by_time ? d : 0, asked);
+    values[reference]          = value - (by_time ? 0 : d);
+    const auto below           = unknowns_at(values, by_time ? -d : 0, asked);
     for (std::size_t i = 0; i < above.size(); ++i)
-      above[i] = (above[i] - below[i]) / (2 * d);
+      above[i] = rate * (above[i] - below[i]) / (2 * d);
     return above;
   };
   std::vector<double> fine = difference(width / 2);

@@ -15,10 +15,10 @@ const std::vector<LogCategory> &log_categories()
   return all;
 }
 
-Log::Log(const bool others) : enabled_(log_categories().size(), true)
+Log::Log(const Start start) : enabled_(log_categories().size(), start != Start::nothing)
 {
-  enabled_.front() = others;  // failures are told whoever starts an instance without logging
-  enabled_.back()  = others;
+  enabled_.front() = start == Start::all;
+  enabled_.back()  = start == Start::all;
 }
 
 Status Log::refuse(const Status status, const std::string &message) const

@@ -20,15 +20,16 @@ public:
 
   /// A message of a call that did not go well, in the category of its status; returns the status.
   Status refuse(Status status, const std::string &message) const;
-  /// What happens, for who wants to follow.
+  /// What the instance does.
   void event(const std::string &message) const;
 
-  /// Switches categories on or off; none named: all.  @return  the name that is no category; empty: none
+  /// Switches categories on or off; none named: all.  @return  the name that is no category; empty: there is none
   std::string enable(bool on, const std::vector<std::string> &categories);
 
 protected:
-  /// @param others  are categories beside those of failures wanted from the start?
-  explicit Log(bool others);
+  /// What is sent before the client switches categories on or off.
+  enum class Start { nothing, failures, all };
+  explicit Log(Start start);
   /// Hands a finished text to the client.
   virtual void send(Status status, const char *category, const std::string &message) const = 0;
 

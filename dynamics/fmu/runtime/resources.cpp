@@ -69,7 +69,7 @@ std::string folder_of_uri(const std::string &uri)
   if (!begins(uri, "file:")) {
     const std::size_t scheme = uri.find("://");
     if (scheme != std::string::npos)
-      throw std::runtime_error("resourceLocation " + uri + " is no file: URI");
+      throw std::runtime_error("resourceLocation " + uri + " is not a file: URI");
     return folder_of_path(uri);
   }
   std::string path = uri.substr(5);

@@ -27,7 +27,7 @@ void gauss(const int n, std::vector<double> &node, std::vector<double> &weight)
       slope             = n * (x * p1 - p0) / (x * x - 1);
       const double step = p1 / slope;
       x -= step;
-      if (std::abs(step) < 1e-16)
+      if (std::abs(step) < 1e-15)  // quadratic convergence: the next step would be rounding alone
         break;
     }
     node[std::size_t(i)]   = x;

@@ -10,6 +10,12 @@ constexpr double largest_damper        = 1e15;                     // N s/m
 constexpr double largest_damping_ratio = 0.5;                      // -
 constexpr double largest_force         = 1e12;                     // N
 
+// "y_upper_work_roll"
+std::string displacement_of(const std::string &point)
+{
+  return "y_" + point;
+}
+
 Variable parameter(std::string name, const Role role, const int index, const Variability variability,
                    const char *unit, const double low, const double high, const double start)
 {
@@ -74,18 +80,26 @@ void add_bite_numbers(const ModelData &model, std::vector<Variable> &all)
     v.display_unit = display;
     all.push_back(v);
   };
-  add("roll_speed", BiteNumber::roll_speed, "m/s", "", 1e-3, 100, p.roll_speed);
+  // What other units of a mill give at every step: speeds and tensions of drives, the strip of the stand before.
+  const auto add_input = [&](const char *name, const BiteNumber number, const char *unit, const char *display,
+                             const double low, const double high, const double start, const double nominal) {
+    add(name, number, unit, display, low, high, start);
+    all.back().causality   = Causality::input;
+    all.back().variability = Variability::continuous;
+    all.back().nominal     = nominal;
+  };
+  add_input("roll_speed", BiteNumber::roll_speed, "m/s", "", 1e-3, 100, p.roll_speed, 10);
   add("reduction", BiteNumber::reduction, "1", "%", 1e-4, 0.9, 1 - p.exit_thickness / p.entry_thickness);
-  add("entry_thickness", BiteNumber::entry_thickness, "m", "mm", 1e-5, 1, p.entry_thickness);
-  add("entry_tension", BiteNumber::entry_tension, "Pa", "MPa", 0, 2e9, p.entry_tension);
-  add("exit_tension", BiteNumber::exit_tension, "Pa", "MPa", 0, 2e9, p.exit_tension);
+  add_input("entry_thickness", BiteNumber::entry_thickness, "m", "mm", 1e-5, 1, p.entry_thickness, 1e-3);
+  add_input("entry_tension", BiteNumber::entry_tension, "Pa", "MPa", 0, 2e9, p.entry_tension, 1e8);
+  add_input("exit_tension", BiteNumber::exit_tension, "Pa", "MPa", 0, 2e9, p.exit_tension, 1e8);
   if (has_film(p.friction))
     add("viscosity", BiteNumber::viscosity, "Pa.s", "", 1e-9, 100, p.friction.viscosity);
   else if (is_a_number(p.friction))
     add("friction", BiteNumber::friction, "1", "", 1e-4, 1, p.friction.coefficient);
   else
     add("friction_scale", BiteNumber::friction_scale, "1", "", 1e-4, 100, own_scale(p.friction));
-  add("dh_entry", BiteNumber::entry_thickness_change, "m", "um", -1e-2, 1e-2, 0);
+  add_input("dh_entry", BiteNumber::entry_thickness_change, "m", "um", -1e-2, 1e-2, 0, 1e-6);
   Variable start = parameter("start_displacement", Role::bite_number, int(BiteNumber::start), Variability::fixed,
                              "m", -1e-3, 1e-3, model.chatter.start);
   start.display_unit = "um";
@@ -105,7 +119,9 @@ void add_bite_readings(std::vector<Variable> &all)
   add("sigma_entry", BiteReadingKind::entry_tension, "Pa", "MPa", 1e8);
   add("sigma_exit", BiteReadingKind::exit_tension, "Pa", "MPa", 1e8);
   add("mu", BiteReadingKind::friction, "1", "", 0.01);
-  add("events", BiteReadingKind::events, "1", "", 1);
+  add("events", BiteReadingKind::events, "", "", 0);
+  all.back().type        = Type::whole;
+  all.back().variability = Variability::discrete;
   const auto steady = [&](const char *name, const SteadyNumber number, const char *unit, const char *display) {
     all.push_back({name, Role::steady_number, int(number), Type::real, Causality::calculated_parameter,
                    Variability::tunable, unit, display, 0, -1, 0, 0});
@@ -126,7 +142,7 @@ std::vector<Variable> chatter_variables(const ModelData &model)
   for (std::size_t j = 0; j < model.points.size(); ++j)
     all.push_back(output("a_" + model.points[j], Role::acceleration, int(j), "m/s2", "g", 1));
   for (std::size_t j = 0; j < model.points.size(); ++j)
-    all.push_back(output("y" + std::to_string(j + 1), Role::displacement, int(j), "m", "um", 1e-6));
+    all.push_back(output(displacement_of(model.points[j]), Role::displacement, int(j), "m", "um", 1e-6));
   add_bite_readings(all);
   return all;
 }
@@ -145,7 +161,7 @@ std::vector<Variable> variables_of(const ModelData &model)
   for (std::size_t j = 0; j < model.points.size(); ++j)
     all.push_back(output("a_" + model.points[j], Role::acceleration, int(j), "m/s2", "g", 1));
   for (std::size_t j = 0; j < model.points.size(); ++j)
-    all.push_back(output("y" + std::to_string(j + 1), Role::displacement, int(j), "m", "um", 1e-6));
+    all.push_back(output(displacement_of(model.points[j]), Role::displacement, int(j), "m", "um", 1e-6));
   all.push_back(output("F_cell", Role::cell_force, 0, "N", "kN", 1e6));
   // Springs that may be tuned move the frequencies; modes that are kept as they are do not move.
   for (std::size_t k = 0; k < model.n_modes(); ++k)

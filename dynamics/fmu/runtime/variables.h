@@ -8,7 +8,7 @@
 namespace mill::fmu {
 enum class Causality { parameter, calculated_parameter, input, output, independent };
 enum class Variability { fixed, tunable, discrete, continuous };
-enum class Type { real, boolean };
+enum class Type { real, whole, boolean };
 
 /// What a variable is in the model.
 enum class Role {
@@ -30,7 +30,7 @@ enum class Role {
   steady_number  ///< of the working point; index: SteadyNumber
 };
 
-/// Parameters of kind "chatter".
+/// Parameters and inputs of kind "chatter".
 enum class BiteNumber {
   roll_speed,
   reduction,
@@ -43,7 +43,7 @@ enum class BiteNumber {
   entry_thickness_change,
   start
 };
-/// Outputs of kind "chatter" beside accelerations and displacements.
+/// Outputs of kind "chatter" in addition to accelerations and displacements.
 enum class BiteReadingKind {
   gap_change,
   exit_thickness,
@@ -65,7 +65,7 @@ struct Variable {
   Type type;
   Causality causality;
   Variability variability;
-  const char *unit;          ///< SI, "" for a truth value
+  const char *unit;          ///< SI, "" for a truth value or a count
   const char *display_unit;  ///< "" for none
   double low, high;          ///< range of a parameter; high < low: none
   double start;              ///< in SI; of an input or a parameter

@@ -60,13 +60,13 @@ template <class Client> Eigen::MatrixXd played(Client &client, const ForceRecord
   const Eigen::Index n = force.time.size();
   const double spacing = force.time[1] - force.time[0], h = spacing / parts;
   Eigen::MatrixXd rows(n, 3);
-  EXPECT_EQ(client.start(force.force[0]), fmi2OK) << client.told();
+  EXPECT_EQ(client.start(force.force[0]), fmi2OK) << client.logged();
   for (Eigen::Index i = 0; i < n; ++i) {
     for (int k = 0; k < parts && i > 0; ++k) {
       const double rise = (force.force[i] - force.force[i - 1]) / spacing;
-      EXPECT_EQ(client.set("F_roll", force.force[i - 1] + rise * k * h), fmi2OK) << client.told();
-      EXPECT_EQ(client.slope(rise), fmi2OK) << client.told();
-      EXPECT_EQ(client.step(force.time[i - 1] + k * h, h), fmi2OK) << client.told();
+      EXPECT_EQ(client.set("F_roll", force.force[i - 1] + rise * k * h), fmi2OK) << client.logged();
+      EXPECT_EQ(client.slope(rise), fmi2OK) << client.logged();
+      EXPECT_EQ(client.step(force.time[i - 1] + k * h, h), fmi2OK) << client.logged();
     }
     rows.row(i) << client.get("a_upper_work_roll"), client.get("a_lower_work_roll"), client.get("F_cell");
   }
@@ -100,7 +100,7 @@ TEST(CurveUnit, AgreesWithFixedStepsAtAnyMultipleOfItsStep)
     const auto run    = dynamics::fixed_step_response(unit.chain.stand, unit.chain.modal, force, 1e3, 20);
     const auto wanted = rows_of(run.response, 1);
     Client2 first(unit.model);
-    ASSERT_TRUE(first.c) << first.told();
+    ASSERT_TRUE(first.c) << first.logged();
     EXPECT_LT(difference(played(first, force, 1), wanted), 1e-10);
     for (const int parts : {2, 5, 20}) {
       Client2 client(first.unit, unit.model, unit.model.data.guid, "");
@@ -118,7 +118,7 @@ TEST(CurveUnit, ConvergesToTheErrorControlledRunWithTheSquareOfItsStep)
     const Unit unit = unit_on_curves(0, std::ldexp(1 / rate, -halvings));
     const auto run  = dynamics::curve_response(unit.chain.stand, unit.chain.modal, force, 1e3);
     Client2 client(unit.model);
-    ASSERT_TRUE(client.c) << client.told();
+    ASSERT_TRUE(client.c) << client.logged();
     const double now = difference(played(client, force, 1), rows_of(run.response, 1));
     EXPECT_LT(now, 1e-2);
     if (halvings > 0)
@@ -131,10 +131,10 @@ TEST(CurveUnit, CopiesAndSerialisedStatesGoOnAsTheFirst)
 {
   const Unit unit = unit_on_curves(1e6);
   Client2 client(unit.model);
-  ASSERT_TRUE(client.c) << client.told();
-  ASSERT_EQ(client.start(1.4 * load), fmi2OK) << client.told();
+  ASSERT_TRUE(client.c) << client.logged();
+  ASSERT_EQ(client.start(1.4 * load), fmi2OK) << client.logged();
   ASSERT_EQ(client.set("F_roll", 0.7 * load), fmi2OK);
-  ASSERT_EQ(client.step(0, 3.3e-3), fmi2OK) << client.told();
+  ASSERT_EQ(client.step(0, 3.3e-3), fmi2OK) << client.logged();
   fmi2FMUstate copy = nullptr;
   ASSERT_EQ(FMI2(client, GetFMUstate)(client.c, &copy), fmi2OK);
   std::size_t size = 0;
@@ -142,17 +142,17 @@ TEST(CurveUnit, CopiesAndSerialisedStatesGoOnAsTheFirst)
   std::vector<char> bytes(size);
   ASSERT_EQ(FMI2(client, SerializeFMUstate)(client.c, copy, bytes.data(), size), fmi2OK);
   const auto rest_of = [](Client2 &c) {
-    EXPECT_EQ(c.set("modal_damping", 0.03), fmi2OK) << c.told();
-    EXPECT_EQ(c.step(3.3e-3, 1.7e-3), fmi2OK) << c.told();
-    return std::array<double, 3>{c.get("a_upper_work_roll"), c.get("y4"), c.get("F_cell")};
+    EXPECT_EQ(c.set("modal_damping", 0.03), fmi2OK) << c.logged();
+    EXPECT_EQ(c.step(3.3e-3, 1.7e-3), fmi2OK) << c.logged();
+    return std::array<double, 3>{c.get("a_upper_work_roll"), c.get("y_lower_work_roll"), c.get("F_cell")};
   };
   const auto once = rest_of(client);
-  ASSERT_EQ(FMI2(client, SetFMUstate)(client.c, copy), fmi2OK) << client.told();
+  ASSERT_EQ(FMI2(client, SetFMUstate)(client.c, copy), fmi2OK) << client.logged();
   EXPECT_EQ(rest_of(client), once);
   Client2 other(client.unit, unit.model, unit.model.data.guid, "");
   fmi2FMUstate read = nullptr;
-  ASSERT_EQ(FMI2(other, DeSerializeFMUstate)(other.c, bytes.data(), size, &read), fmi2OK) << other.told();
-  ASSERT_EQ(FMI2(other, SetFMUstate)(other.c, read), fmi2OK) << other.told();
+  ASSERT_EQ(FMI2(other, DeSerializeFMUstate)(other.c, bytes.data(), size, &read), fmi2OK) << other.logged();
+  ASSERT_EQ(FMI2(other, SetFMUstate)(other.c, read), fmi2OK) << other.logged();
   EXPECT_EQ(rest_of(other), once);
   EXPECT_EQ(FMI2(client, FreeFMUstate)(client.c, &copy), fmi2OK);
   EXPECT_EQ(FMI2(other, FreeFMUstate)(other.c, &read), fmi2OK);
@@ -163,21 +163,21 @@ TEST(CurveUnit, RestsOnItsCurvesAndKnowsItsDerivatives)
 {
   const Unit unit = unit_on_curves();
   Client2 client(unit.model);
-  ASSERT_TRUE(client.c) << client.told();
-  ASSERT_EQ(client.start(1.5 * load), fmi2OK) << client.told();
+  ASSERT_TRUE(client.c) << client.logged();
+  ASSERT_EQ(client.start(1.5 * load), fmi2OK) << client.logged();
   dynamics::CurveState rest;
   ASSERT_TRUE(dynamics::rest_under(unit.chain.stand, 0.5 * load, rest));
   const Eigen::Map<const Eigen::VectorXd> q(rest.q.data(), 6);
-  EXPECT_TRUE(near(client.get("y3"), unit.chain.modal.point.row(2).dot(q), within(1e-12, "the same equilibrium")));
+  EXPECT_TRUE(near(client.get("y_upper_work_roll"), unit.chain.modal.point.row(2).dot(q), within(1e-12, "the same equilibrium")));
   EXPECT_NEAR(client.get("a_upper_work_roll"), 0, 1e-6);
   ASSERT_EQ(client.set("F_roll", 0.8 * load), fmi2OK);
-  ASSERT_EQ(client.step(0, 2e-3), fmi2OK) << client.told();
+  ASSERT_EQ(client.step(0, 2e-3), fmi2OK) << client.logged();
   const unsigned output = client.at("a_upper_work_roll");
   const int order       = 1;
   double rate_there     = 0;
   const double before = client.get("a_upper_work_roll"), h = 1e-7;
   ASSERT_EQ(FMI2(client, GetRealOutputDerivatives)(client.c, &output, 1, &order, &rate_there), fmi2OK);
-  ASSERT_EQ(client.step(2e-3, h), fmi2OK) << client.told();
+  ASSERT_EQ(client.step(2e-3, h), fmi2OK) << client.logged();
   double after_rate = 0;
   ASSERT_EQ(FMI2(client, GetRealOutputDerivatives)(client.c, &output, 1, &order, &after_rate), fmi2OK);
   EXPECT_TRUE(near((client.get("a_upper_work_roll") - before) / h, (rate_there + after_rate) / 2,
@@ -189,15 +189,15 @@ TEST(CurveUnit, DirectionalDerivativesFollowTheCurves)
 {
   const Unit unit = unit_on_curves();
   Client2 client(unit.model);
-  ASSERT_TRUE(client.c) << client.told();
-  const unsigned force = client.at("F_roll"), y3 = client.at("y3"), a3 = client.at("a_upper_work_roll");
+  ASSERT_TRUE(client.c) << client.logged();
+  const unsigned force = client.at("F_roll"), y3 = client.at("y_upper_work_roll"), a3 = client.at("a_upper_work_roll");
   const double one = 1, strong = 1.5 * load;
   double slope = 0;
   ASSERT_EQ(FMI2(client, SetupExperiment)(client.c, 0, 0, 0, 0, 0), fmi2OK);
   ASSERT_EQ(FMI2(client, EnterInitializationMode)(client.c), fmi2OK);
   ASSERT_EQ(FMI2(client, SetReal)(client.c, &force, 1, &strong), fmi2OK);
   ASSERT_EQ(FMI2(client, GetDirectionalDerivative)(client.c, &y3, 1, &force, 1, &one, &slope), fmi2OK)
-      << client.told();
+      << client.logged();
   // K_tangent^-1 b at the compressions of that equilibrium.
   dynamics::CurveState rest;
   ASSERT_TRUE(dynamics::rest_under(unit.chain.stand, 0.5 * load, rest));
@@ -222,24 +222,24 @@ TEST(CurveUnit, RefusesByNameAndServesVersionThree)
 {
   const Unit unit = unit_on_curves();
   Client2 client(unit.model, true);
-  ASSERT_TRUE(client.c) << client.told();
+  ASSERT_TRUE(client.c) << client.logged();
   EXPECT_EQ(client.set("F_mean", 0.5 * load), fmi2Discard);
-  EXPECT_NE(client.told().find("F_mean = 488000 N is out of range (976000 .. 976000 N); it stays 976000 N"),
+  EXPECT_NE(client.logged().find("F_mean = 488000 N is out of range (976000 .. 976000 N); it stays 976000 N"),
             std::string::npos);
   Client2 torn(client.unit, unit.model, unit.model.data.guid, "", true);
   EXPECT_EQ(torn.start(-3 * load), fmi2Error);
-  EXPECT_NE(torn.told().find("there is no equilibrium under the force at the start: it pulls the rolls apart"),
+  EXPECT_NE(torn.logged().find("there is no equilibrium under the force at the start: it pulls the rolls apart"),
             std::string::npos);
   const ForceRecord force = strong_force(0.5 * load, 21);
   Client3 three(unit.model);
-  ASSERT_TRUE(three.c) << three.told();
-  ASSERT_EQ(three.start(1.2 * load), fmi3OK) << three.told();
-  ASSERT_EQ(client.start(1.2 * load), fmi2OK) << client.told();
+  ASSERT_TRUE(three.c) << three.logged();
+  ASSERT_EQ(three.start(1.2 * load), fmi3OK) << three.logged();
+  ASSERT_EQ(client.start(1.2 * load), fmi2OK) << client.logged();
   for (int i = 0; i < 5; ++i) {
     ASSERT_EQ(three.set("F_roll", load * (1 - 0.2 * i)), fmi3OK);
     ASSERT_EQ(client.set("F_roll", load * (1 - 0.2 * i)), fmi2OK);
-    ASSERT_EQ(three.step(i * 1e-3, 1e-3), fmi3OK) << three.told();
-    ASSERT_EQ(client.step(i * 1e-3, 1e-3), fmi2OK) << client.told();
+    ASSERT_EQ(three.step(i * 1e-3, 1e-3), fmi3OK) << three.logged();
+    ASSERT_EQ(client.step(i * 1e-3, 1e-3), fmi2OK) << client.logged();
   }
   EXPECT_EQ(three.get("a_upper_work_roll"), client.get("a_upper_work_roll"));
 }

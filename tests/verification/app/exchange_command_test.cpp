@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
 
 namespace fs = std::filesystem;
 using namespace mill;
@@ -62,11 +63,12 @@ TEST(ExchangeCommand, SaysWhatItCannotWrite)
   const auto refused = [](const char *format, const std::string &output) {
     return refusal([&] { exchange_name(format, output); });
   };
-  EXPECT_EQ(refused("modelica", "my-stand.mo"), "-o my-stand.mo: a package of Modelica is called as its file, and "
-                                                "\"my-stand\" is no name there; take my_stand.mo");
-  EXPECT_EQ(refused("matlab", "end.m"),
-            "-o end.m: a function of MATLAB is called as its file, and \"end\" is no name "
-            "there; take end_stand.m");
+  EXPECT_EQ(refused("modelica", "my-stand.mo"),
+            "-o my-stand.mo: a package of Modelica has the name of its file, and "
+            "\"my-stand\" cannot be a name; take my_stand.mo");
+  EXPECT_EQ(
+      refused("matlab", "end.m"),
+      "-o end.m: a function of MATLAB has the name of its file, and \"end\" cannot be a name; take end_stand.m");
   EXPECT_EQ(refused("matlab", "stand.mo"), "-o stand.mo: the name of a function of MATLAB ends with .m");
   EXPECT_EQ(usual_output("modelica", "time"), "out/time_stand.mo");
   const std::string folder = exchange_folder() + "/";
@@ -74,7 +76,7 @@ TEST(ExchangeCommand, SaysWhatItCannotWrite)
   const auto mine = exchanged_as("modelica", "-o mine.mo");
   EXPECT_EQ(mine.exit_code, 2);
   EXPECT_EQ(mine.err,
-            "error: the file mine.mo exists and is no earlier export of this case; choose another with -o, "
+            "error: the file mine.mo exists and is not an earlier export of this case; choose another with -o, "
             "or give --force-overwrite\n");
   EXPECT_EQ(written("mine.mo"), "package mine end mine;\n");
   // Of another case whose name begins alike.
@@ -89,18 +91,59 @@ TEST(ExchangeCommand, SaysWhatItCannotWrite)
               });
             }),
             "the file " + folder +
-                "own.mat, which belongs beside it, exists and is no earlier export; choose another "
+                "own.mat, which belongs to it, exists and is not an earlier export; choose another "
                 "with -o, or give --force-overwrite");
   fs::create_directories(folder + "letters");
   EXPECT_EQ(refusal([&] { require_own("statespace", folder + "letters", "stand"); }), "accepted")
       << "an empty folder";
   std::ofstream(folder + "letters/a") << "a letter";
   EXPECT_EQ(refusal([&] { require_own("statespace", folder + "letters", "stand"); }),
-            folder + "letters exists and is no earlier export of this case; choose another with -o, or give "
+            folder + "letters exists and is not an earlier export of this case; choose another with -o, or give "
                      "--force-overwrite");
   const auto bearing = millstand("export matlab cases/bearing-266.toml -o b.m");
-  EXPECT_EQ(bearing.err, "error: millstand export matlab: kind = \"bearing\" has no stand that vibrates by itself "
+  EXPECT_EQ(bearing.err, "error: millstand export matlab: kind = \"bearing\" has no stand that a force can drive "
                          "(cases/bearing-266.toml); it exports cases of kind four-high and lumped\n");
+}
+
+TEST(ExchangeCommand, RefusesNamesThatHideALibrary)
+{
+  const auto refused = [](const char *format, const std::string &output) {
+    return refusal([&] { exchange_name(format, output); });
+  };
+  EXPECT_EQ(refused("modelica", "Modelica.mo"),
+            "-o Modelica.mo: a package of Modelica that is called \"Modelica\" hides "
+            "what has this name there; take Modelica_stand.mo");
+  for (const char *name : {"modelica", "Complex", "ModelicaServices", "Real", "abs", "extends", "parameter"})
+    EXPECT_NE(refused("modelica", std::string(name) + ".mo"), "accepted") << name;
+  for (const char *name : {"load", "expm", "size", "persistent"})
+    EXPECT_NE(refused("matlab", std::string(name) + ".m"), "accepted") << name;
+  EXPECT_EQ(refused("modelica", "Modelica_stand.mo"), "accepted");
+  EXPECT_EQ(usual_output("modelica", "Modelica"), "out/Modelica_stand.mo");
+}
+
+// The disk is full before the second file: no file of the export is there, and one of before is as it was.
+TEST(ExchangeCommand, AFullDiskLeavesNoHalfOfAnExport)
+{
+  const std::string folder = exchange_folder();
+  const auto limited       = [&](const std::string &arguments) {  // no file may be longer than 32 KiB
+    return millstand(arguments, folder, "trap '' XFSZ; ulimit -f 64");
+  };
+  const auto files = [&] {
+    std::set<std::string> names;
+    for (const auto &file : fs::recursive_directory_iterator(folder))
+      names.insert(file.path().string());
+    return names;
+  };
+  const auto before  = files();
+  const auto outcome = limited("export modelica stand.toml -o full.mo");
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  EXPECT_EQ(outcome.err, "full_force.txt: error: cannot be written: File too large\n");
+  EXPECT_EQ(files(), before);
+  ASSERT_EQ(exchanged_as("modelica", "-o full.mo -q").exit_code, 0);
+  const std::string package = written("full.mo"), series = written("full_force.txt");
+  EXPECT_EQ(limited("export modelica stand.toml -o full.mo --set given.K3='5e3 kN/mm'").exit_code, 3);
+  EXPECT_EQ(written("full.mo"), package);
+  EXPECT_EQ(written("full_force.txt"), series);
 }
 
 // The function in Octave, where that is installed, moves as simulate does.

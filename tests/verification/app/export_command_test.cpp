@@ -3,12 +3,14 @@
 #include "core/records/csv.h"
 #include "dynamics/fmu/archive.h"
 #include "dynamics/fmu/runtime/fmi2_interface.h"
+#include "dynamics/fmu/runtime/modal_system.h"
 #include "dynamics/fmu/runtime/model_data.h"
 #include "dynamics/fmu/runtime/variables.h"
 #include "dynamics/fmu/unpacked_unit.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
 #include "tests/support/short_stand.h"
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -108,7 +110,7 @@ TEST(ExportCommand, SaysWhatItCannotExport)
 {
   const auto bearing = millstand("export fmu cases/bearing-266.toml -o /nowhere/b.fmu");
   EXPECT_EQ(bearing.exit_code, 2);
-  EXPECT_EQ(bearing.err, "error: millstand export fmu: kind = \"bearing\" has no stand that vibrates by itself "
+  EXPECT_EQ(bearing.err, "error: millstand export fmu: kind = \"bearing\" has no stand that a force can drive "
                          "(cases/bearing-266.toml); it exports cases of kind four-high, lumped and chatter\n");
   const auto pass = exported("--pass 'pass 7' -o p.fmu");
   EXPECT_EQ(pass.exit_code, 2);
@@ -128,7 +130,7 @@ TEST(ExportCommand, KeepsFilesThatAreNotItsOwn)
   const auto mine = exported("-o mine.fmu");
   EXPECT_EQ(mine.exit_code, 2);
   EXPECT_EQ(mine.err,
-            "error: the file mine.fmu exists and is no earlier export of this case; choose another with -o, "
+            "error: the file mine.fmu exists and is not an earlier export of this case; choose another with -o, "
             "or give --force-overwrite\n");
   EXPECT_EQ(read_text(folder() + "/mine.fmu"), "a letter");
   EXPECT_EQ(exported("-o mine.fmu -q --force-overwrite").exit_code, 0);
@@ -152,6 +154,45 @@ TEST(ExportCommand, OtherFramesAndForcesPassTheCheckOfTheProgram)
   }
   const auto sick = exported("-o sick.fmu --set given.K3='0.001 kN/mm' --set given.M3='0.001 kg' -q");
   EXPECT_EQ(sick.exit_code, 0) << sick.err;
+}
+
+// A name without an ASCII letter.
+TEST(ExportCommand, NamesOfOtherScriptsBecomeNumbersWithAWord)
+{
+  const std::string name = "\xE5\x9B\x9B\xE8\xBE\x8A";  // Chinese: four rolls
+  fs::copy_file(folder() + "/stand.toml", folder() + "/" + name + ".toml", fs::copy_options::overwrite_existing);
+  const auto unit = millstand("export fmu " + name + ".toml", folder());
+  EXPECT_EQ(unit.exit_code, 0) << unit.err;
+  const std::string description = entry(folder() + "/out/" + name + ".fmu", "modelDescription.xml");
+  std::smatch identifier;
+  ASSERT_TRUE(std::regex_search(description, identifier, std::regex("modelIdentifier=\"(stand_[0-9a-f]{8})\"")));
+  EXPECT_EQ(unit.err, "note: other programs cannot write the name of the case \"" + name +
+                          "\"; the model is called " + identifier[1].str() + " there\n");
+  for (const auto &[format, ending] : {
+           std::pair{"modelica", ".mo"},
+           std::pair{"matlab",   ".m" }
+  }) {
+    const auto model = millstand("export " + std::string(format) + " " + name + ".toml", folder());
+    EXPECT_EQ(model.exit_code, 0) << model.err;
+    EXPECT_TRUE(fs::exists(folder() + "/out/" + identifier[1].str() + ending)) << model.out;
+    EXPECT_EQ(model.err, unit.err);
+  }
+}
+
+// A client that holds the input and takes the proposed step sees the fastest mode.
+TEST(ExportCommand, TheProposedStepIsATwentiethOfTheShortestPeriod)
+{
+  ASSERT_EQ(exported("-o step.fmu -q --set dynamics.output_rate='1 kHz'").exit_code, 0);
+  const std::string description = entry(folder() + "/step.fmu", "modelDescription.xml");
+  const auto data               = fmu::read_model(entry(folder() + "/step.fmu", "resources/model.json"));
+  const auto system             = fmu::modal_system(data, fmu::start_of(data));
+  const double highest          = *std::max_element(system.rad.begin(), system.rad.end()) / (2 * M_PI);
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(description, found, std::regex("stepSize=\"([^\"]*)\"")));
+  const double step = std::stod(found[1]);
+  EXPECT_LE(step, 1 / (20 * highest));
+  EXPECT_GT(step, 0.5 / (20 * highest)) << "and not much shorter";
+  EXPECT_TRUE(near(std::round(1e-3 / step), 1e-3 / step, within(1e-9, "whole parts of the output step")));
 }
 
 // docs/examples/fmu_step.c as a reader would use it.

@@ -117,7 +117,7 @@ void add_outputs(const Sample &s, const Motion &m, modelica::Values &values)
   values["F"]    = one(m.force);
   for (int i = 0; i < 6; ++i) {
     values["a_" + s.stand.points[std::size_t(i)]] = one(m.a[i]);
-    values["y" + std::to_string(i + 1)]           = one(m.y[i]);
+    values["y_" + s.stand.points[std::size_t(i)]] = one(m.y[i]);
   }
   values["F_cell"] = one(m.cell);
 }
@@ -142,7 +142,8 @@ TEST(Exchange, EquationsOfModelicaAreThoseOfTheChain)
     add_outputs(s, m, values);
     EXPECT_LT(residual(model, values), 1e-9) << meaning << ": rounding of K y, whose terms cancel";
     // As many equations as unknowns: whatever is changed is noticed.
-    for (const char *unknown : {"der(y)", "der(v)", "y1", "a_upper_frame", "a_lower_work_roll", "F_cell", "y6"}) {
+    for (const char *unknown :
+         {"der(y)", "der(v)", "y_upper_frame", "a_upper_frame", "a_lower_work_roll", "F_cell", "y_lower_frame"}) {
       modelica::Values wrong = values;
       wrong[unknown](wrong[unknown].rows() - 1, 0) *= 1.001;
       EXPECT_GT(residual(model, wrong), 1e-5) << unknown;
@@ -241,6 +242,32 @@ TEST(Exchange, ComponentsOfModelicaAreJoinedAsTheSpringsAre)
   }
 }
 
+namespace {
+// An input that is not a connector may be given by a modifier alone, never by an equation (Modelica 3.4, 4.4.2.2).
+void expect_bound_inputs(const modelica::Class &model)
+{
+  EXPECT_EQ(model.components.at("stand").modifiers.count("F"), 1u) << model.name;
+  for (const auto &e : model.equations)
+    EXPECT_TRUE(e.left.text != "stand.F" && e.right.text != "stand.F") << model.name;
+}
+}  // namespace
+
+TEST(Exchange, TheStepTestGivesTheForceAsABinding)
+{
+  const Sample s     = sample("measured", "open", 0);
+  const auto package = modelica::read(modelica_package(s.stand, ""));
+  const auto &test   = package.classes.at("ForceStep");
+  expect_bound_inputs(test);
+  EXPECT_TRUE(undeclared(test).empty());
+  modelica::Values values = parameters_of(test);
+  const auto force_at     = [&](const double time) {
+    values["time"] = Eigen::MatrixXd::Constant(1, 1, time);
+    return value_of(test.components.at("stand").modifiers.at("F"), values)(0, 0);
+  };
+  EXPECT_EQ(force_at(0), s.stand.mean_force);
+  EXPECT_EQ(force_at(step_test_begin), s.stand.mean_force + s.stand.step_force);
+}
+
 TEST(Exchange, RecordsOfAnyLengthAreDriven)
 {
   Sample s = sample("measured", "open", 0);
@@ -253,8 +280,13 @@ TEST(Exchange, RecordsOfAnyLengthAreDriven)
     EXPECT_EQ(table.count("table"), n > longest_series_in_package ? 0u : 1u);
     if (table.count("table")) {
       EXPECT_EQ(value_of(table.at("table"), {}).rows(), n);
-    } else
-      EXPECT_EQ(model.components.at("force_file").value->text, "sample_force.txt");
+    } else {
+      const auto &file = *model.components.at("force_file").value;
+      EXPECT_EQ(file.text, "Modelica.Utilities.Files.loadResource");
+      EXPECT_EQ(file.of.at(0).text, "modelica://sample_stand/sample_force.txt");
+    }
+    EXPECT_EQ(model.components.at("stand").modifiers.at("F").what, "index");
+    expect_bound_inputs(model);
     EXPECT_EQ(model.annotations.at("experiment.StopTime").number, 1);
   }
   std::istringstream file(modelica_series(s.stand.series));

@@ -50,17 +50,17 @@ TEST(UnitMotion, StoredForceAgreesWithSimulateAtAnyStep)
     carry(stand.model, force);
     const auto response = dynamics::mill_response(stand.chain, force, 20e3);
     Client2 first(stand.model);
-    ASSERT_TRUE(first.c) << first.told();
+    ASSERT_TRUE(first.c) << first.logged();
     for (const double h : {1e-5, 5e-5, 1.3e-4, 1e-3, 0.0125, 0.25, 1.0}) {
       const double end = h < 1e-4 ? 0.05 : 1;
       Client2 client(first.unit, stand.model, stand.model.data.guid, "");
       const unsigned use = client.at("use_stored_force");
       const int yes      = 1;
-      ASSERT_EQ(FMI2(client, SetBoolean)(client.c, &use, 1, &yes), fmi2OK) << client.told();
-      ASSERT_EQ(client.start(0), fmi2OK) << client.told();
+      ASSERT_EQ(FMI2(client, SetBoolean)(client.c, &use, 1, &yes), fmi2OK) << client.logged();
+      ASSERT_EQ(client.start(0), fmi2OK) << client.logged();
       double time = 0, worst = 0;
       for (int i = 1; double(i) * h <= end + 1e-12; ++i) {
-        ASSERT_EQ(client.step(time, double(i) * h - time), fmi2OK) << client.told();
+        ASSERT_EQ(client.step(time, double(i) * h - time), fmi2OK) << client.logged();
         time                 = double(i) * h;
         const double outputs = time * 20e3;
         const auto row       = Eigen::Index(std::llround(outputs));
@@ -80,23 +80,23 @@ TEST(UnitMotion, HeldInputAgreesWithAnExactStaircase)
     const SampleStand stand = sample_stand(set.meaning, set.damping, set.gap_damper);
     Client2 coarse(stand.model);
     Client2 fine(coarse.unit, stand.model, stand.model.data.guid, "");
-    ASSERT_EQ(coarse.start(970e3), fmi2OK) << coarse.told();
+    ASSERT_EQ(coarse.start(970e3), fmi2OK) << coarse.logged();
     ASSERT_EQ(fine.start(970e3), fmi2OK);
     const ForceRecord held{Eigen::Vector3d(0, 1e-3, 1.001), Eigen::Vector3d(970e3, 980e3, 980e3), {}};
     const auto response = dynamics::mill_response(stand.chain, held, 1e3);
     for (Client2 *client : {&coarse, &fine}) {
       client->slope(1e7);
-      ASSERT_EQ(client->step(0, 1e-3), fmi2OK) << client->told();
+      ASSERT_EQ(client->step(0, 1e-3), fmi2OK) << client->logged();
       client->set("F_roll", 980e3);
     }
     double worst = 0, at = 1e-3, fine_at = 1e-3;
     for (int k = 0; k < 5; ++k) {
       const double end = 1e-3 + 0.2 * (k + 1);
-      ASSERT_EQ(coarse.step(at, end - at), fmi2OK) << coarse.told();
+      ASSERT_EQ(coarse.step(at, end - at), fmi2OK) << coarse.logged();
       at = at + (end - at);
       for (int i = 1; i <= 200; ++i) {
         const double to = 1e-3 + 0.2 * k + 1e-3 * i;
-        ASSERT_EQ(fine.step(fine_at, to - fine_at), fmi2OK) << fine.told();
+        ASSERT_EQ(fine.step(fine_at, to - fine_at), fmi2OK) << fine.logged();
         fine_at = fine_at + (to - fine_at);
       }
       // the mean of the record is not F_mean, which the load cell alone notices where springs share the force
@@ -118,7 +118,7 @@ TEST(UnitMotion, InputDerivativesAreOfSecondOrder)
   const auto force        = [](const double t) { return 976e3 + 5e3 * std::sin(2 * M_PI * 60 * t); };
   Client2 base(stand.model);
   Client3 third(stand.model, true);
-  ASSERT_TRUE(third.c) << third.told();
+  ASSERT_TRUE(third.c) << third.logged();
   const auto end_value = [&](const int n, const bool chords) {
     Client2 client(base.unit, stand.model, stand.model.data.guid, "");
     EXPECT_EQ(client.start(force(0)), fmi2OK);
@@ -127,9 +127,9 @@ TEST(UnitMotion, InputDerivativesAreOfSecondOrder)
       client.set("F_roll", force(i * h));
       if (chords)
         client.slope((force((i + 1) * h) - force(i * h)) / h);
-      EXPECT_EQ(client.step(i * h, h), fmi2OK) << client.told();
+      EXPECT_EQ(client.step(i * h, h), fmi2OK) << client.logged();
     }
-    return client.get("y3");
+    return client.get("y_upper_work_roll");
   };
   const double exact = end_value(20000, true);
   for (const bool chords : {false, true}) {
@@ -139,12 +139,12 @@ TEST(UnitMotion, InputDerivativesAreOfSecondOrder)
     EXPECT_NEAR(order, chords ? 2 : 1, 0.1) << (chords ? "chords" : "held");
   }
   // FMI 3: the client says the force at the end of each step.
-  ASSERT_EQ(third.start(force(0)), fmi3OK) << third.told();
+  ASSERT_EQ(third.start(force(0)), fmi3OK) << third.logged();
   for (int i = 0; i < 400; ++i) {
     third.force_at_end = force((i + 1) * 0.1 / 400);
-    ASSERT_EQ(third.step(i * 0.1 / 400, 0.1 / 400), fmi3OK) << third.told();
+    ASSERT_EQ(third.step(i * 0.1 / 400, 0.1 / 400), fmi3OK) << third.logged();
   }
-  EXPECT_TRUE(near(third.get("y3"), end_value(400, true), within(1e-11, "the same chords")));
+  EXPECT_TRUE(near(third.get("y_upper_work_roll"), end_value(400, true), within(1e-11, "the same chords")));
 }
 
 // One mass on a spring: the answer to a step of force in closed form, in steps of odd lengths.
@@ -235,15 +235,15 @@ TEST(UnitMotion, GivenModesMoveAsTheirChain)
   const SampleStand stand        = sample_stand("published", 0.02, 5e6);
   const fmu::ExportedModel modal = in_modes(stand);
   Client2 chain(stand.model), modes(modal);
-  ASSERT_EQ(chain.start(980e3), fmi2OK) << chain.told();
-  ASSERT_EQ(modes.start(980e3), fmi2OK) << modes.told();
+  ASSERT_EQ(chain.start(980e3), fmi2OK) << chain.logged();
+  ASSERT_EQ(modes.start(980e3), fmi2OK) << modes.logged();
   for (int i = 0; i < 100; ++i) {
     const double force = 976e3 + 1e4 * std::sin(0.3 * i);
     chain.set("F_roll", force), modes.set("F_roll", force);
     ASSERT_EQ(chain.step(i * 1e-3, 1e-3), fmi2OK);
     ASSERT_EQ(modes.step(i * 1e-3, 1e-3), fmi2OK);
   }
-  for (const char *name : {"a_upper_work_roll", "y2", "F_cell", "f3"})
+  for (const char *name : {"a_upper_work_roll", "y_upper_backup_roll", "F_cell", "f3"})
     EXPECT_TRUE(near(modes.get(name), chain.get(name), within(1e-10, "two eigensolvers"))) << name;
 }
 
@@ -257,15 +257,16 @@ TEST(UnitMotion, AChangedSpringKeepsPlacesAndMovesFrequencies)
   client.set("F_roll", 970e3);
   ASSERT_EQ(client.step(0, 0.0123), fmi2OK);
   std::vector<double> y;
-  for (const char *name : {"y1", "y2", "y3", "y4", "y5", "y6"})
+  for (const char *name : {"y_upper_frame", "y_upper_backup_roll", "y_upper_work_roll", "y_lower_work_roll",
+                           "y_lower_backup_roll", "y_lower_frame"})
     y.push_back(client.get(name));
   const double a_before = client.get("a_upper_work_roll"), f6 = client.get("f6");
-  ASSERT_EQ(client.set("K3", 2e10), fmi2OK) << client.told();
+  ASSERT_EQ(client.set("K3", 2e10), fmi2OK) << client.logged();
   EXPECT_EQ(client.get("a_upper_work_roll"), a_before) << "what is read belongs to the last step";
   EXPECT_LT(client.get("f6"), 0.99 * f6);
   ASSERT_EQ(client.step(0.0123, 1e-9), fmi2OK);
   for (std::size_t i = 0; i < 6; ++i)
-    EXPECT_NEAR(client.get("y" + std::to_string(i + 1)), y[i], 1e-9) << i;
+    EXPECT_NEAR(client.get("y_" + stand.model.data.points[i]), y[i], 1e-9) << i;
   // M3 a3 = F - K3 (y3 - y2) - ..., undamped part: the force of the changed spring is seen at once
   const double K3 = stand.chain.springs[2].stiffness, M3 = stand.chain.M[2];
   EXPECT_NEAR(client.get("a_upper_work_roll") - a_before, (2e10 - K3) * (y[1] - y[2]) / M3,

@@ -20,7 +20,7 @@ TEST(UnitSpeed, TenSecondsAtTwentyKilohertz)
   for (const double damper : {0.0, 2e6}) {
     const SampleStand stand = sample_stand("disturbance", 0.01, damper);
     Client2 first(stand.model);
-    ASSERT_TRUE(first.c) << first.told();
+    ASSERT_TRUE(first.c) << first.logged();
     const unsigned F = 1, outputs[] = {first.at("a_upper_work_roll"), first.at("a_lower_work_roll")};
     const int order     = 1;
     const auto set      = FMI2(first, SetReal);
@@ -41,7 +41,7 @@ TEST(UnitSpeed, TenSecondsAtTwentyKilohertz)
         if (set(first.c, &F, 1, &force) + slope(first.c, &F, 1, &order, &rate) + step(first.c, i * 5e-5, 5e-5, 1) +
                 get(first.c, outputs, 2, values) !=
             0)
-          FAIL() << first.told();
+          FAIL() << first.logged();
         last = values[0];
       }
     });
@@ -65,7 +65,7 @@ TEST(UnitSpeed, ChangingStepsCostLittleMore)
     for (int i = 0; i < 20000; ++i) {
       const double h = 5e-5 * (1 + 0.37 * std::sin(i));
       if (step(client.c, time, h, 1) != 0)
-        FAIL() << client.told();
+        FAIL() << client.logged();
       time = time + h;
     }
   });
