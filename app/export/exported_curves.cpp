@@ -72,9 +72,9 @@ fmu::ExportedModel exported_curves(const DrivenStand &stand, const Case &of)
   model.method = fmt::format("{}; {} follow their curves from {:.6g} kN at rest, in steps of {:.4g} us",
                              model.method, springs_of(drive), drive.load / 1e3, 1e6 * data.curves.longest_step);
   // Forty inner steps are the shortest period: a client takes one or two of them.
-  model.step   = data.curves.longest_step * (parts % 2 == 0 ? 2 : 1);
-  model.check  = curve_check(drive, data.mean_force, rate, parts);
-  data.guid    = fmu::identity_of(model);
+  model.step  = data.curves.longest_step * (parts % 2 == 0 ? 2 : 1);
+  model.check = curve_check(drive, data.mean_force, rate, parts);
+  data.guid   = fmu::identity_of(model);
   return model;
 }
 }  // namespace mill

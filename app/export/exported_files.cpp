@@ -91,7 +91,7 @@ const char *ending_of(const std::string &format)
   return format == "modelica" ? ".mo" : ".m";
 }
 
-// Does a text name this case, and not only one whose name begins alike?
+// Does a text name this case, and not one whose name only begins with the same letters?
 bool names_case(const std::string &text, const std::string &case_name)
 {
   const std::string words = "case " + case_name;

@@ -138,11 +138,11 @@ fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of)
   model.method      = stand.modes ? fmt::format("stand in {} modes up to {:.0f} Hz", stand.modes->frequency.size(),
                                                 stand.modes->frequency.tail(1)[0])
                                   : std::string("chain of six masses");
-  model.step        = held_step(stand.dynamics.output_rate,
-                                stand.modes ? stand.modes->frequency.maxCoeff()
-                                            : dynamics::modes(dynamics::mill_model(stand.chain, stand.dynamics))
-                                           .frequency.maxCoeff());
-  model.series      = stand.force;
+  model.step        = held_step(
+             stand.dynamics.output_rate,
+      stand.modes ? stand.modes->frequency.maxCoeff()
+                         : dynamics::modes(dynamics::mill_model(stand.chain, stand.dynamics)).frequency.maxCoeff());
+  model.series          = stand.force;
   model.data.runtime    = fmu::runtime_version;
   model.data.has_series = stand.force.force.size() > 0;
   model.data.mean_force = model.data.has_series ? stand.force.force.mean() : stand.load;

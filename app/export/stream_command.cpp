@@ -37,7 +37,7 @@ public:
     file_ = std::fopen(aside_.c_str(), "wbx");
     if (!file_)
       refuse_file(errno, "cannot write " + path_ + ": " + std::strerror(errno));
-    lock_file(fileno(file_), LOCK_EX | LOCK_NB);  // tells remove_stale_parts() that the writer lives
+    lock_file(fileno(file_), LOCK_EX | LOCK_NB);  // remove_stale_parts() sees by it that the writer is alive
   }
   ~GrowingFile()
   {
@@ -76,7 +76,7 @@ private:
   std::FILE *file_ = nullptr;
 };
 
-// The pass with the mean of the record as its load, and without a record of its own.
+// The pass with the mean of the record as its load, and without a stored record.
 template <class Spec> void drive_by(Spec &spec, const std::string &wanted, const double mean)
 {
   for (Pass &pass : spec.passes)

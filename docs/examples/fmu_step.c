@@ -53,7 +53,7 @@ static void print_message(void *environment, const char *name, int status, const
   va_end(more);
 }
 
-/* A function of the unit; the cast to its type stands where it is called. */
+/* A function of the unit; the caller casts it to its type. */
 static void *function(const char *name)
 {
 #ifdef _WIN32

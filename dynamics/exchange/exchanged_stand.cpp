@@ -131,7 +131,7 @@ StateSpace first_order_form(const ExchangedStand &stand)
 }
 
 namespace {
-// Poles above or on the real axis.  The states are scaled first: entries of 1 stand beside entries of K/M.
+// Poles above or on the real axis.  The states are scaled first: the matrix has entries of 1 and entries of K/M.
 std::vector<std::complex<double>> poles_of(const MatrixXd &A)
 {
   const Index n  = A.rows() / 2;

@@ -7,7 +7,7 @@
 
 namespace mill::fmu {
 namespace {
-// A file in memory in the hands of minizip.
+// A file in memory that minizip reads and writes.
 struct Memory {
   std::string bytes;
   std::size_t at = 0;
@@ -64,7 +64,8 @@ zlib_filefunc64_def functions_of(Memory &memory)
 void require_done(const int code, const std::string &name)
 {
   if (code != ZIP_OK)
-    throw std::runtime_error("the archive cannot be made: minizip says " + std::to_string(code) + " of " + name);
+    throw std::runtime_error("the archive cannot be made: minizip gives error " + std::to_string(code) + " for " +
+                             name);
 }
 }  // namespace
 

@@ -111,7 +111,7 @@ std::string text_of(const ExportedModel &model, const Variable &v)
            (model.data.kind == "curves" ? "; it cannot be changed, since the springs are loaded by it at rest"
                                         : "");
   case Role::stored_force:
-    return "true plays resources/force.csv, linear between its samples, whatever F_roll is; false does not. Where "
+    return "true plays resources/force.csv, linear between its samples, for any F_roll; false does not. Where "
            "it is "
            "not set, the record is played until F_roll is set";
   case Role::mass:

@@ -121,7 +121,7 @@ std::string experiment(const ExportedModel &model)
          "\n";
 }
 
-// Unit, range, start: those of the element of the type in both versions.
+// Unit, range and start, which both versions write into the element of the type.
 Attributes &add_values(Attributes &a, const Variable &v)
 {
   if (v.type != Type::real)  // no count has a start value

@@ -51,7 +51,7 @@ std::string stored_force_text(const ExportedModel &model)
              ? " The recorded force of resources/force.csv is played, linear between its samples and held before "
                "and "
                "after, as long as the client has not set F_roll; from then on F_roll drives. A client that sets "
-               "use_stored_force decides itself: true plays the record whatever F_roll is, false does not play it."
+               "use_stored_force decides: true plays the record for any F_roll, false does not play it."
              : "";
 }
 

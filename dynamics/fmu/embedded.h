@@ -14,8 +14,7 @@ struct EmbeddedFile {
   }
 };
 /// "linux64", "win64": libraries, empty where none was built; "glibc": the version the first one asks for;
-/// "licence": of the runtime, which links nothing of what makes the program GPL, since a unit is made to be handed
-/// on.
+/// "licence": of the runtime, which links no library under the GPL, since users give units to others.
 const std::vector<EmbeddedFile> &named_files();
 /// Sources and headers of dynamics/fmu/runtime.
 const std::vector<EmbeddedFile> &source_files();

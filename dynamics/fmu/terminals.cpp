@@ -52,7 +52,7 @@ std::vector<Terminal> terminals_of(const ExportedModel &model)
   return all;
 }
 
-// Terminals of a side stand in equal distances, each a square of 10 in a picture from -100 to 100.
+// Terminals of a side have equal distances; each is a square of 10 in a picture from -100 to 100.
 std::string text_of(const Terminal &terminal, const std::size_t place, const std::size_t of)
 {
   std::string text = "    " +

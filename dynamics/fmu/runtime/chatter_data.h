@@ -41,7 +41,7 @@ struct ChatterData {
   PassData pass;
 };
 
-// A law by its name, and the constants that it reads.
+// The name of a law, and the constants that it reads.
 template <class IO, class Law, class Named, class Constants>
 void each_of_law(IO &io, const char *name, Law &law, const Named &named, const Constants &constants)
 {

@@ -5,24 +5,24 @@
 #include <vector>
 
 namespace mill::fmu {
-/// What vibrates, beside the steady state of the bite.
+/// The vibration about the steady state of the bite.
 struct ChatterState {
   std::vector<double>
-      z;  ///< (2n + 2): x, x', and the stretch of both spans as stresses (Pa) beside the steady ones
+      z;  ///< (2n + 2): x, x', and the stretch of both spans as stresses (Pa) in addition to the steady ones
   bool strip_held  = true;  ///< the strip is between the rolls
   double next_step = 0;     ///< s, proposed by the last error estimate
   double events    = 0;     ///< edges crossed so far
 };
 
-/// A force beside that of the bite, along a straight line over a step, and a held entry thickness.
+/// A force in addition to that of the bite, along a straight line over a step, and a held entry thickness.
 struct ChatterInput {
   double force = 0, slope = 0;  ///< N at the beginning, N/s
-  double entry_thickness = 0;   ///< m, beside the steady one
+  double entry_thickness = 0;   ///< m, in addition to the steady one
 };
 
 /// Stand, bite and strip between the stands, nonlinear (26.4), by an embedded pair of Runge-Kutta formulas of
 /// order 5 and 4 with error control.  A sign that changes (slack strip, strip that leaves the rolls, skidding,
-/// rolls that part) is located and the step begins anew behind it.  theory.md 37
+/// rolls that separate) is located, and a new step begins there.  theory.md 37
 class ChatterMotion {
 public:
   /// @throws std::runtime_error  no steady state of the bite

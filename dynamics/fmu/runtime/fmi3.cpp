@@ -71,7 +71,7 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
     try {
       const char *wrong = !name || !*name ? "the instance has no name"
                           : !token        ? "the instantiation token is missing"
-                          : event_mode    ? "event mode is wanted, this FMU has none (hasEventMode)"
+                          : event_mode ? "the client wants event mode, which this FMU does not have (hasEventMode)"
                           : !resource_path || !*resource_path
                               ? "the resource path is missing, the model is read from there"
                               : nullptr;

@@ -39,7 +39,8 @@ ForceSeries read_series(const std::string &csv)
       double t = 0, force = 0;
       if (!comma || !read_number(at, comma, t) || !read_number(comma + 1, stop, force) ||
           !(series.time.empty() || t > series.time.back()))
-        throw std::runtime_error("line " + std::to_string(line) + " is no sample, or its time does not increase");
+        throw std::runtime_error("line " + std::to_string(line) +
+                                 " is not a sample, or its time does not increase");
       series.time.push_back(t);
       series.force.push_back(force);
     }

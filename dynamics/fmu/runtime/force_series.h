@@ -16,6 +16,6 @@ struct ForceSeries {
 };
 
 /// Text of resources/force.csv: a header, then "time,force" in s and N.
-/// @throws std::runtime_error  a line that is none, times that do not increase, no samples
+/// @throws std::runtime_error  a line that is not a sample, times that do not increase, no samples
 ForceSeries read_series(const std::string &csv);
 }  // namespace mill::fmu

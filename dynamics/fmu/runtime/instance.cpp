@@ -58,7 +58,7 @@ Instance::Instance(std::string folder, const std::string &token, std::unique_ptr
     throw std::runtime_error(path + " is not a model of this runtime: " + e.what());
   }
   if (token != model_.guid)
-    throw std::runtime_error("the model has the identity " + model_.guid + ", the description says " + token +
+    throw std::runtime_error("the model has the identity " + model_.guid + ", the description has " + token +
                              "; they belong to different exports");
   variables_ = variables_of(model_);
   mark_      = hash_of(model_.guid);
@@ -144,7 +144,7 @@ double Instance::mean() const
   return now_.values[2];
 }
 
-// Once it is wanted: most clients bring a force of their own.
+// Only when it is needed: most clients give a force.
 void Instance::load_series()
 {
   if (!series_.time.empty())

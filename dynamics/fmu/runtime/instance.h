@@ -18,7 +18,7 @@ enum class Phase : int { instantiated, set_up, initialization, step, intermediat
 
 using Reference = std::uint32_t;  ///< value reference: place in the table of variables
 
-/// What a client has said about the stored force.
+/// What a client has set use_stored_force to.
 enum class StoredForce : int { not_set, off, on };
 
 /// All that changes in an instance while it runs: what a copy of its state holds.
@@ -97,7 +97,7 @@ public:
   Status get_output_derivatives(const char *function, const Reference *references, std::size_t n,
                                 const int *orders, double *values);
 
-  /// What is asked of the partial derivatives: along a direction of the knowns, or adjoint, along one of the
+  /// Partial derivatives that a client wants: along a direction of the knowns, or adjoint, along one of the
   /// unknowns.
   struct Direction {
     const Reference *unknowns;
@@ -192,12 +192,12 @@ private:
   Tuning built_;  // parameters for which system_ and motion_ were made
   ModalSystem system_;
   std::unique_ptr<Motion> motion_;
-  std::unique_ptr<CurveMotion> curves_;     // of kind "curves": steps in the place of motion_
-  std::unique_ptr<ChatterMotion> chatter_;  // of kind "chatter" in their place
+  std::unique_ptr<CurveMotion> curves_;     // of kind "curves": steps instead of motion_
+  std::unique_ptr<ChatterMotion> chatter_;  // of kind "chatter": steps instead of both
   std::vector<double> built_pass_;          // parameters for which it was made
   std::vector<double> scratch_, row_;
 };
 
-/// Short decimal text for messages, with a point whatever the locale.
+/// Short decimal text for messages, with a point in every locale.
 std::string number_text(double value);
 }  // namespace mill::fmu

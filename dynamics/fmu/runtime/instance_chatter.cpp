@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-// What an instance of kind "chatter" does in its own way.  theory.md 37
+// What an instance of kind "chatter" does differently.  theory.md 37
 namespace mill::fmu {
 namespace {
 // The numbers of a pass that a client can change.
@@ -74,7 +74,7 @@ double Instance::bite_number(const BiteNumber number) const
 // The working point of the present parameters, solved where they have changed.  Gap, thickness and tensions count
 // from it: what holds them in the mill (screws, speeds of the neighbours) has followed, the vibration about it
 // goes on.
-// @return  empty, or why there is none: the last one is kept then
+// @return  empty, or why there is no steady bite: the last working point is kept then
 std::string Instance::solve_pass()
 {
   if (model_.kind != "chatter")

@@ -17,7 +17,7 @@ const char *name_of(const Type type)
   return type == Type::real ? "Real (Float64)" : type == Type::whole ? "Integer (Int32)" : "Boolean";
 }
 
-// Both the client and the model compute nothing of it before it is wanted.
+// Is its value computed from others?
 bool is_computed(const Variable &variable)
 {
   return !variable.has_start() && variable.causality != Causality::independent;
@@ -273,7 +273,7 @@ Status Instance::set_input_derivatives(const char *function, const Reference *re
   return Status::ok;
 }
 
-// Of order 1: velocities in the place of displacements, and q''' from the equation of motion in that of q''.
+// Of order 1: velocities instead of displacements, and q''' from the equation of motion instead of q''.
 Status Instance::get_output_derivatives(const char *function, const Reference *references, const std::size_t n,
                                         const int *orders, double *values)
 {

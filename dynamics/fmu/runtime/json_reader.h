@@ -19,6 +19,6 @@ struct Json {
 /// @throws std::runtime_error  the text is not JSON: what is wrong, and at which byte
 Json read_json(const std::string &text);
 
-/// A decimal number whatever the locale of the process is.  False: the text is none, or something follows it.
+/// A decimal number, read alike in every locale.  False: the text is not a number, or something follows it.
 bool read_number(const char *begin, const char *end, double &value);
 }  // namespace mill::fmu

@@ -125,8 +125,8 @@ bool triangularise(ComplexMatrix &T, ComplexMatrix &Q)
   while (hi > 0) {
     std::size_t lo = hi;
     for (; lo > 0; --lo) {
-      const double beside = std::abs(T(lo, lo)) + std::abs(T(lo - 1, lo - 1));
-      if (std::abs(T(lo, lo - 1)) <= std::numeric_limits<double>::epsilon() * beside) {
+      const double neighbours = std::abs(T(lo, lo)) + std::abs(T(lo - 1, lo - 1));
+      if (std::abs(T(lo, lo - 1)) <= std::numeric_limits<double>::epsilon() * neighbours) {
         T(lo, lo - 1) = 0;
         break;
       }
@@ -304,7 +304,7 @@ Matrix matrix_exponential(Matrix A)
   for (double &a : A.entry)
     a = std::ldexp(a, -squarings);
   // Horner on 1 + A (1 + A/2 (1 + A/3 ...)); what is squared is exp(A) - 1, so that nothing small is lost
-  // beside 1.
+  // compared with 1.
   constexpr int degree = 18;
   Matrix E(n, n);
   for (int k = degree; k >= 1; --k) {

@@ -98,7 +98,7 @@ Tuning start_of(const ModelData &model)
 
 bool is_held(const ModalSystem &system)
 {
-  // Rounding leaves some eps of the largest eigenvalue in the place of a zero one.
+  // Rounding makes a zero eigenvalue some eps of the largest one.
   return !system.rad.empty() && system.rad.front() > 1e-7 * system.rad.back();
 }
 }  // namespace mill::fmu

@@ -10,7 +10,7 @@ namespace mill::fmu {
 /// Version of the runtime and of the layout of its files; part of every identity (theory.md 35.6).
 constexpr const char *runtime_version = "3";
 
-constexpr int fixed_end = -1;  ///< the end of a spring that stands on the ground
+constexpr int fixed_end = -1;  ///< the end of a spring on the ground
 
 /// One spring of a chain, between two masses or between a mass and the ground.
 struct SpringData {
@@ -39,7 +39,7 @@ struct ModelData {
   std::vector<double> mass;         ///< (m) kg
   std::vector<SpringData> springs;  ///< in the order K1..
   std::vector<double> bite_row;     ///< (m) -, force on each mass per unit of bite force
-  int load_cell_spring = 0;         ///< place among the springs of the one that the load cell stands on
+  int load_cell_spring = 0;         ///< place in the list of the spring with the load cell
 
   // kinds "modal" and "curves": n modes
   std::vector<double> frequency;       ///< (n) Hz, ascending, above zero
@@ -48,7 +48,7 @@ struct ModelData {
   std::vector<double> load_cell_mode;  ///< (n) N/m kg^-1/2
 
   CurveData curves;     ///< kind "curves" alone
-  ChatterData chatter;  ///< kind "chatter" alone; what stands above but for the points is empty then
+  ChatterData chatter;  ///< kind "chatter" alone; the members above except the points are empty then
 
   std::size_t n_modes() const
   {

@@ -104,7 +104,7 @@ void Motion::prepare_modes(Prepared &step, const double h) const
     step.qp[i] = s;
     step.pq[i] = -w * w * s;
     step.pp[i] = c - zeta * w * s;
-    // beside the particular solution g (f0 + f1 t) / w^2 - 2 zeta g f1 / w^3
+    // in addition to the particular solution g (f0 + f1 t) / w^2 - 2 zeta g f1 / w^3
     const double still = g / (w * w), lag = 2 * zeta / w;
     step.qf[i] = still * (1 - step.qq[i]);
     step.pf[i] = -still * step.pq[i];
@@ -170,7 +170,7 @@ void Motion::prepare(Prepared &step, const double length) const
     prepare_exponential(step, length);
 }
 
-// The length that is prepared depends on the length asked for alone, not on those before: a multiple of a small
+// The prepared length depends on the given length alone, not on those before: a multiple of a small
 // time, so that a copy of the state goes on with the same digits in another instance.
 const Motion::Prepared &Motion::prepared_for(const double length)
 {

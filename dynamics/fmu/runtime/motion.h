@@ -19,8 +19,8 @@ struct StraightForce {
   double slope = 0;  ///< N/s
 };
 
-/// Advances the modes under straight lines of force, exactly but for rounding, whatever the length of a step.
-/// Without a gap damper every mode is a closed form of its own (35.3); a gap damper couples them and they are
+/// Advances the modes under straight lines of force, exactly but for rounding, for any length of step.
+/// Without a gap damper every mode has a closed form (35.3); a gap damper couples them and they are
 /// advanced by the poles of the coupled system (35.4), or, where its shapes are so nearly dependent that this
 /// would lose digits, by a matrix exponential (35.5).  Lengths met again cost no functions: what is prepared for a
 /// length also serves those that differ by the rounding of the times of a client (35.6).

@@ -1,7 +1,7 @@
 #include "refuse_input.h"
 #include <stdexcept>
 
-// In a unit there is no case file to point at.
+// A unit has no case file whose line a message could name.
 void mill::refuse_input(const std::string &message)
 {
   throw std::runtime_error(message);

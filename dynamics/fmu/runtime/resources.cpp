@@ -96,7 +96,7 @@ std::string read_file(const std::string &path)
   for (std::size_t n; (n = std::fread(block, 1, sizeof block, file.get())) > 0;)
     text.append(block, n);
   if (std::ferror(file.get()))
-    throw std::runtime_error("cannot read " + path + ": the disk refuses it");
+    throw std::runtime_error("cannot read " + path + ": the disk gives an error");
   return text;
 }
 }  // namespace mill::fmu

@@ -81,7 +81,7 @@ double tension_factor(const double tension, const double stress)
 }
 }  // namespace
 
-// @param held  film and friction by the speeds of the steady state, as the scheme says
+// @param held  film and friction from the speeds of the steady state, as the scheme wants
 RollBite::Contact RollBite::contact_of(const Inputs &in, const double entry_speed, const bool held) const
 {
   const double R = in.radius, h = in.gap, he = in.entry_thickness, rate = in.gap_rate, roll = pass_.roll_speed;
@@ -192,7 +192,8 @@ void RollBite::choose_rules()
   kinks_ = bite::strains_of_kinks(p.flow);
 }
 
-// R' = R (1 + c F(R')/draft), (8.9): plain steps from below, hastened by Aitken while they do not pass the root.
+// R' = R (1 + c F(R')/draft), (8.9): plain steps from below, accelerated by Aitken while they do not pass the
+// root.
 void RollBite::flatten()
 {
   const PassData &p       = pass_;
@@ -241,7 +242,7 @@ RollBite::RollBite(const PassData &pass)
                      c.free_angle - c.exit_angle,
                      c.entry_angle - c.free_angle};
   if (!(steady_.from_exit > 0 && steady_.from_entry > 0))
-    throw std::runtime_error("there is no neutral point in the bite: the rolls skid");
+    throw std::runtime_error("the bite has no neutral point: the rolls skid");
   const auto whole = yield_reserve(moment_);
   if (!(whole[0] > 0 && whole[1] > 0) || !std::isfinite(steady_.force))
     throw std::runtime_error("a tension reaches the flow stress of the strip");
@@ -260,7 +261,7 @@ double RollBite::thickness_at_exit(const Inputs &in) const
   return in.gap + exit * exit / in.radius;
 }
 
-// What a strip of this thickness and strength cannot do: (26.2), and tensions beyond yield.
+// Limits of gap rate (26.2) and of tensions at yield.
 void RollBite::limit(Inputs &in) const
 {
   const double room = in.radius * (4 * in.gap - 3 * in.entry_thickness);

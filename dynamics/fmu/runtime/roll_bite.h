@@ -23,7 +23,7 @@ struct BiteReading {
 class RollBite {
 public:
   /// Solves the steady state with Hitchcock's flattened radius.
-  /// @throws std::runtime_error  there is none: which number has no answer
+  /// @throws std::runtime_error  there is no steady state: the message names the cause
   explicit RollBite(const PassData &pass);
 
   const BiteReading &steady() const

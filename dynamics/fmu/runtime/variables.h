@@ -74,7 +74,7 @@ struct Variable {
   {
     return low <= high;
   }
-  /// Has a value of its own before anything is computed: parameters and inputs.
+  /// Has a value before anything is computed: parameters and inputs.
   bool has_start() const
   {
     return causality == Causality::parameter || causality == Causality::input;

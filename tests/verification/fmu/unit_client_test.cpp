@@ -53,7 +53,7 @@ TEST(UnitClient, AnotherIdentityOrKindOrFolderGivesNoInstance)
     Client2 client(unit(), model(), "{00000000-0000-0000-0000-000000000000}", "");
     EXPECT_FALSE(client.c);
     EXPECT_EQ(client.logged(), "fmi2Instantiate: the model has the identity " + guid() +
-                                   ", the description says {00000000-0000-0000-0000-000000000000}; they belong to "
+                                   ", the description has {00000000-0000-0000-0000-000000000000}; they belong to "
                                    "different exports\n");
   }
   {
