@@ -192,13 +192,44 @@ void RollBite::choose_rules()
   kinks_ = bite::strains_of_kinks(p.flow);
 }
 
-// R' = R (1 + c F(R')/draft), (8.9): plain steps from below, accelerated by Aitken while they do not pass the
-// root.
+namespace {
+// A root between low, where the value of a function is above zero, and high, where it is below: chords, of which
+// one that keeps its end twice is made steeper (Illinois).
+template <class Function>
+double root_between(double low, double high, double at_low, double at_high, const Function &function)
+{
+  int side = 0;
+  for (int turn = 0; turn < 100 && high - low > 4e-16 * high; ++turn) {
+    const double chord  = low + (high - low) * at_low / (at_low - at_high);
+    const double middle = chord > low && chord < high ? chord : 0.5 * (low + high);
+    const double value  = function(middle);
+    if (value == 0)
+      return middle;
+    if (value > 0) {
+      low    = middle;
+      at_low = value;
+      at_high *= side > 0 ? 0.5 : 1;
+      side = 1;
+    } else {
+      high    = middle;
+      at_high = value;
+      at_low *= side < 0 ? 0.5 : 1;
+      side = -1;
+    }
+    if (!(middle > low || middle < high) || std::abs(value) <= 4e-16 * middle)
+      return middle;
+  }
+  return 0.5 * (low + high);
+}
+}  // namespace
+
+// R' = R (1 + c F(R')/draft), (8.9): plain steps from below reach the smallest root.  Aitken's extrapolation of
+// two of them makes them quicker; where it passes the root, the root is between.
 void RollBite::flatten()
 {
   const PassData &p       = pass_;
   const double compliance = 16 * (1 - p.poisson_ratio * p.poisson_ratio) / (pi * p.youngs_modulus * p.width);
-  double speed            = p.roll_speed * p.exit_thickness / p.entry_thickness;
+  const double speed      = p.roll_speed * p.exit_thickness / p.entry_thickness;
   const auto next         = [&](const double radius) {
     Inputs in      = inputs_at(moment_);
     in.radius      = radius;
@@ -208,18 +239,25 @@ void RollBite::flatten()
       throw std::runtime_error("no flattened radius below 20 times that of the roll");
     return R;
   };
-  double radius = p.roll_radius;
+  const auto rise = [&](const double radius) { return next(radius) - radius; };
+  double radius   = p.roll_radius;
   for (int turn = 0; turn < 2000; ++turn) {
-    const double one = next(radius), two = next(one);
-    if (std::abs(two - one) <= 4e-16 * two) {
-      radius_ = two;
+    const double one = next(radius), two = next(one), bend = two - 2 * one + radius;
+    radius_ = two;
+    if (std::abs(two - one) <= 4e-16 * two)
       return;
-    }
-    const double bend = two - 2 * one + radius;
     const double fast = bend < 0 ? radius - (one - radius) * (one - radius) / bend : two;
-    radius            = fast > two && fast < 20 * p.roll_radius && next(fast) >= fast ? fast : two;
+    radius            = two;
+    if (!(fast > two && fast < 20 * p.roll_radius))
+      continue;
+    if (const double beyond = rise(fast); beyond >= 0)
+      radius = fast;
+    else if (const double before = rise(two); before > 0) {
+      radius_ = root_between(two, fast, before, beyond, rise);
+      return;
+    } else
+      return;  // but for rounding
   }
-  radius_ = radius;
 }
 
 RollBite::RollBite(const PassData &pass)
