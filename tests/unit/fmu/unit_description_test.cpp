@@ -25,8 +25,8 @@ std::vector<Element> elements_of(const std::string &xml)
 {
   std::vector<Element> all;
   std::vector<std::string> open;
-  const std::regex tag(R"(<(/?)([A-Za-z0-9]+)((?:\s+[A-Za-z0-9]+="[^"<>]*")*)\s*(/?)>)");
-  const std::regex attribute(R"re(([A-Za-z0-9]+)="([^"]*)")re");
+  const std::regex tag(R"(<(/?)([A-Za-z0-9]+)((?:\s+[A-Za-z0-9_]+="[^"<>]*")*)\s*(/?)>)");
+  const std::regex attribute(R"re(([A-Za-z0-9_]+)="([^"]*)")re");
   std::size_t covered = xml.find("?>") + 2;
   for (std::sregex_iterator it(xml.begin() + long(covered), xml.end(), tag), end; it != end; ++it) {
     const std::smatch &m = *it;
