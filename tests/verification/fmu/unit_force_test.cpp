@@ -108,12 +108,10 @@ TEST(UnitForce, TheStoredForcePlaysUntilTheInputIsSet)
   FMI2(*as_it_comes, FreeFMUstate)(as_it_comes->c, &after);
   // Where use_stored_force is true the input does nothing; Reset forgets both.
   ASSERT_EQ(chosen->set("F_roll", 5e5), fmi2OK);
-  EXPECT_EQ(moved(*chosen, 0.2, 0.3), [&] {
-    const auto again = instance();
-    again->choose("use_stored_force", true);
-    begin(*again);
-    return moved(*again, 0, 0.3);
-  }()) << "steps do not matter";
+  const auto again = instance();
+  again->choose("use_stored_force", true);
+  ASSERT_EQ(begin(*again), 0);
+  EXPECT_TRUE(near(moved(*chosen, 0.2, 0.3), moved(*again, 0, 0.3), within(1e-10, "rounding of other steps")));
   ASSERT_EQ(FMI2(*driven, Reset)(driven->c), fmi2OK);
   ASSERT_EQ(begin(*driven), 0);
   EXPECT_EQ(moved(*driven, 0, 0.1234), played);

@@ -15,6 +15,7 @@ TEST(UnitThree, KeepsItsOwnRules)
   EXPECT_EQ(client.get("time"), 1);
   EXPECT_EQ(client.step(1, 0.5), fmi3OK);
   EXPECT_EQ(client.get("time"), 1.5);
+  client.logged();
   const unsigned two[] = {1, 2};
   double values[2];
   EXPECT_EQ(FMI3(client, GetFloat64)(client.c, two, 2, values, 1), fmi3Error);
