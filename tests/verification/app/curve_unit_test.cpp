@@ -168,8 +168,10 @@ TEST(CurveUnit, RestsOnItsCurvesAndKnowsItsDerivatives)
   dynamics::CurveState rest;
   ASSERT_TRUE(dynamics::rest_under(unit.chain.stand, 0.5 * load, rest));
   const Eigen::Map<const Eigen::VectorXd> q(rest.q.data(), 6);
-  EXPECT_TRUE(near(client.get("y_upper_work_roll"), unit.chain.modal.point.row(2).dot(q), within(1e-12, "the same equilibrium")));
-  EXPECT_NEAR(client.get("a_upper_work_roll"), 0, 1e-6);
+  EXPECT_TRUE(near(client.get("y_upper_work_roll"), unit.chain.modal.point.row(2).dot(q),
+                   within(1e-12, "the same equilibrium")));
+  EXPECT_TRUE(
+      near(client.get("a_upper_work_roll"), 0, within(1e-6, "at rest; rounding of forces over masses", 1)));
   ASSERT_EQ(client.set("F_roll", 0.8 * load), fmi2OK);
   ASSERT_EQ(client.step(0, 2e-3), fmi2OK) << client.logged();
   const unsigned output = client.at("a_upper_work_roll");
@@ -190,7 +192,8 @@ TEST(CurveUnit, DirectionalDerivativesFollowTheCurves)
   const Unit unit = unit_on_curves();
   Client2 client(unit.model);
   ASSERT_TRUE(client.c) << client.logged();
-  const unsigned force = client.at("F_roll"), y3 = client.at("y_upper_work_roll"), a3 = client.at("a_upper_work_roll");
+  const unsigned force = client.at("F_roll"), y3 = client.at("y_upper_work_roll"),
+                 a3 = client.at("a_upper_work_roll");
   const double one = 1, strong = 1.5 * load;
   double slope = 0;
   ASSERT_EQ(FMI2(client, SetupExperiment)(client.c, 0, 0, 0, 0, 0), fmi2OK);

@@ -219,5 +219,5 @@ TEST(ExportCommand, TheExampleInCRuns)
   const double peak  = results.at("values").at("pass 1.peak_g.upper_work_roll").at("value").get<double>();
   double printed     = 0;
   EXPECT_EQ(std::sscanf(read_text(folder() + "/example.txt").c_str(), "upper work roll: peak %lf g", &printed), 1);
-  EXPECT_NEAR(printed, peak, 1e-4) << "four digits are printed";
+  EXPECT_TRUE(near(printed, peak, within(1e-4, "four digits after the point are printed", 1)));
 }
