@@ -144,6 +144,25 @@ bool Dependencies::is_displaced(const Variable &displacement) const
   return !sum.is_zero();
 }
 
+// Does a reading of the bite change with the displacement of the rolls at the start?
+bool Dependencies::follows_start(const BiteReadingKind reading) const
+{
+  switch (reading) {
+  case BiteReadingKind::gap_change:
+  case BiteReadingKind::exit_thickness:
+  case BiteReadingKind::force:
+  case BiteReadingKind::force_change:
+    return true;
+  case BiteReadingKind::friction:
+    return !is_a_number(model_.chatter.pass.friction);
+  case BiteReadingKind::entry_tension:
+  case BiteReadingKind::exit_tension:
+  case BiteReadingKind::events:
+    break;
+  }
+  return false;
+}
+
 std::vector<unsigned> Dependencies::chatter_output(const Variable &output) const
 {
   if (output.role == Role::acceleration)
@@ -196,14 +215,9 @@ std::vector<unsigned> Dependencies::at_start(const Variable &unknown) const
                  ? with(is_friction)
                  : with(is_working_point);
     const std::vector<unsigned> at_once = chatter_output(unknown);
-    const bool of_tension =
-        unknown.role == Role::bite_reading && (BiteReadingKind(unknown.index) == BiteReadingKind::entry_tension ||
-                                               BiteReadingKind(unknown.index) == BiteReadingKind::exit_tension);
-    const bool moved = unknown.role == Role::displacement ? is_displaced(unknown)
-                       : unknown.role == Role::acceleration
-                           ? true
-                           : BiteReadingKind(unknown.index) != BiteReadingKind::events && !of_tension &&
-                                 at_once != with(is_friction);
+    const bool moved                    = unknown.role == Role::displacement   ? is_displaced(unknown)
+                                          : unknown.role == Role::acceleration ? true
+                                                                               : follows_start(BiteReadingKind(unknown.index));
     return moved ? joined(at_once, with(is_start)) : at_once;
   }
   const auto springs = with(is_spring);

@@ -24,6 +24,7 @@ private:
   std::vector<unsigned> chatter_output(const Variable &output) const;
   bool feels_force(const Variable &acceleration) const;
   bool is_displaced(const Variable &displacement) const;
+  bool follows_start(BiteReadingKind reading) const;
 
   const ModelData &model_;
   std::vector<Variable> all_;

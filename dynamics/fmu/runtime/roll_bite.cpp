@@ -267,7 +267,13 @@ RollBite::RollBite(const PassData &pass)
   if (!(p.entry_thickness > p.exit_thickness && p.exit_thickness > 0))
     throw std::runtime_error("the strip must leave the bite thinner than it enters");
   choose_rules();
-  moment_ = {p.exit_thickness, 0, p.entry_tension, p.exit_tension, p.entry_thickness};
+  moment_                  = {p.exit_thickness, 0, p.entry_tension, p.exit_tension, p.entry_thickness};
+  const auto require_whole = [&] {
+    const auto whole = yield_reserve(moment_);
+    if (!(whole[0] > 0 && whole[1] > 0))
+      throw std::runtime_error("a tension reaches the flow stress of the strip");
+  };
+  require_whole();
   flatten();
   const Inputs in = inputs_at(moment_);
   const Contact c = settled(in, p.roll_speed * p.exit_thickness / p.entry_thickness);
@@ -281,9 +287,9 @@ RollBite::RollBite(const PassData &pass)
                      c.entry_angle - c.free_angle};
   if (!(steady_.from_exit > 0 && steady_.from_entry > 0))
     throw std::runtime_error("the bite has no neutral point: the rolls skid");
-  const auto whole = yield_reserve(moment_);
-  if (!(whole[0] > 0 && whole[1] > 0) || !std::isfinite(steady_.force))
-    throw std::runtime_error("a tension reaches the flow stress of the strip");
+  require_whole();
+  if (!std::isfinite(steady_.force))
+    throw std::runtime_error("the rolling force of the steady bite is not finite");
 }
 
 RollBite::Inputs RollBite::inputs_at(const BiteMoment &m) const
