@@ -1,72 +1,57 @@
 #include "twin/records/channel_names.h"
-#include "core/base/units.h"
+#include "core/base/valid_text.h"
+#include "twin/records/channel_scale.h"
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 
 namespace mill::twin {
 namespace {
-std::string trimmed(std::string_view text)
+constexpr double largest_value = 1e15;  // in the file's unit: no measured value of a mill reaches it
+
+bool is_one_of(const std::string &word, const std::initializer_list<const char *> list)
 {
-  const auto is_blank = [](const char c) { return c == ' ' || c == '\t' || c == '\r' || c == '"'; };
-  while (!text.empty() && is_blank(text.front()))
-    text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back()))
-    text.remove_suffix(1);
-  return std::string(text);
+  return std::any_of(list.begin(), list.end(), [&](const char *one) { return word == one; });
 }
 
-// Spellings of data loggers for units of the closed list.
-std::string usual_spelling(const std::string &unit)
+// As a shell takes one word: in single quotes where it holds more than plain letters.
+std::string shell_word(const std::string &text)
 {
-  static const std::array<std::pair<const char *, const char *>, 14> spellings{
-      {{"m/s^2", "m/s2"},
-       {"m/s\u00b2", "m/s2"},
-       {"m/s**2", "m/s2"},
-       {"M/S2", "m/s2"},
-       {"G", "g"},
-       {"gn", "g"},
-       {"mm/sec", "mm/s"},
-       {"m/sec", "m/s"},
-       {"mpm", "m/min"},
-       {"KN", "kN"},
-       {"kn", "kN"},
-       {"newton", "N"},
-       {"Volt", "V"},
-       {"volt", "V"}}
-  };
-  for (const auto &[from, to] : spellings)
-    if (unit == from)
-      return to;
-  return unit;
+  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](const char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) ||
+           std::string_view("_-+=./:%@,").find(c) != std::string_view::npos;
+  });
+  if (plain)
+    return text;
+  std::string word = "'";
+  for (const char c : text)
+    word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
 }
 
-bool is_speed_name(const std::string &name)
+std::string plural(const Eigen::Index n, const char *one, const char *many)
 {
-  return name == "speed" || name == "exit_speed" || name == "entry_speed" || name == "strip_speed";
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+bool holds(const std::vector<std::string> &names, const std::string &name)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Infinite values and those that no instrument measures become missing ones.
+Eigen::Index remove_impossible(Eigen::VectorXd &values)
+{
+  Eigen::Index n = 0;
+  for (double &value : values)
+    if (!(std::abs(value) <= largest_value)) {
+      n += !std::isnan(value);
+      value = std::numeric_limits<double>::quiet_NaN();
+    }
+  return n;
 }
 }  // namespace
-
-const char *name_of(const Quantity quantity)
-{
-  switch (quantity) {
-  case Quantity::acceleration:
-    return "acceleration";
-  case Quantity::velocity:
-    return "velocity";
-  case Quantity::force:
-    return "force";
-  case Quantity::speed:
-    return "speed";
-  case Quantity::voltage:
-    return "voltage";
-  case Quantity::other:
-    return "quantity without a known unit";
-  }
-  return "";
-}
 
 const RawChannel *RawRecord::find(const std::string &name) const
 {
@@ -81,131 +66,137 @@ Eigen::Index RawRecord::n_samples() const
   return channels.empty() ? time.size() : channels.front().value.size();
 }
 
-std::string lower(const std::string_view text)
-{
-  std::string result(text);
-  for (char &c : result)
-    c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-  return result;
-}
-
 ColumnHead head_of(const std::string_view text)
 {
-  const std::string all = trimmed(text);
+  const std::string all = trimmed_cell(valid_text(text));
   for (const auto &[open, close] : {std::pair('[', ']'), std::pair('(', ')')})
     if (const auto at = all.rfind(open); at != std::string::npos && !all.empty() && all.back() == close)
-      return {trimmed(std::string_view(all).substr(0, at)),
-              trimmed(std::string_view(all).substr(at + 1, all.size() - at - 2))};
-  for (const char *word : {" in ", " / "})
+      return {trimmed_cell(std::string_view(all).substr(0, at)),
+              trimmed_cell(std::string_view(all).substr(at + 1, all.size() - at - 2))};
+  for (const std::string_view word : {" in ", " / "})
     if (const auto at = all.rfind(word); at != std::string::npos) {
-      const std::string unit = trimmed(std::string_view(all).substr(at + std::string_view(word).size()));
+      const std::string unit = trimmed_cell(std::string_view(all).substr(at + word.size()));
       if (unit_of_column(unit, "").known || seconds_per(unit) > 0)
-        return {trimmed(std::string_view(all).substr(0, at)), unit};
+        return {trimmed_cell(std::string_view(all).substr(0, at)), unit};
     }
   return {all, ""};
 }
 
-ColumnUnit unit_of_column(const std::string &text, const std::string &name)
+TimeName time_name(const std::string &name)
 {
-  const std::string spelling = usual_spelling(trimmed(text));
-  for (const auto &[volt, factor] : {std::pair("V", 1.0), std::pair("mV", 1e-3)})
-    if (spelling == volt)
-      return {"V", factor, Quantity::voltage, true};
-  if (spelling == "mm/s2" || spelling == "mm/s^2" || spelling == "mm/s\u00b2")
-    return {"m/s2", 1e-3, Quantity::acceleration, true};
-  const Unit *found = spelling.empty() ? nullptr : find_unit(spelling);
-  if (!found)
-    return {spelling.empty() ? "1" : spelling, 1, Quantity::other, false};
-  const double factor = found->multiply / found->divide;
-  if (found->dimension == unit("m/s2").dimension)
-    return {"m/s2", factor, Quantity::acceleration, true};
-  if (found->dimension == unit("N").dimension)
-    return {"N", factor, Quantity::force, true};
-  if (found->dimension == unit("m/s").dimension)
-    return {"m/s", factor, is_speed_name(name) ? Quantity::speed : Quantity::velocity, true};
-  return {found->symbol, 1, Quantity::other, true};
+  const std::string small = lower(trimmed_cell(name));
+  if (is_one_of(small, {"x", "x-axis", "x axis", "x_value", "x-value", "x value"}))
+    return TimeName::weak;
+  const bool strong = is_one_of(
+      small, {"time",     "zeit",      "t",         "timestamp",    "time stamp",    "time_stamp", "zeitstempel",
+              "datetime", "date/time", "date time", "datum/zeit",   "datum uhrzeit", "temps",      "tiempo",
+              "tempo",    "uhrzeit",   "zeitpunkt", "elapsed time", "elapsed",       "rel. time",  "relative time",
+              "time_s",   "time_ms",   "time_sec",  "t_s",          "t_ms"});
+  return strong ? TimeName::strong : TimeName::none;
 }
 
-double seconds_per(const std::string &text)
+int time_column_among(const std::vector<TimeEvidence> &columns)
 {
-  static const std::array<std::pair<const char *, double>, 18> units{
-      {{"s", 1},
-       {"sec", 1},
-       {"second", 1},
-       {"seconds", 1},
-       {"sekunden", 1},
-       {"ms", 1e-3},
-       {"msec", 1e-3},
-       {"us", 1e-6},
-       {"\u00b5s", 1e-6},
-       {"\u03bcs", 1e-6},
-       {"usec", 1e-6},
-       {"ns", 1e-9},
-       {"min", 60},
-       {"minuten", 60},
-       {"minutes", 60},
-       {"h", 3600},
-       {"std", 3600},
-       {"hours", 3600}}
-  };
-  const std::string spelling = lower(trimmed(text));
-  for (const auto &[name, seconds] : units)
-    if (spelling == name)
-      return seconds;
-  return 0;
+  int best = -1, most = 0;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const TimeEvidence &c = columns[i];
+    const bool in_seconds = seconds_per(c.unit) > 0, other_unit = !c.unit.empty() && !in_seconds;
+    const TimeName named = time_name(c.name);
+    const bool by_name   = named == TimeName::strong || (named == TimeName::weak && (in_seconds || !other_unit));
+    const bool by_unit   = in_seconds && (c.is_increasing || named != TimeName::none);
+    if ((other_unit && !c.is_text) || !(by_name || by_unit || c.is_text) ||
+        (named == TimeName::weak && !in_seconds && !c.is_increasing))
+      continue;
+    const int score = 4 * in_seconds + 3 * (named == TimeName::strong) + (named == TimeName::weak) +
+                      5 * (c.is_increasing || c.is_text);
+    if (score > most) {
+      most = score;
+      best = int(i);
+    }
+  }
+  return best;
 }
 
-bool is_time_name(const std::string &name)
-{
-  static const std::array<const char *, 16> names{
-      "time",          "zeit",      "t",         "timestamp",  "zeitstempel", "x-axis",     "x",
-      "datetime",      "date/time", "date time", "datum/zeit", "temps",       "time stamp", "uhrzeit",
-      "datum uhrzeit", "zeitpunkt"};
-  const std::string small = lower(trimmed(name));
-  return std::find(names.begin(), names.end(), small) != names.end();
-}
-
-RawChannel channel_of(const ColumnHead &head, const Place &place, const ReadOptions &options,
-                      Eigen::VectorXd numbers)
+void add_channel(RawRecord &record, const ColumnHead &head, const Place &place, const ReadOptions &options,
+                 Eigen::VectorXd numbers)
 {
   RawChannel channel;
-  channel.column         = head.name;
-  const auto mapped      = options.channels.find(head.name);
-  channel.name           = mapped != options.channels.end() ? mapped->second : head.name;
-  const auto given       = options.units.find(head.name);
-  const ColumnUnit found = unit_of_column(given != options.units.end() ? given->second : head.unit, channel.name);
-  channel.unit           = found.si;
-  channel.quantity       = found.quantity;
-  channel.unit_known     = found.known;
-  channel.place          = place;
-  channel.value          = std::move(numbers);
-  if (found.factor != 1)
-    channel.value *= found.factor;
-  for (double &value : channel.value)
-    if (!std::isfinite(value))
-      value = std::numeric_limits<double>::quiet_NaN();
-  return channel;
+  channel.column    = valid_text(head.name);
+  const auto mapped = options.channels.find(channel.column);
+  channel.name      = mapped != options.channels.end() ? mapped->second : channel.column;
+  const auto given  = options.units.find(channel.column);
+  ColumnUnit unit =
+      unit_of_column(given != options.units.end() ? given->second : valid_text(head.unit), channel.name);
+  if (const auto scale = scale_of(channel.column, unit, options))
+    unit = *scale;
+  channel.unit       = unit.si;
+  channel.quantity   = unit.quantity;
+  channel.unit_known = unit.known;
+  channel.place      = place;
+  if (const Eigen::Index n = remove_impossible(numbers); n > 0)
+    record.notes.push_back(fmt::format("{}: {} infinite or beyond 1e15 and taken as missing", channel.name,
+                                       plural(n, "value is", "values are")));
+  channel.value = std::move(numbers);
+  if (unit.factor != 1)
+    channel.value *= unit.factor;
+  if (!unit.known && unit.si != "1")
+    record.notes.push_back(fmt::format("{}: unit '{}' not converted", channel.name, unit.si));
+  record.channels.push_back(std::move(channel));
 }
 
-void require_usable_channels(const RawRecord &record, const std::string &remedy)
+std::string command_with(const ReadOptions &options, const std::string &file, const std::string &more)
+{
+  const std::string typed =
+      options.command.empty() ? "millstand analyse " + shell_word(valid_text(file)) : options.command;
+  return typed + " " + more;
+}
+
+std::string unit_options(const std::vector<std::string> &columns)
+{
+  constexpr std::size_t most = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(columns.size(), most); ++i)
+    text += (text.empty() ? "--unit " : " --unit ") + shell_word(columns[i] + "=g");
+  return text;
+}
+
+std::string listed(const std::vector<std::string> &names, const std::size_t most)
+{
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
+    text += (i == 0 ? "'" : ", '") + names[i] + "'";
+  return names.size() > most ? text + fmt::format(" and {} more", names.size() - most) : text;
+}
+
+void require_usable_channels(RawRecord &record, const ReadOptions &options, const std::string &remedy)
 {
   std::vector<Problem> problems;
-  for (std::size_t i = 0; i < record.channels.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (record.channels[i].name == record.channels[j].name) {
-        problems.push_back(
-            {record.channels[i].place,
-             fmt::format("the channel '{}' stands twice in this record; rename one of the two columns",
-                         record.channels[i].name),
-             {}});
-        break;
-      }
+  std::vector<std::string> columns;
+  for (std::size_t i = 0; i < record.channels.size(); ++i) {
+    const RawChannel &one = record.channels[i];
+    columns.push_back(one.column);
+    if (std::any_of(record.channels.begin(), record.channels.begin() + std::ptrdiff_t(i),
+                    [&](const RawChannel &other) { return other.name == one.name; }))
+      problems.push_back(
+          {one.place,
+           fmt::format("the channel '{}' appears twice in this record; rename one of the two columns", one.name),
+           {}});
+  }
   if (!problems.empty())
     throw InputError(problems);
-  const bool any = std::any_of(record.channels.begin(), record.channels.end(),
-                               [](const RawChannel &c) { return c.unit_known; });
-  if (!any)
-    throw InputError(record.channels.empty() ? Place{record.file, 1, 1} : record.channels.front().place,
-                     "no column of this record has a known unit; " + remedy);
+  const Place head = record.channels.empty() ? Place{record.file, 1, 1} : record.channels.front().place;
+  for (const std::string &asked : options.asked)
+    if (!holds(columns, asked) && !holds(record.other_columns, asked)) {
+      const std::string message =
+          fmt::format("there is no column '{}' in this record; its columns are {}", asked, listed(columns));
+      if (!options.several)
+        throw InputError(head, message);
+      record.notes.push_back(message);
+    }
+  if (std::none_of(record.channels.begin(), record.channels.end(),
+                   [](const RawChannel &c) { return c.unit_known; }))
+    throw InputError(head, fmt::format("no column of this record has a known unit; its columns are {}; {}: {}",
+                                       listed(columns), remedy,
+                                       command_with(options, record.file, unit_options(columns))));
 }
 }  // namespace mill::twin

@@ -2,6 +2,7 @@
 #include "twin/records/raw_record.h"
 #include <string>
 #include <string_view>
+#include <vector>
 
 // Names and units of columns, the same for every format.
 namespace mill::twin {
@@ -11,32 +12,42 @@ struct ColumnHead {
 };
 ColumnHead head_of(std::string_view text);
 
-/// What a unit is in SI.
-struct ColumnUnit {
-  std::string si;         ///< "m/s2", "N"; the text itself where nobody knows it
-  double factor     = 1;  ///< -, SI value over the number in the file
-  Quantity quantity = Quantity::other;
-  bool known        = false;
+/// How far a name alone speaks for the time.
+enum class TimeName {
+  none,
+  weak,   ///< x, x-axis, X_Value: the time of an oscilloscope, or an axis of a sensor
+  strong  ///< time, Zeit, t, timestamp, ..
+};
+TimeName time_name(const std::string &name);
+
+/// What is known of a column that may hold the time.
+struct TimeEvidence {
+  std::string name, unit;
+  bool is_text       = false;  ///< dates and times of day as texts
+  bool is_increasing = false;  ///< numbers that never go back and do not all stand still
 };
 
-/// Unit by its spelling; besides those of a case file V, mV, m/s^2, m/s\u00b2, mm/s^2, and the micro sign.
-/// @param name  of the column: tells a roll's surface speed from the velocity of a vibration
-ColumnUnit unit_of_column(const std::string &unit, const std::string &name);
+/// Which of the columns holds the time, from name, unit and monotony together; -1: none does.
+/// A column with a unit of another quantity ("x [g]", "t [degC]") never does.
+int time_column_among(const std::vector<TimeEvidence> &columns);
 
-/// Second units of a time column: s, ms, us, min, h; 0 where it is none.
-double seconds_per(const std::string &unit);
-
-/// Does a column of this name hold the time?  time, Zeit, t, timestamp, x-axis, Second, ..
-bool is_time_name(const std::string &name);
-
-/// Makes a channel of a column: name by the map, numbers to SI.
+/// Makes a channel of a column: name by the map, numbers to SI, a voltage by its scale.  Names become valid UTF-8
+/// here, whatever the format.  Notes name an unknown unit and values that cannot be measured values.
 /// @param numbers  (n) as in the file; NaN where there is none
-RawChannel channel_of(const ColumnHead &head, const Place &place, const ReadOptions &options,
-                      Eigen::VectorXd numbers);
+void add_channel(RawRecord &record, const ColumnHead &head, const Place &place, const ReadOptions &options,
+                 Eigen::VectorXd numbers);
 
-/// Lower case of ASCII letters.
-std::string lower(std::string_view text);
+/// The command as it was typed, with more options: "millstand analyse r.mat --unit a=g --unit b=g".
+std::string command_with(const ReadOptions &options, const std::string &file, const std::string &more);
 
-/// @throws InputError  a channel named twice; no channel with a known unit
-void require_usable_channels(const RawRecord &record, const std::string &remedy);
+/// "--unit a=g --unit 'b c=g'" for the first columns of a record.
+std::string unit_options(const std::vector<std::string> &columns);
+
+/// "'a', 'b' and 3 more"
+std::string listed(const std::vector<std::string> &names, std::size_t most = 12);
+
+/// @throws InputError  a channel that appears twice; no channel with a known unit; an option for a column that the
+///         record does not have
+/// @param remedy  for a file that can hold its units, "write the unit behind the name, .."
+void require_usable_channels(RawRecord &record, const ReadOptions &options, const std::string &remedy);
 }  // namespace mill::twin

@@ -1,8 +1,8 @@
 #include "twin/records/csv_layout.h"
+#include "core/base/valid_text.h"
+#include "twin/records/number_style.h"
 #include "twin/records/time_zone.h"
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <fmt/format.h>
 
 namespace mill::twin {
@@ -30,54 +30,107 @@ struct Cells {
   }
 };
 
-// A row of numbers and times, at least one of them, and nothing else.
-bool is_data(const std::string &line, const char separator)
+// What each cell of a row holds.
+std::vector<CellKind> kinds_of(const Cells &row)
 {
-  const Cells row(line, separator);
-  bool any = false;
-  for (const auto cell : row.cells) {
-    double number = 0;
-    bool comma    = false;
-    const bool is = number_of_cell(cell, separator, number, comma) || time_of_text(cell) ||
-                    time_of_text(std::string(cell) + " 0:00");
-    if (!is && !is_missing(cell))
-      return false;
-    any = any || is;
-  }
-  return any;
+  std::vector<CellKind> kinds;
+  for (const auto cell : row.cells)
+    kinds.push_back(kind_of_cell(cell));
+  return kinds;
 }
 
-bool is_unit_row(const Cells &row)
+bool has(const std::vector<CellKind> &kinds, const CellKind kind)
 {
-  bool any = false;
-  for (auto cell : row.cells) {
-    if (cell.size() > 2 && (cell.front() == '[' || cell.front() == '('))
-      cell = cell.substr(1, cell.size() - 2);
-    const std::string unit(cell);
-    if (unit.empty() || unit == "-")
-      continue;
-    if (!unit_of_column(unit, "").known && seconds_per(unit) == 0)
-      return false;
-    any = true;
-  }
-  return any;
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
-// Index of the first row of numbers, as many cells as the next; -1: none.
+// Could the second row stand below the first one in a table: as many cells, of the same kind where both have one?
+bool go_together(const std::vector<CellKind> &one, const std::vector<CellKind> &other)
+{
+  if (one.size() != other.size())
+    return false;
+  for (std::size_t i = 0; i < one.size(); ++i)
+    if (one[i] != other[i] && one[i] != CellKind::missing && other[i] != CellKind::missing)
+      return false;
+  return true;
+}
+
+int next_line(const std::vector<std::string> &lines, int i)
+{
+  for (++i; i < int(lines.size()) && is_skipped(lines[std::size_t(i)]); ++i) {
+  }
+  return i;
+}
+
+int line_before(const std::vector<std::string> &lines, int i)
+{
+  for (--i; i >= 0 && is_skipped(lines[std::size_t(i)]); --i) {
+  }
+  return i;
+}
+
+// A row of numbers and times alone, or one with texts among them below a row of as many names.
+bool begins_data(const std::vector<std::string> &lines, const int i, const char separator, const std::size_t least)
+{
+  const auto kinds = kinds_of(Cells(lines[std::size_t(i)], separator));
+  if (kinds.size() < least || !(has(kinds, CellKind::number) || has(kinds, CellKind::time)))
+    return false;
+  const int next = next_line(lines, i), last = int(lines.size());
+  if (!has(kinds, CellKind::text))
+    return next == last || Cells(lines[std::size_t(next)], separator).cells.size() == kinds.size();
+  const int before = line_before(lines, i), after = next < last ? next_line(lines, next) : last;
+  if (kinds.size() < 2 || before < 0)
+    return false;
+  const auto above = kinds_of(Cells(lines[std::size_t(before)], separator));
+  const auto below = [&](const int row) {
+    return row == last || go_together(kinds, kinds_of(Cells(lines[std::size_t(row)], separator)));
+  };
+  return above.size() == kinds.size() && !has(above, CellKind::number) && !has(above, CellKind::time) &&
+         below(next) && below(after);
+}
+
+// Index of the first row of numbers; -1: none.
 int first_data(const std::vector<std::string> &lines, const char separator, const std::size_t least)
 {
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (is_skipped(lines[i]) || !is_data(lines[i], separator))
-      continue;
-    const std::size_t n = Cells(lines[i], separator).cells.size();
-    std::size_t next    = i + 1;
-    while (next < lines.size() && is_skipped(lines[next]))
-      ++next;
-    const bool goes_on = next < lines.size() && Cells(lines[next], separator).cells.size() == n;
-    if (n >= least && (goes_on || next == lines.size()))
-      return int(i);
-  }
+  for (int i = 0; i < int(lines.size()); ++i)
+    if (!is_skipped(lines[std::size_t(i)]) && begins_data(lines, i, separator, least))
+      return i;
   return -1;
+}
+
+std::string unit_in_cell(std::string_view cell)
+{
+  if (cell.size() > 2 && (cell.front() == '[' || cell.front() == '('))
+    cell = cell.substr(1, cell.size() - 2);
+  return trimmed_cell(valid_text(cell));
+}
+
+// A row below the names that holds units, known ones and others.
+bool is_unit_row(const Cells &row, const Cells &names)
+{
+  int known = 0, alike = 0, others = 0;
+  bool all_in_brackets = true, time_in_seconds = false;
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    const std::string unit = unit_in_cell(row.cells[i]);
+    if (unit.empty() || unit == "-")
+      continue;
+    all_in_brackets         = all_in_brackets && (row.cells[i].front() == '[' || row.cells[i].front() == '(');
+    const bool in_seconds   = seconds_per(unit) > 0;
+    const bool of_time_name = i < names.cells.size() && time_name(std::string(names.cells[i])) != TimeName::none;
+    time_in_seconds         = time_in_seconds || (in_seconds && of_time_name);
+    if (in_seconds || unit_of_column(unit, "").known)
+      ++known;
+    else if (looks_like_unit(unit))
+      ++alike;
+    else
+      ++others;
+  }
+  if (known + alike + others == 0)
+    return false;
+  const auto above     = kinds_of(names);
+  const bool are_names = !has(above, CellKind::number) && !has(above, CellKind::time);
+  const bool mostly    = known > 0 && (others == 0 || (time_in_seconds && known + alike >= others));
+  return all_in_brackets || (mostly && (are_names || time_in_seconds));  // oscilloscopes call a channel "1"
 }
 
 // "Vertical Units,V" above the columns of an oscilloscope.
@@ -94,47 +147,36 @@ std::string unit_above(const std::vector<std::string> &lines, const std::size_t 
 
 void take_heads(CsvLayout &layout, const std::string &file, const std::vector<std::string> &lines, const int data)
 {
-  int names = data - 1;
-  while (names >= 0 && is_skipped(lines[std::size_t(names)]))
-    --names;
+  int names = line_before(lines, data);
   if (names < 0)
     throw InputError(Place{file, data + 1, 1},
                      "the columns have no names; put a line such as \"time [s], force [kN], upper_work_roll [g]\" "
                      "before the numbers");
   Cells head(lines[std::size_t(names)], layout.separator), units("", layout.separator);
-  if (is_unit_row(head)) {
-    int above = names - 1;
-    while (above >= 0 && is_skipped(lines[std::size_t(above)]))
-      --above;
-    if (above >= 0 && Cells(lines[std::size_t(above)], layout.separator).cells.size() == head.cells.size()) {
+  if (const int above = line_before(lines, names); above >= 0) {
+    Cells over(lines[std::size_t(above)], layout.separator);
+    if (over.cells.size() == head.cells.size() && is_unit_row(head, over)) {
+      layout.notes.push_back(fmt::format("units were taken from line {}, below the names", names + 1));
       units = Cells(lines[std::size_t(names)], layout.separator);
       names = above;
       head  = Cells(lines[std::size_t(names)], layout.separator);
-      layout.notes.push_back(fmt::format("units were taken from line {}, below the names", names + 2));
     }
   }
   const std::string &line = lines[std::size_t(names)];
   for (std::size_t c = 0; c < head.cells.size(); ++c) {
-    bool converted  = false;
-    ColumnHead name = head_of(utf8_of(head.cells[c], converted));
-    if (converted && layout.notes.empty())
-      layout.notes.push_back("the names of the columns are no UTF-8 and were read as Windows-1252");
-    if (name.unit.empty() && c < units.cells.size()) {
-      std::string unit = utf8_of(units.cells[c], converted);
-      if (unit.size() > 2 && (unit.front() == '[' || unit.front() == '('))
-        unit = unit.substr(1, unit.size() - 2);
-      name.unit = unit;
-    }
+    ColumnHead name = head_of(head.cells[c]);
+    if (name.unit.empty() && c < units.cells.size())
+      name.unit = unit_in_cell(units.cells[c]);
     if (name.unit.empty())
       name.unit = unit_above(lines, std::size_t(names), layout.separator,
-                             is_time_name(name.name) ? "horizontal units" : "vertical units", c);
+                             time_name(name.name) != TimeName::none ? "horizontal units" : "vertical units", c);
     layout.columns.push_back({
         name, {file, names + 1, column_of(line, head.cells[c], c, layout.separator)}
     });
   }
   if (names > 0)
     layout.notes.push_back(
-        fmt::format("the names of the columns stand in line {}; what is above was not used", names + 1));
+        fmt::format("the names of the columns are in line {}; what is above was not used", names + 1));
 }
 }  // namespace
 
@@ -197,32 +239,13 @@ bool is_missing(const std::string_view cell)
   return false;
 }
 
-bool number_of_cell(const std::string_view cell, const char separator, double &number, bool &had_comma)
+CellKind kind_of_cell(const std::string_view cell)
 {
-  std::string_view text = cell;
-  char copy[64];
-  constexpr std::string_view minus_sign = "\u2212";  // which spreadsheets write in some locales
-  if (text.substr(0, minus_sign.size()) == minus_sign) {
-    text.remove_prefix(minus_sign.size() - 1);
-    if (text.size() > sizeof copy)
-      return false;
-    copy[0] = '-';
-    std::copy(text.begin() + 1, text.end(), copy + 1);
-    text = {copy, text.size()};
-  }
-  if (separator != ',')
-    if (const auto comma = text.find(','); comma != std::string_view::npos) {
-      if (text.size() > sizeof copy || text.find('.') != std::string_view::npos)
-        return false;                             // 1.234,5: thousands or a slip, two readings
-      std::copy(text.begin(), text.end(), copy);  // onto itself behind a minus sign
-      copy[comma] = '.';
-      text        = {copy, text.size()};
-      had_comma   = true;
-    }
-  if (!text.empty() && text.front() == '+')
-    text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() && !text.empty() && std::isfinite(number);
+  if (styles_of(cell) != 0)
+    return CellKind::number;
+  if (is_missing(cell))
+    return CellKind::missing;
+  return time_of_text(cell) || time_of_text(std::string(cell) + " 0:00") ? CellKind::time : CellKind::text;
 }
 
 CsvLayout layout_of(const std::string &file, const std::vector<std::string> &lines)

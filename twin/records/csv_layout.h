@@ -1,6 +1,5 @@
 #pragma once
 #include "twin/records/channel_names.h"
-#include "twin/records/line_source.h"
 #include <deque>
 #include <string>
 #include <string_view>
@@ -8,7 +7,7 @@
 
 // Where in a CSV file of a plant, a spreadsheet or an oscilloscope the columns and the numbers are.
 namespace mill::twin {
-/// What stands before the first row of numbers.
+/// What is written before the first row of numbers.
 struct CsvLayout {
   char separator = ',';
   struct Column {
@@ -30,10 +29,11 @@ int column_of(std::string_view line, std::string_view cell, std::size_t index, c
 /// Is it what recorders write where there is no value: empty, NaN, null, n/a, -, ..
 bool is_missing(std::string_view cell);
 
-/// A number with decimal point, or comma where that does not separate columns.  False where it is none.
-bool number_of_cell(std::string_view cell, char separator, double &number, bool &had_comma);
+/// What one cell holds.
+enum class CellKind { missing, number, time, text };
+CellKind kind_of_cell(std::string_view cell);
 
-/// Looks at the first lines of a file.
+/// Looks at the first lines of a file, which are valid UTF-8.
 /// @param lines  the first ones, numbered from 1
 /// @throws InputError  no row of numbers among them, none that names the columns
 CsvLayout layout_of(const std::string &file, const std::vector<std::string> &lines);

@@ -1,4 +1,7 @@
+#include "core/base/input_file.h"
 #include "twin/records/csv_rows.h"
+#include "twin/records/label_spans.h"
+#include "twin/records/line_source.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <optional>
@@ -12,13 +15,12 @@ public:
     record.file   = path;
     record.format = "CSV";
   }
-  RawRecord read()
+  RawRecord read(const CsvEvidence *whole)
   {
-    std::vector<std::string> head;
     std::string_view line;
     while (head.size() < CsvRows::lines_looked_at && source.next(line))
       head.emplace_back(line);
-    rows.emplace(record.file, head, options);
+    rows.emplace(record.file, head, options, whole);
     const auto next_of_head = std::size_t(rows->layout().first_data_line - 1);
     make_room(double(head[next_of_head].size()) + 1);
     if (!rows->timed())
@@ -32,11 +34,28 @@ public:
     return std::move(record);
   }
 
+  /// The evidence of all rows; nothing where they say the same of the columns as the first ones did.
+  std::optional<CsvEvidence> other_evidence(const std::string &path)
+  {
+    if (!rows)
+      return std::nullopt;
+    CsvEvidence all(rows->layout().columns.size());
+    LineSource again(path);
+    for (std::string_view line; again.next(line);)
+      if (again.number() >= rows->layout().first_data_line)
+        rows->look_at(line, all);
+    if (columns_of(rows->layout(), all) == rows->decided())
+      return std::nullopt;
+    return all;
+  }
+
 private:
   void make_room(const double per_line)
   {
     const auto expected = std::size_t(1.05 * source.size() / per_line) + 16;
+    require_memory(record.file, source.size(), 8.0 * double(expected) * double(rows->columns().size() + 1));
     values.resize(rows->columns().size());
+    labels.resize(rows->label_columns().size());
     for (auto &column : values)
       column.reserve(expected);
     if (rows->timed())
@@ -59,6 +78,8 @@ private:
     }
     for (std::size_t c = 0; c < values.size(); ++c)
       values[c].push_back(rows->values()[c]);
+    for (std::size_t c = 0; c < rows->labels().size(); ++c)
+      labels[c].add(rows->labels()[c]);
   }
 
   void finish()
@@ -76,12 +97,18 @@ private:
       Eigen::VectorXd numbers =
           Eigen::Map<const Eigen::VectorXd>(values[i].data(), Eigen::Index(values[i].size()));
       std::vector<double>().swap(values[i]);
-      record.channels.push_back(channel_of(column.head, column.place, options, std::move(numbers)));
+      add_channel(record, column.head, column.place, options, std::move(numbers));
     }
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      labels[i].finish(rows->layout().columns[rows->label_columns()[i]].head.name, record);
+    for (std::size_t i = 0; i < rows->layout().columns.size(); ++i)
+      if (rows->decided().kind[i] != CsvColumns::Kind::channel)
+        record.other_columns.push_back(rows->layout().columns[i].head.name);
     if (rows->timed())
       record.time = Eigen::Map<const Eigen::VectorXd>(seconds.data(), Eigen::Index(seconds.size()));
     record.start = rows->clock().start();
-    require_usable_channels(record, "write the unit behind the name, for example \"upper_work_roll [g]\"");
+    require_usable_channels(record, options,
+                            "write the unit behind the name, for example \"upper_work_roll [g]\", or");
   }
 
   LineSource source;
@@ -89,12 +116,25 @@ private:
   RawRecord record;
   std::optional<CsvRows> rows;
   std::vector<std::vector<double>> values;
+  std::vector<LabelCollector> labels;
   std::vector<double> seconds;
+  std::vector<std::string> head;
 };
 }  // namespace
 
 RawRecord read_csv_record(const std::string &path, const ReadOptions &options)
 {
-  return CsvReader(path, options).read();
+  CsvReader reader(path, options);
+  try {
+    return reader.read(nullptr);
+  } catch (const SystemError &) {
+    throw;
+  } catch (const InputError &) {
+    // The first rows may have shown a column that is something else in the whole file.
+    const auto evidence = reader.other_evidence(path);
+    if (!evidence)
+      throw;
+    return CsvReader(path, options).read(&*evidence);
+  }
 }
 }  // namespace mill::twin

@@ -4,53 +4,55 @@
 #include <fmt/format.h>
 
 namespace mill::twin {
-namespace {
-// Which columns tell the time, and how.
-struct TimeColumns {
-  int time = -1, date = -1;  // index of a column; date: of the day alone, beside a time of day
-  double seconds = 0;        // per unit of a number; 0: texts
-};
-
-TimeColumns time_columns_of(const CsvLayout &layout)
-{
-  TimeColumns found;
-  for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-    const ColumnHead &head = layout.columns[i].head;
-    const std::string name = lower(head.name);
-    if (name == "date" || name == "datum")
-      found.date = int(i);
-    else if (found.time < 0 && is_time_name(head.name))
-      found.time = int(i);
-  }
-  for (std::size_t i = 0; i < layout.columns.size() && found.time < 0; ++i)
-    if (seconds_per(layout.columns[i].head.unit) > 0)
-      found.time = int(i);
-  if (found.time >= 0)
-    found.seconds = seconds_per(layout.columns[std::size_t(found.time)].head.unit);
-  else if (found.date >= 0)
-    std::swap(found.time, found.date);  // "Date" holds day and time of day
-  return found;
-}
-
-}  // namespace
-
-CsvRows::CsvRows(std::string file, const std::vector<std::string> &head, const ReadOptions &options)
+CsvRows::CsvRows(std::string file, const std::vector<std::string> &head, const ReadOptions &options,
+                 const CsvEvidence *whole)
     : file_(std::move(file)), options_(options), clock_(options), layout_(layout_of(file_, head)),
       notes_(layout_.notes)
 {
-  const TimeColumns times = time_columns_of(layout_);
-  time_                   = times.time;
-  date_                   = times.date;
-  per_unit_               = times.seconds;
+  for (CsvLayout::Column &column : layout_.columns)
+    if (const auto given = options.units.find(column.head.name); given != options.units.end())
+      column.head.unit = given->second;
+  CsvEvidence of_head(layout_.columns.size());
+  for (auto i = std::size_t(layout_.first_data_line - 1); i < head.size() && !whole; ++i)
+    look_at(head[i], of_head);
+  decided_ = columns_of(layout_, whole ? *whole : of_head);
+  notes_.insert(notes_.end(), decided_.notes.begin(), decided_.notes.end());
+  share_columns();
+  prepare_clock(head);
+}
+
+void CsvRows::look_at(const std::string_view line, CsvEvidence &evidence)
+{
+  if (line.empty() || line.front() == '#' || line.find_first_not_of(" \t") == std::string_view::npos)
+    return;
+  cut(line);
+  if (cells_.size() >= layout_.columns.size())
+    evidence.add(cells_);
+}
+
+void CsvRows::share_columns()
+{
+  using Use = CsvColumns::Kind;
+  time_     = decided_.find(Use::time);
+  date_     = decided_.find(Use::date);
+  if (time_ >= 0)
+    per_unit_ = seconds_per(layout_.columns[std::size_t(time_)].head.unit);
   for (std::size_t i = 0; i < layout_.columns.size(); ++i) {
-    const bool timed_column = int(i) == time_ || int(i) == date_;
-    const bool named        = !layout_.columns[i].head.name.empty();
-    channel_of_column_.push_back(timed_column || !named ? -1 : int(columns_.size()));
-    if (!timed_column && named)
+    const bool is_channel = decided_.kind[i] == Use::channel;
+    channel_of_column_.push_back(is_channel ? int(columns_.size()) : -1);
+    if (is_channel)
       columns_.push_back(i);
+    if (decided_.kind[i] == Use::label)
+      label_columns_.push_back(i);
   }
   values_.resize(columns_.size());
-  prepare_clock(head);
+  labels_.resize(label_columns_.size());
+}
+
+bool CsvRows::had_comma() const
+{
+  return std::any_of(decided_.style.begin(), decided_.style.end(),
+                     [](const StyleChoice &choice) { return choice.style.decimal == ','; });
 }
 
 Place CsvRows::time_place(const std::string_view line, const int number) const
@@ -58,29 +60,42 @@ Place CsvRows::time_place(const std::string_view line, const int number) const
   return place(line, std::size_t(time_), number);
 }
 
+void CsvRows::refuse_timeless() const
+{
+  std::vector<std::string> names;
+  for (const CsvLayout::Column &column : layout_.columns) {
+    names.push_back(column.head.name);
+    if (time_name(column.head.name) == TimeName::strong && !column.head.unit.empty())
+      throw InputError(
+          column.place,
+          fmt::format("column '{}' has the unit '{}'; a time in s, ms, us, min or h is needed, or the "
+                      "samples per second: {}",
+                      column.head.name, column.head.unit, command_with(options_, file_, "--rate 20000")));
+  }
+  throw InputError(
+      layout_.columns.front().place,
+      fmt::format("no column holds the time; the columns are {}; name one, for example \"time [s]\", or "
+                  "give the samples per second: {}",
+                  listed(names), command_with(options_, file_, "--rate 20000")));
+}
+
 void CsvRows::prepare_clock(const std::vector<std::string> &head)
 {
   if (time_ < 0) {
     if (!options_.rate)
-      throw InputError(layout_.columns.front().place,
-                       "no column holds the time; name one, for example \"time [s]\", or give the samples per "
-                       "second with --rate 20000");
+      refuse_timeless();
     return;
   }
   time_column_ = layout_.columns[std::size_t(time_)].place;
-  split_cells(head[std::size_t(layout_.first_data_line - 1)], layout_.separator, unquoted_, cells_);
+  cut(head[std::size_t(layout_.first_data_line - 1)]);
   double number = 0;
   const auto at = std::size_t(time_);
-  texts_        = at < cells_.size() && !number_of_cell(cells_[at], layout_.separator, number, had_comma_);
+  texts_        = at < cells_.size() && !read_number(cells_[at], decided_.style[at].style, number);
   if (!texts_ && per_unit_ == 0 && !options_.rate) {
-    const std::string name = layout_.columns[at].head.name, unit = layout_.columns[at].head.unit;
+    const std::string name = layout_.columns[at].head.name;
     throw InputError(time_column_,
-                     unit.empty() ? fmt::format("column '{}' has no unit; write for example \"{} [s]\", or give "
-                                                "the samples per second with --rate 20000",
-                                                name, name)
-                                  : fmt::format("column '{}' has the unit '{}'; a time in s, ms, us, min or h is "
-                                                "needed, or the samples per second with --rate 20000",
-                                                name, unit));
+                     fmt::format("column '{}' has no unit; write for example \"{} [s]\", or: {}", name, name,
+                                 command_with(options_, file_, "--unit " + name + "=s")));
   }
   if (options_.rate) {
     notes_.push_back(
@@ -115,6 +130,8 @@ CsvRows::Kind CsvRows::take(const std::string_view line, const int number, const
   for (std::size_t c = 0; c < n; ++c)
     if (const int channel = channel_of_column_[c]; channel >= 0)
       values_[std::size_t(channel)] = value_of(line, c, number);
+  for (std::size_t i = 0; i < label_columns_.size(); ++i)
+    labels_[i] = cells_[label_columns_[i]];
   return Kind::samples;
 }
 
@@ -147,13 +164,14 @@ Place CsvRows::place(const std::string_view line, const std::size_t c, const int
 
 double CsvRows::value_of(const std::string_view line, const std::size_t c, const int number)
 {
-  double value = 0;
-  if (number_of_cell(cells_[c], layout_.separator, value, had_comma_))
+  double value             = 0;
+  const NumberStyle &style = decided_.style[c].style;
+  if (read_number(cells_[c], style, value))
     return value;
   if (is_missing(cells_[c]))
     return std::numeric_limits<double>::quiet_NaN();
   throw InputError(place(line, c, number),
-                   fmt::format("'{}' in column '{}' is no number; leave the cell empty where there is no value",
+                   fmt::format("'{}' in column '{}' is not a number; leave the cell empty where there is no value",
                                cells_[c], layout_.columns[c].head.name));
 }
 
@@ -166,10 +184,10 @@ void CsvRows::take_time(const std::string_view line, const int number)
     second         = date_ < 0
                          ? clock_.seconds_of(cells_[c], at)
                          : clock_.seconds_of(std::string(cells_[std::size_t(date_)]) + " " + std::string(cells_[c]), at);
-  } else if (double value = 0; number_of_cell(cells_[c], layout_.separator, value, had_comma_)) {
+  } else if (double value = 0; read_number(cells_[c], decided_.style[c].style, value)) {
     second = clock_.relative(value * per_unit_);
   } else
-    throw InputError(place(line, c, number), fmt::format("'{}' in the time column '{}' is no time", cells_[c],
+    throw InputError(place(line, c, number), fmt::format("'{}' in the time column '{}' is not a time", cells_[c],
                                                          layout_.columns[c].head.name));
   seconds_ = second;
 }

@@ -1,5 +1,7 @@
+#include "core/base/valid_text.h"
 #include "twin/records/channel_names.h"
 #include "twin/records/raw_record.h"
+#include "twin/records/sampling_rate.h"
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -8,21 +10,60 @@ namespace mill::twin {
 namespace {
 constexpr Eigen::Index fewest_samples = 2048;
 
+using Reader = RawRecord (*)(const std::string &, const ReadOptions &);
+
+const std::vector<std::pair<std::string, Reader>> &readers()
+{
+  static const std::vector<std::pair<std::string, Reader>> all{
+      {".csv", read_csv_record},
+      {".txt", read_csv_record},
+      {".tsv", read_csv_record},
+      {".asc", read_csv_record},
+      {".npy", read_npy_record},
+      {".npz", read_npz_record},
+      {".uff", read_uff_record},
+      {".unv", read_uff_record},
+      {".mat", read_mat_record},
+      {".wav", read_wav_record},
+      {".lvm", read_lvm_record}
+  };
+  return all;
+}
+
 RawRecord read_any(const std::string &path, const ReadOptions &options)
 {
   const std::string ending = lower(std::filesystem::path(path).extension().string());
-  if (ending == ".npy")
-    return read_npy_record(path, options);
-  if (ending == ".uff" || ending == ".unv")
-    return read_uff_record(path, options);
-  if (ending == ".mat")
-    return read_mat_record(path, options);
-  if (ending == ".csv" || ending == ".txt" || ending == ".tsv" || ending == ".asc")
-    return read_csv_record(path, options);
+  for (const auto &[known, reader] : readers())
+    if (ending == known)
+      return reader(path, options);
   throw InputError(
-      fmt::format("{}: records are .csv, .txt, .tsv, .asc, .npy with .json, .uff, .unv or .mat; export "
-                  "others (ibaPDA, TDMS, Parquet) as CSV",
+      fmt::format("{}: records are .csv, .txt, .tsv, .asc, .npy with .json, .npz, .uff, .unv, .mat, .wav "
+                  "or .lvm; export others (ibaPDA, TDMS, Parquet) as CSV",
                   path));
+}
+
+// Texts of the user and of the file enter every result: from here on they are valid UTF-8.
+void make_texts_valid(RawRecord &record)
+{
+  record.file = valid_text(record.file);
+  for (std::string &note : record.notes)
+    note = valid_text(note);
+  for (RawChannel &channel : record.channels) {
+    channel.name   = valid_text(channel.name);
+    channel.column = valid_text(channel.column);
+    channel.unit   = valid_text(channel.unit);
+  }
+}
+
+// A sampling rate that no recorder has would ask for endless time or memory.
+void require_possible_times(const RawRecord &record)
+{
+  if (record.time.size() == 0)
+    return require_possible_rate(record.rate, record.file);
+  const Eigen::Index n = record.time.size();
+  const double length  = record.time[n - 1] - record.time[0];
+  if (length > 0)
+    require_possible_rate(double(n - 1) / length, record.file);
 }
 
 void require_increasing(const RawRecord &record)
@@ -37,12 +78,27 @@ void require_increasing(const RawRecord &record)
 }
 }  // namespace
 
+const std::vector<std::string> &record_endings()
+{
+  static const std::vector<std::string> endings = [] {
+    std::vector<std::string> all;
+    for (const auto &[ending, reader] : readers())
+      all.push_back(ending);
+    return all;
+  }();
+  return endings;
+}
+
 RawRecord read_record(const std::string &path, const ReadOptions &options)
 {
   if (options.rate && !(*options.rate > 0 && std::isfinite(*options.rate)))
     throw InputError(fmt::format("--rate {} is not above zero", *options.rate));
+  if (options.rate)
+    require_possible_rate(*options.rate, "--rate");
   RawRecord record = read_any(path, options);
+  make_texts_valid(record);
   require_increasing(record);
+  require_possible_times(record);
   if (record.n_samples() < fewest_samples)
     throw InputError(Place{path, 1, 1},
                      fmt::format("the record has {} samples; at least {} are needed for a spectrum",

@@ -19,8 +19,9 @@ double RecordClock::seconds_of(const std::string_view text, const Place &place)
 {
   const auto time = time_of_text(text);
   if (!time)
-    throw InputError(place,
-                     fmt::format("'{}' is no time; write for example 2026-01-05T10:00:00.00005+01:00", text));
+    throw InputError(place, fmt::format("'{}' {}; write for example 2026-01-05T10:00:00.00005+01:00", text,
+                                        has_two_readings(text) ? "has two readings, by the order of day and month"
+                                                               : "is not a time"));
   has_date               = time->dated;
   const std::int64_t utc = utc_of(*time, text, place);
   if (!first) {

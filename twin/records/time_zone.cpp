@@ -109,22 +109,59 @@ bool is_date(const int year, const int month, const int day)
   return month >= 1 && month <= 12 && day >= 1 && day <= days[month - 1] && (month != 2 || day < 29 || leap);
 }
 
-// The date in front of a time of day; false where something else stands there.
-bool read_date(TextReader &text, std::int64_t &days)
-{
+// Date in front of a time of day, as written.
+struct DateText {
   int first = 0, second = 0, third = 0;
   char mark = 0;
-  if (!text.number(1, 4, first) || !text.one_of("-/.", mark) || !text.number(1, 2, second) ||
-      !text.one_of({&mark, 1}) || !text.number(1, 4, third))
-    return false;
-  const bool german = mark == '.';
-  if (mark == '/' && first < 1000)
-    return false;  // 01/05/2026: May or January
-  const int year = german ? third : first, day = german ? first : third;
-  if (year < 1000 || !is_date(year, second, day))
-    return false;
-  days = days_of(year, second, day);
-  return true;
+};
+
+// Days since 1970 of a date; nothing where it is not one, or has two readings.
+// @param american  the text ends with AM or PM: the month comes first
+std::optional<std::int64_t> days_of_date(const DateText &date, const bool american)
+{
+  if (date.first >= 1000)  // 2026-01-05
+    return is_date(date.first, date.second, date.third)
+               ? std::optional(days_of(date.first, date.second, date.third))
+               : std::nullopt;
+  const int year = date.third;
+  if (year < 1000)
+    return {};
+  const bool day_first   = is_date(year, date.second, date.first),
+             month_first = is_date(year, date.first, date.second);
+  const bool slash       = date.mark == '/';
+  if (slash && !american && day_first && month_first && date.first != date.second)
+    return {};  // 01/05/2026: 5 January or 1 May
+  if (month_first && slash && (american || !day_first))
+    return days_of(year, date.first, date.second);
+  return day_first && !(slash && american) ? std::optional(days_of(year, date.second, date.first)) : std::nullopt;
+}
+
+bool read_date(TextReader &text, DateText &date)
+{
+  return text.number(1, 4, date.first) && text.one_of("-/.", date.mark) && text.number(1, 2, date.second) &&
+         text.one_of({&date.mark, 1}) && text.number(1, 4, date.third);
+}
+
+// Cuts " AM" or "p.m." off the end of a text: 'a', 'p', or 0 where there is neither.
+char cut_half_of_day(std::string_view &text)
+{
+  for (const auto &[ending, half] : {
+           std::pair<std::string_view, char>("am", 'a'), {"pm",   'p'},
+              {"a.m.", 'a'},
+              {"p.m.", 'p'}
+  }) {
+    if (text.size() <= ending.size())
+      continue;
+    const auto tail = text.substr(text.size() - ending.size());
+    if (!std::equal(tail.begin(), tail.end(), ending.begin(),
+                    [](const char x, const char y) { return std::tolower(static_cast<unsigned char>(x)) == y; }))
+      continue;
+    text.remove_suffix(ending.size());
+    while (!text.empty() && text.back() == ' ')
+      text.remove_suffix(1);
+    return half;
+  }
+  return 0;
 }
 
 // "Z", "+01:00", "+0100", "+01"; false where it is wrong.
@@ -194,13 +231,24 @@ const std::string &TimeZone::name() const
   return name_;
 }
 
-std::optional<TimeText> time_of_text(const std::string_view text)
+std::optional<TimeText> time_of_text(std::string_view text)
 {
+  const char half = cut_half_of_day(text);
   TextReader reader(text);
   std::int64_t days = 0;
-  const bool dated  = text.find_first_of("-/") == 4 || text.find('.') <= 2;
-  if (dated && (!read_date(reader, days) || !reader.one_of("T t_")))
-    return {};
+  const auto mark   = text.find_first_of("-/.");
+  const bool dated  = text.substr(0, mark).find(':') == std::string_view::npos && mark != std::string_view::npos;
+  if (dated) {
+    DateText date;
+    if (!read_date(reader, date) || !reader.one_of("T t_"))
+      return {};
+    while (reader.one_of(" ")) {
+    }
+    const auto found = days_of_date(date, half != 0);
+    if (!found)
+      return {};
+    days = *found;
+  }
   int hours = 0, minutes = 0, seconds = 0;
   if (!reader.number(1, 2, hours) || !reader.one_of(":") || !reader.number(2, 2, minutes))
     return {};
@@ -211,11 +259,24 @@ std::optional<TimeText> time_of_text(const std::string_view text)
     if (reader.one_of(".,:"))
       nanoseconds = reader.fraction();
   }
+  if (half != 0) {
+    if (hours < 1 || hours > 12)
+      return {};
+    hours = hours % 12 + (half == 'p' ? 12 : 0);
+  }
   if (hours > 23 || minutes > 59 || seconds > 60)
     return {};
   TimeText time{days * 86400 + hours * 3600 + minutes * 60 + seconds, nanoseconds, {}, dated};
   if (!reader.done() && !read_offset(reader, time.offset))
     return {};
   return time;
+}
+
+bool has_two_readings(const std::string_view text)
+{
+  DateText date;
+  TextReader reader(text);
+  return !time_of_text(text) && read_date(reader, date) && date.mark == '/' && date.third >= 1000 &&
+         is_date(date.third, date.first, date.second) && is_date(date.third, date.second, date.first);
 }
 }  // namespace mill::twin

@@ -34,8 +34,11 @@ struct TimeText {
   bool dated;                          ///< false: a time of day alone
 };
 
-/// "2026-01-05T10:00:00.00005+01:00", also with a blank or "/", "05.01.2026 10:00:00,0005", "10:00:00.5" alone
-/// (of 1970-01-01).  Nothing where the text is none of these; a date such as 01/05/2026 is none, since it has two
-/// readings.
+/// "2026-01-05T10:00:00.00005+01:00", also with a blank or "/", "05.01.2026 10:00:00,0005", "1/5/2026 10:00:00 AM"
+/// (AM and PM: the month comes first), "10:00:00.5" alone (of 1970-01-01).  Nothing where the text is not one of
+/// these; a date such as 01/05/2026 without AM or PM has two readings and is not one, 13/05/2026 has one.
 std::optional<TimeText> time_of_text(std::string_view text);
+
+/// Is it a time that is not understood only because its day and its month can be exchanged?
+bool has_two_readings(std::string_view text);
 }  // namespace mill::twin

@@ -1,3 +1,4 @@
+#include "core/base/valid_text.h"
 #include "core/base/files.h"
 #include "twin/records/binary_numbers.h"
 #include "twin/records/channel_names.h"
@@ -6,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <set>
 
 // Universal file format, data set 58 (function at nodal degree of freedom) as text and 58b (numbers in binary).
 // Source: SDRC, Universal File Formats, data set 58, as handed on by the University of Cincinnati.
@@ -75,13 +77,50 @@ bool number_in(const std::string_view text, double &value)
 }
 
 struct DataSet {
-  std::string name, unit, axis;
+  std::vector<std::string> names;  // by ID lines 1 and 5, by entity, by node and direction; empty: not said
+  std::string unit, axis, axis_unit;
   bool binary = false, big_endian = false, even = true;
   double n_bytes = 0, first = 0, step = 0;
   int function = 0, type = 0, axis_kind = 0;
   Eigen::Index n = 0;
   Place place;
+
+  // Function type 1 is a time response; type 0, a general function, is one where its abscissa is a time.
+  bool is_time_record() const
+  {
+    constexpr int time_axis = 17;
+    const bool over_time    = axis_kind == time_axis || lower(axis) == "time" || seconds_per(axis_unit) > 0;
+    const bool over_other   = !over_time && axis_kind != 0 && axis_kind != 1;
+    return (type == 2 || type == 4) && ((function == 1 && !over_other) || (function == 0 && over_time));
+  }
+  double seconds_per_step() const
+  {
+    const double seconds = seconds_per(axis_unit);
+    return seconds > 0 ? seconds : 1;
+  }
 };
+
+std::string without_none(const std::string_view text)
+{
+  return text == "NONE" ? std::string() : valid_text(text);
+}
+
+// "+X" of direction 1, as the description numbers them.
+std::string direction_name(const std::string_view code)
+{
+  static constexpr std::pair<std::string_view, const char *> directions[] = {
+      {"1",  "+X"},
+      {"-1", "-X"},
+      {"2",  "+Y"},
+      {"-2", "-Y"},
+      {"3",  "+Z"},
+      {"-3", "-Z"}
+  };
+  for (const auto &[number, name] : directions)
+    if (code == number)
+      return name;
+  return code == "0" || code.empty() ? "" : std::string(code);
+}
 
 class UffReader {
 public:
@@ -111,7 +150,8 @@ public:
       }
     }
     if (!any)
-      throw InputError(Place{text.path(), 1, 1}, "this is no universal file: no line with -1 begins a data set");
+      throw InputError(Place{text.path(), 1, 1},
+                       "this is not a universal file: no line with -1 begins a data set");
     finish();
     return std::move(record);
   }
@@ -129,7 +169,7 @@ private:
   {
     double value = 0;
     if (!number_in(field, value))
-      throw InputError(text.here(), fmt::format("'{}' is no {}", field, what));
+      throw InputError(text.here(), fmt::format("'{}' is not a {}", valid_text(field), what));
     return value;
   }
 
@@ -167,16 +207,20 @@ private:
       }
       if (i == 7)
         set.axis_kind = int(wanted(part(l, 0, 10), "kind of axis"));
-      if (i == 8) {
-        set.axis = std::string(part(l, 26, 21));
-        set.unit = std::string(part(l, 47, 21));
+      if (i == 7) {
+        set.axis      = without_none(part(l, 26, 21));
+        set.axis_unit = without_none(part(l, 47, 21));
       }
+      if (i == 8)
+        set.unit = without_none(part(l, 47, 21));
     }
-    const std::string id(part(lines[0], 0, 80)), place(part(lines[5], 30, 11));
-    const std::string node(part(lines[5], 41, 10)), direction(part(lines[5], 51, 4));
-    set.name = !id.empty() && id != "NONE"         ? id
-               : !place.empty() && place != "NONE" ? place
-                                                   : "node " + node + " " + direction;
+    const auto entity = without_none(part(lines[5], 30, 11)), node = without_none(part(lines[5], 41, 10));
+    const auto direction      = direction_name(part(lines[5], 51, 4));
+    const auto with_direction = [&](const std::string &name) {
+      return name.empty() || direction.empty() ? name : name + " " + direction;
+    };
+    set.names = {without_none(part(lines[0], 0, 80)), without_none(part(lines[4], 0, 80)), entity,
+                 with_direction(entity), with_direction("node " + node)};
     return set;
   }
 
@@ -207,19 +251,64 @@ private:
     return values;
   }
 
-  // Fixed widths, since neighbours may touch: 6E13.5, 4E20.12, or 2(E13.5, E20.12) with an abscissa.
+  // Fixed widths, since neighbours may touch: 6E13.5, 4E20.12, or pairs of abscissa and ordinate, E13.5 and E20.12
+  // by the description and twice E20.12 or E13.5 by some programs.  The length of the line and its numbers say
+  // which.
   void take_line(const std::string_view line, const DataSet &set, const bool is_double, const std::size_t n,
                  std::vector<double> &values)
   {
+    if (set.even)
+      return take_fields(line, is_double ? 20 : 13, is_double ? 20 : 13, n, values);
+    const auto end = line.find_last_not_of(' ');
+    for (const auto &[abscissa, ordinate] : widths_of_pairs(is_double))
+      if (fits(line.substr(0, end + 1), abscissa, ordinate))
+        return take_fields(line, abscissa, ordinate, n, values);
+    const auto [abscissa, ordinate] = widths_of_pairs(is_double).front();
+    take_fields(line, abscissa, ordinate, n, values);
+  }
+
+  static std::vector<std::pair<std::size_t, std::size_t>> widths_of_pairs(const bool is_double)
+  {
+    if (is_double)
+      return {
+          {13, 20},
+          {20, 20},
+          {20, 13},
+          {25, 25}
+      };
+    return {
+        {13, 13},
+        {20, 13},
+        {20, 20}
+    };
+  }
+
+  static bool fits(const std::string_view line, const std::size_t abscissa, const std::size_t ordinate)
+  {
+    double ignored = 0;
+    bool first     = true;
+    std::size_t at = 0;
+    for (; at < line.size(); first = !first) {
+      const std::size_t width = first ? abscissa : ordinate;
+      if (!number_in(part(line, at, width), ignored) || (at + width < line.size() && line[at + width - 1] == ' '))
+        return false;
+      at += width;
+    }
+    return at == line.size() && first;
+  }
+
+  void take_fields(const std::string_view line, const std::size_t abscissa, const std::size_t ordinate,
+                   const std::size_t n, std::vector<double> &values)
+  {
     for (std::size_t at = 0; at < line.size() && values.size() < n;) {
-      const bool abscissa     = !set.even && values.size() % 2 == 0;
-      const std::size_t width = is_double && !abscissa ? 20 : 13;
+      const std::size_t width = values.size() % 2 == 0 ? abscissa : ordinate;
       const auto field        = part(line, at, width);
       if (field.empty())
         break;
       double value = 0;
       if (!number_in(field, value))
-        throw InputError({text.path(), text.here().line, int(at) + 1}, fmt::format("'{}' is no number", field));
+        throw InputError({text.path(), text.here().line, int(at) + 1},
+                         fmt::format("'{}' is not a number", valid_text(field)));
       values.push_back(value);
       at += width;
     }
@@ -228,7 +317,7 @@ private:
   void take_function(const std::string_view first_line)
   {
     const DataSet set = head(first_line);
-    if (set.function != 1 || (set.type != 2 && set.type != 4)) {
+    if (!set.is_time_record()) {
       ++n_other;
       if (set.binary)
         text.bytes(std::size_t(std::max(0.0, std::min(set.n_bytes, 1e12))));
@@ -246,43 +335,87 @@ private:
               "the numbers of this data set are not followed by -1; their count in the head is wrong");
     if (!set.binary)
       skip_set();
-    add_channel(set, values);
+    add_set(set, values);
   }
 
-  void add_channel(const DataSet &set, const std::vector<double> &values)
+  void add_set(const DataSet &set, const std::vector<double> &values)
   {
     Eigen::VectorXd time, value(set.n);
     if (set.even)
       value = Eigen::Map<const Eigen::VectorXd>(values.data(), set.n);
     else {
       const Eigen::Map<const Eigen::Matrix2Xd> pairs(values.data(), 2, set.n);
-      time  = pairs.row(0).transpose().array() - (set.n > 0 ? pairs(0, 0) : 0.0);
+      time  = (pairs.row(0).transpose().array() - (set.n > 0 ? pairs(0, 0) : 0.0)) * set.seconds_per_step();
       value = pairs.row(1).transpose();
     }
-    if (record.channels.empty()) {
-      record.time       = time;
+    if (sets.empty()) {
+      record.time       = options.rate ? Eigen::VectorXd() : time;
       record.time_place = set.place;
-      step              = set.step;
-      if (set.even) {
-        if (!(set.step > 0) && !options.rate)
-          throw InputError(set.place,
-                           "the step of the time is zero; give the samples per second with --rate 20000");
-        record.rate        = options.rate ? *options.rate : 1 / set.step;
-        const double whole = std::round(record.rate);
-        if (!options.rate && std::abs(record.rate - whole) < 6e-6 * whole && record.rate != whole) {
-          record.notes.push_back(fmt::format(
-              "the step of {:.5e} s has six digits; {:.0f} samples per second were taken", set.step, whole));
-          record.rate = whole;
-        }
-      }
-    } else if (value.size() != record.n_samples() || set.step != step || time.size() != record.time.size())
+      n_times           = time.size();
+      if (options.rate)
+        record.rate = *options.rate;
+      else if (set.even)
+        record.rate = rate_of(set);
+    } else if (const DataSet &first = sets.front();
+               set.n != first.n || set.step != first.step || time.size() != n_times)
       throw InputError(set.place,
                        fmt::format("'{}' has {} samples with a step of {:.5e} s, '{}' before it {} with "
                                    "{:.5e} s; one file holds channels of one recorder",
-                                   set.name, set.n, set.step, record.channels.front().column, record.n_samples(),
-                                   step));
-    record.channels.push_back(
-        channel_of({set.name, set.unit == "NONE" ? "" : set.unit}, set.place, options, std::move(value)));
+                                   first_name(set), set.n, set.step, first_name(first), first.n, first.step));
+    sets.push_back(set);
+    samples.push_back(std::move(value));
+  }
+
+  static std::string first_name(const DataSet &set)
+  {
+    const auto found =
+        std::find_if(set.names.begin(), set.names.end(), [](const auto &name) { return !name.empty(); });
+    return found == set.names.end() ? "data set" : *found;
+  }
+
+  double rate_of(const DataSet &set)
+  {
+    const double seconds = set.step * set.seconds_per_step();
+    if (!(seconds > 0))
+      throw InputError(set.place, "the step of the time is zero; give the samples per second: " +
+                                      command_with(options, text.path(), "--rate 20000"));
+    const double rate = 1 / seconds, whole = std::round(rate);
+    if (std::abs(rate - whole) < 6e-6 * whole && rate != whole) {
+      record.notes.push_back(fmt::format(
+          "the step of {:.5e} s has six digits; {:.0f} samples per second were taken", seconds, whole));
+      return whole;
+    }
+    return rate;
+  }
+
+  // The first of ID line 1, ID line 5, entity, node and direction that is said and different in all data sets.
+  std::size_t way_of_names() const
+  {
+    for (std::size_t way = 0; way < sets.front().names.size(); ++way) {
+      std::set<std::string> seen;
+      for (const DataSet &set : sets)
+        if (!set.names[way].empty())
+          seen.insert(set.names[way]);
+      if (seen.size() == sets.size())
+        return way;
+    }
+    return sets.front().names.size();
+  }
+
+  void add_channels()
+  {
+    const std::size_t way               = way_of_names();
+    static constexpr const char *ways[] = {"", "ID line 5", "the entity", "entity and direction",
+                                           "node and direction"};
+    if (way > 0 && way < std::size(ways) && !sets.front().names[0].empty())
+      record.notes.push_back(
+          fmt::format("ID line 1 is the same in several data sets; the channels have their names "
+                      "from {}",
+                      ways[way]));
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      const std::string name = way < sets[i].names.size() ? sets[i].names[way] : first_name(sets[i]);
+      add_channel(record, {name, sets[i].unit}, sets[i].place, options, std::move(samples[i]));
+    }
   }
 
   void finish()
@@ -291,18 +424,22 @@ private:
       record.notes.push_back(fmt::format("{} data set{} that hold{} no time record {} not used", n_other,
                                          n_other == 1 ? "" : "s", n_other == 1 ? "s" : "",
                                          n_other == 1 ? "was" : "were"));
-    if (record.channels.empty())
-      throw InputError(Place{text.path(), 1, 1},
-                       "no data set 58 of this file is a real time response (function type 1); export the time "
-                       "records, not spectra");
-    require_usable_channels(record, "export the label of the ordinate's unit, for example g or m/s2");
+    if (sets.empty())
+      throw InputError(
+          Place{text.path(), 1, 1},
+          "no data set 58 of this file is a real time response (function type 1, or 0 over a time); export "
+          "the time records, not spectra");
+    add_channels();
+    require_usable_channels(record, options, "export the label of the ordinate's unit, for example g or m/s2, or");
   }
 
   UffText text;
   const ReadOptions &options;
   RawRecord record;
-  double step = 0;
-  int n_other = 0;
+  std::vector<DataSet> sets;             // that are channels
+  std::vector<Eigen::VectorXd> samples;  // of each
+  Eigen::Index n_times = 0;
+  int n_other          = 0;
 };
 }  // namespace
 

@@ -146,14 +146,8 @@ TEST_F(Records, MatlabFiles)
   };
   const RawRecord record = read_mat_record(samples + "scipy-v5.mat", options);
   expect_sample(record, "force", "upper_work_roll", 1e-14);
-  EXPECT_EQ(record.channels.size(), 2u) << "the text and the matrix are no channels";
-  try {
-    read_mat_record(samples + "scipy-compressed.mat", options);
-    FAIL() << "accepted";
-  } catch (const InputError &error) {
-    EXPECT_EQ(error.problems[0].message,
-              samples + "scipy-compressed.mat is compressed; save it with save('record.mat', '-v6')");
-  }
+  EXPECT_EQ(record.channels.size(), 2u) << "the text and the matrix are not channels";
+  expect_sample(read_mat_record(samples + "scipy-compressed.mat", options), "force", "upper_work_roll", 1e-14);
 }
 
 TEST_F(Records, TimesInSeveralForms)
@@ -218,27 +212,28 @@ TEST_F(Records, RefusalsOfCsv)
   EXPECT_EQ(refusal("r.csv", ""),
             "1:1: the file is empty; a line such as \"time [s], force [kN], upper_work_roll [g]\" "
             "and numbers are needed");
-  EXPECT_EQ(refusal("r.csv", rows("time [s],level")),
-            "1:10: no column of this record has a known unit; write the unit behind the name, for example "
-            "\"upper_work_roll [g]\"");
+  EXPECT_EQ(
+      refusal("r.csv", rows("time [s],level")),
+      "1:10: no column of this record has a known unit; its columns are 'level'; write the unit behind the name, "
+      "for example \"upper_work_roll [g]\", or: millstand analyse r.csv --unit level=g");
   EXPECT_EQ(refusal("r.csv", rows("time [s],a [g]", 100)),
             "1:1: the record has 100 samples; at least 2048 are needed for a spectrum");
   EXPECT_EQ(refusal("r.csv", "time [s],a [g]\n0,1\n0.2,2\n0.1,3\n"),
             "4:1: the time goes backwards here, by 0.1 s; sort the lines by time, or split the file where the "
             "recorder started again");
   EXPECT_EQ(refusal("r.csv", "time [s],a [g],a [g]\n0,1,1\n0.2,2,2\n"),
-            "1:16: the channel 'a' stands twice in this record; rename one of the two columns");
+            "1:16: the channel 'a' appears twice in this record; rename one of the two columns");
   EXPECT_EQ(
       refusal("r.csv", "a [g],b [g]\n0,1\n0.2,2\n"),
-      "1:1: no column holds the time; name one, for example \"time [s]\", or give the samples per second with "
-      "--rate 20000");
+      "1:1: no column holds the time; the columns are 'a', 'b'; name one, for example \"time [s]\", or give the "
+      "samples per second: millstand analyse r.csv --rate 20000");
   EXPECT_EQ(refusal("r.csv", "time,a [g]\n0,1\n0.2,2\n"),
-            "1:1: column 'time' has no unit; write for example \"time [s]\", or give the samples per second with "
-            "--rate 20000");
+            "1:1: column 'time' has no unit; write for example \"time [s]\", or: millstand analyse r.csv --unit "
+            "time=s");
   EXPECT_EQ(
       refusal("r.csv", "time [mm],a [g]\n0,1\n0.2,2\n"),
-      "1:1: column 'time' has the unit 'mm'; a time in s, ms, us, min or h is needed, or the samples per second "
-      "with --rate 20000");
+      "1:1: column 'time' has the unit 'mm'; a time in s, ms, us, min or h is needed, or the samples per second: "
+      "millstand analyse r.csv --rate 20000");
   EXPECT_EQ(
       refusal("r.csv", "0,1\n0.2,2\n"),
       "1:1: the columns have no names; put a line such as \"time [s], force [kN], upper_work_roll [g]\" before "
@@ -248,7 +243,7 @@ TEST_F(Records, RefusalsOfCsv)
       "1:1: no row of numbers among the first 2 lines; columns are separated by ';', tab or ',', a decimal comma "
       "needs one of the first two");
   EXPECT_EQ(refusal("r.csv", "time [s],a [g]\n0,1\n0.2,2\n0.3,overload\n"),
-            "4:5: 'overload' in column 'a' is no number; leave the cell empty where there is no value");
+            "4:5: 'overload' in column 'a' is not a number; leave the cell empty where there is no value");
   EXPECT_EQ(refusal("r.csv", "time [s],a [g]\n0,1\n0.2,2\n0,3,3\n0.4,1\n"),
             "4:1: this line has 3 cells, the columns are 2; a decimal comma needs ';' or tab between the columns");
   EXPECT_EQ(refusal("r.csv", "time,a [g]\n2026-01-05T10:00:00,1\n2026-01-05T10:00:01,2\n"),
@@ -266,37 +261,37 @@ TEST_F(Records, RefusalsOfCsv)
   EXPECT_EQ(refusal("r.csv", rows("time [s],a [g]"), {-5}), "--rate -5 is not above zero");
   EXPECT_EQ(
       refusal("r.tdms", "TDSm"),
-      "r.tdms: records are .csv, .txt, .tsv, .asc, .npy with .json, .uff, .unv or .mat; export others (ibaPDA, "
-      "TDMS, Parquet) as CSV");
+      "r.tdms: records are .csv, .txt, .tsv, .asc, .npy with .json, .npz, .uff, .unv, .mat, .wav or .lvm; export "
+      "others (ibaPDA, TDMS, Parquet) as CSV");
 }
 
 TEST_F(Records, RefusalsOfBinaryFiles)
 {
-  EXPECT_EQ(refusal("r.npy", "no array"), "r.npy is no array that numpy saved (.npy, version 1 to 3)");
+  EXPECT_EQ(refusal("r.npy", "no array"), "r.npy is not an array that numpy saved (.npy, version 1 to 3)");
   std::filesystem::copy_file(samples + "numpy-structured.npy", folder + "/alone.npy");
   try {
     read_npy_record(folder + "/alone.npy", {});
     FAIL() << "accepted";
   } catch (const InputError &error) {
-    EXPECT_EQ(error.problems[0].message, folder + "/alone.json is needed beside " + folder +
+    EXPECT_EQ(error.problems[0].message, folder + "/alone.json is needed next to " + folder +
                                              "/alone.npy: {\"rate\": 20000, \"units\": {\"force\": \"kN\", "
                                              "\"upper_work_roll\": \"g\"}}");
   }
   EXPECT_EQ(refusal("r.uff", "no universal file\n"),
-            "1:1: this is no universal file: no line with -1 begins a data set");
+            "1:1: this is not a universal file: no line with -1 begins a data set");
   EXPECT_EQ(
       refusal("r.uff", "    -1\n    15\n 1 2 3\n    -1\n"),
-      "1:1: no data set 58 of this file is a real time response (function type 1); export the time records, not "
-      "spectra");
+      "1:1: no data set 58 of this file is a real time response (function type 1, or 0 over a time); export the "
+      "time records, not spectra");
   EXPECT_EQ(refusal("r.mat", "MATLAB 7.3 MAT-file"),
-            "r.mat is a MATLAB file of version 7.3; save it with save('record.mat', '-v6')");
+            "r.mat is a MATLAB file of version 7.3; save it in MATLAB with save('record.mat', '-v7')");
   EXPECT_EQ(refusal("r.mat", "nothing"),
-            "r.mat is no MATLAB file of level 5; save it with save('record.mat', '-v6')");
+            "r.mat is not a MATLAB file of level 5; save it in MATLAB with save('record.mat', '-v7')");
   std::string empty(128, ' ');
   empty[126] = 'I';
   empty[127] = 'M';
-  EXPECT_EQ(refusal("r.mat", empty), "r.mat holds no numeric vector; save the channels as vectors of numbers with "
-                                     "save('record.mat', '-v6')");
+  EXPECT_EQ(refusal("r.mat", empty),
+            "r.mat holds no numeric vector; it holds nothing; save the channels as vectors of numbers");
 }
 
 // What section 1 of the description calls bad, in the formats that are not text: TW-35.
@@ -318,8 +313,10 @@ TEST_F(Records, RefusalsOfEveryFormat)
       bytes += little(i % 7);
     return refusal("r.npy", bytes);
   };
-  EXPECT_EQ(npy(3000, R"({"a": "", "b": "level"})", 2),
-            "no column of this record has a known unit; write it into \"units\" of r.json");
+  EXPECT_EQ(
+      npy(3000, R"({"a": "", "b": "level"})", 2),
+      "no column of this record has a known unit; its columns are 'a', 'b'; write them into \"units\" of r.json, "
+      "or: millstand analyse r.npy --unit a=g --unit b=g");
   EXPECT_EQ(npy(100, R"({"a": "g"})", 1),
             "1:1: the record has 100 samples; at least 2048 are needed for a spectrum");
   EXPECT_EQ(npy(3000, R"({"a": "g", "b": "g"})", 1),
@@ -345,11 +342,12 @@ TEST_F(Records, RefusalsOfEveryFormat)
     }
     return refusal("r.uff", text);
   };
-  EXPECT_EQ(uff(3000, {"a"}, "NONE"), "2:1: no column of this record has a known unit; export the label of the "
-                                      "ordinate's unit, for example g or m/s2");
+  EXPECT_EQ(uff(3000, {"a"}, "NONE"), "2:1: no column of this record has a known unit; its columns are 'a'; "
+                                      "export the label of the ordinate's unit, for example g or m/s2, or: "
+                                      "millstand analyse r.uff --unit a=g");
   EXPECT_EQ(uff(100, {"a"}, "g"), "1:1: the record has 100 samples; at least 2048 are needed for a spectrum");
   EXPECT_EQ(uff(2100, {"a", "a"}, "g"),
-            "541:1: the channel 'a' stands twice in this record; rename one of the two columns");
+            "541:1: the channel 'a' appears twice in this record; rename one of the two columns");
 }
 
 TEST_F(Records, RefusalsOfMatlabFiles)
@@ -390,11 +388,15 @@ TEST_F(Records, RefusalsOfMatlabFiles)
       {"b", "g"}
   };
   EXPECT_EQ(mat(array("fs", {1000}) + array("a", many), in_g), "accepted");
-  EXPECT_EQ(mat(array("fs", {1000}) + array("a", many)),
-            "no column of this record has a known unit; name it, for example --unit upper_work_roll=g");
-  EXPECT_EQ(mat(array("a", many), in_g),
-            "r.mat holds neither a vector 'time' in seconds nor a number 'fs'; give the "
-            "samples per second with --rate 20000");
+  EXPECT_EQ(
+      mat(array("fs", {1000}) + array("a", many)),
+      "no column of this record has a known unit; its columns are 'a'; name the units, for example: millstand "
+      "analyse r.mat --unit a=g");
+  EXPECT_EQ(
+      mat(array("a", many), in_g),
+      "r.mat: the sampling rate is missing: there is neither a vector 'time' in seconds nor a number Fs, sr, "
+      "SampleRate, dt or Ts; the vectors are 'a'; give the samples per second: millstand analyse r.mat --rate "
+      "20000");
   EXPECT_EQ(mat(array("fs", {1000}) + array("a", few), in_g),
             "1:1: the record has 100 samples; at least 2048 are needed for a spectrum");
   EXPECT_EQ(
@@ -402,10 +404,9 @@ TEST_F(Records, RefusalsOfMatlabFiles)
       "the time goes backwards at sample 1001, by 0.499 s; sort the samples by time, or split the record where "
       "the recorder started again");
   EXPECT_EQ(mat(array("fs", {1000}) + array("a", many) + array("a", many), in_g),
-            "the channel 'a' stands twice in this record; rename one of the two columns");
-  EXPECT_EQ(
-      mat(array("fs", {1000})),
-      "r.mat holds no numeric vector; save the channels as vectors of numbers with save('record.mat', '-v6')");
+            "the channel 'a' appears twice in this record; rename one of the two columns");
+  EXPECT_EQ(mat(array("fs", {1000})),
+            "r.mat holds no numeric vector; it holds 'fs' (1 x 1); save the channels as vectors of numbers");
 }
 
 // Whatever a file holds, it is read or refused.

@@ -1,0 +1,218 @@
+#include "twin/records/channel_names.h"
+#include "twin/records/line_source.h"
+#include "twin/records/number_style.h"
+#include "twin/records/record_clock.h"
+#include "twin/records/sampling_rate.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+// LabVIEW measurement files: a head of keys, then runs of samples, each below keys of its channels.
+// Source: National Instruments, Specification for the LabVIEW Measurement File (.lvm), 2009.
+namespace mill::twin {
+namespace {
+class LvmReader {
+public:
+  LvmReader(const std::string &path, const ReadOptions &read_options) : source(path), options(read_options)
+  {
+    record.file   = path;
+    record.format = "LabVIEW";
+  }
+
+  RawRecord read()
+  {
+    std::string_view line;
+    if (!source.next(line) || trimmed_cell(line).rfind("LabVIEW Measurement", 0) != 0)
+      throw InputError(place(),
+                       "this is not a LabVIEW measurement file: its first line is not \"LabVIEW Measurement\"");
+    read_file_head();
+    while (source.next(line))
+      take(line);
+    finish();
+    return std::move(record);
+  }
+
+private:
+  Place place() const
+  {
+    return {record.file, source.number(), 1};
+  }
+
+  std::vector<std::string> cells_of(const std::string_view line) const
+  {
+    std::vector<std::string> cells;
+    for (std::size_t at = 0; at <= line.size();) {
+      const auto end = std::min(line.find(separator, at), line.size());
+      cells.push_back(trimmed_cell(line.substr(at, end - at)));
+      at = end + 1;
+    }
+    return cells;
+  }
+
+  static bool is_end_of_head(const std::string_view line)
+  {
+    return line.find("***End_of_Header***") != std::string_view::npos;
+  }
+
+  void read_file_head()
+  {
+    for (std::string_view line; source.next(line) && !is_end_of_head(line);) {
+      if (line.rfind("Separator", 0) == 0)
+        separator = lower(line).find("comma") != std::string::npos ? ',' : '\t';
+      const auto cells = cells_of(line);
+      if (cells.size() < 2)
+        continue;
+      if (cells[0] == "Decimal_Separator")
+        style.decimal = cells[1] == "," ? ',' : '.';
+      if (cells[0] == "X_Columns")
+        x_columns = cells[1];
+      if (cells[0] == "Date" && start_date.empty())
+        start_date = cells[1];
+      if (cells[0] == "Time" && start_time.empty())
+        start_time = cells[1].substr(0, std::min(cells[1].find_first_of(".,") + 7, cells[1].size()));
+    }
+  }
+
+  void take(const std::string_view line)
+  {
+    if (line.find_first_not_of(" \t") == std::string_view::npos)
+      return;
+    const auto cells = cells_of(line);
+    if (is_end_of_head(line)) {
+      names_follow = true;
+      return;
+    }
+    if (names_follow) {
+      names_follow = false;
+      names        = cells;
+      prepare();
+      return;
+    }
+    double number = 0;
+    if (read_number(cells[0], style, number) || (cells[0].empty() && !values.empty()))
+      take_row(cells);
+    else
+      keys[cells[0]] = {cells.begin() + 1, cells.end()};
+  }
+
+  double key_number(const std::string &key, const std::size_t channel) const
+  {
+    double number    = std::nan("");
+    const auto found = keys.find(key);
+    if (found != keys.end() && channel < found->second.size())
+      read_number(found->second[channel], style, number);
+    return number;
+  }
+
+  // Columns of the first run of samples; those that follow have the same.
+  void prepare()
+  {
+    const double n = key_number("Channels", 0);
+    if (!(n >= 1 && n <= 4096))
+      throw InputError(place(), "the number of channels is missing above this run of samples (key Channels)");
+    const auto n_channels = std::size_t(n);
+    if (!values.empty() && values.size() != n_channels)
+      throw InputError(place(),
+                       fmt::format("this run has {} channels, the one before it {}; one file holds channels of "
+                                   "one recorder",
+                                   n_channels, values.size()));
+    values.resize(n_channels);
+    multi = x_columns == "Multi";
+    if (!head_place.line)
+      head_place = place();
+    for (std::size_t c = 0; c < n_channels; ++c) {
+      const double step = key_number("Delta_X", c);
+      if (c == 0)
+        delta = step;
+      else if (std::abs(step - delta) > 1e-6 * std::abs(delta))
+        throw InputError(place(), fmt::format("channel {} has a step of {:.6g} s, channel 1 of {:.6g} s; export "
+                                              "channels of one sampling rate",
+                                              c + 1, step, delta));
+    }
+  }
+
+  std::size_t cell_of(const std::size_t channel) const
+  {
+    return multi ? 2 * channel + 1 : channel + 1;
+  }
+
+  void take_row(const std::vector<std::string> &cells)
+  {
+    for (std::size_t c = 0; c < values.size(); ++c) {
+      double number         = std::nan("");
+      const std::size_t at  = cell_of(c);
+      const bool is_present = at < cells.size() && !cells[at].empty();
+      if (is_present && !read_number(cells[at], style, number) && lower(cells[at]) != "nan")
+        throw InputError(place(),
+                         fmt::format("'{}' in the column of channel {} is not a number", cells[at], c + 1));
+      values[c].push_back(number);
+    }
+    double x = std::nan("");
+    if (x_columns != "No" && read_number(cells[0], style, x))
+      times.push_back(x);
+  }
+
+  void finish()
+  {
+    if (values.empty() || values[0].empty())
+      throw InputError(place(), "this file holds no samples");
+    const std::size_t n = values[0].size();
+    if (options.rate)
+      record.rate = *options.rate;
+    else if (times.size() == n) {
+      record.time       = Eigen::Map<const Eigen::VectorXd>(times.data(), Eigen::Index(n)).array() - times[0];
+      record.time_place = head_place;
+    } else if (delta > 0)
+      record.rate = 1 / delta;
+    else
+      throw InputError(head_place, "neither a column of times nor Delta_X says the sampling rate; give it: " +
+                                       command_with(options, record.file, "--rate 20000"));
+    take_start();
+    const auto units = keys.find("Y_Unit_Label");
+    for (std::size_t c = 0; c < values.size(); ++c) {
+      const std::string name = cell_of(c) < names.size() && !names[cell_of(c)].empty()
+                                   ? names[cell_of(c)]
+                                   : fmt::format("channel {}", c + 1);
+      ColumnHead head        = head_of(name);
+      if (head.unit.empty() && units != keys.end() && c < units->second.size())
+        head.unit = units->second[c];
+      add_channel(record, head, head_place, options,
+                  Eigen::Map<const Eigen::VectorXd>(values[c].data(), Eigen::Index(n)));
+    }
+    record.other_columns.push_back("X_Value");
+    if (source.encoding() != "UTF-8")
+      record.notes.push_back("the file is " + source.encoding());
+    require_usable_channels(record, options, "write the units into Y_Unit_Label, or");
+  }
+
+  // Date and time of the head have no zone: they are used where --zone names one.
+  void take_start()
+  {
+    if (options.zone.empty() || start_date.empty() || start_time.empty())
+      return;
+    RecordClock clock(options);
+    clock.seconds_of(start_date + " " + start_time, {record.file, 1, 1});
+    record.start = clock.start();
+  }
+
+  LineSource source;
+  const ReadOptions &options;
+  RawRecord record;
+  char separator = '\t';
+  NumberStyle style;
+  std::string x_columns = "One", start_date, start_time;
+  std::map<std::string, std::vector<std::string>> keys;
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> values;
+  std::vector<double> times;
+  Place head_place;
+  double delta      = std::numeric_limits<double>::quiet_NaN();  // s
+  bool names_follow = false, multi = false;
+};
+}  // namespace
+
+RawRecord read_lvm_record(const std::string &path, const ReadOptions &options)
+{
+  return LvmReader(path, options).read();
+}
+}  // namespace mill::twin

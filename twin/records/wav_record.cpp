@@ -1,0 +1,131 @@
+#include "core/base/input_file.h"
+#include "twin/records/binary_numbers.h"
+#include "twin/records/channel_names.h"
+#include <cmath>
+#include <fmt/format.h>
+
+// Sound files: PCM of 8 to 32 bit and floating point, RIFF and RF64 with one run of samples.
+// Source: Microsoft and IBM, Multimedia Programming Interface and Data Specifications 1.0 (1991), chapter 3.
+namespace mill::twin {
+namespace {
+struct WavFormat {
+  int coding = 0, channels = 0, bits = 0;  // coding 1: PCM, 3: floating point
+  double rate = 0;                         // Hz
+};
+
+constexpr int most_wav_channels = 1024;
+
+[[noreturn]] void refuse_wav(const std::string &file, const std::string &what)
+{
+  throw InputError(file + " " + what);
+}
+
+WavFormat wav_format(const std::string &bytes, const std::string &path)
+{
+  const auto number = [&](const std::size_t at, const int size) {
+    return at + std::size_t(size) <= bytes.size() ? number_at(&bytes[at], {'u', size, false}) : 0.0;
+  };
+  WavFormat format{int(number(0, 2)), int(number(2, 2)), int(number(14, 2)), number(4, 4)};
+  if (format.coding == 0xFFFE)  // extensible: the coding is at the head of an identifier
+    format.coding = int(number(24, 2));
+  const bool whole =
+      format.coding == 1 && (format.bits == 8 || format.bits == 16 || format.bits == 24 || format.bits == 32);
+  const bool real = format.coding == 3 && (format.bits == 32 || format.bits == 64);
+  if (!whole && !real)
+    refuse_wav(path,
+               fmt::format("holds samples of coding {} with {} bits; save PCM of 8 to 32 bit or floating point",
+                           format.coding, format.bits));
+  if (format.channels < 1 || format.channels > most_wav_channels || !(format.rate > 0))
+    refuse_wav(path, fmt::format("has {} channels at {} Hz, which is not possible", format.channels, format.rate));
+  return format;
+}
+
+// One sample in units of full scale.
+double wav_sample(const char *bytes, const WavFormat &format)
+{
+  if (format.coding == 3)
+    return number_at(bytes, {'f', format.bits / 8, false});
+  if (format.bits == 8)
+    return (number_at(bytes, {'u', 1, false}) - 128) / 128;
+  if (format.bits == 24) {
+    const char wide[4] = {0, bytes[0], bytes[1], bytes[2]};
+    return number_at(wide, {'i', 4, false}) / 2147483648.0;
+  }
+  return number_at(bytes, {'i', format.bits / 8, false}) / std::ldexp(1.0, format.bits - 1);
+}
+
+std::vector<Eigen::VectorXd> wav_samples(InputFile &file, const WavFormat &format, const double size,
+                                         const std::string &path)
+{
+  const std::size_t width = std::size_t(format.bits / 8), row = width * std::size_t(format.channels);
+  const auto n = Eigen::Index(size / double(row));
+  require_memory(path, file.size(), 8.0 * double(n) * double(format.channels));
+  std::vector<Eigen::VectorXd> columns(std::size_t(format.channels), Eigen::VectorXd(n));
+  std::string block(row * 4096, '\0');
+  for (Eigen::Index first = 0; first < n; first += 4096) {
+    const auto rows = std::min<Eigen::Index>(4096, n - first);
+    if (file.read(block.data(), std::size_t(rows) * row) != std::size_t(rows) * row)
+      refuse_wav(path, "is shorter than its head says; it was cut off while it was written or copied");
+    for (Eigen::Index r = 0; r < rows; ++r)
+      for (std::size_t c = 0; c < columns.size(); ++c)
+        columns[c][first + r] = wav_sample(&block[std::size_t(r) * row + c * width], format);
+  }
+  return columns;
+}
+}  // namespace
+
+RawRecord read_wav_record(const std::string &path, const ReadOptions &options)
+{
+  InputFile file(path);
+  std::string head(12, '\0');
+  head.resize(file.read(head.data(), 12));
+  if (head.size() < 12 || (head.compare(0, 4, "RIFF") != 0 && head.compare(0, 4, "RF64") != 0) ||
+      head.compare(8, 4, "WAVE") != 0)
+    refuse_wav(path, "is not a WAV file: it does not begin with RIFF .. WAVE");
+  RawRecord record;
+  record.file   = path;
+  record.format = "WAV";
+  WavFormat format;
+  double at = 12;
+  while (true) {
+    std::string chunk(8, '\0');
+    file.go_to(std::size_t(at));
+    if (file.read(chunk.data(), 8) != 8)
+      refuse_wav(path, "has no samples (chunk 'data'); it was cut off while it was written or copied");
+    double size     = number_at(&chunk[4], {'u', 4, false});
+    const auto left = file.size() - at - 8;
+    if (chunk.compare(0, 4, "fmt ") == 0) {
+      std::string bytes(std::size_t(std::min(size, 64.0)), '\0');
+      bytes.resize(file.read(bytes.data(), bytes.size()));
+      format = wav_format(bytes, path);
+    }
+    if (chunk.compare(0, 4, "data") == 0) {
+      if (format.coding == 0)
+        refuse_wav(path, "has samples before it says how they are written (chunk 'fmt ')");
+      if (size > left) {  // a recorder that was switched off, or more than 4 GiB
+        record.notes.push_back("the head says more samples than the file holds; those there are were read");
+        size = left;
+      }
+      auto columns = wav_samples(file, format, size, path);
+      record.rate  = options.rate ? *options.rate : format.rate;
+      for (std::size_t c = 0; c < columns.size(); ++c)
+        add_channel(record, {fmt::format("ch{}", c + 1), ""}, {path, 0, 0}, options, std::move(columns[c]));
+      break;
+    }
+    at += 8 + size + (std::fmod(size, 2) > 0 ? 1 : 0);
+  }
+  if (!options.scales.empty() && format.coding == 1)
+    record.notes.push_back(
+        "full scale of the file was taken as 1 V; with another, multiply the sensitivity by 1 V over "
+        "it, or say what full scale stands for, --scale \"20 g\"");
+  const std::vector<std::string> &asked = options.asked;
+  if (options.scales.empty() && options.units.empty() && asked.empty())
+    throw InputError(fmt::format("{} holds {} channel{} (ch1{}) in units of full scale; say what they mean, for "
+                                 "example: {}",
+                                 path, format.channels, format.channels == 1 ? "" : "s",
+                                 format.channels == 1 ? "" : fmt::format(" to ch{}", format.channels),
+                                 command_with(options, path, "--scale '50 mV/g'")));
+  require_usable_channels(record, options, "say what full scale stands for, --scale \"20 g\", or the unit");
+  return record;
+}
+}  // namespace mill::twin

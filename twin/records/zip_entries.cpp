@@ -1,0 +1,74 @@
+#include "twin/records/zip_entries.h"
+#include "core/base/input_file.h"
+#include "core/base/errors.h"
+#include "twin/records/binary_numbers.h"
+#include "twin/records/inflate.h"
+#include <fmt/format.h>
+
+namespace mill::twin {
+namespace {
+[[noreturn]] void refuse_zip(const std::string &file)
+{
+  throw InputError(file + " is not a whole zip archive; it was cut off while it was written or copied");
+}
+
+// A number of two or four bytes.
+std::size_t number_in_zip(const std::string &file, const std::string_view archive, const std::size_t at,
+                          const int size)
+{
+  if (at > archive.size() || archive.size() - at < std::size_t(size))
+    refuse_zip(file);
+  return std::size_t(number_at(archive.data() + at, {'u', size, false}));
+}
+
+std::string_view bytes_in_zip(const std::string &file, const std::string_view archive, const std::size_t at,
+                              const std::size_t n)
+{
+  if (at > archive.size() || archive.size() - at < n)
+    refuse_zip(file);
+  return archive.substr(at, n);
+}
+}  // namespace
+
+std::vector<ZipEntry> zip_entries(const std::string &file, const std::string_view archive)
+{
+  const auto end = archive.rfind(std::string_view("PK\5\6", 4));
+  if (end == std::string_view::npos)
+    refuse_zip(file);
+  const auto number = [&](const std::size_t at, const int size) { return number_in_zip(file, archive, at, size); };
+  const std::size_t n = number(end + 10, 2);
+  std::size_t at      = number(end + 16, 4);
+  std::vector<ZipEntry> entries;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (bytes_in_zip(file, archive, at, 4) != std::string_view("PK\1\2", 4))
+      refuse_zip(file);
+    const std::size_t name = number(at + 28, 2), extra = number(at + 30, 2), comment = number(at + 32, 2);
+    const std::size_t local = number(at + 42, 4);
+    ZipEntry entry;
+    entry.method = int(number(at + 10, 2));
+    entry.size   = number(at + 24, 4);
+    entry.name   = std::string(bytes_in_zip(file, archive, at + 46, name));
+    if (bytes_in_zip(file, archive, local, 4) != std::string_view("PK\3\4", 4))
+      refuse_zip(file);
+    entry.packed = bytes_in_zip(file, archive, local + 30 + number(local + 26, 2) + number(local + 28, 2),
+                                number(at + 20, 4));
+    entries.push_back(std::move(entry));
+    at += 46 + name + extra + comment;
+  }
+  return entries;
+}
+
+std::string unpacked(const std::string &file, const ZipEntry &entry)
+{
+  if (entry.method == 0)
+    return std::string(entry.packed);
+  if (entry.method != 8)
+    throw InputError(fmt::format("{} holds '{}' packed by another method than deflate; save it with numpy.savez",
+                                 file, entry.name));
+  require_memory(file, double(entry.packed.size()), 2.0 * double(entry.size));
+  auto bytes = inflated(entry.packed, Deflated::raw, entry.size);
+  if (!bytes)
+    throw InputError(fmt::format("{} holds '{}', which is damaged", file, entry.name));
+  return std::move(*bytes);
+}
+}  // namespace mill::twin
