@@ -65,6 +65,8 @@ void add_record_options(CLI::App *verb, CommandLine &c)
   add_repeatable(verb, "--channel", c.channels, "a column and its place, AI_07=upper_work_roll, repeatable");
   add_repeatable(verb, "--unit", c.channel_units,
                  "a column and its unit, AI_07=g, where the source says none, repeatable");
+  add_repeatable(verb, "--scale", c.scales,
+                 "sensitivity of the sensors behind voltages, \"50 mV/g\", or of one column, \"AI_07=50 mV/g\"");
 }
 
 // What verbs that read records or give advice have in common behind their own options.

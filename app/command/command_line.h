@@ -36,6 +36,7 @@ struct CommandLine {
   std::string limit;               ///< analyse, live --limit
   std::vector<std::string> channels,
       channel_units;                  ///< analyse, calibrate, advise --channel, --unit: NAME=PLACE, NAME=UNIT
+  std::vector<std::string> scales;    ///< analyse, calibrate, advise --scale: "50 mV/g", NAME=50 mV/g
   std::vector<std::string> severity;  ///< analyse --severity: upper ends of zones
   std::string baseline;               ///< analyse --baseline: folder of an earlier analysis
   bool align = false;                 ///< analyse --align

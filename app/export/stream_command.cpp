@@ -6,6 +6,7 @@
 #include "app/verbs/driven_case.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
+#include "core/base/uninterrupted.h"
 #include "core/model/case.h"
 #include "core/records/force_blocks.h"
 #include "dynamics/response/hold_stepper.h"
@@ -34,7 +35,7 @@ class GrowingFile {
 public:
   explicit GrowingFile(std::string path) : path_(std::move(path)), aside_(name_aside(path_))
   {
-    file_ = std::fopen(aside_.c_str(), "wbx");
+    file_ = uninterrupted([&] { return std::fopen(aside_.c_str(), "wbx"); });
     if (!file_)
       refuse_file(errno, "cannot write " + path_ + ": " + std::strerror(errno));
     lock_file(fileno(file_), LOCK_EX | LOCK_NB);  // remove_stale_parts() sees by it that the writer is alive

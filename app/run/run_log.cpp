@@ -1,6 +1,7 @@
 #include "app/run/run_log.h"
 #include "app/run/output_dir.h"
 #include "core/base/errors.h"
+#include "core/base/uninterrupted.h"
 #include "core/base/visible_text.h"
 #include <algorithm>
 #include <cerrno>
@@ -92,7 +93,9 @@ void refuse_results(const std::string &file, const OutputDir &out)
 
 std::shared_ptr<FileSink> opened(const std::string &file, const int flags)
 {
-  const int number = ::open(file.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | flags, 0666);
+  const int number = uninterrupted([&] {
+    return ::open(file.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | flags, 0666);
+  });
   if (number < 0)
     refuse_file(errno, "the log " + file + " cannot be written: " + std::strerror(errno));
   return std::make_shared<FileSink>(file, number, true);

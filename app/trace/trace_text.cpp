@@ -15,7 +15,7 @@ std::string listed(const std::vector<std::string> &words)
 
 std::string value_text(const Parameter &p)
 {
-  if (std::isnan(p.value))
+  if (!std::isfinite(p.value))
     return "no answer";
   return fmt::format("{:.5g} {}", p.value, p.unit == "1" ? "" : p.unit);
 }
@@ -24,6 +24,8 @@ constexpr double smallest = 0.005;  // percent per percent, of what is shown wit
 
 std::string slope_text(const double slope, const std::string &per)
 {
+  if (!std::isfinite(slope))
+    return "no answer";
   if (per == "%")
     return std::abs(slope) < smallest ? "below 0.005" : fmt::format("{:+.2f} % per %", slope);
   const std::string number = std::abs(slope) < 100 ? fmt::format("{:+.2g}", slope) : fmt::format("{:+.0f}", slope);
@@ -45,11 +47,15 @@ std::string elasticity_text(const Trace &trace, const TraceLine &line)
   if (!line.words.empty()) {
     std::vector<std::string> words;
     for (const auto &[word, percent] : line.words)
-      words.push_back(std::isnan(percent) ? word + ": no answer" : fmt::format("{}: {:+.3g} %", word, percent));
+      words.push_back(!std::isfinite(percent) ? word + ": no answer"
+                                              : fmt::format("{}: {:+.3g} %", word, percent));
     return listed(words);
   }
   if (trace.per.empty())
     return "-";
+  if (!std::isfinite(line.slope_up) || !std::isfinite(line.slope_down))
+    return slope_text(line.slope, trace.per) +
+           (std::isfinite(line.slope) ? " to one side, no answer to the other" : "");
   if (has_kink(line, trace.per))
     return trace.per == "%"
                ? fmt::format("{:+.2f} up, {:+.2f} down", line.slope_up, line.slope_down)
@@ -124,7 +130,9 @@ std::string run_notes(const Trace &trace)
     for (const auto &[name, value] : trace.run)
       if (name == line.result.name && value != 0) {
         const double off = 100 * (line.result.parameter.value / value - 1);
-        if (std::abs(off) < 0.05)
+        if (!std::isfinite(off))
+          far.push_back(name + " no answer");
+        else if (std::abs(off) < 0.05)
           ++near;
         else
           far.push_back(fmt::format("{} {:+.1f} %", name, off));

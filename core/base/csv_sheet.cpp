@@ -1,4 +1,5 @@
 #include "core/base/csv_sheet.h"
+#include "core/base/valid_text.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -122,13 +123,16 @@ Header header_of(const Cell &cell)
 Sheet sheet_of(const std::string &file, std::string text, const std::string &example)
 {
   Sheet sheet;
-  sheet.file            = file;
-  sheet.text            = std::make_unique<const std::string>(std::move(text));
+  sheet.file = file;
+  std::string encoding;
+  sheet.text            = std::make_unique<const std::string>(valid_file_text(std::move(text), encoding));
   std::string_view rest = *sheet.text;
   if (rest.substr(0, 3) == "\xEF\xBB\xBF") {
     rest.remove_prefix(3);
     sheet.notes.push_back("a byte-order mark at the beginning of the file was ignored");
   }
+  if (encoding != "UTF-8")
+    sheet.notes.push_back("the file is " + encoding);
   int number = 0, n_blank = 0;
   while (!rest.empty()) {
     ++number;

@@ -53,7 +53,7 @@ struct Sheet {
 };
 
 /// Separator comma, semicolon or tab, decimal comma with the latter two; quotes as in RFC 4180; byte-order mark,
-/// CRLF, blank lines and lines that begin with # are understood.
+/// UTF-16, Windows-1252, CRLF, blank lines and lines that begin with # are understood.
 /// @param file     named in messages
 /// @param example  of a header, shown when there is none
 /// @throws InputError with file:line:column  empty, a line with another number of cells than the header, a quote

@@ -1,5 +1,7 @@
 #include "core/base/files.h"
 #include "core/base/errors.h"
+#include "core/base/input_file.h"
+#include "core/base/uninterrupted.h"
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
@@ -32,15 +34,6 @@ namespace {
 [[noreturn]] void cannot_write(const std::string &path, const int error)
 {
   refuse_file(error, Place{path}, fmt::format("cannot be written: {}", std::strerror(error)));
-}
-
-// A call that a signal interrupted is made again.
-template <class Call> auto uninterrupted(const Call &call)
-{
-  auto result = call();
-  while (result < 0 && errno == EINTR)
-    result = call();
-  return result;
 }
 
 class Descriptor {
@@ -146,6 +139,7 @@ std::string read_text(const std::string &path)
     cannot_read(path, errno);
   if (const std::string kind = other_kind(found.st_mode); !kind.empty())
     cannot("read", path, kind);
+  require_memory(path, double(found.st_size), 2.0 * double(found.st_size));
   std::string text, block(1 << 16, '\0');
   text.reserve(std::min<std::size_t>(std::size_t(found.st_size), 1 << 26));  // a size may be a lie
   while (true) {

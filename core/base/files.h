@@ -10,7 +10,8 @@ namespace mill {
 void write_atomically(const std::string &path, const std::string &text);
 
 /// Whole file as text.  A pipe, a device or a socket is refused: reading it may never end.
-/// @throws InputError  not there, no regular file, or not permitted; SystemError  the disk refuses it
+/// @throws InputError  not there, not a regular file, not permitted, or larger than memory; SystemError  the disk
+///         refuses it
 std::string read_text(const std::string &path);
 
 /// As read_text, but nothing where that would throw.

@@ -1,5 +1,6 @@
 #include "core/base/input_file.h"
 #include "core/base/errors.h"
+#include "core/base/uninterrupted.h"
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -11,20 +12,12 @@ namespace mill {
 namespace {
 constexpr double usable_share = 0.7;  // of the machine's memory, for one file
 
-// A call that a signal interrupted is made again.
-template <class Call> auto until_done(const Call &call)
-{
-  auto result = call();
-  while (result < 0 && errno == EINTR)
-    result = call();
-  return result;
-}
 }  // namespace
 
 InputFile::InputFile(const std::string &path) : path_(path)
 {
   // O_NONBLOCK: a pipe without a writer would be waited for.
-  number_ = until_done([&] { return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY); });
+  number_ = uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY); });
   struct stat found {};
   const int error = number_ < 0 || ::fstat(number_, &found) != 0 ? errno : 0;
   if (error == 0 && S_ISREG(found.st_mode)) {
@@ -51,7 +44,7 @@ std::size_t InputFile::read(char *bytes, const std::size_t n)
 {
   std::size_t done = 0;
   while (done < n) {
-    const ssize_t got = until_done([&] { return ::read(number_, bytes + done, n - done); });
+    const ssize_t got = uninterrupted([&] { return ::read(number_, bytes + done, n - done); });
     if (got < 0)
       refuse_file(errno, path_ + " cannot be read: " + std::strerror(errno));
     if (got == 0)

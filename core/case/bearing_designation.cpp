@@ -210,12 +210,19 @@ void estimate(RollerBearing &b, const Keys &keys, const CatalogueBearing &from)
   if (angle)
     trial.cup_angle = std::isfinite(from.e) ? std::atan(from.e / 1.5) : usual_angle;
   b.candidates = roller_candidates(trial, known);
-  if (b.candidates.empty())
-    return refuse_to_estimate(keys,
-                              fmt::format("no rollers of {} x {} give C {} and C0 {} by ISO 281 and ISO 76; give "
-                                          "rollers_per_row, roller_diameter and roller_length",
-                                          millimetres(b.bore), millimetres(b.outside_diameter),
-                                          kilonewtons(b.dynamic_rating), kilonewtons(b.static_rating)));
+  if (b.candidates.empty()) {
+    trial.dynamic_rating *= ratings_90_to_1;
+    const bool of_90_million = !roller_candidates(trial, known).empty();
+    return refuse_to_estimate(
+        keys, fmt::format(
+                  "no rollers of {} x {} give C {} and C0 {} by ISO 281 and ISO 76; give {}", millimetres(b.bore),
+                  millimetres(b.outside_diameter), kilonewtons(b.dynamic_rating), kilonewtons(b.static_rating),
+                  of_90_million ? fmt::format("dynamic_rating for one million turns: C {} is one for 90 million "
+                                              "turns, and 90^0.3 = {:.3f} times as much is \"{}\"",
+                                              kilonewtons(b.dynamic_rating), ratings_90_to_1,
+                                              kilonewtons(trial.dynamic_rating))
+                                : "rollers_per_row, roller_diameter and roller_length"));
+  }
   const bool open_angle = angle && keys.left_out("roller_cone_angle");
   if (open_angle && std::isnan(from.e))
     add_other_angles(trial, b.candidates);

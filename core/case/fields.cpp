@@ -2,6 +2,7 @@
 #include "core/base/error_list.h"
 #include "core/base/units.h"
 #include "core/case/quantity_slips.h"
+#include "core/case/removed_keys.h"
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -353,10 +354,13 @@ void refuse_unknown_keys(const Section &section, const std::vector<Row> &rows,
 void report_unknown(const Node::Entry &entry, const Section &section, const std::vector<std::string> &known,
                     Reading &reading)
 {
-  const std::string what = entry.value.section && section.name.empty()
-                               ? fmt::format("unknown section [{}]", shortened(entry.key))
-                               : fmt::format("unknown key '{}' in {}", shortened(entry.key), section.header());
-  reading.add(entry.key_place, what + suggestion(entry.key, known));
+  const std::string what    = entry.value.section && section.name.empty()
+                                  ? fmt::format("unknown section [{}]", shortened(entry.key))
+                                  : fmt::format("unknown key '{}' in {}", shortened(entry.key), section.header());
+  const std::string removal = removal_note(entry.key);
+  // Beyond what is shown of a list no suggestion is computed: a damaged file may have a hundred thousand names.
+  const bool is_shown = reading.problems.size() < 2 * most_problems_shown;
+  reading.add(entry.key_place, what + (!removal.empty() ? removal : is_shown ? suggestion(entry.key, known) : ""));
 }
 
 }  // namespace mill

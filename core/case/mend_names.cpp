@@ -1,5 +1,7 @@
 #include "core/case/mend_names.h"
+#include "core/base/error_list.h"
 #include "core/case/given.h"
+#include "core/case/removed_keys.h"
 #include "core/case/stand_reader.h"
 #include <algorithm>
 #include <map>
@@ -16,7 +18,9 @@ bool holds_name(const Names &names, const std::string &name)
 void mend(Node &table, const Section &section, const Names &known, const bool values_only, Reading &reading)
 {
   for (Node::Entry &entry : table.entries) {
-    if (holds_name(known, entry.key) || (values_only && entry.value.section))
+    if (reading.problems.size() >= most_problems_shown)
+      return;  // more are not shown, and a damaged file may have a hundred thousand names
+    if (holds_name(known, entry.key) || (values_only && entry.value.section) || !removal_note(entry.key).empty())
       continue;
     const std::string meant = nearest_word(entry.key, known);
     if (meant.empty() || table.find(meant))

@@ -37,6 +37,12 @@ Ratings ratings(const RollerBearing &b)
           0.67 * cot};
 }
 
+bool is_rating_of_90_million(const double rating, const double by_formula, const double scatter)
+{
+  const double expected = by_formula / ratings_90_to_1;
+  return rating > expected / scatter && rating < expected * scatter;
+}
+
 namespace {
 // Length that gives the static rating with this diameter and number.  (5.40)
 double length_of(const RollerBearing &b, const double diameter, const int Z)

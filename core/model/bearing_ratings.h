@@ -1,5 +1,6 @@
 #pragma once
 #include "core/model/roller_bearing.h"
+#include <cmath>
 
 // Ratings by the formulas of the standards, and the rollers that give a published pair of them. theory.md 5.7, 5.9
 namespace mill {
@@ -23,6 +24,14 @@ struct Ratings {
 /// ISO 76, (5.29). The axial factors are infinite for a bearing without contact angle.
 /// @throws InputError  roller or pitch diameter missing
 Ratings ratings(const RollerBearing &bearing);
+
+/// A rating for 10^6 turns over that for 90 million turns of the same bearing: 90^(3/10), with the exponent 10/3
+/// of the life of roller bearings.  ISO 281
+inline const double ratings_90_to_1 = std::pow(90.0, 0.3);
+
+/// Is this a rating for 90 million turns?  True where it is within a factor `scatter` of by_formula/90^0.3.
+/// @param by_formula  N, rating for 10^6 turns from the rollers
+bool is_rating_of_90_million(double rating, double by_formula, double scatter);
 
 /// What of the rollers is known beforehand; zero or NaN: nothing.
 struct KnownRollers {

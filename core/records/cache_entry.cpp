@@ -1,5 +1,6 @@
 #include "core/records/cache_entry.h"
 #include "core/base/files.h"
+#include "core/base/uninterrupted.h"
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -60,7 +61,8 @@ int read_all(const int file, const std::size_t expected, std::string &text)
 std::string text_of(const std::string &path, std::string &reason)
 {
   // O_NONBLOCK: opening a pipe would wait for somebody who writes into it.
-  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  const int file =
+      uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC); });
   if (file < 0) {
     if (errno != ENOENT)
       reason = std::strerror(errno);

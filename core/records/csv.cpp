@@ -74,10 +74,8 @@ std::string header_text(std::string name, const std::string &unit)
 // As number_text, without a string of its own: a response of 100 s has tens of millions of numbers.
 void add_number(std::string &text, const double value)
 {
-  if (!std::isfinite(value)) {
-    text += number_text(value);
-    return;
-  }
+  if (!std::isfinite(value))
+    return;  // an empty cell
   char digits[64];
   text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
 }
@@ -121,6 +119,8 @@ std::string csv_text(const Table &table)
         text += ',';
       add_number(text, table.columns[c][r]);
     }
+    if (table.columns.size() == 1 && !std::isfinite(table.columns[0][r]))
+      text += "\"\"";  // a line of its own, not a blank one that readers skip
     text += '\n';
   }
   return text;
@@ -153,8 +153,9 @@ Table read_table(const std::string &path)
     Eigen::VectorXd values(Eigen::Index(sheet.n_rows()));
     for (std::size_t r = 0; r < sheet.n_rows(); ++r) {
       const Cell &cell        = sheet.cell(r, c);
-      values[Eigen::Index(r)] = cell.text == "nan" ? std::numeric_limits<double>::quiet_NaN()
-                                                   : number_of(cell, sheet.header[c].name, sheet);
+      values[Eigen::Index(r)] = cell.text.empty() || cell.text == "nan"
+                                    ? std::numeric_limits<double>::quiet_NaN()
+                                    : number_of(cell, sheet.header[c].name, sheet);
     }
     table.columns.push_back(std::move(values));
   }

@@ -1,6 +1,7 @@
 #include "core/records/force_blocks.h"
 #include "core/base/csv_sheet.h"
 #include "core/base/errors.h"
+#include "core/base/uninterrupted.h"
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -54,7 +55,7 @@ ForceBlocks::ForceBlocks(std::string path, const std::size_t bytes) : path_(std:
   const auto status = std::filesystem::status(path_, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     throw InputError(path_ + " is no regular file; a record that is read in blocks is read twice");
-  file_.reset(std::fopen(path_.c_str(), "rb"));
+  file_.reset(uninterrupted([&] { return std::fopen(path_.c_str(), "rb"); }));
   if (!file_)
     refuse_file(errno, "cannot read " + path_ + ": " + std::strerror(errno));
   size_ = (long long)(std::filesystem::file_size(path_, error));

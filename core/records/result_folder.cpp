@@ -1,6 +1,7 @@
 #include "core/records/result_folder.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
+#include "core/base/uninterrupted.h"
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -149,7 +150,8 @@ const std::vector<std::string> &result_names()
 }
 
 FolderLock::FolderLock(const std::string &directory)
-    : folder(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)), locked(lock(folder, LOCK_EX))
+    : folder(uninterrupted([&] { return ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); })),
+      locked(lock(folder, LOCK_EX))
 {
 }
 
@@ -222,7 +224,9 @@ void require_published(const std::string &directory)
 Staging::Staging(const std::string &directory) : folder(directory + "/" + staging_prefix + random_name()), lock(-1)
 {
   if (::mkdir(folder.c_str(), 0777) == 0)
-    lock = ::open((folder + "/" + lock_name).c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    lock = uninterrupted([&] {
+      return ::open((folder + "/" + lock_name).c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    });
   if (lock < 0) {
     const int error = errno;
     ::rmdir(folder.c_str());
@@ -257,9 +261,9 @@ void remove_leftovers(const std::string &directory)
     if (!is_staging(entry.path().filename().string()))
       continue;
     const std::string name = (entry.path() / lock_name).string();
-    int file               = ::open(name.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    int file = uninterrupted([&] { return ::open(name.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC); });
     if (file < 0 && errno == EACCES)
-      file = ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+      file = uninterrupted([&] { return ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC); });
     const bool dead = file < 0 ? errno == ENOENT : lock(file, LOCK_EX | LOCK_NB);
     if (dead)
       fs::remove_all(entry.path(), error);

@@ -160,6 +160,36 @@ void limit_events(CleanRecord &record, std::vector<CleaningEvent> &&events, cons
   events.resize(std::min(events.size(), most_listed), {});
   std::move(events.begin(), events.end(), std::back_inserter(record.events));
 }
+void add_labels(CleanRecord &record, const RawRecord &raw)
+{
+  const auto at = [&](const Eigen::Index i) {
+    return raw.time.size() > 0 ? raw.time[i] : double(i) / record.rate;
+  };
+  for (const LabelSpan &span : raw.labels)
+    record.labels.push_back({span.column, span.text, at(span.begin), at(span.end - 1)});
+}
+
+// Counters, ramps, constants and set values leave the channels and are said in a sentence.
+void describe_channels(CleanRecord &record, RawRecord &raw)
+{
+  std::vector<RawChannel> kept;
+  for (RawChannel &channel : raw.channels)
+    if (auto description = described(channel)) {
+      record.notes.push_back(
+          fmt::format("{}: {}; described and not analysed", channel.name, description->sentence));
+      record.described.push_back(std::move(*description));
+    } else
+      kept.push_back(std::move(channel));
+  raw.channels = std::move(kept);
+}
+
+std::string list_of(const std::vector<DescribedChannel> &channels)
+{
+  std::string text;
+  for (const DescribedChannel &channel : channels)
+    text += fmt::format("{}{}: {}", text.empty() ? " (" : "; ", channel.name, channel.sentence);
+  return text.empty() ? "" : text + ")";
+}
 }  // namespace
 
 Eigen::Index CleanChannel::n_used() const
@@ -205,6 +235,9 @@ CleanRecord clean_record(RawRecord &&raw)
          fmt::format("times lie {:.3g} samples (rms) beside an even grid; put onto it by a cubic spline",
                      grid.jitter * grid.rate)});
   const std::vector<CleaningEvent> of_all = record.events;
+  add_labels(record, raw);
+  const Place first_place = raw.channels.front().place;
+  describe_channels(record, raw);
   for (RawChannel &channel : raw.channels) {
     std::vector<CleaningEvent> events;
     const std::string name = channel.name;
@@ -216,9 +249,8 @@ CleanRecord clean_record(RawRecord &&raw)
     return c.quantity != Quantity::speed && c.n_used() > 0;
   });
   if (!any)
-    throw InputError(
-        raw.channels.front().place,
-        "every channel stands still or is empty; check cables and amplifiers, or choose another record");
+    throw InputError(first_place, "every channel stands still or is empty" + list_of(record.described) +
+                                      "; check cables and amplifiers, or choose another record");
   return record;
 }
 }  // namespace mill::twin

@@ -1,4 +1,5 @@
 #pragma once
+#include "twin/cleaning/described_channel.h"
 #include "twin/cleaning/time_grid.h"
 #include "twin/records/raw_record.h"
 #include <limits>
@@ -42,6 +43,12 @@ struct CleanChannel {
   Eigen::Index n_used() const;                                      ///< samples in pieces
 };
 
+/// A text that a column of the record held from one time to another: a coil number, OK, TRUE.
+struct Label {
+  std::string column, text;
+  double from, to;  ///< s from the start of the record, first and last sample
+};
+
 /// A record as it is analysed.
 struct CleanRecord {
   std::string file, format;
@@ -51,7 +58,9 @@ struct CleanRecord {
   Eigen::Index n    = 0;        ///< samples of the grid
   std::optional<double> start;  ///< s since 1970-01-01 UTC
   std::vector<CleanChannel> channels;
-  std::vector<CleaningEvent> events;  ///< by channel, then by time; at most 200 of one channel
+  std::vector<DescribedChannel> described;  ///< columns that do not vibrate: not among the channels
+  std::vector<Label> labels;                ///< by column, then by time
+  std::vector<CleaningEvent> events;        ///< by channel, then by time; at most 200 of one channel
   std::vector<std::string> notes;
   const CleanChannel *find(const std::string &name) const;  ///< nullptr when absent
   double duration() const;                                  ///< s

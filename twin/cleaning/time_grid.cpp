@@ -1,4 +1,6 @@
 #include "twin/cleaning/time_grid.h"
+#include "core/base/input_file.h"
+#include "twin/records/sampling_rate.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -64,6 +66,9 @@ TimeGrid time_grid(const RawRecord &record)
   const double step = median_step(record);
   if (!(step > 0))
     too_coarse(record, "most samples have the time of their neighbour");
+  require_possible_rate(1 / step, record.file);
+  const double length = (record.time[grid.n - 1] - record.time[0]) / step;
+  require_memory(record.file, 8.0 * double(grid.n), 8.0 * length * double(record.channels.size() + 1));
   grid.position.resize(std::size_t(grid.n));
   Eigen::Index k   = 0;
   grid.position[0] = 0;

@@ -15,21 +15,6 @@ bool is_one_of(const std::string &word, const std::initializer_list<const char *
   return std::any_of(list.begin(), list.end(), [&](const char *one) { return word == one; });
 }
 
-// As a shell takes one word: in single quotes where it holds more than plain letters.
-std::string shell_word(const std::string &text)
-{
-  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](const char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) ||
-           std::string_view("_-+=./:%@,").find(c) != std::string_view::npos;
-  });
-  if (plain)
-    return text;
-  std::string word = "'";
-  for (const char c : text)
-    word += c == '\'' ? "'\\''" : std::string(1, c);
-  return word + "'";
-}
-
 std::string plural(const Eigen::Index n, const char *one, const char *many)
 {
   return fmt::format("{} {}", n, n == 1 ? one : many);
@@ -142,6 +127,20 @@ void add_channel(RawRecord &record, const ColumnHead &head, const Place &place, 
   if (!unit.known && unit.si != "1")
     record.notes.push_back(fmt::format("{}: unit '{}' not converted", channel.name, unit.si));
   record.channels.push_back(std::move(channel));
+}
+
+std::string shell_word(const std::string &text)
+{
+  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](const char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) ||
+           std::string_view("_-+=./:%@,").find(c) != std::string_view::npos;
+  });
+  if (plain)
+    return text;
+  std::string word = "'";
+  for (const char c : text)
+    word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
 }
 
 std::string command_with(const ReadOptions &options, const std::string &file, const std::string &more)

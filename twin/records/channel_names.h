@@ -37,6 +37,9 @@ int time_column_among(const std::vector<TimeEvidence> &columns);
 void add_channel(RawRecord &record, const ColumnHead &head, const Place &place, const ReadOptions &options,
                  Eigen::VectorXd numbers);
 
+/// As a shell takes one word: in single quotes where it holds more than plain letters.
+std::string shell_word(const std::string &text);
+
 /// The command as it was typed, with more options: "millstand analyse r.mat --unit a=g --unit b=g".
 std::string command_with(const ReadOptions &options, const std::string &file, const std::string &more);
 

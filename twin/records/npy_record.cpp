@@ -1,5 +1,5 @@
-#include "core/base/input_file.h"
 #include "core/base/files.h"
+#include "core/base/input_file.h"
 #include "twin/records/channel_names.h"
 #include "twin/records/npy_array.h"
 #include "twin/records/npy_sidecar.h"

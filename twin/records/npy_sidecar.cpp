@@ -1,7 +1,7 @@
 #include "twin/records/npy_sidecar.h"
-#include "core/base/valid_text.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
+#include "core/base/valid_text.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

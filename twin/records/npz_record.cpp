@@ -1,5 +1,5 @@
-#include "core/base/valid_text.h"
 #include "core/base/files.h"
+#include "core/base/valid_text.h"
 #include "twin/records/named_arrays.h"
 #include "twin/records/npy_array.h"
 #include "twin/records/npy_sidecar.h"

@@ -60,8 +60,8 @@ struct ReadOptions {
 /// @throws InputError with file:line:column and remedy
 RawRecord read_record(const std::string &path, const ReadOptions &options);
 
-/// The endings that read_record() knows, in lower case, with the point.
-const std::vector<std::string> &record_endings();
+/// Has this file one of the endings that read_record() knows?
+bool is_record_file(const std::string &path);
 
 RawRecord read_csv_record(const std::string &path, const ReadOptions &options);
 RawRecord read_npy_record(const std::string &path, const ReadOptions &options);

@@ -30,12 +30,20 @@ const std::vector<std::pair<std::string, Reader>> &readers()
   return all;
 }
 
-RawRecord read_any(const std::string &path, const ReadOptions &options)
+// By the ending of the name; nullptr: no format has this ending.
+Reader reader_of(const std::string &path)
 {
   const std::string ending = lower(std::filesystem::path(path).extension().string());
   for (const auto &[known, reader] : readers())
     if (ending == known)
-      return reader(path, options);
+      return reader;
+  return nullptr;
+}
+
+RawRecord read_any(const std::string &path, const ReadOptions &options)
+{
+  if (const Reader reader = reader_of(path))
+    return reader(path, options);
   throw InputError(
       fmt::format("{}: records are .csv, .txt, .tsv, .asc, .npy with .json, .npz, .uff, .unv, .mat, .wav "
                   "or .lvm; export others (ibaPDA, TDMS, Parquet) as CSV",
@@ -78,15 +86,9 @@ void require_increasing(const RawRecord &record)
 }
 }  // namespace
 
-const std::vector<std::string> &record_endings()
+bool is_record_file(const std::string &path)
 {
-  static const std::vector<std::string> endings = [] {
-    std::vector<std::string> all;
-    for (const auto &[ending, reader] : readers())
-      all.push_back(ending);
-    return all;
-  }();
-  return endings;
+  return reader_of(path) != nullptr;
 }
 
 RawRecord read_record(const std::string &path, const ReadOptions &options)

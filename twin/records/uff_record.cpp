@@ -1,5 +1,5 @@
-#include "core/base/valid_text.h"
 #include "core/base/files.h"
+#include "core/base/valid_text.h"
 #include "twin/records/binary_numbers.h"
 #include "twin/records/channel_names.h"
 #include <algorithm>

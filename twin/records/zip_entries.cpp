@@ -1,6 +1,6 @@
 #include "twin/records/zip_entries.h"
-#include "core/base/input_file.h"
 #include "core/base/errors.h"
+#include "core/base/input_file.h"
 #include "twin/records/binary_numbers.h"
 #include "twin/records/inflate.h"
 #include <fmt/format.h>

@@ -14,15 +14,6 @@ namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
-bool is_record(const fs::path &file)
-{
-  const std::string ending = file.extension().string();
-  for (const char *known : {".csv", ".txt", ".tsv", ".asc", ".npy", ".uff", ".unv", ".mat"})
-    if (ending == known)
-      return true;
-  return false;
-}
-
 std::vector<std::string> records_in(const std::string &path)
 {
   std::error_code error;
@@ -33,12 +24,12 @@ std::vector<std::string> records_in(const std::string &path)
                      ": there is no such folder; give the folder of the records, or one of them");
   std::vector<std::string> files;
   for (const fs::directory_entry &entry : fs::directory_iterator(path, error))
-    if (entry.is_regular_file(error) && is_record(entry.path()))
+    if (entry.is_regular_file(error) && twin::is_record_file(entry.path().string()))
       files.push_back(entry.path().string());
   if (files.empty())
-    throw InputError(
-        "--measured " + path +
-        ": the folder holds no record; one ends with .csv, .npy, .uff or .mat (.txt, .tsv, .asc, .unv)");
+    throw InputError("--measured " + path +
+                     ": the folder holds no record; one ends with .csv, .npy, .npz, .uff, .mat, .wav or .lvm "
+                     "(.txt, .tsv, .asc, .unv)");
   std::sort(files.begin(), files.end());
   return files;
 }

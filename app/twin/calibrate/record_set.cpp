@@ -11,7 +11,6 @@ namespace fs = std::filesystem;
 namespace mill {
 namespace {
 constexpr double shortest_piece = 1;  // s: below it the transients of the low modes leave nothing to fit
-const std::set<std::string> endings{".csv", ".tsv", ".txt", ".asc", ".npy", ".uff", ".unv", ".mat"};
 
 using E = RecordEntry;
 const std::vector<Field<E>> &entry_rows()
@@ -236,7 +235,7 @@ RecordSet read_record_set(const std::string &folder)
   RecordSet set;
   set.folder = folder;
   for (const auto &file : fs::directory_iterator(folder))
-    if (file.is_regular_file() && endings.count(file.path().extension().string()))
+    if (file.is_regular_file() && twin::is_record_file(file.path().string()))
       set.entries.push_back({file.path().string(), "", std::numeric_limits<double>::quiet_NaN(), "smooth", {}});
   std::sort(set.entries.begin(), set.entries.end(), [](const E &a, const E &b) { return a.file < b.file; });
   if (set.entries.empty())

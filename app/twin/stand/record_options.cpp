@@ -1,6 +1,9 @@
 #include "app/twin/stand/record_options.h"
 #include "core/base/files.h"
 #include "core/base/units.h"
+#include "core/base/valid_text.h"
+#include "twin/records/channel_names.h"
+#include "twin/records/channel_scale.h"
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -21,9 +24,31 @@ std::map<std::string, std::string> pairs_of(const std::string &option, const std
     if (at == std::string::npos || at == 0 || at + 1 == text.size())
       throw InputError(fmt::format("{} \"{}\": a name and what it stands for are needed, for example {} {}",
                                    option, text, option, sample));
-    pairs[text.substr(0, at)] = text.substr(at + 1);
+    pairs[valid_text(text.substr(0, at))] = valid_text(text.substr(at + 1));
   }
   return pairs;
+}
+// "50 mV/g" for all voltages, "AI_07=50 mV/g" for one column.
+void read_scales(const CommandLine &command, twin::ReadOptions &options)
+{
+  for (const std::string &text : command.scales) {
+    const auto at            = text.find('=');
+    const std::string column = at == std::string::npos ? "" : valid_text(text.substr(0, at));
+    const std::string scale  = valid_text(at == std::string::npos ? text : text.substr(at + 1));
+    twin::unit_by_scale(scale, column);  // refused here, before a record is read
+    options.scales[column] = scale;
+    if (!column.empty())
+      options.asked.push_back(column);
+  }
+}
+
+// The command line as it can be copied, without the end of it.
+std::string typed_command(const CommandLine &command)
+{
+  std::string text = "millstand";
+  for (char **word = command.arguments ? command.arguments + 1 : nullptr; word && *word; ++word)
+    text += " " + twin::shell_word(valid_text(*word));
+  return text;
 }
 }  // namespace
 
@@ -56,9 +81,16 @@ twin::ReadOptions read_options(const CommandLine &command, const Monitoring &mon
   }
   options.zone     = command.zone;
   options.channels = monitoring.channels();
-  for (const auto &[column, place] : pairs_of("--channel", command.channels, "AI_07=upper_work_roll"))
+  for (const auto &[column, place] : pairs_of("--channel", command.channels, "AI_07=upper_work_roll")) {
     options.channels[column] = place;
+    options.asked.push_back(column);
+  }
   options.units = pairs_of("--unit", command.channel_units, "AI_07=g");
+  for (const auto &[column, unit] : options.units)
+    options.asked.push_back(column);
+  read_scales(command, options);
+  options.several = command.verb != "analyse" || command.names.size() > 1;
+  options.command = typed_command(command);
   return options;
 }
 
