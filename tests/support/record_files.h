@@ -24,11 +24,13 @@ inline std::string doubles(const std::vector<double> &values)
 /// An element of a MATLAB file: tag, data, padding.
 inline std::string element(const int type, const std::string &data)
 {
-  return little(std::uint64_t(type), 4) + little(data.size(), 4) + data + std::string((8 - data.size() % 8) % 8, '\0');
+  return little(std::uint64_t(type), 4) + little(data.size(), 4) + data +
+         std::string((8 - data.size() % 8) % 8, '\0');
 }
 
 /// An array of numbers, column by column.
-inline std::string mat_array(const std::string &name, const std::vector<double> &values, const std::size_t columns = 1)
+inline std::string mat_array(const std::string &name, const std::vector<double> &values,
+                             const std::size_t columns = 1)
 {
   return element(14, element(6, little(6, 4) + little(0, 4)) +
                          element(5, little(values.size() / columns, 4) + little(columns, 4)) + element(1, name) +
@@ -101,8 +103,8 @@ inline std::string zip(const std::vector<std::pair<std::string, std::string>> &f
   std::string all, directory;
   for (const auto &[name, data] : files) {
     const std::string packed = stored_blocks(data);
-    const std::string sizes  = little(0, 4) + little(packed.size(), 4) + little(data.size(), 4) +
-                              little(name.size(), 2) + little(0, 2);
+    const std::string sizes =
+        little(0, 4) + little(packed.size(), 4) + little(data.size(), 4) + little(name.size(), 2) + little(0, 2);
     const std::string offset = little(all.size(), 4);
     all += "PK\3\4" + little(20, 2) + little(0, 2) + little(8, 2) + little(0, 4) + sizes + name + packed;
     directory += "PK\1\2" + little(20, 2) + little(20, 2) + little(0, 2) + little(8, 2) + little(0, 4) + sizes +
@@ -119,7 +121,7 @@ inline std::string wav(const int rate, const std::vector<std::vector<int>> &chan
   for (std::size_t i = 0; i < channels.front().size(); ++i)
     for (const auto &channel : channels)
       data += little(std::uint64_t(std::int64_t(channel[i])), 2);
-  const auto m = channels.size();
+  const auto m             = channels.size();
   const std::string format = little(1, 2) + little(m, 2) + little(std::uint64_t(rate), 4) +
                              little(2 * m * std::uint64_t(rate), 4) + little(2 * m, 2) + little(16, 2);
   const std::string body = "WAVEfmt " + little(16, 4) + format + "data" + little(data.size(), 4) + data;

@@ -8,7 +8,8 @@ namespace mill {
 /// A folder of its own for the files of a test.
 class RecordTest : public testing::Test {
 protected:
-  std::string folder = testing::TempDir() + "millstand_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::string folder =
+      testing::TempDir() + "millstand_" + testing::UnitTest::GetInstance()->current_test_info()->name();
   void SetUp() override
   {
     std::filesystem::create_directories(folder);

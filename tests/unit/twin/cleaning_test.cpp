@@ -149,7 +149,9 @@ TEST(Cleaning, NoiseHasNoFault)
 TEST(Cleaning, Refusals)
 {
   EXPECT_EQ(refusal(even(Eigen::VectorXd::Constant(3000, 1.5), 1000)),
-            "1:10: every channel stands still or is empty; check cables and amplifiers, or choose another record");
+            "1:10: every channel stands still or is empty (a: constant, 1.5 m/s2); check cables and amplifiers, "
+            "or choose "
+            "another record");
   RawRecord coarse  = even(noise(3000), 0);
   coarse.time_place = {"r.csv", 1, 1};
   coarse.time.resize(3000);

@@ -30,7 +30,7 @@ ReadOptions in_g(const std::vector<std::string> &columns)
   return options;
 }
 
-constexpr double g = 9.80665;  // m/s2
+constexpr double g       = 9.80665;  // m/s2
 const char *doubles_kept = "doubles are kept to the last bit but for the factor of the unit";
 
 class RecordFormats : public RecordTest {
@@ -57,16 +57,17 @@ struct UffSet {
 std::string uff(const UffSet &set)
 {
   char head[400];
-  std::snprintf(head, sizeof head, "%5d%10d%5d%10d %-10s%10d%4d %-10s%10d%4d\n%10d%10d%10d%13.5E%13.5E%13.5E\n", set.function,
-                0, 0, 0, set.entity.c_str(), set.node, set.direction, "NONE", 0, 0, set.type, n, set.even, 0.0, set.step, 0.0);
+  std::snprintf(head, sizeof head, "%5d%10d%5d%10d %-10s%10d%4d %-10s%10d%4d\n%10d%10d%10d%13.5E%13.5E%13.5E\n",
+                set.function, 0, 0, 0, set.entity.c_str(), set.node, set.direction, "NONE", 0, 0, set.type, n,
+                set.even, 0.0, set.step, 0.0);
   const auto axis = [](const int kind, const std::string &label, const std::string &unit) {
     char line[200];
     std::snprintf(line, sizeof line, "%10d%5d%5d%5d %-20s %-20s\n", kind, 0, 0, 0, label.c_str(), unit.c_str());
     return std::string(line);
   };
   return "    -1\n    58\n" + set.id1 + "\nNONE\nNONE\nNONE\n" + set.id5 + "\n" + head +
-         axis(set.axis_kind, set.axis, set.axis_unit) + axis(12, "Acceleration", set.unit) + axis(0, "NONE", "NONE") +
-         axis(0, "NONE", "NONE") + set.numbers + "    -1\n";
+         axis(set.axis_kind, set.axis, set.axis_unit) + axis(12, "Acceleration", set.unit) +
+         axis(0, "NONE", "NONE") + axis(0, "NONE", "NONE") + set.numbers + "    -1\n";
 }
 
 std::string printed(const char *form, const double x)
@@ -99,18 +100,24 @@ std::string pairs(const char *abscissa, const char *ordinate, const int on_a_lin
 
 TEST_F(RecordFormats, CompressedVariablesOfMatlabAreRead)
 {
-  const auto record = read("r.mat", mat_file(mat_compressed(mat_array("a", swings())) + mat_compressed(mat_array("fs", {1000}))),
-                           in_g({"a"}));
+  const auto record =
+      read("r.mat", mat_file(mat_compressed(mat_array("a", swings())) + mat_compressed(mat_array("fs", {1000}))),
+           in_g({"a"}));
   expect_swing(record, "a");
   EXPECT_EQ(record.rate, 1000);
 }
 
 TEST_F(RecordFormats, FieldsOfStructuresAreChannels)
 {
-  const std::string run = mat_structure("run", {{"a", mat_array("", swings())}, {"fs", mat_array("", {1000})}});
+  const std::string run = mat_structure("run", {
+                                                   {"a",  mat_array("", swings())},
+                                                   {"fs", mat_array("", {1000})  }
+  });
   expect_swing(read("r.mat", mat_file(run), in_g({"a"})), "a");
   // two structures with the same fields keep their names
-  const std::string other = mat_structure("later", {{"a", mat_array("", swings())}});
+  const std::string other = mat_structure("later", {
+                                                       {"a", mat_array("", swings())}
+  });
   expect_swing(read("s.mat", mat_file(run + other), in_g({"run.a", "later.a"})), "later.a");
 }
 
@@ -124,14 +131,16 @@ TEST_F(RecordFormats, ColumnsOfAMatrixAreChannels)
   expect_swing(record, "run_1");
   expect_swing(record, "run_2", 2);
   EXPECT_TRUE(has_note(record, "the 2 columns of the matrix 'run' are called run_1 to run_2"));
-  EXPECT_EQ(refusal("s.mat", file), "no column of this record has a known unit; its columns are 'run_1', 'run_2'; name "
-                                    "the units, for example: millstand analyse s.mat --unit run_1=g --unit run_2=g");
+  EXPECT_EQ(refusal("s.mat", file),
+            "no column of this record has a known unit; its columns are 'run_1', 'run_2'; name "
+            "the units, for example: millstand analyse s.mat --unit run_1=g --unit run_2=g");
 }
 
 TEST_F(RecordFormats, XYAndZWithARateAreAxesOfASensor)
 {
-  const auto record = read("r.mat", mat_file(mat_array("x", swings()) + mat_array("y", swings()) + mat_array("fs", {1000})),
-                           in_g({"x", "y"}));
+  const auto record =
+      read("r.mat", mat_file(mat_array("x", swings()) + mat_array("y", swings()) + mat_array("fs", {1000})),
+           in_g({"x", "y"}));
   EXPECT_EQ(record.channels.size(), 2u);
   EXPECT_EQ(record.rate, 1000);
 }
@@ -145,39 +154,67 @@ TEST_F(RecordFormats, TheSamplingRateIsOneOfItsNamesAndRateAloneIsNot)
     return read("r.mat", mat_file(variables), in_g({"a"})).rate;
   };
   for (const char *name : {"Fs", "fs", "sr", "SR", "SampleRate", "sample_rate", "SamplingRate", "fs_Hz"})
-    EXPECT_EQ(rate_of({{name, 2048}}), 2048) << name;
+    EXPECT_EQ(rate_of({
+                  {name, 2048}
+    }),
+              2048)
+        << name;
   for (const char *name : {"dt", "Ts", "ts", "delta_t", "SampleTime"})
-    EXPECT_EQ(rate_of({{name, 1.0 / 2048}}), 2048) << name;
-  EXPECT_EQ(rate_of({{"sr", 2048}, {"rate", 16.5}, {"load", 150}}), 2048);
-  EXPECT_EQ(rate_of({{"rate", 1500}, {"Fs", 2048}, {"dt", 1.0 / 2048}}), 2048);
+    EXPECT_EQ(rate_of({
+                  {name, 1.0 / 2048}
+    }),
+              2048)
+        << name;
+  EXPECT_EQ(rate_of({
+                {"sr",   2048},
+                {"rate", 16.5},
+                {"load", 150 }
+  }),
+            2048);
+  EXPECT_EQ(rate_of({
+                {"rate", 1500      },
+                {"Fs",   2048      },
+                {"dt",   1.0 / 2048}
+  }),
+            2048);
   const auto refused = [&](const std::string &variables) {
     return refusal("r.mat", mat_file(mat_array("a", swings()) + variables), in_g({"a"}));
   };
-  EXPECT_EQ(refused(mat_array("Fs", {2048}) + mat_array("SampleRate", {4096})),
-            "r.mat: the sampling rate is 2048 Hz by 'Fs' = 2048 and 4096 Hz by 'SampleRate' = 4096, which disagree; say "
-            "which one is right: millstand analyse r.mat --rate 2048");
-  EXPECT_EQ(refused(mat_array("rate", {16.5})),
-            "r.mat: the sampling rate is missing: there is neither a vector 'time' in seconds nor a number Fs, sr, "
-            "SampleRate, dt or Ts, and 'rate' = 16.5 is not taken for it; the vectors are 'a'; give the samples per "
-            "second: millstand analyse r.mat --rate 20000");
+  EXPECT_EQ(
+      refused(mat_array("Fs", {2048}) + mat_array("SampleRate", {4096})),
+      "r.mat: the sampling rate is 2048 Hz by 'Fs' = 2048 and 4096 Hz by 'SampleRate' = 4096, which disagree; say "
+      "which one is right: millstand analyse r.mat --rate 2048");
+  EXPECT_EQ(
+      refused(mat_array("rate", {16.5})),
+      "r.mat: the sampling rate is missing: there is neither a vector 'time' in seconds nor a number Fs, sr, "
+      "SampleRate, dt or Ts, and 'rate' = 16.5 is not taken for it; the vectors are 'a'; give the samples per "
+      "second: millstand analyse r.mat --rate 20000");
   std::vector<double> times(n);
   for (int i = 0; i < n; ++i)
     times[std::size_t(i)] = i / 2000.0;
   EXPECT_EQ(refused(mat_array("t", times) + mat_array("Fs", {1000})),
-            "r.mat: the sampling rate is 1000 Hz by 'Fs' = 1000 and 2000 Hz by the step of 't', which disagree; say which "
+            "r.mat: the sampling rate is 1000 Hz by 'Fs' = 1000 and 2000 Hz by the step of 't', which disagree; "
+            "say which "
             "one is right: millstand analyse r.mat --rate 1000");
 }
 
 TEST_F(RecordFormats, ArchivesOfNumpyAreRead)
 {
-  const std::string archive =
-      zip({{"a.npy", npy(swings(), "(3000,)")}, {"fs.npy", npy({1000}, "()")}, {"both.npy", npy(std::vector<double>(6000, 1), "(3000, 2)")}});
-  const auto record = read("r.npz", archive, in_g({"a"}));
+  const std::string archive = zip({
+      {"a.npy",     npy(swings(), "(3000,)")},
+      {          "fs.npy", npy({1000},        "()")          },
+      { "both.npy",         npy(std::vector<double>(6000,         1),           "(3000, 2)")}
+  });
+  const auto record         = read("r.npz", archive, in_g({"a"}));
   expect_swing(record, "a");
   EXPECT_EQ(record.rate, 1000);
   EXPECT_NE(record.find("both_2"), nullptr);
   file("s.json", R"({"rate": 500, "units": {"a": "g"}})");
-  EXPECT_EQ(read("s.npz", zip({{"a.npy", npy(swings(), "(3000,)")}})).rate, 500);
+  EXPECT_EQ(read("s.npz", zip({
+                              {"a.npy", npy(swings(), "(3000,)")}
+  }))
+                .rate,
+            500);
   EXPECT_EQ(refusal("t.npz", archive.substr(0, 1000)),
             "t.npz is not a whole zip archive; it was cut off while it was written or copied");
 }
@@ -189,20 +226,22 @@ TEST_F(RecordFormats, SoundFilesHaveAScale)
     samples[std::size_t(i)] = (37 * i) % 101 - 50;
   const std::string file = wav(48000, {samples, samples});
   ReadOptions scaled;
-  scaled.scales[""]  = "50 mV/g";
+  scaled.scales[""] = "50 mV/g";
   const auto record = read("r.wav", file, scaled);
   ASSERT_EQ(record.channels.size(), 2u);
   EXPECT_EQ(record.rate, 48000);
   EXPECT_TRUE(near(record.find("ch2")->value[1], (37 - 50) / 32768.0 / 0.05 * g, within(1e-12, doubles_kept)));
   EXPECT_TRUE(has_note(record, "full scale of the file was taken as 1 V"));
   scaled.scales[""] = "20 g";
-  EXPECT_TRUE(near(read("s.wav", file, scaled).find("ch1")->value[0], -50 / 32768.0 * 20 * g, within(1e-12, doubles_kept)));
-  EXPECT_EQ(refusal("t.wav", file), "t.wav holds 2 channels (ch1 to ch2) in units of full scale; say what they mean, for "
-                                    "example: millstand analyse t.wav --scale '50 mV/g'");
+  EXPECT_TRUE(near(read("s.wav", file, scaled).find("ch1")->value[0], -50 / 32768.0 * 20 * g,
+                   within(1e-12, doubles_kept)));
+  EXPECT_EQ(refusal("t.wav", file),
+            "t.wav holds 2 channels (ch1 to ch2) in units of full scale; say what they mean, for "
+            "example: millstand analyse t.wav --scale '50 mV/g'");
   scaled.scales[""] = "50 mV per g";
-  EXPECT_EQ(refusal("u.wav", file, scaled),
-            "--scale \"50 mV per g\" is not a sensitivity; write for example --scale \"50 mV/g\", --scale \"10 g/V\", or "
-            "what full scale stands for, --scale \"20 g\"");
+  EXPECT_EQ(refusal("u.wav", file, scaled), "--scale \"50 mV per g\" is not a sensitivity; write for example "
+                                            "--scale \"50 mV/g\", --scale \"10 g/V\", or "
+                                            "what full scale stands for, --scale \"20 g\"");
 }
 
 TEST_F(RecordFormats, VoltagesOfAnyFormatTakeAScale)
@@ -222,11 +261,12 @@ TEST_F(RecordFormats, FilesOfLabViewAreRead)
   const auto lvm = [](const std::string &x_columns, const char decimal, const std::string &separator) {
     const std::string s = separator == "Comma" ? "," : "\t";
     std::string text    = "LabVIEW Measurement" + s + "\nWriter_Version" + s + "2\nSeparator" + s + separator +
-                       "\nDecimal_Separator" + s + decimal + "\nX_Columns" + s + x_columns +
-                       "\nDate" + s + "2026/03/14\nTime" + s + "10:00:00.123456789\n***End_of_Header***\n\nChannels" + s + "2" +
-                       s + "\nSamples" + s + "3000" + s + "3000\nY_Unit_Label" + s + "g" + s + "kN\nX_Dimension" + s + "Time" +
-                       s + "Time\nX0" + s + "0" + s + "0\nDelta_X" + s + "0.001" + s +
-                       "0.001\n***End_of_Header***" + s + s + "\nX_Value" + s + "chock" + s + "force" + s + "Comment\n";
+                       "\nDecimal_Separator" + s + decimal + "\nX_Columns" + s + x_columns + "\nDate" + s +
+                       "2026/03/14\nTime" + s + "10:00:00.123456789\n***End_of_Header***\n\nChannels" + s + "2" +
+                       s + "\nSamples" + s + "3000" + s + "3000\nY_Unit_Label" + s + "g" + s + "kN\nX_Dimension" +
+                       s + "Time" + s + "Time\nX0" + s + "0" + s + "0\nDelta_X" + s + "0.001" + s +
+                       "0.001\n***End_of_Header***" + s + s + "\nX_Value" + s + "chock" + s + "force" + s +
+                       "Comment\n";
     for (int i = 0; i < n; ++i) {
       std::string row = (x_columns == "No" ? "" : printed("%.6f", i / 1000.0)) + s +
                         printed("%.6f", 0.01 * ((37 * i) % 101 - 50)) + s + printed("%.6f", 1.5 * (i % 7));
@@ -299,14 +339,15 @@ TEST_F(RecordFormats, UniversalFilesSayTheUnitOfTheirTimeAndTheirValues)
   set.axis_kind = 18;  // frequency
   set.axis      = "Frequency";
   set.axis_unit = "Hz";
-  EXPECT_NE(refusal("u.uff", uff(set)).find("no data set 58 of this file is a real time response"), std::string::npos);
+  EXPECT_NE(refusal("u.uff", uff(set)).find("no data set 58 of this file is a real time response"),
+            std::string::npos);
 }
 
 TEST_F(RecordFormats, UnevenUniversalFilesAreReadInEveryWidth)
 {
   for (const auto &[abscissa, ordinate, on_a_line] :
-       {std::tuple("%13.5E", "%20.12E", 2), std::tuple("%20.12E", "%20.12E", 1), std::tuple("%20.12E", "%20.12E", 2),
-        std::tuple("%20.12E", "%13.5E", 2)}) {
+       {std::tuple("%13.5E", "%20.12E", 2), std::tuple("%20.12E", "%20.12E", 1),
+        std::tuple("%20.12E", "%20.12E", 2), std::tuple("%20.12E", "%13.5E", 2)}) {
     UffSet set;
     set.numbers       = pairs(abscissa, ordinate, on_a_line);
     set.type          = 4;
@@ -321,17 +362,32 @@ TEST_F(RecordFormats, UnevenUniversalFilesAreReadInEveryWidth)
 TEST_F(RecordFormats, NamesThatAreNotUtf8AreMadeValidInEveryFormat)
 {
   const auto expect_name = [&](const RawRecord &record) { EXPECT_EQ(record.channels[0].name, "Kr\u00e4fte"); };
-  ReadOptions options = in_g({"Kr\u00e4fte"});
-  expect_name(read("r.mat", mat_file(mat_array("Kr\xE4" "fte", swings()) + mat_array("fs", {1000})), options));
-  expect_name(read("r.npz", zip({{"Kr\xE4" "fte.npy", npy(swings(), "(3000,)")}, {"fs.npy", npy({1000}, "()")}}), options));
+  ReadOptions options    = in_g({"Kr\u00e4fte"});
+  expect_name(read("r.mat",
+                   mat_file(mat_array("Kr\xE4"
+                                      "fte",
+                                      swings()) +
+                            mat_array("fs", {1000})),
+                   options));
+  expect_name(read("r.npz",
+                   zip({
+                       {"Kr\xE4"
+                        "fte.npy", npy(swings(), "(3000,)")},
+                       {"fs.npy",                          npy({1000},   "()")     }
+  }),
+                   options));
   UffSet set;
   set.numbers = even_numbers();
-  set.id1     = "Kr\xE4" "fte";
+  set.id1     = "Kr\xE4"
+                "fte";
   expect_name(read("r.uff", uff(set), options));
-  std::string text = "Zeit [s];Kr\xE4" "fte [kN]\n";
+  std::string text = "Zeit [s];Kr\xE4"
+                     "fte [kN]\n";
   for (int i = 0; i < n; ++i)
     text += std::to_string(i) + "e-3;" + std::to_string((37 * i) % 101) + "\n";
-  const auto record = read("Walzger\xFC" "st.csv", text);
+  const auto record = read("Walzger\xFC"
+                           "st.csv",
+                           text);
   expect_name(record);
   EXPECT_EQ(record.file, folder + "/Walzger\u00fcst.csv");
 }
@@ -352,21 +408,23 @@ TEST_F(RecordFormats, ArchivesThatUnpackWithoutEndAreRefused)
 TEST_F(RecordFormats, DamagedFilesOfEveryFormatAreReadOrRefused)
 {
   UffSet set;
-  set.numbers = even_numbers();
-  std::string csv = "time [s];a [g];coil\n", lvm = "LabVIEW Measurement\nX_Columns\tOne\n***End_of_Header***\nChannels\t1\n"
-                                                  "Delta_X\t0.001\n***End_of_Header***\nX_Value\tchock\n";
+  set.numbers     = even_numbers();
+  std::string csv = "time [s];a [g];coil\n",
+              lvm = "LabVIEW Measurement\nX_Columns\tOne\n***End_of_Header***\nChannels\t1\n"
+                    "Delta_X\t0.001\n***End_of_Header***\nX_Value\tchock\n";
   for (int i = 0; i < n; ++i) {
     csv += std::to_string(i) + "e-3;" + std::to_string((37 * i) % 101) + ";K" + std::to_string(i / 1000) + "\n";
     lvm += std::to_string(i) + "e-3\t" + std::to_string((37 * i) % 101) + "\n";
   }
   const std::vector<std::pair<std::string, std::string>> files{
-      {"d.mat", mat_file(mat_structure("run", {{"a", mat_array("", swings())}, {"fs", mat_array("", {1000})}}))},
-      {"e.mat", mat_file(mat_compressed(mat_array("a", swings())))},
-      {"d.npz", zip({{"a.npy", npy(swings(), "(3000,)")}, {"fs.npy", npy({1000}, "()")}})},
-      {"d.wav", wav(1000, {std::vector<int>(n, 7)})},
-      {"d.uff", uff(set)},
-      {"d.csv", csv},
-      {"d.lvm", lvm}};
+      {"d.mat",                                                                    mat_file(mat_structure("run",{{"a", mat_array("", swings())}, {"fs", mat_array("", {1000})}}))},
+      {"e.mat",                                                                          mat_file(mat_compressed(mat_array("a",swings())))},
+      {"d.npz",                                                               zip({{"a.npy", npy(swings(), "(3000,)")}, {"fs.npy", npy({1000}, "()")}})},
+      {"d.wav",wav(1000,{std::vector<int>(n, 7)})},
+      {"d.uff",                                                                                                                                uff(set)                                                                                                                                                               },
+      {"d.csv",                                                                    csv},
+      {"d.lvm",                                                                    lvm}
+  };
   std::uint64_t state = 20261127;
   const auto random   = [&](const std::uint64_t below) {
     state ^= state << 13;
