@@ -17,11 +17,12 @@ bool holds_name(const Names &names, const std::string &name)
 
 void mend(Node &table, const Section &section, const Names &known, const bool values_only, Reading &reading)
 {
+  std::size_t strangers = 0;
   for (Node::Entry &entry : table.entries) {
-    if (reading.problems.size() >= most_problems_shown)
-      return;  // more are not shown, and a damaged file may have a hundred thousand names
     if (holds_name(known, entry.key) || (values_only && entry.value.section) || !removal_note(entry.key).empty())
       continue;
+    if (++strangers > 2 * most_problems_shown)
+      return;  // so many are not slips: a damaged file may have a hundred thousand names
     const std::string meant = nearest_word(entry.key, known);
     if (meant.empty() || table.find(meant))
       continue;

@@ -352,6 +352,21 @@ std::string analysis_json(const CleanRecord &record, const Analysis &analysis, c
         {"count",   event.count  },
         {"done",    event.done   }
     });
+  json["described"] = ordered_json::array();
+  for (const DescribedChannel &channel : record.described)
+    json["described"].push_back({
+        {"channel", channel.name    },
+        {"kind",    channel.kind    },
+        {"what",    channel.sentence}
+    });
+  json["labels"] = ordered_json::array();
+  for (const Label &label : record.labels)
+    json["labels"].push_back({
+        {"column", label.column},
+        {"text",   label.text  },
+        {"from",   label.from  },
+        {"to",     label.to    }
+    });
   json["conventions"] = ordered_json::array();
   for (const ChannelAnalysis &seen : analysis.channels)
     json["conventions"].push_back(conventions_of(seen));

@@ -189,6 +189,17 @@ TEST_F(Csv, ATableComesBackWithAllDigits)
   EXPECT_EQ(back.column("none"), nullptr);
 }
 
+TEST_F(Csv, NumbersThatAreNotFiniteAreEmptyCells)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  Table table;
+  table.add("speed", "m/s", Eigen::Vector3d(1, 2, 3)).add("growth_rate", "1/s", Eigen::Vector3d(nan, -inf, 0.5));
+  EXPECT_EQ(csv_text(table), "speed [m/s],growth_rate [1/s]\n1,\n2,\n3,0.5\n");
+  write_atomically(path, csv_text(table));
+  EXPECT_TRUE(std::isnan(read_table(path).columns[1][0]));
+  EXPECT_EQ(csv_text(Table().add("a", "", Eigen::Vector2d(nan, 1))), "a\n\"\"\n1\n") << "a line, not a blank one";
+}
+
 // Whoever still has a table need not read its file where both are the same to the bit.
 TEST_F(Csv, ATableThatItsFileDoesNotGiveBackIsKnown)
 {

@@ -1,6 +1,7 @@
 // One typo, one error: what a mistyped name represents is read on and checked.
 #include "core/base/files.h"
 #include "core/case/input_reference.h"
+#include "core/case/removed_keys.h"
 #include "core/model/case.h"
 #include "tests/support/refusal.h"
 #include <filesystem>
@@ -68,4 +69,41 @@ TEST_F(OneTypo, OfANameThatIsThereTooStaysUnknown)
 {
   EXPECT_EQ(with("crown            = \"0 um\"", "crown = \"0 um\"\ncrwon = \"1 kg\""),
             "unknown key 'crwon' in [work_roll]; did you mean 'crown'?");
+}
+
+// A damaged file may hold a hundred thousand names: for those that are not shown no suggestion is computed.
+TEST_F(OneTypo, SuggestionsStopWhereNothingIsShown)
+{
+  std::string text = "schema = 1\nkind = \"four-high\"\n[work_roll]\n";
+  for (int i = 0; i < 5000; ++i)
+    text += "barrel_diametr" + std::to_string(i) + " = 1\n";
+  write_atomically(path, text);
+  try {
+    read_case(path);
+    FAIL() << "accepted";
+  } catch (const InputError &error) {
+    int unknown = 0, suggested = 0;
+    for (const Problem &problem : error.problems)
+      if (problem.message.rfind("unknown key 'barrel_diametr", 0) == 0) {
+        ++unknown;
+        suggested += problem.message.find("did you mean 'barrel_diameter'?") != std::string::npos;
+      }
+    EXPECT_EQ(unknown, 5000);
+    EXPECT_GE(suggested, 50) << "as many as are shown";
+    EXPECT_LE(suggested, 200);
+  }
+}
+
+// One table names every key that was removed, with its successor or the version that dropped it.
+TEST_F(OneTypo, ARemovedKeySaysWhatBecameOfIt)
+{
+  for (const RemovedKey &removed : removed_keys()) {
+    const std::string note = removal_note(removed.key);
+    EXPECT_NE(note.find(removed.last_version), std::string::npos) << removed.key;
+    EXPECT_NE(note.find(removed.remedy), std::string::npos) << removed.key;
+    EXPECT_NE(note.find(removed.successor), std::string::npos) << removed.key;
+  }
+  EXPECT_EQ(removal_note("barrel_diameter"), "");
+  EXPECT_EQ(with("bearing_span     = ", "tilt_lever = \"full\"\nbearing_span     = ").substr(0, 60),
+            "unknown key 'tilt_lever' in [work_roll]; it was dropped afte");
 }
