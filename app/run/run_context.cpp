@@ -3,6 +3,7 @@
 #include "app/process/version.h"
 #include "app/run/run_kind.h"
 #include "core/base/files.h"
+#include "core/base/valid_text.h"
 #include "core/case/kinds.h"
 #include "core/numerics/sparse.h"
 #include "core/process/parallel.h"
@@ -229,22 +230,22 @@ std::string manifest_json(const RunContext &run)
 {
   const Case &c = run.the_case;
   json manifest{
-      {"program",   "millstand"     },
-      {"version",   version()       },
-      {"case",      c.name          },
-      {"case_path", c.path          },
-      {"kind",      c.kind          },
-      {"title",     c.title         },
-      {"run_id",    run.out.run_id()},
-      {"date",      run.started     },
-      {"threads",   run.threads     },
-      {"blas",      blas_in_use()   },
+      {"program",   "millstand"       },
+      {"version",   version()         },
+      {"case",      c.name            },
+      {"case_path", valid_text(c.path)},
+      {"kind",      c.kind            },
+      {"title",     c.title           },
+      {"run_id",    run.out.run_id()  },
+      {"date",      run.started       },
+      {"threads",   run.threads       },
+      {"blas",      blas_in_use()     },
       {"versions",
        {{"deal.II", fem::library_version()},
         {"Gmsh", meshes::library_version()},
         {"Eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
                       std::to_string(EIGEN_MINOR_VERSION)},
-        {"compiler", __VERSION__}}  }
+        {"compiler", __VERSION__}}    }
   };
   add_timings(manifest, run.times);
   for (const auto &[file, sum] : run.out.checksums())

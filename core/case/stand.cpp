@@ -1,4 +1,5 @@
 #include "core/base/require.h"
+#include "core/base/valid_text.h"
 #include "core/case/case_template.h"
 #include "core/case/kinds.h"
 #include "core/case/mend_names.h"
@@ -129,7 +130,7 @@ Case read_case(const std::string &path, const std::vector<std::string> &sets)
   mend_head(root, reading);
   const CaseHead head = read_head(top, reading);
   result.path         = path;
-  result.name         = file.stem().string();
+  result.name         = valid_text(file.stem().string());
   result.kind         = head.kind;
   result.title        = head.title;
   mend_names(root, head.kind, reading);

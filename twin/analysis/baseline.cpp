@@ -1,6 +1,7 @@
 #include "twin/analysis/baseline.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
+#include "core/base/valid_text.h"
 #include <nlohmann/json.hpp>
 
 namespace mill::twin {
@@ -17,11 +18,11 @@ Baseline read_baseline(const std::string &folder)
       !document["values"].is_object())
     throw InputError(Place{path, 1, 1}, "this is no analysis.json of this program; analyse the record again");
   Baseline baseline;
-  baseline.folder          = folder;
+  baseline.folder          = valid_text(folder);
   const json record        = document.value("record", json::object());
   baseline.record          = record.is_object() && record.contains("file") && record["file"].is_string()
                                  ? record["file"].get<std::string>()
-                                 : folder;
+                                 : valid_text(folder);
   const std::string ending = ".velocity_rms";
   for (const auto &[name, value] : document["values"].items())
     if (name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0 &&

@@ -1,6 +1,7 @@
 #include "app/twin/advice/measured_levels.h"
 #include "core/base/errors.h"
 #include "core/base/units.h"
+#include "core/base/valid_text.h"
 #include "twin/cleaning/clean_record.h"
 #include "twin/spectra/fourier.h"
 #include "twin/spectra/welch.h"
@@ -48,19 +49,20 @@ std::optional<SeenRecord> seen(const std::string &file, const twin::ReadOptions 
   const twin::CleanRecord record = twin::clean_record(twin::read_record(file, options));
   const auto *force              = record.find("force");
   if (!force || force->quantity != twin::Quantity::force) {
-    notes.push_back(file + " has no channel force and was left out");
+    notes.push_back(valid_text(file) + " has no channel force and was left out");
     return std::nullopt;
   }
   SeenRecord s;
   twin::Fourier fourier;
   s.force = twin::welch(force->value, force->pieces, record.rate, 0, fourier);
   if (s.force.n == 0) {
-    notes.push_back("the force of " + file + " is too short in one piece for a spectrum, and was left out");
+    notes.push_back("the force of " + valid_text(file) +
+                    " is too short in one piece for a spectrum, and was left out");
     return std::nullopt;
   }
   if (force->clipped > 0)
-    notes.push_back(
-        fmt::format("the force of {} is clipped ({} samples): levels are lower bounds", file, force->clipped));
+    notes.push_back(fmt::format("the force of {} is clipped ({} samples): levels are lower bounds",
+                                valid_text(file), force->clipped));
   s.end      = twin::bandwidth(s.force);
   s.duration = double(force->n_used()) / record.rate;
   for (const twin::CleanChannel &channel : record.channels)
@@ -91,7 +93,7 @@ MeasuredLevels measured_levels(const std::string &path, const twin::ReadOptions 
       end = std::min(end, one->end);
       m.duration += one->duration;
       m.resolution = std::max(m.resolution, one->force.resolution());
-      m.files.push_back(file);
+      m.files.push_back(valid_text(file));
       all.push_back(std::move(*one));
     }
   if (all.empty())

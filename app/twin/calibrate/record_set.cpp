@@ -1,4 +1,5 @@
 #include "app/twin/calibrate/record_set.h"
+#include "core/base/valid_text.h"
 #include "core/case/fields.h"
 #include <algorithm>
 #include <cmath>
@@ -256,7 +257,7 @@ MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::stri
     for (const twin::CleanChannel &channel : record.channels)
       if (channel.clipped > 0 &&
           (channel.name == "force" || std::find(places.begin(), places.end(), channel.name) != places.end()))
-        result.clipped.push_back(fs::path(entry.file).filename().string() + ": " + channel.name);
+        result.clipped.push_back(valid_text(fs::path(entry.file).filename().string()) + ": " + channel.name);
     if (std::abs(record.rate / records.front().rate - 1) > 1e-3)
       throw InputError(fmt::format("{} has {:.6g} samples per second, {} {:.6g}; calibrate them one after the "
                                    "other, or bring them to one rate",
@@ -264,7 +265,7 @@ MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::stri
     if ((entry.between == "lines") != (set.entries.front().between == "lines"))
       throw InputError(set.folder +
                        "/records.toml: between = \"lines\" is for all records of a folder or for none");
-    result.files.push_back(fs::path(entry.file).filename().string());
+    result.files.push_back(valid_text(fs::path(entry.file).filename().string()));
     for (const std::string &note : record.notes)
       result.notes.push_back(result.files.back() + ": " + note);
   }

@@ -82,7 +82,7 @@ TEST(Analyse, Refusals)
           "error: the baseline nowhere holds no analysis.json; name the folder of an earlier millstand analyse");
   std::ofstream(folder + "/text.csv") << "time [s],a [g]\n0,1\n1,x\n2,3\n3,4\n";
   refused("text.csv",
-          "text.csv:3:3: error: 'x' in column 'a' is no number; leave the cell empty where there is no value");
+          "text.csv:3:3: error: 'x' in column 'a' is not a number; leave the cell empty where there is no value");
   fs::create_directories(folder + "/mine");
   std::ofstream(folder + "/mine/notes.txt") << "mine";
   refused("pass.csv -o mine",

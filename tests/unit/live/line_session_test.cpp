@@ -86,7 +86,7 @@ TEST(LineSession, RefusesHeadsWithAReason)
       "line 1: no channel \"force\", which drives the twin; name the column of the rolling force with --channel "
       "NAME=force");
   EXPECT_EQ(head_reason(R"({"millstand":1,"rate":20000,"start":"yesterday","units":{"force":"kN"}})"),
-            "line 1: 'yesterday' is no time; write for example 2026-01-05T10:00:00.00005+01:00");
+            "line 1: 'yesterday' is not a time; write for example 2026-01-05T10:00:00.00005+01:00");
   EXPECT_EQ(head_reason(R"({"millstand":1,"rate":20000,"start":"10:00:00","units":{"force":"kN"}})"),
             "line 1: \"start\" has no date; write for example 2026-01-05T10:00:00Z");
 }

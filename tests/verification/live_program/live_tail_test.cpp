@@ -74,7 +74,7 @@ TEST(LiveTail, FaultsAreSaidAndCountedAndTheTwinGoesOn)
   const std::string said = program.printed();
   for (const std::string &sentence : std::vector<std::string>{
            "refused: " + file +
-               ":8002:9: '976x17.5' in column 'force' is no number; leave the cell empty where there is no "
+               ":8002:9: '976x17.5' in column 'force' is not a number; leave the cell empty where there is no "
                "value\n",
            "refused: " + file +
                ":9002:1: this line has 1 cells, the columns are 2; a decimal comma needs ';' or tab between "

@@ -4,6 +4,7 @@
 #include "twin/live/page/page_rules.h"
 #include "twin/live/source/row_times.h"
 #include "twin/records/channel_names.h"
+#include "twin/records/channel_scale.h"
 #include "twin/records/record_clock.h"
 #include <algorithm>
 #include <cmath>
@@ -28,11 +29,13 @@ KnownChannels known_channels(const std::vector<NamedUnit> &sent, const SourceRul
 {
   KnownChannels known;
   for (const NamedUnit &channel : sent) {
-    const auto mapped        = rules.reading.channels.find(channel.name);
-    const std::string name   = mapped != rules.reading.channels.end() ? mapped->second : channel.name;
-    const auto given         = rules.reading.units.find(channel.name);
-    const std::string unit   = given != rules.reading.units.end() ? given->second : channel.unit;
-    const auto found         = twin::unit_of_column(unit, name);
+    const auto mapped      = rules.reading.channels.find(channel.name);
+    const std::string name = mapped != rules.reading.channels.end() ? mapped->second : channel.name;
+    const auto given       = rules.reading.units.find(channel.name);
+    const std::string unit = given != rules.reading.units.end() ? given->second : channel.unit;
+    auto found             = twin::unit_of_column(unit, name);
+    if (const auto scale = twin::scale_of(channel.name, found, rules.reading))
+      found = *scale;
     const std::string spoken = unit.empty() ? "no unit" : fmt::format("the unit \"{}\"", one_line(unit));
     const bool is_force      = name == "force" || name == "load_cell";
     const bool is_speed      = name == "speed" || name == "exit_speed" || name == "entry_speed";
