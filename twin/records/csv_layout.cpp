@@ -180,9 +180,11 @@ void take_heads(CsvLayout &layout, const std::string &file, const std::vector<st
 }
 }  // namespace
 
-void split_cells(const std::string_view line, const char separator, std::deque<std::string> &unquoted,
+void split_cells(std::string_view line, const char separator, std::deque<std::string> &unquoted,
                  std::vector<std::string_view> &cells)
 {
+  if (separator == ' ')  // any number of blanks is one separator
+    line = without_blanks(line);
   cells.clear();
   unquoted.clear();
   std::size_t at = 0;
@@ -256,17 +258,16 @@ CsvLayout layout_of(const std::string &file, const std::vector<std::string> &lin
                                         "upper_work_roll [g]\" and numbers are needed");
   int data = -1;
   for (const auto &[separator, least] :
-       {std::pair(';', 2u), std::pair('\t', 2u), std::pair(',', 2u), std::pair(',', 1u)}) {
+       {std::pair(';', 2u), std::pair('\t', 2u), std::pair(',', 2u), std::pair(' ', 2u), std::pair(',', 1u)}) {
     layout.separator = separator;
     if (data = first_data(lines, separator, least); data >= 0)
       break;
   }
   if (data < 0)
-    throw InputError(
-        Place{file, 1, 1},
-        fmt::format("no row of numbers among the first {} lines; columns are separated by ';', tab or "
-                    "',', a decimal comma needs one of the first two",
-                    lines.size()));
+    throw InputError(Place{file, 1, 1},
+                     fmt::format("no row of numbers among the first {} lines; columns are separated by ';', tab, "
+                                 "',' or blanks; a decimal comma needs one of the first two",
+                                 lines.size()));
   take_heads(layout, file, lines, data);
   layout.first_data_line = data + 1;
   return layout;

@@ -137,7 +137,7 @@ CsvRows::Kind CsvRows::take(const std::string_view line, const int number, const
 
 void CsvRows::cut(const std::string_view line)
 {
-  if (line.find('"') != std::string_view::npos) {
+  if (layout_.separator == ' ' || line.find('"') != std::string_view::npos) {
     split_cells(line, layout_.separator, unquoted_, cells_);
     return;
   }

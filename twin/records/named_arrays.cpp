@@ -170,12 +170,29 @@ private:
     std::vector<std::string> names;
     for (const Vector &vector : vectors)
       names.push_back(vector.name);
+    if (const std::string clock = rising_evenly(); !clock.empty())
+      throw InputError(
+          fmt::format("{}: the sampling rate is missing; '{}' rises by the same step from sample to sample: "
+                      "if it is the time in seconds, {}, else give the samples per second with --rate",
+                      record.file, clock, command_with(options, record.file, "--unit " + clock + "=s")));
     throw InputError(
         fmt::format("{}: the sampling rate is missing: there is neither a vector 'time' in seconds nor a "
                     "number Fs, sr, SampleRate, dt or Ts{}; the vectors are {}; give the samples per "
                     "second: {}",
                     record.file, seen.empty() ? "" : ", and " + seen + " is not taken for it", listed(names),
                     command_with(options, record.file, "--rate 20000")));
+  }
+
+  // Name of a vector with equal steps that are not whole numbers, as a time has them; "" where there is none.
+  std::string rising_evenly() const
+  {
+    for (const Vector &vector : vectors) {
+      const double step = (vector.value[n - 1] - vector.value[0]) / double(n - 1);
+      const auto steps  = vector.value.tail(n - 1) - vector.value.head(n - 1);
+      if (step > 0 && step != std::round(step) && ((steps.array() - step).abs() < 0.01 * step).all())
+        return vector.name;
+    }
+    return "";
   }
 
   RawRecord record;

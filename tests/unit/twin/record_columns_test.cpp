@@ -70,6 +70,16 @@ TEST_F(RecordColumns, AnAxisInSecondsOfAnOscilloscopeIsTheTime)
   EXPECT_EQ(record.time.size(), n);
 }
 
+TEST_F(RecordColumns, BlanksSeparateColumnsWhereNothingElseDoes)
+{
+  std::string text = "time[s]   a[g]\n";
+  for (int i = 0; i < n; ++i)
+    text += "  " + time_cell(i) + "    " + swing_cell(i) + "  \n";
+  const auto record = read("r.asc", text);
+  ASSERT_EQ(record.channels.size(), 1u);
+  EXPECT_TRUE(near(record.time[n - 1], (n - 1) / 1000.0, within(1e-12, digits)));
+}
+
 TEST_F(RecordColumns, ATemperatureCalledTIsNotTheTime)
 {
   const auto record = read("r.csv", table("t [\u00b0C];Laufzeit [ms];a [g]",

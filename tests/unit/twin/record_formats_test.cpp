@@ -198,6 +198,22 @@ TEST_F(RecordFormats, TheSamplingRateIsOneOfItsNamesAndRateAloneIsNot)
             "one is right: millstand analyse r.mat --rate 1000");
 }
 
+TEST_F(RecordFormats, AClockWithoutANameIsPointedOutWhereTheRateIsMissing)
+{
+  std::vector<double> both(2 * n);
+  for (int i = 0; i < n; ++i) {
+    both[std::size_t(i)]     = i / 2000.0;
+    both[std::size_t(n + i)] = swings()[std::size_t(i)];
+  }
+  ReadOptions options = in_g({"data_2"});
+  EXPECT_EQ(refusal("r.mat", mat_file(mat_array("data", both, 2)), options),
+            "r.mat: the sampling rate is missing; 'data_1' rises by the same step from sample to sample: if it is "
+            "the time "
+            "in seconds, millstand analyse r.mat --unit data_1=s, else give the samples per second with --rate");
+  options.units["data_1"] = "s";
+  EXPECT_EQ(read("s.mat", mat_file(mat_array("data", both, 2)), options).time[2000], 1.0);
+}
+
 TEST_F(RecordFormats, ArchivesOfNumpyAreRead)
 {
   const std::string archive = zip({

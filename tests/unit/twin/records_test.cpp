@@ -238,10 +238,9 @@ TEST_F(Records, RefusalsOfCsv)
       refusal("r.csv", "0,1\n0.2,2\n"),
       "1:1: the columns have no names; put a line such as \"time [s], force [kN], upper_work_roll [g]\" before "
       "the numbers");
-  EXPECT_EQ(
-      refusal("r.csv", "some text\nmore text\n"),
-      "1:1: no row of numbers among the first 2 lines; columns are separated by ';', tab or ',', a decimal comma "
-      "needs one of the first two");
+  EXPECT_EQ(refusal("r.csv", "some text\nmore text\n"), "1:1: no row of numbers among the first 2 lines; columns "
+                                                        "are separated by ';', tab, ',' or blanks; a decimal "
+                                                        "comma needs one of the first two");
   EXPECT_EQ(refusal("r.csv", "time [s],a [g]\n0,1\n0.2,2\n0.3,overload\n"),
             "4:5: 'overload' in column 'a' is not a number; leave the cell empty where there is no value");
   EXPECT_EQ(refusal("r.csv", "time [s],a [g]\n0,1\n0.2,2\n0,3,3\n0.4,1\n"),
