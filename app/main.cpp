@@ -52,6 +52,6 @@ int main(int argc, char **argv)
   console::open_standard_files();
   end_with_a_sentence();
   const int exit_code = carry_out_command(argc, argv);
-  end_as_meant();
+  begin_normal_exit();
   return exit_code;
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-// The verification manual is a program of its own beside this one (tests/manual/CMakeLists.txt), which takes over
+// The verification manual is a separate program in the same folder (tests/manual/CMakeLists.txt), which takes over
 // here.
 namespace mill {
 namespace {

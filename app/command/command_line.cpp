@@ -26,18 +26,18 @@ void add_output(CLI::App *verb, CommandLine &c, const char *what)
 
 void add_cache(CLI::App *verb, CommandLine &c)
 {
-  verb->add_flag("--fresh", c.fresh, "compute everything anew, ignore the cache");
+  verb->add_flag("--fresh", c.fresh, "compute everything again, ignore the cache");
   verb->add_option("--cache", c.cache, "folder of condensed rolls (default: the user's cache folder)");
 }
 
 void add_common(CLI::App *verb, CommandLine &c)
 {
   add_output(verb, c, "folder of the results (default out/<case name>)");
-  verb->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
+  verb->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds other files");
   add_cache(verb, c);
   verb->add_flag("-q,--quiet", c.quiet, "no progress, no table");
-  verb->add_flag("-v,--verbose", c.verbose, "say what is reused and computed");
-  verb->add_option("--log", c.log, "log file (besides DIR/millstand.log)");
+  verb->add_flag("-v,--verbose", c.verbose, "print what is reused and what is computed");
+  verb->add_option("--log", c.log, "log file (in addition to DIR/millstand.log)");
   verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
   verb->add_option("--set", c.sets, "override section.key=value, repeatable")
       ->expected(1)
@@ -64,7 +64,7 @@ void add_record_options(CLI::App *verb, CommandLine &c)
   verb->add_option("--zone", c.zone, "time zone of local times, Europe/Berlin");
   add_repeatable(verb, "--channel", c.channels, "a column and its place, AI_07=upper_work_roll, repeatable");
   add_repeatable(verb, "--unit", c.channel_units,
-                 "a column and its unit, AI_07=g, where the source says none, repeatable");
+                 "a column and its unit, AI_07=g, where the source names no unit, repeatable");
   add_repeatable(verb, "--scale", c.scales,
                  "sensitivity of the sensors behind voltages, \"50 mV/g\", or of one column, \"AI_07=50 mV/g\"");
 }
@@ -74,7 +74,7 @@ void add_folder_of_records(CLI::App *verb, CommandLine &c, const char *folder, c
 {
   add_repeatable(verb, "--set", c.sets, "override section.key=value of the case, repeatable");
   add_output(verb, c, folder);
-  verb->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
+  verb->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds other files");
   verb->add_flag("-q,--quiet", c.quiet, quiet);
   verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
 }
@@ -82,19 +82,21 @@ void add_folder_of_records(CLI::App *verb, CommandLine &c, const char *folder, c
 void add_calibrate(CLI::App &app, CommandLine &c)
 {
   auto *verb = app.add_subcommand(
-      "calibrate", "springs and damping of a stand from records: what they tell, and what they do not");
+      "calibrate", "springs and damping of a stand from records: which are identified, and which are not");
   CalibrateOptions &o = c.calibrate;
   verb->add_option("CASE", c.target, "stand, kind four-high or lumped")->required();
   verb->add_option("--measured", o.measured, "folder of the records, with records.toml where they have roles");
   verb->add_option("--free", o.free, "what is fitted, K1,K2,zeta (default: all springs and zeta)");
-  verb->add_flag("--plan", o.plan, "what a record would tell, before anyone measures");
-  verb->add_flag("--accept", o.accept, "write calibrated.toml although it is refused, and say so in it");
+  verb->add_flag("--plan", o.plan, "what a record would identify, before anything is measured");
+  verb->add_flag("--accept", o.accept, "write calibrated.toml although it is refused, with a note in it");
   verb->add_flag("--align", o.align, "force and vibration have two clocks: fit their delay");
-  verb->add_option("--sensors", o.sensors, "with --plan: places (default: upper_work_roll,lower_work_roll)");
-  verb->add_option("--duration", o.duration, "with --plan: of the record (default \"20 s\")");
-  verb->add_option("--noise", o.noise, "with --plan: of a sensor, per root Hz (default \"0.005 m/s2\")");
-  verb->add_option("--force-rms", o.force, "with --plan: of the force (default \"1 kN\")");
-  verb->add_option("--force-up-to", o.highest, "with --plan: where the force ends (default \"1500 Hz\")");
+  verb->add_option("--sensors", o.sensors,
+                   "with --plan: places of the sensors (default: upper_work_roll,lower_work_roll)");
+  verb->add_option("--duration", o.duration, "with --plan: duration of the record (default \"20 s\")");
+  verb->add_option("--noise", o.noise, "with --plan: noise of a sensor, per root Hz (default \"0.005 m/s2\")");
+  verb->add_option("--force-rms", o.force, "with --plan: rms of the force (default \"1 kN\")");
+  verb->add_option("--force-up-to", o.highest,
+                   "with --plan: highest frequency of the force (default \"1500 Hz\")");
   verb->add_flag("--without-force", o.without_force, "with --plan: the force is not recorded");
   add_record_options(verb, c);
   add_folder_of_records(verb, c, "folder of the results (default out/<case name>-calibration)",
@@ -104,7 +106,7 @@ void add_calibrate(CLI::App &app, CommandLine &c)
 void add_advise(CLI::App &app, CommandLine &c)
 {
   auto *advise = app.add_subcommand(
-      "advise", "what would lower the vibration: actions computed anew, ranked, with what they cost");
+      "advise", "actions that would lower the vibration: each recomputed, ranked, with its cost");
   advise
       ->add_option("CASE", c.target,
                    "case file of kind four-high or lumped (level of a place) or chatter "
@@ -119,15 +121,15 @@ void add_advise(CLI::App &app, CommandLine &c)
 void add_analyse(CLI::App &app, CommandLine &c)
 {
   auto *analyse = app.add_subcommand(
-      "analyse", "records of a mill: spectra, modes, what follows the speed, whose each peak is");
+      "analyse", "records of a mill: spectra, modes, what follows the speed, source of each peak");
   analyse->add_option("RECORD", c.names, "CSV, .npy with .json, .uff or .mat")->required();
   analyse->add_option("--case", c.case_file, "stand of the record, kind four-high or lumped");
   add_record_options(analyse, c);
-  analyse->add_option("--speed", c.speed, "of the rolls' surface, where it was not recorded, \"4 m/s\"");
-  analyse->add_option("--limit", c.limit, "the mill's own limit of a vibration, 0-peak, \"2 g\"");
+  analyse->add_option("--speed", c.speed, "surface speed of the rolls, if it was not recorded, \"4 m/s\"");
+  analyse->add_option("--limit", c.limit, "vibration limit of this mill, 0-peak, \"2 g\"");
   add_repeatable(analyse, "--severity", c.severity,
-                 "upper end of a zone, \"2.3 mm/s\", repeatable; none is built in");
-  analyse->add_flag("--align", c.align, "take the delay between the clocks of force and vibrations out of H1");
+                 "upper end of a severity zone, \"2.3 mm/s\", repeatable; no zones are built in");
+  analyse->add_flag("--align", c.align, "remove the delay between the clocks of force and vibrations from H1");
   analyse->add_option("--baseline", c.baseline, "folder of an earlier analysis, for changes and bearings");
   add_folder_of_records(analyse, c, "folder of the results (default out/<record>-analysis)",
                         "no progress, no table");
@@ -136,7 +138,7 @@ void add_analyse(CLI::App &app, CommandLine &c)
 void add_live(CLI::App &app, CommandLine &c)
 {
   auto *live =
-      app.add_subcommand("live", "the chain of a stand beside the mill, driven by its force as it is measured");
+      app.add_subcommand("live", "the model of a stand, driven by the measured rolling force while the mill runs");
   LiveOptions &o = c.live;
   live->add_option("CASE", c.target, "case file of kind four-high, chatter or lumped")->required();
   live->add_option(
@@ -145,17 +147,17 @@ void add_live(CLI::App &app, CommandLine &c)
       "tcp:127.0.0.1:8461) or mqtt:HOST:PORT/STAND");
   live->add_option("--listen", o.listen, "address of the page, ADDR:PORT (default 127.0.0.1:8460), or none");
   live->add_option("--record", o.record, "folder for recordings and the state for a restart");
-  live->add_option("--keep", o.keep, "of the recordings: 24h, 7d, 50GB (default: all)");
-  live->add_option("--speed", o.speed, "of a record that is played: times real time, or max (default 1)");
+  live->add_option("--keep", o.keep, "how much of the recordings is kept: 24h, 7d, 50GB (default: all)");
+  live->add_option("--speed", o.speed, "speed at which a record is played: times real time, or max (default 1)");
   live->add_option("--limit", c.limit,
-                   "the mill's own limit of a vibration in a band, 0-peak, \"2 g\" (default monitoring.limit)");
+                   "vibration limit of this mill in a band, 0-peak, \"2 g\" (default monitoring.limit)");
   live->add_option("--token-file", o.token_file,
                    "file with the token of page and data port; needed for addresses that are not loopback");
-  live->add_option("--host", o.host, "name by which a proxy in front asks for the page");
+  live->add_option("--host", o.host, "host name that a reverse proxy uses for the page");
   live->add_option("--response", o.response, "write the accelerations of the twin into this file (CSV)");
   add_record_options(live, c);
   add_repeatable(live, "--set", c.sets, "override section.key=value of the case, repeatable");
-  live->add_flag("--fresh", c.fresh, "start anew and not from the state of an earlier program");
+  live->add_flag("--fresh", c.fresh, "start without the state of an earlier program");
   live->add_flag("--force-overwrite", c.force_overwrite, "replace an existing --response file");
   live->add_flag("-q,--quiet", c.quiet, "no lines on the console");
 }
@@ -166,7 +168,7 @@ std::string option_name(const std::string &argument)
   return argument.substr(0, argument.find('='));
 }
 
-// A verb or an option that nobody knows, with the nearest one; empty where something else is wrong.
+// An unknown verb or option, with the nearest one; empty when something else is wrong.
 std::string mistyped(const CLI::App &app, const int argc, char **argv)
 {
   std::vector<std::string> verbs;
@@ -176,7 +178,7 @@ std::string mistyped(const CLI::App &app, const int argc, char **argv)
   if (first.empty() || first[0] == '-')
     return "";
   if (std::find(verbs.begin(), verbs.end(), first) == verbs.end())
-    return fmt::format("there is no verb '{}'{}", first, suggestion(first, verbs));
+    return fmt::format("unknown verb '{}'{}", first, suggestion(first, verbs));
   std::vector<std::string> known;
   for (const CLI::Option *option : app.get_subcommand(first)->get_options()) {
     for (const std::string &name : option->get_lnames())
@@ -261,22 +263,25 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
       ->check(CLI::IsMember({2, 3}))
       ->capture_default_str();
   unit->add_option("--pass", c.pass,
-                   "pass whose load and force it belongs to, condition of a chatter case (default: the first)");
+                   "pass whose load and force are used, or condition of a chatter case (default: the first)");
   add_common(unit, c);
   unit->get_option("--output")
       ->description("file to write, a folder for statespace (default out/<case name>.fmu, .mo, .m, -statespace)");
 
-  auto *marks = app.add_subcommand("marks", "marks at equal distances: which roll, which bearing, which mode");
+  auto *marks =
+      app.add_subcommand("marks", "marks at equal distances: the rolls, bearings and modes that may cause them");
   marks->add_option("CASE", c.target, "case file")->required();
   marks->add_option("--spacing", c.marks.spacing, "distance of the marks along the strip, \"2 mm\"")->required();
   marks->add_option("--speed", c.marks.speed, "speed of the strip behind the stand, \"500 m/min\"")->required();
-  marks->add_option("--forward-slip", c.marks.forward_slip, "of the strip over the rolls (default 0 %)");
+  marks->add_option("--forward-slip", c.marks.forward_slip,
+                    "forward slip of the strip over the rolls (default 0 %)");
   marks->add_option("--accuracy", c.marks.accuracy,
-                    "of spacing and diameters together (default 1 %): a whole number of marks within it is one");
+                    "uncertainty of spacing and diameters together (default 1 %), within which a number of marks "
+                    "is taken as whole");
   marks->add_option("--side-bands", c.marks.side_bands, "distance of side bands in a spectrum, \"49 Hz\"");
   marks->add_option("--run", c.marks.run, "folder of a run whose modes are taken (default out/<case name>)");
   add_output(marks, c, "folder of the results (default out/<case name>-marks)");
-  marks->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds something else");
+  marks->add_flag("--force-overwrite", c.force_overwrite, "write into a folder that holds other files");
   marks->add_flag("-q,--quiet", c.quiet, "no table");
   marks->add_option("--set", c.sets, "override section.key=value, repeatable")
       ->expected(1)
@@ -291,7 +296,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   trace->add_option("CASE", c.target, "case file")->required();
   trace->add_option("KEY", c.key, "input as --set names it, backup_roll.barrel_diameter")->required();
   trace->add_flag("--full", c.full,
-                  "springs as the last run stored them; how they change is taken from closed forms all the same, "
+                  "springs of the last stored run; their change is that of closed forms, "
                   "finite elements are not solved again");
   add_output(trace, c, "folder of the last run, to compare with (default out/<case name>)");
   trace->add_flag("-q,--quiet", c.quiet, "the table alone");
@@ -311,6 +316,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   report->add_option("DIR", c.target, "folder of a run")->required();
   report->add_option("MORE", c.names, "further runs: what differs is written to DIR/comparison.html");
   report->add_option("-o", c.output, "file of the comparison");
+  report->add_flag("--force-overwrite", c.force_overwrite, "replace a file that is not a comparison");
 
   app.add_subcommand("schema", "print the JSON Schema of the case file");
   auto *completion = app.add_subcommand("completion", "print the completion of a shell");

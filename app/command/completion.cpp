@@ -21,7 +21,8 @@ std::string completion_script(const std::string &shell,
 {
   const std::vector<std::string> shells{"bash", "zsh"};
   if (shell != "bash" && shell != "zsh")
-    throw InputError(fmt::format("there is no completion for the shell '{}'{}", shell, suggestion(shell, shells)));
+    throw InputError(
+        fmt::format("no completion is available for the shell '{}'{}", shell, suggestion(shell, shells)));
   std::vector<std::string> verbs;
   std::string cases;
   for (const auto &[verb, its_options] : options) {

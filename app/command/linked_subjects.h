@@ -4,7 +4,7 @@
 #include "reduce/stand/lumped_stand.h"
 #include <string>
 
-// What a program carries out beside runs of one stand and of its parts.  millstand is linked without these
+// What a program carries out in addition to runs of one stand and of its parts.  millstand is linked without these
 // subjects, since who runs a stand does not need them and waits for less to be compiled; millstand-all, with all
 // of them, takes over (app/process/hand_over).
 namespace mill {

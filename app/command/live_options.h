@@ -10,7 +10,7 @@ struct LiveOptions {
   std::string keep;        ///< 24h, 50GB; empty: all
   std::string speed;       ///< of a replay, "1", "10", "max"
   std::string token_file;  ///< for page and data port
-  std::string host;        ///< name by which a proxy in front asks for the page
+  std::string host;        ///< host name that a reverse proxy uses for the page
   std::string response;    ///< CSV of the twin's accelerations; empty: none
 };
 }  // namespace mill

@@ -1,7 +1,7 @@
-#include "app/kinds/pipeline.h"
 #include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
 #include "app/kinds/mark_sources.h"
+#include "app/kinds/pipeline.h"
 #include "app/review/case_review.h"
 #include "app/run/run_kind.h"
 #include "app/stages/bite/bite_stage.h"
@@ -124,8 +124,8 @@ std::optional<KeyList> modulus_inputs(const FourHigh &stand, const Results &resu
   if (!is_of(name, family::stand))
     return {};
   for (std::size_t p = 1; p < stand.passes.size(); ++p)
-    if (const std::string own = result_name({family::stand, stand.passes[p].name}); is_of(name, own))
-      return modulus_keys(stand, results, family::stand + name.substr(own.size()), p);
+    if (const std::string prefix = result_name({family::stand, stand.passes[p].name}); is_of(name, prefix))
+      return modulus_keys(stand, results, family::stand + name.substr(prefix.size()), p);
   return modulus_keys(stand, results, name, 0);
 }
 

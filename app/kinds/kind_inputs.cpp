@@ -17,21 +17,21 @@ bool ends(const std::string &name, const std::string &ending)
 
 std::optional<KeyList> bite_inputs(const BiteRun &bite, const std::string &name, const std::string &pass)
 {
-  const std::string own = "bite." + pass + ".";
+  const std::string prefix = "bite." + pass + ".";
   if (name == "K4.path_plateau")
     return joined(bite_keys(bite), keys_in("bite", "path_trim"));
   if (begins(name, "K4."))
     return bite_keys(bite);
   if (begins(name, "bite.fit.") && !bite.setup.fit.empty())
     return fit_keys(bite);
-  if (!begins(name, own))
+  if (!begins(name, prefix))
     return {};
-  const std::string quantity = name.substr(own.size());
+  const std::string quantity = name.substr(prefix.size());
   const KeyList speed = ends(quantity, "_speed") ? keys_in(fmt::format("pass.{}", bite.pass), "speed") : KeyList{};
-  const bool beside   = quantity.find('.') != std::string::npos && !begins(quantity, "fe.");
-  BiteRun asked       = bite;
-  asked.whole_width   = follows_width(quantity.substr(quantity.rfind('.') + 1));
-  return joined(beside ? slab_keys(asked) : bite_keys(asked), speed);
+  const bool is_comparison = quantity.find('.') != std::string::npos && !begins(quantity, "fe.");
+  BiteRun asked            = bite;
+  asked.whole_width        = follows_width(quantity.substr(quantity.rfind('.') + 1));
+  return joined(is_comparison ? slab_keys(asked) : bite_keys(asked), speed);
 }
 
 std::optional<KeyList> response_inputs(const Results &results, const DynamicsSettings &dynamics, const Pass &pass,
@@ -43,9 +43,9 @@ std::optional<KeyList> response_inputs(const Results &results, const DynamicsSet
   KeyList keys;
   const auto follow = [&](const Half half) {
     for (const std::string &part : chain_parts(dynamics, half)) {
-      const Parameter *own = results.find(pass.name + "." + part), *first = results.find(part);
-      if (own || first)
-        keys = joined(std::move(keys), (own ? own : first)->inputs);
+      const Parameter *of_pass = results.find(pass.name + "." + part), *first = results.find(part);
+      if (of_pass || first)
+        keys = joined(std::move(keys), (of_pass ? of_pass : first)->inputs);
     }
   };
   const bool upper = ends(name, ".upper_work_roll"), one_chain = dynamics.model == "six-mass" && !on_curves;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-// Keys behind results that several kinds of case have; nothing for a result that is none of them.
+// Input keys of results that several kinds of case have; nothing for other results.
 namespace mill {
 bool begins(const std::string &name, const std::string &prefix);
 bool ends(const std::string &name, const std::string &ending);
@@ -18,8 +18,8 @@ std::optional<KeyList> bite_inputs(const BiteRun &bite, const std::string &name,
 std::optional<KeyList> response_inputs(const Results &results, const DynamicsSettings &dynamics, const Pass &pass,
                                        std::size_t p, const std::string &name);
 
-/// frf.* and campbell.* that no run has made yet, for a trace: what they have beside the model.  Those of a run
-/// carry their own lists.
+/// frf.* and campbell.* that no run has made yet, for a trace: what they depend on in addition to the model. Those
+/// of a run carry their own lists.
 /// @param orders  number of [[drive.order]]
 std::optional<KeyList> turning_inputs(const Results &results, std::size_t orders, const std::string &name);
 }  // namespace mill

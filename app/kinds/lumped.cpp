@@ -1,8 +1,8 @@
 #include "core/model/lumped.h"
-#include "app/kinds/pipeline.h"
 #include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
 #include "app/kinds/mark_sources.h"
+#include "app/kinds/pipeline.h"
 #include "app/review/case_review.h"
 #include "app/run/run_kind.h"
 #include "app/trace/closed_form_chain.h"
@@ -44,7 +44,7 @@ std::string lumped_refusal(const Case &the_case, const std::string &verb)
   if (verb != "chatter")
     return "";
   return "a lumped model alone cannot chatter: it has no strip (" + the_case.path +
-         "); write a case of kind = \"chatter\" whose [stand] says from = \"" +
+         "); write a case of kind = \"chatter\" whose [stand] has from = \"" +
          std::filesystem::path(the_case.path).filename().string() + "\"";
 }
 }  // namespace

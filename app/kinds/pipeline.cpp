@@ -47,8 +47,9 @@ void add_model(RunContext &run, const LumpedModel &model, const std::string &pre
       [&](const std::string &name, const Parameter &number) { run.results.add(prefix + name, number); }, model);
 }
 
-// Published values of the case beside the computed ones, under the plain name and beside tangent or plastic slope.
-void set_beside(RunContext &run, const GivenValues &published)
+// Adds the published values of the case to the computed ones as checks, under the plain name and for tangent or
+// plastic slope.
+void add_published_checks(RunContext &run, const GivenValues &published)
 {
   for (auto &[name, parameter] : run.results.values)
     for (const auto &[key, value] : published)
@@ -102,7 +103,7 @@ PassForces forces_of(RunContext &run, FourHigh &stand, const std::string &force_
       record = force_of(pass);
     forces.loads.push_back(working_load(pass, record));
     if (record.force.size() > 0)
-      run.warn(load_beside_record(pass, record.force.mean()));
+      run.warn(load_against_record(pass, record.force.mean()));
   }
   return forces;
 }
@@ -123,16 +124,17 @@ public:
       : all(run), n_passes(stand.passes.size())
   {
     parts.K4.resize(n_passes);
-    add(contacts, [&](RunContext &own) { parts.contacts = solve_contacts(own, stand, loads); });
-    add(bearings, [&](RunContext &own) { parts.bearings = solve_bearings(own, stand, loads); });
-    add(components, [&, goal](RunContext &own) {
+    add(contacts, [&](RunContext &part_run) { parts.contacts = solve_contacts(part_run, stand, loads); });
+    add(bearings, [&](RunContext &part_run) { parts.bearings = solve_bearings(part_run, stand, loads); });
+    add(components, [&, goal](RunContext &part_run) {
       if (goal >= Goal::masses || stand.backup_roll.bending_model == "solid")
-        parts.components = stand_components(own, stand, goal >= Goal::masses);
+        parts.components = stand_components(part_run, stand, goal >= Goal::masses);
     });
     for (std::size_t p = 0; p < n_passes; ++p)
-      add(first_bite + p, [&, goal, p, with_bites](RunContext &own) {
+      add(first_bite + p, [&, goal, p, with_bites](RunContext &part_run) {
         if (with_bites && !stand.given.count("K4"))
-          parts.K4[p] = solve_bite_spring(own, stand, stand.passes[p], loads[p], p == 0, draws_bite_curves(goal));
+          parts.K4[p] =
+              solve_bite_spring(part_run, stand, stand.passes[p], loads[p], p == 0, draws_bite_curves(goal));
       });
     all.work();
     for (const std::size_t part : {components, contacts, bearings})
@@ -183,8 +185,8 @@ reduce::ChainInputs chain_inputs(const FourHigh &stand, const StandParts &parts,
 StandCurves curves_of(const FourHigh &stand, const StandParts &parts, const std::size_t p)
 {
   const auto curve = [&](const char *contact) {
-    const auto found = parts.contacts.find(contact);
-    return found == parts.contacts.end() ? nullptr : &found->second.curve;
+    const auto entry = parts.contacts.find(contact);
+    return entry == parts.contacts.end() ? nullptr : &entry->second.curve;
   };
   // A roller bearing has one curve whatever the pass; an oil film has one for each speed.
   const bool same = !oil_film_of(stand.oil_films, stand.backup_roll.bearing) ||
@@ -197,17 +199,17 @@ void add_modulus(RunContext &run, const FourHigh &stand, const StandParts &parts
                  const std::size_t p, const std::vector<Check> &gaps)
 {
   const StandCurves curves = curves_of(stand, parts, p);
-  ModulusParts of;
-  of.pass              = p;
-  of.load              = load;
-  of.upper             = curves.upper;
-  of.lower             = curves.lower;
-  of.K4                = parts.K4[p];
-  of.K_Zy              = {parts.bearings[p].K_Zy_upper, parts.bearings[p].K_Zy_lower};
-  of.backup_deflection = curves.bearings;
-  of.solid             = solid_rolls(parts.components);
-  of.gap               = gaps;
-  add_stand_modulus(run, stand, of);
+  ModulusParts modulus;
+  modulus.pass              = p;
+  modulus.load              = load;
+  modulus.upper             = curves.upper;
+  modulus.lower             = curves.lower;
+  modulus.K4                = parts.K4[p];
+  modulus.K_Zy              = {parts.bearings[p].K_Zy_upper, parts.bearings[p].K_Zy_lower};
+  modulus.backup_deflection = curves.bearings;
+  modulus.solid             = solid_rolls(parts.components);
+  modulus.gap               = gaps;
+  add_stand_modulus(run, stand, modulus);
 }
 
 // Frequency response and Campbell diagram of the best model.
@@ -257,7 +259,7 @@ void drive_pass(RunContext &run, const FourHigh &stand, const reduce::LumpedStan
   simulate_pass(run, model, stand.dynamics, pass, forces.records[p]);
 }
 
-// The chain of one pass, what stands beside it, and what is done with it.
+// The chain of one pass, the models that it is compared with, and their results.
 // @param gaps  for the mill modulus of the pass, which comes when the bite is there
 void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, const PassForces &forces,
               const std::size_t p, const Goal goal, std::vector<Check> &gaps)
@@ -299,9 +301,9 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
   std::vector<IndependentStage> rest;
   if (goal >= Goal::modes && first)
     rest.push_back(
-        [&](RunContext &own) { add_turning_and_response(own, stand, chain, models, parts.components); });
+        [&](RunContext &part_run) { add_turning_and_response(part_run, stand, chain, models, parts.components); });
   if (goal >= Goal::simulate)
-    rest.push_back([&](RunContext &own) { drive_pass(own, stand, chain, models, parts, forces, p); });
+    rest.push_back([&](RunContext &part_run) { drive_pass(part_run, stand, chain, models, parts, forces, p); });
   run_side_by_side(run, std::move(rest));
   if (goal == Goal::chatter)
     linked_subjects.stand_chatter(run, stand, pass, chain, models);
@@ -315,8 +317,9 @@ void require_bite(const Case &the_case)
 {
   const std::string missing = missing_of_bite(the_case);
   if (!missing.empty())
-    throw InputError("millstand chatter needs " + missing + " (" + the_case.path +
-                     "): given.K4 is the slope of a bite, not how it follows speed and tension");
+    throw InputError(
+        "millstand chatter needs " + missing + " (" + the_case.path +
+        "): given.K4 is the slope of a bite and does not contain its dependence on speed and tension");
 }
 }  // namespace
 
@@ -334,9 +337,9 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
   SideBySide passes(run);
   std::vector<std::vector<Check>> gaps(stand.passes.size());
   for (std::size_t p = 0; p < stand.passes.size(); ++p)
-    passes.add([&, p](RunContext &own) {
+    passes.add([&, p](RunContext &part_run) {
       if (made.has_bite(p))
-        run_pass(own, stand, made.parts, forces, p, goal, gaps[p]);
+        run_pass(part_run, stand, made.parts, forces, p, goal, gaps[p]);
     });
   passes.work();
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
@@ -345,14 +348,14 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
   }
   for (std::size_t p = 0; p < stand.passes.size(); ++p)
     add_modulus(run, stand, made.parts, forces.loads[p], p, gaps[p]);
-  set_beside(run, stand.published);
+  add_published_checks(run, stand.published);
   if (stand.passes.size() > 1)
     run.assume("lumped_model.toml holds the model at the load of " + stand.passes[0].name +
                "; here every pass has its own");
   run.assume("modal damping of " + fmt::format("{:g}", 100 * stand.dynamics.modal_damping) +
              " % in every mode; acceleration levels of a given force range follow (damping x "
-             "bandwidth)^(-1/2), so that only "
-             "this product can be told from measured levels");
+             "bandwidth)^(-1/2), so that measured levels "
+             "identify only this product");
 }
 
 namespace {

@@ -18,7 +18,7 @@ namespace mill {
 namespace {
 constexpr std::size_t MB               = 1u << 20;
 constexpr std::size_t buffer           = 129 * MB;  // of OpenBLAS: 32 << 22 bytes and a page (its common_x86_64.h)
-constexpr std::size_t own              = 96 * MB;  // what libraries and program take before the first large matrix
+constexpr std::size_t program_size     = 96 * MB;  // what libraries and program take before the first large matrix
 constexpr std::size_t work             = 1024 * MB;  // room for matrices that is worth more than a second thread
 constexpr const char *threads_variable = "OMP_NUM_THREADS";
 
@@ -27,7 +27,7 @@ std::size_t allowed = 0, mapped = 0;
 
 std::size_t needed(const int threads)
 {
-  return mapped + (threads > 1 ? work : own) + 2 * std::size_t(threads) * buffer;
+  return mapped + (threads > 1 ? work : program_size) + 2 * std::size_t(threads) * buffer;
 }
 
 std::size_t mapped_now()
@@ -67,9 +67,9 @@ int threads_at_start(char **environment)
                     "out of memory: %zu MB of address space are allowed (ulimit -v), at least %zu MB are "
                     "needed\n  where         at the start: %zu MB for the libraries, %zu MB for the BLAS with "
                     "one thread, %zu MB for the rest\n  change        a higher limit\n",
-                    allowed / MB, needed(1) / MB, mapped / MB, 2 * buffer / MB, own / MB);
+                    allowed / MB, needed(1) / MB, mapped / MB, 2 * buffer / MB, program_size / MB);
   if (::write(STDERR_FILENO, text, std::size_t(std::max(0, n))) < 0)
-    ::_exit(3);  // nobody listens; the code is the same
+    ::_exit(3);  // the output is closed; the exit code is the same
   ::_exit(3);
 }
 

@@ -133,7 +133,7 @@ void show(const OutputError &error)
 
 void show_bug(const std::exception &error, const std::string &manifest)
 {
-  say(std::string("millstand failed on its own account: ") + error.what() + "\n" +
+  say(std::string("internal error of millstand: ") + error.what() + "\n" +
       "please report this with the case file" + (manifest.empty() ? "" : " and " + manifest) + "\n");
 }
 }  // namespace mill::console

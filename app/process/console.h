@@ -19,7 +19,7 @@ void open_standard_files();
 void print(const std::string &text);
 /// What was printed has arrived.  @throws OutputError  it has not (disk full, closed)
 void flush();
-/// Text for standard error, control characters written out; a standard error that takes nothing is no error.
+/// Text for standard error, control characters written out; a standard error that accepts nothing is ignored.
 void say(const std::string &text);
 
 /// What the user sees while a run works: a bar with stage and time left on a terminal, percent lines elsewhere.

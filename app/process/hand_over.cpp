@@ -8,7 +8,7 @@ void hand_over(const std::string &program, char **arguments, const std::string &
 {
   const auto file = std::filesystem::read_symlink("/proc/self/exe").parent_path() / program;
   execv(file.c_str(), arguments);  // returns only when it fails
-  throw InputError(what + " is carried out by a program of its own, '" + file.string() +
+  throw InputError(what + " is carried out by a separate program, '" + file.string() +
                    "', which cannot be started; build it with: cmake --build --preset release --target " +
                    program);
 }

@@ -12,15 +12,15 @@ namespace {
 void say(const char *text)
 {
   if (::write(STDERR_FILENO, text, std::strlen(text)) < 0)
-    return;  // nobody listens
+    return;  // the output is closed
 }
 
-bool meant = false, refused = false;
+bool exit_is_normal = false, refused = false;
 
 // libgomp exits where it can start no thread or has no memory for one, and says so itself.
 void end_of_a_library()
 {
-  if (meant)
+  if (exit_is_normal)
     return;
   say("a library ended the program: it had no memory or could start no thread\n  change        fewer threads "
       "(--threads), or higher limits\n");
@@ -30,7 +30,7 @@ void end_of_a_library()
 [[noreturn]] void end_here()
 {
   if (refused)
-    ::_exit(3);  // the sentence is said; what a library does behind it is no news
+    ::_exit(3);  // the message is printed; what a library does afterwards is not reported
   try {
     if (const auto error = std::current_exception())
       std::rethrow_exception(error);
@@ -46,11 +46,11 @@ void end_of_a_library()
           "(ulimit -u, -v)\n");
       ::_exit(3);
     }
-    say("millstand failed on its own account: ");
+    say("internal error of millstand: ");
     say(e.what());
     say("\n");
   } catch (...) {
-    say("millstand failed on its own account\n");
+    say("internal error of millstand\n");
   }
   ::_exit(1);
 }
@@ -63,7 +63,7 @@ SolverError out_of_memory(const std::string &stage)
   getrusage(RUSAGE_SELF, &usage);
   const MemoryLeft left = memory_left();
   return SolverError({stage.empty() ? "out of memory" : "out of memory in the stage " + stage,
-                      megabytes(1024. * double(usage.ru_maxrss)) + " were in use; the end is set by " + left.end,
+                      megabytes(1024. * double(usage.ru_maxrss)) + " were in use; the limit is set by " + left.end,
                       "a finer mesh or a longer record than this machine or this limit can hold",
                       "a coarser mesh (contact.*.elements_per_half_width, dynamics.elements_per_radius), fewer "
                       "threads (--threads), or a higher limit",
@@ -76,8 +76,8 @@ void end_with_a_sentence()
   std::atexit(end_of_a_library);
 }
 
-void end_as_meant()
+void begin_normal_exit()
 {
-  meant = true;
+  exit_is_normal = true;
 }
 }  // namespace mill

@@ -18,7 +18,7 @@ namespace {
 // Factors between two numbers that should be one: noise and models differ by less, units by thousands.
 constexpr double of_another_unit = 50, of_another_strip = 1.3, impossible_bite = 100;
 
-std::string in_MN(const double load)
+std::string force_text(const double load)
 {
   return load >= 1e6 ? fmt::format("{:.4g} MN", load / 1e6) : fmt::format("{:.4g} kN", load / 1e3);
 }
@@ -30,8 +30,8 @@ double factor_between(const double a, const double b)
 
 Place place_of(const Case &the_case, const std::string &key, const Place &otherwise)
 {
-  const auto found = the_case.places.find(key);
-  return found == the_case.places.end() ? otherwise : found->second;
+  const auto entry = the_case.places.find(key);
+  return entry == the_case.places.end() ? otherwise : entry->second;
 }
 
 // The record of each pass; one without has an empty one.
@@ -51,7 +51,7 @@ std::vector<Pass> with_force(std::vector<Pass> passes, const std::string &force_
   return passes;
 }
 
-// A place that can be shown beside another; a made record has none.
+// A place that can be shown as related to another; a synthetic record has none.
 std::vector<Place> of_file(const Place &place)
 {
   return place.line > 0 ? std::vector<Place>{place} : std::vector<Place>{};
@@ -65,9 +65,8 @@ void review_load(const Case &the_case, const Pass &pass, const std::size_t p, co
   if (!(mean > 0))
     review.warnings.push_back(
         {pass.force_place,
-         fmt::format(
-             "{}: the mean of the force record is {}; a rolling force counts positive where it opens the stand",
-             pass.name, in_kN(mean)),
+         fmt::format("{}: the mean of the force record is {}; a rolling force is positive when it opens the stand",
+                     pass.name, in_kN(mean)),
          {}});
   if (std::isnan(pass.load) || !(mean > 0))
     return;
@@ -76,10 +75,10 @@ void review_load(const Case &the_case, const Pass &pass, const std::size_t p, co
     review.problems.push_back({place,
                                fmt::format("{}: pass.load is {}, the mean of its force record {}, a factor of "
                                            "{:.4g}; one of the two is in another unit",
-                                           pass.name, in_MN(pass.load), in_MN(mean), factor),
+                                           pass.name, force_text(pass.load), force_text(mean), factor),
                                of_file(pass.force_place)});
-  else if (const std::string said = load_beside_record(pass, mean); !said.empty())
-    review.said_by_run.push_back({place, said, of_file(pass.force_place)});
+  else if (const std::string message = load_against_record(pass, mean); !message.empty())
+    review.said_by_run.push_back({place, message, of_file(pass.force_place)});
 }
 
 // Force of the bite by Karman's slab on Hitchcock's arc; nothing where it has no answer or K4 is given.
@@ -102,20 +101,20 @@ void review_bite(const FourHigh &stand, const Pass &pass, const double load, Cas
   if (!force || !(load > 0))
     return;
   const double factor = factor_between(*force, load);
-  const std::string said =
+  const std::string message =
       fmt::format("{}: by the slab theory this strip takes a rolling force of {}, the load is {}", pass.name,
-                  in_MN(*force), in_MN(load));
+                  force_text(*force), force_text(load));
   if (factor > impossible_bite)
     review.problems.push_back(
         {pass.place,
          fmt::format("{}, a factor of {:.3g}; is one of load, flow stress, width and thicknesses "
                      "in another unit? given.K4 leaves the strip out",
-                     said, factor),
+                     message, factor),
          {}});
   else if (factor > of_another_strip)
     review.said_by_run.push_back({pass.place,
-                                  fmt::format("{} ({:+.0f} %); check flow stress, friction and thicknesses", said,
-                                              100 * (*force / load - 1)),
+                                  fmt::format("{} ({:+.0f} %); check flow stress, friction and thicknesses",
+                                              message, 100 * (*force / load - 1)),
                                   {}});
 }
 

@@ -14,7 +14,7 @@
 
 namespace mill {
 namespace {
-constexpr double no_move = 1e-5;  // relative; less is nobody's concern
+constexpr double no_move = 1e-5;  // relative; smaller changes are not reported
 
 bool is_mode(const std::string &name)
 {
@@ -80,7 +80,7 @@ double move_of(const EstimateRecord &record, const std::string &name, const std:
     return largest_move(record, [](const std::string &spring) { return spring[0] == 'K'; });
   if (!holds(known, stem))
     return not_given;
-  return largest_move(record, [&](const std::string &of) { return of == stem; });
+  return largest_move(record, [&](const std::string &name) { return name == stem; });
 }
 
 // What all estimates of the rolls may move together.
@@ -100,13 +100,13 @@ std::vector<EstimateRecord> ranked_estimates(const FourHigh &stand, const double
   std::vector<EstimateRecord> records;
   for (const Estimate &e : stand.estimates) {
     EstimateRecord record{e, {}};
-    const auto at = [&](const double value) {
+    const auto value_text = [&](const double value) {
       FourHigh other = stand;
       set_estimated(other, e.key, value);
       return closed_form_stand(other, load);
     };
     try {
-      const auto low = at(e.low), high = at(e.high);
+      const auto low = value_text(e.low), high = value_text(e.high);
       for (const ClosedFormResult &r : low)
         if (const ClosedFormResult *other = find(high, r.name); other && is_ranked(r.name)) {
           const double move = 0.5 * std::abs(std::log(other->parameter.value / r.parameter.value));

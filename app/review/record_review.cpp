@@ -84,9 +84,9 @@ void review_records(const Pass &pass, const ForceRecord &force, const ExpectedMo
     review.facts.push_back(pass.name + ": " + note);
   judge_length(pass, times.duration, modes, review);
   if (modes.highest > 0)
-    if (const std::string said = dynamics::bandwidth_warning(dynamics::force_statistics(force), modes.highest);
-        !said.empty())
-      review.said_by_run.push_back({pass.force_place, pass.name + ": " + said + " (mode by closed forms)", {}});
+    if (const std::string message = dynamics::bandwidth_warning(dynamics::force_statistics(force), modes.highest);
+        !message.empty())
+      review.said_by_run.push_back({pass.force_place, pass.name + ": " + message + " (mode by closed forms)", {}});
   if (!pass.measured_file.empty())
     review_measured(pass, force, modes, review);
 }

@@ -2,9 +2,9 @@
 
 namespace mill {
 void write_curve(const RunContext &run, const CurveKind &kind, const std::string &item, const Table &table,
-                 const std::string &of)
+                 const std::string &quantity)
 {
   require_columns(kind, table);
-  run.out.write_table(curve_path(kind, item, of), table);
+  run.out.write_table(curve_path(kind, item, quantity), table);
 }
 }  // namespace mill

@@ -8,5 +8,5 @@ namespace mill {
 /// @param of    what of, where the ending of the kind is open
 /// @throws std::logic_error  columns that the kind does not have
 void write_curve(const RunContext &run, const CurveKind &kind, const std::string &item, const Table &table,
-                 const std::string &of = "");
+                 const std::string &quantity = "");
 }  // namespace mill

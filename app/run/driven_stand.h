@@ -15,7 +15,8 @@ struct StandWithModes;
 namespace mill {
 struct CurveDrive;
 
-/// How far a run goes; each goal needs the ones above it, but chatter and simulate, which stand beside each other.
+/// How far a run goes; each goal needs the ones above it, except chatter and simulate, which do not need each
+/// other.
 enum class Goal { stiffness, masses, modes, chatter, simulate };
 
 /// What a pass of a case drives, without driving it: for export.

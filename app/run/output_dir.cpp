@@ -3,6 +3,7 @@
 #include "core/base/files.h"
 #include "core/case/kinds.h"
 #include "core/records/run_identity.h"
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -12,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
-// Name of the case a folder belongs to; empty when it is no folder of a run.
+// Name of the case to which a folder belongs; empty when it is not the folder of a run.
 std::string owner_of(const std::string &directory)
 {
   const std::string manifest = directory + "/run.json";
@@ -26,45 +27,46 @@ std::string owner_of(const std::string &directory)
 // Nothing but what an interrupted run left behind.
 bool is_free(const std::string &directory)
 {
-  for (const auto &entry : fs::directory_iterator(directory))
-    if (!is_staging(entry.path().filename().string()) && entry.path().filename() != "cache")
-      return false;
-  return true;
+  const auto names = names_in(directory);
+  return std::all_of(names.begin(), names.end(),
+                     [](const std::string &name) { return is_staging(name) || name == "cache"; });
 }
 }  // namespace
 
-OutputDir::OutputDir(std::string path, const Case &of, const bool overwrite, std::string run_id)
+OutputDir::OutputDir(std::string path, const Case &the_case, const bool overwrite, std::string run_id)
     : directory(std::move(path)), id(std::move(run_id))
 {
   const auto require = [&](const std::error_code &error) {
     if (error)
-      refuse_file(error.value(),
-                  "the folder " + directory + " cannot be made: " + error.message() + "; choose another with -o");
+      refuse_file(error.value(), "the folder " + directory + " cannot be created: " + error.message() +
+                                     "; choose another with -o");
   };
   std::error_code error;
-  const fs::file_status found = fs::status(directory, error);
-  if (error && found.type() != fs::file_type::not_found)
+  const fs::file_status status = fs::status(directory, error);
+  if (error && status.type() != fs::file_type::not_found)
     refuse_file(error.value(),
-                directory + " cannot be looked at: " + error.message() + "; choose another with -o");
-  if (fs::exists(found) && !fs::is_directory(found))
+                directory + " cannot be inspected: " + error.message() + "; choose another with -o");
+  if (fs::exists(status) && !fs::is_directory(status))
     throw InputError(directory + " is a file, not a folder; choose another with -o");
   fs::create_directories(directory, error);
   require(error);
-  const FolderLock alone(directory);  // no run is in the middle of publishing here
-  finish_publishing(directory);
+  target = fs::canonical(directory, error).string();
+  require(error);
+  const FolderLock alone(target);  // no run is in the middle of publishing here
+  finish_publishing(target);
   if (!is_free(directory) && !overwrite) {
     const std::string owner = owner_of(directory);
     if (owner.empty())
       throw InputError("the folder " + directory +
                        " holds files that no run wrote; choose another with -o, or give --force-overwrite");
-    if (owner != of.name)
+    if (owner != the_case.name)
       throw InputError("the folder " + directory + " holds the results of the case '" + owner +
                        "'; choose another with -o, or give --force-overwrite");
   }
-  require_replaceable(directory);
+  require_replaceable(target);
   if (alone.held())
-    remove_leftovers(directory);
-  staged = std::make_unique<Staging>(directory);
+    remove_leftovers(target);
+  staged = std::make_unique<Staging>(target);
   for (const char *part : {"curves", "response", "fields", "models"}) {
     fs::create_directory(file(part), error);
     require(error);
@@ -125,8 +127,8 @@ std::map<std::string, std::string> OutputDir::checksums() const
 
 void OutputDir::publish() const
 {
-  const FolderLock alone(directory);
-  publish_results(staging(), directory);
+  const FolderLock alone(target);
+  publish_results(staging(), target);
 }
 
 void check_file_names(const Case &the_case)

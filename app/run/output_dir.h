@@ -20,7 +20,7 @@ public:
   /// @throws InputError  the folder holds files of another case or of no run (unless `overwrite`), or its name is
   /// wrong
   /// @throws SystemError  disk or permission refuse it
-  OutputDir(std::string path, const Case &of, bool overwrite, std::string run_id);
+  OutputDir(std::string path, const Case &the_case, bool overwrite, std::string run_id);
 
   const std::string &path() const;                  ///< of the folder
   const std::string &run_id() const;                ///< of what is staged here (core/records/run_identity.h)
@@ -48,6 +48,7 @@ private:
     std::map<std::string, Table> tables;
   };
   std::string directory, id;
+  std::string target;  // the folder itself, where `directory` is a symbolic link or leads through one
   std::unique_ptr<Staging> staged;
   std::unique_ptr<Written> written = std::make_unique<Written>();
 };

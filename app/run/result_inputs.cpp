@@ -12,7 +12,7 @@ void set_inputs(Results &results, const Case &the_case)
       parameter.inputs = *keys;
 }
 
-std::vector<std::string> beside_the_chain(const Case &the_case, const std::string &key)
+std::vector<std::string> results_outside_the_chain(const Case &the_case, const std::string &key)
 {
   std::vector<std::string> names{"K3.friction_tangent",
                                  "K3.path_plateau",
@@ -22,13 +22,13 @@ std::vector<std::string> beside_the_chain(const Case &the_case, const std::strin
                                  "Kzc.motion.frequency",
                                  "frf.bite.upper_work_roll.peak",
                                  "campbell.third_octave_upper.speed"};
-  std::vector<std::string> found;
+  std::vector<std::string> reached;
   for (const std::string &name : names) {
     const auto keys = run_kind(the_case).inputs(the_case, Results(), name);
     if (keys && holds(*keys, key))
-      found.push_back(name);
+      reached.push_back(name);
   }
-  return found;
+  return reached;
 }
 
 void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, const std::size_t pass)

@@ -11,9 +11,9 @@ struct FourHigh;
 /// chain.
 void set_inputs(Results &results, const Case &the_case);
 
-/// Results that a run adds to those of a trace and that state this key, none of them in the chain of springs and
+/// Results that a run adds to those of a trace and that state this key; they are not in the chain of springs and
 /// masses: "K3.friction_tangent" of "contact.upper.friction".
-std::vector<std::string> beside_the_chain(const Case &the_case, const std::string &key);
+std::vector<std::string> results_outside_the_chain(const Case &the_case, const std::string &key);
 
 /// The computed springs of a chain with their keys.
 /// @param pass  whose load they belong to

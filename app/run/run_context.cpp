@@ -26,8 +26,8 @@ using json = nlohmann::ordered_json;
 
 void RunContext::warn(const std::string &sentence)
 {
-  const auto &said = results.warnings;
-  if (sentence.empty() || std::find(said.begin(), said.end(), sentence) != said.end())
+  const auto &warnings = results.warnings;
+  if (sentence.empty() || std::find(warnings.begin(), warnings.end(), sentence) != warnings.end())
     return;
   results.warnings.push_back(sentence);
   progress.note("warning: " + sentence);
@@ -41,16 +41,16 @@ void RunContext::assume(const std::string &sentence)
 
 RunContext RunContext::branch() const
 {
-  RunContext own{the_case, out, cache, fresh, made, threads, progress};
-  own.started = started;
-  own.earlier = this;
-  return own;
+  RunContext part_run{the_case, out, cache, fresh, made, threads, progress};
+  part_run.started = started;
+  part_run.earlier = this;
+  return part_run;
 }
 
 const Parameter *RunContext::find(const std::string &name) const
 {
-  const Parameter *own = results.find(name);
-  return own || !earlier ? own : earlier->find(name);
+  const Parameter *result = results.find(name);
+  return result || !earlier ? result : earlier->find(name);
 }
 
 void RunContext::absorb(RunContext &&other)
@@ -66,7 +66,7 @@ void RunContext::absorb(RunContext &&other)
   summary += other.summary;
 }
 
-SideBySide::SideBySide(RunContext &of) : run(of) {}
+SideBySide::SideBySide(RunContext &parent) : run(parent) {}
 
 void SideBySide::add(IndependentStage stage)
 {
@@ -128,7 +128,7 @@ void MadeKeys::insert(const std::string &key)
   made.insert(key);
 }
 
-MadeKeys::Turn::Turn(MadeKeys &of, std::string of_part) : keys(of), key(std::move(of_part))
+MadeKeys::Turn::Turn(MadeKeys &all_keys, std::string of_part) : keys(all_keys), key(std::move(of_part))
 {
   std::unique_lock lock(keys.access);
   keys.released.wait(lock, [&] { return keys.taken.count(key) == 0; });
@@ -204,7 +204,7 @@ void add_timings(json &manifest, const std::vector<StageTime> &times)
   }
 }
 
-// Files beside the case that a run reads.
+// Files that a run reads in addition to the case.
 std::vector<std::string> input_files(const Case &the_case, const std::string &force_file)
 {
   std::vector<std::string> files{force_file};

@@ -32,10 +32,10 @@ public:
   bool count(const std::string &key) const;
   void insert(const std::string &key);
 
-  /// Nobody else has the turn for this key from construction to destruction.
+  /// Only one stage at a time has the turn for this key, from construction to destruction.
   class Turn {
   public:
-    Turn(MadeKeys &of, std::string key);
+    Turn(MadeKeys &all_keys, std::string key);
     ~Turn();
     Turn(const Turn &)            = delete;
     Turn &operator=(const Turn &) = delete;
@@ -70,17 +70,18 @@ struct RunContext {
 
   /// A result of this branch or of what was there before it; nullptr: none.
   const Parameter *find(const std::string &name) const;
-  /// A context of its own for a stage that runs beside others: same case, folder and cache, nothing said yet.
+  /// A separate context for a stage that runs in parallel with others: same case, folder and cache, no messages
+  /// yet.
   RunContext branch() const;
-  /// What a branch found and said, behind what is here already: the order is that of the calls, whatever ran
+  /// Appends results and messages of a branch to those that are here: the order is that of the calls, whatever ran
   /// first.
   void absorb(RunContext &&branch);
 };
 
-/// A stage that needs nothing of the others beside it.
+/// A stage that needs no result of the stages in parallel with it.
 using IndependentStage = std::function<void(RunContext &run)>;
 
-/// Stages that run side by side on the threads of a run, each with a branch of its own.  What they found and said
+/// Stages that run in parallel on the threads of a run, each with its own branch.  Their results and messages
 /// comes into the run in the order in which they are taken, so that nothing depends on which ended first.
 class SideBySide {
 public:

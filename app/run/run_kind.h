@@ -35,10 +35,10 @@ struct MarkSources;
 
 struct RunKind {
   std::vector<std::string> verbs;  ///< it serves, of run, stiffness, masses, modes, chatter and simulate
-  /// A sentence for a verb that is refused, where more is to be said than that there is nothing to compute; or
+  /// A sentence for a verb that is refused, where "nothing to compute" does not explain enough; or
   /// empty.
   std::string (*refusal)(const Case &the_case, const std::string &verb) = nullptr;
-  /// What no reader can judge, said before anything long is computed.  @throws InputError
+  /// Checks that the reader cannot make, before anything long is computed.  @throws InputError
   void (*check)(const Case &the_case) = nullptr;
   /// What the case and its records say about each other; without it nothing.  @throws InputError  a record that
   /// cannot be read
@@ -52,7 +52,7 @@ struct RunKind {
   dynamics::MarkSources (*mark_sources)(const Case &the_case) = nullptr;
   /// Geometry, bearings and passes in run.json.
   void (*describe)(const Case &the_case, nlohmann::ordered_json &manifest) = nullptr;
-  /// Files beside the case that a run reads, but for the records of its passes.
+  /// Files that a run reads in addition to the case, except the records of its passes.
   std::vector<std::string> (*files)(const Case &the_case) = nullptr;
   /// Keys behind a result of a run; nothing: it carries its own.
   std::optional<KeyList> (*inputs)(const Case &the_case, const Results &results,

@@ -1,7 +1,6 @@
 #include "app/run/run_log.h"
 #include "app/run/output_dir.h"
 #include "core/base/errors.h"
-#include "core/base/uninterrupted.h"
 #include "core/base/visible_text.h"
 #include <algorithm>
 #include <cerrno>
@@ -30,12 +29,12 @@ namespace {
 class FileSink : public spdlog::sinks::base_sink<std::mutex> {
 public:
   FileSink(std::string file, const int descriptor, const bool ours)
-      : name(std::move(file)), number(descriptor), own(ours)
+      : name(std::move(file)), number(descriptor), closes_file(ours)
   {
   }
   ~FileSink() override
   {
-    if (own)
+    if (closes_file)
       ::close(number);
   }
   const std::string name;
@@ -61,15 +60,15 @@ protected:
 
 private:
   const int number;
-  const bool own;
+  const bool closes_file;
 };
 
 void refuse_other_kinds(const std::string &file)
 {
-  struct stat found {};
-  if (::lstat(file.c_str(), &found) == 0 && !S_ISREG(found.st_mode))
-    refuse(file, S_ISLNK(found.st_mode) ? "is a symbolic link; name the file that it points to"
-                                        : "is no regular file; name one with --log");
+  struct stat status {};
+  if (::lstat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+    refuse(file, S_ISLNK(status.st_mode) ? "is a symbolic link; name the file that it points to"
+                                         : "is not a regular file; name one with --log");
 }
 
 // The first line of a log begins with date, time and the name of the program.
@@ -78,7 +77,7 @@ void refuse_other_content(const std::string &file)
   static const std::regex first_line(R"(^\d{4}-\d\d-\d\d \d\d:\d\d:\d\d\.\d{3} millstand )");
   const std::string text = read_text(file);
   if (!text.empty() && !std::regex_search(text.substr(0, 60), first_line))
-    refuse(file, "exists and is no log of this program; choose another with --log, or remove it first");
+    refuse(file, "exists and is not a log of this program; choose another with --log, or remove it first");
 }
 
 void refuse_results(const std::string &file, const OutputDir &out)
@@ -93,9 +92,7 @@ void refuse_results(const std::string &file, const OutputDir &out)
 
 std::shared_ptr<FileSink> opened(const std::string &file, const int flags)
 {
-  const int number = uninterrupted([&] {
-    return ::open(file.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | flags, 0666);
-  });
+  const int number = open_file(file, O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | flags);
   if (number < 0)
     refuse_file(errno, "the log " + file + " cannot be written: " + std::strerror(errno));
   return std::make_shared<FileSink>(file, number, true);

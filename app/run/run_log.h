@@ -10,7 +10,7 @@ class RunLog {
 public:
   /// @param chosen    file named with --log; empty: none
   /// @param verbose   the terminal as well
-  /// @throws InputError  the file cannot be written, is no regular file, is a link, belongs to the results, or
+  /// @throws InputError  the file cannot be written, is not a regular file, is a link, belongs to the results, or
   /// holds
   ///                     something else than an earlier log: a case file is not overwritten by a slip
   RunLog(const OutputDir &out, const std::string &chosen, bool verbose);

@@ -25,7 +25,7 @@ void open_cache(RunContext &run, const std::string &instead)
 {
   std::error_code cache_error;
   if (std::filesystem::create_directories(run.cache, cache_error); cache_error) {
-    run.warn("the cache folder " + run.cache + " cannot be made (" + cache_error.message() +
+    run.warn("the cache folder " + run.cache + " cannot be created (" + cache_error.message() +
              "); nothing is kept for the next run");
     run.cache = instead;
   }

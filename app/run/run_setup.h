@@ -8,7 +8,7 @@ namespace mill {
 /// @param fallback  where neither the command nor the environment names one
 std::string cache_folder(const CommandLine &command, const std::string &fallback);
 
-/// Makes the cache folder; where it cannot be made, the run says so and keeps nothing.
+/// Makes the cache folder; where it cannot be created, the run says so and keeps nothing.
 /// @param instead  folder of this run alone
 void open_cache(RunContext &run, const std::string &instead);
 

@@ -1,5 +1,6 @@
 #include "app/run/run_summary.h"
 #include "core/base/error_list.h"
+#include "core/base/short_number.h"
 #include "core/base/visible_text.h"
 #include "core/case/fields.h"
 #include "core/records/result_names.h"
@@ -18,9 +19,10 @@ std::string one_line(const std::string &text)
   return shortened(visible(text, true));
 }
 
+// " +- 64 %"; empty where no error is stated.
 std::string accuracy(const Parameter &p)
 {
-  return std::isnan(p.error_estimate) ? "" : fmt::format("  (within {:.2g} %)", 100 * p.error_estimate);
+  return std::isnan(p.error_estimate) ? "" : " +- " + percent_text(p.error_estimate);
 }
 
 std::string value_line(const std::string &name, const Parameter &p)
@@ -30,18 +32,21 @@ std::string value_line(const std::string &name, const Parameter &p)
 
 void add_modulus_line(const Results &results, std::vector<std::string> &lines)
 {
-  const Parameter *strip = results.find("stand.modulus.tangent"), *kiss = results.find("stand.modulus.kiss");
-  if (!strip && !kiss)
+  const Parameter *strip = results.find("stand.modulus.tangent"), *touching = results.find("stand.modulus.kiss");
+  if (!strip && !touching)
     return;
+  const auto stiffness = [](const Parameter &p) {
+    return fmt::format(" {} MN/mm{}", number_within(p.value / 1e9, p.error_estimate, 3), accuracy(p));
+  };
   std::string text = "mill modulus:";
   if (strip)
-    text += fmt::format(" {:.3g} MN/mm with strip{}", strip->value / 1e9, accuracy(*strip));
-  if (kiss)
-    text += fmt::format("{} {:.3g} MN/mm with touching work rolls", strip ? "," : "", kiss->value / 1e9);
+    text += stiffness(*strip) + " with strip";
+  if (touching)
+    text += (strip ? "," : "") + stiffness(*touching) + " with touching work rolls";
   lines.push_back(text);
 }
 
-// mode.third_octave.frequency -> third octave; third and fifth octave first, as they are what a mill asks for.
+// mode.third_octave.frequency -> third octave; third and fifth octave first, because a mill asks for these.
 void add_mode_lines(const Results &results, std::vector<std::string> &lines)
 {
   std::vector<std::pair<std::string, const Parameter *>> modes;
@@ -60,7 +65,7 @@ void add_mode_lines(const Results &results, std::vector<std::string> &lines)
     lines.push_back(fmt::format("  and {} more named modes", modes.size() - most_modes));
 }
 
-// Where nothing vibrates the first results speak.
+// Results without modes: the first values.
 void add_first_values(const Results &results, std::vector<std::string> &lines)
 {
   std::size_t n = 0;
@@ -72,17 +77,23 @@ void add_first_values(const Results &results, std::vector<std::string> &lines)
 
 std::string engineering(const Parameter &p)
 {
-  if (p.unit == "N/m")
-    return fmt::format("{:.5g} kN/mm", p.value / 1e6);
-  if (p.unit == "N/m2")
-    return fmt::format("{:.6g} N/mm per mm", p.value / 1e6);
-  if (p.unit == "m")
-    return fmt::format("{:.5g} mm", 1e3 * p.value);
-  if (p.unit == "Pa")
-    return fmt::format("{:.5g} MPa", p.value / 1e6);
-  if (p.unit == "N")
-    return fmt::format("{:.6g} kN", p.value / 1e3);
-  return fmt::format("{:.6g} {}", p.value, p.unit == "1" ? "" : p.unit);
+  struct Unit {
+    const char *si, *shown;
+    double size;  // of the unit shown, in SI
+    int digits;
+  };
+  static const Unit units[]{
+      {"N/m",  "kN/mm",       1e6,  5},
+      {"N/m2", "N/mm per mm", 1e6,  6},
+      {"m",    "mm",          1e-3, 5},
+      {"Pa",   "MPa",         1e6,  5},
+      {"N",    "kN",          1e3,  6},
+  };
+  for (const Unit &unit : units)
+    if (p.unit == unit.si)
+      return number_within(p.value / unit.size, p.error_estimate, unit.digits) + " " + unit.shown;
+  const std::string number = number_within(p.value, p.error_estimate, 6);
+  return p.unit == "1" ? number : number + " " + p.unit;
 }
 
 std::string run_summary(const Results &results, const std::string &name, const std::string &limits,
@@ -90,9 +101,9 @@ std::string run_summary(const Results &results, const std::string &name, const s
 {
   const std::size_t n_warnings = results.warnings.size();
   std::vector<std::string> lines{fmt::format(
-      "{}: done, {}{}", visible(name, true),
-      n_warnings == 0   ? "nothing to warn of"
-      : n_warnings == 1 ? "one warning"
+      "{}: finished with {}{}", visible(name, true),
+      n_warnings == 0   ? "no warnings"
+      : n_warnings == 1 ? "1 warning"
                         : fmt::format("{} warnings", n_warnings),
       results.estimates.empty() ? "" : fmt::format(", {} values estimated", results.estimates.size()))};
   add_modulus_line(results, lines);

@@ -3,7 +3,7 @@
 #include <string>
 
 namespace mill {
-/// What a run says at its end, at most 25 lines: verdict, modulus, named modes, limits, warnings, page.  All
+/// The last lines of a run on the console, at most 25: verdict, modulus, named modes, limits, warnings, page.  All
 /// results are on the page and, with -v, in a table.
 /// @param name     of the case
 /// @param limits   sentences of the stages, a line each: critical speeds
@@ -11,6 +11,6 @@ namespace mill {
 std::string run_summary(const Results &results, const std::string &name, const std::string &limits,
                         const std::string &page);
 
-/// "4.02e+04 kN/mm", "38.9 Hz": a value as an engineer reads it.
+/// "40200 kN/mm", "38.9 Hz": a value in a common unit, with the digits that its error allows.
 std::string engineering(const Parameter &p);
 }  // namespace mill

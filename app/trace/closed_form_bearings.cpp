@@ -52,7 +52,7 @@ KeyList closed_bearing_keys(const RollerBearing &b, const bool loaded_askew)
   add(rounded, "profile_load");
   add(rounded || b.profile == "iso" || elastic, "roller_diameter");
   add(rounded || elastic, "youngs_modulus poisson_ratio pitch_diameter bore outside_diameter");
-  add(loaded_askew, "width row_hands pitch_diameter");
+  add(loaded_askew, "width arrangement pitch_diameter");
   add(loaded_askew && std::isnan(b.pitch_diameter), "bore outside_diameter");
   const KeyList read = bearing_keys(b);
   KeyList keys;

@@ -101,11 +101,11 @@ std::vector<ClosedFormResult> closed_form_bite_case(const BiteCase &spec)
       r.equation         = equation;
       all.push_back(r);
     };
-    const std::string own = "bite." + spec.passes[p].name + ".";
-    add(own + "force", "N", answer.state.force, "(8.8)");
-    add(own + "torque", "N m", answer.state.torque, "(8.19)");
-    add(own + "forward_slip", "1", answer.state.forward_slip, "(8.7)");
-    add(own + "peak_pressure", "Pa", answer.state.peak_pressure, "(8.4)");
+    const std::string prefix = "bite." + spec.passes[p].name + ".";
+    add(prefix + "force", "N", answer.state.force, "(8.8)");
+    add(prefix + "torque", "N m", answer.state.torque, "(8.19)");
+    add(prefix + "forward_slip", "1", answer.state.forward_slip, "(8.7)");
+    add(prefix + "peak_pressure", "Pa", answer.state.peak_pressure, "(8.4)");
     if (p > 0)
       continue;  // as in a run: the spring is that of the first pass
     add("K4.plastic_slope", "N/m", answer.stiffness.plastic_slope, "(8.10)");

@@ -105,10 +105,10 @@ void add_response(ClosedFormResults &all, const LumpedModel &model, const Dynami
   // The six masses are driven here on linear springs whatever dynamics.model and dynamics.contact say, and white
   // force has no samples.
   const KeyList all_own = response_keys(settings, pass, p);
-  KeyList own;
+  KeyList keys;
   for (const std::string &key : all_own)
     if (!holds(detailed_model_keys(), key) && key != "dynamics.output_rate" && key != "dynamics.contact")
-      own.push_back(key);
+      keys.push_back(key);
   const bool other_model = settings.model != "six-mass";
   const auto add         = [&](const char *name, const double value, const Half half, const bool white) {
     ClosedFormResult r;
@@ -122,7 +122,7 @@ void add_response(ClosedFormResults &all, const LumpedModel &model, const Dynami
     r.file       = white ? "app/trace/closed_form_response" : "dynamics/response/response";
     r.equation   = white ? "(24.3)" : "(7.2)";
     r.stands_for = other_model && !white ? "dynamics.model = \"" + settings.model + "\"" : "";
-    inherit(r, all, white ? own : joined(own, keys_in("dynamics", "output_rate")));
+    inherit(r, all, white ? keys : joined(keys, keys_in("dynamics", "output_rate")));
     if (!white)
       r.parameter.inputs = joined(std::move(r.parameter.inputs), all_own);
     all.push_back(r);
@@ -173,7 +173,7 @@ void add_springs(ClosedFormResults &all, const FourHigh &stand, const std::size_
     made.push_back(closed_form_bite(stand, int(p)));
   for (ClosedFormResult &r : made) {
     if (is_across_given_bearing(r.name, stand.given))
-      continue;  // nobody knows it, as in a run
+      continue;  // it is not known, as in a run
     r.parameter.inputs = spring_keys(stand, r.name, p);
     r.parameter.value *= factor(factors, prefix + r.name);
     follow_given_bearing(r, stand);
@@ -191,23 +191,24 @@ void add_springs(ClosedFormResults &all, const FourHigh &stand, const std::size_
   }
 }
 
-// The closed form of a backup roll that a run meshes, times what the last run found; one roll for all passes.
+// The closed form of a backup roll that a run meshes, times the factor of the last run; one roll for all passes.
 Parameter bent_beam(const FourHigh &stand, const SpringFactors &factors)
 {
-  const double found = factor(factors, "K_ZW");
+  const double run_factor = factor(factors, "K_ZW");
   Parameter p;
-  p.value = found * beam_stiffness(stand);
+  p.value = run_factor * beam_stiffness(stand);
   p.unit  = "N/m";
   p.method =
       "stepped Timoshenko beam, " + stand.dynamics.mass_reference + " reference" +
-      (found == 1 ? "" : fmt::format(", times {:.4g}, the solid roll of the last run over its beam", found));
+      (run_factor == 1 ? ""
+                       : fmt::format(", times {:.4g}, the solid roll of the last run over its beam", run_factor));
   p.inputs = reduce::backup_roll_keys(false);
   return p;
 }
 
 // The chain twice: with the keys that closed forms follow, whose numbers count, and with all keys of a run.
 reduce::LumpedStand add_chain(ClosedFormResults &all, const FourHigh &stand, const std::string &prefix,
-                              const OperatingPoint &at, const SpringFactors &factors)
+                              const OperatingPoint &load, const SpringFactors &factors)
 {
   const auto made = [&](const std::string &name) {
     const ClosedFormResult *spring = find(all, prefix + name);
@@ -228,7 +229,7 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, const FourHigh &stand, con
         p.inputs = made(name).closed;
       },
       in);
-  in.at            = at;
+  in.at            = load;
   const bool solid = stand.backup_roll.bending_model == "solid";
   if (solid && !is_given(stand.given, "K_ZW"))
     tagged.given["K_ZW"].parameter = bent_beam(stand, factors);
@@ -255,7 +256,7 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, const FourHigh &stand, con
       r.relation = place.relation;
       r.file     = place.file;
       r.equation = place.equation;
-      r.own      = place.own;
+      r.own_keys = place.own_keys;
       if (stand.dynamics.mass_source == "fe" && !place.from.empty() && name[0] == 'M')
         r.stands_for = "shapes of the rolls by finite elements, dynamics.mass_source = \"fe\"";
       else if (solid && name[0] == 'M' && holds(inputs, "backup_roll.bending_model"))
@@ -269,7 +270,7 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, const FourHigh &stand, con
   add("K_ZW", chain.K_ZW, reduce::backup_roll_keys(solid));
   if (solid && !is_given(stand.given, "K_ZW"))
     all.back().stands_for = "the roll by finite elements, backup_roll.bending_model = \"solid\"";
-  // The numbers that nobody above has brought along, in the order of the relations: springs, then masses.
+  // The numbers that were not added above, in the order of the relations: springs, then masses.
   for (const char letter : {'K', 'M'}) {
     std::size_t place = 0;  // in `full`
     reduce::each_number(
@@ -328,10 +329,10 @@ ClosedFormResults closed_form_model_in_files(const ModelFiles &files)
     r.parameter.value  = s.modes.frequency[i];
     r.parameter.unit   = "Hz";
     r.parameter.method = "matrices of model " + files.name;
-    r.parameter.inputs = r.closed = r.own = keys_in("model", "mass stiffness");
-    r.relation                            = "modes of the matrices";
-    r.file                                = "reduce/stand/stand_modes";
-    r.equation                            = "(6.11)";
+    r.parameter.inputs = r.closed = r.own_keys = keys_in("model", "mass stiffness");
+    r.relation                                 = "modes of the matrices";
+    r.file                                     = "reduce/stand/stand_modes";
+    r.equation                                 = "(6.11)";
     all.push_back(r);
   }
   return all;
@@ -358,7 +359,7 @@ ClosedFormResults closed_form_lumped(const Case &the_case, ClosedFormMemory &mem
     if (has_force(spec.passes[p]))
       add_response(all, model, spec.dynamics, spec.passes[p], p, "", memory);
   for (ClosedFormResult &r : all)
-    for (KeyList *list : {&r.parameter.inputs, &r.closed, &r.own})
+    for (KeyList *list : {&r.parameter.inputs, &r.closed, &r.own_keys})
       *list = of_kind(*list, the_case.kind);
   return all;
 }
@@ -369,24 +370,24 @@ double factor(const SpringFactors &factors, const std::string &name)
   return known == factors.end() ? 1 : known->second;
 }
 
-void inherit(ClosedFormResult &r, const std::vector<ClosedFormResult> &all, const KeyList &own)
+void inherit(ClosedFormResult &r, const std::vector<ClosedFormResult> &all, const KeyList &own_keys)
 {
-  KeyList closed = own, inputs = own;
+  KeyList closed = own_keys, inputs = own_keys;
   for (const std::string &part : r.from)
     if (const ClosedFormResult *made = find(all, part)) {
       closed = joined(std::move(closed), made->closed);
       inputs = joined(std::move(inputs), made->parameter.inputs);
     }
-  r.own              = own;
+  r.own_keys         = own_keys;
   r.closed           = closed;
   r.parameter.inputs = joined(std::move(inputs), closed);
 }
 
 const ClosedFormResult *find(const std::vector<ClosedFormResult> &results, const std::string &name)
 {
-  const auto found =
+  const auto match =
       std::find_if(results.begin(), results.end(), [&](const ClosedFormResult &r) { return r.name == name; });
-  return found == results.end() ? nullptr : &*found;
+  return match == results.end() ? nullptr : &*match;
 }
 
 double beam_stiffness(const FourHigh &stand)

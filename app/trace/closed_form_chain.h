@@ -50,7 +50,7 @@ std::vector<ClosedFormResult> closed_form_lumped(const Case &the_case, ClosedFor
 double factor(const SpringFactors &factors, const std::string &name);
 
 /// Lists of a result that is made of others (ClosedFormResult::from), and of keys of its own.
-void inherit(ClosedFormResult &result, const std::vector<ClosedFormResult> &all, const KeyList &own);
+void inherit(ClosedFormResult &result, const std::vector<ClosedFormResult> &all, const KeyList &own_keys);
 
 /// nullptr when absent.
 const ClosedFormResult *find(const std::vector<ClosedFormResult> &results, const std::string &name);

@@ -13,9 +13,9 @@ Station spring(const char *equation, const std::string &from)
   return {"springs in series", "reduce/chain/spring_chain", equation, words_of(from), {}};
 }
 
-Station mass(const char *equation, const std::string &from, const KeyList &own)
+Station mass(const char *equation, const std::string &from, const KeyList &own_keys)
 {
-  return {"mass moving with the static shape", "reduce/chain/equivalent_mass", equation, words_of(from), own};
+  return {"mass moving with the static shape", "reduce/chain/equivalent_mass", equation, words_of(from), own_keys};
 }
 
 KeyList work_roll_keys(const std::string &chock)

@@ -10,7 +10,7 @@ struct Station {
   std::string file;               ///< that computes it
   std::string equation;           ///< of docs/theory.md
   std::vector<std::string> from;  ///< numbers of the chain it is made of
-  KeyList own;                    ///< keys that enter beside those
+  KeyList own_keys;               ///< further keys that enter
 };
 
 /// Of M1..M6, K1, K2, K6, K7 and K_ZW.

@@ -25,7 +25,7 @@ struct ClosedFormResult {
   Parameter parameter;            ///< inputs: keys behind the same result of a run, of a spring by spring_keys()
   KeyList closed;                 ///< those of the inputs that the closed form follows; the others only a run does
   std::vector<std::string> from;  ///< results it is made of
-  KeyList own;                    ///< keys that enter beside what those bring along
+  KeyList own_keys;               ///< keys that enter in addition to those of its parts
   double load = not_given;        ///< N, that a contact or a bearing is computed for
   std::string relation;           ///< "springs in series": what joins inputs and result
   std::string file;               ///< that computes it in a run, "reduce/chain/spring_chain"

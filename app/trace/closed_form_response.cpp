@@ -22,7 +22,7 @@ std::string name_of_force(const Pass &pass)
                      pass.synthetic_duration, pass.synthetic_bandwidth, pass.synthetic_seed);
 }
 
-// Everything that a response depends on beside its force.
+// Everything that a response depends on except its force.
 std::vector<double> chain_numbers(const LumpedModel &model, const DynamicsSettings &settings)
 {
   const bool measured = settings.force_meaning == "measured";
@@ -59,8 +59,7 @@ double white_level(const dynamics::MillModel &chain, const int mass, const White
 {
   static const GaussRule rule = gauss_legendre(48);
   const auto modes            = dynamics::modes(chain);
-  std::vector<double>
-      peaks;  // of the modes that this mass takes part in: the other half of the stand is none of it
+  std::vector<double> peaks;  // of the modes in which this mass moves; the other half of the stand is not included
   for (Eigen::Index k = 0; k < modes.frequency.size(); ++k)
     if (modes.kinetic_share(k, mass) > 1e-12)
       peaks.push_back(modes.frequency[k]);

@@ -12,14 +12,14 @@
 namespace mill {
 namespace {
 ClosedFormResult made(const std::string &name, const char *unit, const double value, const char *method,
-                      const OperatingPoint &at)
+                      const OperatingPoint &load)
 {
   ClosedFormResult r;
   r.name             = name;
   r.parameter.unit   = unit;
   r.parameter.value  = value;
   r.parameter.method = method;
-  r.parameter.at     = at;
+  r.parameter.at     = load;
   return r;
 }
 
@@ -31,7 +31,7 @@ struct ClosedFormModulus {
   OperatingPoint at;
   double load;
 
-  std::string own(const std::string &quantity, const std::string &aspect = "") const
+  std::string name_of(const std::string &quantity, const std::string &aspect = "") const
   {
     return stand_result(stand, 0, quantity, aspect);
   }
@@ -70,7 +70,7 @@ struct ClosedFormModulus {
 
 void ClosedFormModulus::add_kissing() const
 {
-  const std::string touching = own("K_ww", "tangent");
+  const std::string touching = name_of("K_ww", "tangent");
   add(made(touching, "N/m", reduce::line_contact(work_roll_pair(stand), load).tangent,
            "Hertz line contact of both work rolls over the barrel", at),
       {},
@@ -78,8 +78,8 @@ void ClosedFormModulus::add_kissing() const
              keys_in("work_roll", "barrel_diameter barrel_length"), load_keys(stand.passes.front(), 0)),
       "reduce/chain/line_contact", "(3.5b)");
   const auto names = path({touching});
-  add(made(own("modulus", "kiss"), "N/m", series(names), "springs in series, work rolls on each other", at), names,
-      {}, "reduce/chain/mill_modulus", "(30.1)");
+  add(made(name_of("modulus", "kiss"), "N/m", series(names), "springs in series, work rolls on each other", at),
+      names, {}, "reduce/chain/mill_modulus", "(30.1)");
 }
 
 // What moves the flattening on a rigid arc, and what does not move the plastic slope there.
@@ -124,27 +124,27 @@ void ClosedFormModulus::add_with_strip() const
   const double bend = work_rolls_bending(stand, nullptr, stand.strip.width, K3, K5);
   std::vector<std::string> more{"K4.flattening"};
   if (bend * K3 > least_bending) {
-    ClosedFormResult r =
-        made(own("K_bend"), "N/m", factor(factors, own("K_bend")) / bend, "Euler beam on its contact line", at);
+    ClosedFormResult r = made(name_of("K_bend"), "N/m", factor(factors, name_of("K_bend")) / bend,
+                              "Euler beam on its contact line", at);
     if (stand.backup_roll.bending_model == "solid")
       r.stands_for = "the work rolls by finite elements, backup_roll.bending_model = \"solid\"";
     add(std::move(r), {"K3", "K5"},
         joined(keys_in("steel", "youngs_modulus"), keys_in("work_roll", "barrel_diameter barrel_length"),
                keys_in("strip", "width"), keys_in("dynamics", "mass_reference")),
         "reduce/chain/mill_modulus", "(30.3)");
-    more.push_back(own("K_bend"));
+    more.push_back(name_of("K_bend"));
   }
   const auto names          = path(more);
   const double M            = series(names, 1 / value("K4.flattening"));  // both rolls are flattened
-  const std::string modulus = own("modulus", "tangent"), slope = "K4.plastic_slope";
+  const std::string modulus = name_of("modulus", "tangent"), slope = "K4.plastic_slope";
   add(made(modulus, "N/m", M, "springs in series, strip between the work rolls", at), names, {},
       "reduce/chain/mill_modulus", "(30.1)");
   const reduce::GaugeCoupling gauge{M, value(slope)};
   if (!(gauge.Q > 0))
     return;
-  add(made(own("screw_sensitivity"), "1", gauge.screw(), "mill modulus and plastic slope", at), {modulus, slope},
-      {}, "app/stages/stand/gauge_results", "(30.7)");
-  add(made(own("force_by", "screw"), "N/m", gauge.force_by_screw(), "mill modulus and plastic slope", at),
+  add(made(name_of("screw_sensitivity"), "1", gauge.screw(), "mill modulus and plastic slope", at),
+      {modulus, slope}, {}, "app/stages/stand/gauge_results", "(30.7)");
+  add(made(name_of("force_by", "screw"), "N/m", gauge.force_by_screw(), "mill modulus and plastic slope", at),
       {modulus, slope}, {}, "app/stages/stand/gauge_results", "(30.9)");
 }
 }  // namespace
@@ -170,7 +170,7 @@ void add_named_modes_of_chain(std::vector<ClosedFormResult> &all, const LumpedMo
     r.name             = result_name({family::mode, names[i].key, "frequency"});
     r.parameter.method = "six-mass chain, " + names[i].name;
     r.from             = {f->name};
-    r.own              = {};
+    r.own_keys         = {};
     r.relation         = "modes by name";
     r.file             = "reduce/stand/mode_names";
     r.equation         = "(22.23)";

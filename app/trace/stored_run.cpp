@@ -15,8 +15,8 @@ bool same_values(const std::string &a, const std::string &b)
 {
   const auto one = resolved_values(a), other = resolved_values(b);
   return std::all_of(one.begin(), one.end(), [&](const auto &entry) {
-    const auto found = other.find(entry.first);
-    return found == other.end() || found->second == entry.second;
+    const auto match = other.find(entry.first);
+    return match == other.end() || match->second == entry.second;
   });
 }
 
@@ -38,7 +38,7 @@ std::optional<StoredRun> stored_run(const std::string &folder, const Case &the_c
   StoredRun run;
   run.folder             = folder;
   const std::string file = run.folder + "/results.json";
-  require_published(run.folder);
+  const WholeRun whole(run.folder);
   if (!std::filesystem::exists(file))
     return {};
   const auto json = nlohmann::json::parse(read_text(file), nullptr, false);

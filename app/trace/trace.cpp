@@ -68,7 +68,7 @@ Sides evaluate_sides(const TraceKey &key, const Evaluation &evaluation, std::str
   const auto sides = [&](const std::function<double(double)> &less, const std::function<double(double)> &more) {
     Sides s{x, less(x), more(x), {}, {}};
     s.down = evaluation.tried(key.path, changed_toml(*key.value, less), why);
-    s.up   = evaluation.tried(key.path, changed_toml(*key.value, more), why);  // what is said last counts
+    s.up   = evaluation.tried(key.path, changed_toml(*key.value, more), why);  // the last reason is kept
     return s;
   };
   if (key.row.kind == Kind::count)
@@ -103,11 +103,13 @@ bool differs(const double a, const double b)
   return std::isnan(a) != std::isnan(b) || std::abs(a - b) > rounding * std::max(std::abs(a), std::abs(b));
 }
 
-// Slope of ln y over ln x; over x itself, in percent, where x is zero.
+// Slope of ln y over ln x; over x itself, in percent, where x is zero.  Not given where a value is missing, or
+// where a count changes from 1 to 0.
 double slope(const double y_a, const double y_b, const double x_a, const double x_b, const bool from_zero)
 {
   const double rise = y_a == y_b ? 0 : relative(y_a, y_b);
-  return from_zero ? 100 * rise / (x_b - x_a) : rise / std::log(x_b / x_a);
+  const double step = from_zero ? (x_b - x_a) / 100 : std::log(x_b / x_a);
+  return std::isfinite(step) && std::isfinite(rise) ? rise / step : not_given;
 }
 
 void add_slopes(TraceLine &line, const Sides &s, const bool from_zero)
@@ -123,7 +125,8 @@ void add_slopes(TraceLine &line, const Sides &s, const bool from_zero)
   line.moves          = differs(y, std::isnan(y_up) ? y : y_up) || differs(y, std::isnan(y_down) ? y : y_down);
 }
 
-// Springs and masses of later passes belong to a trace of a key of that pass only: "pass 2.K3" beside "K3".
+// Springs and masses of later passes belong to a trace of a key of that pass only: "pass 2.K3" in addition to
+// "K3".
 bool is_of_later_pass(const Case &the_case, const ClosedFormResults &all, const std::string &result)
 {
   const auto &passes = all_passes(the_case);
@@ -147,7 +150,7 @@ void keep_reached(Trace &trace, const Case &the_case, std::vector<TraceLine> lin
     for (const std::string &part : line.result.from)
       if (holds(reached, part))
         line.through.push_back(part);
-    line.direct = line.through.empty() || holds(line.result.own, key);
+    line.direct = line.through.empty() || holds(line.result.own_keys, key);
     reached.push_back(line.result.name);
     const bool own_pass = key.rfind("pass.", 0) == 0 && key.rfind("pass.0.", 0) != 0;
     if (own_pass || !is_of_later_pass(the_case, trace.base, line.result.name))
@@ -201,7 +204,7 @@ std::string without_elasticity(const TraceKey &key)
   }
 }
 
-// What the run found for the springs over what closed forms give.
+// Springs of the run over those of the closed forms.
 SpringFactors run_factors(const StoredRun &run, const ClosedFormResults &base)
 {
   SpringFactors factors;
@@ -213,8 +216,8 @@ SpringFactors run_factors(const StoredRun &run, const ClosedFormResults &base)
   }
   return factors;
 }
-// How much softer than its beam the last run found the solid backup roll; by the run's own inputs, so that it fits
-// a case that has moved on from there.  Nothing where the run bent a beam too.
+// Stiffness of the solid backup roll in the last run over that of its beam; with the inputs of that run, so that
+// it fits a case that has moved on from there.  Nothing where the run bent a beam too.
 SpringFactors bending_factor(const StoredRun &run)
 {
   const auto stored          = run.values.find("K_ZW");
@@ -308,7 +311,7 @@ Trace trace(const TraceOptions &options, ClosedFormMemory &memory)
   }
   keep_reached(trace, the_case, std::move(lines));
   if (trace.lines.empty())
-    trace.beside = beside_the_chain(the_case, key.name);
+    trace.only_in_a_run = results_outside_the_chain(the_case, key.name);
   if (run) {
     trace.run_folder  = run->folder;
     trace.same_inputs = run->same_inputs;

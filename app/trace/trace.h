@@ -29,14 +29,14 @@ struct TraceLine {
 /// Which results one input reaches.  theory.md 24
 struct Trace {
   TraceKey key;
-  std::string per;                  ///< "%": percent per percent; "um": percent per um; "": no elasticity
-  std::string steps;                ///< "1435.5 mm .. 1464.5 mm": between which values the differences were taken
-  std::string reason;               ///< why there is no elasticity
-  std::vector<TraceLine> lines;     ///< in the order of the relations
-  std::vector<std::string> beside;  ///< without a line: results that only a run has and that state this key
-  std::vector<ClosedFormResult> base;  ///< every result of the case
-  std::string run_folder;              ///< last run that was found; empty: none
-  bool same_inputs = true;             ///< it was made from this very case
+  std::string per;               ///< "%": percent per percent; "um": percent per um; "": no elasticity
+  std::string steps;             ///< "1435.5 mm .. 1464.5 mm": between which values the differences were taken
+  std::string reason;            ///< why there is no elasticity
+  std::vector<TraceLine> lines;  ///< in the order of the relations
+  std::vector<std::string> only_in_a_run;  ///< without a line: results that only a run has and that state this key
+  std::vector<ClosedFormResult> base;      ///< every result of the case
+  std::string run_folder;                  ///< the last stored run; empty: none
+  bool same_inputs = true;                 ///< it was made from this very case
   bool from_run    = false;
   std::vector<std::pair<std::string, double>> run;  ///< its values by name, of the results above
 };

@@ -3,6 +3,7 @@
 #include "app/trace/closed_form_chain.h"
 #include "core/base/units.h"
 #include "core/case/kinds.h"
+#include "core/case/old_keys.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -50,6 +51,15 @@ std::optional<StandIn> stand_in(const Case &the_case, const TraceKey &key,
   const auto of_kind = run_kind(the_case).stand_in;
   return of_kind ? of_kind(the_case, key, closed) : std::nullopt;
 }
+
+// The case file with the present names of its keys.
+Node present_tree(const std::string &path, const std::vector<std::string> &sets)
+{
+  Node root = read_case_file(path, sets);
+  Reading warnings_not_needed;
+  accept_old_keys(root, warnings_not_needed);
+  return root;
+}
 }  // namespace
 
 std::optional<std::size_t> pass_of(const TraceKey &key)
@@ -68,13 +78,13 @@ std::optional<StandIn> computed_instead(const std::vector<ClosedFormResult> &clo
 
 std::optional<StandIn> strip_instead(const Strip &strip, const TraceKey &key)
 {
-  const std::pair<const char *, double Strip::*> own[] = {
+  const std::pair<const char *, double Strip::*> members[] = {
       {"entry_thickness", &Strip::entry_thickness},
       {"exit_thickness",  &Strip::exit_thickness },
       {"entry_tension",   &Strip::entry_tension  },
       {"exit_tension",    &Strip::exit_tension   }
   };
-  for (const auto &[name, member] : own)
+  for (const auto &[name, member] : members)
     if (key.row.key == name)
       return StandIn{strip.*member, "not given: that of [strip]"};
   return {};
@@ -133,10 +143,10 @@ TraceKey find_key(const Case &the_case, const std::vector<std::string> &sets, co
                   const std::vector<ClosedFormResult> &closed)
 {
   const auto keys  = keys_of(the_case);
-  const auto found = std::find_if(keys.begin(), keys.end(),
+  const auto match = std::find_if(keys.begin(), keys.end(),
                                   [&](const TraceKey &key) { return key.name == name || key.path == name; });
-  if (found == keys.end()) {
-    // Within a section its keys are compared; a list of some two hundred would help nobody.
+  if (match == keys.end()) {
+    // Within a section its keys are compared; a list of some two hundred would not help.
     const auto dot            = name.rfind('.');
     const std::string section = dot == std::string::npos ? "" : name.substr(0, dot + 1);
     std::vector<std::string> all, leaves;
@@ -153,9 +163,9 @@ TraceKey find_key(const Case &the_case, const std::vector<std::string> &sets, co
       hint = "; docs/input.md lists the keys of kind \"" + the_case.kind + "\"";
     throw InputError("unknown key '" + name + "' in " + the_case.path + hint);
   }
-  TraceKey key     = *found;
+  TraceKey key     = *match;
   const auto parts = path_parts(key.path);
-  const Node root  = read_case_file(the_case.path, sets);
+  const Node root  = present_tree(the_case.path, sets);
   if (const auto place = the_case.places.find(key.name); place != the_case.places.end()) {
     const Node *node = at_path(root, parts);
     if (node && node->kind == Node::Kind::table && node->find("value"))
@@ -174,13 +184,13 @@ TraceKey find_key(const Case &the_case, const std::vector<std::string> &sets, co
       if (const auto instead = stand_in(the_case, key, closed)) {
         toml       = key.row.kind == Kind::number ? number_text(instead->value)
                                                   : quoted(quantity_text(instead->value, unit(key.row.form)));
-        key.origin = instead->said;
+        key.origin = instead->origin;
         instead_of = key.row.kind == Kind::number ? instead->value : from_si(instead->value, unit(key.row.form));
       }
     if (!toml.empty()) {
       auto with = sets;
       with.push_back(key.path + "=" + toml);
-      const Node other = read_case_file(the_case.path, with);
+      const Node other = present_tree(the_case.path, with);
       if (const Node *node = at_path(other, parts))
         key.value = *node;
     }

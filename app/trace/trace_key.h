@@ -25,8 +25,8 @@ struct TraceKey {
 
 /// What the program takes for a key that is not given, where that has a size.
 struct StandIn {
-  double value;      ///< SI
-  std::string said;  ///< "not given: the entry thickness"
+  double value;        ///< SI
+  std::string origin;  ///< "not given: the entry thickness"
 };
 
 /// Number of the pass that a key belongs to.
@@ -41,7 +41,7 @@ std::vector<TraceKey> keys_of(const Case &the_case);
 
 /// One of them with its value.
 /// @param sets   as given to read_case
-/// @param closed  results of the case: a value that is not given but computed is found there
+/// @param closed  results of the case: they give a value that is not given but computed
 /// @throws InputError  unknown key, with the nearest known one
 TraceKey find_key(const Case &the_case, const std::vector<std::string> &sets, const std::string &name,
                   const std::vector<ClosedFormResult> &closed);

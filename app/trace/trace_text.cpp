@@ -16,7 +16,7 @@ std::string listed(const std::vector<std::string> &words)
 std::string value_text(const Parameter &p)
 {
   if (!std::isfinite(p.value))
-    return "no answer";
+    return "no value";
   return fmt::format("{:.5g} {}", p.value, p.unit == "1" ? "" : p.unit);
 }
 
@@ -47,15 +47,14 @@ std::string elasticity_text(const Trace &trace, const TraceLine &line)
   if (!line.words.empty()) {
     std::vector<std::string> words;
     for (const auto &[word, percent] : line.words)
-      words.push_back(!std::isfinite(percent) ? word + ": no answer"
-                                              : fmt::format("{}: {:+.3g} %", word, percent));
+      words.push_back(std::isfinite(percent) ? fmt::format("{}: {:+.3g} %", word, percent)
+                                             : word + ": no percentage");
     return listed(words);
   }
   if (trace.per.empty())
     return "-";
-  if (!std::isfinite(line.slope_up) || !std::isfinite(line.slope_down))
-    return slope_text(line.slope, trace.per) +
-           (std::isfinite(line.slope) ? " to one side, no answer to the other" : "");
+  if (std::isnan(line.slope))
+    return "";  // missing_slopes() says why
   if (has_kink(line, trace.per))
     return trace.per == "%"
                ? fmt::format("{:+.2f} up, {:+.2f} down", line.slope_up, line.slope_down)
@@ -104,18 +103,31 @@ std::string stand_in_notes(const Trace &trace)
   for (const ClosedFormResult &r : trace.base) {
     if (r.stands_for.empty() || std::find(names_here.begin(), names_here.end(), r.name) == names_here.end())
       continue;
-    const std::string said = r.parameter.method + ", for " + r.stands_for;
-    const auto known = std::find_if(groups.begin(), groups.end(), [&](const auto &g) { return g.first == said; });
+    const std::string method = r.parameter.method + ", for " + r.stands_for;
+    const auto known =
+        std::find_if(groups.begin(), groups.end(), [&](const auto &g) { return g.first == method; });
     const std::string name = without_pass(r.name);
     if (known == groups.end())
-      groups.push_back({said, {name}});
+      groups.push_back({method, {name}});
     else if (std::find(known->second.begin(), known->second.end(), name) == known->second.end())
       known->second.push_back(name);
   }
   std::string text;
-  for (const auto &[said, names] : groups)
-    text += fmt::format("  {}: {}\n", listed(names), said);
+  for (const auto &[method, names] : groups)
+    text += fmt::format("  {}: {}\n", listed(names), method);
   return text.empty() ? "" : "Closed forms that stand in for finite elements:\n" + text;
+}
+
+// Why the elasticity of some results is left empty.
+std::string missing_slopes(const Trace &trace)
+{
+  std::vector<std::string> names;
+  for (const TraceLine &line : trace.lines)
+    if (line.moves && line.words.empty() && !trace.per.empty() && std::isnan(line.slope))
+      names.push_back(line.result.name);
+  return names.empty() ? ""
+                       : "No elasticity, because the result has no value for this key or for the changed key: " +
+                             listed(names) + ".\n";
 }
 
 std::string run_notes(const Trace &trace)
@@ -131,18 +143,18 @@ std::string run_notes(const Trace &trace)
       if (name == line.result.name && value != 0) {
         const double off = 100 * (line.result.parameter.value / value - 1);
         if (!std::isfinite(off))
-          far.push_back(name + " no answer");
+          far.push_back(name + " has no value here");
         else if (std::abs(off) < 0.05)
           ++near;
         else
           far.push_back(fmt::format("{} {:+.1f} %", name, off));
       }
   std::string text = fmt::format("Values above against the last run ({}{}): ", trace.run_folder,
-                                 trace.same_inputs ? "" : ", whose inputs were others");
+                                 trace.same_inputs ? "" : ", with other inputs");
   text += far.empty() ? "" : listed(far);
   if (near > 0)
     text += fmt::format("{}{} within 0.05 %", far.empty() ? "" : "; ", far.empty() ? "all" : "the others");
-  return text + (far.empty() && near == 0 ? "it has none of them" : "") + "\n";
+  return text + (far.empty() && near == 0 ? "it has no value of these" : "") + "\n";
 }
 }  // namespace
 
@@ -170,8 +182,8 @@ std::string trace_text(const Trace &trace, const bool notes)
   }
   for (const auto &[relation, results] : relations)
     text += "  -> " + relation + "\n" + results;
-  if (trace.lines.empty() && !trace.beside.empty())
-    text += "  -> only in a run: " + listed(trace.beside) + "\n";
+  if (trace.lines.empty() && !trace.only_in_a_run.empty())
+    text += "  -> only in a run: " + listed(trace.only_in_a_run) + "\n";
   else if (trace.lines.empty())
     text += "  reaches no result of this case: " + trace.key.row.meaning + "\n";
   if (!notes)
@@ -180,11 +192,12 @@ std::string trace_text(const Trace &trace, const bool notes)
     text += "No elasticity: " + trace.reason + ".\n";
   if (!trace.steps.empty() && moves)
     text += fmt::format("Elasticities are differences between {}.\n", trace.steps);
+  text += missing_slopes(trace);
   if (record && !trace.per.empty())
     text +=
         "Slopes of peak_g and rms_g belong to one record and scatter with it; under white force they do not.\n";
   if (trace.from_run)
-    text += "Springs are those of the last run; closed forms say how they change.\n";
+    text += "Springs are those of the last run; closed forms give their change.\n";
   return text + stand_in_notes(trace) + run_notes(trace);
 }
 }  // namespace mill

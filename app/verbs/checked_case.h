@@ -5,7 +5,7 @@
 namespace mill {
 struct CommandLine;
 
-/// The case with all that is wrong with it, as far as that can be said before anything is computed.
+/// The case with all its errors that can be detected before anything is computed.
 struct CheckedCase {
   Case the_case;
   CaseReview review;

@@ -17,6 +17,7 @@
 #include "app/verbs/checked_case.h"
 #include "app/verbs/marks_command.h"
 #include "core/base/files.h"
+#include "core/base/short_number.h"
 #include "core/base/visible_text.h"
 #include "core/case/case_sheet.h"
 #include "core/case/input_reference.h"
@@ -38,7 +39,7 @@ namespace {
 std::string manifest_path;
 
 // chatter.CONDITION.variant.NAME.*, .scheme., .speed_slope.KEY and the like.
-bool is_beside_a_condition(const std::string &name)
+bool is_of_a_variant(const std::string &name)
 {
   return name.rfind("chatter.", 0) == 0 && std::count(name.begin(), name.end(), '.') > 2;
 }
@@ -48,10 +49,10 @@ void print_table(const Results &results)
   using console::print;
   print(fmt::format("{:<34} {:>22} {:>9}  {}\n", "result", "value", "error", "at"));
   for (const auto &[name, p] : results.values) {
-    if (report::is_of_one_model(name) || is_beside_a_condition(name))
+    if (report::is_of_one_model(name) || is_of_a_variant(name))
       continue;  // side by side in the report
     print(fmt::format("{:<34} {:>22} {:>9}  {}\n", visible(name, true), engineering(p),
-                      std::isnan(p.error_estimate) ? "-" : fmt::format("{:.2g} %", 100 * p.error_estimate),
+                      std::isnan(p.error_estimate) ? "-" : percent_text(p.error_estimate),
                       visible(p.at.text(), true)));
   }
   for (const std::string &warning : results.warnings)
@@ -179,7 +180,8 @@ int write_template(const CommandLine &command)
   write_atomically(command.output, text);
   return 0;
 }
-// From what is stored; a run whose publishing was interrupted comes first.
+
+// The page of the stored results; a run that was interrupted while publishing is completed first.
 int write_report(const std::string &directory)
 {
   {
@@ -191,7 +193,19 @@ int write_report(const std::string &directory)
   return 0;
 }
 
-// Runs beside each other; the page stands in the first folder unless -o says where.
+// A comparison replaces an earlier comparison and no other file.
+void require_replaceable_page(const std::string &file)
+{
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(file, error)))
+    return;
+  const auto text = text_if_readable(file);
+  if (!text || text->substr(0, 4096).find("<title>comparison - millstand report</title>") == std::string::npos)
+    throw InputError("the file " + file +
+                     " exists and is not a comparison page; choose another with -o, or give --force-overwrite");
+}
+
+// Compares runs; the page is written into the first folder unless -o names a file.
 int write_comparison(const CommandLine &command)
 {
   std::vector<std::string> directories{command.target};
@@ -201,6 +215,8 @@ int write_comparison(const CommandLine &command)
     finish_publishing(directory);
   }
   const std::string file = command.output.empty() ? command.target + "/comparison.html" : command.output;
+  if (!command.force_overwrite)
+    require_replaceable_page(file);
   write_atomically(file, report::comparison_of(directories));
   console::print("comparison: " + file + "\n");
   return 0;

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
-// Folder for what the stages write and nobody keeps.
+// Folder for files of the stages that are not kept.
 class ScratchFolder {
 public:
   ScratchFolder() : path_((fs::temp_directory_path() / ("millstand-export-" + random_name())).string()) {}

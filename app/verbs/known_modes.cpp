@@ -98,7 +98,7 @@ KnownModes known_modes(const Case &the_case, const std::string &folder)
   if (run && run->same_inputs)
     if (KnownModes known = of_run(*run); !known.modes.empty())
       return known;
-  const std::string why = !run                ? "there is no run in " + from
+  const std::string why = !run                ? "no run is stored in " + from
                           : !run->same_inputs ? "the run in " + from + " is of other inputs"
                                               : "the run in " + from + " has no natural frequencies";
   if (!folder.empty())

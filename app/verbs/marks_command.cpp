@@ -26,7 +26,7 @@ double quantity_of(const std::string &flag, const std::string &text, const char 
   if (q.fault == ParsedQuantity::Fault::no_unit)
     throw InputError(written + " has no unit" + needs);
   if (q.fault == ParsedQuantity::Fault::unknown_unit)
-    throw InputError(written + ": there is no unit '" + q.unit_text + "'" + needs);
+    throw InputError(written + ": unknown unit '" + q.unit_text + "'" + needs);
   if (!(q.unit->dimension == unit(like).dimension))
     throw InputError(written + " is " + q.unit->quantity + needs);
   return q.value();

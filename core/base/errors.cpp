@@ -65,11 +65,11 @@ std::string cut_to(const std::string &text, const std::size_t n)
 std::string indent_to(const std::string &line, const int column)
 {
   std::string indent;
-  int at = 1;
+  int place = 1;
   for (const char c : line) {
     if ((c & 0xC0) == 0x80)
       continue;
-    if (at++ >= column)
+    if (place++ >= column)
       return indent;
     indent += c == '\t' ? '\t' : ' ';
   }
@@ -116,7 +116,7 @@ std::string excerpt(const Place &place, Sources &sources)
 std::string excerpts(std::vector<Place> places, Sources &sources)
 {
   struct Shown {
-    int at;
+    int line_number;
     std::string number, line, section;
   };
   std::sort(places.begin(), places.end());
@@ -135,8 +135,8 @@ std::string excerpts(std::vector<Place> places, Sources &sources)
   }
   std::string text;
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    const auto &[at, number, line, section] = shown[i];
-    if (i > 0 && at != shown[i - 1].at + 1)
+    const auto &[line_number, number, line, section] = shown[i];
+    if (i > 0 && line_number != shown[i - 1].line_number + 1)
       text += "\n...";
     text += fmt::format("\n>{} | {}", number, line);
     if (!section.empty() && section != line)

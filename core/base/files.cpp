@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <dirent.h>
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
@@ -38,10 +39,7 @@ namespace {
 
 class Descriptor {
 public:
-  Descriptor(const std::string &path, const int flags)
-      : number(uninterrupted([&] { return ::open(path.c_str(), flags | O_CLOEXEC | O_NOCTTY, 0666); }))
-  {
-  }
+  Descriptor(const std::string &path, const int flags) : number(open_file(path, flags)) {}
   ~Descriptor()
   {
     if (number >= 0)
@@ -78,9 +76,9 @@ Descriptor opened_aside(const std::string &temporary)
 {
   while (true) {
     Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
-    struct stat found {};
-    if (file.number < 0 || !lock_file(file.number, LOCK_EX) || ::fstat(file.number, &found) != 0 ||
-        found.st_nlink > 0)
+    struct stat status {};
+    if (file.number < 0 || !lock_file(file.number, LOCK_EX) || ::fstat(file.number, &status) != 0 ||
+        status.st_nlink > 0)
       return file;
   }
 }
@@ -134,14 +132,14 @@ void write_atomically(const std::string &path, const std::string &text)
 std::string read_text(const std::string &path)
 {
   const Descriptor file(path, O_RDONLY | O_NONBLOCK);  // a pipe without a writer would be waited for
-  struct stat found {};
-  if (file.number < 0 || ::fstat(file.number, &found) != 0)
+  struct stat status {};
+  if (file.number < 0 || ::fstat(file.number, &status) != 0)
     cannot_read(path, errno);
-  if (const std::string kind = other_kind(found.st_mode); !kind.empty())
+  if (const std::string kind = other_kind(status.st_mode); !kind.empty())
     cannot("read", path, kind);
   require_memory(path, double(found.st_size), 2.0 * double(found.st_size));
   std::string text, block(1 << 16, '\0');
-  text.reserve(std::min<std::size_t>(std::size_t(found.st_size), 1 << 26));  // a size may be a lie
+  text.reserve(std::min<std::size_t>(std::size_t(status.st_size), 1 << 26));  // a size may be a lie
   while (true) {
     const ssize_t n = uninterrupted([&] { return ::read(file.number, block.data(), block.size()); });
     if (n < 0)
@@ -175,16 +173,63 @@ std::string name_aside(const std::string &path, const std::string &ending)
 void remove_stale_parts(const std::string &folder)
 {
   std::error_code error;
-  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    if (!is_part_name(entry->path().filename().string()))
+  for (const std::string &name : names_in(folder, error)) {
+    if (!is_part_name(name))
       continue;
-    const Descriptor part(entry->path().string(), O_RDWR | O_NOFOLLOW | O_NONBLOCK);
-    struct stat found {};
-    if (part.number >= 0 && ::fstat(part.number, &found) == 0 && S_ISREG(found.st_mode) &&
+    const std::string path = folder + "/" + name;
+    const Descriptor part(path, O_RDWR | O_NOFOLLOW | O_NONBLOCK);
+    struct stat status {};
+    if (part.number >= 0 && ::fstat(part.number, &status) == 0 && S_ISREG(status.st_mode) &&
         lock_file(part.number, LOCK_EX | LOCK_NB))
-      ::unlink(entry->path().c_str());
+      ::unlink(path.c_str());
   }
+}
+
+int open_file(const std::string &path, const int flags)
+{
+  return uninterrupted([&] { return ::open(path.c_str(), flags | O_CLOEXEC | O_NOCTTY, 0666); });
+}
+
+std::vector<std::string> names_in(const std::string &folder, std::error_code &error)
+{
+  std::vector<std::string> names;
+  do {
+    names.clear();
+    errno              = 0;
+    DIR *const entries = ::opendir(folder.c_str());
+    if (entries) {
+      while (const dirent *entry = ::readdir(entries))  // nullptr at the end and after an error
+        names.push_back(entry->d_name);
+      const int reason = errno;
+      ::closedir(entries);
+      errno = reason;
+    }
+  } while (errno == EINTR);
+  error.assign(errno, std::generic_category());
+  if (error)
+    return {};
+  names.erase(std::remove_if(names.begin(), names.end(),
+                             [](const std::string &name) { return name == "." || name == ".."; }),
+              names.end());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<std::string> names_in(const std::string &folder)
+{
+  std::error_code error;
+  auto names = names_in(folder, error);
+  if (error)
+    cannot_read(folder, error.value());
+  return names;
+}
+
+void remove_folder(const std::string &path)
+{
+  std::error_code error;
+  do
+    std::filesystem::remove_all(path, error);
+  while (error == std::errc::interrupted);
 }
 
 bool lock_file(const int file, const int how)

@@ -11,15 +11,15 @@ enum class Source {
   given,      ///< in [given] of the case file, replaces what would be computed
   published,  ///< as given, and marked by the user as a published value
   measured,   ///< from a measured record
-  assumed,    ///< nobody knows; the value is named in the report as an assumption
+  assumed,    ///< not known; the report names the value as an assumption
   estimated   ///< by a formula or rule from what is known, for what a drawing or a catalogue hides
 };
 const char *name_of(Source source);
 
-/// A second opinion that stands beside a number: a closed form, a standard, a published or measured value.
+/// A value that a number is compared with: a closed form, a standard, a published or measured value.
 struct Check {
   std::string name;  ///< "Hertz line contact, axis to axis (3.5b)"
-  double value = 0;  ///< in the unit of the number it stands beside
+  double value = 0;  ///< in the unit of the number that is compared with it
   std::string note;  ///< why it may differ; may be empty
 };
 
@@ -31,7 +31,7 @@ struct Parameter {
   std::string method;  ///< "contact FEM", "series springs"; empty when given
   OperatingPoint at;   ///< load or state it belongs to, "976.2 kN"; empty when it has none
   double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< relative; NaN: none can be stated
-  /// Why none can be stated: keys of the case file, or results, whose own error is not known.  Empty beside a
+  /// Why none can be stated: keys of the case file, or results, whose own error is not known.  Empty with a
   /// number.
   std::vector<std::string> error_lacks;
   std::vector<std::string> inputs;  ///< keys of the case file it was made from, "work_roll.barrel_diameter"

@@ -5,20 +5,20 @@
 namespace mill {
 namespace {
 // Bytes of the UTF-8 character at `at`, 0 where there is none (RFC 3629).
-std::size_t length_at(const std::string &text, const std::size_t at, char32_t &code)
+std::size_t length_at(const std::string &text, const std::size_t begin, char32_t &code)
 {
-  const auto first    = static_cast<unsigned char>(text[at]);
+  const auto first    = static_cast<unsigned char>(text[begin]);
   const std::size_t n = first < 0x80   ? 1
                         : first < 0xC2 ? 0
                         : first < 0xE0 ? 2
                         : first < 0xF0 ? 3
                         : first < 0xF5 ? 4
                                        : 0;
-  if (n == 0 || at + n > text.size())
+  if (n == 0 || begin + n > text.size())
     return 0;
   code = n == 1 ? first : first & (0xFF >> (n + 1));
   for (std::size_t i = 1; i < n; ++i) {
-    const auto next = static_cast<unsigned char>(text[at + i]);
+    const auto next = static_cast<unsigned char>(text[begin + i]);
     if ((next & 0xC0) != 0x80)
       return 0;
     code = code << 6 | (next & 0x3F);
@@ -46,19 +46,19 @@ std::string visible(const std::string &text, const bool one_line)
 {
   std::string out;
   out.reserve(text.size());
-  for (std::size_t at = 0; at < text.size();) {
+  for (std::size_t position = 0; position < text.size();) {
     char32_t code       = 0;
-    const std::size_t n = length_at(text, at, code);
+    const std::size_t n = length_at(text, position, code);
     const bool layout   = !one_line && (code == '\n' || code == '\t');
     if (n == 0)
-      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[at]));
+      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[position]));
     else if (!is_hidden(code) || layout)
-      out.append(text, at, n);
+      out.append(text, position, n);
     else if (code == '\n' || code == '\t' || code == '\r')
       out += code == '\n' ? "\\n" : code == '\t' ? "\\t" : "\\r";
     else
       out += code < 0x80 ? fmt::format("\\x{:02x}", unsigned(code)) : fmt::format("\\u{:04x}", unsigned(code));
-    at += std::max<std::size_t>(n, 1);
+    position += std::max<std::size_t>(n, 1);
   }
   return out;
 }

@@ -34,7 +34,7 @@ std::vector<T> read_list(const Section &advice, const char *key, const std::vect
   const std::string all = advice.key(key);
   if (entry->value.kind != Node::Kind::array) {
     reading.bad.insert(all);
-    reading.add(entry->key_place, fmt::format("[[{}]] stands in double brackets, once for each", all));
+    reading.add(entry->key_place, fmt::format("[[{}]] is written in double brackets, once for each", all));
     return list;
   }
   for (std::size_t i = 0; i < entry->value.items.size(); ++i) {

@@ -25,7 +25,7 @@ public:
 template <class T> void RowList<T>::add_stand()
 {
   add("place", &T::place, "text", any, "upper_work_roll", "upper_work_roll",
-      "whose rms acceleration is to fall, as the columns of response/*.csv name places");
+      "place whose rms acceleration is to be lowered, named as the columns of response/*.csv");
   add("band", &T::band, "Hz", {0, 20000}, absent, R"(["100 Hz", "300 Hz"])",
       "of that level; from 0 to dynamics.frequency_limit (1000 Hz of a chain) when absent");
   add("springs", &T::springs, "K1 | K2 | K3 | K4 | K5 | K6 | K7", any, absent, R"(["K3", "K5"])",
@@ -84,7 +84,7 @@ const std::vector<Field<FourHighAdvice>> &four_high_advice_rows()
     list.add_stand();
     list.add(
         "model", &T::model, "beam | craig-bampton", any, "beam", "craig-bampton",
-        "in which every action is repeated, and which counts: rolls as beams, within seconds, or as component "
+        "in which every action is repeated and which decides: rolls as beams, within seconds, or as component "
         "modes of their finite elements, within minutes");
     list.add_limits();
     list.add("nearer_chatter", &T::nearer_chatter, "%", {0, 100}, 1, "1 %",
@@ -130,7 +130,8 @@ const std::vector<Field<ChatterAdvice>> &chatter_advice_rows()
   static const std::vector<Field<T>> rows = [] {
     RowList<T> list;
     list.add("condition", &T::condition, "text", any, absent, "2",
-             "that is to be calmer; when absent the one whose critical speed is the least multiple of its speed");
+             "condition to be stabilised; when absent the one whose critical speed is the smallest multiple of "
+             "its speed");
     list.add("margin", &T::margin, "%", {0, 1000}, 10, "10 %",
              "wanted distance: critical speed at least (1 + margin) times the working speed");
     list.add_limits();

@@ -8,24 +8,25 @@ namespace {
 // [model] says some keys of the loaded bearing again; saying two things is a contradiction.
 struct Model {
   std::string bearing;  // that it is about
-  BearingModelInput said;
+  BearingModelInput input;
 };
 
 void apply(const Model &model, RollerBearing &bearing, Reading &reading)
 {
-  const auto one = [&](const char *k, auto &value, const auto &said) {
+  const auto one = [&](const char *k, auto &value, const auto &given) {
     const std::string here = std::string("model.") + k, there = "bearing." + bearing.name + "." + k;
     if (!reading.places.count(here))
       return;
-    if (reading.places.count(there) && value != said)
-      contradict(reading, here, "contradicts " + reading.said(there) + "; leave one of the two out", {there});
-    value                  = said;
+    if (reading.places.count(there) && value != given)
+      contradict(reading, here, "contradicts " + reading.as_written(there) + "; leave one of the two out",
+                 {there});
+    value                  = given;
     reading.places[there]  = reading.places.at(here);
     reading.written[there] = reading.written[here];
   };
-  one("roller_law", bearing.roller_law, model.said.roller_law);
-  one("rings", bearing.rings, model.said.rings);
-  one("slices", bearing.slices, model.said.slices);
+  one("roller_law", bearing.roller_law, model.input.roller_law);
+  one("rings", bearing.rings, model.input.rings);
+  one("slices", bearing.slices, model.input.slices);
 }
 
 // What was assumed stays open in the echo too, so that it runs to the same results.
@@ -109,7 +110,7 @@ BearingCase read_bearing_case(const Node &root, Reading &reading)
     spec.load.loads = {0.1 * spec.load.radial, 4 * spec.load.radial};
   Model model{spec.load.bearing, {}};
   if (const Section section = section_at(root, "model", reading); section.node)
-    read(section, bearing_model_rows(), model.said, reading);
+    read(section, bearing_model_rows(), model.input, reading);
   spec.bearings  = read_all(root, model, "", reading);
   spec.oil_films = read_oil_films(root, reading);
   reading.echo += "\n[load]\n" + resolved_lines("load", bearing_load_rows(), spec.load, reading);

@@ -77,18 +77,18 @@ private:
         {"e",           ""  }
     };
     for (std::size_t i = 0; i < sheet.header.size(); ++i) {
-      const csv::Header &at = sheet.header[i];
-      const auto known      = std::find_if(columns.begin(), columns.end(),
-                                           [&](const auto &column) { return at.name == column.first; });
+      const csv::Header &header = sheet.header[i];
+      const auto known          = std::find_if(columns.begin(), columns.end(),
+                                               [&](const auto &column) { return header.name == column.first; });
       if (known == columns.end())
         problems.push_back(
-            {sheet.place(at),
-             fmt::format("column '{}' is unknown; a catalogue has {}, and e", at.name, header_example),
+            {sheet.place(header),
+             fmt::format("column '{}' is unknown; a catalogue has {}, and e", header.name, header_example),
              {}});
-      else if (!place.emplace(at.name, i).second)
-        problems.push_back({sheet.place(at),
-                            fmt::format("column '{}' stands twice", at.name),
-                            {sheet.place(sheet.header[place[at.name]])}});
+      else if (!place.emplace(header.name, i).second)
+        problems.push_back({sheet.place(header),
+                            fmt::format("column '{}' stands twice", header.name),
+                            {sheet.place(sheet.header[place[header.name]])}});
     }
     for (const auto &[name, unit] : columns)
       gathered([&, key = std::string(name), sample = std::string(unit)] {
@@ -109,30 +109,30 @@ private:
     return sheet.cell(row, place.at(column));
   }
 
-  void refuse(const csv::Cell &at, const std::string &message)
+  void refuse(const csv::Cell &where, const std::string &message)
   {
-    problems.push_back({sheet.place(at), message, {}});
+    problems.push_back({sheet.place(where), message, {}});
   }
 
   std::string word(const std::size_t row, const std::string &column, const char *what)
   {
-    const csv::Cell &at = cell(row, column);
-    if (at.text.empty())
-      refuse(at, fmt::format("the cell of column '{}' is empty; {}", column, what));
-    return std::string(at.text);
+    const csv::Cell &source = cell(row, column);
+    if (source.text.empty())
+      refuse(source, fmt::format("the cell of column '{}' is empty; {}", column, what));
+    return std::string(source.text);
   }
 
   // In SI; NaN for an empty cell that may be empty.
   double number(const std::size_t row, const std::string &column, const double least, const double most,
                 const bool may_be_empty = false)
   {
-    const csv::Cell &at = cell(row, column);
-    const auto unit     = unit_of_column.find(column);
-    if (may_be_empty && at.text.empty())
+    const csv::Cell &source = cell(row, column);
+    const auto unit         = unit_of_column.find(column);
+    if (may_be_empty && source.text.empty())
       return not_given;
     double value = not_given;
     gathered([&] {
-      const double read = csv::number_of(at, column, sheet);
+      const double read = csv::number_of(source, column, sheet);
       value             = unit == unit_of_column.end() ? read : to_si(read, *unit->second);
     });
     if (value < least || value > most) {
@@ -140,7 +140,8 @@ private:
       const auto in          = [&](const double si) {
         return unit == unit_of_column.end() ? si : from_si(si, *unit->second);
       };
-      refuse(at, fmt::format("{} = {} is outside {}", column, at.text, range_in({in(least), in(most)}, form)));
+      refuse(source,
+             fmt::format("{} = {} is outside {}", column, source.text, range_in({in(least), in(most)}, form)));
       return not_given;
     }
     return value;
@@ -149,7 +150,7 @@ private:
   CatalogueBearing line(const std::size_t row)
   {
     CatalogueBearing b;
-    b.designation      = word(row, "designation", "a line without one is never found");
+    b.designation      = word(row, "designation", "a line without a designation cannot be looked up");
     b.place            = sheet.place(cell(row, "designation"));
     b.type             = word(row, "type", "one of four-row tapered | four-row cylindrical is needed");
     b.source           = word(row, "source", "say where the figures of this line come from");
@@ -181,9 +182,10 @@ private:
     for (const CatalogueBearing &b : bearings)
       if (const auto [it, first] = seen.emplace(plain_designation(b.designation), &b);
           !first && !b.designation.empty())
-        problems.push_back({b.place,
-                            fmt::format("designation '{}' stands twice; keep one of the two lines", b.designation),
-                            {it->second->place}});
+        problems.push_back(
+            {b.place,
+             fmt::format("designation '{}' appears twice; keep one of the two lines", b.designation),
+             {it->second->place}});
   }
 };
 }  // namespace

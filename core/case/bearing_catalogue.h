@@ -26,7 +26,8 @@ struct CatalogueBearing {
 /// is known. C, C0 and e may be empty in a line.
 /// @param file  named in messages
 /// @throws InputError with file:line:column, every problem of the table at once: a column missing, unknown, twice
-///         or with a wrong unit; a cell that is no number or makes no bearing; a designation twice
+///         or with a wrong unit; a cell that is not a number or does not describe a bearing; a designation that
+///         appears twice
 std::vector<CatalogueBearing> catalogue_of(const std::string &file, const std::string &text);
 
 /// The table the program brings along.

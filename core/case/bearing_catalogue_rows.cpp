@@ -30,7 +30,7 @@ const std::vector<Field<RollerBearing>> &bearing_catalogue_rows()
        &T::viscosity_ratio,
        "1",                                                                 {0.1, 4},
        absent,                                                                                        "1",
-       "viscosity of the oil at its temperature over the one that the speed asks for, kappa of ISO 281; when "
+       "viscosity of the oil at its temperature over the one that the speed requires, kappa of ISO 281; when "
        "absent 1 "
        "is assumed, known to a factor of two"                                                                },
       {"contamination",

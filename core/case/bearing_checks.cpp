@@ -110,7 +110,7 @@ void check_angles(const RollerBearing &b, Reading &reading)
 
 void check_arrangement(const RollerBearing &b, Reading &reading)
 {
-  const std::string key = "bearing." + b.name + ".row_hands", rows = "bearing." + b.name + ".rows";
+  const std::string key = "bearing." + b.name + ".arrangement", rows = "bearing." + b.name + ".rows";
   if (reading.places.count(key) && reading.usable({key, rows}) && int(b.row_hands.size()) > b.rows)
     contradict(reading, key, fmt::format("arranges {} rows; the bearing has {}", b.row_hands.size(), b.rows),
                {rows});
@@ -168,14 +168,15 @@ void check_fit(const RollerBearing &b, Reading &reading)
   const auto key   = [&](const char *k) { return "bearing." + b.name + "." + k; };
   const auto given = [&](const char *k) { return reading.places.count(key(k)) > 0; };
   if (given("end_play") && given("preload"))
-    contradict(reading, key("end_play"), "stands beside a preload; give one of the two", {key("preload")});
+    contradict(reading, key("end_play"), "is given together with a preload; give one of the two",
+               {key("preload")});
   for (const char *axial : {"end_play", "preload"})
     if (given(axial)) {
       if (reading.usable({key("radial_clearance")}) && b.radial_clearance != 0)
-        contradict(reading, key("radial_clearance"), fmt::format("stands beside {}; give one of the two", axial),
-                   {key(axial)});
+        contradict(reading, key("radial_clearance"),
+                   fmt::format("is given together with {}; give one of the two", axial), {key(axial)});
       if (reading.usable({key("type")}) && !is_tapered(b))
-        contradict(reading, key(axial), "belongs to a tapered bearing; a cylindrical one carries nothing axially",
+        contradict(reading, key(axial), "belongs to a tapered bearing; a cylindrical one carries no axial load",
                    {key("type")});
     }
   // Half the clearance is what a roller on the line of the load must travel; the cage does not let it.
@@ -209,7 +210,7 @@ void check_rings(const RollerBearing &b, Reading &reading)
       contradict(reading, key("chock_support_width"), "is wider than the chock", {key("chock_width")});
     if (reading.usable({key("chock_support_gap"), key("chock_support_width")}) &&
         b.chock_support_gap >= b.chock_support_width)
-      contradict(reading, key("chock_support_gap"), "leaves nothing of the face that carries the chock",
+      contradict(reading, key("chock_support_gap"), "leaves no part of the face that carries the chock",
                  {key("chock_support_width")});
     if (reading.usable({key("chock_length"), key("width")}) && b.chock_length < b.width)
       contradict(reading, key("chock_length"), "is shorter than the bearing in it", {key("width")});
@@ -262,11 +263,11 @@ void complete_bearing(RollerBearing &b, const bool of_backup_roll, const Reading
     return !reading.places.count(name + "." + k) && reading.usable({name + "." + k}) &&
            std::find(b.estimated.begin(), b.estimated.end(), k) == b.estimated.end();
   };
-  const auto fill = [&](double &value, const double filling, const char *k, const std::string &said) {
+  const auto fill = [&](double &value, const double filling, const char *k, const std::string &reason) {
     if (!left_out(k) || std::isnan(filling))
       return;
     value = filling;
-    b.filled.push_back(fmt::format("{}.{} is not given: {}", name, k, said));
+    b.filled.push_back(fmt::format("{}.{} is not given: {}", name, k, reason));
   };
   if (is_tapered(b)) {
     const int missing =
@@ -293,7 +294,12 @@ void complete_bearing(RollerBearing &b, const bool of_backup_roll, const Reading
     b.roller_law = drawn ? "fe" : "iso";
   if (left_out("rings"))
     b.rings = drawn ? "elastic" : "rigid";
-  b.row_hands_assumed = is_tapered(b) && b.rows > 1 && left_out("row_hands");
+  b.row_hands_assumed     = is_tapered(b) && b.rows > 1 && left_out("arrangement");
+  const std::size_t hands = b.rows < 4 ? 2 : 4;
+  if (b.row_hands == "back-to-back")
+    b.row_hands = std::string("+-+-", hands);
+  if (b.row_hands == "face-to-face")
+    b.row_hands = std::string("-+-+", hands);
   if (!counts_its_chock(b))
     return;
   b.chock_assumed = true;
@@ -319,7 +325,7 @@ void check_yield(const RollerBearing &b, Reading &reading)
   const double follows = yield_pressure_of(b.raceway_flow, b.raceway_state == "plane-strain", b.poisson_ratio);
   if (std::abs(b.yield_pressure / follows - 1) > 1e-3)
     contradict(reading, key("yield_pressure"),
-               fmt::format("stands beside raceway_flow_stress, from which {:.0f} MPa follow; give one of the two",
+               fmt::format("differs from the {:.0f} MPa that follow from raceway_flow_stress; give one of the two",
                            follows / 1e6),
                {key("raceway_flow_stress")});
 }
@@ -346,22 +352,22 @@ void check_bearing_name(const std::string &key, const std::string &bearing, cons
   if (std::find(names.begin(), names.end(), bearing) != names.end())
     return;
   reading.add(reading.place(key),
-              names.empty() ? fmt::format("{}: there is no section [bearing.{}]", reading.said(key), bearing)
-                            : fmt::format("{}: there is no section [bearing.{}]{}", reading.said(key), bearing,
-                                          suggestion(bearing, names)));
+              names.empty() ? fmt::format("{}: no section [bearing.{}] is given", reading.as_written(key), bearing)
+                            : fmt::format("{}: no section [bearing.{}] is given{}", reading.as_written(key),
+                                          bearing, suggestion(bearing, names)));
 }
 
 namespace {
-// What acts on the bearing beside a radial load, and in place of one.
+// Loads of the bearing in addition to a radial load, and instead of one.
 void check_other_loads(const BearingCase &spec, Reading &reading)
 {
   const BearingLoad &l = spec.load;
   const bool displaced = std::isfinite(l.axial_displacement), turned = std::isfinite(l.moment);
   if (reading.usable({"load.axial", "load.axial_displacement"}) && l.axial != 0 && displaced)
-    contradict(reading, "load.axial_displacement", "stands beside an axial load; give one of the two",
+    contradict(reading, "load.axial_displacement", "is given together with an axial load; give one of the two",
                {"load.axial"});
   if (reading.usable({"load.tilt", "load.moment"}) && l.tilt != 0 && turned)
-    contradict(reading, "load.moment", "stands beside a tilt; give one of the two", {"load.tilt"});
+    contradict(reading, "load.moment", "is given together with a tilt; give one of the two", {"load.tilt"});
   if (!reading.usable({"load.radial", "load.axial", "load.axial_displacement", "load.tilt", "load.moment"}) ||
       l.radial > 0)
     return;

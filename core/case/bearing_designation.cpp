@@ -33,7 +33,7 @@ struct Keys {
   {
     return !given(key) && reading.usable({full(key)});
   }
-  // Nothing else is said about keys that wait for a catalogue.
+  // Keys that wait for a catalogue cause no further errors.
   void give_up() const
   {
     for (const char *key : {"type", "bore", "outside_diameter", "width", "rows", "rollers_per_row",
@@ -62,26 +62,27 @@ std::vector<CatalogueBearing> own_catalogue(const Keys &keys)
   }
 }
 
-// nullptr: said why.
-const CatalogueBearing *looked_up(const Keys &keys, const std::vector<CatalogueBearing> &own)
+// nullptr: the reason was reported.
+const CatalogueBearing *looked_up(const Keys &keys, const std::vector<CatalogueBearing> &catalogue)
 {
   const RollerBearing &b = keys.bearing;
-  if (const CatalogueBearing *found = find_bearing(own, b.designation))
-    return found;
-  if (const CatalogueBearing *found = find_bearing(shipped_catalogue(), b.designation))
-    return found;
+  if (const CatalogueBearing *bearing = find_bearing(catalogue, b.designation))
+    return bearing;
+  if (const CatalogueBearing *bearing = find_bearing(shipped_catalogue(), b.designation))
+    return bearing;
   keys.give_up();
-  if (!b.catalogue.empty() && own.empty())
+  if (!b.catalogue.empty() && catalogue.empty())
     return nullptr;  // unreadable
-  std::vector<CatalogueBearing> all = own;
+  std::vector<CatalogueBearing> all = catalogue;
   all.insert(all.end(), shipped_catalogue().begin(), shipped_catalogue().end());
   std::string near;
   for (const std::string &name : nearest_designations(all, b.designation))
     near += (near.empty() ? "" : ", ") + name;
   keys.reading.add(keys.reading.place(keys.full("designation")),
-                   fmt::format("{} is {}; nearest: {}", keys.reading.said(keys.full("designation")),
-                               own.empty() ? "not in the catalogue"
-                                           : "neither in " + b.catalogue + " nor in the catalogue of the program",
+                   fmt::format("{} is {}; nearest: {}", keys.reading.as_written(keys.full("designation")),
+                               catalogue.empty()
+                                   ? "not in the catalogue"
+                                   : "neither in " + b.catalogue + " nor in the catalogue of the program",
                                near));
   return nullptr;
 }
@@ -111,7 +112,7 @@ void take_sizes(RollerBearing &b, const Keys &keys, const CatalogueBearing &from
   fill(keys, "width", b.width, from.width, millimetres(from.width));
   fill(keys, "rows", b.rows, from.rows, std::to_string(from.rows));
   b.catalogue_source = from.source;
-  std::string said =
+  std::string message =
       fmt::format("bearing.{}: {} in the catalogue has {} x {} x {}, {} rows", b.name, from.designation,
                   millimetres(from.bore), millimetres(from.outside_diameter), millimetres(from.width), from.rows);
   if (std::isfinite(from.dynamic_rating)) {
@@ -119,9 +120,9 @@ void take_sizes(RollerBearing &b, const Keys &keys, const CatalogueBearing &from
       b.dynamic_rating = from.dynamic_rating;
     if (keys.left_out("static_rating"))
       b.static_rating = from.static_rating;
-    said += fmt::format(", C {}, C0 {}", kilonewtons(from.dynamic_rating), kilonewtons(from.static_rating));
+    message += fmt::format(", C {}, C0 {}", kilonewtons(from.dynamic_rating), kilonewtons(from.static_rating));
   }
-  b.filled.push_back(said + " (" + from.source + ")");
+  b.filled.push_back(message + " (" + from.source + ")");
 }
 
 // The candidates with the angle at both ends of what it may be.
@@ -160,7 +161,7 @@ void refuse_to_estimate(const Keys &keys, const std::string &why)
 {
   keys.give_up();
   const std::string key = keys.full("designation");
-  keys.reading.add(keys.reading.place(key), fmt::format("{}: {}", keys.reading.said(key), why));
+  keys.reading.add(keys.reading.place(key), fmt::format("{}: {}", keys.reading.as_written(key), why));
 }
 
 // Takes over what the first candidate says of these keys.
@@ -248,17 +249,17 @@ void complete_by_designation(RollerBearing &b, Reading &reading)
       keys.give_up();
     if (keys.given("designation"))
       reading.add(reading.place(keys.full("designation")),
-                  fmt::format("{} is empty; leave it out", reading.said(keys.full("designation"))));
+                  fmt::format("{} is empty; leave it out", reading.as_written(keys.full("designation"))));
     if (keys.given("catalogue") && reading.usable({keys.full("designation")}))
       contradict(reading, keys.full("catalogue"), "has no effect without a designation; leave it out", {});
     return;
   }
-  const auto own                = own_catalogue(keys);
-  const CatalogueBearing *found = looked_up(keys, own);
-  if (!found)
+  const auto catalogue          = own_catalogue(keys);
+  const CatalogueBearing *entry = looked_up(keys, catalogue);
+  if (!entry)
     return;
-  take_sizes(b, keys, *found);
-  estimate(b, keys, *found);
+  take_sizes(b, keys, *entry);
+  estimate(b, keys, *entry);
 }
 
 std::string estimated_lines(const RollerBearing &b)

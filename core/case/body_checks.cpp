@@ -54,10 +54,10 @@ void check_table(const NamedBody &b, Reading &reading)
   if (table.front()[0] > 0)
     contradict(reading, key, "begins beyond mid-length; its first distance is 0 mm, or minus half the length", {});
   else if (table.back()[0] < needed || (table.front()[0] < 0 && table.front()[0] > -needed))
-    contradict(
-        reading, key,
-        fmt::format("ends before the face does; it goes to {}, half the length", millimetres(0.5 * b.body.length)),
-        {b.key("length")});
+    contradict(reading, key,
+               fmt::format("ends before the face does; the table must reach {}, half the length",
+                           millimetres(0.5 * b.body.length)),
+               {b.key("length")});
 }
 
 void check_profile(const NamedBody &b, Reading &reading)
@@ -75,14 +75,14 @@ void check_profile(const NamedBody &b, Reading &reading)
     needs("profile_drop");
   if (profile == "table")
     needs("profile_table");
-  const auto of = [&](const char *row, const char *owner) {
+  const auto belongs_to = [&](const char *row, const char *owner) {
     if (profile != owner)
       no_effect(reading, b.key(row), fmt::format("without profile = \"{}\"", owner), {b.key("profile")});
   };
-  of("profile_length", "arc");
-  of("profile_drop", "arc");
-  of("profile_load", "log");
-  of("profile_table", "table");
+  belongs_to("profile_length", "arc");
+  belongs_to("profile_drop", "arc");
+  belongs_to("profile_load", "log");
+  belongs_to("profile_table", "table");
   if (profile == "arc" && reading.usable({b.key("profile_length")}) &&
       b.body.profile_length > 0.5 * b.body.length * (1 + 1e-9))
     contradict(reading, b.key("profile_length"),
@@ -92,7 +92,7 @@ void check_profile(const NamedBody &b, Reading &reading)
 }
 
 // Sliding, and keys that wait for each other.
-void check_friction(const std::string &section, const double friction, const double tangential, const double at,
+void check_friction(const std::string &section, const double friction, const double tangential, const double load,
                     const char *form, Reading &reading)
 {
   const std::string mu = section + ".friction", Q = section + ".tangential_load", P = section + ".at";
@@ -106,7 +106,7 @@ void check_friction(const std::string &section, const double friction, const dou
     contradict(reading, Q, "needs a friction, for example friction = 0.2", {});
     return;
   }
-  const double limit = friction * at;
+  const double limit = friction * load;
   if (!(tangential < limit))
     contradict(reading, Q,
                fmt::format("slides as a whole: friction times the load is {:.5g} {}; lower it, or raise friction "
@@ -155,10 +155,10 @@ void check_space(const TwoCylinders &pair, Reading &reading)
 void check_bodies(const TwoCylinders &pair, Reading &reading)
 {
   if (reading.usable({"upper.rigid", "lower.rigid"}) && pair.upper.rigid && pair.lower.rigid)
-    contradict(reading, "lower.rigid", "stands beside a rigid upper body; one of the two must deform",
+    contradict(reading, "lower.rigid", "is given although the upper body is rigid; one of the two must deform",
                {"upper.rigid"});
   if (reading.usable({"upper.shape", "lower.shape"}) && pair.upper.plane() && pair.lower.plane())
-    contradict(reading, "lower.shape", "stands beside an upper plane; one of the two must be round",
+    contradict(reading, "lower.shape", "is given although the upper body is a plane; one of the two must be round",
                {"upper.shape"});
   for (const NamedBody &b : {
            NamedBody{"upper", pair.upper},

@@ -25,7 +25,7 @@ std::vector<Field<RoundBody>> body_rows(const char *diameter, const char *meanin
        &T::length,
        "mm",                                                       {0.01, 100000},
        absent,                                                                                    "40 mm",
-       "contact.space: length of the face, about mid-length; when absent the body goes on"                                                                                                                          },
+       "contact.space: length of the face, about mid-length; when absent the body is unlimited"                                                                                                                     },
       {"crown_radius",
        &T::crown_radius,
        "mm",                                                       {0.1, 1e7},

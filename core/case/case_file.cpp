@@ -128,16 +128,16 @@ int first_line_of(const std::string &text, const std::string &key, const int lin
 {
   std::istringstream lines(text);
   std::string current;
-  int found = 0;
+  int first = 0;
   for (int number = 1; number < line && std::getline(lines, current); ++number) {
     const auto begin = std::min(current.find_first_not_of(" \t"), current.size());
     if (begin < current.size() && current[begin] == '[')
-      found = 0;
+      first = 0;
     const auto end = current.find_first_of(" \t=", begin);
     if (end != std::string::npos && current.compare(begin, end - begin, key) == 0)
-      found = number;
+      first = number;
   }
-  return found;
+  return first;
 }
 
 Problem problem_of(const toml::parse_error &error, const std::string &file, const std::string &text)
@@ -150,13 +150,13 @@ Problem problem_of(const toml::parse_error &error, const std::string &file, cons
         slip.message, {           }
     };
   const std::string redefined = "cannot redefine existing ";
-  if (const auto at = description.find(redefined); at != std::string::npos) {
-    const auto open       = description.find('\'', at);
+  if (const auto position = description.find(redefined); position != std::string::npos) {
+    const auto open       = description.find('\'', position);
     const auto close      = description.rfind('\'');
     const std::string key = open < close ? description.substr(open + 1, close - open - 1) : "";
     if (const auto begin = line_of(text, place.line).find(key); begin != std::string::npos)
       place.column = int(begin) + 1;
-    Problem problem{place, fmt::format("'{}' stands twice; remove one of the two", key), {}};
+    Problem problem{place, fmt::format("'{}' appears twice; remove one of the two", key), {}};
     if (const int first = first_line_of(text, key, place.line))
       problem.related.push_back({file, first, 1});
     return problem;
@@ -223,8 +223,8 @@ Node &child(Node &node, const std::string &key, const Place &place, const std::s
     const bool digits = !key.empty() && key.size() < 6 &&
                         std::all_of(key.begin(), key.end(), [](unsigned char c) { return std::isdigit(c); });
     if (!digits || std::size_t(std::stoi(key)) >= node.items.size())
-      throw InputError(place, fmt::format("'{}' in '{}' is no index; there are {} entries, counted from 0", key,
-                                          whole, node.items.size()));
+      throw InputError(place, fmt::format("'{}' in '{}' is not an index; there are {} entries, counted from 0",
+                                          key, whole, node.items.size()));
     return node.items[std::size_t(std::stoi(key))];
   }
   if (node.kind != Node::Kind::table)
@@ -297,9 +297,8 @@ std::string shown(const Node &node)
 
 Node read_case_file(const std::string &path, const std::vector<std::string> &sets)
 {
-  const std::string text = read_text(path);
-  require_unmixed(path, text);
-  Node root = node_of(parsed(path, text), path);
+  const std::string text = read_toml_text(path);
+  Node root              = node_of(parsed(path, text), path);
   std::vector<Problem> problems;
   for (const std::string &set : sets)
     try {

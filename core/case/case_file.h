@@ -30,7 +30,7 @@ struct Node::Entry {
 std::string shown(const Node &node);
 
 /// Reads a TOML file and lays the overrides "section.key=value" over it.  Passes are addressed by index, from 0:
-/// "pass.0.name=first".  A value that is no TOML is taken as text, so that 'section.key=400 mm' needs no inner
+/// "pass.0.name=first".  A value that is not TOML is read as text, so that 'section.key=400 mm' needs no inner
 /// quotes; its place is "--set section.key=value", line 0.
 /// @throws InputError  file missing, not TOML (with the place, and the remedy for a quantity without quotes or a
 /// key

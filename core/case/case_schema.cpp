@@ -230,7 +230,7 @@ ordered_json schema_of(const std::string &kind)
 
 std::string case_schema()
 {
-  // By if and then, so that a typo is marked where it stands and not at every kind that the case is none of.
+  // By if and then, so that a typo is marked at its own place and not for every kind that the case does not have.
   ordered_json schema{
       {"$schema",    "http://json-schema.org/draft-07/schema#"       },
       {"title",      "millstand case file"                           },

@@ -91,7 +91,7 @@ std::string name_in(const std::string &header)
 
 class SheetReader {
 public:
-  SheetReader(const CaseKind &of, std::string file) : kind(of), sections(filled_sections(of))
+  SheetReader(const CaseKind &case_kind, std::string file) : kind(case_kind), sections(filled_sections(case_kind))
   {
     reading.file = std::move(file);
   }
@@ -164,9 +164,9 @@ Target SheetReader::target_of(const std::string &key)
   const std::string section = last == std::string::npos ? "" : key.substr(0, last),
                     name    = last == std::string::npos ? key : key.substr(last + 1);
   const auto row_in         = [&](const SectionRows &rows) {
-    const auto found =
+    const auto match =
         std::find_if(rows.rows.begin(), rows.rows.end(), [&](const Row &r) { return r.key == name; });
-    return found == rows.rows.end() ? nullptr : &*found;
+    return match == rows.rows.end() ? nullptr : &*match;
   };
   for (const SectionRows &rows : kind.sections) {
     const Row *row = row_in(rows);
@@ -248,15 +248,15 @@ std::string toml_of_node(const Node &node)
   return "[" + list + "]";
 }
 
-// A value of the sheet with what of the template's own cannot stand beside it.
+// A value of the sheet, and the keys of the template that it excludes.
 void SheetReader::set(FilledSection &filled, const std::string &key, const std::string &value)
 {
   TemplateNote &note = filled.note;
-  const auto drop    = [&](const std::string &own) {
-    if (seen.count(name_in(note.header) + "/" + own) > 0)
+  const auto drop    = [&](const std::string &key) {
+    if (seen.count(name_in(note.header) + "/" + key) > 0)
       return;  // the sheet gives it too
-    note.values.erase(own);
-    note.shown.erase(std::remove(note.shown.begin(), note.shown.end(), own), note.shown.end());
+    note.values.erase(key);
+    note.shown.erase(std::remove(note.shown.begin(), note.shown.end(), key), note.shown.end());
   };
   seen.insert(name_in(note.header) + "/" + key);
   note.values[key] = value;
@@ -276,7 +276,7 @@ void SheetReader::take(const SheetRow &row)
   const Place place{reading.file, row.line, 1};
   const std::string key = row.cells[0];
   if (row.cells.size() < 2 || row.cells[1].empty())
-    return;  // a row of the form that nobody filled in
+    return;  // a row of the form that was not filled in
   if (row.cells.size() > 3)
     return reading.add(
         place, fmt::format("{}: {} cells in a row; key, value and unit are wanted", key, row.cells.size()));
@@ -284,7 +284,7 @@ void SheetReader::take(const SheetRow &row)
   if (!target.filled || !target.row)
     return reading.add(place, fmt::format("unknown key '{}'{}", shortened(key), near_key(key)));
   if (!seen.insert(key).second)
-    return reading.add(place, fmt::format("'{}' stands twice; remove one of the two", key));
+    return reading.add(place, fmt::format("'{}' appears twice; remove one of the two", key));
   Node section;
   section.place = place;
   section.entries.push_back(
@@ -300,7 +300,7 @@ std::string template_from_sheet(const std::string &kind, const std::string &file
 {
   const auto &kinds = case_kinds();
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-    throw InputError(fmt::format("there is no template for the kind '{}'{}", kind, suggestion(kind, kinds)));
+    throw InputError(fmt::format("no template is available for the kind '{}'{}", kind, suggestion(kind, kinds)));
   SheetReader reader(kind_named(kind), file);
   for (const SheetRow &row : rows_of_sheet(sheet))
     reader.take(row);

@@ -33,11 +33,11 @@ std::string row_comment(const Row &row)
 // The value a comment shows, set or not.
 std::string shown_value(const FilledSection &filled, const Row &row)
 {
-  const auto own      = filled.note.values.find(row.key);
+  const auto entry    = filled.note.values.find(row.key);
   const auto &shown   = filled.note.shown;
   const bool is_shown = std::find(shown.begin(), shown.end(), row.key) != shown.end();
-  if (own != filled.note.values.end())
-    return own->second;
+  if (entry != filled.note.values.end())
+    return entry->second;
   if (row.fallback.kind != Fallback::Kind::required && !default_toml(row).empty() && !is_shown)
     return default_toml(row);
   return example_toml(row);
@@ -89,7 +89,7 @@ std::string drawing_part(const CaseKind &kind, const std::vector<FilledSection> 
           for (const Row &row : filled.section->rows)
             if (row.key == value.key)
               line(row, value.where, true);
-      for (const Row &row : filled.section->rows)  // set by the note, beside the drawing
+      for (const Row &row : filled.section->rows)  // set by the note, in addition to the drawing
         if (!is_drawing_value(kind, *filled.section, row))
           line(row, row_comment(row), false);
     }
@@ -179,15 +179,15 @@ std::vector<FilledSection> filled_sections(const CaseKind &kind)
 std::optional<std::string> template_value(const CaseKind &kind, const FilledSection &filled, const Row &row)
 {
   const TemplateNote &note = filled.note;
-  const bool own           = note.values.count(row.key) > 0 ||
-                   std::find(note.shown.begin(), note.shown.end(), row.key) != note.shown.end();
+  const bool has_value     = note.values.count(row.key) > 0 ||
+                         std::find(note.shown.begin(), note.shown.end(), row.key) != note.shown.end();
   const bool stands_below = !kind.drawing.empty() && !filled.section->name.empty() &&
                             !is_drawing_value(kind, *filled.section, row);  // among the experts' keys
-  if (!own && note.values.count("designation") > 0)
+  if (!has_value && note.values.count("designation") > 0)
     return {};  // which says it
-  if (!own && (stands_below || row.fallback.kind == Fallback::Kind::absent))
+  if (!has_value && (stands_below || row.fallback.kind == Fallback::Kind::absent))
     return {};
-  if (!own && !kind.drawing.empty() && row.fallback.kind != Fallback::Kind::required)
+  if (!has_value && !kind.drawing.empty() && row.fallback.kind != Fallback::Kind::required)
     return {};
   return shown_value(filled, row);
 }
@@ -251,7 +251,7 @@ std::string template_of(const std::string &kind)
 {
   const auto &kinds = case_kinds();
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-    throw InputError(fmt::format("there is no template for the kind '{}'{}", kind, suggestion(kind, kinds)));
+    throw InputError(fmt::format("no template is available for the kind '{}'{}", kind, suggestion(kind, kinds)));
   return template_text(kind_named(kind), filled_sections(kind_named(kind)));
 }
 }  // namespace mill

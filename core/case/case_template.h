@@ -22,12 +22,12 @@ std::optional<std::string> template_value(const CaseKind &kind, const FilledSect
 /// The template with other values.
 std::string template_text(const CaseKind &kind, const std::vector<FilledSection> &sections);
 
-/// Where a drawing or a record has the value of a key, of whichever kind says so; empty: nobody does.
+/// Where a drawing or a record has the value of a key, according to any kind; empty: no kind says so.
 /// @param section  its id
 std::string where_to_find(const std::string &section, const std::string &key);
 
 /// Keys whose values are those of the template and not named in `confirmed` ("all", sections and keys parted by
-/// blanks): numbers that somebody may have forgotten to replace.  A default is nobody's number.  Kinds without
+/// blanks): numbers that the user may have forgotten to replace.  A default does not count as such.  Kinds without
 /// drawing values have none.
 /// @param written  full key -> value as written, Reading::written
 std::vector<std::string> left_at_template(const CaseKind &kind, const std::map<std::string, std::string> &written,

@@ -13,7 +13,7 @@ const std::vector<Field<ChainCurves>> &chain_curve_rows();
 /// [curve]; nothing without it.  Curves that do not rise become problems.
 ChainCurves read_chain_curves(const Node &root, Reading &reading);
 
-/// dynamics.contact = "curve" where there is no curve: a stiffness given as a number, a model in files.
+/// dynamics.contact = "curve" without a curve: a stiffness given as a number, a model in files.
 void check_contact_curves(const FourHigh &stand, Reading &reading);
 void check_contact_curves(const Lumped &lumped, Reading &reading);
 

@@ -14,7 +14,7 @@
 
 namespace mill {
 namespace {
-// Quantities of [stand] beside 'from' would say two things.
+// Quantities of [stand] in addition to 'from' would give two values for one thing.
 const std::vector<std::string> body_keys{"masses", "stiffnesses", "dampings"};
 
 bool given(const Reading &reading, const std::string &section, const std::string &key)
@@ -22,7 +22,7 @@ bool given(const Reading &reading, const std::string &section, const std::string
   return reading.places.count(section + "." + key) > 0;
 }
 
-// The lumped model that [stand] starts from; problems of its own file are told at the key that names it.
+// The lumped model that [stand] starts from; problems of its own file are reported at the key that names it.
 void read_model(ChatterCase &spec, const std::string &section, Reading &reading)
 {
   const std::string key = section + ".from";
@@ -34,7 +34,7 @@ void read_model(ChatterCase &spec, const std::string &section, Reading &reading)
     if (kind && kind->value.text != "lumped")
       return refuse(fmt::format("{} is a case of kind \"{}\"; a lumped model is needed, for example the "
                                 "lumped_model.toml of a run of a four-high stand",
-                                reading.said(key), kind->value.text));
+                                reading.as_written(key), kind->value.text));
     const Case model   = read_case(spec.stand.from);
     const auto &lumped = std::get<Lumped>(model.spec);
     spec.modal_damping = lumped.dynamics.modal_damping;
@@ -43,14 +43,14 @@ void read_model(ChatterCase &spec, const std::string &section, Reading &reading)
     else if (lumped.dynamics.force_meaning != "measured")
       refuse(fmt::format("{} cannot be used: its matrices hold the spring of the bite (dynamics.force_meaning = "
                          "\"{}\"), which the bite adds here; run the stand with force_meaning = \"measured\"",
-                         reading.said(key), lumped.dynamics.force_meaning));
+                         reading.as_written(key), lumped.dynamics.force_meaning));
     else if (given(reading, section, "dampings"))
-      contradict(reading, section + ".dampings", "are those of six bodies, and the model has others", {key});
+      contradict(reading, section + ".dampings", "are those of six bodies, and the model has other bodies", {key});
     else
       spec.files = lumped.model;
   } catch (const InputError &e) {
     const Problem &first = e.problems.front();
-    refuse(fmt::format("{} cannot be used: {}", reading.said(key), first.message));
+    refuse(fmt::format("{} cannot be used: {}", reading.as_written(key), first.message));
   }
 }
 
@@ -60,7 +60,7 @@ void check_stand(const ChatterStand &stand, Reading &reading)
   for (const char *key : {"masses", "stiffnesses"}) {
     const std::string full = "stand." + std::string(key);
     if (from && given(reading, "stand", key))
-      contradict(reading, full, "is said by the lumped model as well; leave one of the two out", {"stand.from"});
+      contradict(reading, full, "is also given by the lumped model; leave one of the two out", {"stand.from"});
     if (!from && !given(reading, "stand", key) && reading.usable({full, "stand.from"}))
       reading.add(
           reading.place("stand"),
@@ -69,9 +69,8 @@ void check_stand(const ChatterStand &stand, Reading &reading)
                       key));
   }
   if (!from && !given(reading, "stand", "dampings") && reading.usable({"stand.dampings", "stand.from"}))
-    reading.add(reading.place("stand"),
-                "[stand] has no 'dampings'; without them nothing of the stand takes energy out of its vibration; "
-                "give six, zeros if that is meant");
+    reading.add(reading.place("stand"), "[stand] has no 'dampings'; without them the stand dissipates no energy "
+                                        "of its vibration; give six, zeros if that is intended");
   for (const char *key : {"entry_distance", "exit_distance"})
     if (!given(reading, "stand", key) && reading.usable({std::string("stand.") + key}))
       reading.add(reading.place("stand"),
@@ -106,22 +105,22 @@ ChatterVariant read_variant(const Node::Entry &entry, const ChatterCase &spec, R
                               resolved_lines(name, chatter_stand_rows(), variant.stand, reading));
   if (given(reading, name, "from"))
     reading.add(reading.place(name + ".from"),
-                "a variant changes numbers of [stand]; another lumped model is a case of its own");
+                "a variant changes numbers of [stand]; another lumped model needs a separate case");
   if (spec.model)
     for (const std::string &key : body_keys)
       if (given(reading, name, key))
         contradict(reading, name + "." + key, "replaces bodies that [stand] takes from a lumped model",
                    {"stand.from"});
-  const auto own = [&](const char *key, auto &value, const auto &of_stand) {
+  const auto use_default = [&](const char *key, auto &value, const auto &of_stand) {
     if (!given(reading, name, key))
       value = of_stand;
   };
   ChatterStand &v = variant.stand;
-  own("masses", v.masses, spec.stand.masses);
-  own("stiffnesses", v.stiffnesses, spec.stand.stiffnesses);
-  own("dampings", v.dampings, spec.stand.dampings);
-  own("entry_distance", v.entry_distance, spec.stand.entry_distance);
-  own("exit_distance", v.exit_distance, spec.stand.exit_distance);
+  use_default("masses", v.masses, spec.stand.masses);
+  use_default("stiffnesses", v.stiffnesses, spec.stand.stiffnesses);
+  use_default("dampings", v.dampings, spec.stand.dampings);
+  use_default("entry_distance", v.entry_distance, spec.stand.entry_distance);
+  use_default("exit_distance", v.exit_distance, spec.stand.exit_distance);
   return variant;
 }
 
@@ -136,8 +135,8 @@ void read_variants(const Node &root, ChatterCase &spec, Reading &reading)
       spec.variants.push_back(read_variant(entry, spec, reading));
       if (const auto [other, is_new] = named.emplace(slug(entry.key), entry.key); !is_new)
         reading.add(entry.key_place,
-                    fmt::format("variant.{} and variant.{} name the same results; only letters of the "
-                                "Latin alphabet and digits tell them apart, whatever their case",
+                    fmt::format("variant.{} and variant.{} name the same results; names are distinguished by "
+                                "letters of the Latin alphabet and digits only, not by upper and lower case",
                                 entry.key, other->second));
     } else
       reading.add(entry.value.place, fmt::format("variant.{} = {} is a value; a section [variant.{}] is needed",
@@ -152,9 +151,8 @@ void read_friction_law(const Node &root, ChatterCase &spec, const bool strip_has
     return;
   if (!section.node) {
     if (!strip_has_friction)
-      reading.add(Place{reading.file},
-                  "nothing says what the friction is; give [oil] with its film law, or a number "
-                  "under strip.friction");
+      reading.add(Place{reading.file}, "the friction is not given; give [oil] with its film law, or a number "
+                                       "under strip.friction");
     return;
   }
   OilInput oil;
@@ -162,7 +160,7 @@ void read_friction_law(const Node &root, ChatterCase &spec, const bool strip_has
   const Section law = section_at(root, "oil.friction", reading);
   read_and_echo(law, law.header(), oil_friction_rows(), oil, reading);
   if (strip_has_friction)
-    contradict(reading, "strip.friction", "is said by the film of [oil] as well; leave one of the two out",
+    contradict(reading, "strip.friction", "is also given by the film of [oil]; leave one of the two out",
                {"oil.viscosity"});
   if (reading.usable({"oil.film_range"}) && !std::isnan(oil.film_range[0]) &&
       oil.film_range[0] >= oil.film_range[1])
@@ -225,8 +223,8 @@ void check_condition(const std::vector<RollingCondition> &all, const std::size_t
   if (c.name == "tandem")
     contradict(reading, key("name"), "is kept for the results of several stands together; take another name", {});
   if (c.name.find('.') != std::string::npos)
-    contradict(reading, key("name"), "contains a dot, which parts the names of results; take a dash or a blank",
-               {});
+    contradict(reading, key("name"),
+               "contains a dot, which separates the parts of result names; take a dash or a blank", {});
   const auto after            = earlier.by_name.find(c.after);
   const auto [same, is_new]   = earlier.by_name.emplace(c.name, i);
   const auto [file, own_file] = earlier.by_slug.emplace(slug(c.name), i);
@@ -268,7 +266,7 @@ void check_one_tandem(const std::vector<RollingCondition> &all, Reading &reading
     if (all[i].after.empty() || !known || !reading.usable({key}))
       continue;
     if (!last.empty() && all[i].after != last)
-      contradict(reading, key, "begins a second line of stands; this one goes on after \"" + last + "\"",
+      contradict(reading, key, "begins a second line of stands; the first one continues after \"" + last + "\"",
                  {last_key});
     last     = all[i].name;
     last_key = key;
@@ -280,12 +278,12 @@ void read_conditions(const Node &root, ChatterCase &spec, Reading &reading)
   const Node::Entry *entry = root.find("condition");
   if (!entry) {
     reading.add(Place{reading.file},
-                "there is no [[condition]]; give at least one with its thicknesses, tensions, "
+                "no [[condition]] is given; give at least one with its thicknesses, tensions, "
                 "width and speed");
     return;
   }
   if (entry->value.kind != Node::Kind::array) {
-    reading.add(entry->key_place, "a condition stands under [[condition]], in double brackets, one for each");
+    reading.add(entry->key_place, "a condition is written under [[condition]], in double brackets, one for each");
     return;
   }
   for (std::size_t i = 0; i < entry->value.items.size(); ++i) {

@@ -53,7 +53,7 @@ const std::vector<Field<StripInput>> &chatter_strip_rows()
         row.meaning = "of the strip between the stands";
       if (key == "friction") {
         row.fallback = absent;
-        row.meaning  = "Coulomb friction where there is no [oil]; or a section [strip.friction]";
+        row.meaning  = "Coulomb friction without [oil]; or a section [strip.friction]";
       }
     }
     return some;
@@ -93,7 +93,7 @@ const std::vector<Field<OilInput>> &oil_friction_rows()
       all.push_back({key, member, form, range, required, example, meaning});
     };
     add("mu0", &T::mu0, "1", {0, 1}, "0.012", "mu = mu0 + mu1 exp(-decay film thickness)");
-    add("mu1", &T::mu1, "1", {0, 1}, "0.142", "what a film takes away from the friction of a dry bite");
+    add("mu1", &T::mu1, "1", {0, 1}, "0.142", "part of the dry friction that a film removes");
     add("decay", &T::decay, "1/um", {0, 1000}, "2.43 1/um", "how fast friction falls with the film");
     return all;
   }();
@@ -158,17 +158,17 @@ const std::vector<Field<RollingCondition>> &condition_rows()
     add("after", &T::after, "text", any, absent, "1",
         "name of the condition of the stand before this one, for a tandem with the delay of the strip");
     add("published_critical_speed", &T::published_critical_speed, "m/s", {0, 200}, absent, "18.2 m/s",
-        "of a published model, stands beside the computed one");
+        "of a published model, for comparison with the computed one");
     add("published_force", &T::published_force, "kN", {0, 1e6}, absent, "8751 kN",
-        "of a published model, stands beside the computed one");
+        "of a published model, for comparison with the computed one");
     add("published_friction", &T::published_friction, "1", {0, 1}, absent, "0.0283",
-        "of a published model, stands beside the computed one");
+        "of a published model, for comparison with the computed one");
     add("measured_critical_speed", &T::measured_critical_speed, "m/s", {0, 200}, absent, "18.17 m/s",
-        "of a mill, stands beside the computed one");
+        "of a mill, for comparison with the computed one");
     add("measured_force", &T::measured_force, "kN", {0, 1e6}, absent, "9002 kN",
-        "of a mill, stands beside the computed one");
+        "of a mill, for comparison with the computed one");
     add("note", &T::note, "text", any, absent, "fitted on this condition",
-        "said beside the published values: which of them served to fit inputs and prove nothing");
+        "note on the published values: which of them were used to fit inputs and therefore verify nothing");
     return all;
   }();
   return rows;

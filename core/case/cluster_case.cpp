@@ -24,13 +24,13 @@ std::vector<T> read_list(const Node &root, const std::string &name, const std::v
   const Node::Entry *entry = root.find(name);
   if (!entry) {
     if (needed)
-      reading.add(Place{reading.file}, fmt::format("there is no [[{}]]; give at least one", name));
+      reading.add(Place{reading.file}, fmt::format("no [[{}]] is given; give at least one", name));
     return all;
   }
   if (entry->value.kind != Node::Kind::array) {
     reading.bad.insert(name);
     reading.add(entry->key_place,
-                fmt::format("a {0} stands under [[{0}]], in double brackets, one for each", name));
+                fmt::format("a {0} is written under [[{0}]], in double brackets, one for each", name));
     return all;
   }
   for (std::size_t i = 0; i < entry->value.items.size(); ++i) {
@@ -60,7 +60,7 @@ void check_word(const std::string &key, const std::string &name, Reading &readin
     return std::isalnum(c) || c == '_';
   });
   if (!good && reading.usable({key}))
-    contradict(reading, key, "is no name; letters, digits and _ make one", {});
+    contradict(reading, key, "is not a name; use letters, digits and _", {});
 }
 
 template <class List, class NameOf>
@@ -69,7 +69,7 @@ void check_unique(const char *list, const char *key, const List &all, const Name
   std::map<std::string, std::size_t> first;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (const auto [other, is_new] = first.emplace(name_of(all[i]), i); !is_new)
-      contradict(reading, numbered(list, i, key), "stands there twice", {numbered(list, other->second, key)});
+      contradict(reading, numbered(list, i, key), "appears twice", {numbered(list, other->second, key)});
 }
 
 std::vector<std::string> roll_names(const ClusterStand &stand)
@@ -107,17 +107,17 @@ void check_rolls(const ClusterStand &stand, Reading &reading)
                {"stack.strip"});
 }
 
-// What stands beside `like`: nothing, since all of it is taken from there.
+// No other key may be given with `like`, because all of them are taken from there.
 template <class Rows>
-void check_like(const char *list, const std::size_t i, const Rows &rows, const std::set<std::string> &own,
+void check_like(const char *list, const std::size_t i, const Rows &rows, const std::set<std::string> &own_keys,
                 const std::string &like, const std::vector<std::string> &known, Reading &reading)
 {
   const std::string key = numbered(list, i, "like");
   check_known(key, like, list, known, reading);
   for (const auto &row : rows)
-    if (!own.count(row.key) && is_given(reading, numbered(list, i, row.key)))
+    if (!own_keys.count(row.key) && is_given(reading, numbered(list, i, row.key)))
       contradict(reading, numbered(list, i, row.key),
-                 "is taken from the one that this is like; leave one of both out", {key});
+                 "is taken from the one that `like` names; leave one of the two out", {key});
 }
 
 void check_contacts(const ClusterStand &stand, Reading &reading)
@@ -134,7 +134,7 @@ void check_contacts(const ClusterStand &stand, Reading &reading)
     const std::string pair  = numbered("contact", i, "pair");
     const auto rolls        = split(c.pair, "-");
     if (reading.usable({pair}) && (rolls.size() != 2 || rolls[0] == rolls[1])) {
-      contradict(reading, pair, "is no pair of two rolls, \"W-I\"", {});
+      contradict(reading, pair, "is not a pair of two rolls, \"W-I\"", {});
       continue;
     }
     for (const std::string &name : rolls)
@@ -265,7 +265,7 @@ void check_strip_laws(const ClusterStand &stand, Reading &reading)
   if (stand.strip.friction.law == FrictionLaw::coulomb && std::isnan(stand.strip.friction.coefficient) &&
       reading.usable({"strip.friction"}))
     reading.add(computed->place,
-                fmt::format("pass \"{}\" has no 'load', and nothing says the friction in its bite; add "
+                fmt::format("pass \"{}\" has no 'load', and the friction in its bite is not given; add "
                             "friction = 0.05 to [strip], or a section [strip.friction]",
                             computed->name));
 }

@@ -89,7 +89,8 @@ const std::vector<Field<ClusterRoll>> &cluster_roll_rows()
        absent,                                                                          R"(["0 mm", "34.8 mm"])",
        "axis of the unloaded roll, x along the rolling direction and y up; when absent it is found from contacts "
        "with rolls that have their place: from one with its direction, from two without"                                                                                  },
-      {"side",            &T::side,           "below | above", any,           "below",  "below",                  "of the two rolls whose contacts give its place"        },
+      {"side",            &T::side,           "below | above", any,           "below",  "below",
+       "side of the two rolls on which it lies, when its position follows from contacts"                                                                                  },
   };
   return rows;
 }
@@ -140,7 +141,7 @@ const std::vector<Field<ClusterContact>> &cluster_contact_rows()
        &T::damping,
        "N s/m",                                                                       {0, 1e9},
        0,                                                                                                     "0 N s/m",
-       "viscous damping of impacts in a history; beside a loss factor the larger of both"                                                                               },
+       "viscous damping of impacts in a history; if a loss factor is given too, the larger of both is used"                                                             },
       {"damping_depth",
        &T::damping_depth,
        "um",                                                                          {0, 1e4},
@@ -192,7 +193,7 @@ const std::vector<Field<ClusterSupport>> &cluster_support_rows()
        "weak springs across and along that hold a roll out of contact"                                                                                            },
       {"loss_factor", &T::loss_factor, "1",                                    {0, 2},      absent,   "0.08",        "that of [response] when absent"             },
       {"fitted",      &T::fitted,      "flag",                                 any,         0,        "false",
-       "the stiffness follows only from a fit to frequencies, which is said wherever it appears"                                                                  },
+       "the stiffness follows only from a fit to frequencies; the results state this"                                                                             },
   };
   return rows;
 }
@@ -240,7 +241,7 @@ const std::vector<Field<ClusterPass>> &cluster_pass_rows()
        &T::measured_force,
        "kN",                                               {0, 1e6},
        absent,                                                                      R"(["1150 kN", "1200 kN"])",
-       "range of the measured force, only shown beside the computed one"                                                                },
+       "range of the measured force, only shown next to the computed one"                                                               },
       {"published_force",
        &T::published_force,
        "kN",                                               {0, 1e6},
@@ -252,7 +253,7 @@ const std::vector<Field<ClusterPass>> &cluster_pass_rows()
        absent,                                                                      "0.40 kN",
        "dynamic part of the force of a published model, only shown"                                                                     },
       {"common_fit",        &T::common_fit,        "flag", any,           1,        "true",
-       "takes part in the hardening law and in the constant of the dynamic force that all passes have in common; "
+       "is used for the hardening law and the constant of the dynamic force that all passes have in common; "
        "false: a blind test of them"                                                                                                    },
   };
   return rows;
@@ -273,7 +274,7 @@ const std::vector<Field<ClusterResponse>> &cluster_response_rows()
        &T::points,
        "count",                                             {10, 100000},
        600,                                                                     "600",
-       "frequencies in that range, beside which stand those of the modes"                                                                         },
+       "number of frequencies in that range; the frequencies of the modes are added"                                                              },
       {"duration",            &T::duration,            "s", {1e-5, 100},  0.02, "0.02 s",                   "of a history under the dynamic force"},
       {"force_factor",        &T::force_factor,        "1", {0, 1e6},     1,    "1",                        "on the dynamic force in a history"   },
       {"depth_share",
@@ -296,7 +297,7 @@ const std::vector<Field<ClusterMode>> &cluster_mode_rows()
        &T::frequency,
        "Hz",                           {0.1, 1e6},
        absent,                                               "621 Hz",
-       "published or measured, stands beside the computed one and is what a variant is fitted to"              },
+       "published or measured, for comparison with the computed one; a variant is fitted to it"                },
   };
   return rows;
 }

@@ -29,14 +29,14 @@ KeyParts parts_of_key(const std::string &text)
 
 template <class T, class NameOf> T *member_of(std::vector<T> &list, const std::string &name, const NameOf &name_of)
 {
-  const auto found = std::find_if(list.begin(), list.end(), [&](const T &one) { return name_of(one) == name; });
-  return found == list.end() ? nullptr : &*found;
+  const auto match = std::find_if(list.begin(), list.end(), [&](const T &one) { return name_of(one) == name; });
+  return match == list.end() ? nullptr : &*match;
 }
 
 template <class T> const Field<T> *row_named(const std::vector<Field<T>> &rows, const std::string &key)
 {
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Field<T> &row) { return key == row.key; });
-  return found == rows.end() ? nullptr : &*found;
+  const auto match = std::find_if(rows.begin(), rows.end(), [&](const Field<T> &row) { return key == row.key; });
+  return match == rows.end() ? nullptr : &*match;
 }
 
 // Calls work(part, rows) with the part that the key belongs to; false where there is none.
@@ -84,10 +84,11 @@ template <class T> void set_by_row(T &part, const Field<T> &row, const std::stri
 {
   Node table;
   table.entries.push_back({row.key, {}, node_of_text(value)});
-  Reading own;
-  const auto read = read_row(row_of(row), {&table, ""}, own);
+  Reading variant_reading;
+  const auto read = read_row(row_of(row), {&table, ""}, variant_reading);
   if (!read)
-    throw InputError(own.problems.empty() ? std::string("is refused") : own.problems.front().message);
+    throw InputError(variant_reading.problems.empty() ? std::string("is refused")
+                                                      : variant_reading.problems.front().message);
   set_member(row, *read, part);
 }
 
@@ -109,7 +110,7 @@ void check_fit_of(const ClusterStand &stand, ClusterStand &changed, const Cluste
   for (const std::string &unknown : variant.unknowns)
     if (!number_of(changed, unknown))
       contradict(reading, key("unknowns"),
-                 fmt::format("names '{}', which is no given number of the stack; for example "
+                 fmt::format("names '{}', which is not a given number of the stack; for example "
                              "support.E.stiffness, contact.W-I.stiffness of a spring",
                              unknown),
                  {});
@@ -117,7 +118,7 @@ void check_fit_of(const ClusterStand &stand, ClusterStand &changed, const Cluste
     const auto mode =
         std::find_if(stand.modes.begin(), stand.modes.end(), [&](const ClusterMode &m) { return m.name == name; });
     if (mode == stand.modes.end())
-      contradict(reading, key("modes"), fmt::format("names '{}', which is no [[mode]]", name), {});
+      contradict(reading, key("modes"), fmt::format("names '{}', which is not the name of a [[mode]]", name), {});
     else if (std::isnan(mode->frequency))
       contradict(reading, key("modes"), fmt::format("names '{}', which has no frequency to be fitted to", name),
                  {});
@@ -135,7 +136,8 @@ void check_names_a_result(const std::string &key, const std::string &name, Readi
 {
   check_names_a_file(key, name, reading);
   if (reading.usable({key}) && !name.empty() && name[0] != '.' && name.find('.') != std::string::npos)
-    contradict(reading, key, "contains a dot, which parts the names of results; take a dash or a blank", {});
+    contradict(reading, key, "contains a dot, which separates the parts of result names; take a dash or a blank",
+               {});
 }
 
 double *number_of(ClusterStand &stand, const std::string &key)
@@ -169,7 +171,7 @@ void set_value(ClusterStand &stand, const std::string &set)
                     "and stack.KEY do",
                     without_blanks(set.substr(0, equals))));
   if (!known)
-    throw InputError(fmt::format("'{}' is no key of [[{}]]", parts.key, parts.list));
+    throw InputError(fmt::format("'{}' is not a key of [[{}]]", parts.key, parts.list));
 }
 
 ClusterStand with_variant(const ClusterStand &stand, const ClusterVariant &variant)
@@ -188,10 +190,10 @@ void check_variants(const ClusterStand &stand, Reading &reading)
     check_names_a_result(key("name"), variant.name, reading);
     for (std::size_t k = 0; k < i; ++k)
       if (stand.variants[k].name == variant.name)
-        contradict(reading, key("name"), "stands there twice", {fmt::format("variant.{}.name", k)});
+        contradict(reading, key("name"), "appears twice", {fmt::format("variant.{}.name", k)});
     if (!variant.pass.empty() && std::none_of(stand.schedule.begin(), stand.schedule.end(),
                                               [&](const ClusterPass &p) { return p.name == variant.pass; }))
-      contradict(reading, key("pass"), "is no pass of the schedule", {});
+      contradict(reading, key("pass"), "is not a pass of the schedule", {});
     try {
       ClusterStand changed = with_variant(stand, variant);
       check_fit_of(stand, changed, variant, i, reading);

@@ -7,7 +7,7 @@ namespace mill {
 struct Reading;
 
 /// One number of a cluster by its key, for a fit.
-/// @return nullptr where there is no such part, or its key is no number that was given
+/// @return nullptr where the part does not exist, or its key is not a given number
 double *number_of(ClusterStand &stand, const std::string &key);
 
 /// Sets "contact.W-R.law = spring" by the row of the key.

@@ -68,7 +68,10 @@ double round_area(const double diameter)
 
 class Estimator {
 public:
-  Estimator(FourHigh &of, const EstimateWishes &asked, Reading &r) : stand(of), wishes(asked), reading(r) {}
+  Estimator(FourHigh &four_high, const EstimateWishes &asked, Reading &r)
+      : stand(four_high), wishes(asked), reading(r)
+  {
+  }
 
   void rolls();
   void frame();
@@ -80,12 +83,12 @@ private:
 
   // One value: base times a rule.
   void add(const std::string &key, const char *unit_text, double &value, const double base, const Rule &rule,
-           const std::string &said, const std::vector<std::string> &from)
+           const std::string &description, const std::vector<std::string> &from)
   {
     if (!std::isnan(value) || !is_wanted(key) || std::isnan(base))
       return;
     value = base * rule.usual;
-    stand.estimates.push_back({key, value, base * rule.low, base * rule.high, unit_text, said, from});
+    stand.estimates.push_back({key, value, base * rule.low, base * rule.high, unit_text, description, from});
   }
   bool is_wanted(const std::string &key) const
   {
@@ -199,7 +202,7 @@ void Estimator::posts_and_beams(const double E, const double density)
 {
   Frame &f       = stand.frame;
   const double H = window_of_rolls.usual * (stand.work_roll.barrel_diameter + stand.backup_roll.barrel_diameter);
-  const std::string said =
+  const std::string description =
       "a third of posts whose section has the stiffness of the posts over a window of 3.0 (2.5 .. "
       "3.5) times both diameters (34.9)";
   for (const auto &[post, stiffness, beam, post_key, beam_key] :
@@ -213,7 +216,7 @@ void Estimator::posts_and_beams(const double E, const double density)
     const KeyList from =
         joined(KeyList{"frame." + stiffness_key}, keys_in("work_roll", "barrel_diameter"),
                keys_in("backup_roll", "barrel_diameter"), keys_in("steel", "youngs_modulus density"));
-    add(std::string("frame.") + post_key, "kg", *post, mass, {1, 0.35, 2.0}, said, from);
+    add(std::string("frame.") + post_key, "kg", *post, mass, {1, 0.35, 2.0}, description, from);
     add(std::string("frame.") + beam_key, "kg", *beam, mass,
         {beam_of_posts.usual, 0.35 * beam_of_posts.low, 2 * beam_of_posts.high},
         "half of its posts, rule of thumb (34.9)", from);
@@ -280,15 +283,14 @@ const std::vector<Field<EstimateInput>> &estimate_rows()
   using T = EstimateInput;
   static const std::vector<Field<T>> rows{
       {"estimate", &T::estimate, "flag", any,       0, "true",
-       "what is left out of this section is estimated by rules, marked in every result that hangs on it, and "
-       "counted "
-       "in the accuracy"},
+       "what is left out of this section is estimated by rules, marked in every result that depends on it, and "
+       "included in the error estimate"},
       {"modulus",
        &T::modulus,
        "MN/mm",                          {0.5, 50},
        absent,                                         "5 MN/mm",
        "mill modulus of the whole stand, known or wished, that estimate = true divides among the parts of the "
-       "frame"          },
+       "frame"                         },
   };
   return rows;
 }

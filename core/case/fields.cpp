@@ -44,7 +44,7 @@ std::optional<double> scalar(const Item &item, const std::string &form, const Ra
     if (bare)
       return item.refuse(fmt::format("has no unit; {}", want));
     if (node.kind != Node::Kind::text)
-      return item.refuse(fmt::format("is no quantity; {}", want));
+      return item.refuse(fmt::format("is not a quantity; {}", want));
     const ParsedQuantity parsed = parse_quantity(node.text);
     const bool fits             = parsed.fault == Fault::none && parsed.unit->dimension == unit(form).dimension;
     if (const std::string slip = fits ? "" : remedy(); !slip.empty())
@@ -125,10 +125,11 @@ template <std::size_t n> std::optional<Value> alike(const Item &item, const char
 
 std::optional<Value> table(const Item &item)
 {
-  const bool terms = item.row.key == "crown_polynomial";  // one term is a polynomial, one point is no table
+  const bool terms =
+      item.row.key == "crown_polynomial";  // one term makes a polynomial, one point does not make a table
   if (item.node.kind != Node::Kind::array || item.node.items.size() < (terms ? 1 : 2))
     return item.refuse(
-        fmt::format("is no list of {} or more; {}", terms ? "one pair" : "two pairs", needed(item.row)));
+        fmt::format("is not a list of {} or more; {}", terms ? "one pair" : "two pairs", needed(item.row)));
   std::vector<std::array<double, 2>> pairs;
   for (std::size_t i = 0; i < item.node.items.size(); ++i) {
     const Item one{item.row, item.node.items[i], fmt::format("{}[{}]", item.key, i), item.reading};
@@ -149,15 +150,15 @@ std::optional<Value> table(const Item &item)
 std::optional<Value> name_list(const Item &item)
 {
   if (item.node.kind != Node::Kind::table || item.node.entries.empty())
-    return item.refuse(fmt::format("is no list of names; {}", needed(item.row)));
+    return item.refuse(fmt::format("is not a list of names; {}", needed(item.row)));
   std::vector<std::string> list, meant;
   for (const Node::Entry &entry : item.node.entries) {
     const Item one{item.row, entry.value, item.key + "." + key_text(entry.key), item.reading};
     if (entry.value.kind != Node::Kind::text || entry.value.text.empty() ||
         entry.value.text.find('=') != std::string::npos)
-      return one.refuse(fmt::format("is no name; {}", needed(item.row)));
+      return one.refuse(fmt::format("is not a name; {}", needed(item.row)));
     if (std::find(meant.begin(), meant.end(), entry.value.text) != meant.end())
-      return one.refuse("stands there twice");
+      return one.refuse("appears twice");
     meant.push_back(entry.value.text);
     list.push_back(entry.key + "=" + entry.value.text);
   }
@@ -170,7 +171,7 @@ std::optional<Value> word_list(const Item &item)
   if (item.row.form == "names")
     return name_list(item);
   if (item.node.kind != Node::Kind::array || item.node.items.empty())
-    return item.refuse(fmt::format("is no list of words; {}", needed(item.row)));
+    return item.refuse(fmt::format("is not a list of words; {}", needed(item.row)));
   const auto known = split(item.row.form, " | ");
   std::vector<std::string> list;
   for (std::size_t i = 0; i < item.node.items.size(); ++i) {
@@ -182,7 +183,7 @@ std::optional<Value> word_list(const Item &item)
     if (!free && std::find(known.begin(), known.end(), node.text) == known.end())
       return one.refuse("is unknown" + suggestion(node.text, known));
     if (std::find(list.begin(), list.end(), node.text) != list.end())
-      return one.refuse("stands there twice");
+      return one.refuse("appears twice");
     list.push_back(node.text);
   }
   return list;
@@ -220,9 +221,9 @@ std::optional<Value> value_of(const Item &item)
 
 }  // namespace
 
-void Reading::add(Place at, std::string message, std::vector<Place> related)
+void Reading::add(Place place, std::string message, std::vector<Place> related)
 {
-  problems.push_back({std::move(at), std::move(message), std::move(related)});
+  problems.push_back({std::move(place), std::move(message), std::move(related)});
 }
 
 bool Reading::usable(const std::vector<std::string> &keys) const
@@ -232,14 +233,14 @@ bool Reading::usable(const std::vector<std::string> &keys) const
 
 Place Reading::place(const std::string &key) const
 {
-  const auto found = places.find(key);
-  return found == places.end() ? Place{file} : found->second;
+  const auto entry = places.find(key);
+  return entry == places.end() ? Place{file} : entry->second;
 }
 
-std::string Reading::said(const std::string &key) const
+std::string Reading::as_written(const std::string &key) const
 {
-  const auto found = written.find(key);
-  return found == written.end() ? key : key + " = " + found->second;
+  const auto entry = written.find(key);
+  return entry == written.end() ? key : key + " = " + entry->second;
 }
 
 std::string Section::header() const

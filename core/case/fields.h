@@ -67,7 +67,7 @@ using Member = std::variant<double T::*, int T::*, bool T::*, std::string T::*, 
                             std::vector<std::array<double, 2>> T::*, std::array<double, 6> T::*,
                             std::vector<std::string> T::*>;
 
-/// One input parameter.  Whatever the program ever says about it is said here, once.
+/// One input parameter.  Everything that the program says about it is written here, once.
 template <class T> struct Field {
   const char *key;
   Member<T> member;          ///< destination, SI
@@ -79,7 +79,7 @@ template <class T> struct Field {
   std::string instead = "";  ///< as Row::instead
 };
 
-/// What reading a case has found so far: every problem, and where the good values stand.
+/// The state of reading a case: every problem, and the places of the accepted values.
 struct Reading {
   std::string file;    ///< the case file as the user named it
   std::string folder;  ///< of the case file; paths of the case start there
@@ -91,8 +91,8 @@ struct Reading {
   std::string echo;                            ///< resolved.toml so far
   void add(Place place, std::string message, std::vector<Place> related = {});
   bool usable(const std::vector<std::string> &keys) const;  ///< none of these is bad
-  Place place(const std::string &key) const;       ///< of a value; the file alone when the value is a default
-  std::string said(const std::string &key) const;  ///< "work_roll.barrel_diameter = \"420 mm\""
+  Place place(const std::string &key) const;  ///< of a value; the file alone when the value is a default
+  std::string as_written(const std::string &key) const;  ///< "work_roll.barrel_diameter = \"420 mm\""
 };
 
 /// A section as the reader sees it: its node (nullptr: left out) and its full name "bearing.trb", "pass.0", ""
@@ -100,7 +100,7 @@ struct Reading {
 struct Section {
   const Node *node = nullptr;
   std::string name;
-  bool refused = false;                           ///< something else stands in its place, and that has been said
+  bool refused = false;                           ///< the value is not a section, and this was reported
   std::string header() const;                     ///< "[bearing.trb]"; "the top level" for the top
   std::string key(const std::string &key) const;  ///< full key
 };
@@ -136,9 +136,10 @@ std::string nearest_word(const std::string &word, const std::vector<std::string>
 /// "; did you mean 'radial_clearance'?", or the list of what is known when nothing is near.
 std::string suggestion(const std::string &word, const std::vector<std::string> &known);
 
-/// Damerau-Levenshtein distance of two words, adjacent exchanges counted as one slip.  Cost: product of the
-/// lengths.
-std::size_t slips_between(const std::string &a, const std::string &b);
+/// Damerau-Levenshtein distance of two words; an exchange of two adjacent letters is one slip.  From `limit` on
+/// the distance is not computed to its end: the answer is then `limit` or more.  Cost: product of the lengths.
+std::size_t slips_between(const std::string &a, const std::string &b,
+                          std::size_t limit = std::numeric_limits<std::size_t>::max());
 
 /// "a length", "a whole number", "one of none | iso | log"; what a message says is needed.
 std::string needed(const Row &row);
@@ -185,7 +186,7 @@ template <class T> void set_member(const Field<T> &field, const Value &value, T 
              field.member);
 }
 
-/// Fills a struct from a section: every row, its default, and a problem for each key nobody knows.
+/// Fills a struct from a section: every row, its default, and a problem for each unknown key.
 /// `others` are keys of the section that somebody else reads, such as sub-sections.
 template <class T>
 void read(const Section &section, const std::vector<Field<T>> &fields, T &out, Reading &reading,

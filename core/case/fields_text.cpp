@@ -1,6 +1,7 @@
 #include "core/base/units.h"
 #include "core/case/fields.h"
 #include <algorithm>
+#include <bitset>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -25,22 +26,47 @@ std::string scalar_toml(const double value, const std::string &form)
 {
   return form == "1" ? number_text(value) : quoted(quantity_text(value, unit(form)));
 }
+
+// The letters of a word, one bit each; other characters share the bits.
+std::bitset<64> letters_of(const std::string &word)
+{
+  std::bitset<64> letters;
+  for (const char c : word)
+    letters.set(static_cast<unsigned char>(c) % 64);
+  return letters;
+}
+
+// A lower bound of slips_between(): each letter that only one of the words has costs a slip, which a replacement
+// pays for one letter of both.
+std::size_t least_slips(const std::bitset<64> &a, const std::bitset<64> &b)
+{
+  return std::max((a & ~b).count(), (b & ~a).count());
+}
 }  // namespace
 
-std::size_t slips_between(const std::string &a, const std::string &b)
+std::size_t slips_between(const std::string &a, const std::string &b, const std::size_t limit)
 {
-  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i)
+  const std::size_t width = b.size() + 1;
+  std::vector<std::size_t> rows(3 * width);  // of the table of distances the last three
+  std::size_t least_before = 0;
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    std::size_t *row = &rows[i % 3 * width], *above = &rows[(i + 2) % 3 * width],
+                *two_above = &rows[(i + 1) % 3 * width];
     for (std::size_t j = 0; j <= b.size(); ++j) {
       if (i == 0 || j == 0) {
-        d[i][j] = i + j;
+        row[j] = i + j;
         continue;
       }
-      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (a[i - 1] != b[j - 1])});
       if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        row[j] = std::min(row[j], two_above[j - 2] + 1);
     }
-  return d[a.size()][b.size()];
+    const std::size_t least = *std::min_element(row, row + width);
+    if (std::min(least, least_before) >= limit)  // every way to the end passes through one of two rows
+      return limit;
+    least_before = least;
+  }
+  return rows[a.size() % 3 * width + b.size()];
 }
 
 std::string column_form(const Row &row, const int column)
@@ -75,8 +101,8 @@ std::vector<std::string> split(const std::string &list, const std::string &separ
 {
   std::vector<std::string> parts;
   std::size_t begin = 0;
-  for (std::size_t at; (at = list.find(separator, begin)) != std::string::npos; begin = at + separator.size())
-    parts.push_back(list.substr(begin, at - begin));
+  for (std::size_t end; (end = list.find(separator, begin)) != std::string::npos; begin = end + separator.size())
+    parts.push_back(list.substr(begin, end - begin));
   parts.push_back(list.substr(begin));
   return parts;
 }
@@ -107,7 +133,7 @@ std::string toml_of(const Row &row, const Value &value)
     return text.empty() && row.fallback.kind == Fallback::Kind::absent ? "" : quoted(text);
   }
   case Kind::path: {
-    // absolute, because nobody knows yet in which folder the text will stand
+    // absolute, because the folder of the text is not known yet
     const auto &path = std::get<std::string>(value);
     return path.empty() ? "" : quoted(std::filesystem::absolute(path).lexically_normal().string());
   }
@@ -166,11 +192,14 @@ std::string nearest_word(const std::string &word, const std::vector<std::string>
 {
   std::string best;
   // More than a third of the letters wrong is another word; of two letters one may be.
-  std::size_t fewest = word.size() == 2 ? 2 : word.size() / 3 + 1;
+  std::size_t fewest            = word.size() == 2 ? 2 : word.size() / 3 + 1;
+  const std::bitset<64> letters = letters_of(word);
   for (const std::string &candidate : known) {
     if (std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size()) >= fewest)
       continue;  // each letter too many is a slip; a very long word would make the table of distances large
-    if (const auto slips = slips_between(word, candidate); slips < fewest) {
+    if (least_slips(letters, letters_of(candidate)) >= fewest)
+      continue;
+    if (const auto slips = slips_between(word, candidate, fewest); slips < fewest) {
       fewest = slips;
       best   = candidate;
     }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-// bite.fit: measured values from which friction and flow stress are found.
+// bite.fit: measured values to which friction and flow stress are fitted.
 namespace mill {
 namespace {
 bool has(const std::vector<std::string> &words, const std::string &word)
@@ -79,7 +79,7 @@ void check_fitted_constants(const BiteSetup &setup, const Friction &friction, Re
     }
 }
 
-// Friction that is found as a factor on what [strip] says.
+// Friction that is fitted as a factor on that of [strip].
 void check_start(const BiteSetup &setup, const Friction &friction, Reading &reading)
 {
   const bool wanted =
@@ -87,7 +87,8 @@ void check_start(const BiteSetup &setup, const Friction &friction, Reading &read
   if (!wanted || !is_zero(friction))
     return;
   const std::string key = reading.places.count("strip.friction") ? "strip.friction" : "strip.friction.law";
-  contradict(reading, key, "is no friction to start the fit from; give a guess, for example 0.1", {"bite.fit"});
+  contradict(reading, key, "is not a friction coefficient to start the fit from; give a guess, for example 0.1",
+             {"bite.fit"});
 }
 }  // namespace
 
@@ -97,7 +98,7 @@ void check_fit(const BiteSetup &setup, const Strip &strip, const std::vector<Pas
     return;
   if (setup.fit.empty()) {
     if (!setup.fit_for.empty())
-      contradict(reading, "bite.fit_for", "stands without measured values; add fit = [\"force\", \"slip\"]", {});
+      contradict(reading, "bite.fit_for", "is given without measured values; add fit = [\"force\", \"slip\"]", {});
     return;
   }
   for (std::size_t i = 0; i < passes.size(); ++i) {
@@ -118,8 +119,7 @@ void check_fit(const BiteSetup &setup, const Strip &strip, const std::vector<Pas
                            setup.fit_for.size(), values, values == 1 ? "" : "s"),
                {"bite.fit"});
   if (reading.usable({"bite.theory", "bite.method"}) && setup.method == "slab" && setup.theory == "sims")
-    contradict(reading, "bite.theory", "knows no coefficient of friction, which bite.fit would find",
-               {"bite.fit"});
+    contradict(reading, "bite.theory", "has no coefficient of friction that bite.fit could fit", {"bite.fit"});
   check_fitted_constants(setup, strip.friction, reading);
   check_start(setup, strip.friction, reading);
 }

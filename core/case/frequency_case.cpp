@@ -69,7 +69,7 @@ std::vector<DriveOrder> read_drive_orders(const Node &root, Reading &reading)
   if (entry->value.kind != Node::Kind::array) {
     reading.bad.insert("drive.order");
     reading.add(entry->key_place,
-                "an order of the drive stands under [[drive.order]], in double brackets, one for each order");
+                "an order of the drive is written under [[drive.order]], in double brackets, one for each order");
     return orders;
   }
   for (std::size_t i = 0; i < entry->value.items.size(); ++i) {
@@ -99,7 +99,7 @@ void check_turning_shafts(const CampbellSettings &campbell, const std::vector<Dr
         std::isnan(backup ? campbell.backup_roll_diameter : campbell.work_roll_diameter))
       reading.add(reading.places.count(key) ? reading.place(key)
                                             : reading.place(fmt::format("drive.order.{}.name", i)),
-                  fmt::format("drive.order.{} counts turns of the {}, whose size is not known; give {}", i,
+                  fmt::format("drive.order.{} is per turn of the {}, whose size is not known; give {}", i,
                               orders[i].per_turn_of, diameter));
   }
 }

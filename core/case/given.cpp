@@ -8,9 +8,9 @@
 
 namespace mill {
 namespace {
-// Ends of the interval of a calibrated value, as checks beside it.
+// Ends of the interval of a calibrated value, as its checks.
 constexpr const char *interval_from = "95 % from", *interval_to = "95 % to";
-// A value from records of the mill: measured, and how is said by what follows the colon.
+// A value from records of the mill: measured; the text after the colon says how.
 constexpr const char *calibrated = "calibrated";
 
 // Keys of { value = "...", source = "...", ... }.
@@ -42,7 +42,7 @@ std::vector<std::string> read_inputs(const Section &section, Reading &reading)
       std::all_of(items.begin(), items.end(), [](const Node &i) { return i.kind == Node::Kind::text; });
   if (!is_list)
     reading.add(entry->value.place,
-                fmt::format("{} = {} is no list of keys, for example [\"work_roll.barrel_diameter\"]",
+                fmt::format("{} = {} is not a list of keys, for example [\"work_roll.barrel_diameter\"]",
                             section.key("inputs"), shown(entry->value)));
   else
     for (const Node &item : items)
@@ -72,7 +72,7 @@ Parameter read_table(const Row &row, const Section &section, Reading &reading)
     reading.add(
         reading.place(section.key("source")),
         fmt::format("{} is unknown; given, published, measured, \"assumed: why\" or \"computed: how\" is needed",
-                    reading.said(section.key("source"))));
+                    reading.as_written(section.key("source"))));
   if (!input.method.empty())
     parameter.method = input.method;
   parameter.at             = operating_point_of(input.at);
@@ -106,7 +106,7 @@ std::optional<GivenValue> read_one(const Row &row, const Section &given, Reading
   return result;
 }
 
-// K1_tolerance beside K1; a value that keeps an error estimate of its own has no room for another.
+// K1_tolerance of K1; a value that has its own error estimate accepts no second one.
 std::map<std::string, double> given_tolerances(const std::vector<Row> &rows, const Section &given,
                                                Reading &reading)
 {
@@ -115,11 +115,11 @@ std::map<std::string, double> given_tolerances(const std::vector<Row> &rows, con
   const auto tolerance = read_tolerances(rows, given, reading);
   std::swap(echo, reading.echo);
   for (const auto &entry : tolerance) {
-    const std::string &key = entry.first;
-    const std::string own  = given.key(tolerance_key(key));
+    const std::string &key    = entry.first;
+    const std::string own_key = given.key(tolerance_key(key));
     if (!given.node->find(key))
-      reading.add(reading.place(own), fmt::format("{} belongs to {}, which is not given; give both or neither",
-                                                  reading.said(own), given.key(key)));
+      reading.add(reading.place(own_key), fmt::format("{} belongs to {}, which is not given; give both or neither",
+                                                      reading.as_written(own_key), given.key(key)));
   }
   return tolerance;
 }
@@ -205,7 +205,7 @@ GivenValues read_given(const Node &root, const std::string &name, const std::str
   const Section given = section_at(root, name, reading);
   const auto &rows    = given_rows(kind, name == "published");
   report_missing(given, rows, reading);
-  const bool replaces = name == "given";  // what only stands beside a result needs no error of its own
+  const bool replaces = name == "given";  // a value that is only compared with a result needs no error of its own
   std::vector<std::string> others;
   if (replaces)
     for (const Row &row : tolerance_rows(rows))
@@ -215,12 +215,12 @@ GivenValues read_given(const Node &root, const std::string &name, const std::str
   reading.echo += "\n[" + name + "]\n";
   for (const Row &row : rows)
     if (auto value = read_one(row, given, reading)) {
-      if (const auto found = tolerance.find(row.key); found != tolerance.end()) {
+      if (const auto entry = tolerance.find(row.key); entry != tolerance.end()) {
         const std::string error = given.key(row.key) + ".error_estimate";
         if (!std::isnan(value->parameter.error_estimate))
-          contradict(reading, given.key(tolerance_key(row.key)), "says again, or otherwise, what stands there",
-                     {error});
-        value->parameter.error_estimate = found->second;
+          contradict(reading, given.key(tolerance_key(row.key)),
+                     "repeats or contradicts the error estimate of the value; leave one of the two out", {error});
+        value->parameter.error_estimate = entry->second;
       }
       if (replaces && std::isnan(value->parameter.error_estimate))
         value->parameter.error_lacks = {given.key(tolerance_key(row.key))};

@@ -24,8 +24,8 @@ bool is_needless(const std::string &section, const std::string &key, const std::
 /// What could be given in place of a key: "M1 in [given]", "Kzc1 and Kzc4, or K_Zy, in [given]"; empty: nothing.
 std::string given_instead(const std::string &section, const std::string &key);
 
-/// Rows of a section beside what is given: those that lie behind it are optional, and not given (masses zero) in
-/// `out`; the others name what could be given instead.
+/// Rows of a section when a value is given: the rows from which the value would follow are optional, and not given
+/// (masses zero) in `out`; the others name what could be given instead.
 template <class T>
 std::vector<Field<T>> beside_given(const std::string &section, std::vector<Field<T>> rows,
                                    const std::set<std::string> &given, T &out)

@@ -52,8 +52,8 @@ std::string default_text(const Row &row)
 // In a table of markdown a bar would end the cell.
 std::string cell(std::string text)
 {
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
-    text.insert(at, "\\");
+  for (std::size_t bar = 0; (bar = text.find('|', bar)) != std::string::npos; bar += 2)
+    text.insert(bar, "\\");
   return text;
 }
 
@@ -154,9 +154,9 @@ std::string input_reference()
       "# Input reference\n\n"
       "Printed by the program from the rows that also read the case file (`core/case/stand_rows.cpp`,\n"
       "`core/case/kinds`); a test compares this page with them.\n\n"
-      "A case is a TOML file. Every value with a unit is a text, `\"1450 mm\"`; counts and pure numbers are\n"
+      "A case is a TOML file. Every value with a unit is a text, `\"1450 mm\"`; whole and pure numbers are\n"
       "bare. Any unit of the right dimension may be used; both ends of a range are allowed. Paths start at the\n"
-      "folder of the case file. A key nobody knows is an error.\n\n"
+      "folder of the case file. An unknown key is an error.\n\n"
       "## Units\n\n| quantity | units |\n|---|---|\n";
   std::map<std::string, bool> seen;
   for (const Unit &u : all_units()) {
@@ -169,8 +169,9 @@ std::string input_reference()
         symbols += (symbols.empty() ? "`" : ", `") + std::string(other.symbol) + "`";
     text += fmt::format("| {} | {} |\n", u.quantity, symbols);
   }
-  text += "\n`N.s/m`, `N*s/m` and `N s/m` are one unit, the micro sign counts as `u`, and `g` is the standard\n"
-          "acceleration of free fall, 9.80665 m/s2.\n";
+  text +=
+      "\n`N.s/m`, `N*s/m` and `N s/m` are the same unit, the micro sign is read as `u`, and `g` is the standard\n"
+      "acceleration of free fall, 9.80665 m/s2.\n";
   text += kind_references() + "\n## Sections\n" + section_references();
   return text +
          "\nA key `..._tolerance` of `[frame]` or `[given]` becomes the error estimate of its value and of what "
@@ -185,6 +186,6 @@ std::string input_reference()
          "that\n"
          "`millstand calibrate` found has `source = \"calibrated: ..\"` and `interval = [\"..\", \"..\"]`, the 95 "
          "% "
-         "beside it.\n";
+         "interval.\n";
 }
 }  // namespace mill

@@ -55,9 +55,9 @@ const std::vector<const CaseKind *> &all_kinds()
 const CaseKind &kind_named(const std::string &name)
 {
   const auto &kinds = all_kinds();
-  const auto found  = std::find_if(kinds.begin(), kinds.end(), [&](const CaseKind *k) { return k->name == name; });
-  require(found != kinds.end(), "there is no kind " + name);
-  return **found;
+  const auto match  = std::find_if(kinds.begin(), kinds.end(), [&](const CaseKind *k) { return k->name == name; });
+  require(match != kinds.end(), "unknown kind " + name);
+  return **match;
 }
 
 const CaseKind &kind_of(const Case &the_case)

@@ -75,9 +75,9 @@ std::string turning_sections(const Case &c)
 {
   const auto *stand = std::get_if<FourHigh>(&c.spec);
   std::string text;
-  const auto add = [&](const char *header, const std::string &own) {
-    if (!own.empty())
-      text += std::string("\n") + header + "\n" + own;
+  const auto add = [&](const char *header, const std::string &lines) {
+    if (!lines.empty())
+      text += std::string("\n") + header + "\n" + lines;
   };
   add("[frequency_response]",
       lines(frequency_response_rows(),
@@ -115,8 +115,8 @@ LumpedModel lumped_model_of(const Case &lumped_case)
   const GivenValues &given = std::get<Lumped>(lumped_case.spec).given;
   LumpedModel model;
   const auto take = [&](const std::string &name, Parameter &into) {
-    if (const auto found = given.find(name); found != given.end())
-      into = found->second.parameter;
+    if (const auto entry = given.find(name); entry != given.end())
+      into = entry->second.parameter;
   };
   for (std::size_t i = 0; i < model.M.size(); ++i)
     take("M" + std::to_string(i + 1), model.M[i]);

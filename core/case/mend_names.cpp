@@ -37,11 +37,11 @@ Node *table_at(Node &root, const std::string &name)
   Node *node = &root;
   if (!name.empty())
     for (const std::string &part : split(name, ".")) {
-      const auto found = std::find_if(node->entries.begin(), node->entries.end(),
+      const auto match = std::find_if(node->entries.begin(), node->entries.end(),
                                       [&](const Node::Entry &entry) { return entry.key == part; });
-      if (found == node->entries.end() || found->value.kind != Node::Kind::table)
+      if (match == node->entries.end() || match->value.kind != Node::Kind::table)
         return nullptr;
-      node = &found->value;
+      node = &match->value;
     }
   return node;
 }

@@ -45,20 +45,20 @@ void check_band(const std::string &name, const std::array<double, 2> &band, Read
 
 std::map<std::string, std::string> Monitoring::channels() const
 {
-  std::map<std::string, std::string> found;
+  std::map<std::string, std::string> channels;
   for (const std::string &pair : channel_pairs)
-    found[pair.substr(0, pair.rfind('='))] = pair.substr(pair.rfind('=') + 1);
-  return found;
+    channels[pair.substr(0, pair.rfind('='))] = pair.substr(pair.rfind('=') + 1);
+  return channels;
 }
 
 std::vector<double> Monitoring::zones() const
 {
-  std::vector<double> found;
+  std::vector<double> values;
   double value = 0;
   for (const std::string &text : severity)
     if (is_velocity(text, value))
-      found.push_back(value);
-  return found;
+      values.push_back(value);
+  return values;
 }
 
 const std::vector<Field<Monitoring>> &monitoring_rows()
@@ -84,14 +84,15 @@ const std::vector<Field<Monitoring>> &monitoring_rows()
     add("fifth_octave", &T::fifth_octave, "Hz", hertz, R"(["550 Hz", "650 Hz"])",
         "band of fifth-octave chatter; when absent 550 to 650 Hz");
     add("limit", &T::limit, "m/s2", {1e-3, 1e5}, "20 m/s2",
-        "level of a vibration in one band, 0-peak, that this mill shall not exceed: above it live raises an alarm "
-        "whatever the level was before, and to it the time that a growing vibration leaves is counted; when "
+        "level of a vibration in one band, 0-peak, that this mill shall not exceed: above it live always raises "
+        "an alarm, and the time until a growing vibration reaches it is computed; when "
         "absent "
         "there is none");
     add("baseline", &T::baseline, "path", any, "out/first-week-analysis",
-        "folder of an earlier analysis of the same mill: changes of the rms velocity are told, and an indication "
+        "folder of an earlier analysis of the same mill: changes of the rms velocity are reported, and an "
+        "indication "
         "of "
-        "a bearing fault counts only when it grows");
+        "a bearing fault is reported only when it grows");
     return all;
   }();
   return rows;
@@ -100,8 +101,7 @@ const std::vector<Field<Monitoring>> &monitoring_rows()
 SectionRows monitoring_section()
 {
   return {"monitoring", SectionRows::Repeat::once, false,
-          "records of the mill: names of channels, zones, bands, what they are held against",
-          rows_of(monitoring_rows())};
+          "records of the mill: names of channels, zones, bands, limits", rows_of(monitoring_rows())};
 }
 
 TemplateNote monitoring_note()

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-// [monitoring] of a case: no run of a stand uses it, so that it is no part of a Case.
+// [monitoring] of a case: no run of a stand uses it, so that it is not part of a Case.
 namespace mill {
 const std::vector<Field<Monitoring>> &monitoring_rows();
 SectionRows monitoring_section();
-TemplateNote monitoring_note();  ///< names of a recorder's channels are nobody's default
+TemplateNote monitoring_note();  ///< names of a recorder's channels have no default
 
 /// Reads and checks the section; echoes it where it is there.
 Monitoring read_monitoring(const Node &root, Reading &reading);

@@ -64,7 +64,7 @@ std::optional<Place> too_deep(const std::string &toml, const std::string &file)
 std::string nesting_refusal()
 {
   return fmt::format(
-      "this nests deeper than {} levels, which no key of a case does; look for a bracket that is not "
+      "this nests deeper than {} levels, deeper than any key of a case; look for a bracket that is not "
       "closed or for dots in place of values",
       deepest_nesting);
 }

@@ -33,7 +33,7 @@ const std::vector<Field<OilFilmBearing>> &oil_film_rows()
        &T::heat_share,
        "1",                                                       {0, 1},
        1,                                                                                  "1",
-       "of the friction heat that the side flow takes away; zero: the film stays at the inlet temperature"                                                                                                                                },
+       "share of the friction heat that the side flow removes; zero: the film stays at the inlet temperature"                                                                                                                             },
       {"warming_share",
        &T::warming_share,
        "1",                                                       {0, 1},
@@ -130,11 +130,11 @@ void check_oil_film(const OilFilmBearing &film, Reading &reading)
 void check_oil_film_load(const Node &root, const BearingCase &spec, Reading &reading)
 {
   const OilFilmBearing *film = oil_film_of(spec.oil_films, spec.load.bearing);
-  const auto said    = [&](const char *key) { return reading.places.count(std::string("load.") + key) > 0; };
-  const auto &speeds = spec.load.speeds;
+  const auto is_given = [&](const char *key) { return reading.places.count(std::string("load.") + key) > 0; };
+  const auto &speeds  = spec.load.speeds;
   if (!film) {
     for (const char *key : {"tilt_across", "speeds"})
-      if (said(key) && reading.usable({"load.bearing"}) && (spec.load.tilt_across != 0 || key[0] == 's'))
+      if (is_given(key) && reading.usable({"load.bearing"}) && (spec.load.tilt_across != 0 || key[0] == 's'))
         contradict(reading, std::string("load.") + key, "belongs to an oil-film bearing; leave it out",
                    {"load.bearing"});
     return;
@@ -142,7 +142,7 @@ void check_oil_film_load(const Node &root, const BearingCase &spec, Reading &rea
   for (const auto &[key, value] :
        {std::pair("axial", spec.load.axial), std::pair("cage_angle", spec.load.cage_angle),
         std::pair("axial_displacement", spec.load.axial_displacement), std::pair("moment", spec.load.moment)})
-    if (said(key) && value != 0)
+    if (is_given(key) && value != 0)
       contradict(reading, std::string("load.") + key, "belongs to a roller bearing; leave it out",
                  {"load.bearing"});
   if (const Node::Entry *model = root.find("model"))
@@ -154,8 +154,8 @@ void check_oil_film_load(const Node &root, const BearingCase &spec, Reading &rea
     return;
   if (!(spec.load.speed > 0))
     reading.add(
-        reading.place(said("speed") ? "load.speed" : "load.bearing"),
-        fmt::format("bearing.{} is an oil film, which carries nothing at rest; load.speed needs a speed of the "
+        reading.place(is_given("speed") ? "load.speed" : "load.bearing"),
+        fmt::format("bearing.{} is an oil film, which carries no load at rest; load.speed needs a speed of the "
                     "sleeve, for example \"60 rpm\"",
                     film->name));
   if (!std::isnan(speeds[0]) && !(speeds[1] > speeds[0]))
@@ -172,11 +172,10 @@ void check_oil_films_of_stand(const FourHigh &stand, Reading &reading)
   for (std::size_t p = 0; p < stand.passes.size(); ++p)
     if (const std::string key = fmt::format("pass.{}.speed", p);
         std::isnan(stand.passes[p].speed) && reading.usable({key}))
-      reading.add(
-          stand.passes[p].place,
-          fmt::format("pass \"{}\" gives no speed; bearing.{} of the backup rolls is an oil film, which carries "
-                      "nothing at rest; add for example speed = \"5 m/s\"",
-                      stand.passes[p].name, film->name));
+      reading.add(stand.passes[p].place,
+                  fmt::format("pass \"{}\" gives no speed; bearing.{} of the backup rolls is an oil film, which "
+                              "carries no load at rest; add for example speed = \"5 m/s\"",
+                              stand.passes[p].name, film->name));
   if (reading.usable({"bearing." + film->name + ".diameter", "backup_roll.barrel_diameter"}) &&
       film->diameter >= stand.backup_roll.barrel_diameter)
     contradict(reading, "bearing." + film->name + ".diameter", "is not smaller than the barrel it carries",

@@ -40,8 +40,8 @@ KeyList force_keys(const Pass &pass, const std::size_t p)
 
 KeyList load_keys(const Pass &pass, const std::size_t p)
 {
-  const KeyList own = keys_in(pass_section(p), "load");
-  return std::isnan(pass.load) ? joined(own, force_keys(pass, p)) : own;
+  const KeyList load_key = keys_in(pass_section(p), "load");
+  return std::isnan(pass.load) ? joined(load_key, force_keys(pass, p)) : load_key;
 }
 
 KeyList load_keys_of_all(const std::vector<Pass> &passes)
@@ -75,9 +75,10 @@ KeyList contact_keys(const FourHigh &stand, const std::string &name, const std::
       names += " crown crown_table";
     return roll.thermal_crown_table.empty() ? names : names + " thermal_crown";
   };
-  const ContactSettings &own = name == "upper" ? stand.upper_contact : stand.lower_contact;
+  const ContactSettings &settings = name == "upper" ? stand.upper_contact : stand.lower_contact;
   // Without a range of its own the sweep, and with it the mesh, is made for the loads of all passes.
-  const KeyList loads = std::isnan(own.loads[0]) ? load_keys_of_all(stand.passes) : load_keys(stand.passes[p], p);
+  const KeyList loads =
+      std::isnan(settings.loads[0]) ? load_keys_of_all(stand.passes) : load_keys(stand.passes[p], p);
   return joined(elastic_steel(), keys_but("work_roll", rows_of(work_roll_rows()), not_read(stand.work_roll)),
                 keys_but("backup_roll", rows_of(backup_roll_rows()), not_read(stand.backup_roll)),
                 keys_in("strip", "width"),
@@ -112,13 +113,13 @@ KeyList cylinder_keys(const TwoCylinders &pair, const std::string &result)
     return joined(bodies,
                   keys_in("contact.space", std::string("at rectangles tilt") +
                                                (slips ? " friction tangential_load tangential_direction" : "")));
-  const bool planes     = (pair.upper.plane() && !pair.upper.rigid) || (pair.lower.plane() && !pair.lower.rigid);
-  const bool meshed     = plane_engine(pair) != PlaneEngine::half_planes && !slips;
-  const bool of_curve   = quantity == "tangent";
-  const std::string own = std::string("at") + (slips ? " friction tangential_load" : "") +
-                          (meshed ? " loads elements_per_half_width" : "") +
-                          (meshed && of_curve ? " samples" : "");
-  return joined(bodies, keys_in("contact.line", own + (planes ? " plane_depth" : "")));
+  const bool planes      = (pair.upper.plane() && !pair.upper.rigid) || (pair.lower.plane() && !pair.lower.rigid);
+  const bool meshed      = plane_engine(pair) != PlaneEngine::half_planes && !slips;
+  const bool of_curve    = quantity == "tangent";
+  const std::string keys = std::string("at") + (slips ? " friction tangential_load" : "") +
+                           (meshed ? " loads elements_per_half_width" : "") +
+                           (meshed && of_curve ? " samples" : "");
+  return joined(bodies, keys_in("contact.line", keys + (planes ? " plane_depth" : "")));
 }
 
 // Bearings
@@ -149,8 +150,8 @@ KeyList bearing_keys(const RollerBearing &b)
   not_read(b.designation.empty(), "designation");
   not_read(b.catalogue.empty(), "catalogue");
   not_read(b.estimated.empty(), "dynamic_rating static_rating");
-  not_read(!tapered, "roller_cone_angle cup_angle row_hands end_play preload");
-  not_read(!drawn, "width row_hands");
+  not_read(!tapered, "roller_cone_angle cup_angle arrangement end_play preload");
+  not_read(!drawn, "width arrangement");
   not_read(!elastic, "chock");
   not_read(!elastic || b.chock == "rigid", "chock_width chock_height chock_length");
   not_read(!elastic || b.chock != "block", "chock_support_width chock_support_gap");
@@ -160,7 +161,7 @@ KeyList bearing_keys(const RollerBearing &b)
 KeyList rating_keys(const RollerBearing &b)
 {
   KeyList keys = keys_in("bearing." + b.name, "dynamic_rating static_rating viscosity_ratio contamination "
-                                              "roller_diameter pitch_diameter bore outside_diameter row_hands "
+                                              "roller_diameter pitch_diameter bore outside_diameter arrangement "
                                               "yield_pressure raceway_flow_stress raceway_flow_state");
   return b.type == "four-row tapered" ? joined(keys, keys_in("bearing." + b.name, "cup_angle")) : keys;
 }
@@ -230,7 +231,7 @@ KeyList bearing_case_keys(const BearingCase &spec)
   const RollerBearing &b = bearing_of(spec.bearings, spec.load.bearing);
   KeyList keys           = bearing_keys(b);
   if (loaded_askew(spec.load))
-    keys = joined(std::move(keys), keys_in("bearing." + b.name, "width row_hands pitch_diameter slices"));
+    keys = joined(std::move(keys), keys_in("bearing." + b.name, "width arrangement pitch_diameter slices"));
   for (const Row &row : rows_of(bearing_model_rows()))  // [model] says again what the bearing says
     if (holds(keys, "bearing." + b.name + "." + row.key))
       keys.push_back("model." + row.key);
@@ -371,11 +372,11 @@ KeyList chain_mode_keys(const LumpedModel &model, const DynamicsSettings &dynami
 std::vector<std::size_t> rolls_in(const std::string &label)
 {
   const char *const rolls[] = {"upper backup roll", "upper work roll", "lower work roll", "lower backup roll"};
-  std::vector<std::size_t> found;
+  std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < 4; ++i)
     if (label.find(rolls[i]) != std::string::npos)
-      found.push_back(i);
-  return found;
+      indices.push_back(i);
+  return indices;
 }
 
 KeyList chock_seat_keys(const std::string &label, const bool seat_given)

@@ -37,14 +37,14 @@ KeyList cylinder_keys(const TwoCylinders &pair, const std::string &result);
 KeyList oil_film_keys(const OilFilmBearing &bearing);
 /// A bearing by the model of its case: FE law or a formula, elastic or rigid rings.
 KeyList bearing_keys(const RollerBearing &bearing);
-/// Beside those, what only ratings and life of a bearing read.
+/// In addition, the keys that only ratings and life of a bearing read.
 KeyList rating_keys(const RollerBearing &bearing);
 /// Radial load of one bearing in a stand, and which bearing it is.
 /// @param contact  "upper" or "lower"
 KeyList seat_load_keys(const FourHigh &stand, bool backup, const std::string &contact, std::size_t p);
 /// Kzc1 .. Kzc4 of a stand, i = 0 .. 3, under the load of a pass.
 KeyList seat_keys(const FourHigh &stand, std::size_t i, std::size_t p);
-/// Kzc1_across .. Kzc4_across: rollers beside the load line press their slices unevenly whatever their profile.
+/// Kzc1_across .. Kzc4_across: rollers away from the load line press their slices unevenly with any profile.
 KeyList seat_across_keys(const FourHigh &stand, std::size_t i, std::size_t p);
 /// Kzc.* of kind "bearing".
 KeyList bearing_case_keys(const BearingCase &spec);
@@ -71,12 +71,12 @@ bool follows_width(const std::string &quantity);
 KeyList bite_keys(const BiteRun &bite);
 /// bite.fit.*: the measured values, and all that the bites of the passes they belong to are made from.
 KeyList fit_keys(const BiteRun &bite);
-/// Results of a slab theory beside it.
+/// Results of a slab theory that is compared with it.
 KeyList slab_keys(const BiteRun &bite);
 
-/// What the shapes behind M2..M5 are made with, beside the drawing and the springs.
+/// Inputs of the shapes of M2..M5 in addition to the drawing and the springs.
 KeyList mass_shape_keys(const DynamicsSettings &dynamics);
-/// What beams and reduced finite elements are made with, beside the drawing and the springs.
+/// Inputs of beams and reduced finite elements in addition to the drawing and the springs.
 KeyList detailed_model_keys();
 
 /// A mode or a response of the six-mass chain follows the whole chain; with the measured force the bite has no
@@ -88,14 +88,14 @@ std::vector<std::string> chain_parts(const DynamicsSettings &dynamics, Half half
 KeyList chain_mode_keys(const LumpedModel &model, const DynamicsSettings &dynamics, Half half);
 /// Rolls that a horizontal mode is named after: 0 upper backup, 1 upper work, 2 lower work, 3 lower backup.
 std::vector<std::size_t> rolls_in(const std::string &label);
-/// What a horizontal mode has beside mass and bearing of its roll: the seat of the work rolls' chocks.
+/// Inputs of a horizontal mode in addition to mass and bearing of its roll: the seat of the work rolls' chocks.
 KeyList chock_seat_keys(const std::string &label, bool seat_given);
 /// All of it.
 KeyList horizontal_mode_keys(const LumpedModel &model, const std::string &label, bool seat_given);
 /// Those of the keys that a case of this kind has: a lumped model knows neither frame nor other models of the
 /// stand.
 KeyList of_kind(const KeyList &keys, const std::string &kind);
-/// Keys that a response has beside those of its chain.
+/// Keys of a response in addition to those of its chain.
 KeyList response_keys(const DynamicsSettings &dynamics, const Pass &pass, std::size_t p);
 
 /// A given value has its own key as its only input.

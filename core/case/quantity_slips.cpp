@@ -81,7 +81,7 @@ std::string rounded(const double value, const std::string &form)
   return fmt::format("{:.6g} {}", value, form);
 }
 
-// A reading as it should be written, or empty when it is no quantity of this unit in its range.
+// A reading as it should be written, or empty when it is not a quantity of this unit in its range.
 std::string as_written(const std::string &text, const std::string &form, const Range &range)
 {
   double number = 0;

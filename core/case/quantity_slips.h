@@ -4,7 +4,7 @@
 #include <vector>
 
 // Quantities as they stand on drawings of other countries and in sheets of other locales.  They are refused and
-// not read: the case file then shows the number the program works with, "ton" is not guessed, and nobody has to
+// not read: the case file then shows the number the program works with, "ton" is not guessed, and no one has to
 // know which of two commas was meant.  The message holds the line that is right.
 namespace mill {
 /// A unit that is not in the list of this program, with what one of it is.
@@ -20,8 +20,8 @@ const std::vector<ForeignUnit> &foreign_units();
 /// "1450.5 mm"; "1,450 mm" -> "1.450 mm" and "1450 mm".  Empty when there is nothing of the kind in it.
 std::vector<std::string> with_decimal_point(const std::string &text);
 
-/// The remedy for a text that is no quantity of the wanted unit: "has a decimal comma; write \"1450.5 mm\"", "is
-/// in inches; 57.1 in = 1450.34 mm: write \"1450.34 mm\"".  Empty when it is no such slip.
+/// The remedy for a text that is not a quantity of the wanted unit: "has a decimal comma; write \"1450.5 mm\"",
+/// "is in inches; 57.1 in = 1450.34 mm: write \"1450.34 mm\"".  Empty when it is not such a slip.
 /// @param form   unit of the row; "1" for a pure number
 /// @param range  in that unit; readings outside are not proposed
 std::string quantity_remedy(const std::string &text, const std::string &form, const Range &range);

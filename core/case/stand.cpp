@@ -3,6 +3,7 @@
 #include "core/case/case_template.h"
 #include "core/case/kinds.h"
 #include "core/case/mend_names.h"
+#include "core/case/old_keys.h"
 #include "core/case/stand_reader.h"
 #include <algorithm>
 #include <filesystem>
@@ -35,14 +36,14 @@ CaseHead read_head(const Section &top, Reading &reading)
         reading.place("schema"),
         fmt::format("{} belongs to another version of the file format; this version reads schema = 1, whose "
                     "keys are listed in docs/input.md",
-                    reading.said("schema")));
+                    reading.as_written("schema")));
   const auto &kinds = case_kinds();
   if (std::find(later_kinds.begin(), later_kinds.end(), head.kind) != later_kinds.end())
     reading.add(reading.place("kind"), fmt::format("{} is not handled by this version; it handles {}",
-                                                   reading.said("kind"), listed(kinds)));
+                                                   reading.as_written("kind"), listed(kinds)));
   else if (reading.usable({"kind"}) && std::find(kinds.begin(), kinds.end(), head.kind) == kinds.end())
     reading.add(reading.place("kind"),
-                fmt::format("{} is unknown{}", reading.said("kind"), suggestion(head.kind, kinds)));
+                fmt::format("{} is unknown{}", reading.as_written("kind"), suggestion(head.kind, kinds)));
   if (reading.problems.size() > n_before)
     throw InputError(std::move(reading.problems));
   return head;
@@ -82,17 +83,17 @@ Section section_at(const Node &root, const std::string &name, Reading &reading)
 
 const RollerBearing &bearing_of(const std::vector<RollerBearing> &bearings, const std::string &name)
 {
-  const auto found = std::find_if(bearings.begin(), bearings.end(),
+  const auto match = std::find_if(bearings.begin(), bearings.end(),
                                   [&](const RollerBearing &bearing) { return bearing.name == name; });
-  require(found != bearings.end(), "there is no bearing " + name);  // the reader has checked every name
-  return *found;
+  require(match != bearings.end(), "unknown bearing " + name);  // the reader has checked every name
+  return *match;
 }
 
 const OilFilmBearing *oil_film_of(const std::vector<OilFilmBearing> &bearings, const std::string &name)
 {
-  const auto found = std::find_if(bearings.begin(), bearings.end(),
+  const auto match = std::find_if(bearings.begin(), bearings.end(),
                                   [&](const OilFilmBearing &bearing) { return bearing.name == name; });
-  return found == bearings.end() ? nullptr : &*found;
+  return match == bearings.end() ? nullptr : &*match;
 }
 
 namespace {
@@ -133,6 +134,7 @@ Case read_case(const std::string &path, const std::vector<std::string> &sets)
   result.name         = valid_text(file.stem().string());
   result.kind         = head.kind;
   result.title        = head.title;
+  accept_old_keys(root, reading);
   mend_names(root, head.kind, reading);
   refuse_unknown_keys(top, rows_of(head_rows()), top_names(head.kind), reading);
   reading.echo = resolved_lines("", head_rows(), head, reading);

@@ -17,7 +17,7 @@ void contradict(Reading &reading, const std::string &key, const std::string &why
   for (const std::string &other : others)
     if (reading.places.count(other))
       related.push_back(reading.place(other));
-  reading.add(reading.place(key), reading.said(key) + " " + why, std::move(related));
+  reading.add(reading.place(key), reading.as_written(key) + " " + why, std::move(related));
 }
 
 std::string millimetres(const double length)
@@ -47,7 +47,8 @@ void check_roll(const std::string &name, const Roll &roll, Reading &reading)
        {std::pair("crown", "crown_table"), std::pair("crown", "crown_polynomial"),
         std::pair("crown_table", "crown_polynomial"), std::pair("thermal_crown", "thermal_crown_table")})
     if (given(one) && given(other))
-      contradict(reading, key(one), fmt::format("stands beside a {}; give one of the two", other), {key(other)});
+      contradict(reading, key(one), fmt::format("is given together with a {}; give one of the two", other),
+                 {key(other)});
   for (const auto &[name_of, table] :
        {std::pair("crown_table", &roll.crown_table), std::pair("thermal_crown_table", &roll.thermal_crown_table)})
     if (reading.usable({key(name_of), key("barrel_length")}) && !table->empty()) {
@@ -79,9 +80,9 @@ void check_file(const std::string &key, const std::string &file, Reading &readin
   if (file.empty() || std::filesystem::is_regular_file(file, ignored))
     return;
   reading.add(reading.place(key),
-              fmt::format(std::filesystem::exists(file, ignored) ? "{}: {} is no regular file; name one"
-                                                                 : "{}: there is no file {}",
-                          reading.said(key), file));
+              fmt::format(std::filesystem::exists(file, ignored) ? "{}: {} is not a regular file; name one"
+                                                                 : "{}: the file {} does not exist",
+                          reading.as_written(key), file));
 }
 }  // namespace
 
@@ -122,7 +123,7 @@ void check_passes(const std::vector<Pass> &passes, Reading &reading)
           pass.place,
           fmt::format("pass \"{}\" has no force; add force = \"FILE.csv\", synthetic_range or load", pass.name));
     if (!pass.force_file.empty() && has_range)
-      contradict(reading, key("synthetic_range"), "stands beside a force file; give one of the two",
+      contradict(reading, key("synthetic_range"), "is given together with a force file; give one of the two",
                  {key("force")});
     if (has_range && !(pass.synthetic_range[0] < pass.synthetic_range[1]))
       contradict(reading, key("synthetic_range"), "does not increase; write the smaller force first", {});
@@ -135,7 +136,7 @@ void check_contact(const std::string &section, const ContactSettings &contact, R
   const std::string loads = section + ".loads", at = section + ".at";
   if (reading.usable({section + ".tilt", section + ".load_offset"}) && !std::isnan(contact.tilt) &&
       !std::isnan(contact.load_offset))
-    contradict(reading, section + ".tilt", "stands beside a load_offset; the one follows from the other",
+    contradict(reading, section + ".tilt", "is given together with a load_offset; each follows from the other",
                {section + ".load_offset"});
   if (!reading.usable({loads}) || std::isnan(contact.loads[0]))
     return;
@@ -206,10 +207,11 @@ void check_four_high(const FourHigh &stand, Reading &reading)
         reading.usable({key, "work_roll.barrel_length", "backup_roll.barrel_length"}) &&
         std::abs(contact->load_offset) >= 0.5 * facing)
       contradict(reading, key,
-                 fmt::format("puts the force beside the contact, which ends at {}", millimetres(0.5 * facing)),
+                 fmt::format("puts the force outside the contact, which ends at {}", millimetres(0.5 * facing)),
                  {"work_roll.barrel_length", "backup_roll.barrel_length"});
   if (stand.passes.empty() && reading.usable({"pass"}))
-    reading.add(Place{reading.file}, "there is no [[pass]]; the working load of every stiffness comes from one");
+    reading.add(Place{reading.file},
+                "no [[pass]] is given; the working load of every stiffness comes from a pass");
   check_passes_in_bite(stand.passes, stand.strip, reading);
   check_bite_setup(stand.bite, stand.strip.friction, reading);
   check_fit(stand.bite, stand.strip, stand.passes, reading);

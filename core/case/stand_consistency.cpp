@@ -14,12 +14,12 @@ void doubt(Reading &reading, const std::string &key, const std::string &why,
   for (const std::string &other : others)
     if (reading.places.count(other))
       related.push_back(reading.place(other));
-  reading.warnings.push_back({reading.place(key), reading.said(key) + " " + why, std::move(related)});
+  reading.warnings.push_back({reading.place(key), reading.as_written(key) + " " + why, std::move(related)});
 }
 
 namespace {
 constexpr double rounding_of_units = 1 + 1e-9;
-constexpr double loose_seat        = 0.8;  // of the bore: below it nobody would grind a neck
+constexpr double loose_seat        = 0.8;  // of the bore: no neck is ground smaller than this
 
 // A roller bearing on the necks of a roll, with the names of their keys.
 struct OnRoll {
@@ -55,9 +55,9 @@ void check_neck_in_bore(const OnRoll &seat, Reading &reading)
   if (seat.roll.neck_diameter > seat.bearing.bore * rounding_of_units)
     contradict(
         reading, neck,
-        fmt::format("does not go into bearing.{}, whose bore is {}; of a stepped neck the seat of the bearing "
-                    "is wanted",
-                    seat.bearing.name, millimetres(seat.bearing.bore)),
+        fmt::format(
+            "does not fit into bearing.{}, whose bore is {}; for a stepped neck give the seat of the bearing",
+            seat.bearing.name, millimetres(seat.bearing.bore)),
         {bore});
   else if (seat.roll.neck_diameter < loose_seat * seat.bearing.bore)
     doubt(
@@ -167,7 +167,7 @@ void check_chocks_apart(const std::vector<OnRoll> &seats, Reading &reading)
     doubt(
         reading, work.of_bearing("chock_height"),
         fmt::format("and the chock of the backup roll overlap by {}: half of both heights is {}, the axes are {} "
-                    "apart; so be it where the one stands between the legs of the other",
+                    "apart; this is possible only where one chock lies between the legs of the other",
                     millimetres(high - axes), millimetres(high), millimetres(axes)),
         {backup.of_bearing("chock_height")});
 }
@@ -187,7 +187,7 @@ void check_bearing_loads(const FourHigh &stand, Reading &reading)
         doubt(reading, key,
               fmt::format("is {:.4g} times {} of {}; is one of the two in another unit?",
                           roll->bearing_load / usual, backup ? "half the rolling force" : "the rolling force",
-                          reading.said(load)),
+                          reading.as_written(load)),
               {load});
     }
 }

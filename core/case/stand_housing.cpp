@@ -220,8 +220,8 @@ void drop_counted_chocks(Frame &frame, RollerBearing &bearing, const Reading &re
       bearing.filled.push_back(fmt::format(
           "{} is left out of the chain: bearing.{} deflects with its chock (rings = \"elastic\", chock = "
           "\"{}\"), "
-          "which the stiffness of the bearing counts already; chock = \"rigid\" leaves the chock to [frame]",
-          reading.said(key), bearing.name, bearing.chock));
+          "which the stiffness of the bearing already includes; chock = \"rigid\" leaves the chock to [frame]",
+          reading.as_written(key), bearing.name, bearing.chock));
     frame.*chock.stiffness = INFINITY;
   }
 }

@@ -35,7 +35,7 @@ std::vector<Pass> read_passes(const Node &root, const std::vector<Field<PassInpu
     return passes;
   if (entry->value.kind != Node::Kind::array) {
     reading.bad.insert("pass");
-    reading.add(entry->key_place, "a pass stands under [[pass]], in double brackets, one for each pass");
+    reading.add(entry->key_place, "a pass is written under [[pass]], in double brackets, one for each pass");
     return passes;
   }
   for (std::size_t i = 0; i < entry->value.items.size(); ++i) {

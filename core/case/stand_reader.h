@@ -40,11 +40,11 @@ BiteSetup read_bite_setup(const Node &root, Reading &reading);
 /// [housing] and [screwdown]; without the section nothing is given.
 MillHousing read_housing(const Node &root, const Material &steel, Reading &reading);
 Screwdown read_screwdown(const Node &root, Reading &reading);
-/// Keys of [frame] that need not be given beside them.
+/// Keys of [frame] that need not be given with them.
 /// @param backup_bearing  null: unknown
 std::vector<std::string> frame_keys_behind(bool housing, const Screwdown &screwdown,
                                            const RollerBearing *backup_bearing);
-/// The chocks of [frame] beside a backup bearing that counts its own chock: not counted again, and said.
+/// The chocks of [frame] when the stiffness of a backup bearing includes its chock: left out, with a note.
 void drop_counted_chocks(Frame &frame, RollerBearing &backup_bearing, const Reading &reading);
 /// Values of tolerance_rows(), by the keys of the quantities they belong to; appended to the echo.
 std::map<std::string, double> read_tolerances(const std::vector<Row> &rows, const Section &section,
@@ -61,10 +61,10 @@ CampbellSettings read_campbell(const Node &root, const std::vector<Field<Campbel
                                Reading &reading);
 /// [[drive.order]]; `root` may have none.
 std::vector<DriveOrder> read_drive_orders(const Node &root, Reading &reading);
-/// Where no roll is drawn: the size of every roll whose turns an order counts.
+/// Where no roll is drawn: the size of every roll whose turns an order refers to.
 void check_turning_shafts(const CampbellSettings &campbell, const std::vector<DriveOrder> &orders,
                           Reading &reading);
-/// [given] (replaces computed values) or [published] (stands beside them).
+/// [given] (replaces computed values) or [published] (is compared with them).
 GivenValues read_given(const Node &root, const std::string &name, const std::string &kind, Reading &reading);
 
 FourHigh read_four_high(const Node &root, Reading &reading);
@@ -93,7 +93,7 @@ void check_oil_films_of_stand(const FourHigh &stand, Reading &reading);
 /// @param of_backup_roll  its chock is not carried on two feet
 void complete_bearing(RollerBearing &bearing, bool of_backup_roll, const Reading &reading);
 
-/// Rows of [bearing.*]; beside a designation none of them is required.
+/// Rows of [bearing.*]; with a designation none of them is required.
 std::vector<Field<RollerBearing>> bearing_rows_for(const Section &section);
 /// What the designation of a bearing gives, where its keys are left out, and estimates of the rollers.
 /// @throws SystemError  the disk refuses the user's catalogue
@@ -137,7 +137,7 @@ void check_contact(const std::string &section, const ContactSettings &contact, R
 void check_bodies(const TwoCylinders &pair, Reading &reading);
 /// Rolls against each other, bearings that are named, the strip, passes against strip and contacts.
 void check_four_high(const FourHigh &stand, Reading &reading);
-/// Neck in its bearing, bearing on its neck, chocks and rolls in the window, chocks beside each other, loads of
+/// Neck in its bearing, bearing on its neck, chocks and rolls in the window, chocks next to each other, loads of
 /// bearings: what cannot be is a problem, what hardly is a warning.
 void check_consistency(const FourHigh &stand, Reading &reading);
 /// force_meaning = "published" needs K4 and C.

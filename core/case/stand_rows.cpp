@@ -7,8 +7,8 @@ namespace {
 constexpr Range stand_stiffness{1, 1e7};  // kN/mm, from a soft spring to far beyond a solid block of steel
 constexpr Range part_mass{0, 5e5};        // kg
 
-// The profile of the barrel, the same keys for work and backup roll.  z counts from mid-length, positive towards
-// the drive side.
+// The profile of the barrel, the same keys for work and backup roll.  z is measured from mid-length, positive
+// towards the drive side.
 template <class T> void add_profile_rows(std::vector<Field<T>> &rows)
 {
   const auto add = [&](const char *key, Member<T> member, const char *form, Range range, Fallback fallback,
@@ -43,9 +43,8 @@ const std::vector<Field<CaseHead>> &head_rows()
       {"kind",      &CaseHead::kind,      "text",  any, required, "four-high",                  "what the case describes"        },
       {"title",     &CaseHead::title,     "text",  any, "",       "1400 four-high, demo stand", "headline of the report"         },
       {"confirmed", &CaseHead::confirmed, "text",  any, "",       "work_roll strip.width",
-       "keys and sections whose values are those of the template and are meant, parted by blanks, or \"all\": the "
-       "run "
-       "lists the others"                                                                                                        },
+       "keys and sections whose values are intentionally those of the template, separated by blanks, or \"all\": "
+       "the run lists the remaining ones"                                                                                                        },
   };
   return rows;
 }
@@ -92,8 +91,8 @@ const std::vector<Field<WorkRollInput>> &work_roll_rows()
          &T::axial_shift,
          "mm",                                             {-1000, 1000},
          0,                                                                           "0 mm",
-         "of the upper work roll against the backup roll, towards the drive side; the lower work roll goes the "
-         "other way"                                                                                                                 },
+         "of the upper work roll against the backup roll, towards the drive side; the lower work roll has the "
+         "opposite offset"                                                                                                           },
         {"bending_force",
          &T::bending_force,
          "kN",                                             {-10000, 10000},
@@ -134,7 +133,7 @@ const std::vector<Field<Roll>> &backup_roll_rows()
          required,                                                                           "2450 mm",
          "between the centres of the two bearings"                                                                               },
         {"bending_model",    &T::bending_model,    "solid | beam", any,            "solid",  "solid",
-         "where the chain takes K_ZW and the shapes of the rolls from: finite elements of the rolls as drawn, or "
+         "source of K_ZW and of the shapes of the rolls: finite elements of the rolls as drawn, or "
          "the "
          "closed forms of stepped beams, which are too stiff at the shoulders"                                                   },
         {"bearing",          &T::bearing,          "text",         any,            required, "crb",      "name of a [bearing.*]" },
@@ -180,7 +179,8 @@ const std::vector<Field<Frame>> &frame_rows()
       {"cylinder_body_stiffness",    &T::cylinder_body_stiffness,    "kN/mm", stand_stiffness, required, "1.25e5 kN/mm",
        "bodies of the screw-down cylinders"                                                                                                               },
       {"upper_chock_stiffness",      &T::upper_chock_stiffness,      "kN/mm", stand_stiffness, required, "1.03e5 kN/mm",
-       "upper backup-roll chocks; not needed, and left out, when their bearing counts its chock"                                                          },
+       "upper backup-roll chocks; not needed, and left out, when the stiffness of their bearing includes the "
+       "chock"                                                                                                                                            },
       {"lower_chock_stiffness",      &T::lower_chock_stiffness,      "kN/mm", stand_stiffness, required, "1.03e5 kN/mm",
        "lower backup-roll chocks; likewise"                                                                                                               },
       {"lower_post_stiffness",       &T::lower_post_stiffness,       "kN/mm", stand_stiffness, required, "6.0e4 kN/mm",
@@ -258,7 +258,7 @@ const std::vector<Field<PassInput>> &pass_rows()
        &T::published_peak,
        "g",                                                    {0, 10000},
        absent,                                                                            R"(["1.40 g", "0.75 g"])",
-       "peak accelerations of a published model, upper and lower work roll, to set beside the result"                                                                },
+       "peak accelerations of a published model, upper and lower work roll, for comparison with the result"                                                          },
       {"measured_peak",
        &T::measured_peak,
        "g",                                                    {0, 10000},
@@ -360,9 +360,8 @@ const std::vector<Field<DynamicsSettings>> &dynamics_rows()
        &T::elements_per_radius,
        "count",                                                                         {3, 12},
        3,                                                                                                            "3",
-       "quadratic elements over the radius of a roll in the meshes behind craig-bampton, at least; more are taken "
-       "where "
-       "the frequency limit needs them"                                                                                                                                        },
+       "least number of quadratic elements over the radius of a roll in the meshes of craig-bampton; more are "
+       "used where the frequency limit needs them"                                                                                                                             },
       {"model_files",         &T::model_files,    "small | all",                        any,          "small",       "small",
        "small: damping matrix and MATLAB file of a model of more than 100 unknowns are left out of models/; all: "
        "they "

@@ -115,7 +115,7 @@ std::vector<Field<RoundBody>> body_rows_for(const Section &section);
 /// @param published  of [published], which may hold more than what could replace a computed value
 const std::vector<Row> &given_rows(const std::string &kind, bool published = false);
 
-/// How far a value may be off, given beside it: one row KEY_tolerance for every quantity of `rows`.
+/// Uncertainty of given values: one row KEY_tolerance for every quantity of `rows`.
 std::vector<Row> tolerance_rows(const std::vector<Row> &rows);
 bool is_tolerance(const std::string &key);
 std::string tolerance_key(const std::string &key);  ///< "K1_tolerance" of "K1"
@@ -133,7 +133,7 @@ struct SectionRows {
   std::string meaning;
   std::vector<Row> rows;
   std::string type = "";  ///< of the named ones, where sections of this name have several: "oil-film"; else empty
-  /// Under which notes of the template and names of a case are found.
+  /// The name under which notes of the template and names of a case are stored.
   const std::string &id() const
   {
     return type.empty() ? name : type;

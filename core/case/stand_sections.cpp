@@ -82,7 +82,7 @@ std::vector<Row> chain_rows(const bool lumped)
     });
   rows.push_back({
       "C", Kind::quantity, "N s/m", {0, 1e12},
-         absent, "1.91141e5 N s/m", "damper beside K4"
+         absent, "1.91141e5 N s/m", "damper in parallel with K4"
   });
   if (!lumped) {
     rows.push_back({
@@ -159,11 +159,11 @@ SectionRows steel_section()
 std::vector<SectionRows> strip_sections()
 {
   return {
-      {"strip",             Repeat::once, true,  "the strip in the bite",                                  rows_of(strip_rows())},
+      {"strip",             Repeat::once, true,  "the strip in the bite",                                         rows_of(strip_rows())},
       {"strip.flow_stress", Repeat::once, true,  "plane-strain flow stress of the strip",
-       rows_of(flow_stress_rows())                                                                                              },
-      {"strip.friction",    Repeat::once, false, "friction between roll and strip, where it is no number",
-       rows_of(friction_rows())                                                                                                 }
+       rows_of(flow_stress_rows())                                                                                                     },
+      {"strip.friction",    Repeat::once, false, "friction between roll and strip, if it is not a single number",
+       rows_of(friction_rows())                                                                                                        }
   };
 }
 
@@ -220,14 +220,13 @@ SectionRows given_section(const std::vector<Row> &rows, const bool needed)
 {
   return {"given", Repeat::once, needed,
           "values that replace computed ones, each a quantity or { value, source, ... }; "
-          "KEY_tolerance beside one says "
-          "how far it may be off",
+          "KEY_tolerance states the uncertainty of a value",
           with_tolerances(rows)};
 }
 
 SectionRows published_section(const std::vector<Row> &rows)
 {
   return {"published", Repeat::once, false,
-          "published or measured values to stand beside the computed ones; nothing is replaced", rows};
+          "published or measured values for comparison with the computed ones; they replace nothing", rows};
 }
 }  // namespace mill

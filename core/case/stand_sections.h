@@ -16,7 +16,7 @@ SectionRows dynamics_section(const std::vector<Field<DynamicsSettings>> &rows);
 SectionRows frequency_response_section();
 SectionRows campbell_section(const std::vector<Field<CampbellSettings>> &rows);
 SectionRows drive_order_section();
-TemplateNote drive_order_note();  ///< what turns in a drive is nobody's default
+TemplateNote drive_order_note();  ///< the parts that turn in a drive have no default
 SectionRows given_section(const std::vector<Row> &rows, bool needed);  ///< with tolerances
 SectionRows published_section(const std::vector<Row> &rows);
 

@@ -94,7 +94,8 @@ void check_pass_names(const std::vector<Pass> &passes, Reading &reading)
     for (auto dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1))
       if (const auto other = first.find(name.substr(0, dot)); other != first.end())
         contradict(reading, fmt::format("pass.{}.name", i),
-                   "continues the name of another pass after a dot, which parts the names of results; take a dash",
+                   "continues the name of another pass after a dot, which separates the parts of result names; "
+                   "take a dash",
                    {fmt::format("pass.{}.name", other->second)});
 }
 
@@ -132,7 +133,7 @@ void check_bite_setup(const BiteSetup &setup, const Friction &friction, Reading 
     contradict(reading, "bite.theory", "is a theory of friction factors; give strip.friction a law of factors",
                {"strip.friction", "strip.friction.law"});
   if (reading.usable({"bite.theory"}) && setup.theory == "bland-ford" && !slides(friction))
-    contradict(reading, "bite.theory", "knows no friction factors; choose karman, orowan or hu-ehmann",
+    contradict(reading, "bite.theory", "does not accept friction factors; choose karman, orowan or hu-ehmann",
                {"strip.friction.law"});
   if (reading.usable({"bite.strip", "bite.arc"}) && setup.strip == "elastic-plastic" && setup.arc == "hitchcock")
     contradict(reading, "bite.strip",

@@ -58,7 +58,7 @@ Strip read_strip(const Node &root, Reading &reading, const std::set<std::string>
                 has_law ? std::vector<std::string>{"flow_stress", "friction"}
                         : std::vector<std::string>{"flow_stress"});
   if (!section.node) {
-    reading.bad.insert("strip.flow_stress.law");  // nothing else is said of what is not there
+    reading.bad.insert("strip.flow_stress.law");  // no further error for a section that is not there
     return strip;
   }
   if (section.node->find("flow_stress") || !given || !is_needless("strip", "flow_stress", *given))
@@ -90,7 +90,7 @@ BiteCase read_bite_case(const Node &root, Reading &reading)
   spec.bite          = read_bite_setup(root, reading);
   spec.published     = read_given(root, "published", "bite", reading);
   if (spec.passes.empty() && reading.usable({"pass"}))
-    reading.add(Place{reading.file}, "there is no [[pass]]; give at least its name");
+    reading.add(Place{reading.file}, "no [[pass]] is given; give at least its name");
   check_pass_names(spec.passes, reading);
   check_strip(spec.strip, reading);
   check_passes_in_bite(spec.passes, spec.strip, reading);

@@ -101,9 +101,9 @@ const std::vector<Field<BiteSetup>> &bite_rows()
   using T = BiteSetup;
   static const std::vector<Field<T>> rows{
       {"method",           &T::method,  "fe | slab",                                             any,      "fe",     "fe",
-       "what gives K4: finite elements with slab theories beside them, or a slab theory alone"                                                                           },
+       "source of K4: finite elements compared with slab theories, or a slab theory alone"                                                                               },
       {"theory",           &T::theory,  "bland-ford | hu-ehmann | karman | orowan | sims",       any,      "karman", "karman",
-       "slab theory that stands beside the finite elements, or gives K4"                                                                                                 },
+       "slab theory that is compared with the finite elements, or gives K4"                                                                                              },
       {"arc",              &T::arc,     "auto | rigid | hitchcock | elastic",                    any,      "auto",   "auto",
        "shape of the loaded roll: its own circle, a larger circle, or any; auto: any for an elastic-plastic "
        "strip"                                                                                                                                                           },
@@ -131,7 +131,7 @@ const std::vector<Field<BiteSetup>> &bite_rows()
       {"fit_for",          &T::fit_for,
        "friction | flow_stress | mu0 | mu1 | decay | viscosity | at_unit_speed | per_log_speed", any,      absent,
        R"(["friction", "flow_stress"])",                                                                                                     "what is found: a factor on the friction, on the flow stress, on constants of strip.friction; when absent "
-       "the first two, of one kind of measured value the one that it tells best"                                                 },
+       "the first two, with one kind of measured value the one that it determines best"                                          },
   };
   return rows;
 }
@@ -157,7 +157,7 @@ const std::vector<Field<PassInput>> &bite_pass_rows()
           some.push_back(row);
     for (Field<PassInput> &row : some)
       if (std::string(row.key) == "load")
-        row.meaning = "measured or published force to stand beside the computed one";
+        row.meaning = "measured or published force for comparison with the computed one";
     return some;
   }();
   return rows;

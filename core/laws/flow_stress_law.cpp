@@ -32,7 +32,7 @@ const FlowStressRow reduction_power{
 };
 const FlowStressRow table{"table", {}, true, true, false};
 
-// The row; null for what is no law, so that all laws can be counted.
+// The row; null for a value that is not a law, so that all laws can be counted.
 const FlowStressRow *find_row(const FlowStressLaw law)
 {
   switch (law) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-// Plane-strain flow stress of the strip: all that is said of a law stands here and in flow_stress_law.cpp, and
+// Plane-strain flow stress of the strip: everything about a law is written here and in flow_stress_law.cpp, and
 // nowhere else.  A law without a case in one of the switches does not compile.  theory.md 8.1
 #pragma GCC diagnostic push
 #pragma GCC diagnostic error "-Wswitch"
@@ -59,7 +59,7 @@ struct FlowStressConstant {
 };
 const std::array<FlowStressConstant, n_flow_constants> &flow_stress_constants();
 
-/// What the program has to know of a law beside its formulas.
+/// What the program must know of a law in addition to its formulas.
 struct FlowStressRow {
   const char *name;                         ///< in a case file
   std::vector<double FlowStress::*> needs;  ///< a case has to give them, and no other is read

@@ -25,7 +25,7 @@ const FrictionRow factor{"factor", both_factors, no_constants, both_factors, fal
 const FrictionRow speed{"speed", speed_needs, speed_may, no_constants, true, true, false, false};
 const FrictionRow film{"film", film_needs, film_may, no_constants, true, true, true, true};
 
-// The row; null for what is no law, so that all laws can be counted.
+// The row; null for a value that is not a law, so that all laws can be counted.
 const FrictionRow *find_row(const FrictionLaw law)
 {
   switch (law) {
@@ -94,7 +94,7 @@ const std::array<FrictionConstant, n_friction_constants> &friction_constants()
                      "oil.friction.mu0", "friction under a thick film, mu0", "1"},
     FrictionConstant{"mu1", &FrictionConstants::mu1, "1", {0, 1}, 0, "0.142",
                      "law film",
-                     "oil.friction.mu1", "friction that a film takes away, mu1", "1"},
+                     "oil.friction.mu1", "friction that a film removes, mu1", "1"},
     FrictionConstant{"decay", &FrictionConstants::decay, "1/um", {0, 1000}, 0, "2.43 1/um",
                      "law film",
                      "oil.friction.decay", "decay of the friction with the film", "1/m"},

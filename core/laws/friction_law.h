@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-// Friction between roll and strip: all that is said of a law stands here and in friction_law.cpp, and nowhere
+// Friction between roll and strip: everything about a law is written here and in friction_law.cpp, and nowhere
 // else. Readers, schema, cache keys, provenance, sensitivities and solvers ask for a law's row or call its
 // formulas. A law without a case in one of the switches does not compile.  theory.md 8.7
 #pragma GCC diagnostic push
@@ -74,16 +74,17 @@ struct FrictionConstant {
 };
 const std::array<FrictionConstant, n_friction_constants> &friction_constants();
 
-/// What the program has to know of a law beside its formulas.
+/// What the program must know of a law in addition to its formulas.
 struct FrictionRow {
   using Constants = std::vector<double Friction::*>;
   const char *name;   ///< in a case file
   Constants needs;    ///< a case has to give them
   Constants may;      ///< read as well, with their defaults
-  Constants number;   ///< those that are "the friction" where a single number is asked for; none: there is no such
+  Constants number;   ///< those that are "the friction" where a single number is asked for; none: the law has no
+                      ///< such number
   bool slides;        ///< has a Coulomb coefficient; else friction stress over shear yield stress is given
   bool needs_speed;   ///< of the roll
-  bool follows_bite;  ///< the coefficient depends on what the bite makes of it, and both are found together
+  bool follows_bite;  ///< the coefficient depends on the state of the bite, and both are solved together
   bool film;          ///< knows the thickness of an oil film
 };
 const FrictionRow &row_of(FrictionLaw law);
@@ -123,7 +124,7 @@ Friction with_number(Friction friction, double number);
 /// The friction as a plain number: Coulomb's mu, or the factors as they are.
 Friction as_number(const Friction &friction, double mu);
 
-/// Coulomb's mu where the law is no more than that; nan: a pass has to say it, or there is none.
+/// Coulomb's mu where the law is no more than that; nan: a pass must give it, or the law has none.
 double plain_coefficient(const Friction &friction);
 
 /// What a result calls the friction: the coefficient, or the mean of both factors.

@@ -13,7 +13,7 @@ struct DamperProposal {
   double damper = 0;     ///< N s/m, whole stand
 };
 
-/// A mass on spring and damper at a place; how it is tuned is found.
+/// A mass on spring and damper at a place; its tuning is computed.
 struct TunedDamperProposal {
   std::string at;                 ///< place; empty: that of the advice
   double mass       = not_given;  ///< kg; NaN: by its ratio

@@ -48,6 +48,6 @@ struct BearingCase {
   std::vector<OilFilmBearing> oil_films;
   BearingLoad load;
   BearingExcitation motion;
-  GivenValues published;  ///< only shown beside the computed values
+  GivenValues published;  ///< only compared with the computed values
 };
 }  // namespace mill

@@ -13,7 +13,7 @@ double rating_factor(double g);
 struct Ratings {
   double dynamic;        ///< N, C_r
   double static_rating;  ///< N, C_0r
-  double e;              ///< -, axial over radial load above which the axial load counts: 1.5 tan(alpha)
+  double e;              ///< -, axial over radial load above which the axial load enters: 1.5 tan(alpha)
   double X;              ///< -, single row, F_a/F_r > e: 0.4
   double Y;              ///< -, single row, F_a/F_r > e: 0.4 cot(alpha)
   double pair_Y1;        ///< -, pair, F_a/F_r <= e: 0.45 cot(alpha)

@@ -12,8 +12,8 @@ struct BiteCase {
   Material steel;            ///< of the rolls
   double roll_diameter = 0;  ///< m, work roll
   Strip strip;
-  std::vector<Pass> passes;  ///< load: a measured force to stand beside the computed one
+  std::vector<Pass> passes;  ///< load: a measured force for comparison with the computed one
   BiteSetup bite;
-  GivenValues published;  ///< only shown beside the computed values
+  GivenValues published;  ///< only compared with the computed values
 };
 }  // namespace mill

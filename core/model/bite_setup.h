@@ -5,7 +5,7 @@
 namespace mill {
 /// How the roll bite is computed.
 struct BiteSetup {
-  std::string method   = "fe";       ///< fe | slab: what gives K4; slab theories stand beside finite elements
+  std::string method   = "fe";       ///< fe | slab: source of K4; slab theories are compared with finite elements
   std::string theory   = "karman";   ///< bland-ford | hu-ehmann | karman | orowan | sims
   std::string arc      = "auto";     ///< auto | rigid | hitchcock | elastic
   std::string strip    = "auto";     ///< auto | rigid-plastic | elastic-plastic, in the finite-element bite
@@ -14,7 +14,7 @@ struct BiteSetup {
   int samples          = 9;          ///< along every curve of K4
   double path_trim     = 0.2;        ///< -, share of the contact path left out at each end for the plateau
   std::vector<std::string> fit;      ///< force | slip | torque: measured values that friction and flow stress are
-                                     ///< found from; empty: they are those of [strip]
+                                     ///< fitted to; empty: they are those of [strip]
   std::vector<std::string> fit_for;  ///< friction | flow_stress | constants of the friction law; empty: what `fit`
                                      ///< can tell
 };

@@ -21,8 +21,8 @@ struct ClusterRoll {
   double youngs_modulus          = not_given;               ///< Pa; absent: [steel]
   double poisson_ratio           = not_given;               ///< -; absent: [steel]
   std::array<double, 2> position = {not_given, not_given};  ///< m, of the unloaded axis; absent: from contacts
-  std::string side               = "below";                 ///< below | above: of the two rolls it is found from
-  Place place;                                              ///< of the [[roll]] header
+  std::string side               = "below";  ///< below | above: of the two rolls that define its position
+  Place place;                               ///< of the [[roll]] header
 };
 
 /// [[contact]] of two rolls.
@@ -57,7 +57,7 @@ struct ClusterSupport {
   std::string against;             ///< roll that the rollers press theirs against
   double guard       = 1e4;        ///< N/m, across and along, that holds a roll out of contact
   double loss_factor = not_given;  ///< -; absent: that of [response]
-  bool fitted        = false;      ///< follows only from a fit, said wherever it appears
+  bool fitted        = false;      ///< follows only from a fit; the results state this
   Place place;
 
   const std::string &own_name() const

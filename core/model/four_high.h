@@ -39,8 +39,8 @@ struct FourHigh {
   StandSpan span;            ///< strip before and behind the stand, for chatter
   ChatterAnalysis analysis;  ///< of chatter
   StandAdvice advice;
-  Estimates estimates;  ///< values of the records above that nobody gave
+  Estimates estimates;  ///< values of the records above that were not given
   GivenValues given;
-  GivenValues published;  ///< same names; only shown beside the computed values
+  GivenValues published;  ///< same names; only compared with the computed values
 };
 }  // namespace mill

@@ -13,7 +13,7 @@ struct LumpedModel {
   std::array<Parameter, 4>
       Kzc;  ///< N/m, one bearing along its load: upper backup, upper work, lower work, lower backup; NaN: unknown
   std::array<Parameter, 4> Kzc_across;  ///< N/m, the same across the load, chock on its liners; NaN: unknown
-  Parameter C;                          ///< N s/m, damper beside K4
+  Parameter C;                          ///< N s/m, damper in parallel with K4
   OperatingPoint at;                    ///< working load, "976.2 kN"; empty for a given model
 };
 }  // namespace mill

@@ -21,7 +21,7 @@ struct Pass {
                                             not_given};  ///< g, upper and lower work roll, a published model's
   std::array<double, 2> measured_peak_g  = {not_given,
                                             not_given};  ///< g, a measurement of which only peaks are known
-  bool synthetic = false;      ///< the force record is made, not measured; said wherever it appears
+  bool synthetic = false;      ///< the force record is synthetic, not measured; the results state this
   double load    = not_given;  ///< N, working load; absent: mean of the force record
   std::array<double, 2> synthetic_range = {not_given,
                                            not_given};  ///< N, without a file: white noise in this range

@@ -18,9 +18,9 @@ struct ProcessAdvice {
   std::array<double, 2> friction        = {0.8, 1.2};  ///< where it does not
 };
 
-/// What a level asks of the pass that is rolled.  No run of a stand uses it, so that it is no part of a Case.
+/// What a level asks of the pass that is rolled.  No run of a stand uses it, so that it is not part of a Case.
 struct RolledAdvice : ProcessAdvice {
-  std::string model     = "beam";  ///< in which every action is repeated, and which counts
+  std::string model     = "beam";  ///< in which every action is repeated and which decides
   double nearer_chatter = 0.01;    ///< -, most that critical over working speed may fall
 };
 

@@ -22,7 +22,7 @@ struct RingSection {
   double land        = 0;             ///< m, by which the raceway goes on straight beyond each end of the line
   double seat_radius = 0;             ///< m, half the bore or half the outside diameter
   double half_width  = 0;             ///< m, of the bearing
-  double depth       = 0;             ///< m, to which the law of one roller counts the raceway itself
+  double depth       = 0;             ///< m, the depth of raceway that the law of one roller includes
 };
 
 /// What surrounds the cup.

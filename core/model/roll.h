@@ -32,7 +32,7 @@ struct Roll {
       not_given;  ///< N, radial load of one bearing; absent: F/2 (backup), F/20 assumed (work roll)
 };
 
-// A roll as its contact sees it: what hangs on its necks and how the chain takes its bending is no part of it.
+// A roll as its contact sees it: the parts on its necks and the bending model of the chain do not belong to it.
 template <class Io> void each_member(Io &&io, const Roll &record)
 {
   const auto &[barrel_diameter, barrel_length, neck_diameter, neck_length, bearing_span, crown, crown_table,

@@ -31,15 +31,16 @@ struct RollerBearing {
   double roller_cone_angle   = 0;          ///< rad, included
   double cup_angle           = 0;          ///< rad, contact angle on the outer ring
   double rib_angle           = not_given;  ///< rad, of the rib's normal; absent: along the roller's axis
-  std::string row_hands      = "+-+-";     ///< axial direction in which each row carries, repeated over the rows
-  bool row_hands_assumed     = false;      ///< nobody said how the rows of a tapered bearing are arranged
-  double radial_clearance    = 0;          ///< m, diametral
-  double end_play            = not_given;  ///< m, axial; replaces radial_clearance
-  double preload             = not_given;  ///< N, axial, of each row; replaces radial_clearance
-  std::string profile        = "none";     ///< none | iso | log | lundberg | three-parameter | crown | table
-  double crown_drop          = not_given;  ///< m, drop of the roller end: crown, three-parameter
-  double profile_load  = not_given;  ///< N, on one roller, for which log, lundberg, three-parameter are ground
-  double profile_share = 1;          ///< -, three-parameter: crowned part of the length
+  std::string row_hands =
+      "+-+-";  ///< key `arrangement`: axial direction in which each row carries, repeated over the rows
+  bool row_hands_assumed  = false;      ///< the case does not say how the rows of a tapered bearing are arranged
+  double radial_clearance = 0;          ///< m, diametral
+  double end_play         = not_given;  ///< m, axial; replaces radial_clearance
+  double preload          = not_given;  ///< N, axial, of each row; replaces radial_clearance
+  std::string profile     = "none";     ///< none | iso | log | lundberg | three-parameter | crown | table
+  double crown_drop       = not_given;  ///< m, drop of the roller end: crown, three-parameter
+  double profile_load     = not_given;  ///< N, on one roller, for which log, lundberg, three-parameter are ground
+  double profile_share    = 1;          ///< -, three-parameter: crowned part of the length
   std::vector<std::array<double, 2>> profile_table;  ///< m, (x from mid-roller, drop of one contact)
   double youngs_modulus      = 206e9;    ///< Pa, bearing steel: rollers, rings, and with them neck and chock
   double poisson_ratio       = 0.3;      ///< -
@@ -53,9 +54,10 @@ struct RollerBearing {
   double chock_length        = not_given;  ///< m, along the axis
   double chock_support_width = not_given;  ///< m, of the face that carries the chock, centred on the load line
   double chock_support_gap   = not_given;  ///< m, its middle part, which carries nothing: two feet; absent: none
-  bool chock_assumed         = false;  ///< nobody said what holds the cup, nor gave a size of it: a block is taken
-  bool support_assumed       = false;  ///< nobody said where the block is carried
-  std::vector<std::string> filled;     ///< sentences about what was not given and has been filled in
+  bool chock_assumed =
+      false;  ///< the case does not say what holds the cup, and gives no size of it: a block is assumed
+  bool support_assumed = false;     ///< the case does not say where the block is supported
+  std::vector<std::string> filled;  ///< sentences about what was not given and has been filled in
 
   // What a catalogue says, and what life and limits are rated with: no equilibrium knows of these.
   std::string designation;                  ///< of the catalogue; empty: the case draws the bearing itself
@@ -78,7 +80,7 @@ double pitch_diameter(const RollerBearing &bearing);
 /// roller or pitch diameter, and where none closes.
 double closing_cup_angle(const RollerBearing &bearing);
 
-/// Whether the stiffness of the bearing counts its chock: then nothing else may.
+/// Whether the stiffness of the bearing includes its chock: then no other spring may include it.
 bool counts_its_chock(const RollerBearing &bearing);
 
 /// Arrangements of the rows in use: for two rows +- and -+, for four -+-+, +-+-, ++-- and --++, for another number
@@ -88,8 +90,8 @@ std::vector<std::string> usual_arrangements(int rows);
 /// "+-+-, pairs of rows back to back (TQI)": hands cut or repeated to the rows, with the name of the arrangement.
 std::string arrangement_name(const std::string &row_hands, int rows);
 
-// A bearing with all that its equilibrium follows.  Type is said again by the angles; name and what was filled in
-// are for messages; catalogue and ratings are read off the state afterwards.
+// A bearing with all that its equilibrium follows.  Type follows from the angles; name and the values that were
+// filled in are for messages; catalogue and ratings are read off the state afterwards.
 template <class Io> void each_member(Io &&io, const RollerBearing &record)
 {
   const auto &[name, type, bore, outside_diameter, width, pitch_diameter, rows, rollers_per_row, roller_length,

@@ -181,7 +181,7 @@ template <int n, class S> double value_of(const Dual<n, S> &x)
   return value_of(x.value);
 }
 
-/// f(x) from its value and slope at x.  An infinite slope counts only where x depends on the direction at all.
+/// f(x) from its value and slope at x.  An infinite slope enters only where x depends on the direction.
 template <int n, class S> Dual<n, S> chain(const Dual<n, S> &x, const S &value, const S &slope)
 {
   Dual<n, S> y(value);

@@ -20,16 +20,16 @@ void omp_set_max_active_levels(int levels);
 
 namespace mill {
 namespace {
-thread_local int threads_of_this = 0;  // 0: nobody set them
+thread_local int threads_of_this = 0;  // 0: they were not set
 
-// CHOLMOD asks for four threads whatever the machine has; a thread that nobody set has none to give.
+// CHOLMOD asks for four threads on every machine; a thread for which none were set gives it one.
 void use_own_threads()
 {
   if (threads_of_this == 0)
     set_blas_threads(1);
 }
 
-// Memory that a factorisation is granted until it has taken it; another one that no longer fits beside it waits.
+// Memory reserved for a factorisation until it has allocated it; another one for which no memory is left waits.
 class MemoryGrant {
 public:
   MemoryGrant(const double needed, const double limit) : bytes(needed)

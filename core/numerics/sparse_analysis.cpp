@@ -27,18 +27,18 @@ struct NodeGraph {
 };
 
 // Orders of the small graphs asked for last.  All harmonics of a ring have one graph, and METIS, which works for
-// one thread at a time, takes longer for it than the factorisation.  The same graph has the same order, so nobody
+// one thread at a time, takes longer for it than the factorisation.  The same graph has the same order, so no one
 // can tell.
 class KnownOrders {
 public:
   std::optional<std::vector<idx_t>> find(const NodeGraph &graph)
   {
     const std::lock_guard lock(access);
-    const auto found =
+    const auto match =
         std::find_if(known.begin(), known.end(), [&](const Known &one) { return one.graph == graph; });
-    if (found == known.end())
+    if (match == known.end())
       return std::nullopt;
-    std::rotate(known.begin(), found, found + 1);
+    std::rotate(known.begin(), match, match + 1);
     return known.front().order;
   }
   void add(const NodeGraph &graph, const std::vector<idx_t> &order)
@@ -79,7 +79,7 @@ std::vector<idx_t> nested_dissection(NodeGraph &graph, const long n_unknowns)
   {
     // METIS draws from the C library's rand(), which all threads share: two orderings at once would depend on
     // chance.
-    const std::lock_guard alone(random_numbers_of_c());
+    const std::lock_guard alone(rand_access());
     status = METIS_NodeND(&n, graph.start.data(), graph.adjacent.data(), nullptr, options, order.data(),
                           inverse.data());
   }
@@ -214,11 +214,11 @@ public:
                                              const std::vector<int> &retained)
   {
     const std::lock_guard lock(access);
-    const auto found = std::find_if(known.begin(), known.end(),
+    const auto match = std::find_if(known.begin(), known.end(),
                                     [&](const Known &one) { return one.is_of(K, node_of, retained); });
-    if (found == known.end())
+    if (match == known.end())
       return nullptr;
-    std::rotate(known.begin(), found, found + 1);
+    std::rotate(known.begin(), match, match + 1);
     return known.front().analysis;
   }
   void add(const SymmetricSparse &K, const std::vector<int> &node_of, const std::vector<int> &retained,
@@ -263,7 +263,7 @@ SolverError no_memory(const std::string &what, const double needed, const double
   const MemoryLeft left = memory_left();
   return SolverError({"out of memory: " + what + (needed > 0 ? " needs " + megabytes(needed) : ""),
                       (available > 0 ? megabytes(available) + " may be taken for it: " : "") +
-                          megabytes(left.bytes) + " are left, the end is set by " + left.end,
+                          megabytes(left.bytes) + " are left, the limit is set by " + left.end,
                       "a finer mesh than this machine or this limit can hold",
                       "a coarser mesh (contact.*.elements_per_half_width, dynamics.elements_per_radius), fewer "
                       "threads (--threads), or a higher limit",

@@ -21,7 +21,7 @@ struct FactorAnalysis {
   std::vector<int> value_of;  ///< (nonzeros) place in the matrix as it was given
 };
 
-/// Kept for the patterns asked for last: the same pattern has the same analysis, so nobody can tell.
+/// Kept for the patterns asked for last: the same pattern has the same analysis, so the results are the same.
 /// @param K, node_of, retained  as CondensingFactor
 /// @throws SolverError  no memory
 /// Cost: a third of a factorisation of 30 000 unknowns of a section; a comparison of the pattern where it is

@@ -25,7 +25,7 @@ double entry(const char *path, const std::string &name)
   return unknown;
 }
 
-// A page of a file that can be read again counts as free.
+// A page of a file that can be read again is treated as free.
 double left_in_container()
 {
   const double v2 = entry("/sys/fs/cgroup/memory.max", "") - entry("/sys/fs/cgroup/memory.current", "") +

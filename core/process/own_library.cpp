@@ -11,7 +11,7 @@ namespace mill {
 namespace {
 [[noreturn]] void refuse_library(const std::string &path, const std::string &why)
 {
-  throw SystemError("the finite elements are a library beside the program, '" + path +
+  throw SystemError("the finite elements are a library in the folder of the program, '" + path +
                     "', which cannot be used: " + why +
                     "; build or copy both together (cmake --build --preset release --target millstand)");
 }
@@ -36,10 +36,10 @@ void *function_of_own_library(const char *library, const char *function)
       throw std::bad_alloc();
     refuse_library(path, why);
   }
-  const auto *build = static_cast<const char *const *>(dlsym(opened, "millstand_build"));
-  void *const found = dlsym(opened, function);
-  if (build == nullptr || found == nullptr || std::string(*build) != MILLSTAND_BUILD)
+  const auto *build  = static_cast<const char *const *>(dlsym(opened, "millstand_build"));
+  void *const symbol = dlsym(opened, function);
+  if (build == nullptr || symbol == nullptr || std::string(*build) != MILLSTAND_BUILD)
     refuse_library(path, "it is of another build");
-  return found;
+  return symbol;
 }
 }  // namespace mill

@@ -83,7 +83,7 @@ void share_tasks(const long n, const int threads, const std::function<void(long)
   tasks.rethrow();
 }
 
-std::mutex &random_numbers_of_c()
+std::mutex &rand_access()
 {
   static std::mutex access;
   return access;

@@ -13,5 +13,5 @@ void share_tasks(long n, int threads, const std::function<void(long)> &task);
 
 /// For libraries that seed and draw from rand() of the C library (METIS, Gmsh): one at a time, else what they make
 /// would depend on the schedule.
-std::mutex &random_numbers_of_c();
+std::mutex &rand_access();
 }  // namespace mill

@@ -24,7 +24,7 @@ StageWork::~StageWork()
   if (!outer)
     return;
   const std::lock_guard lock(outer->access);
-  outer->shared += shared;  // what this thread did itself the outer stage counts anyway
+  outer->shared += shared;  // the outer stage includes the work of this thread in any case
 }
 
 double StageWork::processor_seconds() const
@@ -55,8 +55,8 @@ void StageWork::add(const Factorisation &f)
   stage_of_thread->factors[{f.order, f.nonzeros, f.flops}] += f.times;
 }
 
-// A thread that shares its own work counts already.
-StageWork::Share::Share(StageWork *of) : stage(of), before(stage_of_thread), start(thread_seconds())
+// A thread that shares its own work is already included.
+StageWork::Share::Share(StageWork *work) : stage(work), before(stage_of_thread), start(thread_seconds())
 {
   stage_of_thread = stage;
 }

@@ -13,8 +13,8 @@ struct Factorisation {
   int times       = 1;  ///< how many alike
 };
 
-/// What a stage costs beside wall time: processor seconds of its own thread and of those that share its work, and
-/// the factorisations.  Stages nest; a factorisation belongs to the innermost.
+/// Cost of a stage in addition to wall time: processor seconds of its own thread and of those that share its work,
+/// and the factorisations.  Stages nest; a factorisation belongs to the innermost.
 class StageWork {
 public:
   StageWork();  ///< the stage of this thread from here on

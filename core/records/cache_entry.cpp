@@ -1,6 +1,5 @@
 #include "core/records/cache_entry.h"
 #include "core/base/files.h"
-#include "core/base/uninterrupted.h"
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -24,15 +23,15 @@ std::string checksum_of(const std::string &bytes)
   };
   constexpr std::size_t lanes = 4, stride = lanes * sizeof(std::uint64_t);
   std::uint64_t sums[lanes] = {1, 2, 3, 4}, total = bytes.size();
-  std::size_t at = 0;
-  for (; at + stride <= bytes.size(); at += stride) {
+  std::size_t position = 0;
+  for (; position + stride <= bytes.size(); position += stride) {
     std::uint64_t words[lanes];
-    std::memcpy(words, bytes.data() + at, stride);
+    std::memcpy(words, bytes.data() + position, stride);
     for (std::size_t lane = 0; lane < lanes; ++lane)
       add(sums[lane], words[lane]);
   }
-  for (; at < bytes.size(); ++at)
-    add(total, static_cast<unsigned char>(bytes[at]));
+  for (; position < bytes.size(); ++position)
+    add(total, static_cast<unsigned char>(bytes[position]));
   for (const std::uint64_t sum : sums)
     add(total, sum);
   return fmt::format("words {:016x}", total);
@@ -61,8 +60,7 @@ int read_all(const int file, const std::size_t expected, std::string &text)
 std::string text_of(const std::string &path, std::string &reason)
 {
   // O_NONBLOCK: opening a pipe would wait for somebody who writes into it.
-  const int file =
-      uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC); });
+  const int file = open_file(path, O_RDONLY | O_NONBLOCK);
   if (file < 0) {
     if (errno != ENOENT)
       reason = std::strerror(errno);
@@ -73,7 +71,7 @@ std::string text_of(const std::string &path, std::string &reason)
   if (::fstat(file, &status) != 0)
     reason = std::strerror(errno);
   else if (!S_ISREG(status.st_mode))
-    reason = S_ISDIR(status.st_mode) ? "it is a folder" : "it is no regular file";
+    reason = S_ISDIR(status.st_mode) ? "it is a folder" : "it is not a regular file";
   else if (const int error = read_all(file, std::size_t(status.st_size), text); error != 0)
     reason = std::strerror(error);
   else if (text.empty())
@@ -106,7 +104,7 @@ std::optional<std::string> read_cache_entry(const std::string &path, const std::
     return refused(reason);
   const std::size_t key_at = kind.size() + 1, sum_at = key_at + key.size() + 1;
   if (text.compare(0, key_at, kind + "\n") != 0)
-    return refused("it is no " + kind);
+    return refused("it is not a " + kind);
   if (text.compare(key_at, key.size() + 1, key + "\n") != 0)
     return refused("it belongs to other inputs");
   const std::size_t sum_end = text.find('\n', sum_at);

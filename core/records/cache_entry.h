@@ -11,7 +11,7 @@ namespace mill {
 void write_cache_entry(const std::string &path, const std::string &kind, const std::string &key,
                        const std::string &bytes);
 
-/// The bytes kept under a key, or nothing: there is no entry, or it is not used and `note` says why (another kind,
+/// The bytes kept under a key, or nothing: no entry exists, or it is not used and `note` says why (another kind,
 /// version or key; damaged; no regular file; not readable).  An entry only saves time, so nothing is thrown, and
 /// what stands in its place (a folder, a pipe, a device) is neither waited for nor read.
 std::optional<std::string> read_cache_entry(const std::string &path, const std::string &kind,

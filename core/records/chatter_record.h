@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// What a run stores about chatter beside its tables: curves/chatter-<slug>.json holds a ChatterCondition,
+// What a run stores about chatter in addition to its tables: curves/chatter-<slug>.json holds a ChatterCondition,
 // curves/chatter-tandem.json a ChatterTandem.  dynamics/ and app/ fill the records, report/ draws them.  A number
 // that is not known is NaN, a text or list empty.
 namespace mill {
@@ -102,7 +102,7 @@ struct ChatterConclusion {
   std::string detail;
 };
 
-/// A value of a condition beside a published and a measured one.
+/// A value of a condition with a published and a measured one.
 struct ChatterPublished {
   std::string quantity, unit;
   double here      = not_given;  ///< in unit
@@ -133,7 +133,7 @@ struct ChatterCondition {
 struct ChatterTandem {
   std::vector<std::string> stands;
   std::string verdict;
-  std::string sentence;                    ///< what was found, in words
+  std::string sentence;                    ///< the result in words
   double critical_speed  = not_given;      ///< m/s
   double frequency       = not_given;      ///< Hz
   double without_delay   = not_given;      ///< m/s, thickness waves forgotten on the way

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-// A planar stack of rolls as a run found it: curves/cluster.json.  cluster/ and app/ fill the record, report/
+// A planar stack of rolls as computed by a run: curves/cluster.json.  cluster/ and app/ fill the record, report/
 // draws it. SI; a number that is not known is NaN.
 namespace mill {
 struct ClusterRollRecord {
@@ -78,7 +78,7 @@ struct ClusterPassRecord {
   std::vector<ClusterHistoryRecord> histories;
 };
 
-/// A [[mode]] with a frequency, beside the computed one of the first pass.
+/// A [[mode]] with a frequency, and the computed one of the first pass.
 struct ClusterPublished {
   std::string name, shape;
   double frequency = not_given;  ///< Hz

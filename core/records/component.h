@@ -16,7 +16,7 @@ struct ComponentSurface {
 /// A body reduced to its interface and to its modes with that interface held (Craig and Bampton 1968).
 /// Coordinates, in this order: n_i interface displacements, then n_m modal amplitudes.  theory.md 21
 ///
-/// Everything counts the whole body (all symmetric parts of it), so that q^T M q / 2 is its kinetic energy.
+/// Everything refers to the whole body (all symmetric parts of it), so that q^T M q / 2 is its kinetic energy.
 struct Component {
   std::string name;                    ///< "work roll", "backup roll", "housing"
   std::string source;                  ///< how it was made: "finite elements, 12 345 unknowns of an eighth"

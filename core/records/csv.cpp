@@ -44,7 +44,7 @@ void require_increasing(const Sheet &sheet, const Eigen::VectorXd &time)
       const Cell &cell = sheet.cell(std::size_t(i), c), &before = sheet.cell(std::size_t(i - 1), c);
       const auto message =
           time[i] == time[i - 1]
-              ? fmt::format("time {} {} stands twice; keep one of the two lines", cell.text, unit_txt)
+              ? fmt::format("time {} {} appears twice; keep one of the two lines", cell.text, unit_txt)
               : fmt::format("time {} {} comes after {} {}; sort the lines by time", cell.text, unit_txt,
                             before.text, unit_txt);
       throw InputError(std::vector<Problem>{

@@ -56,23 +56,24 @@ void read_names(const std::string &path, const Eigen::MatrixXd &readings, StandM
 {
   csv::Sheet sheet = csv::sheet_of(path, read_text(path), "of,number,name,coordinate,position [m],direction,unit");
   const auto column = [&](const char *name, const char *unit) { return csv::index_of(sheet, name, unit); };
-  const auto of = column("of", ""), name = column("name", ""), coordinate = column("coordinate", ""),
+  const auto owner = column("of", ""), name = column("name", ""), coordinate = column("coordinate", ""),
              position = column("position", "m"), unit = column("unit", "");
   std::size_t n = 0;
   for (std::size_t r = 0; r < sheet.n_rows(); ++r) {
-    const std::string kind = text_of(sheet.cell(r, of));
+    const std::string kind = text_of(sheet.cell(r, owner));
     if (kind == "unknown") {
-      const csv::Cell &at = sheet.cell(r, position);
+      const csv::Cell &cell = sheet.cell(r, position);
       name_unknown(s, text_of(sheet.cell(r, name)),
                    {text_of(sheet.cell(r, coordinate)),
-                    at.text.empty() ? std::nan("") : csv::number_of(at, "position", sheet),
+                    cell.text.empty() ? std::nan("") : csv::number_of(cell, "position", sheet),
                     text_of(sheet.cell(r, unit))});
       continue;
     }
     if (kind != "reading")
-      throw InputError(sheet.place(sheet.cell(r, of)), "\"" + kind + "\" is neither \"unknown\" nor \"reading\"");
+      throw InputError(sheet.place(sheet.cell(r, owner)),
+                       "\"" + kind + "\" is neither \"unknown\" nor \"reading\"");
     if (Eigen::Index(n) >= readings.rows())
-      throw InputError(sheet.place(sheet.cell(r, of)),
+      throw InputError(sheet.place(sheet.cell(r, owner)),
                        fmt::format("names reading {} of {}", n + 1, readings.rows()));
     if (Eigen::Index(n) + 1 < readings.rows())
       s.points.push_back({text_of(sheet.cell(r, name)), readings.row(Eigen::Index(n))});
@@ -92,16 +93,15 @@ void read_connections(const ModelFiles &files, StandModel &s)
              error = csv::index_of(sheet, "error_estimate", "");
   require_size(files.strains, rows, Eigen::Index(sheet.n_rows()), s.M.rows());
   for (std::size_t r = 0; r < sheet.n_rows();) {
-    const std::string own = text_of(sheet.cell(r, name));
-    std::size_t end       = r;
-    while (end < sheet.n_rows() && text_of(sheet.cell(end, name)) == own)
+    const std::string text = text_of(sheet.cell(r, name));
+    std::size_t end        = r;
+    while (end < sheet.n_rows() && text_of(sheet.cell(end, name)) == text)
       ++end;
     for (const Connection &other : s.connections)
-      if (other.name == own)
-        throw InputError(sheet.place(sheet.cell(r, name)), "\"" + own +
-                                                               "\" stands in two places; its springs "
-                                                               "follow each other");
-    Connection c{own, rows.middleRows(Eigen::Index(r), Eigen::Index(end - r)),
+      if (other.name == text)
+        throw InputError(sheet.place(sheet.cell(r, name)),
+                         "\"" + text + "\" appears in two places; its springs must be consecutive");
+    Connection c{text, rows.middleRows(Eigen::Index(r), Eigen::Index(end - r)),
                  Eigen::VectorXd(Eigen::Index(end - r))};
     if (const csv::Cell &cell = sheet.cell(r, error); !cell.text.empty())
       c.error_estimate = csv::number_of(cell, "error_estimate", sheet);

@@ -17,7 +17,7 @@ Eigen::MatrixXd readings_of(const StandModel &stand);
 std::string model_names_csv(const StandModel &stand);
 
 /// CSV: connection, stiffness [N/m], error_estimate; a row for each spring of each connection, in the order of
-/// strains_of(); an error that nobody knows is empty.
+/// strains_of(); an error that is not known is empty.
 std::string connections_csv(const StandModel &stand);
 /// (r, n): rows of all springs of all connections.
 Eigen::MatrixXd strains_of(const StandModel &stand);

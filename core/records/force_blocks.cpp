@@ -1,10 +1,11 @@
 #include "core/records/force_blocks.h"
 #include "core/base/csv_sheet.h"
 #include "core/base/errors.h"
-#include "core/base/uninterrupted.h"
+#include "core/base/files.h"
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -33,13 +34,13 @@ bool has_content(std::string_view line)
 template <class Visit> void each_content(const std::string &lines, Visit visit)
 {
   int number = 0;
-  for (std::size_t at = 0; at < lines.size();) {
-    const std::size_t end  = std::min(lines.find('\n', at), lines.size() - 1) + 1;
-    const std::string line = lines.substr(at, end - at);
+  for (std::size_t begin = 0; begin < lines.size();) {
+    const std::size_t end  = std::min(lines.find('\n', begin), lines.size() - 1) + 1;
+    const std::string line = lines.substr(begin, end - begin);
     ++number;
     if (has_content(line) && visit(line, number))
       return;
-    at = end;
+    begin = end;
   }
 }
 
@@ -54,8 +55,9 @@ ForceBlocks::ForceBlocks(std::string path, const std::size_t bytes) : path_(std:
   std::error_code error;
   const auto status = std::filesystem::status(path_, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw InputError(path_ + " is no regular file; a record that is read in blocks is read twice");
-  file_.reset(uninterrupted([&] { return std::fopen(path_.c_str(), "rb"); }));
+    throw InputError(path_ + " is not a regular file; a record that is read in blocks is read twice");
+  if (const int file = open_file(path_, O_RDONLY); file >= 0)
+    file_.reset(::fdopen(file, "rb"));
   if (!file_)
     refuse_file(errno, "cannot read " + path_ + ": " + std::strerror(errno));
   size_ = (long long)(std::filesystem::file_size(path_, error));

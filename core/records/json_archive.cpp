@@ -51,8 +51,8 @@ const Node *find(const Node &object, const char *name)
 {
   if (!object.is_object())
     return nullptr;
-  const auto found = object.find(name);
-  return found == object.end() ? nullptr : &*found;
+  const auto entry = object.find(name);
+  return entry == object.end() ? nullptr : &*entry;
 }
 
 const Node *element(const Node &list, const std::size_t i)

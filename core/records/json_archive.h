@@ -30,8 +30,8 @@ void put(Node &node, const std::string &value);
 const Node *find(const Node &object, const char *name);  ///< nullptr when absent
 const Node *element(const Node &list, std::size_t i);    ///< nullptr when there is none
 bool is_object(const Node &node);
-std::size_t length(const Node &list);                   ///< 0 when it is no list
-std::vector<std::string> names_in(const Node &object);  ///< empty when it is no object
+std::size_t length(const Node &list);                   ///< 0 when it is not a list
+std::vector<std::string> names_in(const Node &object);  ///< empty when it is not an object
 void get(const Node &node, double &value);
 void get(const Node &node, int &value);
 void get(const Node &node, bool &value);
@@ -105,8 +105,8 @@ public:
   explicit Reader(const Node &node) : node_(node) {}
   template <class T> void operator()(const char *name, T &value)
   {
-    if (const Node *found = find(node_, name))
-      Reader(*found).read(value);
+    if (const Node *entry = find(node_, name))
+      Reader(*entry).read(value);
   }
   template <class T> void read(T &value)
   {

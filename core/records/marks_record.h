@@ -65,7 +65,7 @@ struct MarkMeeting {
 /// Side bands that a roll's rotation gives.
 struct SideBands {
   std::string roll;
-  double below = not_given, above = not_given;  ///< Hz, first pair beside the frequency of the marks
+  double below = not_given, above = not_given;  ///< Hz, first pair next to the frequency of the marks
   double off            = not_given;  ///< -, measured distance over the rotation, less one; nan: none measured
   double exact_speed    = not_given;  ///< m/s, of the strip at which the rotation is the measured distance
   double exact_diameter = not_given;  ///< m, of a roll that turns so often
@@ -90,7 +90,7 @@ struct MarksRecord {
   std::vector<MarkMeeting> meetings;
   std::vector<SideBands> side_bands;
   std::vector<MarkMap> maps;
-  std::vector<std::string> notes;  ///< what could not be said, one sentence each
+  std::vector<std::string> notes;  ///< what could not be determined, one sentence each
 };
 
 template <class Io, class R, if_record<R, MarksQuestion> = 0> void each_member(Io &&io, R &record)

@@ -16,14 +16,14 @@ constexpr long most_rows = 10000;
 class Lines {
 public:
   Lines(std::string path, const std::string &content) : file(std::move(path)), text(content) {}
-  /// False at the end of the file.
+  /// False position the end of the file.
   bool next(std::vector<std::string> &words)
   {
-    while (at < text.size()) {
+    while (position < text.size()) {
       ++line;
-      const std::size_t end   = std::min(text.find('\n', at), text.size());
-      const std::string whole = text.substr(at, end - at);
-      at                      = end + 1;
+      const std::size_t end   = std::min(text.find('\n', position), text.size());
+      const std::string whole = text.substr(position, end - position);
+      position                = end + 1;
       words.clear();
       if (line > 1 && !whole.empty() && whole[0] == '%')
         continue;
@@ -48,7 +48,7 @@ public:
     char *end          = nullptr;
     const double value = std::strtod(word.c_str(), &end);
     if (end != word.c_str() + word.size() || !std::isfinite(value))
-      refuse("\"" + word + "\" is no finite number");
+      refuse("\"" + word + "\" is not a finite number");
     return value;
   }
   long count(const std::string &word, const long most) const
@@ -56,15 +56,15 @@ public:
     char *end        = nullptr;
     const long value = std::strtol(word.c_str(), &end, 10);
     if (end != word.c_str() + word.size() || value < 1 || value > most)
-      refuse(fmt::format("\"{}\" is no whole number from 1 to {}", word, most));
+      refuse(fmt::format("\"{}\" is not a whole number from 1 to {}", word, most));
     return value;
   }
 
 private:
   std::string file;
   const std::string &text;
-  std::size_t at = 0;
-  int line       = 0;
+  std::size_t position = 0;
+  int line             = 0;
 };
 
 struct Form {
@@ -73,11 +73,11 @@ struct Form {
 
 Form form_of(const std::vector<std::string> &words, const Lines &lines)
 {
-  const auto is = [&](const std::size_t i, const char *a, const char *b) {
+  const auto word_is = [&](const std::size_t i, const char *a, const char *b) {
     return i < words.size() && (words[i] == a || words[i] == b);
   };
-  if (words.size() != 5 || words[0] != "%%MatrixMarket" || words[1] != "matrix" || !is(2, "coordinate", "array") ||
-      !is(3, "real", "integer") || !is(4, "general", "symmetric"))
+  if (words.size() != 5 || words[0] != "%%MatrixMarket" || words[1] != "matrix" ||
+      !word_is(2, "coordinate", "array") || !word_is(3, "real", "integer") || !word_is(4, "general", "symmetric"))
     lines.refuse("the first line must be \"%%MatrixMarket matrix coordinate real general\" (or array, integer, "
                  "symmetric)");
   return {words[2] == "coordinate", words[4] == "symmetric"};

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-// Everything a record holds, as text: what a stored result is found by and recognised by.
+// Everything a record holds, as text: the key by which a stored result is looked up and recognised.
 namespace mill {
 /// Collects members as "name=value;".  Doubles keep every bit, texts their length, matrices their bytes' hash; a
 /// record inside a record is asked for its own members.

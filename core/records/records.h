@@ -38,7 +38,7 @@ struct ForceRecord {
   std::vector<std::string> notes;  ///< what was repaired on reading, one sentence each, for the report
 };
 
-/// Measured accelerations that stand beside a response.
+/// Measured accelerations for comparison with a response.
 struct MeasuredRecord {
   Eigen::VectorXd time;             ///< (n) s, increasing
   Eigen::VectorXd upper_work_roll;  ///< (n) m/s2

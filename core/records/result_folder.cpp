@@ -1,7 +1,6 @@
 #include "core/records/result_folder.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
-#include "core/base/uninterrupted.h"
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -20,32 +19,32 @@ namespace mill {
 namespace {
 const std::string staging_prefix = ".run-";
 const char *const journal_name   = ".publishing";  // folder of a run between its switch and its end
-const char *const list_name      = ".names";       // in it: which names the run has, one a line
-const char *const lock_name      = ".lock";        // in a staging folder: its owner holds it
+const char *const list_name      = ".names";       // in the journal: the names that the run has, one on each line
+const char *const lock_name      = ".lock";        // in a staging folder: its owner holds the lock of this file
 
 bool lock(const int file, const int how)
 {
   return file >= 0 && lock_file(file, how);
 }
 
-// Is there such an entry?  Not knowing is not a no.
-bool stands(const std::string &path)
+// Is there such an entry?  Where the system gives no answer, this throws.
+bool exists(const std::string &path)
 {
-  struct stat found {};
-  if (::lstat(path.c_str(), &found) == 0)
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) == 0)
     return true;
   if (errno == ENOENT || errno == ENOTDIR)
     return false;
-  refuse_file(errno, Place{path}, std::string("cannot be looked at: ") + std::strerror(errno));
+  refuse_file(errno, Place{path}, std::string("cannot be inspected: ") + std::strerror(errno));
 }
 
-std::string said_with_remedy(const std::string &directory, const std::string &why)
+std::string with_remedy(const std::string &directory, const std::string &reason)
 {
-  return why + "; the new results are complete in " + directory + "/" + journal_name + ", `millstand report " +
-         directory + "` puts them in their places";
+  return reason + "; the new results are complete in " + directory + "/" + journal_name + ", `millstand report " +
+         directory + "` moves them into place";
 }
 
-// An interrupted rename is made again.
+// Repeats a rename that a signal interrupted.
 int moved(const Rename &rename, const std::string &from, const std::string &to)
 {
   int failed = 0;
@@ -55,7 +54,7 @@ int moved(const Rename &rename, const std::string &from, const std::string &to)
   return failed;
 }
 
-// One journal while it is carried out.
+// A journal that is being carried out.
 struct Journal {
   const std::string directory;
   const Rename &rename;
@@ -65,7 +64,7 @@ struct Journal {
   {
     if (moved(rename, from, to) != 0)
       refuse_file(errno, Place{to},
-                  said_with_remedy(directory, std::string("cannot be written: ") + std::strerror(errno)));
+                  with_remedy(directory, std::string("cannot be written: ") + std::strerror(errno)));
   }
 
   std::set<std::string> names() const
@@ -81,51 +80,60 @@ struct Journal {
     return names;
   }
 
-  // Every entry that is not of the new run leaves, results.json first.
+  // Moves away every entry that is not of the new run, results.json first.
   void clear(const std::set<std::string> &names) const
   {
     const std::string earlier = path + "/.earlier-" + random_name();
     if (::mkdir(earlier.c_str(), 0777) != 0)
       refuse_file(errno, Place{earlier},
-                  said_with_remedy(directory, std::string("cannot be made: ") + std::strerror(errno)));
+                  with_remedy(directory, std::string("cannot be created: ") + std::strerror(errno)));
     for (const std::string &name : result_names()) {
-      const bool placed = names.count(name) && !stands(path + "/" + name);
-      if (!placed && stands(directory + "/" + name))
+      const bool placed = names.count(name) && !exists(path + "/" + name);
+      if (!placed && exists(directory + "/" + name))
         move(directory + "/" + name, earlier + "/" + name);
     }
   }
 
-  // results.json last: a folder that has one is whole.
+  // Moves the new entries into place, results.json last: a folder that has one is complete.
   void place(const std::set<std::string> &names) const
   {
     for (auto name = result_names().rbegin(); name != result_names().rend(); ++name)
-      if (names.count(*name) && stands(path + "/" + *name))
+      if (names.count(*name) && exists(path + "/" + *name))
         move(path + "/" + *name, directory + "/" + *name);
   }
 };
 
-// Names of the staged run; an empty folder is none.
+// Names of the staged run; an empty folder is not one of them.
 std::vector<std::string> staged_names(const std::string &staged)
 {
   std::vector<std::string> names;
   for (const std::string &name : result_names()) {
     const std::string path = staged + "/" + name;
-    if (stands(path) && !(fs::is_directory(path) && fs::is_empty(path)))
+    if (exists(path) && !(fs::is_directory(path) && fs::is_empty(path)))
       names.push_back(name);
   }
   return names;
 }
 
+void sync_with_content(const std::string &path)
+{
+  if (fs::is_directory(fs::symlink_status(path)))
+    for (const std::string &name : names_in(path))
+      sync_with_content(path + "/" + name);
+  sync_to_disk(path);
+}
+
+// The folder itself, also where its name is a symbolic link.
+void sync_folder(const std::string &directory)
+{
+  sync_to_disk(directory + "/.");
+}
+
 void sync_all(const std::string &staged, const std::vector<std::string> &names)
 {
-  for (const std::string &name : names) {
-    const std::string path = staged + "/" + name;
-    if (fs::is_directory(path))
-      for (const auto &entry : fs::recursive_directory_iterator(path))
-        sync_to_disk(entry.path().string());
-    sync_to_disk(path);
-  }
-  sync_to_disk(staged);
+  for (const std::string &name : names)
+    sync_with_content(staged + "/" + name);
+  sync_folder(staged);
 }
 }  // namespace
 
@@ -150,8 +158,7 @@ const std::vector<std::string> &result_names()
 }
 
 FolderLock::FolderLock(const std::string &directory)
-    : folder(uninterrupted([&] { return ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); })),
-      locked(lock(folder, LOCK_EX))
+    : folder(open_file(directory, O_RDONLY | O_DIRECTORY)), locked(lock(folder, LOCK_EX))
 {
 }
 
@@ -169,16 +176,15 @@ bool FolderLock::held() const
 void finish_publishing(const std::string &directory, const Rename &rename)
 {
   const Journal journal{directory, rename};
-  if (!stands(journal.path))
+  if (!exists(journal.path))
     return;
   const auto names = journal.names();
   journal.clear(names);
   journal.place(names);
-  sync_to_disk(directory);
+  sync_folder(directory);
   const std::string done = directory + "/" + staging_prefix + random_name();
-  journal.move(journal.path, done);  // the end of the journal; what is left of it belongs to nobody
-  std::error_code ignored;
-  fs::remove_all(done, ignored);
+  journal.move(journal.path, done);  // the end of the journal; remove_leftovers() removes what stays of it
+  remove_folder(done);
 }
 
 void require_replaceable(const std::string &directory)
@@ -189,7 +195,7 @@ void require_replaceable(const std::string &directory)
     if (fs::is_directory(fs::symlink_status(path, ignored)) && ::access(path.c_str(), W_OK) != 0)
       refuse_file(errno, Place{path},
                   std::string("cannot be replaced: ") + std::strerror(errno) +
-                      "; the earlier results are as they were, choose another folder with -o");
+                      "; the earlier results are unchanged, choose another folder with -o");
   }
 }
 
@@ -207,30 +213,37 @@ void publish_results(const std::string &staged, const std::string &directory, co
   if (moved(rename, staged, journal) != 0)
     refuse_file(errno, Place{directory},
                 std::string("cannot be written: ") + std::strerror(errno) +
-                    "; the earlier results are as they were, choose another folder with -o");
-  sync_to_disk(directory);
+                    "; the earlier results are unchanged, choose another folder with -o");
+  sync_folder(directory);
   finish_publishing(directory, rename);
 }
 
-void require_published(const std::string &directory)
+WholeRun::WholeRun(const std::string &directory) : lock(directory.empty() ? "." : directory)
 {
   const std::string folder = directory.empty() ? "." : directory;
-  const FolderLock alone(folder);  // a run that publishes now is waited for
-  if (stands(folder + "/" + journal_name))
-    throw InputError("a run was interrupted while its results took their places in " + folder +
-                     "; `millstand report " + folder + "` puts them there");
+  if (!exists(folder + "/" + journal_name))
+    return;
+  std::string reason = "this file system has no locks, so that the run may still be at work";
+  if (lock.held())
+    try {
+      finish_publishing(folder);
+      return;
+    } catch (const SystemError &error) {
+      reason = error.what();
+    }
+  throw InputError("a run was interrupted while it replaced the results in " + folder +
+                   ", and the replacement cannot be completed (" + reason + "); `millstand report " + folder +
+                   "` completes it where the folder may be written");
 }
 
 Staging::Staging(const std::string &directory) : folder(directory + "/" + staging_prefix + random_name()), lock(-1)
 {
   if (::mkdir(folder.c_str(), 0777) == 0)
-    lock = uninterrupted([&] {
-      return ::open((folder + "/" + lock_name).c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-    });
+    lock = open_file(folder + "/" + lock_name, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW);
   if (lock < 0) {
     const int error = errno;
     ::rmdir(folder.c_str());
-    refuse_file(error, "the folder " + directory + " cannot be made: " + std::strerror(error) +
+    refuse_file(error, "the folder " + directory + " cannot be created: " + std::strerror(error) +
                            "; choose another with -o");
   }
   mill::lock(lock, LOCK_EX | LOCK_NB);  // where there are no locks, nothing is ever removed either
@@ -238,8 +251,7 @@ Staging::Staging(const std::string &directory) : folder(directory + "/" + stagin
 
 Staging::~Staging()
 {
-  std::error_code ignored;
-  fs::remove_all(folder, ignored);
+  remove_folder(folder);
   ::close(lock);
 }
 
@@ -257,16 +269,16 @@ void remove_leftovers(const std::string &directory)
 {
   remove_stale_parts(directory);
   std::error_code error;
-  for (const auto &entry : fs::directory_iterator(directory, error)) {
-    if (!is_staging(entry.path().filename().string()))
+  for (const std::string &entry : names_in(directory, error)) {
+    if (!is_staging(entry))
       continue;
-    const std::string name = (entry.path() / lock_name).string();
-    int file = uninterrupted([&] { return ::open(name.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC); });
+    const std::string staging = directory + "/" + entry, name = staging + "/" + lock_name;
+    int file = open_file(name, O_RDWR | O_NOFOLLOW | O_NONBLOCK);
     if (file < 0 && errno == EACCES)
-      file = uninterrupted([&] { return ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC); });
+      file = open_file(name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
     const bool dead = file < 0 ? errno == ENOENT : lock(file, LOCK_EX | LOCK_NB);
     if (dead)
-      fs::remove_all(entry.path(), error);
+      remove_folder(staging);
     if (file >= 0)
       ::close(file);
   }

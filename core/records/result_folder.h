@@ -3,17 +3,19 @@
 #include <string>
 #include <vector>
 
-// A result folder shows one run.  What a new run wrote lies complete in a folder of its own inside the result
-// folder until one rename makes it a journal, DIR/.publishing: before that rename the folder holds the earlier
-// run, after it the new one.  The journal is carried out at once, or by whoever opens the folder next where that
-// was interrupted: first all of the earlier run leaves, then the new files take their places, so that files of two
-// runs never stand side by side, whenever it stops.  Files that no run writes are not touched.
+// A result folder shows one run.  The files of a new run are collected in a folder of their own inside the result
+// folder until one rename makes that folder a journal, DIR/.publishing: before this rename the result folder holds
+// the earlier run, after it the new one.  The journal is carried out at once.  Where that was interrupted, the
+// next program that opens the folder completes it, whether it writes or only reads (WholeRun).  First every file
+// of the earlier run is moved away, then the new files are moved into place, so that files of two runs are never
+// visible together, wherever it stops.  Files that no run writes are not touched.  A result folder may be a
+// symbolic link: it is followed.
 namespace mill {
-/// What a run may leave at the top of its folder, files and folders; results.json first.
+/// Files and folders that a run may leave at the top of its folder; results.json first.
 const std::vector<std::string> &result_names();
 
 /// Holds the folder for one process: runs that end together publish one after the other, and a reader sees a whole
-/// folder.  The lock is the kernel's and goes with the process.
+/// folder.  The kernel keeps the lock and releases it when the process ends.
 class FolderLock {
 public:
   explicit FolderLock(const std::string &directory);  ///< waits for its turn
@@ -27,31 +29,41 @@ private:
   bool locked;
 };
 
-/// std::rename, or what stands in for it in a test: 0, or -1 and errno.
+/// std::rename, or its substitute in a test: 0, or -1 and errno.
 using Rename = std::function<int(const char *from, const char *to)>;
 
-/// @throws SystemError  folders of the earlier run could not leave, being another user's
+/// @throws SystemError  folders of the earlier run belong to another user and could not be moved away
 void require_replaceable(const std::string &directory);
 
-/// Puts what `staged`, a folder inside `directory`, holds under result_names() in the place of the earlier run,
-/// and removes `staged`.  The folder's lock is held by the caller.
-/// @throws SystemError  with path and reason; until the switch the earlier results are as they were, from then on
-/// the
-///                     new ones are complete in DIR/.publishing and finish_publishing() puts them in their places
+/// Replaces the earlier run by the entries of `staged`, a folder inside `directory`, that are in result_names(),
+/// and removes `staged`.  The caller holds the folder's lock.
+/// @throws SystemError  with path and reason; until the switch the earlier results are unchanged, from then on the
+/// new
+///                      ones are complete in DIR/.publishing and finish_publishing() moves them into place
 void publish_results(const std::string &staged, const std::string &directory, const Rename &rename = {});
 
-/// Carries out the journal that an interrupted run left in a folder; nothing where there is none.  The folder's
-/// lock is held by the caller.  @throws SystemError  with path and reason; may be called again
+/// Carries out the journal that an interrupted run left in a folder; does nothing where there is no journal.  The
+/// caller holds the folder's lock.  @throws SystemError  with path and reason; may be called again
 void finish_publishing(const std::string &directory, const Rename &rename = {});
 
-/// @throws InputError  the folder holds a journal: what is read there may be of the earlier run or missing
-void require_published(const std::string &directory);
+/// Holds a folder while files of its run are read: a run that publishes now is waited for, and the journal of an
+/// interrupted one is carried out first.  One process holds a folder once.
+/// @throws InputError  there is a journal and it cannot be carried out, for instance in a folder that is
+/// read-only: no
+///                     run is complete there
+class WholeRun {
+public:
+  explicit WholeRun(const std::string &directory);
+
+private:
+  FolderLock lock;
+};
 
 /// A folder DIR/.run-<random> in which a run collects its files.  It belongs to a living process as long as the
-/// lock on its file .lock is held, in whatever container and of whatever user.
+/// lock on its file .lock is held, in any container and by any user.
 class Staging {
 public:
-  /// Made while the caller holds the folder's lock.  @throws InputError  it cannot be made
+  /// Created while the caller holds the folder's lock.  @throws InputError  it cannot be created
   explicit Staging(const std::string &directory);
   ~Staging();  ///< removes what was not published
   Staging(const Staging &)            = delete;
@@ -66,7 +78,7 @@ private:
 /// Is this the name of a staging folder?
 bool is_staging(const std::string &name);
 
-/// Removes the staging folders of runs that are no longer alive and what they wrote aside; one that cannot be told
-/// from a living one stays. The folder's lock is held by the caller.
+/// Removes the staging folders of runs that are no longer alive and their temporary files; one that may belong to
+/// a living run stays.  The caller holds the folder's lock.
 void remove_leftovers(const std::string &directory);
 }  // namespace mill

@@ -77,9 +77,9 @@ Check check(const CheckId id, const double value, std::string note)
 
 const Check *find_check(const std::vector<Check> &checks, const CheckId id)
 {
-  const auto found =
+  const auto match =
       std::find_if(checks.begin(), checks.end(), [&](const Check &c) { return c.name == name_of(id); });
-  return found == checks.end() ? nullptr : &*found;
+  return match == checks.end() ? nullptr : &*match;
 }
 
 const Check *find_published(const std::vector<Check> &checks)
@@ -94,18 +94,18 @@ const Check *find_published(const std::vector<Check> &checks)
 
 double value_beside(const std::vector<Check> &checks, const CheckId id)
 {
-  const Check *found = find_check(checks, id);
-  return found ? found->value : std::numeric_limits<double>::quiet_NaN();
+  const Check *check = find_check(checks, id);
+  return check ? check->value : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::string curve_path(const CurveKind &kind, const std::string &item, const std::string &of)
+std::string curve_path(const CurveKind &kind, const std::string &item, const std::string &quantity)
 {
   std::string path = std::string("curves/") + kind.family;
   if (kind.has_item)
     path += "-" + item;
-  if (*kind.ending || !of.empty())
+  if (*kind.ending || !quantity.empty())
     path += kind.joint;
-  return path + kind.ending + of;
+  return path + kind.ending + quantity;
 }
 
 namespace {
@@ -116,10 +116,10 @@ std::optional<CurveName> as(const CurveKind &kind, const std::string &rest)
   if (ending.empty())
     return CurveName{&kind, rest, ""};
   if (ending.back() == '-') {
-    const std::size_t at = rest.rfind(ending);
-    if (at == std::string::npos || at == 0 || at + ending.size() == rest.size())
+    const std::size_t begin = rest.rfind(ending);
+    if (begin == std::string::npos || begin == 0 || begin + ending.size() == rest.size())
       return std::nullopt;
-    return CurveName{&kind, rest.substr(0, at), rest.substr(at + ending.size())};
+    return CurveName{&kind, rest.substr(0, begin), rest.substr(begin + ending.size())};
   }
   if (rest.size() <= ending.size() || rest.compare(rest.size() - ending.size(), ending.size(), ending) != 0)
     return std::nullopt;
@@ -134,9 +134,9 @@ std::optional<CurveName> curve_name(const std::string &path)
     const std::string start = std::string("curves/") + kind->family + "-";
     if (path.size() <= start.size() || path.compare(0, start.size(), start) != 0)
       continue;
-    const auto found = as(*kind, path.substr(start.size()));
-    if (found && (!best || found->item.size() < best->item.size()))  // the longest ending
-      best = found;
+    const auto name = as(*kind, path.substr(start.size()));
+    if (name && (!best || name->item.size() < best->item.size()))  // the longest ending
+      best = name;
   }
   return best;
 }
@@ -149,6 +149,7 @@ void require_columns(const CurveKind &kind, const Table &table)
       throw std::logic_error(curve_path(kind) + " has no column " + kind.columns[n].name + " at place " +
                              std::to_string(n + 1));
   if (!kind.more && table.names.size() > n)
-    throw std::logic_error(curve_path(kind) + " has a column " + table.names[n] + " that no table of names knows");
+    throw std::logic_error(curve_path(kind) + " has a column " + table.names[n] +
+                           " that no table of names contains");
 }
 }  // namespace mill

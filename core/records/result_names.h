@@ -7,7 +7,7 @@
 #include <vector>
 
 // Names that one stage writes and another one reads: results, the files in curves/ with their columns, the checks
-// beside a number.  Each is written here once.
+// next to a number.  Each is written here once.
 namespace mill {
 
 // Results ------------------------------------------------------------------------------------------------------
@@ -19,7 +19,7 @@ constexpr const char *contact = "contact", *bite = "bite", *chatter = "chatter",
                      *nonlinear = "nonlinear";
 }
 
-/// Second part of the names of what a fit of the bite finds, "bite.fit.friction"; no pass has this name beside it.
+/// Second part of the names of what a fit of the bite finds, "bite.fit.friction"; no pass may have this name.
 constexpr const char *bite_fit = "fit";
 
 /// Parts joined by dots: result_name({family::bite, "pass 1", "force"}) = "bite.pass 1.force"; empty ones are left
@@ -57,7 +57,7 @@ enum class CheckId {
 /// The name under which it stands in results.json and on the page.
 const char *name_of(CheckId id);
 Check check(CheckId id, double value, std::string note = "");
-/// nullptr when none of the checks is that one.
+/// nullptr when no check has this id.
 const Check *find_check(const std::vector<Check> &checks, CheckId id);
 /// The first one that was published; nullptr without.
 const Check *find_published(const std::vector<Check> &checks);
@@ -116,7 +116,7 @@ constexpr std::array<CurveColumn, 8> of_speed{
     {{"speed", "m/s"}, {"growth_rate", "1/s"}}
 };
 
-// Inline: a kind is told from another one by its address.
+// Inline: kinds are distinguished by their addresses.
 // To add a curve of a contact or a bearing to the report: a line here and its name in `all`, and the stage that
 // writes it.
 inline constexpr CurveKind contact{"contact", true, "", "this run", Figure::load_approach, of_contact};
@@ -270,7 +270,7 @@ inline constexpr CurveKind poles{"poles",
                                  Figure::section,
                                  {{{"pole", ""}, {"frequency", "Hz"}, {"damping", ""}}}};
 
-/// Those that are told by the name of their file.
+/// Those that are recognised by the name of their file.
 inline constexpr const CurveKind *all[] = {&contact,
                                            &contact_in_stand,
                                            &contact_second,
@@ -309,7 +309,7 @@ constexpr const char *tandem_item = "tandem";
 
 /// "curves/contact-upper-barrel".
 /// @param of  what of, where the ending of the kind is open ("map-"): "tension"
-std::string curve_path(const CurveKind &kind, const std::string &item = "", const std::string &of = "");
+std::string curve_path(const CurveKind &kind, const std::string &item = "", const std::string &quantity = "");
 
 /// What a file in curves/ is, by its path without ending ".csv".
 struct CurveName {
@@ -317,8 +317,8 @@ struct CurveName {
   std::string item;  ///< "upper"
   std::string of;    ///< "tension"
 };
-/// Nothing when its family is none of those above.  An ending that no kind has leaves the kind of the item itself,
-/// where the family has one: curves_of tells such a file from an item.
+/// Nothing when its family is not one of those above.  An ending that no kind has leaves the kind of the item
+/// itself, where the family has one: curves_of tells such a file from an item.
 std::optional<CurveName> curve_name(const std::string &path);
 
 /// Throws std::logic_error when the columns are not those of the kind: our own bug.

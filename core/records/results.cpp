@@ -14,10 +14,10 @@ ordered_json json_of(const Parameter &parameter)
       {"source", source_text(parameter)},
       {"at",     parameter.at.text()   }
   };
-  for (const OperatingPoint::Value &at : parameter.at.values())  // the numbers of that text
+  for (const OperatingPoint::Value &number : parameter.at.values())  // the numbers of that text
     json["at_values"].push_back({
-        {"value", at.value},
-        {"unit",  at.unit }
+        {"value", number.value},
+        {"unit",  number.unit }
     });
   json["error_estimate"] = parameter.error_estimate;  // NaN, none can be stated, becomes null
   if (!parameter.error_lacks.empty())

@@ -16,10 +16,11 @@ struct EstimateRecord {
 /// All scalar results of a run in the order they were computed.  Names are those of the product's contract.
 struct Results {
   std::vector<std::pair<std::string, Parameter>> values;
-  std::vector<std::string> warnings;          ///< one sentence each, shown in the status banner
-  std::vector<std::string> assumptions;       ///< what nobody knows and the run had to assume, one sentence each
-  std::vector<EstimateRecord> estimates;      ///< the one that costs most accuracy first
-  std::vector<std::string> left_at_template;  ///< keys whose values are still those of the template
+  std::vector<std::string> warnings;  ///< one sentence each, shown in the status banner
+  std::vector<std::string>
+      assumptions;  ///< values that are not known and were assumed by the run, one sentence each
+  std::vector<EstimateRecord> estimates;                   ///< the one that costs most accuracy first
+  std::vector<std::string> left_at_template;               ///< keys whose values are still those of the template
   void add(const std::string &name, Parameter parameter);  ///< a name twice is our bug
   const Parameter *find(const std::string &name) const;    ///< nullptr when absent
 };

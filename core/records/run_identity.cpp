@@ -34,23 +34,26 @@ void require_one_run(const std::string &file, const std::string &run_id, const s
 {
   if (run_id.empty() || other_run_id.empty() || run_id == other_run_id)
     return;
-  throw InputError(Place{file},
-                   fmt::format("is of run {}, but {} beside it of run {}: the folder mixes two runs; run "
-                               "the case again",
-                               run_id, fs::path(other_file).filename().string(), other_run_id));
+  throw InputError(
+      Place{file},
+      fmt::format("is of run {}, but {} in the same folder is of run {}: the folder mixes two runs; run "
+                  "the case again",
+                  run_id, fs::path(other_file).filename().string(), other_run_id));
 }
 
-void require_unmixed(const std::string &path, const std::string &text)
+std::string read_toml_text(const std::string &path)
 {
   const fs::path file = path, folder = file.parent_path();
   const auto &names = result_names();
   if (std::find(names.begin(), names.end(), file.filename().string()) == names.end())
-    return;
-  require_published(folder.string());
+    return read_text(path);
+  const WholeRun run(folder.string());
+  const std::string text     = read_text(path);
   const std::string manifest = (folder / "run.json").string();
   const auto json            = nlohmann::json::parse(text_if_readable(manifest).value_or(""), nullptr, false);
   if (json.is_object() && json.contains("run_id") && json["run_id"].is_string())
     require_one_run(path, run_id_of_toml(text), manifest, json["run_id"].get<std::string>());
+  return text;
 }
 
 bool is_summed(const std::string &name)
@@ -63,14 +66,18 @@ std::map<std::string, std::string> checksums_below(const std::string &directory,
                                                    const std::map<std::string, std::string> &known)
 {
   std::map<std::string, std::string> sums;
-  for (const char *part : summed_parts)
-    if (fs::is_directory(fs::path(directory) / part))
-      for (const auto &entry : fs::directory_iterator(fs::path(directory) / part))
-        if (entry.is_regular_file()) {
-          const std::string name = part + ("/" + entry.path().filename().string());
-          const auto found       = known.find(name);
-          sums[name] = found != known.end() ? found->second : hash_of(read_text(entry.path().string()));
-        }
+  for (const char *part : summed_parts) {
+    const std::string folder = directory + "/" + part;
+    if (!fs::is_directory(folder))
+      continue;
+    for (const std::string &file : names_in(folder)) {
+      const std::string path = folder + "/" + file, name = part + ("/" + file);
+      if (!fs::is_regular_file(path))
+        continue;
+      const auto sum = known.find(name);
+      sums[name]     = sum != known.end() ? sum->second : hash_of(read_text(path));
+    }
+  }
   return sums;
 }
 
@@ -81,8 +88,8 @@ void require_unchanged(const std::string &directory, const std::map<std::string,
     const std::string path = directory + "/" + name;
     if (fs::exists(path) && hash_of(read_text(path)) != sum)
       throw InputError(Place{path},
-                       fmt::format("is not the file that run {} wrote: it was changed since, or is of "
-                                   "another run; run the case again, or put the file back",
+                       fmt::format("is not the file that run {} wrote: it was changed since then, or is of "
+                                   "another run; run the case again, or restore the file",
                                    run_id));
   }
 }

@@ -47,7 +47,7 @@ void write_mesh(const std::string &path, const std::function<std::string(const s
   const std::string aside = name_aside(path, ".msh");  // Gmsh goes by the ending
   std::string missing;
   {
-    const std::lock_guard alone(random_numbers_of_c());
+    const std::lock_guard alone(rand_access());
     missing = write(aside);
   }
   try {

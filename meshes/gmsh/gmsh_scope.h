@@ -6,7 +6,7 @@ namespace mill::meshes {
 inline constexpr int line_type = 1, quad_type = 3, hex_type = 5;  ///< Gmsh's numbers of element types
 
 /// Gmsh is one global state: this scope opens it and closes it, silent and with one model.  Whoever calls holds
-/// random_numbers_of_c(), as write_mesh() does.
+/// rand_access(), as write_mesh() does.
 class GmshScope {
 public:
   GmshScope();

@@ -24,7 +24,8 @@ std::string arrangement_sentence(const BearingInfo &info)
     return "";
   const bool assumed = info("row_hands_assumed") > 0;
   return " Rows: <code>" + escaped(arrangement_name(info.hands, int(rows))) + "</code>" +
-         (assumed ? ", <b>assumed</b>: the case does not give <code>row_hands</code>" : ", as the case gives it") +
+         (assumed ? ", <b>assumed</b>: the case does not give <code>arrangement</code>"
+                  : ", as the case gives it") +
          ". The arrangement decides how a tilt shares the load between the rows, their axial forces and the "
          "stiffness against tilting.";
 }

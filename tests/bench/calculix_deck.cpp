@@ -100,7 +100,7 @@ constexpr int faces[6][4] = {
 
 DeckMesh read_mesh(const MeshFile &file)
 {
-  const std::lock_guard alone(random_numbers_of_c());
+  const std::lock_guard alone(rand_access());
   const meshes::GmshScope gmsh_is_open;
   gmsh::open(file.path);
   DeckMesh mesh;

@@ -50,8 +50,8 @@ std::vector<bearing::ChockSupport> supports_across(const RollerBearing &b)
 }
 
 namespace {
-// Stiffness across the load by the model of the case, by the standard, by Palmgren (NaN beside contact elements,
-// where nobody asks), and by every companion.
+// Stiffness across the load by the model of the case, by the standard, by Palmgren (NaN with contact elements,
+// where it is not asked for), and by every other model.
 Eigen::VectorXd all_across(RunContext &run, const BearingStudy &s)
 {
   const BearingQuestion &q = s.question;
@@ -81,7 +81,7 @@ Parameter bearing_across(RunContext &run, const BearingStudy &s, const std::vect
   p.error_estimate = s.parts.roller ? std::abs(s.slice_deviation) : std::abs(iso / palmgren - 1);
   for (const double companion : all.tail(all.size() - 3))
     p.error_estimate += mesh_pair_error(p.value, companion, 2);
-  if (liner && q.bearing.support_assumed)  // nobody said that the liner carries the whole side
+  if (liner && q.bearing.support_assumed)  // the case does not say that the liner carries the whole side
     p.error_estimate += std::abs(s.tangent_across / p.value - 1);
   p.checks = {
       {"ISO/TS 16281, rigid rings", iso, ""}

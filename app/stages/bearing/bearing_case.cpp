@@ -39,10 +39,10 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
   mass.curve.force.resize(n);
   mass.curve.tangent.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const auto &at             = study.curve.states[std::size_t(i)];
-    mass.curve.displacement[i] = at.motion[0];
-    mass.curve.force[i]        = at.load[0];
-    mass.curve.tangent[i]      = bearing::radial_tangent(at, study.loading);
+    const auto &state          = study.curve.states[std::size_t(i)];
+    mass.curve.displacement[i] = state.motion[0];
+    mass.curve.force[i]        = state.load[0];
+    mass.curve.tangent[i]      = bearing::radial_tangent(state, study.loading);
   }
   mass.mean_load    = {spec.load.radial, 0};
   mass.direction    = {std::cos(e.direction), std::sin(e.direction)};

@@ -25,25 +25,25 @@ Eigen::VectorXd column(const bearing::AssemblyCurve &curve, const Eigen::Index n
 Table load_table(const BearingStudy &s)
 {
   const auto n           = Eigen::Index(s.curve.states.size());
-  const auto tangent     = [&](const AssemblyState &at) { return bearing::radial_tangent(at, s.loading); };
-  const auto whole       = [](const AssemblyState &at) { return double(at.loaded_rollers.sum()); };
-  const auto row_rollers = [](const AssemblyState &at) { return double(at.loaded_rollers.maxCoeff()); };
+  const auto tangent     = [&](const AssemblyState &state) { return bearing::radial_tangent(state, s.loading); };
+  const auto whole       = [](const AssemblyState &state) { return double(state.loaded_rollers.sum()); };
+  const auto row_rollers = [](const AssemblyState &state) { return double(state.loaded_rollers.maxCoeff()); };
   Table t;
   t.add("load", "N", Eigen::Map<const Eigen::VectorXd>(s.question.loads.data(), n))
-      .add("displacement", "m", column(s.curve, n, [](const AssemblyState &at) { return at.motion[0]; }))
+      .add("displacement", "m", column(s.curve, n, [](const AssemblyState &state) { return state.motion[0]; }))
       .add("secant", "N/m", column(s.curve, n, bearing::radial_secant))
       .add("tangent", "N/m", column(s.curve, n, tangent))
       .add("loaded_rollers", "", column(s.curve, n, row_rollers))
       .add("loaded_rollers_all_rows", "", column(s.curve, n, whole))
       .add("roller_max", "N",
-           column(s.curve, n, [](const AssemblyState &at) { return at.roller_load.maxCoeff(); }))
+           column(s.curve, n, [](const AssemblyState &state) { return state.roller_load.maxCoeff(); }))
       .add("rigid_secant", "N/m", column(s.rigid_curve, n, bearing::radial_secant))
       .add("rigid_tangent", "N/m", column(s.rigid_curve, n, tangent))
       .add("standard_secant", "N/m", column(s.standard_curve, n, bearing::radial_secant))
       .add("standard_tangent", "N/m", column(s.standard_curve, n, tangent));
   for (int r = 0; r < s.question.bearing.rows; ++r)
     t.add(fmt::format("row{}_share", r + 1), "",
-          column(s.curve, n, [r](const AssemblyState &at) { return at.row_share[r]; }));
+          column(s.curve, n, [r](const AssemblyState &state) { return state.row_share[r]; }));
   return t;
 }
 
@@ -92,10 +92,10 @@ Table law_table(const BearingStudy &s)
     loads[i] = largest * std::pow(30., double(i) / (n - 1) - 1);
   Table t;
   t.add("load", "N", loads);
-  const auto add = [&](const std::string &name, const auto &at) {
+  const auto add = [&](const std::string &name, const auto &function) {
     Eigen::VectorXd secant(n), tangent(n);
     for (int i = 0; i < n; ++i) {
-      const auto [approach, slope] = at(loads[i]);
+      const auto [approach, slope] = function(loads[i]);
       secant[i]                    = loads[i] / approach;
       tangent[i]                   = slope;
     }
@@ -218,17 +218,17 @@ void write_bearing(RunContext &run, const BearingStudy &s)
   else if (s.parts.roller) {
     write_curve(run, curve::bearing_tilt, name, readings.table("tilt", [&] { return tilt_table(s); }));
     std::optional<fem::RollerContactState> heaviest;
-    const auto pressure = [&](const char *side, fem::RollerSide fem::RollerContactState::*of) {
+    const auto pressure = [&](const char *side, fem::RollerSide fem::RollerContactState::*side_state) {
       return readings.table(side, [&] {
         if (!heaviest)
           heaviest = heaviest_roller(s);
-        return pressure_table(s.parts.roller->grid, (*heaviest).*of);
+        return pressure_table(s.parts.roller->grid, (*heaviest).*side_state);
       });
     };
     write_curve(run, curve::bearing_pressure_inner, name, pressure("inner", &fem::RollerContactState::inner));
     write_curve(run, curve::bearing_pressure_outer, name, pressure("outer", &fem::RollerContactState::outer));
   }
-  if (const Table beside = published_table(s); !beside.columns.empty())
-    write_curve(run, curve::bearing_published, name, beside);
+  if (const Table published = published_table(s); !published.columns.empty())
+    write_curve(run, curve::bearing_published, name, published);
 }
 }  // namespace mill

@@ -65,10 +65,10 @@ fem::RingResult condensed_rings(RunContext &run, const RollerBearing &b, const b
   const std::string key = ring_key(b, datum);
   const auto make       = [&] {
     const RingSections sections = bearing::ring_sections(b, datum);
-    const std::string own       = "rings-" + key;
-    const RingMeshes fine       = meshes::mesh_rings(sections, {}, run.out.staging(), own);
+    const std::string name      = "rings-" + key;
+    const RingMeshes fine       = meshes::mesh_rings(sections, {}, run.out.staging(), name);
     const RingMeshes coarse =
-        meshes::mesh_rings(sections, meshes::coarsened({}), run.out.staging(), own + "-coarse");
+        meshes::mesh_rings(sections, meshes::coarsened({}), run.out.staging(), name + "-coarse");
     auto result = fem::ring_flexibility(sections, fine, &coarse, {}, run.progress, run.threads);
     meshes::remove_meshes(fine);
     meshes::remove_meshes(coarse);
@@ -100,7 +100,7 @@ fem::RingResult condensed_surroundings(RunContext &run, const bearing::ChockSupp
                                     file_name(run, "rings", key), key, fem::load_rings, make, fem::save_rings);
 }
 
-// What the law of one roller counts of the rings; the rest is theirs.
+// The part of the rings that the law of one roller includes; the remainder belongs to the rings.
 bearing::RacewayDatum datum_of(const RollerBearing &b)
 {
   const auto walls = bearing::ring_walls(b);
@@ -190,19 +190,20 @@ CondensedParts condensed_parts(RunContext &run, const RollerBearing &b, const do
   CondensedParts parts;
   std::vector<IndependentStage> stages;
   if (b.rings == "elastic")
-    stages.push_back([&](RunContext &own) { parts.rings = condensed_rings(own, b, datum_of(b)); });
+    stages.push_back([&](RunContext &part_run) { parts.rings = condensed_rings(part_run, b, datum_of(b)); });
   if (b.roller_law == "fe") {
     const auto setup = setup_of(b, bearing::ring_walls(b), land_of(b), largest_load);
     const auto name  = "roller of bearing " + b.name;
-    stages.push_back([&, setup, name](RunContext &own) { parts.roller = condensed_roller(own, name, setup); });
-    stages.push_back([&, setup, name](RunContext &own) {
-      parts.coarse_roller = condensed_roller(own, name + ", coarse mesh", coarsened(setup));
+    stages.push_back(
+        [&, setup, name](RunContext &part_run) { parts.roller = condensed_roller(part_run, name, setup); });
+    stages.push_back([&, setup, name](RunContext &part_run) {
+      parts.coarse_roller = condensed_roller(part_run, name + ", coarse mesh", coarsened(setup));
     });
   }
   for (const bearing::ChockSupport &support : supports) {
     auto &result = parts.surroundings[support.name];
-    stages.push_back([&](RunContext &own) {
-      result = condensed_surroundings(own, support, datum_of(b), fem::RingOptions().chock_harmonics);
+    stages.push_back([&](RunContext &part_run) {
+      result = condensed_surroundings(part_run, support, datum_of(b), fem::RingOptions().chock_harmonics);
     });
   }
   run_side_by_side(run, std::move(stages));
@@ -325,7 +326,7 @@ void check_fit(const Case &the_case, const RollerBearing &b, std::vector<Problem
        {}});
 }
 
-// A drawing that cannot be meshed, said before anything is computed.
+// Refuses a drawing that cannot be meshed, before anything is computed.
 void check_drawing(const Case &the_case, const RollerBearing &b, std::vector<Problem> &problems)
 {
   if (b.rings != "elastic" && b.roller_law != "fe")
@@ -352,7 +353,7 @@ std::vector<std::string> said_of_bearings(const Case &the_case)
           "bearing.{}: the apex condition closes at a cup angle of {:.4g} deg; cup_angle is {:.4g} deg", b.name,
           closing * 180 / M_PI, b.cup_angle * 180 / M_PI));
     if (b.row_hands_assumed)
-      out.push_back(fmt::format("bearing.{}: row_hands is not given; {} is assumed", b.name,
+      out.push_back(fmt::format("bearing.{}: arrangement is not given; {} is assumed", b.name,
                                 arrangement_name(b.row_hands, b.rows)));
   }
   return out;

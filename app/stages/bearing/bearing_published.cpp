@@ -86,10 +86,10 @@ Eigen::MatrixXd loads_that_fit(const BearingStudy &s, const Eigen::VectorXd &val
   for (const double one : value)
     name += fmt::format(" {:a}", one);
   const Eigen::VectorXd fits = s.readings->numbers(name, [&] {
-    Eigen::MatrixX2d found(value.size(), 2);
+    Eigen::MatrixX2d points(value.size(), 2);
     for (Eigen::Index r = 0; r < value.size(); ++r)
-      found.row(r) << where(secant, value[r], 10, 2e5), where(tangent, value[r], 10, 2e5);
-    return Eigen::VectorXd(found.reshaped());
+      points.row(r) << where(secant, value[r], 10, 2e5), where(tangent, value[r], 10, 2e5);
+    return Eigen::VectorXd(points.reshaped());
   });
   return fits.reshaped(value.size(), 2);
 }
@@ -182,7 +182,7 @@ void add_published_results(RunContext &run, const std::string &prefix, const Bea
   };
   fit(
       "load_that_fits_tangent",
-      [&](const bearing::AssemblyState &at) { return bearing::radial_tangent(at, s.loading); }, "tangent");
+      [&](const bearing::AssemblyState &state) { return bearing::radial_tangent(state, s.loading); }, "tangent");
   fit("load_that_fits_secant", bearing::radial_secant, "secant");
 }
 }  // namespace mill

@@ -10,8 +10,8 @@ struct RowRollers {
 };
 RowRollers heaviest_of_rows(const bearing::AssemblyState &state);
 
-/// Published per-roller stiffnesses beside the computed ones: at the load of the case, and the roller loads at
-/// which the law of one roller fits them (NaN: at none up to 200 kN).  Empty without published values.
+/// Published stiffnesses of one roller compared with the computed ones: at the load of the case, and the roller
+/// loads at which the law of one roller fits them (NaN: at none up to 200 kN).  Empty without published values.
 Table published_table(const BearingStudy &study);
 
 /// Adds what links published per-roller values and total: the sums with Z/5 and with the factor that mechanics

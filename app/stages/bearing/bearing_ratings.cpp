@@ -35,9 +35,9 @@ struct RatedBearing {
   {
     return loads.dynamic > 1e-9 * study.at.roller_load.sum();
   }
-  bearing::ReferenceLife life(const bearing::AssemblyState &at, const bool edge = true) const
+  bearing::ReferenceLife life(const bearing::AssemblyState &state, const bool edge = true) const
   {
-    return bearing::reference_life(bearing, at, C, edge);
+    return bearing::reference_life(bearing, state, C, edge);
   }
   double a_ISO(const double kappa, const double contamination, const double P) const
   {
@@ -74,7 +74,7 @@ double ratio_error(const double a, const double b)
   return std::isfinite(a) && std::isfinite(b) && b != 0 ? std::abs(a / b - 1) : not_given;
 }
 
-// Sizes of the drawing, whose own errors nobody states.
+// Sizes of the drawing, whose tolerances are not stated.
 std::vector<std::string> drawing_keys(const RollerBearing &b)
 {
   return keys_in("bearing." + b.name, "rollers_per_row roller_diameter roller_length cup_angle");
@@ -83,7 +83,7 @@ std::vector<std::string> drawing_keys(const RollerBearing &b)
 void add_basic_ratings(RatingResults &out, const RatedBearing &r)
 {
   const RollerBearing &b = r.bearing;
-  const std::string said =
+  const std::string message =
       b.catalogue_source.empty() ? "rating of the case" : b.designation + ", " + b.catalogue_source;
   const double from_hertz = bearing::radial_load_of_pressure(b, 4e9);
   const auto one          = [&](const char *name, const double value, const double published, const double formula,
@@ -93,9 +93,10 @@ void add_basic_ratings(RatingResults &out, const RatedBearing &r)
       checks.insert(
                    checks.begin(),
                    {standard, formula, b.estimated.empty() ? "from the rollers" : "the rollers are estimated from it"});
-    Parameter &p = out.add(name, "N", value, by_maker ? said : std::string(standard) + " from the rollers, (5.29)",
-                                    checks, by_maker && b.estimated.empty() ? ratio_error(formula, published) : not_given);
-    p.at         = {};
+    Parameter &p =
+        out.add(name, "N", value, by_maker ? message : std::string(standard) + " from the rollers, (5.29)", checks,
+                by_maker && b.estimated.empty() ? ratio_error(formula, published) : not_given);
+    p.at = {};
     if (by_maker)
       p.source = b.catalogue_source.empty() ? Source::given : Source::published;
     if (std::isnan(p.error_estimate))
@@ -144,8 +145,8 @@ void add_loads_and_safety(RatingResults &out, const RatedBearing &r)
 double add_basic_lives(RatingResults &out, const RatedBearing &r)
 {
   const auto life   = r.life(r.study.at);
-  const auto number = [&](const bearing::AssemblyState &at) { return r.life(at).life; };
-  std::vector<Check> beside{
+  const auto number = [&](const bearing::AssemblyState &state) { return r.life(state).life; };
+  std::vector<Check> checks{
       {"ISO/TS 16281, rigid rings", number(r.study.standard), ""},
       { "without the factor of the ends",          r.life(r.study.at,              false).life, ""}
   };
@@ -157,11 +158,11 @@ double add_basic_lives(RatingResults &out, const RatedBearing &r)
                 {"ISO/TS 16281 by slices", life.life, "the solved load of every roller"}
     },
             ratio_error(life.life, L10));
-    beside.push_back({"ISO 281", L10, "load of the rollers by a factor"});
+    checks.push_back({"ISO 281", L10, "load of the rollers by a factor"});
     error = std::max(std::isfinite(error) ? error : 0, ratio_error(L10, life.life));
   }
   out.add("L10r", "1", life.life,
-          "ISO/TS 16281 by slices of every roller, revolutions, (5.37); " + model_name(r.bearing), beside, error);
+          "ISO/TS 16281 by slices of every roller, revolutions, (5.37); " + model_name(r.bearing), checks, error);
   return error;
 }
 
@@ -192,14 +193,14 @@ void add_modified_life(RatingResults &out, const RatedBearing &r, const double e
                     "of typical contamination (ISO 281)",
                     b.name));
   }
-  std::vector<Check> beside;
+  std::vector<Check> checks;
   if (r.has_equivalent_load())
-    beside.push_back({"ISO 281, a_ISO L10",
+    checks.push_back({"ISO 281, a_ISO L10",
                       r.a_ISO(kappa, dirt, r.loads.dynamic) * bearing::basic_life(r.C, r.loads.dynamic),
                       "load of the rollers by a factor"});
   out.add("L10mr", "1", value,
           fmt::format("ISO 281, a_ISO L10r revolutions with kappa {:.3g} and e_C {:.3g}, (5.39)", kappa, dirt),
-          beside, error);
+          checks, error);
 }
 
 void add_speeds(RatingResults &out, const RatedBearing &r)
@@ -232,7 +233,7 @@ void add_speeds(RatingResults &out, const RatedBearing &r)
   });
 }
 
-// Numbers that nobody prints, from those that are printed.
+// Numbers that are not printed, from those that are printed.
 void add_estimates(RatingResults &out, const RollerBearing &b)
 {
   if (b.candidates.empty())
@@ -299,8 +300,8 @@ void add_rating_results(RunContext &run, const BearingStudy &s, const std::vecto
     add_loads_and_safety(out, rated);
   else
     run.assume(
-        fmt::format("bearing.{}: neither radial nor axial load, so there is no equivalent load, no S0 and no L10; "
-                    "the life by slices counts what every roller carries",
+        fmt::format("bearing.{}: neither radial nor axial load, therefore no equivalent load, no S0 and no L10; "
+                    "the life by slices uses the load of every roller",
                     b.name));
   add_modified_life(out, rated, add_basic_lives(out, rated));
   add_speeds(out, rated);

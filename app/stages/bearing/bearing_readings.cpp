@@ -54,8 +54,8 @@ Table BearingReadings::table(const std::string &name, const std::function<Table(
 {
   {
     const std::lock_guard lock(access);
-    if (const auto found = known.find(name); found != known.end())
-      return found->second;
+    if (const auto entry = known.find(name); entry != known.end())
+      return entry->second;
   }
   Table made = make();
   const std::lock_guard lock(access);

@@ -13,7 +13,7 @@ namespace mill {
 /// are taken.
 class BearingReadings {
 public:
-  /// @param inputs  everything that the solved bearing depends on, as text; what a reading depends on beside it
+  /// @param inputs  everything that the solved bearing depends on, as text; further inputs of a reading
   /// stands
   ///                in its name
   BearingReadings(RunContext &run, const std::string &inputs);

@@ -21,9 +21,9 @@ Parameter plain(const BearingStudy &s, const std::vector<std::string> &inputs)
   return p;
 }
 
-// The same number of the standard's model beside it, and of the other arrangements of the rows where nobody said
-// which one it is; their distance is no error of ours.
-std::vector<Check> beside(const BearingStudy &s, const StateNumber &number, const bool of_arrangement = false)
+// The same number by the model of the standard, and by the other arrangements of the rows where the case does not
+// say which one it is; their difference is not an error of the model.
+std::vector<Check> comparisons(const BearingStudy &s, const StateNumber &number, const bool of_arrangement = false)
 {
   std::vector<Check> checks{
       {"ISO/TS 16281, rigid rings", number(s.standard), ""}
@@ -41,8 +41,8 @@ std::vector<Check> beside(const BearingStudy &s, const StateNumber &number, cons
 // One number of the heaviest roller.
 StateNumber of_heaviest(Eigen::VectorXd RowRollers::*number)
 {
-  return [number](const bearing::AssemblyState &at) {
-    const RowRollers rows = heaviest_of_rows(at);
+  return [number](const bearing::AssemblyState &state) {
+    const RowRollers rows = heaviest_of_rows(state);
     Eigen::Index row;
     rows.load.maxCoeff(&row);
     return (rows.*number)[row];
@@ -51,7 +51,7 @@ StateNumber of_heaviest(Eigen::VectorXd RowRollers::*number)
 }  // namespace
 
 namespace {
-// What estimated rollers leave open of a stiffness, beside what the model leaves open.
+// Uncertainty of a stiffness from estimated rollers, in addition to that of the model.
 double with_estimates(const BearingStudy &s, const double error)
 {
   return error + stiffness_spread(s.question.bearing.candidates);
@@ -84,19 +84,21 @@ Parameter tangent_of(const BearingStudy &s, const std::vector<std::string> &inpu
   Parameter p = plain(s, inputs);
   p.value     = s.tangent;
   p.error_estimate =
-      with_estimates(s, error_of(s, [&](const auto &at) { return bearing::radial_tangent(at, s.loading); }));
+      with_estimates(s, error_of(s, [&](const auto &state) { return bearing::radial_tangent(state, s.loading); }));
   p.checks = s.tangent_checks;
   return p;
 }
 
 Parameter across_of(const BearingStudy &s, const std::vector<std::string> &inputs)
 {
-  const auto across = [&](const bearing::AssemblyState &at) { return bearing::stiffness_along(at, s.loading, 1); };
-  Parameter p       = plain(s, inputs);
-  p.value           = s.tangent_across;
-  p.error_estimate  = with_estimates(s, error_of(s, across));
+  const auto across = [&](const bearing::AssemblyState &state) {
+    return bearing::stiffness_along(state, s.loading, 1);
+  };
+  Parameter p      = plain(s, inputs);
+  p.value          = s.tangent_across;
+  p.error_estimate = with_estimates(s, error_of(s, across));
   p.method += ", across the load";
-  p.checks = beside(s, across);
+  p.checks = comparisons(s, across);
   return p;
 }
 
@@ -123,12 +125,12 @@ using Add =
 void add_stiffnesses(const BearingStudy &s, const Add &add)
 {
   add(
-      "axial", "N/m", [](const auto &at) { return at.tangent(2, 2); }, false,
+      "axial", "N/m", [](const auto &state) { return state.tangent(2, 2); }, false,
       ", tangent along the axis, all other motions held");
   if (std::isfinite(s.question.bearing.width))  // else the places of the rows are not known
     add(
-        "tilting", "N m/rad", [&](const auto &at) { return bearing::stiffness_along(at, s.loading, 4); }, true,
-        ", tangent against tilt in the plane of the load, loads and imposed motions held");
+        "tilting", "N m/rad", [&](const auto &state) { return bearing::stiffness_along(state, s.loading, 4); },
+        true, ", tangent against tilt in the plane of the load, loads and imposed motions held");
 }
 
 // How the ring stands under what else acts on it.
@@ -137,18 +139,19 @@ void add_motions(const BearingStudy &s, const Add &add)
   const BearingQuestion &q = s.question;
   if (std::isfinite(q.axial_displacement))
     add(
-        "axial_load", "N", [](const auto &at) { return at.load[2]; }, true,
+        "axial_load", "N", [](const auto &state) { return state.load[2]; }, true,
         ", under the imposed axial displacement");
   else if (q.axial != 0)
     add(
-        "axial_displacement", "m", [](const auto &at) { return at.motion[2]; }, true,
+        "axial_displacement", "m", [](const auto &state) { return state.motion[2]; }, true,
         ", of the inner ring from its concentric place");
   if (std::isfinite(q.moment))
     add(
-        "tilt", "rad", [](const auto &at) { return at.motion[4]; }, true, ", of the inner ring under the moment");
+        "tilt", "rad", [](const auto &state) { return state.motion[4]; }, true,
+        ", of the inner ring under the moment");
   else if (q.tilt != 0)
     add(
-        "moment", "N m", [](const auto &at) { return at.load[4]; }, true, ", that holds the imposed tilt");
+        "moment", "N m", [](const auto &state) { return state.load[4]; }, true, ", that holds the imposed tilt");
 }
 
 void add_rollers(const BearingStudy &s, const Add &add)
@@ -159,15 +162,15 @@ void add_rollers(const BearingStudy &s, const Add &add)
   const bool tilted = s.question.tilt != 0 || std::isfinite(s.question.moment);
   for (Eigen::Index r = 0; s.question.radial > 0 && r < s.at.row_share.size(); ++r)
     add(
-        fmt::format("row{}_share", r + 1), "1", [r](const auto &at) { return at.row_share[r]; }, tilted, "");
+        fmt::format("row{}_share", r + 1), "1", [r](const auto &state) { return state.row_share[r]; }, tilted, "");
   if (!(s.question.bearing.cup_angle > 0))
     return;
   for (Eigen::Index r = 0; r < s.at.row_axial.size(); ++r)
     add(
-        fmt::format("row{}_axial", r + 1), "N", [r](const auto &at) { return at.row_axial[r]; }, true,
+        fmt::format("row{}_axial", r + 1), "N", [r](const auto &state) { return state.row_axial[r]; }, true,
         ", axial force of the row on the cup");
   add(
-      "rib_max", "N", [](const auto &at) { return at.rib_force.maxCoeff(); }, false,
+      "rib_max", "N", [](const auto &state) { return state.rib_force.maxCoeff(); }, false,
       ", heaviest roller on the cone's rib");
 }
 }  // namespace
@@ -181,7 +184,7 @@ void add_bearing_results(RunContext &run, const std::string &prefix, const Beari
     p.value          = number(s.at);
     p.unit           = unit;
     p.error_estimate = error_of(s, number) + estimate_error(s, name);
-    p.checks         = beside(s, number, of_arrangement);
+    p.checks         = comparisons(s, number, of_arrangement);
     p.method += more;
     run.results.add(prefix + "." + name, p);
   };
@@ -221,7 +224,7 @@ void add_bearing_results(RunContext &run, const std::string &prefix, const Beari
 }
 
 namespace {
-// What is assumed of the rows decides results: said in amber, with what it is worth.
+// The assumed arrangement of the rows decides results: a warning states the range of these.
 void warn_of_arrangement(RunContext &run, const std::string &prefix, const BearingStudy &s)
 {
   const RollerBearing &b = s.question.bearing;
@@ -242,16 +245,17 @@ void warn_of_arrangement(RunContext &run, const std::string &prefix, const Beari
     shares = "the shares of the rows do not depend on it as long as nothing tilts";
   else
     for (Eigen::Index r = 0; r < s.rigid.row_share.size(); ++r)
-      shares += fmt::format("{} {}: {}", shares.empty() ? "shares between rigid rings, row" : ", row", r + 1,
-                            range([r](const auto &at) { return at.row_share[r]; }, "{:.1f} .. {:.1f} %", 100));
+      shares +=
+          fmt::format("{} {}: {}", shares.empty() ? "shares between rigid rings, row" : ", row", r + 1,
+                      range([r](const auto &state) { return state.row_share[r]; }, "{:.1f} .. {:.1f} %", 100));
   std::string tilting;
   if (std::isfinite(b.width))
     tilting = prefix + ".tilting between rigid rings: " +
-              range([&](const auto &at) { return bearing::stiffness_along(at, s.loading, 4); },
+              range([&](const auto &state) { return bearing::stiffness_along(state, s.loading, 4); },
                     "{:.3g} .. {:.3g} kN m/mrad; ", 1e-6);
   run.warn(fmt::format(
-      "bearing {}: row_hands is not given; {} is assumed, and {}.tilting, the axial forces of the rows "
-      "and, under tilt, their shares hang on it (others: {}). {}{}. Give bearing.{}.row_hands as the "
+      "bearing {}: arrangement is not given; {} is assumed, and {}.tilting, the axial forces of the rows "
+      "and, under tilt, their shares depend on it (alternatives: {}). {}{}. Give bearing.{}.arrangement as the "
       "drawing shows it",
       b.name, arrangement_name(b.row_hands, b.rows), prefix, others, tilting, shares, b.name));
 }
@@ -285,7 +289,7 @@ void note_bearing(RunContext &run, const std::string &prefix, const BearingStudy
   const int loaded = s.at.loaded_rollers.maxCoeff();
   if (loaded <= 2)
     run.warn(fmt::format("bearing {}: of {} rollers of a row {} carr{} {}; with a clearance of {:.4g} mm the "
-                         "stiffness hangs on the place of the cage",
+                         "stiffness depends on the position of the cage",
                          b.name, b.rollers_per_row, loaded, loaded == 1 ? "ies" : "y",
                          s.question.radial > 0 ? fmt::format("{:.4g} kN", s.question.radial / 1e3) : "the load",
                          1e3 * b.radial_clearance));

@@ -15,7 +15,7 @@ Parameter across_of(const BearingStudy &study, const std::vector<std::string> &i
 void add_bearing_results(RunContext &run, const std::string &prefix, const BearingStudy &study,
                          const std::vector<std::string> &inputs);
 
-/// Sentences about what was filled in and what is open, and warnings: rows whose arrangement nobody stated, and
+/// Sentences about what was filled in and what is open, and warnings: rows whose arrangement is not given, and
 /// where the result leaves its range: few rollers loaded, pressure beyond yield, rows on the far side.
 void note_bearing(RunContext &run, const std::string &prefix, const BearingStudy &study);
 }  // namespace mill

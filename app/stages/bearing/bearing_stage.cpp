@@ -41,7 +41,7 @@ std::array<Seat, 4> seats_of(const FourHigh &s)
 /// Radial load of one bearing and where it comes from.
 struct SeatLoad {
   double value;  // N
-  std::string said;
+  std::string message;
   bool assumed = false;
 };
 
@@ -107,10 +107,11 @@ OilFilmQuestion film_question(const FourHigh &stand, const Seat &seat, const dou
   return q;
 }
 
-/// Oil films of the backup rolls: stiffness along and across into `out`, the rest said once for the first pass.
+/// Oil films of the backup rolls: stiffness along and across into `out`, the other results once, for the first
+/// pass.
 class FilmSeats {
 public:
-  FilmSeats(RunContext &context, const FourHigh &of) : run(context), stand(of) {}
+  FilmSeats(RunContext &context, const FourHigh &four_high) : run(context), stand(four_high) {}
   void solve(const Seat &seat, const std::size_t i, const std::size_t pass, const SeatLoad &load,
              StandBearings &out)
   {
@@ -125,9 +126,9 @@ public:
       return;
     run.results.add(std::string(seat.name) + ".tangent", out.Kzc[i]);
     run.results.add(std::string(seat.name) + ".tangent_across", out.Kzc_across[i]);
-    if (said)
+    if (warned)
       return;
-    said = true;
+    warned = true;
     add_oil_film_results(run, study, inputs);
     write_oil_film(run, study);
     note_oil_film(run, study, true);
@@ -137,7 +138,7 @@ private:
   RunContext &run;
   const FourHigh &stand;
   std::map<std::pair<std::size_t, double>, OilFilmStudy> done;
-  bool said = false;
+  bool warned = false;
 };
 
 Parameter both(Parameter bearing)
@@ -164,7 +165,7 @@ void report_seat(RunContext &run, const Seat &seat, const SeatLoad &load, const 
     run.assume(fmt::format(
         "work_roll.bending_force differs between the chocks: {} is that of a bearing under the mean", seat.name));
   if (load.assumed)
-    run.assume(std::string(seat.section) + ".bearing_load is not given: " + load.said);
+    run.assume(std::string(seat.section) + ".bearing_load is not given: " + load.message);
 }
 
 // Where a bearing carries half the rolling force and nothing else.
@@ -219,9 +220,9 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
     }
   std::vector<IndependentStage> made;
   for (const auto &[name, bound] : largest)
-    made.push_back([&stand, &part = parts[name], of = name, most = bound](RunContext &own) {
+    made.push_back([&stand, &part = parts[name], of = name, most = bound](RunContext &part_run) {
       const RollerBearing &b = bearing_of(stand.bearings, of);
-      part                   = bearing_parts(own, b, most, supports_across(b));
+      part                   = bearing_parts(part_run, b, most, supports_across(b));
     });
   run_side_by_side(run, std::move(made));
   std::vector<StandBearings> out(forces.size());

@@ -67,7 +67,8 @@ std::vector<BearingVariant> companions_of(const BearingStudy &s)
   return out;
 }
 
-// Rows in the other arrangements in use, between rigid rings: what hangs on an arrangement that nobody stated.
+// Rows in the other usual arrangements, between rigid rings: the results that depend on an arrangement that is not
+// given.
 std::vector<BearingVariant> arrangements_of(const BearingStudy &s, const bearing::BearingModel &rigid)
 {
   std::vector<BearingVariant> out;
@@ -100,15 +101,15 @@ std::vector<StudyVariant> named(const std::vector<BearingVariant> &variants,
   return out;
 }
 
-// The radial stiffness by the other models, beside that of the case.
+// The radial stiffness by the models that the case does not use.
 void add_checks(BearingStudy &s, const bearing::AssemblyState &palmgren, const std::string &rigid_name)
 {
   const bool elastic      = s.question.bearing.rings == "elastic";
   const std::string other = elastic ? "rigid rings" : "another law of one roller";
-  const auto add = [&](const std::string &name, const bearing::AssemblyState &at, const std::string &note) {
-    s.tangent_checks.push_back({name, bearing::radial_tangent(at, s.loading), note});
+  const auto add = [&](const std::string &name, const bearing::AssemblyState &state, const std::string &note) {
+    s.tangent_checks.push_back({name, bearing::radial_tangent(state, s.loading), note});
     if (s.question.radial > 0)
-      s.secant_checks.push_back({name, bearing::radial_secant(at), note});
+      s.secant_checks.push_back({name, bearing::radial_secant(state), note});
   };
   add("ISO/TS 16281, rigid rings", s.standard, other);
   add("Palmgren, rigid rings", palmgren, other);
@@ -169,26 +170,26 @@ bearing::RingLoading drive_of(const BearingQuestion &q, const double radial)
 OperatingPoint operating_point(const BearingStudy &s)
 {
   const BearingQuestion &q = s.question;
-  OperatingPoint at        = "no radial load";
+  OperatingPoint load_text = "no radial load";
   if (q.radial > 0)
-    at = {"{} on one bearing", {{q.radial, "kN"}}};
+    load_text = {"{} on one bearing", {{q.radial, "kN"}}};
   if (std::isfinite(q.axial_displacement))
-    at.add(", {} along the axis", {
-                                      {q.axial_displacement, "um", ".4g"}
+    load_text.add(", {} along the axis", {
+                                             {q.axial_displacement, "um", ".4g"}
     });
   else if (q.axial != 0)
-    at.add(", {} axial", {
-                             {q.axial, "kN"}
+    load_text.add(", {} axial", {
+                                    {q.axial, "kN"}
     });
   if (std::isfinite(q.moment))
-    at.add(", moment {}", {
-                              {q.moment, "kN m", ".4g"}
+    load_text.add(", moment {}", {
+                                     {q.moment, "kN m", ".4g"}
     });
   else if (q.tilt != 0)
-    at.add(", tilted by {}", {
-                                 {q.tilt, "mrad", ".4g"}
+    load_text.add(", tilted by {}", {
+                                        {q.tilt, "mrad", ".4g"}
     });
-  return at;
+  return load_text;
 }
 
 std::string model_name(const RollerBearing &b)
@@ -249,15 +250,15 @@ SolvedBearing solve_all(RunContext &run, BearingStudy &s)
   run.progress.at("bearing " + q.bearing.name, 0);
   bearing::AssemblyCurve standard_curve, rigid_curve;
   const auto by = [&](const bearing::BearingModel &model, bearing::AssemblyCurve &curve,
-                      bearing::AssemblyState &at) {
+                      bearing::AssemblyState &state) {
     bearing::BearingAssembly assembly(model);
     curve = assembly.curve(loadings);
-    at    = assembly.solve(s.loading);
+    state = assembly.solve(s.loading);
   };
-  run_side_by_side(run, {[&](RunContext &own) {
+  run_side_by_side(run, {[&](RunContext &part_run) {
                            bearing::BearingAssembly assembly(s.parts.model);
                            s.curve = assembly.curve(loadings);
-                           out.at  = solve_or_keep(own, s, assembly);
+                           out.at  = solve_or_keep(part_run, s, assembly);
                          },
                          [&](RunContext &) { by(standard_model(q, "iso"), standard_curve, out.standard); },
                          [&](RunContext &) { by(rigid_model, rigid_curve, out.rigid); }});
@@ -279,9 +280,9 @@ SolvedBearing solved_or_kept(RunContext &run, BearingStudy &s)
   const std::string inputs = bearing_inputs_text(q, s.parts.roller ? s.parts.roller->setup.largest_load : 0);
   const std::string key    = hash_of(inputs);
   s.readings               = std::make_shared<BearingReadings>(run, inputs);
-  const auto save          = [&](const std::string &file, const std::string &of, const SolvedBearing &solved) {
+  const auto save          = [&](const std::string &file, const std::string &key, const SolvedBearing &solved) {
     if (!s.curve.failure)  // which the next run has to say again
-      save_bearing(file, of, solved);
+      save_bearing(file, key, solved);
   };
   return kept_part<SolvedBearing>(
       run, "bearing " + q.bearing.name, run.cache + "/bearing-" + key + ".bin", key, load_bearing,

@@ -29,7 +29,7 @@ struct StudyVariant {
   bearing::AssemblyState at;
 };
 
-/// One bearing at its working load, by the model of the case, and by the others that stand beside it.
+/// One bearing at its working load, by the model of the case, and by the models that it is compared with.
 struct BearingStudy {
   BearingQuestion question;
   BearingParts parts;

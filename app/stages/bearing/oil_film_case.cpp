@@ -58,9 +58,9 @@ Table film_load_table(const OilFilmStudy &s)
   const auto n        = Eigen::Index(s.by_load.size());
   Eigen::VectorXd way = Eigen::VectorXd::Constant(n, not_given), tangent = way;
   for (Eigen::Index i = 0; i < n; ++i)
-    if (const auto &at = s.by_load[std::size_t(i)]) {
-      way[i]     = s.question.bearing.clearance * at->eccentricity * std::cos(at->attitude);
-      tangent[i] = at->stiffness(0, 0);
+    if (const auto &state = s.by_load[std::size_t(i)]) {
+      way[i]     = s.question.bearing.clearance * state->eccentricity * std::cos(state->attitude);
+      tangent[i] = state->stiffness(0, 0);
     }
   const Eigen::VectorXd load = vector_of(s.question.loads);
   Table t;

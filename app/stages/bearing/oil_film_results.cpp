@@ -16,8 +16,8 @@ namespace {
 using bearing::OilFilmState;
 
 // The rigid, aligned film with a parabola along the bearing, and the short bearing, at the load and viscosity of
-// the state: what stands beside it.
-struct BesideFilm {
+// the state: the values that it is compared with.
+struct SimplerFilm {
   double eccentricity, attitude, short_eccentricity;
   Eigen::Matrix2d stiffness;                     // N/m, of the parabola
   Eigen::Matrix2d short_damping;                 // N s/m
@@ -55,13 +55,14 @@ double short_peak(const double length_ratio, const double e)
   return peak;
 }
 
-BesideFilm beside(const OilFilmQuestion &q, const OilFilmState &at)
+SimplerFilm simpler_film(const OilFilmQuestion &q, const OilFilmState &state)
 {
   const OilFilmBearing &b = q.bearing;
   const double R = b.diameter / 2, half = b.length / 2, w = q.load.speed, ratio = R / b.clearance;
-  const double pressure = at.viscosity * w * ratio * ratio, force = pressure * R * half, W = q.load.load / force;
+  const double pressure = state.viscosity * w * ratio * ratio, force = pressure * R * half,
+               W       = q.load.load / force;
   const double slender = b.length / b.diameter;
-  BesideFilm s;
+  SimplerFilm s;
   s.eccentricity          = bearing::parabolic_eccentricity(slender, W);
   const Eigen::Vector2d f = bearing::parabolic_force(slender, s.eccentricity);
   s.attitude              = -std::atan2(f[1], f[0]);
@@ -72,7 +73,7 @@ BesideFilm beside(const OilFilmQuestion &q, const OilFilmState &at)
   s.short_flow    = 2 * s.eccentricity * R * b.clearance * w * half;
   s.full_friction = (bearing::petroff_friction() / std::sqrt(1 - s.eccentricity * s.eccentricity) +
                      s.eccentricity * W * std::sin(s.attitude) / 2) *
-                    at.viscosity * w * R * R * ratio * half;
+                    state.viscosity * w * R * R * ratio * half;
   return s;
 }
 
@@ -123,7 +124,7 @@ Parameter film_entry(const OilFilmStudy &s, const std::vector<std::string> &inpu
   return p;
 }
 
-void add_matrices(RunContext &run, const std::string &prefix, const OilFilmStudy &s, const BesideFilm &other,
+void add_matrices(RunContext &run, const std::string &prefix, const OilFilmStudy &s, const SimplerFilm &other,
                   const std::vector<std::string> &inputs)
 {
   const char *axes[] = {"x", "y"};
@@ -189,21 +190,21 @@ Parameter film_stiffness(const OilFilmStudy &s, const std::vector<std::string> &
   p.unit         = "N/m";
   p.method += across ? ", across the load" : ", along the load";
   p.checks = {
-      {parabola_name, beside(s.question, s.solution.at).stiffness(axis, axis), rigid_note(s.question)}
+      {parabola_name, simpler_film(s.question, s.solution.at).stiffness(axis, axis), rigid_note(s.question)}
   };
   return p;
 }
 
 void add_oil_film_results(RunContext &run, const OilFilmStudy &s, const std::vector<std::string> &inputs)
 {
-  const std::string prefix = "bearing." + s.question.bearing.name + ".film.";
-  const OilFilmState &at   = s.solution.at;
-  const BesideFilm other   = beside(s.question, at);
-  const std::string note   = rigid_note(s.question);
-  const auto add           = [&](const char *name, const char *unit, double OilFilmState::*number,
+  const std::string prefix  = "bearing." + s.question.bearing.name + ".film.";
+  const OilFilmState &state = s.solution.at;
+  const SimplerFilm other   = simpler_film(s.question, state);
+  const std::string note    = rigid_note(s.question);
+  const auto add            = [&](const char *name, const char *unit, double OilFilmState::*number,
                        std::vector<Check> checks = {}, const double spread = 0) {
     Parameter p      = plain_film(s, inputs);
-    p.value          = at.*number;
+    p.value          = state.*number;
     p.unit           = unit;
     p.error_estimate = mesh_pair_error(s.solution.fine.*number, s.solution.coarse.*number, second_order) + spread;
     p.checks         = std::move(checks);
@@ -228,12 +229,12 @@ void add_oil_film_results(RunContext &run, const OilFilmStudy &s, const std::vec
       {
           {short_name, other.short_peak, "L/D -> 0"}
   });
-  const double streamers = std::abs(at.power_streamers / at.power_loss - 1);
+  const double streamers = std::abs(state.power_streamers / state.power_loss - 1);
   const double w         = s.question.load.speed;
   add("power_loss", "W", &OilFilmState::power_loss,
       {
           {"full film of the parabola's eccentricity", other.full_friction * w, note               },
-          {"oil in streamers behind the rupture",      at.power_streamers,      "part of the error"}
+          {"oil in streamers behind the rupture",      state.power_streamers,   "part of the error"}
   },
       streamers);
   add("friction_torque", "N m", &OilFilmState::friction_torque,
@@ -259,13 +260,13 @@ void add_oil_film_results(RunContext &run, const OilFilmStudy &s, const std::vec
   add("sommerfeld", "1", &OilFilmState::sommerfeld,
       {
           {parabola_name,
-           bearing::sommerfeld_number(bearing::parabolic_force(b.length / b.diameter, at.eccentricity).norm()),
+           bearing::sommerfeld_number(bearing::parabolic_force(b.length / b.diameter, state.eccentricity).norm()),
            note}
   });
   add_matrices(run, prefix, s, other, inputs);
   Parameter still      = plain_film(s, inputs);
   still.unit           = "N/m";
-  still.value          = 1 / at.stiffness.inverse()(0, 0);
+  still.value          = 1 / state.stiffness.inverse()(0, 0);
   still.error_estimate = mesh_pair_error(1 / s.solution.fine.stiffness.inverse()(0, 0),
                                          1 / s.solution.coarse.stiffness.inverse()(0, 0), second_order);
   still.method += ", along the load, free to move across";
@@ -285,30 +286,31 @@ void add_oil_film_results(RunContext &run, const OilFilmStudy &s, const std::vec
 
 void note_oil_film(RunContext &run, const OilFilmStudy &s, const bool in_chain)
 {
-  const OilFilmState &at  = s.solution.at;
-  const std::string &name = s.question.bearing.name;
-  const double locks      = at.stiffness(0, 0) / (2 * M_PI * at.damping(0, 0));
+  const OilFilmState &state = s.solution.at;
+  const std::string &name   = s.question.bearing.name;
+  const double locks        = state.stiffness(0, 0) / (2 * M_PI * state.damping(0, 0));
   const std::string film =
       fmt::format("bearing.{}: the film resists motion along the load by {:.4g} kN/mm and {:.4g} kN s/mm; above "
                   "{:.3g} Hz its damping is more than its stiffness",
-                  name, at.stiffness(0, 0) / 1e6, at.damping(0, 0) / 1e6, locks);
+                  name, state.stiffness(0, 0) / 1e6, state.damping(0, 0) / 1e6, locks);
   if (in_chain)
     run.warn(film +
-             fmt::format(". The springs of the chain take the stiffness alone (its only dashpot stands beside "
-                         "K4): faster vibrations meet a film that is all but locked, and their frequencies are "
+             fmt::format(". The springs of the chain use only the stiffness (the only damper is in parallel with "
+                         "K4): at higher frequencies the film is almost rigid, and the natural frequencies are "
                          "higher. given.Kzc1 and given.Kzc4 take a stiffness for them, at f about 2 pi f b"));
   else
     run.assume(film);
-  run.assume(fmt::format(
-      "bearing.{}: motion across the load moves the force along it by k_xy = {:.4g} kN/mm, the other "
-      "way round by k_yx = {:.4g} kN/mm{}",
-      name, at.stiffness(0, 1) / 1e6, at.stiffness(1, 0) / 1e6, in_chain ? "; the chain takes neither" : ""));
   run.assume(
-      fmt::format("bearing.{}: behind the rupture the gap counts as full of oil for the friction; in streamers "
-                  "the loss were {:.3g} kW in place of {:.3g} kW",
-                  name, at.power_streamers / 1e3, at.power_loss / 1e3));
-  if (at.temperature > 273.15 + 90)
+      fmt::format("bearing.{}: motion across the load moves the force along it by k_xy = {:.4g} kN/mm, the other "
+                  "way round by k_yx = {:.4g} kN/mm{}",
+                  name, state.stiffness(0, 1) / 1e6, state.stiffness(1, 0) / 1e6,
+                  in_chain ? "; the chain takes neither" : ""));
+  run.assume(fmt::format(
+      "bearing.{}: behind the rupture the friction is computed as if the gap were full of oil; with streamers "
+      "the loss would be {:.3g} kW in place of {:.3g} kW",
+      name, state.power_streamers / 1e3, state.power_loss / 1e3));
+  if (state.temperature > 273.15 + 90)
     run.warn(fmt::format("bearing {}: the film is at {:.3g} degC; babbitt softens and oil ages above 90 degC",
-                         name, at.temperature - 273.15));
+                         name, state.temperature - 273.15));
 }
 }  // namespace mill

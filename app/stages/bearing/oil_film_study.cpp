@@ -24,12 +24,12 @@ using bearing::OilFilmState;
 }
 
 // Along the load, with the bearing free to move across: the slope of the load over the axis' way.
-double slope_between_loads(const OilFilmQuestion &q, const OilFilmState &at)
+double slope_between_loads(const OilFilmQuestion &q, const OilFilmState &state)
 {
   constexpr double part = 5e-3;
   OilFilmBearing b      = q.bearing;
   b.viscosity           = {
-                {at.temperature, at.viscosity}
+                {state.temperature, state.viscosity}
   };  // a slope at one temperature
   b.heat_share     = 0;
   const auto place = [&](const double factor) {

@@ -11,7 +11,7 @@ struct OilFilmQuestion {
   bearing::OilFilmLoad load;
   std::vector<double> loads, speeds;  ///< N, rad/s: of the curves, ascending; may be empty
   std::string speed_key;              ///< of the case, "load.speed", "pass.0.speed"
-  double surface_radius = not_given;  ///< m, speeds are said of the surface of this roll; absent: in rpm
+  double surface_radius = not_given;  ///< m, speeds are those of the surface of this roll; absent: in rpm
 };
 
 /// One oil-film bearing at its working load and speed, and over both; a point of a curve without a film is empty.

@@ -7,7 +7,7 @@ namespace mill {
 namespace {
 constexpr const char *theories[] = {"karman", "orowan", "bland-ford", "hu-ehmann"};
 
-// The slab theory that stands beside the finite elements, or another where it has no answer.
+// The slab theory that is compared with the finite elements, or another one where it has no solution.
 const BiteAnswer *slab_beside(const BiteStudy &s)
 {
   if (s.slab().refused.empty())

@@ -8,7 +8,7 @@ namespace mill {
 ///   slab theory: the distance to the same number by the finite elements and by the other theories;
 ///   free arc: what the mesh error of the roll's section does to the same number, by the slab on a softer section;
 ///   circle beyond Hitchcock's range: the distance to the same number by the slab on the free arc.
-/// nan where one of these is due and was not found: then nothing is known.
+/// nan where one of these is needed and is missing: then the error is not known.
 /// @param coarse  the number on the coarse mesh, nan: there was none
 /// @param same    the number in another model's answer
 double bite_error(const BiteStudy &study, double value, double coarse,

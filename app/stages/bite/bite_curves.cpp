@@ -67,7 +67,7 @@ void write_sweep(RunContext &run, const BiteStudy &study, const Sweep &sweep)
       combined[i]  = k.combined;
     }
   }
-  // An elastic-plastic strip takes ten times as long; its slope is told at the working point alone.
+  // An elastic-plastic strip takes ten times as long; its slope is computed at the working point only.
   if (study.flow && !study.flow->elastic) {
     std::vector<FlowQuestion> questions;
     for (const Eigen::Index i : sweep.finite_element) {

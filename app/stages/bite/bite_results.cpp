@@ -33,7 +33,7 @@ Parameter plain(const BiteStudy &s, const BiteAnswer &answer)
 }
 
 // The same number by every other model.
-std::vector<Check> beside(const BiteStudy &s, const std::function<double(const BiteAnswer &)> &same)
+std::vector<Check> comparisons(const BiteStudy &s, const std::function<double(const BiteAnswer &)> &same)
 {
   std::vector<Check> checks;
   for (const BiteAnswer &answer : s.answers)
@@ -165,7 +165,7 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
   const Adder add{run, s, "bite." + s.question.pass + "."};
   const double coarse_force  = s.flow ? s.flow->coarse_force : not_given;
   const double coarse_torque = s.flow ? s.flow->coarse_torque : not_given;
-  auto checks                = beside(s, force_in);
+  auto checks                = comparisons(s, force_in);
   if (!std::isnan(s.question.force))
     checks.push_back({s.question.force_name, s.question.force, ""});
   const auto with_measured = [](std::vector<Check> checks, const double value) {
@@ -176,21 +176,21 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
   const double error = bite_error(s, state.force, coarse_force, force_in);
   add("force", "N", state.force, error, std::move(checks));
   add("torque", "N m", state.torque, bite_error(s, state.torque, coarse_torque, torque_in),
-      with_measured(beside(s, torque_in), s.question.measured_torque), ", of one roll");
+      with_measured(comparisons(s, torque_in), s.question.measured_torque), ", of one roll");
   add("friction", "1", state.friction, not_given);
   add("film_thickness", "m", state.film_thickness, not_given);
   add("flattened_radius", "m", state.flattened_radius, not_given,
-      beside(s, [](const BiteAnswer &a) { return a.state.flattened_radius; }));
+      comparisons(s, [](const BiteAnswer &a) { return a.state.flattened_radius; }));
   add("arc_length", "m", state.arc_length, not_given);
   add("sticking_length", "m", state.sticking_length, not_given);
   add("forward_slip", "1", state.forward_slip,
       bite_error(s, state.forward_slip, s.flow ? s.flow->coarse_slip : not_given, slip_in),
-      with_measured(beside(s, slip_in), s.question.measured_slip));
+      with_measured(comparisons(s, slip_in), s.question.measured_slip));
   const auto neutral = [&](const BiteAnswer &a) { return bite::neutral_angle(s.question.bite, a.state); };
-  add("neutral_angle", "rad", neutral(s.chosen()), not_given, beside(s, neutral),
+  add("neutral_angle", "rad", neutral(s.chosen()), not_given, comparisons(s, neutral),
       ", at the axis of the roll: asin of its distance from the line of centres over the roll's own radius");
   add("peak_pressure", "Pa", state.peak_pressure, not_given,
-      beside(s, [](const BiteAnswer &a) { return a.state.peak_pressure; }));
+      comparisons(s, [](const BiteAnswer &a) { return a.state.peak_pressure; }));
   add_thicknesses(s, add);
   add("entry_speed", "m/s", state.entry_speed, not_given);
   add("exit_speed", "m/s", state.exit_speed, not_given);
@@ -207,7 +207,7 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
   for (int i = 0; i < 7; ++i) {
     const Input input = inputs[i].second;
     add(inputs[i].first, units[i], by(state.force_by, input), not_given,
-        beside(s, [input](const BiteAnswer &a) { return by(a.state.force_by, input); }),
+        comparisons(s, [input](const BiteAnswer &a) { return by(a.state.force_by, input); }),
         ", exact derivative, arc held");
   }
   add_every_model(run, s);
@@ -217,12 +217,12 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
 
 namespace {
 // Value at one place of a function given by rising points.
-double interpolated(const Eigen::VectorXd &x, const Eigen::VectorXd &y, const double at)
+double interpolated(const Eigen::VectorXd &x, const Eigen::VectorXd &y, const double position)
 {
-  if (at <= x[0] || at >= x[x.size() - 1])
-    return at <= x[0] ? y[0] : y[y.size() - 1];
-  const auto i   = std::upper_bound(x.data(), x.data() + x.size(), at) - x.data();
-  const double t = (at - x[i - 1]) / (x[i] - x[i - 1]);
+  if (position <= x[0] || position >= x[x.size() - 1])
+    return position <= x[0] ? y[0] : y[y.size() - 1];
+  const auto i   = std::upper_bound(x.data(), x.data() + x.size(), position) - x.data();
+  const double t = (position - x[i - 1]) / (x[i] - x[i - 1]);
   return (1 - t) * y[i - 1] + t * y[i];
 }
 
@@ -264,7 +264,7 @@ void add_path_plateau(const BiteStudy &s, BiteSpring &spring)
   p.method += fmt::format(", nodal force over nodal displacement, {:g} % left out at each end; {} nodes, falls as "
                           "1/nodes",
                           100 * s.question.setup.path_trim, path.nodes);
-  // The one other reading of the flattening: the section of the roll under the pressure found.
+  // The only other value of the flattening: the section of the roll under the computed pressure.
   spring.flattening.checks = {
       {"finite elements of the roll's section, sum of nodal forces over mean displacement", path.sum,
        "reads the mean over the arc, the closed form its middle"}
@@ -286,7 +286,7 @@ void add_combined(const BiteStudy &s, BiteSpring &spring)
   spring.combined.unit         = "N/m";
   spring.combined.value        = k.combined;
   spring.combined.method = model_text(s.chosen()) + ", plastic slope in series with the flattening of both rolls";
-  spring.combined.checks = beside(s, combined_in);
+  spring.combined.checks = comparisons(s, combined_in);
   spring.combined.error_estimate = bite_error(s, k.combined, coarse, combined_in);
   if (!std::isnan(of_flattening))
     spring.combined.error_estimate += of_flattening;
@@ -304,7 +304,7 @@ BiteSpring bite_spring(const BiteStudy &s)
   spring.plastic_slope.value          = chosen.stiffness.plastic_slope;
   spring.plastic_slope.error_estimate = bite_error(s, chosen.stiffness.plastic_slope, coarse, slope_in);
   spring.plastic_slope.method += ", -dF/dh_exit at fixed entry thickness, arc held";
-  spring.plastic_slope.checks = beside(s, slope_in);
+  spring.plastic_slope.checks = comparisons(s, slope_in);
   if (!std::isnan(chosen.stiffness.plastic_slope_following))
     spring.plastic_slope.checks.push_back(
         {"with the arc following the force", chosen.stiffness.plastic_slope_following, "quasi-static rolls"});
@@ -331,8 +331,8 @@ void add_bite_spring(RunContext &run, const BiteSpring &spring)
 }
 
 namespace {
-// Flow stress and friction that belong to another force give another K4: beyond this it is said on the first page.
-// A strip that was fitted to the force is within three standard deviations of it.
+// Flow stress and friction that belong to another force give another K4: beyond this the first page shows a
+// warning. A strip that was fitted to the force is within three standard deviations of it.
 constexpr double same_force = 0.1;
 
 void note_force(RunContext &run, const BiteStudy &s, const std::string &where)
@@ -365,10 +365,10 @@ void note_bite(RunContext &run, const BiteStudy &s)
     for (const std::string &failure : s.failures)
       causes += (causes.empty() ? "" : "; ") + failure;
     run.warn(where + "the value is that of " + model_text(s.chosen()) +
-             ", because finite elements found none: " + causes);
+             ", because the finite elements found no solution: " + causes);
   }
   if (!s.slab().refused.empty())
-    run.warn(where + "the slab theory that stands beside has no answer: " + s.slab().refused);
+    run.warn(where + "the slab theory for comparison has no solution: " + s.slab().refused);
   const bool free_arc = s.chosen().key == "karman-elastic-arc" ||
                         (&s.chosen() == s.find("fe") && s.flow->elastic && s.question.setup.arc == "elastic");
   if (free_arc)
@@ -377,9 +377,10 @@ void note_bite(RunContext &run, const BiteStudy &s)
                "springs back from there to bite." +
                s.question.pass + ".exit_thickness");
   if (s.beyond_circle())
-    run.warn(where + (s.find("karman-elastic-arc")
-                          ? "the accuracies hold the distance to the free arc, which is no circle"
-                          : "no free arc was found to compare with: force and K4 are stated without an accuracy"));
+    run.warn(where +
+             (s.find("karman-elastic-arc")
+                  ? "the error estimates include the distance to the free arc, which is not a circle"
+                  : "no free arc was found to compare with: force and K4 are stated without an error estimate"));
   for (const BiteAnswer &answer : s.answers)
     if (!answer.refused.empty() && answer.key != "fe" && &answer != &s.slab())
       run.assume(where + answer.key + " has no answer: " + answer.refused);

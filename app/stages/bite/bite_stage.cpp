@@ -36,7 +36,7 @@ bool some_arc_takes(const bite::RollBite &bite)
   return false;
 }
 
-// A film's friction is found with the flattened arc only.
+// The friction of a film is computed together with the flattened arc only.
 void check_pass(const bite::RollBite &bite, const BiteSetup &setup, const Pass &pass,
                 std::vector<Problem> &problems)
 {
@@ -52,7 +52,7 @@ void check_pass(const bite::RollBite &bite, const BiteSetup &setup, const Pass &
   }
 }
 
-// What was measured stands beside the computed values; after a fit the force is no coincidence.
+// Measured values are checks of the computed ones; after a fit the agreement of the force is by construction.
 void add_measured(BiteQuestion &q, const Pass &pass)
 {
   q.measured_slip   = pass.forward_slip;
@@ -73,15 +73,15 @@ void add_study(RunContext &run, const BiteStudy &study)
 bite::RollBite bite_of(const Strip &strip, const Pass &pass, const double roll_diameter, const Material &roll)
 {
   bite::RollBite bite;
-  bite.strip     = strip;
-  const auto own = [](double &value, const double of_pass) {
+  bite.strip             = strip;
+  const auto use_default = [](double &value, const double of_pass) {
     if (!std::isnan(of_pass))
       value = of_pass;
   };
-  own(bite.strip.entry_thickness, pass.entry_thickness);
-  own(bite.strip.exit_thickness, pass.exit_thickness);
-  own(bite.strip.entry_tension, pass.entry_tension);
-  own(bite.strip.exit_tension, pass.exit_tension);
+  use_default(bite.strip.entry_thickness, pass.entry_thickness);
+  use_default(bite.strip.exit_thickness, pass.exit_thickness);
+  use_default(bite.strip.entry_tension, pass.entry_tension);
+  use_default(bite.strip.exit_tension, pass.exit_tension);
   bite.roll_radius = 0.5 * roll_diameter;
   bite.roll        = roll;
   bite.roll_speed  = pass.speed;

@@ -11,7 +11,8 @@ struct FourHigh;
 /// Roll bite of one pass: what of the pass differs from the strip.
 bite::RollBite bite_of(const Strip &strip, const Pass &pass, double roll_diameter, const Material &roll);
 
-/// Passes that no roll can take (but not of a strip that is fitted), said before anything long is computed.
+/// Refuses passes that the roll cannot draw in (except for a strip that is fitted), before anything long is
+/// computed.
 /// @throws InputError  with the place of every such pass
 void check_bites(const Case &the_case);
 
@@ -19,7 +20,7 @@ void check_bites(const Case &the_case);
 /// arcs) is that of the chain.
 /// @param first   true: add K4.* to the results
 /// @param curves  and write its curves, where that
-/// @param force  N, recorded, stands beside the computed one
+/// @param force  N, recorded, for comparison with the computed one
 BiteSpring solve_bite_spring(RunContext &run, const FourHigh &stand, const Pass &pass, double force, bool first,
                              bool curves = true);
 

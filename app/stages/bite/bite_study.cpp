@@ -32,7 +32,8 @@ BiteAnswer ask(const BiteStudy &study, const std::string &key, const bite::SlabM
   return answer;
 }
 
-// What stands beside the chosen theory: the others that know this friction, the rigid roll and the free arc.
+// The theories that the chosen one is compared with: those that accept this friction, the rigid roll and the free
+// arc.
 std::vector<std::pair<std::string, bite::SlabModel>> models_beside(const BiteQuestion &q)
 {
   const bool factors = !slides(q.bite.strip.friction);
@@ -99,7 +100,7 @@ std::optional<FlowAnswer> try_flow(RunContext &run, BiteStudy &study, const Bite
     return solve_flow(run, q, shaped && study.flexibility.position.size() > 0 ? &study.flexibility : nullptr);
   } catch (const SolverError &e) {
     study.failures.push_back(setup.strip + " strip: " + e.report.what);
-  } catch (const SystemError &) {  // a full disk is no answer of the strip's
+  } catch (const SystemError &) {  // a full disk says nothing about the strip
     throw;
   } catch (const InputError &e) {
     study.failures.push_back(setup.strip + " strip: " + e.problems.front().message);
@@ -210,7 +211,7 @@ bool BiteStudy::beyond_circle() const
 }
 
 namespace {
-// What the accuracy of the chosen answer asks for beside the models that stand there anyway.
+// What the error estimate of the chosen answer needs in addition to the models that are solved in any case.
 void add_for_accuracy(BiteStudy &study)
 {
   const bite::SlabModel free{Theory::karman, Arc::elastic};
@@ -245,7 +246,7 @@ BiteStudy study_bite(RunContext &run, const BiteQuestion &question)
     BiteAnswer first         = ask(study, chosen, model);
     if (!first.refused.empty() && setup.method == "slab")
       bite::solve_slab(question.bite, model,
-                       model.arc == Arc::elastic ? &study.flexibility : nullptr);  // throws what it said
+                       model.arc == Arc::elastic ? &study.flexibility : nullptr);  // throws the same error again
     study.answers.push_back(std::move(first));
     for (const auto &[key, other] : models_beside(study.question))
       if (key != chosen)
@@ -262,7 +263,7 @@ BiteStudy study_bite(RunContext &run, const BiteQuestion &question)
 BiteSetup settled_setup(BiteSetup setup, const bite::Regime &regime)
 {
   const bool circle = setup.arc == "hitchcock", rigid_strip = setup.strip == "rigid-plastic";
-  const bool other_theory = setup.method == "slab" && setup.theory != "karman";  // none of them knows a free arc
+  const bool other_theory = setup.method == "slab" && setup.theory != "karman";  // these theories have no free arc
   const bool elastic =
       setup.strip == "elastic-plastic" || (regime.elastic_strip && !circle && !rigid_strip && !other_theory);
   if (setup.strip == "auto" && elastic)

@@ -14,10 +14,10 @@ struct BiteQuestion {
   bite::RollBite bite;
   BiteSetup setup;
   std::string pass;                    ///< its name
-  double force = not_given;            ///< N, to stand beside the computed one
+  double force = not_given;            ///< N, for comparison with the computed one
   std::string force_name;              ///< "mean of the recorded force"
   double force_deviation = not_given;  ///< -, standard deviation of that force where the strip was fitted to it
-  double measured_slip   = not_given;  ///< -, forward slip to stand beside the computed one
+  double measured_slip   = not_given;  ///< -, forward slip for comparison with the computed one
   double measured_torque = not_given;  ///< N m, of one roll
   std::string roll_key;                ///< of the case file, "work_roll.barrel_diameter"
   bool curves              = true;     ///< also K4 over reduction, tension, friction, speed and the bite's aspect

@@ -193,7 +193,7 @@ void note_kept(RunContext &run, const StripFit &fit)
     run.warn(fmt::format(
         "{}{} one number: {} stays {}, for {} leaves the measured values where they are{}; {}", about,
         alone ? "the " + setup.fit.front() + " alone gives"
-              : data_text(fit.answer) + " give, as far as told apart,",
+              : data_text(fit.answer) + " determine, as far as they are distinguishable,",
         number.name, short_number(number.base), direction_text(kept.direction, kept.among),
         std::isfinite(kept.direction.deviation)
             ? fmt::format(" (a standard deviation of {:.2g} % along it)", 100 * kept.direction.deviation)
@@ -269,18 +269,18 @@ void add_line(Table &table, const StripFit &fit, const std::size_t datum, const 
 {
   constexpr int points    = 21;
   const FitAnswer &answer = fit.answer;
-  const FitDatum of       = data_of(answer.problem)[datum];
+  const FitDatum fitted   = data_of(answer.problem)[datum];
   const Eigen::Vector2d by(answer.best.slope(Index(datum), i), answer.best.slope(Index(datum), j));
   const Eigen::Vector2d foot = -answer.best.residual[Index(datum)] * by / by.squaredNorm();
   const Eigen::Vector2d along(-by[1] / by.norm(), by[0] / by.norm());
   Eigen::VectorXd x(points), y(points);
   for (int k = 0; k < points; ++k) {
-    const Eigen::Vector2d at = foot + (k - points / 2) * (0.5 / (points / 2)) * along;
-    x[k]                     = friction.at(answer.best.x[i] + at[0]);
-    y[k]                     = std::exp(answer.best.x[j] + at[1]);
+    const Eigen::Vector2d point = foot + (k - points / 2) * (0.5 / (points / 2)) * along;
+    x[k]                        = friction.at(answer.best.x[i] + point[0]);
+    y[k]                        = std::exp(answer.best.x[j] + point[1]);
   }
-  const std::string name =
-      fmt::format("{} of {}", bite::measured_words[std::size_t(of.kind)], answer.problem.passes[of.pass].name);
+  const std::string name = fmt::format("{} of {}", bite::measured_words[std::size_t(fitted.kind)],
+                                       answer.problem.passes[fitted.pass].name);
   table.add("friction, " + name, "", x).add("flow_stress_factor, " + name, "", y);
 }
 }  // namespace

@@ -80,7 +80,7 @@ std::vector<ModelValue> values_of_run(RunContext &run, const StripFit &fit)
   std::vector<ModelValue> values(q.passes.size());
   SideBySide all(run);
   for (std::size_t p = 0; p < q.passes.size(); ++p)
-    all.add([&, p](RunContext &own) {
+    all.add([&, p](RunContext &part_run) {
       if (!has_data(fit.answer.problem.passes[p]))
         return;
       BiteQuestion one;
@@ -90,7 +90,7 @@ std::vector<ModelValue> values_of_run(RunContext &run, const StripFit &fit)
       one.roll_key = q.roll_key;
       one.curves   = false;
       try {
-        const BiteStudy study    = study_bite(own, one);
+        const BiteStudy study    = study_bite(part_run, one);
         const BiteAnswer &chosen = study.chosen();
         const bite::BiteState &s = chosen.state;
         values[p]                = {

@@ -101,9 +101,10 @@ void study_pass(RunContext &run, const ScheduleQuestion &q, const std::size_t p,
         parameter.inputs = q.keys[p];
     add_models(force, study);
   } catch (const InputError &e) {
-    run.warn("pass \"" + force.name + "\", models beside the closed theory: " + e.problems.front().message);
+    run.warn("pass \"" + force.name +
+             "\", further models in addition to the closed theory: " + e.problems.front().message);
   } catch (const SolverError &e) {
-    run.warn("pass \"" + force.name + "\", models beside the closed theory: " + e.report.what);
+    run.warn("pass \"" + force.name + "\", further models in addition to the closed theory: " + e.report.what);
   }
 }
 
@@ -114,7 +115,7 @@ ScheduleRecord add_schedule_forces(RunContext &run, const ScheduleQuestion &ques
   ScheduleRecord record = bite::schedule_of(question.passes);
   SideBySide models(run);
   for (std::size_t p = 0; p < record.passes.size(); ++p)
-    models.add([&, p](RunContext &own) { study_pass(own, question, p, record.passes[p]); });
+    models.add([&, p](RunContext &part_run) { study_pass(part_run, question, p, record.passes[p]); });
   models.work();
   for (std::size_t p = 0; p < record.passes.size(); ++p)
     models.take(p);

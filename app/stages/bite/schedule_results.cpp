@@ -79,14 +79,14 @@ void add_pass(RunContext &run, const ScheduleQuestion &q, const std::size_t p, c
   const ScheduleAdder add(run, q, pass.name, pass_at(pass), q.keys[p]);
   const bool fitted = !std::isnan(pass.flat.flow_stress);
   if (fitted) {
-    std::vector<Check> beside{
+    std::vector<Check> checks{
         {"on the roll's own radius, without flattening", pass.rigid.flow_stress, "also fitted"}
     };
     if (!std::isnan(pass.law_stress))
-      beside.push_back({"flow stress law of the case at the exit", pass.law_stress, ""});
+      checks.push_back({"flow stress law of the case at the exit", pass.law_stress, ""});
     for (const Check &other : by_other_theories(pass))
-      beside.push_back(other);
-    add("flow_stress", pass.flat.flow_stress, "Pa", fit_text("flow stress", pass, "Hitchcock's arc"), beside,
+      checks.push_back(other);
+    add("flow_stress", pass.flat.flow_stress, "Pa", fit_text("flow stress", pass, "Hitchcock's arc"), checks,
         "one equation for two unknowns, friction is taken as it is");
     add("flow_stress_unflattened", pass.rigid.flow_stress, "Pa",
         fit_text("flow stress", pass, "the roll's own radius"), {},
@@ -136,10 +136,10 @@ void add_dynamic(RunContext &run, const ScheduleQuestion &q, const ScheduleRecor
       if (!dynamics.flattened)
         continue;
       const ScheduleAdder add(run, q, force.name, "", keys_of_all(q));
-      std::vector<Check> beside;
+      std::vector<Check> checks;
       if (force.printed > 0)
-        beside.push_back(check(CheckId::published, force.printed, force.in_fit ? "in the fit" : "blind test"));
-      add("dynamic_force", force.with_common, "N", "one constant for all passes (39.8), (39.9)", beside,
+        checks.push_back(check(CheckId::published, force.printed, force.in_fit ? "in the fit" : "blind test"));
+      add("dynamic_force", force.with_common, "N", "one constant for all passes (39.8), (39.9)", checks,
           "span, amplitude and mode of the strip are not known");
       add("force_per_displacement", force.per_displacement, "N/m", "slope of (39.9), with the fitted flow stress");
     }

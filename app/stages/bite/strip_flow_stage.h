@@ -24,7 +24,7 @@ struct FlowPoint {
   double plastic_slope = 0;  ///< N/m, arc held
 };
 /// Rigid-plastic strips on the one mesh of each question and on a circle, from the cache or solved side by side on
-/// all threads; nothing where there is no such pass.
+/// all threads; nothing where no pass needs them.
 std::vector<std::optional<FlowPoint>> solve_flow_points(RunContext &run,
                                                         const std::vector<FlowQuestion> &questions);
 }  // namespace mill

@@ -54,8 +54,8 @@ std::shared_ptr<const fem::CondensedRoll> condensed(RunContext &run, const std::
                                                      mesh.n_cells, roll.n_unknowns, roll.grid.area.size(), roll.factor_bytes / 1e6));
     return roll;
   };
-  const auto save = [](const std::string &to, const std::string &of, const fem::CondensedRoll &roll) {
-    fem::save_roll(to, of, roll);
+  const auto save = [](const std::string &to, const std::string &key, const fem::CondensedRoll &roll) {
+    fem::save_roll(to, key, roll);
   };
   return std::make_shared<const fem::CondensedRoll>(kept_part<fem::CondensedRoll>(
       run, "condensation, " + name + (companion ? ", coarse mesh" : ""), file, key, fem::load_roll, make, save));
@@ -74,10 +74,11 @@ CondensedPair condensed_pair(RunContext &run, const std::string &name, const Rol
 {
   CondensedPair pair;
   run_side_by_side(
-      run, {[&](RunContext &own) { pair.fine = condensed(own, name, geometry, size, steel, wanted, false); },
-            [&](RunContext &own) {
-              pair.coarse = condensed(own, name, geometry, meshes::coarsened(size), steel, wanted, true);
-            }});
+      run,
+      {[&](RunContext &part_run) { pair.fine = condensed(part_run, name, geometry, size, steel, wanted, false); },
+       [&](RunContext &part_run) {
+         pair.coarse = condensed(part_run, name, geometry, meshes::coarsened(size), steel, wanted, true);
+       }});
   return pair;
 }
 }  // namespace mill

@@ -12,7 +12,7 @@ struct CondensedPair {
   std::shared_ptr<const fem::CondensedRoll> fine, coarse;
 };
 
-/// What the contact needs of a roll beside the loads that are the same on both sides, on both meshes.
+/// What the contact needs of a roll in addition to the loads that are the same on both sides, on both meshes.
 struct RollOptions {
   bool slab       = false;  ///< plane strain
   bool both_sides = false;  ///< loads that differ between the sides; the coarse mesh always has them

@@ -31,7 +31,7 @@ void add_contact_length(RunContext &run, const ContactModel &m, const std::strin
     double length = 0, edge = 0;  // m; the second of the outermost stations that carry load
     bool middle = false;
   };
-  const auto at = [&](const fem::ContactPair &pair) {
+  const auto value_of = [&](const fem::ContactPair &pair) {
     const Eigen::VectorXd q = fem::barrel_profile(pair, fem::solve_load(pair, load)).line_load;
     const int sides         = pair.grid.whole ? 1 : 2;
     const auto open         = [&](const Eigen::Index k) { return k >= 0 && k < q.size() && !(q[k] > 0); };
@@ -44,8 +44,8 @@ void add_contact_length(RunContext &run, const ContactModel &m, const std::strin
     touch.middle = q[fem::middle_station(pair.grid)] > 0;
     return touch;
   };
-  const auto [length, edge, middle] = at(m.in_stand);
-  const double coarse               = at(m.in_stand_coarse).length;
+  const auto [length, edge, middle] = value_of(m.in_stand);
+  const double coarse               = value_of(m.in_stand_coarse).length;
   const double whole                = m.closed_form.length;
   // A mesh tells where a contact ends to one station.
   Parameter p = computed("m", length, std::max(mesh_pair_error(length, coarse), edge / length), load,
@@ -104,13 +104,13 @@ void add_joint(RunContext &run, const ContactModel &m, const std::string &name, 
       "contact FEM, slope over the load fitted, frictionless, " + m.whole.reference + ", theory.md (2.14)";
   // Own to each entry: two meshes, and how far the active set of this one load stands from the fit.
   const auto add = [&](const char *what, const char *unit, const int row, const int column, const char *check,
-                       const double beside) {
+                       const double reference) {
     const double value = fine(row, column);
     const double error =
         value == 0 ? 0
                    : std::max(mesh_pair_error(value, coarse(row, column)), difference(exact(row, column), value));
     Parameter p = computed(unit, value, error, load, method);
-    p.checks.push_back({check, beside, "uniform load, no barrel ends"});
+    p.checks.push_back({check, reference, "uniform load, no barrel ends"});
     p.checks.push_back({"mesh twice as coarse", coarse(row, column), ""});
     run.results.add("contact." + name + ".joint." + what, p);
   };
@@ -174,10 +174,10 @@ void add_one_sidedness(RunContext &run, const ContactModel &m, const std::string
              mirrored = fem::solve_load(m.mirrored, load);
   const double L      = m.closed_form.length;
   const auto add      = [&](const char *what, const char *unit, const double value, const double on_coarse,
-                       const double scale, const double beside) {
+                       const double scale, const double reference) {
     const double error = mesh_pair_safety * std::abs(on_coarse - value) / std::max(std::abs(value), 1e-6 * scale);
     Parameter p        = computed(unit, value, error, load, "contact FEM, held as in the stand");
-    p.checks.push_back({"squeezed between mirrored contacts", beside, "another way of holding the rolls"});
+    p.checks.push_back({"squeezed between mirrored contacts", reference, "another way of holding the rolls"});
     p.checks.push_back({"mesh twice as coarse", on_coarse, ""});
     run.results.add("contact." + name + "." + what, p);
   };
@@ -232,15 +232,15 @@ void require_resolved(RunContext &run, const ContactModel &m, const std::string 
   const double b       = reduce::line_contact(m.closed_form, load).half_width;
   if (b >= 2 * element)
     return;
-  const std::string said = fmt::format(
+  const std::string message = fmt::format(
       "contact.{}.elements_per_half_width = {} makes elements of {:.3f} mm for the largest load; at the "
       "working load of {} the contact is only {:.3f} mm to each side and needs elements of {:.3f} mm: take "
       "{} or more, or narrow contact.{}.loads",
       name, settings.elements_per_half_width, 1e3 * element, in_kN(load), 1e3 * b, 1e3 * b / 2,
       int(std::ceil(settings.elements_per_half_width * 2 * element / b)), name);
   if (b < element)
-    throw InputError(settings.elements_place, said);
-  run.warn(said);
+    throw InputError(settings.elements_place, message);
+  run.warn(message);
 }
 
 void add_contact_details(RunContext &run, const ContactModel &model, const std::string &name, const std::string &K,
@@ -265,7 +265,7 @@ void add_contact_details(RunContext &run, const ContactModel &model, const std::
   if (load < bending[0] + bending[1])
     run.warn(
         fmt::format("contact {}: the bending forces on the chocks exceed the load of {}: the strip would have to "
-                    "pull on the roll; values held as in the stand mean nothing",
+                    "pull on the roll; values held as in the stand are not valid",
                     name, in_kN(load)));
 }
 }  // namespace mill

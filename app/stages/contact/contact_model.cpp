@@ -106,7 +106,7 @@ const ContactModel &complete(const ContactModel &m)
 Eigen::VectorXd profile_drop(const FourHigh &stand, const ContactSettings &settings, const double side,
                              const Eigen::VectorXd &z)
 {
-  return z.unaryExpr([&](const double at) { return drop_at(stand, settings, side, at); });
+  return z.unaryExpr([&](const double position) { return drop_at(stand, settings, side, position); });
 }
 
 Eigen::VectorXd even_drop(const FourHigh &stand, const ContactSettings &settings, const Eigen::VectorXd &z)
@@ -152,8 +152,8 @@ ContactModel contact_model(RunContext &run, const FourHigh &stand, const std::st
   for (double reach = first_reach; reach < 12; reach *= 1.5) {
     const auto plan = planned_rolls(stand, settings, largest_load, reach);
     const auto into = [&](CondensedPair &pair, const char *roll, const PlannedRoll &planned) {
-      return [&, roll](RunContext &own) {
-        pair = condensed_pair(own, roll, planned.geometry, planned.size, stand.steel, plan.wanted);
+      return [&, roll](RunContext &part_run) {
+        pair = condensed_pair(part_run, roll, planned.geometry, planned.size, stand.steel, plan.wanted);
       };
     };
     run_side_by_side(run, {into(m.backup, "backup roll", plan.backup), into(m.work, "work roll", plan.work)});

@@ -9,7 +9,7 @@ namespace {
 constexpr double worst_result    = 1e-3;  // a smooth sweep reaches 1e-5
 constexpr double worst_companion = 1e-2;  // steps of a mesh twice as coarse, still a line contact
 
-// Nothing where it is no line contact: a crown is being closed, or only the ends touch.
+// Nothing where it is not a line contact: a crown is being closed, or only the ends touch.
 std::optional<reduce::ContactStiffness> fitted(const ContactCurve &curve, const double load,
                                                const double worst_fit = worst_result)
 {
@@ -39,9 +39,9 @@ ContactSlope slope_of(const ContactCurve &curve, const double load)
   Eigen::Index i = 0;
   while (i + 2 < curve.load.size() && curve.load[i + 1] < load)
     ++i;
-  const double t = std::log(load / curve.load[i]) / std::log(curve.load[i + 1] / curve.load[i]);
-  const auto at  = [&](const Eigen::VectorXd &v) { return v[i] + t * (v[i + 1] - v[i]); };
-  return {at(curve.tangent), at(curve.secant), not_given, not_given};
+  const double t          = std::log(load / curve.load[i]) / std::log(curve.load[i + 1] / curve.load[i]);
+  const auto interpolated = [&](const Eigen::VectorXd &v) { return v[i] + t * (v[i + 1] - v[i]); };
+  return {interpolated(curve.tangent), interpolated(curve.secant), not_given, not_given};
 }
 
 double difference(const double other, const double value)

@@ -7,7 +7,7 @@ struct ContactSlope {
   double tangent;    ///< N/m, of the fitted curve where it is that of a line contact, else of the active set
   double secant;     ///< N/m
   double exact;      ///< N/m, of the active set at this one load: steps as nodes come into contact
-  double curvature;  ///< N/m2, NaN where it is no line contact or the curve is too rough
+  double curvature;  ///< N/m2, NaN where it is not a line contact or the curve is too rough
 };
 /// Whether a curve is a result, or only judges one.
 enum class Role {

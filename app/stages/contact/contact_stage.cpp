@@ -53,7 +53,7 @@ std::array<double, 2> swept_range(const std::string &name, const ContactSettings
 
 namespace {
 // A second opinion widens the error estimate to the spread.
-void beside(Parameter &p, const std::string &who, const double value)
+void add_check(Parameter &p, const std::string &who, const double value)
 {
   if (std::isnan(value))
     return;
@@ -86,8 +86,8 @@ void add_curvature(RunContext &run, const Study &s, const std::string &prefix, c
   curvature.value       = fine;
   curvature.checks.push_back(
       {"Hertz line contact, K^3 A/(F L)", std::pow(hertz.tangent, 3) * A_over_L / F, "no barrel ends"});
-  beside(curvature, coarse_mesh, coarse);
-  beside(curvature, fourier_solver, second);
+  add_check(curvature, coarse_mesh, coarse);
+  add_check(curvature, fourier_solver, second);
   run.results.add(prefix + s.K + ".curvature", curvature);
 }
 
@@ -108,7 +108,7 @@ void add_held(RunContext &run, const Study &s, const std::string &prefix, const 
     h.checks.push_back(
         {"rolls squeezed between mirrored contacts", mirrored.value, "another datum and no bending"});
     h.checks.push_back({coarse_mesh, on_coarse, ""});
-    beside(h, fourier_solver, by_second);
+    add_check(h, fourier_solver, by_second);
     h.inputs.insert(h.inputs.end(), {"strip.width", "backup_roll.bearing_span"});
     run.results.add(prefix + s.K + ".in_stand_" + what, h);
   };
@@ -145,29 +145,29 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
   secant.checks.push_back({"half space (3.9)", laws.half_space, ""});
   secant.checks.push_back({"Palmgren (3.10)", laws.palmgren, "lower end of the band"});
   secant.checks.push_back(
-      check(CheckId::middle_section, section_secant, "what is left of the difference belongs to the barrel ends"));
+      check(CheckId::middle_section, section_secant, "the remaining difference belongs to the barrel ends"));
   secant.checks.push_back({coarse_mesh, coarse.secant, ""});
   secant.checks.push_back(check(CheckId::held_as_in_stand, held.secant, held_note));
   std::optional<ContactSlope> second;
   if (s.second) {
     second = slope_of(s.second->mirrored, F);
-    beside(tangent, fourier_solver, second->tangent);
-    beside(secant, fourier_solver, second->secant);
+    add_check(tangent, fourier_solver, second->tangent);
+    add_check(secant, fourier_solver, second->secant);
   }
   run.results.add(prefix + s.K + ".tangent", tangent);
   run.results.add(prefix + s.K + ".secant", secant);
   add_curvature(run, s, prefix, F, fine.curvature, coarse.curvature, second ? second->curvature : not_given);
   add_held(run, s, prefix, F, held, tangent, secant);
   const double effect = held.tangent / fine.tangent - 1;
-  const std::string said =
-      fmt::format("{}{}.tangent is that of rolls squeezed between mirrored contacts, the spring that stands in "
-                  "series with the bending of the backup roll; held as in the stand the same pair has {:+.1f} %",
+  const std::string message =
+      fmt::format("{}{}.tangent is that of rolls squeezed between mirrored contacts, the spring in series with "
+                  "the bending of the backup roll; held as in the stand the same pair has {:+.1f} %",
                   prefix, s.K, 100 * effect);
   // Both are true, of two datums; a quarter of difference is more than any usual stand has.
   if (std::abs(effect) > 0.25)
-    run.warn(said);
+    run.warn(message);
   else if (prefix.empty())
-    run.assume(said);
+    run.assume(message);
   if (middle.half_width[mid] == 0)
     run.warn(fmt::format("contact {}: at {} the rolls do not touch at mid-length", s.name, in_kN(F)));
   return {tangent, secant};
@@ -213,7 +213,7 @@ void add_section(RunContext &run, Study &s, const FourHigh &stand, const double 
     p.error_estimate = std::max(mesh_pair_error(value, second), what == "approach" ? 0. : misfit);
     p.checks.push_back({"Hertz line contact", closed, ""});
     p.checks.push_back({coarse_mesh, second, ""});
-    beside(p, fourier_solver, other);
+    add_check(p, fourier_solver, other);
     run.results.add("contact." + s.name + "." + what, p);
   };
   const auto at_middle = [&](const Eigen::VectorXd &values) {
@@ -328,12 +328,12 @@ void sweep_all(RunContext &run, const FourHigh &stand, Study &s, const ContactSe
   // The second curve is smooth, every other load does; the largest is the last of both.
   const auto every_other = fem::log_spaced(reach[0], reach[1], std::max(8, (settings.samples + 1) / 2));
   const auto swept       = [&](ContactCurve &curve, const fem::ContactPair &pair) {
-    return [&](RunContext &own) { curve = fem::sweep(pair, range, own.progress); };
+    return [&](RunContext &part_run) { curve = fem::sweep(pair, range, part_run.progress); };
   };
   std::vector<IndependentStage> sweeps;
   if (second)  // the longest
-    sweeps.push_back([&](RunContext &own) {
-      s.second = solve_again(own, stand, *second, s.name, settings, every_other, load);
+    sweeps.push_back([&](RunContext &part_run) {
+      s.second = solve_again(part_run, stand, *second, s.name, settings, every_other, load);
     });
   sweeps.push_back(
       [](RunContext &) { fem::on_mesh(); });  // of rolls from the cache the fields are the first to ask
@@ -363,11 +363,11 @@ Study study_of(RunContext &run, const FourHigh &stand, const std::string &name, 
     return s;
   }
   std::optional<FourierRolls> second;
-  std::vector<IndependentStage> rolls{[&](RunContext &own) {
-    s.model = std::make_shared<const ContactModel>(contact_model(own, stand, name, settings, range[1]));
+  std::vector<IndependentStage> rolls{[&](RunContext &part_run) {
+    s.model = std::make_shared<const ContactModel>(contact_model(part_run, stand, name, settings, range[1]));
   }};
   if (again)
-    rolls.push_back([&](RunContext &own) { second = fourier_rolls(own, stand, settings, range[1]); });
+    rolls.push_back([&](RunContext &part_run) { second = fourier_rolls(part_run, stand, settings, range[1]); });
   run_side_by_side(run, std::move(rolls));
   sweep_all(run, stand, s, settings, second, range, loads[0]);
   return s;

@@ -136,9 +136,9 @@ template <class Archive> void members(Archive &a, SolvedStudy &s)
     members(a, second.in_stand_at);
     s.second = second;
   }
-  const auto own = [&](auto &one) { members(a, one); };
-  list(a, s.known, own);
-  list(a, s.pairs, own);
+  const auto visit = [&](auto &one) { members(a, one); };
+  list(a, s.known, visit);
+  list(a, s.pairs, visit);
   list(a, s.fields, [&](std::string &text) { a.text(text); });
 }
 }  // namespace

@@ -33,10 +33,10 @@ Slabs slabs_of(RunContext &run, const TwoCylinders &spec, const PlaneEngine engi
 {
   Slabs slabs;
   const auto slab_into = [&](CondensedPair &pair, const std::string &name, const RoundBody &body) {
-    return [&, name](RunContext &own) {
+    return [&, name](RunContext &part_run) {
       const PlannedRoll plan = planned_cylinder(spec, body.diameter);
-      pair =
-          condensed_pair(own, name, plan.geometry, plan.size, material_of(body, spec.steel), {true, false, false});
+      pair = condensed_pair(part_run, name, plan.geometry, plan.size, material_of(body, spec.steel),
+                            {true, false, false});
     };
   };
   std::vector<IndependentStage> stages;
@@ -81,15 +81,15 @@ LineAnswer by_finite_elements(RunContext &run, const TwoCylinders &spec, const S
   const auto fine = contact(*first.fine, *facing.fine), coarse = contact(*first.coarse, *facing.coarse);
   const auto range = fem::log_spaced(c.loads[0], c.loads[1], c.samples);
   LineAnswer a;
-  a.curve           = fem::sweep(fine, range, run.progress);
-  const auto curve2 = fem::sweep(coarse, range);
-  const auto at     = fem::sweep(fine, Eigen::VectorXd::Constant(1, c.at));
-  const auto second = fem::sweep(coarse, Eigen::VectorXd::Constant(1, c.at));
+  a.curve            = fem::sweep(fine, range, run.progress);
+  const auto curve2  = fem::sweep(coarse, range);
+  const auto working = fem::sweep(fine, Eigen::VectorXd::Constant(1, c.at));
+  const auto second  = fem::sweep(coarse, Eigen::VectorXd::Constant(1, c.at));
   const auto slope = slope_at(fine, a.curve, c.at), slope2 = slope_at(coarse, curve2, c.at, Role::companion);
   const auto point2 = fem::solve_load(coarse, c.at);
   a.method          = "contact FEM, plane strain, " + fine.reference;
   a.coarser         = "mesh twice as coarse";
-  a.value           = {at.half_width[0], at.peak_pressure[0], at.approach[0], slope.tangent, slope.secant};
+  a.value  = {working.half_width[0], working.peak_pressure[0], working.approach[0], slope.tangent, slope.secant};
   a.second = {second.half_width[0], second.peak_pressure[0], second.approach[0], slope2.tangent, slope2.secant};
   a.exact  = slope.exact;
   if (engine != PlaneEngine::two_cylinders) {

@@ -28,20 +28,21 @@ fem::FourierRoll fourier_roll(RunContext &run, const std::string &name, const Ro
   const std::string key  = hash_of(fourier_inputs(g, m, options, edge));
   const std::string file = run.cache + "/fourier-" + key + ".bin";
   const auto make        = [&] {
-    const std::string own = run.out.staging() + "/fourier-" + key + ".msh";
-    const MeshFile mesh   = meshes::mesh_meridian(name, g, meshes::meridian_size(options.half_width), own);
+    const std::string mesh_file = run.out.staging() + "/fourier-" + key + ".msh";
+    const MeshFile mesh = meshes::mesh_meridian(name, g, meshes::meridian_size(options.half_width), mesh_file);
     const fem::SectionBody body(mesh, m, 2, fem::Section::axisymmetric);
-    fs::remove(own);
+    fs::remove(mesh_file);
     return fem::fourier_roll(body, g, m, edge.size() > 0 ? edge : fem::stations_of(body), options, run.progress);
   };
-  const auto save = [](const std::string &to, const std::string &of, const fem::FourierRoll &roll) {
-    fem::save_roll(to, of, roll);
+  const auto save = [](const std::string &to, const std::string &key, const fem::FourierRoll &roll) {
+    fem::save_roll(to, key, roll);
   };
   return kept_part<fem::FourierRoll>(run, "Fourier series, " + name, file, key, fem::load_fourier_roll, make,
                                      save);
 }
 
-// The approach as the first engine counts it: from the first touch, and under a force off the middle at the force.
+// The approach as the first engine defines it: from the first touch, and under a force off the middle at the
+// force.
 ContactCurve counted_from_touch(const fem::FourierPair &pair, ContactCurve curve, const fem::FourierDrive &loading)
 {
   if (!pair.whole)
@@ -141,15 +142,15 @@ void add_line_load_spread(RunContext &run, const std::string &name, const Barrel
   const double margin = 9 * b;
   if (low > 1e-9)
     low = -high;  // one side of a symmetric contact
-  double worst    = 0;
-  Eigen::Index at = 0;
+  double worst         = 0;
+  Eigen::Index nearest = 0;
   for (Eigen::Index k = 0; k < first.z.size(); ++k) {
     if (first.z[k] < std::max(low + margin, second.z[0]) || first.z[k] > high - margin)
       continue;
-    while (at + 2 < second.z.size() && second.z[at + 1] < first.z[k])
-      ++at;
-    const double t = (first.z[k] - second.z[at]) / (second.z[at + 1] - second.z[at]);
-    const double q = (1 - t) * second.line_load[at] + t * second.line_load[at + 1];
+    while (nearest + 2 < second.z.size() && second.z[nearest + 1] < first.z[k])
+      ++nearest;
+    const double t = (first.z[k] - second.z[nearest]) / (second.z[nearest + 1] - second.z[nearest]);
+    const double q = (1 - t) * second.line_load[nearest] + t * second.line_load[nearest + 1];
     worst          = std::max(worst, std::abs(first.line_load[k] - q));
   }
   Parameter p;

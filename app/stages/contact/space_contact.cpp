@@ -91,9 +91,11 @@ void read_row(SpaceAnswer &a, const bool point)
   const auto &s       = a.state;
   const int n         = int(s.z.size());
   const bool two_rows = !point && a.grid.half;
-  const auto at = [&](const Eigen::VectorXd &v) { return two_rows ? 0.5 * (v[n / 2 - 1] + v[n / 2]) : v[a.row]; };
-  a.half_width  = at(s.half_width);
-  a.peak_pressure = at(s.peak_pressure);
+  const auto middle   = [&](const Eigen::VectorXd &v) {
+    return two_rows ? 0.5 * (v[n / 2 - 1] + v[n / 2]) : v[a.row];
+  };
+  a.half_width    = middle(s.half_width);
+  a.peak_pressure = middle(s.peak_pressure);
 }
 
 const char *const too_narrow = "half space: the contact is wider than the grid";

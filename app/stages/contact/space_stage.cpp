@@ -186,7 +186,7 @@ void write_pressure(RunContext &run, const SpaceRun &s)
   write_curve(run, curve::contact_width, "space", across);
 }
 
-// The curve over the swept range, each load on a grid of its own width, and the closed form beside it.
+// The curve over the swept range, each load on a grid of its own width, compared with the closed form.
 double write_sweep(RunContext &run, const SpaceRun &s)
 {
   const auto &c = s.pair.space;

@@ -53,13 +53,13 @@ struct Fitted {
 
 Fitted with_slope(const SpringLaw &law, const double load, const double stiffness, const std::string &what)
 {
-  const double own = slope_at(law, load);
-  Fitted fitted{law.in_series_with(1 / stiffness - 1 / own), stiffness / own - 1};
+  const double slope = slope_at(law, load);
+  Fitted fitted{law.in_series_with(1 / stiffness - 1 / slope), stiffness / slope - 1};
   if (!fitted.law.usable())
     throw InputError(
         fmt::format("dynamics.contact = \"curve\": {} has the slope {:.4g} N/m at {}, its curve {:.4g}; "
                     "they are not of one contact",
-                    what, stiffness, in_kN(load), own));
+                    what, stiffness, in_kN(load), slope));
   return fitted;
 }
 
@@ -202,17 +202,17 @@ LumpedModel at_load(RunContext &run, LumpedModel model, const ChainCurves &curve
       linear += fmt::format("{}K{}", linear.empty() ? "" : ", ", i);
       continue;
     }
-    Parameter &K     = model.K[std::size_t(i - 1)];
-    const double own = slope_at(law_of(curves.of(i)), load);
-    if (std::abs(own / K.value - 1) > most_correction)
+    Parameter &K       = model.K[std::size_t(i - 1)];
+    const double slope = slope_at(law_of(curves.of(i)), load);
+    if (std::abs(slope / K.value - 1) > most_correction)
       run.warn(fmt::format(
           "{}: given.K{} is {:+.1f} % off the slope of curve.K{} at {}; f1 to f6 are of the first, the "
           "response of the second",
-          pass.name, i, 100 * (K.value / own - 1), i, in_kN(load)));
-    K.value = own;
+          pass.name, i, 100 * (K.value / slope - 1), i, in_kN(load)));
+    K.value = slope;
   }
   if (!linear.empty())
-    run.assume(fmt::format("{}: {} stay linear, [curve] has none of them", pass.name, linear));
+    run.assume(fmt::format("{}: {} stay linear, because [curve] does not contain them", pass.name, linear));
   return model;
 }
 

@@ -17,7 +17,7 @@
 namespace mill {
 struct Pass;
 
-/// What drives a pass on curves, beside the linear model of the same stand at the same load.
+/// The driven pass on curves, and the linear model of the same stand at the same load.
 struct CurveDrive {
   dynamics::CurveStand stand;
   dynamics::ModalModel modal;            ///< the same modes, for what is seen of them

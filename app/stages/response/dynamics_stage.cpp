@@ -81,7 +81,7 @@ ForceRecord force_of(const Pass &pass)
   return dynamics::synthetic_force(noise);
 }
 
-std::string load_beside_record(const Pass &pass, const double mean)
+std::string load_against_record(const Pass &pass, const double mean)
 {
   if (std::isnan(pass.load) || !(std::abs(pass.load / mean - 1) > 0.05))
     return "";
@@ -189,7 +189,7 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
     f.method      = "rolls on their bearings, " + label + (std::isnan(chock_seat) ? ", chock seats rigid" : "");
     f.at          = model.at;
     f.inputs      = horizontal_mode_keys(model, label, !std::isnan(chock_seat));
-    f.error_lacks = {"mass that moves along the pass line: the vertical equivalent mass stands in"};
+    f.error_lacks = {"mass that moves along the pass line: the vertical equivalent mass is used"};
     run.results.add("fh" + std::to_string(i + 1), f);
   }
   if (std::isnan(chock_seat))
@@ -311,7 +311,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
 
   const Eigen::VectorXd upper = response.acceleration.col(dynamics::upper_work_roll);
   const Eigen::VectorXd lower = response.acceleration.col(dynamics::lower_work_roll);
-  // Half the output rate shows what the sampling does; the rest of what a level is unsure of nobody knows.
+  // Half the output rate shows what the sampling does; the remaining uncertainty of a level is not known.
   const Eigen::MatrixXd coarse =
       curves ? every_other(response.acceleration)
              : dynamics::mill_response(model.driven, force, 0.5 * settings.output_rate).acceleration;
@@ -338,9 +338,9 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
     const auto measured = read_measured(pass.measured_file);
     for (const std::string &note : measured.notes)
       run.warn(pass.name + ", measured: " + note);
-    const auto beside                       = dynamics::compare(response, measured);
-    const std::string span                  = fmt::format("{:.3g} .. {:.3g} s", beside.begin, beside.end);
-    const dynamics::RollComparison *rolls[] = {&beside.upper_work_roll, &beside.lower_work_roll};
+    const auto comparison                   = dynamics::compare(response, measured);
+    const std::string span                  = fmt::format("{:.3g} .. {:.3g} s", comparison.begin, comparison.end);
+    const dynamics::RollComparison *rolls[] = {&comparison.upper_work_roll, &comparison.lower_work_roll};
     for (int r = 0; r < 2; ++r) {
       measured_peak[r].push_back(check(CheckId::measured, in_g(rolls[r]->measured.peak), span));
       measured_rms[r].push_back(check(CheckId::measured, in_g(rolls[r]->measured.rms), span));
@@ -358,8 +358,8 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
     const auto fine = dynamics::level(*rolls[r]), half = dynamics::level(coarse.col(columns[r]));
     const auto with_runs = [&](std::vector<Check> checks, const bool peak) {
       if (curves)
-        for (Check &beside : checks_of_level(*curves, columns[r], peak))
-          checks.push_back(std::move(beside));
+        for (Check &check : checks_of_level(*curves, columns[r], peak))
+          checks.push_back(std::move(check));
       return checks;
     };
     if (!std::isnan(pass.published_peak_g[r]))

@@ -19,7 +19,7 @@ ForceRecord force_of(const Pass &pass);
 double working_load(const Pass &pass, const ForceRecord &force);
 
 /// A sentence where the load of a pass is more than a twentieth off the mean of its record; else empty.
-std::string load_beside_record(const Pass &pass, double mean);
+std::string load_against_record(const Pass &pass, double mean);
 
 bool has_force(const Pass &pass);  ///< a record, or a range to make one in
 
@@ -69,7 +69,7 @@ dynamics::ModalModel driven_modes(const reduce::StandWithModes &stand, const Lum
                                   const DynamicsSettings &settings);
 
 /// Drives the model with the force of a pass, on the curves of its contacts where it has them:
-/// response/<pass>*.csv, peaks and rms beside published and measured ones.
+/// response/<pass>*.csv, peaks and rms compared with published and measured ones.
 void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettings &settings, const Pass &pass,
                    const ForceRecord &force);
 }  // namespace mill

@@ -267,10 +267,10 @@ private:
   {
     for (std::size_t m = 1; m < all.size() && force == 0; ++m) {
       const auto &names = all[m].places;
-      const auto found  = std::find(names.begin(), names.end(), place);
-      if (found == names.end())
+      const auto match  = std::find(names.begin(), names.end(), place);
+      if (match == names.end())
         continue;
-      const auto column = std::size_t(found - names.begin());
+      const auto column = std::size_t(match - names.begin());
       const Peak other  = peak_of(all[m], 0, column, others[m - 1].col(Eigen::Index(column)));
       if (std::isnan(other.frequency))
         continue;

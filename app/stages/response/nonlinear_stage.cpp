@@ -70,7 +70,7 @@ void judge(NonlinearRecord &record)
   std::string parted;
   for (const NonlinearRoll &roll : record.rolls)
     for (const double ratio : {roll.rms / roll.linear_rms, roll.peak / roll.linear_peak})
-      if (!(std::abs(ratio - 1) <= std::abs(furthest)))  // an undefined ratio counts as far
+      if (!(std::abs(ratio - 1) <= std::abs(furthest)))  // an undefined ratio is treated as far
         furthest = ratio - 1;
   double least = 1;
   std::string softest;
@@ -156,10 +156,10 @@ void write_spectra(RunContext &run, const CurveRuns &runs, const double rate, co
 {
   Table table;
   for (const auto &[name, row] : rolls) {
-    const auto of = [&, column = row](const dynamics::Response &r) {
+    const auto column_of = [&, column = row](const dynamics::Response &r) {
       return dynamics::amplitude_spectral_density(r.acceleration.col(column), rate);
     };
-    const auto curve = of(runs.curve.response), linear = of(runs.linear);
+    const auto curve = column_of(runs.curve.response), linear = column_of(runs.linear);
     if (table.names.empty())
       table.add("frequency", "Hz", curve.frequency);
     table.add(name, "g/sqrt(Hz)", curve.density / dynamics::standard_gravity)

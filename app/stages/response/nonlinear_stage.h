@@ -15,7 +15,7 @@ struct CurveRuns {
 CurveRuns run_on_curves(const CurveDrive &drive, const dynamics::DrivenModel &linear, const ForceRecord &force,
                         double output_rate);
 
-/// What stands beside a level on the curves: the linear run and the fixed steps.
+/// Checks of a level on the curves: the linear run and the fixed steps.
 /// @param column  of the accelerations
 /// @param peak    the largest value, else the rms; g
 std::vector<Check> checks_of_level(const CurveRuns &runs, int column, bool peak);

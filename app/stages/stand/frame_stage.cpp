@@ -110,10 +110,10 @@ void resolve_screwdown(RunContext &run, FourHigh &stand)
   const reduce::FrameWithScrewdown done = reduce::frame_with_screwdown(stand.frame, stand.screwdown, stand.steel);
   for (const reduce::Replacement &spring : done.replaced) {
     Parameter p = computed(spring.after, "N/m", spring.parts + " by formula", not_given, spring.inputs);
-    // Nobody knows how far a formula is off, but who draws the part may say.
-    const std::string own = spring.key.substr(std::string("frame.").size());
-    if (const auto said = stand.frame.tolerance.find(own); said != stand.frame.tolerance.end())
-      p.error_estimate = said->second;
+    // The error of a formula is not known, but the designer of the part may state it.
+    const std::string row_key = spring.key.substr(std::string("frame.").size());
+    if (const auto tolerance = stand.frame.tolerance.find(row_key); tolerance != stand.frame.tolerance.end())
+      p.error_estimate = tolerance->second;
     else
       p.error_lacks = {tolerance_key(spring.key)};
     add_given(p, spring.before);
@@ -142,6 +142,6 @@ void resolve_frame(RunContext &run, FourHigh &stand)
   add_housing(run, stand, before, statics);
   if (stand.dynamics.frame == "closed")
     run.assume(
-        "a drawn housing is closed by itself: dynamics.frame = \"closed\" concerns the six masses and the beams");
+        "a drawn housing is already closed: dynamics.frame = \"closed\" concerns the six masses and the beams");
 }
 }  // namespace mill

@@ -4,6 +4,7 @@
 
 namespace mill {
 /// Puts what [housing] and [screwdown] give into stand.frame: frame.* results with closed forms and the given
-/// values beside them, fields/housing.vtu; the errors of its meshes become tolerances of the frame.
+/// values that they are compared with, fields/housing.vtu; the errors of its meshes become tolerances of the
+/// frame.
 void resolve_frame(RunContext &run, FourHigh &stand);
 }  // namespace mill

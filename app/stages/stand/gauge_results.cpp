@@ -112,7 +112,7 @@ const GaugeInput gauge_inputs[] = {
 struct GaugeNumber {
   std::string name;
   const char *unit, *equation;
-  double value, error, beside;
+  double value, error, by_differences;
   std::string also;  ///< what else has no error
 };
 
@@ -131,8 +131,8 @@ void add_gauge_number(RunContext &run, const GaugeNumber &g, const Parameter &M,
     if (!g.also.empty())
       p.error_lacks.push_back(g.also);
   }
-  if (!std::isnan(g.beside))
-    p.checks.push_back({"differences of the coupled solution h2 = S + F/M", g.beside,
+  if (!std::isnan(g.by_differences))
+    p.checks.push_back({"differences of the coupled solution h2 = S + F/M", g.by_differences,
                         "the strip by a slab theory on the circle of the loaded roll"});
   run.results.add(g.name, p);
 }
@@ -150,10 +150,10 @@ void add_gauge(RunContext &run, const FourHigh &stand, const std::size_t pass, c
   const auto bite_result = [&](const std::string &name) {
     return result_name({family::bite, stand.passes[pass].name, name});
   };
-  const auto own = [&](const std::string &quantity, const std::string &aspect = "") {
+  const auto gauge_result = [&](const std::string &quantity, const std::string &aspect = "") {
     return stand_result(stand, pass, quantity, aspect);
   };
-  const Parameter *modulus = run.results.find(own("modulus", "tangent"));
+  const Parameter *modulus = run.results.find(gauge_result("modulus", "tangent"));
   const Parameter *circle  = run.results.find(bite_result("flattened_radius"));
   if (!modulus || !(slope.value > 0) || !circle)
     return;
@@ -163,10 +163,11 @@ void add_gauge(RunContext &run, const FourHigh &stand, const std::size_t pass, c
   const double share = gauge.Q / (gauge.M + gauge.Q), eM = M.error_estimate, eQ = slope.error_estimate;
   const double by_screw = coupled.read([](const CoupledGauge &c) { return c.by_screw(); });
   const auto add        = [&](const GaugeNumber &g) { add_gauge_number(run, g, M, slope); };
-  add({own("screw_sensitivity"), "1", "(30.7)", gauge.screw(), share * (eM + eQ), by_screw, ""});
-  add({own("thickness_by", "eccentricity"), "1", "(30.7)", -gauge.screw(), share * (eM + eQ), -by_screw, ""});
-  add({own("force_by", "screw"), "N/m", "(30.9)", gauge.force_by_screw(), share * eM + (1 - share) * eQ, not_given,
+  add({gauge_result("screw_sensitivity"), "1", "(30.7)", gauge.screw(), share * (eM + eQ), by_screw, ""});
+  add({gauge_result("thickness_by", "eccentricity"), "1", "(30.7)", -gauge.screw(), share * (eM + eQ), -by_screw,
        ""});
+  add({gauge_result("force_by", "screw"), "N/m", "(30.9)", gauge.force_by_screw(), share * eM + (1 - share) * eQ,
+       not_given, ""});
   for (const GaugeInput &input : gauge_inputs) {
     const std::string of_bite = bite_result(std::string("force_by_") + input.name);
     const Parameter *there    = run.results.find(of_bite);
@@ -175,14 +176,14 @@ void add_gauge(RunContext &run, const FourHigh &stand, const std::size_t pass, c
     const double F_x       = there->value;
     const double eF        = there->checks.empty() ? not_given : difference(there->checks.front().value, F_x);
     const std::string also = std::isnan(eF) ? of_bite : "";
-    const double beside    = input.member
-                                 ? coupled.read([&](const CoupledGauge &c) { return c.by(input.member, input.step); })
-                                 : not_given;
-    add({own("thickness_by", input.name), input.unit, "(30.8)", gauge.thickness_by(F_x),
-         eF + (1 - share) * eM + share * eQ, beside, also});
+    const double by_differences =
+        input.member ? coupled.read([&](const CoupledGauge &c) { return c.by(input.member, input.step); })
+                     : not_given;
+    add({gauge_result("thickness_by", input.name), input.unit, "(30.8)", gauge.thickness_by(F_x),
+         eF + (1 - share) * eM + share * eQ, by_differences, also});
     if (input.member == &Strip::entry_thickness)
-      add({own("force_by", input.name), "N/m", "(30.9)", gauge.force_by(F_x), eF + share * (eM + eQ),
-           gauge.M * beside, also});
+      add({gauge_result("force_by", input.name), "N/m", "(30.9)", gauge.force_by(F_x), eF + share * (eM + eQ),
+           gauge.M * by_differences, also});
   }
 }
 }  // namespace mill

@@ -10,7 +10,7 @@ std::string stand_result(const FourHigh &stand, std::size_t pass, const std::str
                          const std::string &aspect = "");
 
 /// stand.screw_sensitivity, stand.thickness_by.*, stand.force_by.* of a pass from its stand.modulus.tangent, its
-/// plastic slope and bite.*, beside differences of the coupled solution.  theory.md (30.6)-(30.9)
+/// plastic slope and bite.*, compared with differences of the coupled solution.  theory.md (30.6)-(30.9)
 /// Nothing where the bite has no plastic slope.
 /// @param stretch  of the stand with strip over the rolling force
 void add_gauge(RunContext &run, const FourHigh &stand, std::size_t pass, const Parameter &plastic_slope,

@@ -16,14 +16,14 @@ std::string headline(const StandModels &models, const double limit)
   const reduce::StandWithModes &best = best_model(models);
   const Eigen::VectorXd &f           = best.modes.frequency;
   std::string text =
-      fmt::format("modes below {:g} Hz: {}, six masses beside them\n", limit, title_of(best.model.name));
+      fmt::format("modes below {:g} Hz: {}, compared with the six masses\n", limit, title_of(best.model.name));
   for (Eigen::Index i = 0; i < f.size() && f[i] <= limit; ++i) {
-    std::string beside = "-";
+    std::string six_mass = "-";
     for (const reduce::ModePair &pair : models.verdict.pairs)
       if (pair.mode == i && pair.other >= 0)
-        beside = fmt::format("{:.1f}", models.chain.modes.frequency[pair.other]);
+        six_mass = fmt::format("{:.1f}", models.chain.modes.frequency[pair.other]);
     const std::string name = best.names.size() > std::size_t(i) ? best.names[std::size_t(i)].name : "";
-    text += fmt::format("{:>10.1f} Hz  {:<42} {:>8}\n", f[i], name, beside);
+    text += fmt::format("{:>10.1f} Hz  {:<42} {:>8}\n", f[i], name, six_mass);
   }
   if (!models.verdict.sentences.empty())
     text += models.verdict.sentences.front() + "\n";

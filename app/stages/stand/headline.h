@@ -7,7 +7,7 @@ namespace mill {
 /// frequencies and names are those of the run.
 const reduce::StandWithModes &best_model(const StandModels &models);
 
-/// For the console: the modes of the best model below the limit (Hz) by name, the six masses beside them, and what
-/// those are good for.
+/// For the console: the modes of the best model below the limit (Hz) by name, compared with the six masses, and
+/// what those are good for.
 std::string headline(const StandModels &models, double limit);
 }  // namespace mill

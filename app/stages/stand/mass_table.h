@@ -3,6 +3,6 @@
 #include <string>
 
 namespace mill {
-/// M1..M6 by every method beside the published values, as `millstand masses` prints them; empty without M2.
+/// M1..M6 by every method and the published values, as `millstand masses` prints them; empty without M2.
 std::string mass_table(const Results &results);
 }  // namespace mill

@@ -19,7 +19,7 @@ void write_mode_table(RunContext &run, const reduce::StandWithModes &stand);
 std::string frequency_result(const StandModel &model, std::size_t mode);
 
 /// mode.<name>.frequency of every mode below the limit (Hz) that has a name: of the first model, whose frequencies
-/// are in the results already, with those of the others that bear the same name beside it.
+/// are in the results already, compared with those of the other models that have the same name.
 void add_named_modes(RunContext &run, const std::vector<const reduce::StandWithModes *> &models,
                      double limit = std::numeric_limits<double>::infinity());
 }  // namespace mill

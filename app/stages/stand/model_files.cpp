@@ -67,7 +67,7 @@ private:
   std::vector<std::array<double, 3>> places;
 };
 
-// The axes of the rolls from end to end, and the masses beside them on both sides.
+// The axes of the rolls from end to end, and the masses next to them on both sides.
 Drawing drawing_of(const FourHigh &stand, const StandModel &model)
 {
   Drawing d;
@@ -266,7 +266,7 @@ ModelFiles model_case_files(const reduce::StandWithModes &s, const double freque
   for (Eigen::Index i = 0; i < s.modes.frequency.size() && s.modes.frequency[i] <= frequency_limit; ++i)
     files.modes.push_back({double(i + 1), s.modes.frequency[i]});
   if (files.modes.size() == 1)
-    files.modes.clear();  // one pair is no table
+    files.modes.clear();  // one pair does not make a table
   return files;
 }
 

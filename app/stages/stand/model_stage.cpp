@@ -170,20 +170,20 @@ void write_shapes(RunContext &run, const FourHigh &stand, const reduce::LumpedSt
                   const StandModel &model)
 {
   const reduce::StandShapes fe = reduce::stand_shapes(model);
-  const auto at                = [](const reduce::RollShape &shape, const Eigen::VectorXd &x, const double kink) {
+  const auto shape_at          = [](const reduce::RollShape &shape, const Eigen::VectorXd &x, const double kink) {
     return Eigen::VectorXd(x.unaryExpr([&](const double z) { return reduce::value_at(shape, z, kink); }));
   };
   Table work, backup;
   const Eigen::VectorXd &xw = chain.f1_upper.x, &xb = chain.f2_upper.x;
   const double end_work = stand.work_roll.barrel_length / 2, end_backup = stand.backup_roll.barrel_length / 2;
   work.add("x", "m", xw).add("f1_upper", "m/N", chain.f1_upper.value).add("f1_lower", "m/N", chain.f1_lower.value);
-  work.add("f1_upper_fe", "m/N", at(fe.f1_upper, xw, end_work))
-      .add("f1_lower_fe", "m/N", at(fe.f1_lower, xw, end_work));
+  work.add("f1_upper_fe", "m/N", shape_at(fe.f1_upper, xw, end_work))
+      .add("f1_lower_fe", "m/N", shape_at(fe.f1_lower, xw, end_work));
   backup.add("x", "m", xb)
       .add("f2_upper", "m/N", chain.f2_upper.value)
       .add("f2_lower", "m/N", chain.f2_lower.value);
-  backup.add("f2_upper_fe", "m/N", at(fe.f2_upper, xb, end_backup));
-  backup.add("f2_lower_fe", "m/N", at(fe.f2_lower, xb, end_backup));
+  backup.add("f2_upper_fe", "m/N", shape_at(fe.f2_upper, xb, end_backup));
+  backup.add("f2_lower_fe", "m/N", shape_at(fe.f2_lower, xb, end_backup));
   write_curve(run, curve::shape_work_roll, "", work);
   write_curve(run, curve::shape_backup_roll, "", backup);
 }
@@ -281,7 +281,7 @@ reduce::FeMasses add_fe_masses(LumpedModel &chain, const FourHigh &stand, const 
       p.value = fe.solid[i];
     } else {
       p.error_estimate += std::abs(fe.solid[i] / p.value - 1);
-      // First, since a reader sees the first check beside the number.
+      // First, because the page shows the first check next to the number.
       p.checks.insert(p.checks.begin(), {check(CheckId::fe_solid_mass, fe.solid[i], "with what turns and bulges"),
                                          check(CheckId::fe_integral_mass, fe.integral[i])});
     }

@@ -22,8 +22,8 @@ struct StandModels {
 /// Builds them for a chain; modes up to twice the frequency limit, with error estimates from coarser meshes.
 StandModels stand_models(const FourHigh &stand, const reduce::LumpedStand &chain, const ComponentSets &components);
 
-/// Equivalent masses M2..M5 by the shapes of the finite elements: checks beside the closed forms, or the values
-/// themselves when the case asks for them (dynamics.mass_source).
+/// Equivalent masses M2..M5 by the shapes of the finite elements: checks in addition to the closed forms, or the
+/// values themselves when the case asks for them (dynamics.mass_source).
 /// @return  as they are by both roads
 reduce::FeMasses add_fe_masses(LumpedModel &chain, const FourHigh &stand, const StandModels &models);
 
@@ -44,7 +44,7 @@ std::vector<reduce::ModalSensitivity> inputs_of_modes(const FourHigh &stand, con
 /// Keys behind the beams and the finite elements.
 KeyList keys_of_models(const reduce::LumpedStand &chain);
 
-/// Frequencies of the other models beside f1..f6, once those are there.
+/// Frequencies of the other models as checks of f1..f6, once those are computed.
 void add_model_checks(RunContext &run, const StandModels &models);
 
 /// The model that the case wants driven; nullptr: the six masses.

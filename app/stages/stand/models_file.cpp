@@ -63,11 +63,11 @@ std::vector<ModePartners> mode_partners(const StandModels &m)
 {
   std::vector<ModePartners> pairs;
   for (const auto *other : {&m.beam, &m.craig_bampton}) {
-    const auto found = reduce::pair_modes(reduce::mac_with_chain(*other, m.chain), other->modes.frequency,
+    const auto modes = reduce::pair_modes(reduce::mac_with_chain(*other, m.chain), other->modes.frequency,
                                           m.chain.modes.frequency);
-    pairs.resize(found.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      const auto &[mode, partner, mac, difference] = found[i];
+    pairs.resize(modes.size());
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+      const auto &[mode, partner, mac, difference] = modes[i];
       pairs[i].mode                                = mode + 1;
       pairs[i].six_mass                            = m.chain.modes.frequency[mode];
       if (partner >= 0)

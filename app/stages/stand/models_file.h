@@ -11,7 +11,7 @@ struct FourHigh;
 ComparedModel compared_model(const reduce::StandWithModes &stand, const std::string &title,
                              const std::string &source, double limit, const Eigen::VectorXd &in_chain);
 
-/// The modes of the others beside those of the six masses.
+/// The modes of the other models compared with those of the six masses.
 std::vector<ModePartners> mode_partners(const StandModels &models);
 
 /// How alike the shapes of the two detailed models are.

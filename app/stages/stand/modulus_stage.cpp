@@ -24,13 +24,13 @@ using reduce::PathPart;
 constexpr double width_step = 0.01;  // relative, of central differences
 constexpr double force_step = 0.02;
 
-Parameter made(const char *unit, const double value, const std::string &method, const OperatingPoint &at)
+Parameter made(const char *unit, const double value, const std::string &method, const OperatingPoint &load)
 {
   Parameter p;
   p.unit   = unit;
   p.value  = value;
   p.method = method;
-  p.at     = at;
+  p.at     = load;
   return p;
 }
 
@@ -77,14 +77,14 @@ public:
   }
   void add()
   {
-    add_kissing();
+    add_touching();
     if (!std::isnan(parts.K4.flattening.value)) {
       flattening = parts.K4.flattening;
       add_bending();
       add_with_strip();
       warn_unusual();
     } else if (parts.pass == 0)
-      run.assume("K4 is given and says nothing of the flattening at the strip: the mill modulus is that of work "
+      run.assume("K4 is given and does not contain the flattening at the strip: the mill modulus is that of work "
                  "rolls that touch each other");
     if (parts.pass == 0)
       write();
@@ -99,9 +99,9 @@ private:
   OperatingPoint at;
   Parameter flattening;
   double bend = 0;  // m/N, both work rolls
-  std::vector<PathPart> common, with_strip, kissing;
+  std::vector<PathPart> common, with_strip, touching;
 
-  const Parameter &found(const std::string &name) const
+  const Parameter &result(const std::string &name) const
   {
     const Parameter *p = run.results.find(name);
     if (!p)
@@ -111,14 +111,14 @@ private:
   // A spring of the chain at the load of this pass.
   const Parameter &spring(const std::string &name) const
   {
-    return found(of_pass(name));
+    return result(of_pass(name));
   }
   std::string of_pass(const std::string &name) const
   {
     return parts.pass == 0 ? name : result_name({stand.passes[parts.pass].name, name});
   }
   // A result of this stage for this pass.
-  std::string own(const std::string &quantity, const std::string &aspect = "") const
+  std::string name_of(const std::string &quantity, const std::string &aspect = "") const
   {
     return stand_result(stand, parts.pass, quantity, aspect);
   }
@@ -167,7 +167,7 @@ private:
   }
 
   void add_contact_of_work_rolls();
-  void add_kissing();
+  void add_touching();
   void add_bending();
   void add_with_strip();
   void add_by_width();
@@ -216,8 +216,8 @@ void Modulus::add_contact_of_work_rolls()
          {"Foeppl (3.8)",    laws.foeppl,   ""                     },
          {"Palmgren (3.10)", laws.palmgren, "lower end of the band"}
   };
-  run.results.add(own("K_ww", "tangent"), tangent);
-  run.results.add(own("K_ww", "secant"), secant);
+  run.results.add(name_of("K_ww", "tangent"), tangent);
+  run.results.add(name_of("K_ww", "secant"), secant);
 }
 
 // The slope again, from secants: tangents do not enter.
@@ -231,19 +231,19 @@ Check Modulus::difference_of_stretch(const bool strip) const
           "by the secants of all springs, 2 % of the force"};
 }
 
-void Modulus::add_kissing()
+void Modulus::add_touching()
 {
   add_contact_of_work_rolls();
-  common  = common_path();
-  kissing = common;
-  kissing.push_back(
-      part(own("K_ww", "tangent"), found(own("K_ww", "tangent")), found(own("K_ww", "secant")).value));
-  const auto m      = reduce::mill_modulus(kissing);
+  common   = common_path();
+  touching = common;
+  touching.push_back(part(name_of("K_ww", "tangent"), result(name_of("K_ww", "tangent")),
+                          result(name_of("K_ww", "secant")).value));
+  const auto m      = reduce::mill_modulus(touching);
   Parameter tangent = result_of(m, "K1, K2, K3, work rolls on each other, K5, K6, K7 in series (30.1)", true);
   tangent.checks.push_back(difference_of_stretch(false));
   Parameter secant = result_of(m, "screw-down of touching work rolls from zero force (30.2)", false);
-  run.results.add(own("modulus", "kiss"), tangent);
-  run.results.add(own("modulus", "kiss_secant"), secant);
+  run.results.add(name_of("modulus", "kiss"), tangent);
+  run.results.add(name_of("modulus", "kiss_secant"), secant);
 }
 
 void Modulus::add_bending()
@@ -276,13 +276,13 @@ void Modulus::add_bending()
     p.checks.push_back(solid ? Check{"Euler beam on its contact line (4.9)", beam, "no shear"}
                              : Check{"rolls by finite elements (22.13a)", fine, ""});
   } else
-    p.error_lacks = {own("K_bend")};
-  run.results.add(own("K_bend"), p);
+    p.error_lacks = {name_of("K_bend")};
+  run.results.add(name_of("K_bend"), p);
 }
 
 std::vector<PathPart> Modulus::path_at(const double F, const bool strip) const
 {
-  std::vector<PathPart> path = strip ? with_strip : kissing;
+  std::vector<PathPart> path = strip ? with_strip : touching;
   const auto set             = [&](const std::string &name, const double tangent, const double secant) {
     for (PathPart &p : path)
       if (p.name == name) {
@@ -304,7 +304,7 @@ std::vector<PathPart> Modulus::path_at(const double F, const bool strip) const
     set(name, 1 / (rest + deflected.compliance), 1 / (rest + deflected.deflection / F));
   }
   const auto contact = reduce::line_contact(work_roll_pair(stand), F);
-  set(own("K_ww", "tangent"), contact.tangent, contact.secant);
+  set(name_of("K_ww", "tangent"), contact.tangent, contact.secant);
   return path;
 }
 
@@ -334,8 +334,8 @@ void Modulus::add_with_strip()
   with_strip = common;
   with_strip.push_back({"K4.flattening", flattening.value / 2, flattening.value / 2, flattening.error_estimate,
                         flattening.error_lacks});
-  if (run.results.find(own("K_bend")))
-    with_strip.push_back(part(own("K_bend"), found(own("K_bend")), 1 / bend));
+  if (run.results.find(name_of("K_bend")))
+    with_strip.push_back(part(name_of("K_bend"), result(name_of("K_bend")), 1 / bend));
   const auto m     = reduce::mill_modulus(with_strip);
   const auto curve = stretch(true);
   const double F   = parts.load;
@@ -358,8 +358,8 @@ void Modulus::add_with_strip()
   secant.checks.push_back({"tangents summed over the force", F / sum, "from the smallest force of the curve"});
   if (const double wished = stand.frame.wished_modulus; !std::isnan(wished))
     tangent.checks.push_back({"frame.modulus, from which the frame was estimated (34.8)", wished, ""});
-  run.results.add(own("modulus", "tangent"), tangent);
-  run.results.add(own("modulus", "secant"), secant);
+  run.results.add(name_of("modulus", "tangent"), tangent);
+  run.results.add(name_of("modulus", "secant"), secant);
   add_by_width();
 }
 
@@ -367,7 +367,7 @@ void Modulus::add_by_width()
 {
   const double K3 = spring("K3").value, K5 = spring("K5").value, b = stand.strip.width, step = width_step * b;
   const Component *solid = solid_work_roll(stand, parts);
-  const double M         = found(own("modulus", "tangent")).value;
+  const double M         = result(name_of("modulus", "tangent")).value;
   const double slope     = bend * K3 > least_bending ? (work_rolls_bending(stand, solid, b + step, K3, K5) -
                                                     work_rolls_bending(stand, solid, b - step, K3, K5)) /
                                                        (2 * step)
@@ -383,7 +383,7 @@ void Modulus::add_by_width()
          {"flattening alone", by_width(0), "work rolls that do not bend"}
   };
   p.error_lacks = {"K4.flattening"};
-  run.results.add(own("modulus", "by_width"), p);
+  run.results.add(name_of("modulus", "by_width"), p);
 }
 
 void Modulus::warn_unusual()

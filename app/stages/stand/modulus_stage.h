@@ -8,7 +8,7 @@
 #include "reduce/chain/roll_shapes.h"
 
 namespace mill {
-/// What the mill modulus of one pass is made of beside the results of the run.
+/// The inputs of the mill modulus of one pass in addition to the results of the run.
 struct ModulusParts {
   std::size_t pass          = 0;
   double load               = not_given;                  ///< N, rolling force
@@ -30,7 +30,7 @@ reduce::CylinderPair work_roll_pair(const FourHigh &stand);
 /// @param solid  the work roll by finite elements; null: Euler's beam
 double work_rolls_bending(const FourHigh &stand, const Component *solid, double width, double K3, double K5);
 
-/// A share of the flexibility of K3 below which the strip counts as being as wide as the barrel.
+/// A share of the flexibility of K3 below which the strip is treated as wide as the barrel.
 inline constexpr double least_bending = 1e-6;
 
 /// Opening of the gap per rolling force by beams and finite elements, K4 left out, m/N.  theory.md (30.4)

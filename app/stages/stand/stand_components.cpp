@@ -173,11 +173,11 @@ ComponentSets stand_components(RunContext &run, const FourHigh &stand, const boo
   std::optional<Component> fine_housing, coarse_housing;
   const bool housed = with_housing && stand.housing.present();
   std::vector<IndependentStage> stages{
-      [&](RunContext &own) { work = roll(own, "work roll", stand.work_roll, stand); },
-      [&](RunContext &own) { backup = roll(own, "backup roll", stand.backup_roll, stand); }};
+      [&](RunContext &part_run) { work = roll(part_run, "work roll", stand.work_roll, stand); },
+      [&](RunContext &part_run) { backup = roll(part_run, "backup roll", stand.backup_roll, stand); }};
   if (housed) {
-    stages.push_back([&](RunContext &own) { fine_housing = housing(own, stand, true); });
-    stages.push_back([&](RunContext &own) { coarse_housing = housing(own, stand, false); });
+    stages.push_back([&](RunContext &part_run) { fine_housing = housing(part_run, stand, true); });
+    stages.push_back([&](RunContext &part_run) { coarse_housing = housing(part_run, stand, false); });
   }
   run_side_by_side(run, std::move(stages));
   ComponentSets sets{
@@ -212,19 +212,20 @@ void add_housing_frequencies(RunContext &run, const FourHigh &stand, const Compo
     return;
   const Component &fine = *components.fine.housing, &coarse = *components.coarse.housing;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(fine.K, fine.M),
-      beside(coarse.K, coarse.M);
-  const auto n = std::min(modes.eigenvalues().size(), beside.eigenvalues().size());
+      coarse_modes(coarse.K, coarse.M);
+  const auto n = std::min(modes.eigenvalues().size(), coarse_modes.eigenvalues().size());
   for (Eigen::Index i = 0; i < n; ++i) {
     const double squared = modes.eigenvalues()[i], f = std::sqrt(squared) / (2 * M_PI);
     if (f > stand.dynamics.frequency_limit)
       break;
     const Eigen::VectorXd q = modes.eigenvectors().col(i).head(fine.n_interface());
     Parameter p;
-    p.value          = f;
-    p.unit           = "Hz";
-    p.method         = "bare housing on its feet, alike on both sides, " + fine.source;
-    p.error_estimate = mesh_pair_error(f, std::sqrt(beside.eigenvalues()[i]) / (2 * M_PI), housing_mesh_gain()) +
-                       0.5 * squared * q.dot(fine.residual * q);  // (22.9)
+    p.value  = f;
+    p.unit   = "Hz";
+    p.method = "bare housing on its feet, alike on both sides, " + fine.source;
+    p.error_estimate =
+        mesh_pair_error(f, std::sqrt(coarse_modes.eigenvalues()[i]) / (2 * M_PI), housing_mesh_gain()) +
+        0.5 * squared * q.dot(fine.residual * q);  // (22.9)
     p.inputs = reduce::housing_keys(stand.housing, true);
     p.inputs.push_back("dynamics.frequency_limit");
     run.results.add("housing.f" + std::to_string(i + 1), p);

@@ -31,10 +31,10 @@ const CaseKind &case_kind(const BearingCase *)
     };
     k.given = k.published = bearing_published_rows();
     k.repeated            = [](const CaseSpec &spec, const std::string &section) {
-      const auto &own = std::get<BearingCase>(spec);
+      const auto &the_case = std::get<BearingCase>(spec);
       if (section == "oil-film")
-        return names_in(own.oil_films);
-      return section == "bearing" ? names_in(own.bearings) : std::vector<std::string>();
+        return names_in(the_case.oil_films);
+      return section == "bearing" ? names_in(the_case.bearings) : std::vector<std::string>();
     };
     return k;
   }();

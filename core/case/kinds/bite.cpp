@@ -28,8 +28,8 @@ const CaseKind &case_kind(const BiteCase *)
     };
     k.given = k.published = bite_published_rows();
     k.repeated            = [](const CaseSpec &spec, const std::string &section) {
-      const auto &own = std::get<BiteCase>(spec);
-      return section == "pass" ? numbers_to(own.passes.size()) : std::vector<std::string>();
+      const auto &the_case = std::get<BiteCase>(spec);
+      return section == "pass" ? numbers_to(the_case.passes.size()) : std::vector<std::string>();
     };
     return k;
   }();

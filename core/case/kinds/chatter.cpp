@@ -21,14 +21,14 @@ std::vector<SectionRows> chatter_sections()
   add("strip", Repeat::once, true, "the strip in the bite", rows_of(chatter_strip_rows()));
   add("strip.flow_stress", Repeat::once, true, "plane-strain flow stress of the strip",
       rows_of(flow_stress_rows()));
-  add("strip.friction", Repeat::once, false, "friction where there is no [oil] and it is no number",
+  add("strip.friction", Repeat::once, false, "friction without [oil], if it is not a single number",
       rows_of(friction_rows()));
   add("oil", Repeat::once, false, "the film between roll and strip", rows_of(oil_rows()));
   add("oil.friction", Repeat::once, false, "friction over that film", rows_of(oil_friction_rows()));
   add("stand", Repeat::once, true, "the stand around the bite and the strip around the stand",
       rows_of(chatter_stand_rows()));
-  add("variant", Repeat::named, false, "another reading of the stand; what it leaves out is that of [stand]",
-      rows_of(chatter_stand_rows()));
+  add("variant", Repeat::named, false,
+      "another model of the stand; values that it leaves out are those of [stand]", rows_of(chatter_stand_rows()));
   add("condition", Repeat::list, true, "what rolls at one working point", rows_of(condition_rows()));
   add("analysis", Repeat::once, false, "how chatter is searched", rows_of(chatter_analysis_rows()));
   all.push_back(monitoring_section());
@@ -59,10 +59,10 @@ const CaseKind &case_kind(const ChatterCase *)
     k.notes.push_back(monitoring_note());
     k.notes.push_back(chatter_advice_note());
     k.repeated = [](const CaseSpec &spec, const std::string &section) {
-      const auto &own = std::get<ChatterCase>(spec);
+      const auto &the_case = std::get<ChatterCase>(spec);
       if (section == "variant")
-        return names_in(own.variants);
-      return section == "condition" ? numbers_to(own.conditions.size()) : std::vector<std::string>();
+        return names_in(the_case.variants);
+      return section == "condition" ? numbers_to(the_case.conditions.size()) : std::vector<std::string>();
     };
     return k;
   }();

@@ -137,8 +137,8 @@ const CaseKind &case_kind(const ClusterCase *)
           {"mode",    stand.modes.size()   },
           {"variant", stand.variants.size()}
       };
-      const auto found = sizes.find(section);
-      return found == sizes.end() ? std::vector<std::string>() : numbers_to(found->second);
+      const auto entry = sizes.find(section);
+      return entry == sizes.end() ? std::vector<std::string>() : numbers_to(entry->second);
     };
     return k;
   }();

@@ -18,13 +18,13 @@ T read_roll(const Node &root, const std::string &name, const std::vector<Field<T
             EstimateInput &wish, Reading &reading)
 {
   T roll;
-  const Section section = section_at(root, name, reading);
-  const auto own        = roll_estimate_rows();
-  wish                  = read_estimate(section, own, reading);
+  const Section section    = section_at(root, name, reading);
+  const auto estimate_rows = roll_estimate_rows();
+  wish                     = read_estimate(section, estimate_rows, reading);
   read_and_echo(section, section.header(),
                 beside_estimate(name, beside_given(name, rows, given, roll), wish.estimate, roll), roll, reading,
-                {own.front().key});
-  reading.echo += resolved_lines(name, own, wish, reading);
+                {estimate_rows.front().key});
+  reading.echo += resolved_lines(name, estimate_rows, wish, reading);
   return roll;
 }
 
@@ -140,13 +140,13 @@ std::vector<SectionRows> four_high_sections()
       {"backup_roll",                                                 Repeat::once,                                                              true,      "both backup rolls",
           with_rows(rows_of(backup_roll_rows()),                             rows_of(roll_estimate_rows()))},
       {"bearing",                   Repeat::named,                                            false,
-          "a roller bearing, named by the rolls; of rolls whose Kzc are given none is needed",                                                                     rows_of(bearing_rows())                                            },
+          "a roller bearing, named by the rolls; rolls whose Kzc are given need none",                                                                     rows_of(bearing_rows())                                            },
       oil_film_section(),
       {"frame",                          Repeat::once,                                                   false,
           "masses already reduced to the moving point; stiffnesses of the whole stand, both sides together; what a "
        "drawing in [housing] or [screwdown] replaces, what K1, K2, K6, K7, M1, M2 and M6 of [given] stand for and "
        "what "
-       "estimate = true finds may be left out, and KEY_tolerance beside a value says how far it may be off",    with_rows(with_tolerances(rows_of(frame_rows())),rows_of(estimate_rows()))},
+       "estimate = true finds may be left out, and KEY_tolerance states the uncertainty of a value",    with_rows(with_tolerances(rows_of(frame_rows())),rows_of(estimate_rows()))},
       {"housing", Repeat::once, false,
           "mill housing of each side as drawn, a closed window frame; replaces masses and stiffnesses of posts and "
        "beams",                                                      rows_of(housing_rows())                                                                                                                                         },
@@ -241,7 +241,7 @@ std::vector<DrawingValue> four_high_drawing()
       {"strip.flow_stress", "k",                 "force model of the mill: plane strain, 1.15 times the yield stress"       },
       {"pass",              "name",              "pass schedule"                                                            },
       {"pass",              "load",              "pass schedule or force meter: rolling force of both sides together"       },
-      {"pass",              "force",             "recorder of the force meters: a CSV file beside this one"                 },
+      {"pass",              "force",             "recorder of the force meters: a CSV file in the folder of this file"      },
       {"pass",              "synthetic_range",   "in place of a record: smallest and largest rolling force"                 },
   };
 }
@@ -262,18 +262,18 @@ const CaseKind &case_kind(const FourHigh *)
     k.given     = stand_given_rows();
     k.published = stand_published_rows();
     k.repeated  = [](const CaseSpec &spec, const std::string &section) {
-      const auto &own = std::get<FourHigh>(spec);
+      const auto &stand = std::get<FourHigh>(spec);
       if (section == "bearing")
-        return names_in(own.bearings);
+        return names_in(stand.bearings);
       if (section == "oil-film")
-        return names_in(own.oil_films);
+        return names_in(stand.oil_films);
       if (section == "drive.order")
-        return numbers_to(own.drive.size());
+        return numbers_to(stand.drive.size());
       if (section == "advice.damper")
-        return numbers_to(own.advice.dampers.size());
+        return numbers_to(stand.advice.dampers.size());
       if (section == "advice.tuned_damper")
-        return numbers_to(own.advice.tuned.size());
-      return section == "pass" ? numbers_to(own.passes.size()) : std::vector<std::string>();
+        return numbers_to(stand.advice.tuned.size());
+      return section == "pass" ? numbers_to(stand.passes.size()) : std::vector<std::string>();
     };
     return k;
   }();

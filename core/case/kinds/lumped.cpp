@@ -56,7 +56,7 @@ const std::vector<Field<ModelFiles>> &model_file_rows()
        &T::modes,
        "1, Hz",                                    {0.01, 1e6},
        absent,                                                              "[[1, \"37.8 Hz\"], [2, \"52.5 Hz\"]]",
-       "number and frequency of modes; a run refuses matrices that have others"                                                                    },
+       "number and frequency of modes; a run refuses matrices that have other modes"                                                               },
   };
   return rows;
 }
@@ -135,14 +135,14 @@ const CaseKind &case_kind(const Lumped *)
       k.notes.push_back(note);
     k.given = k.published = lumped_given_rows();
     k.repeated            = [](const CaseSpec &spec, const std::string &section) {
-      const auto &own = std::get<Lumped>(spec);
+      const auto &the_case = std::get<Lumped>(spec);
       if (section == "drive.order")
-        return numbers_to(own.drive.size());
+        return numbers_to(the_case.drive.size());
       if (section == "advice.damper")
-        return numbers_to(own.advice.dampers.size());
+        return numbers_to(the_case.advice.dampers.size());
       if (section == "advice.tuned_damper")
-        return numbers_to(own.advice.tuned.size());
-      return section == "pass" ? numbers_to(own.passes.size()) : std::vector<std::string>();
+        return numbers_to(the_case.advice.tuned.size());
+      return section == "pass" ? numbers_to(the_case.passes.size()) : std::vector<std::string>();
     };
     return k;
   }();

@@ -15,7 +15,7 @@ void read_contact(const Node &root, TwoCylinders &pair, Reading &reading)
   pair.in_space            = space && !line;
   if (line && space)
     reading.add(space->key_place,
-                "[contact.space] stands beside [contact.line]; a case is computed in plane "
+                "[contact.space] and [contact.line] are both given; a case is computed in plane "
                 "strain or in space: leave one of the two out",
                 {line->key_place});
   const auto read_section = [&](const std::string &name, const auto &rows, auto &out) {

@@ -23,7 +23,7 @@ const Eigen::VectorXd masses =
 const Eigen::VectorXd springs =
     (Eigen::VectorXd(7) << 6.3086e9, 10.233e9, 40.2e9, 0, 40.2e9, 29.301e9, 6.8789e9).finished();
 
-// A chain, as calibration would leave it: K2 was not told by its records.
+// A chain, as calibration would leave it: K2 was not identified by its records.
 std::string chain_case(const std::string &folder, const std::string &advice)
 {
   std::ofstream out(folder + "/chain.toml");
@@ -165,10 +165,10 @@ TEST(Advise, OfAPassTheProcessIsAnActionAndChatterALimit)
   EXPECT_GT(effect_of(thinner, "critical over working speed"), 0);
   EXPECT_EQ(action(advice, "speed x 0.9")["against"][0], "rolls at 10.8 m/s, at least 12 m/s are wanted");
   EXPECT_NEAR(effect_of(action(advice, "speed x 0.9"), "critical over working speed"), 1 / 0.9 - 1, 1e-6);
-  bool said = false;
+  bool is_stated = false;
   for (const auto &note : advice["notes"])
-    said = said || note.get<std::string>().find("critical speed as it is, beams: unstable above ") == 0;
-  EXPECT_TRUE(said) << advice["notes"];
+    is_stated = is_stated || note.get<std::string>().find("critical speed as it is, beams: unstable above ") == 0;
+  EXPECT_TRUE(is_stated) << advice["notes"];
 }
 
 // Between the critical speeds of beams and six masses a process action has a level in the latter alone, which does
@@ -213,11 +213,11 @@ TEST(Advise, TheBiteIsInTheStandOnce)
   EXPECT_GT(speed, 12);
   EXPECT_NEAR(part["values"]["advice.critical_speed"]["value"].get<double>(), speed, 1e-9 * speed);
   const auto sentences = [](const nlohmann::json &advice) {
-    std::vector<std::string> said;
+    std::vector<std::string> notes;
     for (const auto &note : advice["notes"])
       if (const auto text = note.get<std::string>(); text.find("critical speed as it is, ") == 0)
-        said.push_back(text);
-    return said;
+        notes.push_back(text);
+    return notes;
   };
   ASSERT_EQ(sentences(whole).size(), 2u) << "six masses and beams";
   EXPECT_EQ(sentences(part), sentences(whole));

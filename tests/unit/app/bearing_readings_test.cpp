@@ -23,7 +23,7 @@ struct ReadingsFolder {
 };
 }  // namespace
 
-TEST(BearingReadings, AreTakenFromTheRunBefore)
+TEST(BearingReadings, ReadingsAreTakenFromTheRunBefore)
 {
   const ReadingsFolder folder;
   const OutputDir out(folder.path, folder.the_case, false, "0");

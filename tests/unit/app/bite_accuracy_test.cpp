@@ -1,4 +1,4 @@
-// What the results of the bite say of their accuracy: from two meshes and from what stands beside, never borrowed.
+// Error estimates of the results of the bite: from two meshes and from the theories that they are compared with.
 #include "app/stages/bite/bite_accuracy.h"
 #include "app/stages/bite/bite_results.h"
 #include "tests/support/demo_pass.h"
@@ -44,19 +44,19 @@ BiteStudy by_elements(const double ratio = 1)
 const auto exact = within(1e-12, "relative differences");
 }  // namespace
 
-TEST(BiteAccuracy, CountsTheSlabTheoryBesideTheMeshes)
+TEST(BiteAccuracy, TheErrorIncludesTheSlabTheoryAndTheMeshes)
 {
   BiteStudy s = by_elements();
   EXPECT_TRUE(near(bite_error(s, 100, 98, force_of), 0.07, exact));
   EXPECT_TRUE(near(bite_error(s, 100, 88, force_of), 1.25 * 0.12, exact)) << "two meshes, theory.md (1.5)";
   EXPECT_TRUE(std::isnan(bite_error(s, 100, not_given, force_of))) << "no second mesh: not known";
   s.answers[0].refused = "no flattened radius";
-  EXPECT_TRUE(near(bite_error(s, 100, 98, force_of), 0.04, exact)) << "the next theory stands beside";
+  EXPECT_TRUE(near(bite_error(s, 100, 98, force_of), 0.04, exact)) << "the next theory is the comparison";
   s.answers[1].refused = "no flattened radius";
   EXPECT_TRUE(std::isnan(bite_error(s, 100, 98, force_of))) << "nothing independent: not known";
 }
 
-TEST(BiteAccuracy, BeyondHitchcocksRangeOnlyAFreeArcKnows)
+TEST(BiteAccuracy, BeyondHitchcocksRangeTheErrorNeedsAFreeArc)
 {
   BiteStudy s = by_elements(5.5);
   EXPECT_TRUE(std::isnan(bite_error(s, 100, 98, force_of)));
@@ -66,7 +66,7 @@ TEST(BiteAccuracy, BeyondHitchcocksRangeOnlyAFreeArcKnows)
   EXPECT_TRUE(near(bite_error(s, 100, 98, force_of), 0.3, exact));
 }
 
-TEST(BiteAccuracy, SectionOfTheRollByItsOwnEffectOnTheNumber)
+TEST(BiteAccuracy, TheSectionOfTheRollEntersByItsEffectOnTheResult)
 {
   BiteStudy s             = by_elements();
   s.question.setup.method = "slab";
@@ -77,12 +77,12 @@ TEST(BiteAccuracy, SectionOfTheRollByItsOwnEffectOnTheNumber)
   EXPECT_TRUE(near(bite_error(s, 100, not_given, force_of), 0.025, exact));
 }
 
-TEST(BiteAccuracy, SeriesOfSlopeAndFlatteningHasItsOwn)
+TEST(BiteAccuracy, TheSeriesOfSlopeAndFlatteningHasASeparateError)
 {
   const BiteStudy s       = by_elements();
   const BiteSpring spring = bite_spring(s);
   EXPECT_TRUE(near(spring.plastic_slope.error_estimate, 0.1, exact));
-  // 1/(1/1000 + 2/20000) beside 1/(1/1100 + 2/22000): in proportion here; the mesh alone is 0.9 %.
+  // 1/(1/1000 + 2/20000) against 1/(1/1100 + 2/22000): in proportion here; the mesh alone is 0.9 %.
   EXPECT_TRUE(near(spring.combined.error_estimate, 0.1, exact));
   EXPECT_TRUE(std::isnan(spring.flattening.error_estimate)) << "no section of the roll: nothing to compare with";
 }

@@ -49,21 +49,21 @@ BiteQuestion cold_pass()
 }
 }  // namespace
 
-TEST(BiteStudy, AFullDiskIsNoHalfPlane)
+TEST(BiteStudy, AFullDiskIsNotAnsweredByAHalfPlane)
 {
   Study study;
   std::filesystem::remove_all(study.out.staging());  // where the mesh of the section is written
-  std::string said;
+  std::string message;
   try {
     study_bite(study.run, cold_pass());
   } catch (const SystemError &e) {
-    said = e.what();
+    message = e.what();
   }
-  EXPECT_NE(said.find("the mesh cannot be written"), std::string::npos) << said;
+  EXPECT_NE(message.find("the mesh cannot be written"), std::string::npos) << message;
   EXPECT_TRUE(study.run.results.assumptions.empty());
 }
 
-TEST(BiteStudy, AnArcTooLongForASectionIsOneOnAHalfPlane)
+TEST(BiteStudy, AnArcTooLongForASectionUsesAHalfPlane)
 {
   Study study;
   BiteQuestion q                    = cold_pass();

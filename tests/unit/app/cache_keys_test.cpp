@@ -18,7 +18,7 @@
 #include <map>
 #include <unistd.h>
 
-// What the cache keeps is found by a text of everything it depends on.  Every row of every section is changed, and
+// The key of a cache entry is a text of everything it depends on.  Every row of every section is changed, and
 // the text of each kept stage must follow, unless the row stands in the list of those that the stage does not see.
 namespace {
 using namespace mill;
@@ -152,7 +152,8 @@ void expect_followed(const BaseCase &base, const Patterns &unseen)
       for (const Case &other : others)
         followed = followed || texts_of(other).at(stage) != text;
       if (others.empty())
-        EXPECT_TRUE(blind) << key.name << " took no other value, so nobody knows whether " << stage << " see it";
+        EXPECT_TRUE(blind) << key.name << " took no other value, so it is not known whether " << stage
+                           << " see it";
       else
         EXPECT_EQ(followed, !blind) << key.name << (followed ? " enters " : " does not enter ") << "what the "
                                     << stage << " are kept under";
@@ -185,7 +186,7 @@ const std::vector<std::string> pass_of_strip =
 const std::vector<std::string> after_the_springs{"dynamics.*",  "stand.*",    "analysis.*",           "given.*",
                                                  "published.*", "campbell.*", "frequency_response.*", "drive.*"};
 const std::vector<std::string> frame{"frame.*", "housing.*", "screwdown.*"};
-// Ground and thermal profile are the right-hand side of the contact, which is solved anew in every run.
+// Ground and thermal profile are the right-hand side of the contact, which is solved again in every run.
 const std::string profile =
     " crown crown_table crown_polynomial thermal_crown thermal_crown_table end_chamfer_length "
     "end_chamfer_depth";
@@ -205,11 +206,11 @@ std::vector<std::string> not_seen_by_a_roll_mesh()
   return keys;
 }
 
-// Clearance, profile and slices belong to the equilibrium of all rollers, which is found anew.
+// Clearance, profile and slices belong to the equilibrium of all rollers, which is solved again.
 const std::string equilibrium = " radial_clearance end_play preload profile crown_drop profile_load profile_share "
                                 "profile_table yield_pressure slices rib_angle raceway_flow_stress";
 
-// What life is rated with, and a catalogue, which no drawn bearing has beside its sizes.
+// Inputs of the rating life, and a catalogue, which a drawn bearing does not use together with its sizes.
 const std::string rated = " designation catalogue dynamic_rating static_rating viscosity_ratio contamination "
                           "raceway_flow_state";
 
@@ -246,8 +247,9 @@ BaseCase drawn_stand()
 {
   std::string text   = read_text("cases/four-high-drawn.toml");
   const auto replace = [&](const std::string &from, const std::string &to) {
-    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-      text.replace(at, from.size(), to);
+    for (auto position = text.find(from); position != std::string::npos;
+         position      = text.find(from, position + to.size()))
+      text.replace(position, from.size(), to);
   };
   replace("force          = \"data/pass-1.csv\"", "load = \"976 kN\"\nspeed = \"2 m/s\"");
   replace("force          = \"data/pass-2.csv\"", "load = \"975 kN\"\nspeed = \"2 m/s\"");
@@ -267,16 +269,17 @@ BaseCase drawn_stand()
   };
 }
 
-// What is no part of a roller and its raceways.  Loads enter in steps of a factor of two, so that neighbouring
-// cases share a mesh; the raceway goes on by a tenth of the roller's length while there is room between the rows.
+// Keys that do not belong to a roller and its raceways.  Loads enter in steps of a factor of two, so that
+// neighbouring cases share a mesh; the raceway goes on by a tenth of the roller's length while there is room
+// between the rows.
 const std::string beside_a_roller =
-    "rollers_per_row width row_hands roller_cone_angle cup_angle rings chock chock_width "
+    "rollers_per_row width arrangement roller_cone_angle cup_angle rings chock chock_width "
     "chock_height chock_length chock_support_width chock_support_gap" +
     equilibrium + rated;
 const std::string beside_the_rings = "rollers_per_row roller_total_length roller_law" + equilibrium + rated;
 }  // namespace
 
-TEST(CacheKeys, EveryRowOfAFourHighEntersOrIsKnownNotTo)
+TEST(CacheKeys, EveryRowOfAFourHighEntersOrIsListedAsNotEntering)
 {
   const BaseCase base  = drawn_stand();
   const auto roll_mesh = not_seen_by_a_roll_mesh();
@@ -346,10 +349,10 @@ TEST(CacheKeys, EveryRowOfAFourHighEntersOrIsKnownNotTo)
   std::filesystem::remove(base.file);
 }
 
-TEST(CacheKeys, EveryRowOfTheOtherKindsEntersOrIsKnownNotTo)
+TEST(CacheKeys, EveryRowOfTheOtherKindsEntersOrIsListedAsNotEntering)
 {
   // Rows of a contact in space are refused in plane strain; friction and the depth of a plane belong to half
-  // planes, which are not kept; a cylinder with a diameter is no plane.
+  // planes, which are not kept; a cylinder with a diameter is not a plane.
   const std::string beside_the_mesh = " friction tangential_load plane_depth";
   const std::string of_a_face =
       "shape length crown_radius profile profile_length profile_drop profile_load profile_table";

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 
-// The tables of the kinds of case, walked row by row: what a new kind has forgotten is found here.
+// The tables of the kinds of case, walked row by row: a new kind with a missing entry fails here.
 namespace {
 using namespace mill;
 
@@ -18,7 +18,7 @@ Case case_of(const std::string &kind)
 }
 }  // namespace
 
-TEST(CaseKinds, EveryKindHasARowOfWhatTheProgramDoesWithIt)
+TEST(CaseKinds, EveryKindHasARowInTheTableOfRuns)
 {
   const std::vector<std::string> verbs{"run", "stiffness", "masses", "modes", "chatter", "simulate"};
   for (const CaseKind *kind : all_kinds()) {
@@ -33,7 +33,7 @@ TEST(CaseKinds, EveryKindHasARowOfWhatTheProgramDoesWithIt)
   }
 }
 
-TEST(CaseKinds, EverySectionThatRepeatsSaysHowOften)
+TEST(CaseKinds, EveryRepeatedSectionStatesItsNumber)
 {
   for (const CaseKind *kind : all_kinds()) {
     const Case the_case = case_of(kind->name);

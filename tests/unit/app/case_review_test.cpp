@@ -88,7 +88,7 @@ TEST_F(Reviewed, ARecordMustOutlastTheLowestMode)
   EXPECT_EQ(r.facts.at(0), "pass 1: the force record lasts 0.5 s, 2001 samples at 4000 Hz, mean 976.0 kN");
 }
 
-TEST_F(Reviewed, SamplingAndGapsAreJudged)
+TEST_F(Reviewed, SamplingAndGapsOfARecordAreChecked)
 {
   const std::string slow = record("slow.csv", 2001, 200, 976, "time [s],force [kN]", 640, 664);
   const CaseReview r     = review({"pass.0.force=" + slow});
@@ -98,7 +98,7 @@ TEST_F(Reviewed, SamplingAndGapsAreJudged)
   EXPECT_NE(messages(r.said_by_run).find(" (mode by closed forms)"), std::string::npos);
 }
 
-TEST_F(Reviewed, AMeasuredRecordIsReadToo)
+TEST_F(Reviewed, AMeasuredRecordIsCheckedToo)
 {
   const std::string header = "time [s],upper_work_roll [g],lower_work_roll [g]";
   const std::string force  = record("force.csv", 40001, 4000, 976),
@@ -110,8 +110,9 @@ TEST_F(Reviewed, AMeasuredRecordIsReadToo)
             std::string::npos)
       << messages(r.warnings);
   std::string late = read_text(slow);
-  for (std::size_t at = late.find('\n') + 1; at < late.size(); at = late.find('\n', at) + 1)
-    late.insert(at, "1");  // 0.005 becomes 10.005, the last 110
+  for (std::size_t position = late.find('\n') + 1; position < late.size();
+       position             = late.find('\n', position) + 1)
+    late.insert(position, "1");  // 0.005 becomes 10.005, the last 110
   const std::string path = (folder / "late.csv").string();
   write_atomically(path, late);
   EXPECT_EQ(
@@ -153,7 +154,7 @@ TEST_F(Reviewed, ALoadOfAnotherOrderIsRefused)
       0u);
 }
 
-TEST_F(Reviewed, AStripThatTakesAnotherForceIsSaid)
+TEST_F(Reviewed, AStripThatNeedsAnotherForceIsReported)
 {
   const std::string force = record("force.csv", 40001, 4000, 976);
   const Sets on{"pass.0.force=" + force, "pass.1.force=" + force};
@@ -185,9 +186,9 @@ TEST_F(Reviewed, AStandWithEverythingGivenHasItsModes)
   const auto &stand  = std::get<FourHigh>(c.spec);
   const auto results = closed_form_stand(stand, 976e3);
   const auto value   = [&](const std::string &name) {
-    const auto found =
+    const auto match =
         std::find_if(results.begin(), results.end(), [&](const ClosedFormResult &r) { return r.name == name; });
-    return found == results.end() ? std::nan("") : found->parameter.value;
+    return match == results.end() ? std::nan("") : match->parameter.value;
   };
   EXPECT_EQ(value("M1"), 9320);
   EXPECT_EQ(value("K2"), 1.0e10);
@@ -199,7 +200,7 @@ TEST_F(Reviewed, AStandWithEverythingGivenHasItsModes)
   EXPECT_TRUE(run_kind(c).review(c, "").problems.empty());
 }
 
-TEST_F(Reviewed, EstimatesAreRankedByWhatTheyMove)
+TEST_F(Reviewed, EstimatesAreRankedByTheirEffect)
 {
   const std::string path = (folder / "template.toml").string();
   write_atomically(path, template_of("four-high"));
@@ -212,17 +213,17 @@ TEST_F(Reviewed, EstimatesAreRankedByWhatTheyMove)
         return value;
     return 0.;
   };
-  const auto of = [&](const std::string &key) {
+  const auto problem_of = [&](const std::string &key) {
     return *std::find_if(records.begin(), records.end(),
                          [&](const EstimateRecord &r) { return r.estimate.key == key; });
   };
   // K1 is a series: the slope of ln K1 over ln K_beam is its share of the compliance, 12 of 19 parts.
   const double high = 1 / 0.06, low = 1 / 0.18, rest = 0.07;  // of K_beam/M; the others of 1/M
-  EXPECT_TRUE(near(move(of("frame.upper_beam_stiffness"), "K1"),
+  EXPECT_TRUE(near(move(problem_of("frame.upper_beam_stiffness"), "K1"),
                    0.5 * std::log((1 / low + rest) / (1 / high + rest)),
                    within(1e-9, "two series of four springs")));
-  EXPECT_EQ(move(of("frame.upper_beam_stiffness"), "K7"), 0);
-  EXPECT_GT(move(of("backup_roll.chock_mass_upper"), "M2"), 0.01);
+  EXPECT_EQ(move(problem_of("frame.upper_beam_stiffness"), "K7"), 0);
+  EXPECT_GT(move(problem_of("backup_roll.chock_mass_upper"), "M2"), 0.01);
   const auto largest = [&](const EstimateRecord &r) {
     double most = 0;
     for (const auto &[name, value] : r.moves)
@@ -256,15 +257,16 @@ TEST(RunSummary, HasAtMostTwentyFiveLines)
   const std::string text = run_summary(results, "stand", limits, "out/stand/report.html");
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 25);
   EXPECT_EQ(
-      text.rfind("stand: done, 20 warnings\nmill modulus: 4.5 MN/mm with strip, 5.1 MN/mm with touching work "
-                 "rolls\n  mode bending 1 ",
-                 0),
+      text.rfind(
+          "stand: finished with 20 warnings\nmill modulus: 4.5 MN/mm with strip, 5.1 MN/mm with touching work "
+          "rolls\n  mode bending 1 ",
+          0),
       0u)
       << text;
   EXPECT_NE(text.find("  and 12 more named modes\ncondition 0: stable\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\nand 14 more warnings on the page\nreport: out/stand/report.html\n"), std::string::npos)
       << text;
-  EXPECT_EQ(run_summary({}, "stand", "", "p"), "stand: done, nothing to warn of\nreport: p\n");
+  EXPECT_EQ(run_summary({}, "stand", "", "p"), "stand: finished with no warnings\nreport: p\n");
 }
 
 TEST(Completion, KnowsVerbsOptionsAndKinds)
@@ -280,5 +282,5 @@ TEST(Completion, KnowsVerbsOptionsAndKinds)
   EXPECT_EQ(bash.find("bashcompinit"), std::string::npos);
   EXPECT_NE(completion_script("zsh", options).find("bashcompinit"), std::string::npos);
   EXPECT_EQ(refusal([&] { completion_script("bsh", options); }),
-            "there is no completion for the shell 'bsh'; did you mean 'bash'?");
+            "no completion is available for the shell 'bsh'; did you mean 'bash'?");
 }

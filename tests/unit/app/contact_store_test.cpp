@@ -55,7 +55,7 @@ SolvedStudy study_of_one(const fem::ContactPair &pair)
 }
 }  // namespace
 
-TEST_F(KeptContact, WhatIsReadOffAPairComesBackToTheBit)
+TEST_F(KeptContact, ReadingsOfAPairComeBackToTheBit)
 {
   const fem::ContactPair pair = small_pair();
   const auto point            = fem::solve_load(pair, 4000);
@@ -77,7 +77,7 @@ TEST_F(KeptContact, WhatIsReadOffAPairComesBackToTheBit)
   EXPECT_EQ(before.tangent, after.tangent);
 }
 
-TEST_F(KeptContact, OnlyALoadThatIsNotKnownAsksForTheWholePair)
+TEST_F(KeptContact, OnlyAnUnknownLoadSolvesThePairAgain)
 {
   const fem::ContactPair pair = small_pair();
   const double tangent        = fem::solve_load(pair, 4000).tangent;

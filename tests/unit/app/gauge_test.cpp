@@ -37,18 +37,18 @@ double rolled(RollBite bite, const double screw)
 }
 }  // namespace
 
-TEST(Gauge, FollowsScrewStripAndTensionsAsTheCoupledSolutionDoes)
+TEST(Gauge, DerivativesAgreeWithDifferencesOfTheCoupledSolution)
 {
-  const RollBite bite  = demo_pass();
-  const BiteState at   = solved(bite);
-  const double S       = bite.strip.exit_thickness - stretch(at.force);
-  const double contact = reduce::line_contact(
-                             {
-                                 0.42, 1.45, 1.4, {2.1e11, 0.28, 7700}
+  const RollBite bite   = demo_pass();
+  const BiteState state = solved(bite);
+  const double S        = bite.strip.exit_thickness - stretch(state.force);
+  const double contact  = reduce::line_contact(
+                              {
+                                  0.42, 1.45, 1.4, {2.1e11, 0.28, 7700}
   },
-                             at.force)
+                              state.force)
                              .tangent;
-  const reduce::GaugeCoupling gauge{1 / (1 / 5e9 + 2 / contact), -by(at.force_by, Input::exit_thickness)};
+  const reduce::GaugeCoupling gauge{1 / (1 / 5e9 + 2 / contact), -by(state.force_by, Input::exit_thickness)};
   const auto differences = within(1e-6, "central differences of a solution to 1e-15");
   const double d         = 1e-7;
   EXPECT_TRUE(near(gauge.screw(), (rolled(bite, S + d) - rolled(bite, S - d)) / (2 * d), differences));
@@ -58,7 +58,7 @@ TEST(Gauge, FollowsScrewStripAndTensionsAsTheCoupledSolutionDoes)
     move(down, -step);
     return (rolled(up, S) - rolled(down, S)) / (2 * step);
   };
-  const auto by_input = [&](const Input input) { return gauge.thickness_by(by(at.force_by, input)); };
+  const auto by_input = [&](const Input input) { return gauge.thickness_by(by(state.force_by, input)); };
   EXPECT_TRUE(near(by_input(Input::entry_thickness),
                    moved([](RollBite &b, double x) { b.strip.entry_thickness += x; }, d), differences));
   EXPECT_TRUE(near(by_input(Input::entry_tension),

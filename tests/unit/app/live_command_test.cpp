@@ -39,7 +39,7 @@ std::string record(const std::string &folder, const int samples, const std::stri
   return path;
 }
 
-// What is wrong with a case and its options, said before anything runs.
+// Errors of a case and its options are reported before anything runs.
 std::string refused(const LiveOptions &options, const std::string &case_file = stand,
                     const std::vector<std::string> &sets = {}, const std::string &limit = "")
 {

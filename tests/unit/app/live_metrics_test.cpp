@@ -74,9 +74,9 @@ TEST(LiveMetrics, TellsWhatIsOpen)
   EXPECT_TRUE(has_line(text, "millstand_mode_drift_share{mode=\"1\"} 0")) << text;
   const std::string amplitude =
       "millstand_band_amplitude_metres_per_second_squared{band=\"third octave 150.0 Hz\"} ";
-  const auto at = text.find(amplitude);
-  ASSERT_NE(at, std::string::npos) << text;
-  EXPECT_NEAR(std::stod(text.substr(at + amplitude.size())), 20, 0.01) << "the tone, 0-peak";
+  const auto position = text.find(amplitude);
+  ASSERT_NE(position, std::string::npos) << text;
+  EXPECT_NEAR(std::stod(text.substr(position + amplitude.size())), 20, 0.01) << "the tone, 0-peak";
   EXPECT_TRUE(has_line(text, "millstand_proposals{state=\"open\"} 0")) << text;
   EXPECT_TRUE(has_line(text, "millstand_limit_metres_per_second_squared 10")) << text;
   EXPECT_TRUE(has_line(text, "millstand_springs_adopted{file=\"calibrated-_1_.toml\"} 1")) << text;

@@ -30,7 +30,7 @@ bool traced(const std::vector<std::string> &sets, const std::string &key, const 
 }
 }  // namespace
 
-TEST(ResultInputs, OfARunAreThoseOfATrace)
+TEST(ResultInputs, InputsOfARunAreThoseOfATrace)
 {
   const Case the_case = read_case(demo);
   ClosedFormMemory memory;
@@ -42,7 +42,7 @@ TEST(ResultInputs, OfARunAreThoseOfATrace)
     EXPECT_EQ(inputs_in_a_run(the_case, run), find(closed, name)->parameter.inputs) << run;
 }
 
-TEST(ResultInputs, ProfilesTiltAndOilStandBehindTheirSprings)
+TEST(ResultInputs, ProfilesTiltAndOilAreInputsOfTheirSprings)
 {
   struct Wanted {
     std::vector<std::string> sets;
@@ -75,7 +75,7 @@ TEST(ResultInputs, ProfilesTiltAndOilStandBehindTheirSprings)
   }
 }
 
-TEST(ResultInputs, OneSidesKeysAreNotTheOthers)
+TEST(ResultInputs, KeysOfOneSideAreNotInputsOfTheOther)
 {
   const Case the_case = read_case(demo);
   EXPECT_FALSE(holds(inputs_in_a_run(the_case, "K3.tangent"), "contact.lower.tilt"));
@@ -83,5 +83,5 @@ TEST(ResultInputs, OneSidesKeysAreNotTheOthers)
   EXPECT_TRUE(holds(inputs_in_a_run(the_case, "K3.friction_tangent"), "contact.upper.friction"));
   EXPECT_FALSE(holds(inputs_in_a_run(the_case, "K3.tangent"), "contact.upper.friction"));
   const Trace t = trace({demo, "contact.upper.friction", {}, "no such folder"});
-  EXPECT_EQ(t.beside, std::vector<std::string>{"K3.friction_tangent"});
+  EXPECT_EQ(t.only_in_a_run, std::vector<std::string>{"K3.friction_tangent"});
 }

@@ -19,7 +19,7 @@ ComponentSets rolls(const int work, const int backup)
 }
 }  // namespace
 
-TEST(RollMeshGain, GoesByTheMeshesThatWereMade)
+TEST(RollMeshGain, TheGainIsThatOfTheMeshesUsed)
 {
   const auto expected = [](const double n) { return std::pow(n / (n - 1), fem::shoulder_order); };
   const auto exact    = within(1e-14, "the same power");

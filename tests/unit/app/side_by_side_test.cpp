@@ -32,14 +32,14 @@ Parameter number(const double value)
 }
 
 // A stage that waits for another one to be done, where two threads are there to run them.
-IndependentStage says(const std::string &name, std::atomic<int> &turn, const int own, const bool wait)
+IndependentStage says(const std::string &name, std::atomic<int> &turn, const int turn_of_this, const bool wait)
 {
   return [=, &turn](RunContext &run) {
-    for (int i = 0; wait && turn < own && i < 100; ++i)
+    for (int i = 0; wait && turn < turn_of_this && i < 100; ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    run.results.add(name, number(own));
+    run.results.add(name, number(turn_of_this));
     run.warn("warning of " + name);
-    run.warn("said by both");
+    run.warn("warning of both");
     run.assume(name);
     ++turn;
   };
@@ -59,7 +59,7 @@ TEST(SideBySide, ResultsComeInTheOrderOfTheListWhateverEndsFirst)
   EXPECT_EQ(run.results.values[1].first, "first");
   EXPECT_EQ(run.results.values[2].first, "second");
   EXPECT_EQ(run.results.warnings,
-            (std::vector<std::string>{"warning of first", "said by both", "warning of second"}));
+            (std::vector<std::string>{"warning of first", "warning of both", "warning of second"}));
   EXPECT_EQ(run.results.assumptions, (std::vector<std::string>{"first", "second"}));
 }
 
@@ -69,14 +69,14 @@ TEST(SideBySide, ABranchSeesWhatWasThereBefore)
   const OutputDir out(folder.path, folder.the_case, true, "id");
   RunContext run{folder.the_case, out, folder.path};
   run.results.add("before", number(3));
-  run_side_by_side(run, {[](RunContext &own) {
-                     ASSERT_NE(own.find("before"), nullptr);
-                     EXPECT_EQ(own.find("before")->value, 3);
-                     EXPECT_EQ(own.find("after"), nullptr);
+  run_side_by_side(run, {[](RunContext &part_run) {
+                     ASSERT_NE(part_run.find("before"), nullptr);
+                     EXPECT_EQ(part_run.find("before")->value, 3);
+                     EXPECT_EQ(part_run.find("after"), nullptr);
                    }});
 }
 
-TEST(SideBySide, TheFirstFailureOfTheListComesOutAfterWhatStandsBeforeIt)
+TEST(SideBySide, TheFirstFailureOfTheListIsThrownAfterTheResultsBeforeIt)
 {
   const Folder folder;
   const OutputDir out(folder.path, folder.the_case, true, "id");
@@ -95,7 +95,7 @@ TEST(SideBySide, TheFirstFailureOfTheListComesOutAfterWhatStandsBeforeIt)
   }
 }
 
-TEST(SideBySide, OnePartForTwoStagesIsMadeOnce)
+TEST(SideBySide, APartOfTwoStagesIsMadeOnce)
 {
   const Folder folder;
   const OutputDir out(folder.path, folder.the_case, true, "id");
@@ -103,9 +103,9 @@ TEST(SideBySide, OnePartForTwoStagesIsMadeOnce)
   run.threads = 2;
   run.fresh   = true;
   std::atomic<int> made{0}, kept{0};
-  const auto part = [&](RunContext &own) {
+  const auto part = [&](RunContext &part_run) {
     const int value = kept_part<int>(
-        own, "part", "nowhere", "key",
+        part_run, "part", "nowhere", "key",
         [&](const std::string &, const std::string &, std::string *) { return std::optional<int>(kept.load()); },
         [&] {
           std::this_thread::sleep_for(std::chrono::milliseconds(5));

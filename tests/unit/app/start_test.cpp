@@ -40,7 +40,7 @@ Outcome run_of_a_copy(const std::string &folder)
 
 std::string refusal(const std::string &folder, const std::string &why)
 {
-  return "error: the finite elements are a library beside the program, '" + folder +
+  return "error: the finite elements are a library in the folder of the program, '" + folder +
          "/millstand-fem.so', which cannot be used: " + why +
          "; build or copy both together (cmake --build --preset release --target millstand)\n";
 }
@@ -60,14 +60,14 @@ TEST(Start, OpensNeitherDealIINorGmshWhereNoMeshIsMade)
   }
 }
 
-TEST(Start, TakesAFractionOfWhatTheFiniteElementsTakeToLoad)
+TEST(Start, StartIsFasterThanLoadingTheFiniteElements)
 {
   // Loaded before the program begins, as they were when it was linked with them.
   const double with = start_time("export LD_PRELOAD='" + library.string() + "'"), without = start_time("true");
   EXPECT_LT(without, 0.25 * with) << without << " s against " << with << " s";
 }
 
-TEST(Start, SaysWhichLibraryIsMissing)
+TEST(Start, AMissingLibraryIsNamed)
 {
   const std::string folder = scratch("alone");
   const Outcome outcome    = run_of_a_copy(folder);
@@ -90,11 +90,11 @@ TEST(Start, RefusesALibraryOfAnotherBuild)
   EXPECT_EQ(outcome.err, refusal(folder, "it is of another build"));
 }
 
-TEST(Start, SaysWhatBuildsAProgramItHandsOverTo)
+TEST(Start, AMissingProgramIsReportedWithItsBuildCommand)
 {
   const std::string folder = scratch("handed_over");
   fs::copy_file(program, folder + "/millstand", fs::copy_options::overwrite_existing);
-  const auto said = [&](const std::string &words) {
+  const auto output_has = [&](const std::string &words) {
     const std::string log = folder + "/err";
     const int status      = std::system(
              ("cd '" MILLSTAND_SOURCE_DIR "' && '" + folder + "/millstand' " + words + " 2>'" + log + "'").c_str());
@@ -102,28 +102,29 @@ TEST(Start, SaysWhatBuildsAProgramItHandsOverTo)
     std::ifstream in(log);
     return std::string(std::istreambuf_iterator<char>(in), {});
   };
-  const auto refusal = [&](const std::string &what, const std::string &beside) {
-    return "error: " + what + " is carried out by a program of its own, '" + folder + "/" + beside +
-           "', which cannot be started; build it with: cmake --build --preset release --target " + beside + "\n";
+  const auto refusal = [&](const std::string &what, const std::string &program) {
+    return "error: " + what + " is carried out by a separate program, '" + folder + "/" + program +
+           "', which cannot be started; build it with: cmake --build --preset release --target " + program + "\n";
   };
   const std::string stand = "cases/four-high-1400.toml", record = "any.csv";
-  EXPECT_EQ(said("analyse " + record), refusal("millstand analyse", "millstand-all"));
-  EXPECT_EQ(said("calibrate " + stand + " --measured " + record), refusal("millstand calibrate", "millstand-all"));
-  EXPECT_EQ(said("advise " + stand), refusal("millstand advise", "millstand-all"));
-  EXPECT_EQ(said("live " + stand + " --input " + record), refusal("millstand live", "millstand-all"));
+  EXPECT_EQ(output_has("analyse " + record), refusal("millstand analyse", "millstand-all"));
+  EXPECT_EQ(output_has("calibrate " + stand + " --measured " + record),
+            refusal("millstand calibrate", "millstand-all"));
+  EXPECT_EQ(output_has("advise " + stand), refusal("millstand advise", "millstand-all"));
+  EXPECT_EQ(output_has("live " + stand + " --input " + record), refusal("millstand live", "millstand-all"));
   for (const char *file : {"analysis.json", "calibration.json", "advice.json"}) {
     std::ofstream(folder + "/" + file) << "{}";
-    EXPECT_EQ(said("report '" + folder + "'"), refusal("the page of records", "millstand-all")) << file;
+    EXPECT_EQ(output_has("report '" + folder + "'"), refusal("the page of records", "millstand-all")) << file;
     fs::remove(folder + "/" + file);
   }
-  EXPECT_EQ(said("export fmu " + stand), refusal("millstand export", "millstand-all"));
-  EXPECT_EQ(said("chatter " + stand), refusal("millstand chatter", "millstand-all"));
-  EXPECT_EQ(said("simulate " + stand + " --stream --force " + record),
+  EXPECT_EQ(output_has("export fmu " + stand), refusal("millstand export", "millstand-all"));
+  EXPECT_EQ(output_has("chatter " + stand), refusal("millstand chatter", "millstand-all"));
+  EXPECT_EQ(output_has("simulate " + stand + " --stream --force " + record),
             refusal("millstand simulate --stream", "millstand-all"));
   for (const char *verb : {"run ", "check "})
-    EXPECT_EQ(said(verb + std::string("cases/chatter-two-stands.toml")),
+    EXPECT_EQ(output_has(verb + std::string("cases/chatter-two-stands.toml")),
               refusal("kind = \"chatter\"", "millstand-all"));
-  EXPECT_EQ(said("trace cases/twenty-high.toml steel.youngs_modulus"),
+  EXPECT_EQ(output_has("trace cases/twenty-high.toml steel.youngs_modulus"),
             refusal("kind = \"cluster\"", "millstand-all"));
-  EXPECT_EQ(said("verify"), refusal("the verification manual", "millstand-verify"));
+  EXPECT_EQ(output_has("verify"), refusal("the verification manual", "millstand-verify"));
 }

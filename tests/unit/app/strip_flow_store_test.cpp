@@ -24,7 +24,7 @@ FlowAnswer some_answer()
 }
 }  // namespace
 
-TEST(StripFlowStore, ComesBackAsItWas)
+TEST(StripFlowStore, AStoredFlowComesBackUnchanged)
 {
   const FlowAnswer a = some_answer();
   const auto b       = restored_flow(stored_flow(a));
@@ -48,7 +48,7 @@ TEST(StripFlowStore, ComesBackAsItWas)
 }
 
 // Damage is seen by the checksum of the cache entry; what is left is a text of another version.
-TEST(StripFlowStore, AnotherTextIsNoAnswer)
+TEST(StripFlowStore, AnEntryOfOtherInputsIsNotUsed)
 {
   const std::string text = stored_flow(some_answer());
   EXPECT_FALSE(restored_flow(""));

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 
-// Elasticities of the closed-form model and what is said of them.
+// Elasticities of the closed-form model and their sentences.
 namespace {
 using namespace mill;
 
@@ -74,9 +74,9 @@ TEST(Trace, WhiteForceToAKilohertzHardlyFeelsTheBackupRoll)
   // The demo stand with 2 % damping, its first force made noise up to 1 kHz.
   std::string text   = read_text(demo);
   const auto replace = [&](const std::string &from, const std::string &to) {
-    const auto at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << from;
-    text.replace(at, from.size(), to);
+    const auto position = text.find(from);
+    ASSERT_NE(position, std::string::npos) << from;
+    text.replace(position, from.size(), to);
   };
   replace("force          = \"data/pass-1.csv\"", "synthetic_range = [\"972.898 kN\", \"979.537 kN\"]");
   replace("\"data/pass-2.csv\"", quoted(std::filesystem::absolute("cases/data/pass-2.csv").string()));
@@ -115,16 +115,16 @@ TEST(Trace, PowerLawsHaveTheirExponents)
 TEST(Trace, LowerBearingsFollowTheLowerHalf)
 {
   ClosedFormMemory memory;
-  const auto even = closed_form_chain(read_case(demo), memory);
-  const auto bent = closed_form_chain(read_case(demo, {"contact.lower.axis_offset=400 mm"}), memory);
-  const auto at   = [](const std::vector<ClosedFormResult> &all, const char *name) {
+  const auto even     = closed_form_chain(read_case(demo), memory);
+  const auto bent     = closed_form_chain(read_case(demo, {"contact.lower.axis_offset=400 mm"}), memory);
+  const auto value_of = [](const std::vector<ClosedFormResult> &all, const char *name) {
     return find(all, name)->parameter.value;
   };
   const double e = 0.4 / ((0.420 + 1.450) / 2);
-  EXPECT_TRUE(near(at(bent, "K_Zy_lower") / at(bent, "K_Zy"), std::pow(1 + e * e, 0.05),
+  EXPECT_TRUE(near(value_of(bent, "K_Zy_lower") / value_of(bent, "K_Zy"), std::pow(1 + e * e, 0.05),
                    within(1e-6, "Palmgren's tangent goes with load^0.1; equilibrium solved to 1e-9")));
-  EXPECT_EQ(at(bent, "K2"), at(even, "K2"));
-  EXPECT_GT(at(bent, "K6"), at(even, "K6"));
+  EXPECT_EQ(value_of(bent, "K2"), value_of(even, "K2"));
+  EXPECT_GT(value_of(bent, "K6"), value_of(even, "K6"));
 }
 
 TEST(Trace, ZerosWordsAndAbsentKeysHaveNoPercent)
@@ -161,7 +161,7 @@ TEST(Trace, ZerosWordsAndAbsentKeysHaveNoPercent)
                                "No elasticity: a name has no size.\n");
 }
 
-TEST(Trace, BarrelsOfOneLengthAreAKink)
+TEST(Trace, EqualBarrelLengthsGiveDifferentSlopesUpAndDown)
 {
   // The shorter barrel bounds the contact: longer changes nothing, shorter does.
   const Trace t = traced({demo, "backup_roll.barrel_length", {}, nowhere});
@@ -170,7 +170,7 @@ TEST(Trace, BarrelsOfOneLengthAreAKink)
   EXPECT_NE(trace_text(t).find("+0.00 up, +0.92 down"), std::string::npos);
 }
 
-TEST(Trace, TwoPercentMoreDiameterTakesItsRoad)
+TEST(Trace, TwoPercentMoreDiameterReachesItsResultsOnly)
 {
   // 420 on 1450 mm under 976 217.5 N on 1.4 m, and 2 % more.
   const std::vector<std::string> pair{"steel.poisson_ratio=0.28", "upper.diameter=420 mm",
@@ -217,7 +217,7 @@ TEST(Trace, TwoPercentMoreDiameterTakesItsRoad)
   EXPECT_EQ(t.key.origin, "cases/four-high-1400.toml:33");
 }
 
-TEST(Trace, WordForWord)
+TEST(Trace, TheTableIsPrintedWordForWord)
 {
   // Numbers: Johnson (1985), R 200/650 mm, E 210 GPa, nu 0.3, 1000 N/mm.  Slopes over R2: half width and pressure
   // +-R1/(2(R1 + R2)) = 0.118; approach R2/(R1 + R2)/(ln - 1) = 0.059, tangent the same over ln - 2 = 12.02:
@@ -240,19 +240,42 @@ TEST(Trace, WordForWord)
   EXPECT_EQ(trace_text(t, false).find("Elasticities"), std::string::npos);
 }
 
+// A result that has a value on one side of the key only, or that the run has and the case has not.
+TEST(Trace, AMissingValueLeavesTheElasticityEmptyAndIsExplained)
+{
+  Trace t = traced({"cases/two-cylinders.toml", "lower.diameter", {}, nowhere});
+  ASSERT_EQ(t.lines.size(), 5u);
+  t.lines.resize(2);
+  t.lines[1].slope = t.lines[1].slope_up = t.lines[1].slope_down = std::nan("");
+  t.lines[1].result.parameter.value                              = std::nan("");
+  t.run_folder                                                   = "out/earlier";
+  t.run                                                          = {
+                                                               {"contact.line.peak_pressure", 4.9e8}
+  };
+  const std::string text = trace_text(t);
+  EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+  EXPECT_NE(text.find("No elasticity, because the result has no value for this key or for the changed key: "
+                      "contact.line.peak_pressure.\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("contact.line.peak_pressure has no value here\n"), std::string::npos) << text;
+}
+
 TEST(Trace, UnknownKeysNameTheNearest)
 {
-  const auto said = [](const std::string &key) { return refusal([&] { traced({demo, key, {}, nowhere}); }); };
-  EXPECT_EQ(said("backup_roll.barel_diameter"),
+  const auto message_of = [](const std::string &key) {
+    return refusal([&] { traced({demo, key, {}, nowhere}); });
+  };
+  EXPECT_EQ(message_of("backup_roll.barel_diameter"),
             "unknown key 'backup_roll.barel_diameter' in cases/four-high-1400.toml; did you mean "
             "'backup_roll.barrel_diameter'?");
-  EXPECT_EQ(said("bakup_roll.barrel_diameter"),
+  EXPECT_EQ(message_of("bakup_roll.barrel_diameter"),
             "unknown key 'bakup_roll.barrel_diameter' in cases/four-high-1400.toml; did you mean "
             "'backup_roll.barrel_diameter'?");
-  EXPECT_EQ(said("steel.colour"),
+  EXPECT_EQ(message_of("steel.colour"),
             "unknown key 'steel.colour' in cases/four-high-1400.toml; known: youngs_modulus, "
             "poisson_ratio, density, yield_stress");
-  EXPECT_EQ(said("nonsense"),
+  EXPECT_EQ(message_of("nonsense"),
             "unknown key 'nonsense' in cases/four-high-1400.toml; docs/input.md lists the keys of "
             "kind \"four-high\"");
   EXPECT_EQ(refusal([] {
@@ -262,7 +285,7 @@ TEST(Trace, UnknownKeysNameTheNearest)
 }
 
 // bending_model = "solid": the ratio of solid roll to beam is the last run's, on the beam of the case.
-TEST(Trace, ASolidRollBendsAsTheLastRunFound)
+TEST(Trace, ASolidRollHasTheStiffnessOfTheLastRun)
 {
   const std::string folder = testing::TempDir() + "trace-solid";
   std::filesystem::create_directories(folder);
@@ -297,7 +320,7 @@ TEST(Trace, ASolidRollBendsAsTheLastRunFound)
   std::filesystem::remove_all(folder);
 }
 
-TEST(Trace, TheLastRunStandsBesideAndCanGiveTheSprings)
+TEST(Trace, TheLastRunIsComparedAndCanGiveTheSprings)
 {
   EXPECT_EQ(refusal([] {
               traced({demo, "steel.density", {}, nowhere, true});
@@ -309,11 +332,11 @@ TEST(Trace, TheLastRunStandsBesideAndCanGiveTheSprings)
   write_atomically(folder + "/resolved.toml", read_case(demo).resolved);
   write_atomically(folder + "/results.json",
                    R"({"values": {"K3": {"value": 2e10}, "M1": {"value": 9320}, "K1": {"value": null}}})");
-  const Trace beside = traced({demo, "given.K3", {}, folder});
-  EXPECT_TRUE(beside.same_inputs);
-  EXPECT_NE(trace_text(beside).find("Values above against the last run (" + folder + "): K3 +101.0 %\n"),
+  const Trace other_key = traced({demo, "given.K3", {}, folder});
+  EXPECT_TRUE(other_key.same_inputs);
+  EXPECT_NE(trace_text(other_key).find("Values above against the last run (" + folder + "): K3 +101.0 %\n"),
             std::string::npos)
-      << trace_text(beside);
+      << trace_text(other_key);
   const Trace full = traced({demo, "steel.youngs_modulus", {}, folder, true});
   EXPECT_TRUE(near(line(full, "K3").result.parameter.value, 2e10, within(1e-12, "taken over")));
   const Trace closed = traced({demo, "steel.youngs_modulus", {}, folder});
@@ -322,6 +345,6 @@ TEST(Trace, TheLastRunStandsBesideAndCanGiveTheSprings)
   EXPECT_GT(std::abs(line(full, "f6").slope - line(closed, "f6").slope), 1e-3) << "a softer K3 carries more of it";
   const Trace other = traced({demo, "steel.density", {"strip.width=900 mm"}, folder});
   EXPECT_FALSE(other.same_inputs);
-  EXPECT_NE(trace_text(other).find(", whose inputs were others): "), std::string::npos);
+  EXPECT_NE(trace_text(other).find(", with other inputs): "), std::string::npos);
   std::filesystem::remove_all(folder);
 }

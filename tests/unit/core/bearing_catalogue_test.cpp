@@ -33,7 +33,7 @@ std::string refused_line(const std::string &line)
 }
 }  // namespace
 
-TEST(BearingCatalogue, TheShippedTableIsWhole)
+TEST(BearingCatalogue, TheShippedTableIsComplete)
 {
   const auto &all = shipped_catalogue();
   EXPECT_GE(all.size(), 20u);
@@ -70,7 +70,7 @@ TEST(BearingCatalogue, ADesignationIsFoundWithoutItsSigns)
   EXPECT_NE(find_bearing(twins, "A1/C"), nullptr);
 }
 
-TEST(BearingCatalogue, UnitsOfTheHeaderCount)
+TEST(BearingCatalogue, ValuesAreInTheUnitsOfTheHeader)
 {
   const auto rows = catalogue_of("own.csv", "source;e;designation;type;rows;d [m];D [m];B [m];C [MN];C0 [N]\n"
                                             "drawing 12;0,4;X 1;four-row tapered;4;0,2;0,3;0,15;1,2;3400000\n");
@@ -115,7 +115,7 @@ TEST(BearingCatalogue, WrongCellsAreRefusedWithTheirPlace)
   EXPECT_EQ(refused_line("X,four-row taperd,200,300,150,4,1200,3400,me"),
             "2:3: type 'four-row taperd' is unknown; did you mean 'four-row tapered'?");
   EXPECT_EQ(refused_line(",four-row tapered,200,300,150,4,1200,3400,"),
-            "2:1: the cell of column 'designation' is empty; a line without one is never found\n"
+            "2:1: the cell of column 'designation' is empty; a line without a designation cannot be looked up\n"
             "2:43: the cell of column 'source' is empty; say where the figures of this line come from");
   EXPECT_EQ(refused_line("X,four-row tapered,300,200,150,4,1200,3400,me"),
             "2:24: the outside diameter 200 is not larger than the bore 300");
@@ -128,11 +128,11 @@ TEST(BearingCatalogue, WrongCellsAreRefusedWithTheirPlace)
   EXPECT_EQ(refused_line("X,four-row tapered,200,300,150,4,1200,3400"),
             "2:1: this line has 8 cells, the header has 9; a decimal comma needs ';' or tab between the columns");
   EXPECT_EQ(refused_line("X 1,four-row tapered,200,300,150,4,,,me\nx-1,four-row tapered,200,300,150,4,,,me"),
-            "3:1: designation 'x-1' stands twice; keep one of the two lines");
+            "3:1: designation 'x-1' appears twice; keep one of the two lines");
 }
 
 // Whatever the table is, what comes out is a bearing, and what is refused has a place in the file.
-TEST(BearingCatalogue, AMutilatedTableIsReadOrRefusedAndNothingElse)
+TEST(BearingCatalogue, AMutilatedTableIsEitherReadOrRefused)
 {
   std::mt19937 random(20);
   const std::string whole = catalogue_header + "X 1,four-row tapered,200,300,150,4,1200,3400,\"me, too\"\n"
@@ -141,19 +141,19 @@ TEST(BearingCatalogue, AMutilatedTableIsReadOrRefusedAndNothingElse)
   for (int i = 0; i < 4000; ++i) {
     std::string text = whole;
     for (int n = 1 + int(random() % 4); n > 0 && !text.empty(); --n) {
-      const auto at = random() % text.size();
+      const auto position = random() % text.size();
       switch (random() % 4) {
       case 0:
-        text.erase(at, 1 + random() % 6);
+        text.erase(position, 1 + random() % 6);
         break;
       case 1:
-        text.insert(at, 1, signs[random() % signs.size()]);
+        text.insert(position, 1, signs[random() % signs.size()]);
         break;
       case 2:
-        text[at] = char(random() % 256);
+        text[position] = char(random() % 256);
         break;
       default:
-        text = text.substr(0, at) + text.substr(random() % text.size());
+        text = text.substr(0, position) + text.substr(random() % text.size());
       }
     }
     try {

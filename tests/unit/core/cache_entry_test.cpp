@@ -39,14 +39,15 @@ class CacheEntry : public testing::Test {
 };
 }  // namespace
 
-TEST_F(CacheEntry, GivesBackEveryByte)
+TEST_F(CacheEntry, ReturnsEveryByte)
 {
   EXPECT_EQ(read_cache_entry(path, kind, key), bytes);
   write_cache_entry(path, kind, key, "");
   EXPECT_EQ(read_cache_entry(path, kind, key), "");
 }
 
-// A killed process leaves what it was writing; nobody else may touch what a living one is writing.
+// A killed process leaves the file that it was writing; no other process may touch the file that a living one is
+// writing.
 TEST_F(CacheEntry, WhatKilledWritersLeftIsRemoved)
 {
   namespace fs            = std::filesystem;
@@ -72,7 +73,7 @@ TEST_F(CacheEntry, WhatKilledWritersLeftIsRemoved)
 }
 
 // Writers and cleaners side by side: every write ends with its file.
-TEST_F(CacheEntry, ACleanerTakesNothingFromAWriter)
+TEST_F(CacheEntry, CleaningLeavesTheFilesOfALivingWriter)
 {
   std::atomic<bool> done{false};
   std::thread cleaner([&] {
@@ -86,13 +87,13 @@ TEST_F(CacheEntry, ACleanerTakesNothingFromAWriter)
   EXPECT_EQ(read_cache_entry(path, kind, key), bytes);
 }
 
-TEST_F(CacheEntry, SaysWhyAnEntryIsNotUsed)
+TEST_F(CacheEntry, ANoteSaysWhyAnEntryIsNotUsed)
 {
   std::string note;
   EXPECT_FALSE(read_cache_entry(folder + "/none", kind, key, &note));
-  EXPECT_EQ(note, "") << "no entry is no news";
+  EXPECT_EQ(note, "") << "a missing entry needs no note";
   EXPECT_FALSE(read_cache_entry(path, "something 2", key, &note));
-  EXPECT_EQ(note, path + " is not used: it is no something 2");
+  EXPECT_EQ(note, path + " is not used: it is not a something 2");
   EXPECT_FALSE(read_cache_entry(path, kind, "0124", &note));
   EXPECT_EQ(note, path + " is not used: it belongs to other inputs");
   EXPECT_FALSE(read_cache_entry(path, kind, "012", &note)) << "not a beginning of the key either";
@@ -138,21 +139,21 @@ TEST_F(CacheEntry, NoChangeOfALongEntryIsTrusted)
   }
   for (std::size_t word = 0; word + 5 <= long_bytes.size() / 8; ++word) {
     std::string flipped = whole, exchanged = whole;
-    const std::size_t at = head + 8 * word, next = at + 32;
-    flipped[at + 7] ^= char(0x80);
+    const std::size_t position = head + 8 * word, next = position + 32;
+    flipped[position + 7] ^= char(0x80);
     flipped[next + 7] ^= char(0x80);
     expect_refused(flipped, "highest bits from word " + std::to_string(word));
-    for (const std::size_t other : {at + 8, next})
-      if (whole.substr(at, 8) != whole.substr(other, 8)) {
+    for (const std::size_t other : {position + 8, next})
+      if (whole.substr(position, 8) != whole.substr(other, 8)) {
         exchanged = whole;
-        exchanged.replace(at, 8, whole.substr(other, 8)).replace(other, 8, whole.substr(at, 8));
+        exchanged.replace(position, 8, whole.substr(other, 8)).replace(other, 8, whole.substr(position, 8));
         expect_refused(exchanged, "exchange of word " + std::to_string(word));
       }
   }
 }
 
 // A pipe would be waited for and a device read for ever: CTest's time limit is part of this test.
-TEST_F(CacheEntry, WhatStandsInItsPlaceIsNeitherReadNorAnError)
+TEST_F(CacheEntry, AFolderOrPipeInPlaceOfAnEntryIsIgnored)
 {
   for (const std::string &obstacle : obstacles) {
     put_obstacle(path, obstacle);
@@ -162,7 +163,7 @@ TEST_F(CacheEntry, WhatStandsInItsPlaceIsNeitherReadNorAnError)
   }
 }
 
-TEST_F(CacheEntry, TakesThePlaceOfAllButAFolder)
+TEST_F(CacheEntry, AnEntryReplacesAnythingButAFolder)
 {
   for (const std::string &obstacle : obstacles) {
     put_obstacle(path, obstacle);

@@ -59,7 +59,7 @@ TEST_F(Sheets, FillTheTemplate)
   EXPECT_FALSE(stand.passes[0].synthetic) << "the noise of the template goes with its load";
 }
 
-TEST_F(Sheets, SpeakOtherLocales)
+TEST_F(Sheets, ASheetMayUseDecimalCommasAndSemicolons)
 {
   const Case c      = filled("\xef\xbb\xbfkey;value;unit\r\n"
                                   "strip.entry_thickness;2,85;mm\r\n"
@@ -73,7 +73,7 @@ TEST_F(Sheets, SpeakOtherLocales)
   EXPECT_EQ(bearing_of(stand.bearings, "crb").rollers_per_row, 34);
 }
 
-TEST_F(Sheets, ADesignationMakesTheDrawingNeedless)
+TEST_F(Sheets, ADesignationReplacesTheDrawing)
 {
   const Case c      = filled("bearing.trb.designation,LM761649D\n"
                                   "work_roll.neck_diameter,342.9 mm\n"
@@ -83,7 +83,7 @@ TEST_F(Sheets, ADesignationMakesTheDrawingNeedless)
   EXPECT_EQ(bearing_of(stand.bearings, "trb").designation, "LM761649D");
 }
 
-TEST_F(Sheets, SayEveryProblemInOneGo)
+TEST_F(Sheets, AllProblemsAreReportedTogether)
 {
   EXPECT_EQ(
       refused("work_roll.barel_diameter,650,mm\n"
@@ -99,7 +99,7 @@ TEST_F(Sheets, SayEveryProblemInOneGo)
       "\"1400 mm\"\n"
       "sheet.csv:3:1: error: backup_roll.barrel_diameter = \"57.1 in\" is in inches; 57.1 in = 1450.34 mm: write "
       "\"1450.34 mm\"\n"
-      "sheet.csv:5:1: error: 'strip.width' stands twice; remove one of the two\n"
+      "sheet.csv:5:1: error: 'strip.width' appears twice; remove one of the two\n"
       "sheet.csv:6:1: error: unknown key 'colour'; the template and docs/input.md have the keys of each section\n"
       "sheet.csv:7:1: error: bearing.trb.rows = 3.5 is not a whole number; a whole number is needed, for example "
       "4\n"
@@ -132,15 +132,15 @@ TEST_F(Sheets, WhatIsLeftOfTheTemplateIsListed)
       << "the template has them from here";
 }
 
-// Part one: some forty lines, none of them without a word on where to find the value.
-TEST(Template, BeginsWithTheDrawing)
+// Part one: some forty lines, each with a note on where to find the value.
+TEST(Template, ATemplateBeginsWithTheDrawing)
 {
   const std::string text = template_of("four-high"), part = text.substr(0, text.find("# Part 2"));
   ASSERT_NE(text.find("# Part 2"), std::string::npos);
   EXPECT_EQ(text.rfind("#:schema ./millstand.schema.json\n", 0), 0u);
   EXPECT_LT(std::count(part.begin(), part.end(), '\n'), 100);
   for (const CaseKind *kind : all_kinds()) {
-    const std::string own = template_of(kind->name), first = own.substr(0, own.find("# Part 2"));
+    const std::string text = template_of(kind->name), first = text.substr(0, text.find("# Part 2"));
     for (const DrawingValue &value : kind->drawing) {
       EXPECT_NE(first.find(value.where), std::string::npos) << value.section << "." << value.key;
       const auto section = std::find_if(kind->sections.begin(), kind->sections.end(),

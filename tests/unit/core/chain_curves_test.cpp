@@ -28,7 +28,7 @@ protected:
 };
 }  // namespace
 
-TEST_F(ChainCurvesFile, AreReadAndWrittenAsTheyStand)
+TEST_F(ChainCurvesFile, CurvesAreReadAndWrittenUnchanged)
 {
   const Case once          = read("once.toml", two_curves, {wanted});
   const ChainCurves &first = std::get<Lumped>(once.spec).curves;
@@ -48,14 +48,14 @@ TEST_F(ChainCurvesFile, WithoutACurveTheKeyAndTheRemedyAreNamed)
 {
   EXPECT_EQ(refused("", {}), "accepted");
   EXPECT_EQ(refused(two_curves, {}), "accepted");  // curves that nothing asks for do no harm
-  const std::string said = refused("", {wanted});
-  EXPECT_NE(said.find("dynamics.contact = \"curve\""), std::string::npos) << said;
-  EXPECT_NE(said.find("needs curves, and given.K2 to given.K6 are numbers; add [curve] with K3 = "),
+  const std::string message = refused("", {wanted});
+  EXPECT_NE(message.find("dynamics.contact = \"curve\""), std::string::npos) << message;
+  EXPECT_NE(message.find("needs curves, and given.K2 to given.K6 are numbers; add [curve] with K3 = "),
             std::string::npos)
-      << said;
+      << message;
 }
 
-TEST_F(ChainCurvesFile, ThatDoNotRiseAreRefusedWithTheirPlace)
+TEST_F(ChainCurvesFile, CurvesThatDoNotRiseAreRefusedWithTheirPlace)
 {
   EXPECT_EQ(refused("\n[curve]\nK3 = [[\"100 kN\", \"3 um\"], [\"200 kN\", \"2 um\"]]\n", {wanted}),
             "curve.K3[1]: force 200 kN, compression 2 um: both must be above zero and rise from pair to pair");
@@ -65,8 +65,9 @@ TEST_F(ChainCurvesFile, ThatDoNotRiseAreRefusedWithTheirPlace)
 
 TEST_F(ChainCurvesFile, ThePublishedReadingHasNoLoadAtRest)
 {
-  const std::string said = refused(two_curves, {wanted, "dynamics.force_meaning=published", "given.C=1e5 N s/m"});
-  EXPECT_NE(said.find("needs the load of every contact at rest"), std::string::npos) << said;
+  const std::string message =
+      refused(two_curves, {wanted, "dynamics.force_meaning=published", "given.C=1e5 N s/m"});
+  EXPECT_NE(message.find("needs the load of every contact at rest"), std::string::npos) << message;
 }
 
 TEST(ContactCurvesOfAStand, AGivenStiffnessIsNamed)
@@ -74,13 +75,13 @@ TEST(ContactCurvesOfAStand, AGivenStiffnessIsNamed)
   const std::string stand = MILLSTAND_SOURCE_DIR "/cases/four-high-1400.toml";
   EXPECT_EQ(refusals([&] { read_case(stand, {wanted}); }), "accepted");
   for (const char *key : {"K3", "K5", "K2", "K6", "K_Zy"}) {
-    const std::string said = refusals([&] {
+    const std::string message = refusals([&] {
       read_case(stand, {wanted, std::string("given.") + key + "=4e4 kN/mm"});
     });
-    EXPECT_NE(said.find(std::string("given.") + key), std::string::npos) << said;
-    EXPECT_NE(said.find("is one number and has no curve; leave it out, so that the curve is computed, or set "
-                        "dynamics.contact = \"linear\""),
+    EXPECT_NE(message.find(std::string("given.") + key), std::string::npos) << message;
+    EXPECT_NE(message.find("is one number and has no curve; leave it out, so that the curve is computed, or set "
+                           "dynamics.contact = \"linear\""),
               std::string::npos)
-        << said;
+        << message;
   }
 }

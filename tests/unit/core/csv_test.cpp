@@ -56,7 +56,7 @@ TEST_F(Csv, CommaSemicolonAndTab)
   expect_three_samples("time [s]\tforce [kN]\n0\t976.2\n0.001\t975.5\n0.0025\t-1\n");
 }
 
-TEST_F(Csv, UnitsOfTheHeaderCount)
+TEST_F(Csv, ValuesAreInTheUnitsOfTheHeader)
 {
   expect_three_samples("time [ms],force [N]\n0,976200\n1,975500\n2.5,-1e3\n");
   expect_three_samples("force [MN];speed [m/s];time [us]\n0.9762;1;0\n0.9755;1;1000\n-0.001;1;2500\n");
@@ -111,7 +111,7 @@ TEST_F(Csv, NamesOfATableComeBackWhateverTheyHold)
   EXPECT_EQ(back.columns[3][1], 4);
 }
 
-TEST_F(Csv, WhatIsRefusedSaysWhereAndWhy)
+TEST_F(Csv, RefusalsNameThePlaceAndTheReason)
 {
   EXPECT_EQ(refusal(""), "1:1: the file is empty; a header such as \"time [s], force [kN]\" and data are needed");
   EXPECT_EQ(refusal("\n\n"),
@@ -135,7 +135,7 @@ TEST_F(Csv, WhatIsRefusedSaysWhereAndWhy)
   EXPECT_EQ(refusal("time [s],force [kN]\n0,976\n2,976\n1,976\n"),
             "4:1: time 1 s comes after 2 s; sort the lines by time");
   EXPECT_EQ(refusal("time [s],force [kN]\n0,976\n1,976\n1,975\n"),
-            "4:1: time 1 s stands twice; keep one of the two lines");
+            "4:1: time 1 s appears twice; keep one of the two lines");
   EXPECT_EQ(refusal("time [s],force [kN]\n0,976,2\n1,976\n"),
             "2:1: this line has 3 cells, the header has 2; a decimal comma needs ';' or tab between the columns");
   EXPECT_EQ(refusal("time [s];force [kN]\n0;1.976,2\n1;976\n"),
@@ -201,13 +201,14 @@ TEST_F(Csv, NumbersThatAreNotFiniteAreEmptyCells)
 }
 
 // Whoever still has a table need not read its file where both are the same to the bit.
-TEST_F(Csv, ATableThatItsFileDoesNotGiveBackIsKnown)
+TEST_F(Csv, ATableThatChangesInItsFileIsDetected)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  const auto of = [](const std::string &name, const std::string &unit, const double value) {
+  const auto column = [](const std::string &name, const std::string &unit, const double value) {
     return Table().add(name, unit, Eigen::VectorXd::Constant(2, value));
   };
-  for (const Table &same : {of("load", "N", 1e15), of("a, b", "N or N m per m", -1e-300), of("#x", "", nan)}) {
+  for (const Table &same :
+       {column("load", "N", 1e15), column("a, b", "N or N m per m", -1e-300), column("#x", "", nan)}) {
     EXPECT_TRUE(reads_back(same)) << same.names[0];
     write_atomically(path, csv_text(same));
     const Table back = read_table(path);
@@ -215,13 +216,13 @@ TEST_F(Csv, ATableThatItsFileDoesNotGiveBackIsKnown)
     EXPECT_EQ(back.units, same.units);
     EXPECT_TRUE(back.columns[0] == same.columns[0] || std::isnan(same.columns[0][0])) << same.names[0];
   }
-  for (const Table &other :
-       {of("load", "N", inf), of("load", "N", 1.1e15), of("load [N]", "", 1), of(" load", "N", 1),
-        of("a\nb", "", 1), of("a\"b", "", 1), of("", "", 1), Table(), Table().add("load", "N", Eigen::VectorXd())})
+  for (const Table &other : {column("load", "N", inf), column("load", "N", 1.1e15), column("load [N]", "", 1),
+                             column(" load", "N", 1), column("a\nb", "", 1), column("a\"b", "", 1),
+                             column("", "", 1), Table(), Table().add("load", "N", Eigen::VectorXd())})
     EXPECT_FALSE(reads_back(other)) << (other.names.empty() ? "no column" : other.names[0]);
 }
 
-TEST_F(Csv, AMutilatedFileIsReadOrRefusedAndNothingElse)
+TEST_F(Csv, AMutilatedFileIsEitherReadOrRefused)
 {
   std::string good = "time [s];force [kN]\n";
   for (int i = 0; i < 30; ++i)
@@ -232,18 +233,18 @@ TEST_F(Csv, AMutilatedFileIsReadOrRefusedAndNothingElse)
   for (int i = 0; i < 2000; ++i) {
     std::string text = good;
     for (unsigned n = 1 + random() % 3; n > 0 && !text.empty(); --n)
-      switch (const std::size_t at = random() % text.size(); random() % 4) {
+      switch (const std::size_t position = random() % text.size(); random() % 4) {
       case 0:
-        text[at] = char(random() % 256);
+        text[position] = char(random() % 256);
         break;
       case 1:
-        text.erase(at, 1 + random() % 20);
+        text.erase(position, 1 + random() % 20);
         break;
       case 2:
-        text.insert(at, 1, ";,\t\n\r\"[]#-e.\0"[random() % 13]);
+        text.insert(position, 1, ";,\t\n\r\"[]#-e.\0"[random() % 13]);
         break;
       default:
-        text.resize(at);
+        text.resize(position);
       }
     try {
       const ForceRecord r = record(text);

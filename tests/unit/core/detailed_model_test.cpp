@@ -73,7 +73,7 @@ protected:
 };
 }  // namespace
 
-TEST_F(DetailedModels, ComeBackAsTheyWere)
+TEST_F(DetailedModels, DetailedModelsComeBackUnchanged)
 {
   const StandModel s = sample(), back = detailed_model_of(files);
   EXPECT_EQ(back.name, s.name);
@@ -116,7 +116,7 @@ TEST_F(DetailedModels, TheCaseThatNamesThemIsReadBack)
   EXPECT_EQ(detailed_model_of(lumped.model).M, sample().M);
 }
 
-TEST_F(DetailedModels, OneOfChainAndFiles)
+TEST_F(DetailedModels, ChainAndFilesExcludeEachOther)
 {
   std::string text = template_of("lumped");
   text += "\n[model]\nmass = \"mass.mtx\"\nstiffness = \"stiffness.mtx\"\nforce = \"force.mtx\"\nreadings = "
@@ -131,7 +131,7 @@ TEST_F(DetailedModels, OneOfChainAndFiles)
   }
 }
 
-TEST_F(DetailedModels, WhatDoesNotFitIsRefused)
+TEST_F(DetailedModels, FilesThatDoNotAgreeAreRefused)
 {
   const StandModel s = sample();
   Eigen::MatrixXd M  = s.M;
@@ -203,7 +203,7 @@ TEST_F(DetailedModels, ConnectionsThatDoNotFitAreRefused)
   EXPECT_EQ(with_rows(K3 + foot),
             "craig-bampton-strains.mtx: has 3 rows and 7 columns; 2 rows and 7 columns are needed");
   EXPECT_EQ(with_rows(K3 + foot + K3),
-            "craig-bampton-connections.csv: \"K3\" stands in two places; its springs follow each other");
+            "craig-bampton-connections.csv: \"K3\" appears in two places; its springs must be consecutive");
   EXPECT_EQ(with_rows(K3 + "K3,-1,0.07\n" + foot),
             "craig-bampton-connections.csv: stiffness -1 N/m: must not be negative");
   EXPECT_EQ(

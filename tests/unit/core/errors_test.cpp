@@ -26,7 +26,7 @@ protected:
 };
 }  // namespace
 
-TEST_F(Rendered, LineItsNeighbourAndACaret)
+TEST_F(Rendered, AProblemShowsItsLineTheLineAboveAndACaret)
 {
   EXPECT_EQ(render({
                 {file, 2, 19},
@@ -38,7 +38,7 @@ TEST_F(Rendered, LineItsNeighbourAndACaret)
                    "      |                   ^");
 }
 
-TEST_F(Rendered, FirstLineHasNoNeighbour)
+TEST_F(Rendered, AProblemInTheFirstLineShowsThatLine)
 {
   EXPECT_EQ(render(
                 {
@@ -77,7 +77,7 @@ TEST_F(Rendered, AContradictionShowsBothPlacesWithTheirSections)
                                     ">   5 | \tbarrel_diameter = \"380 mm\"      # [backup_roll]");
 }
 
-TEST_F(Rendered, WithoutAReadableFileTheFirstLineIsAll)
+TEST_F(Rendered, WithoutAReadableFileOnlyTheMessageIsShown)
 {
   EXPECT_EQ(render({
                 {"no-such-file.toml", 3, 4},
@@ -104,7 +104,7 @@ TEST_F(Rendered, ALongLineIsCut)
   EXPECT_NE(text.find(" ..."), std::string::npos);
 }
 
-TEST_F(Rendered, AListIsCutAndSaysHowManyMore)
+TEST_F(Rendered, ALongListIsCutAndStatesTheRemainingNumber)
 {
   std::vector<Problem> problems(200, Problem{
                                          {file, 2, 1},

@@ -117,7 +117,7 @@ TEST_F(Estimated, TheSharesOfAFrameLeaveHalfForTheRolls)
   EXPECT_LT(compliance * 5e9, 0.65);
 }
 
-TEST_F(Estimated, TheEchoSaysWhatIsEstimatedAndGivesTheSame)
+TEST_F(Estimated, TheResolvedCaseMarksEstimatesAndGivesTheSameStand)
 {
   const FourHigh first = stand(without("work_roll", {"bearing_span"}, "estimate = true\n"));
   const Case c         = read_case(path);
@@ -131,7 +131,7 @@ TEST_F(Estimated, TheEchoSaysWhatIsEstimatedAndGivesTheSame)
   EXPECT_EQ(std::get<FourHigh>(read_case(path).spec).work_roll.bearing_span, first.work_roll.bearing_span);
 }
 
-TEST_F(Estimated, WhatAnEstimateNeedsIsNamed)
+TEST_F(Estimated, AnEstimateNamesTheKeysThatItNeeds)
 {
   EXPECT_EQ(
       refusals([&] { stand(without("frame", {"piston_stiffness"}, "estimate = true\n")); }),

@@ -83,7 +83,7 @@ protected:
 };
 }  // namespace
 
-TEST_F(Fields, EveryKindArrivesInSi)
+TEST_F(Fields, EveryKindOfValueIsReadInSi)
 {
   const Sample s = read_text_as("length = \"42 cm\"\n");
   EXPECT_EQ(reading.problems.size(), 1u);  // cm is not in the list
@@ -116,7 +116,7 @@ TEST_F(Fields, DefaultsAreUsedAndNotMarkedAsRead)
   EXPECT_EQ(reading.places.count("s.ratio"), 0u);
 }
 
-TEST_F(Fields, QuantitiesRefuseWhatIsNone)
+TEST_F(Fields, ValuesThatAreNotQuantitiesAreRefused)
 {
   const std::string need = "; a length is needed, for example \"420 mm\"";
   EXPECT_EQ(refusal("length = 420"), "s.length = 420 has no unit" + need);
@@ -127,9 +127,9 @@ TEST_F(Fields, QuantitiesRefuseWhatIsNone)
             "s.length = \"420 inch\" is in inches; 420 inch = 10668 mm, which is outside 200 mm .. 2500 mm");
   EXPECT_EQ(refusal("length = \"42 ell\""),
             "s.length = \"42 ell\" has the unknown unit 'ell'" + need + " (known units: m, mm, um)");
-  EXPECT_EQ(refusal("length = true"), "s.length = true is no quantity" + need);
-  EXPECT_EQ(refusal("length = [\"1 m\"]"), "s.length = [\"1 m\"] is no quantity" + need);
-  EXPECT_EQ(refusal("length = 1979-05-27"), "s.length = (date or time) is no quantity" + need);
+  EXPECT_EQ(refusal("length = true"), "s.length = true is not a quantity" + need);
+  EXPECT_EQ(refusal("length = [\"1 m\"]"), "s.length = [\"1 m\"] is not a quantity" + need);
+  EXPECT_EQ(refusal("length = 1979-05-27"), "s.length = (date or time) is not a quantity" + need);
   EXPECT_EQ(refusal("length = \"14500 mm\""), "s.length = \"14500 mm\" is outside 200 mm .. 2500 mm");
   EXPECT_EQ(refusal("length = \"-420 mm\""), "s.length = \"-420 mm\" is outside 200 mm .. 2500 mm");
   EXPECT_EQ(refusal(""), "[s] has no 'length'; add for example length = \"420 mm\"");
@@ -143,7 +143,7 @@ TEST_F(Fields, BothEndsOfARangeAreAllowedInEveryUnit)
     EXPECT_NE(refusal("length = \"" + std::string(text) + "\""), "") << text;
 }
 
-TEST_F(Fields, OtherKindsRefuseWhatIsNone)
+TEST_F(Fields, ValuesOfTheWrongKindAreRefused)
 {
   EXPECT_EQ(with_length("ratio = \"0.2\""),
             "s.ratio = \"0.2\" is not a number; a pure number is needed, for example 0.25");
@@ -166,7 +166,7 @@ TEST_F(Fields, OtherKindsRefuseWhatIsNone)
             "s.loads[0] = \"1 N\" is outside 1 kN .. 100 kN\n"
             "s.loads[1] = \"2 kg\" is a mass; a pair such as [\"1 kN\", \"2 kN\"] is needed");
   EXPECT_EQ(with_length("table = [[\"0 mm\", \"1 um\"]]"),
-            "s.table = [[\"0 mm\", \"1 um\"]] is no list of two pairs or more; a list of pairs such as "
+            "s.table = [[\"0 mm\", \"1 um\"]] is not a list of two pairs or more; a list of pairs such as "
             "[[\"0 mm\", \"1 um\"], [\"1 mm\", \"2 um\"]] is needed");
   EXPECT_EQ(with_length("table = [[\"1 mm\", \"1 um\"], [\"1 mm\", \"2 um\"]]"),
             "s.table[1] = [\"1 mm\", \"2 um\"] does not increase in its first column; sort the pairs");
@@ -190,7 +190,7 @@ TEST_F(Fields, EveryProblemIsCollected)
   EXPECT_TRUE(reading.usable({"s.free", "s.word"}));
 }
 
-TEST_F(Fields, TheEchoReadsBackAsTheSameStruct)
+TEST_F(Fields, TheResolvedLinesReadBackAsTheSameStruct)
 {
   const Sample a = read_text_as(
       "length = \"333.33333333333331 mm\"\nfree = \"3.3 kN\"\ntext = \"tab\\there\"\n"
@@ -207,7 +207,7 @@ TEST_F(Fields, TheEchoReadsBackAsTheSameStruct)
   EXPECT_EQ(a.table, b.table);
 }
 
-TEST(Suggestion, CountsAnExchangeAsOneSlip)
+TEST(Suggestion, AnExchangeOfTwoLettersIsOneSlip)
 {
   EXPECT_EQ(suggestion("radial_clearence", {"radial_clearance", "rows"}), "; did you mean 'radial_clearance'?");
   EXPECT_EQ(suggestion("rwos", {"radial_clearance", "rows"}), "; did you mean 'rows'?");
@@ -215,7 +215,7 @@ TEST(Suggestion, CountsAnExchangeAsOneSlip)
   EXPECT_EQ(suggestion(std::string(100000, 'x'), {"rows"}), "; known: rows");
 }
 
-TEST(AllRows, AreComplete)
+TEST(AllRows, EveryRowIsComplete)
 {
   for (const std::string &kind : case_kinds())
     for (const SectionRows &section : sections_of(kind)) {

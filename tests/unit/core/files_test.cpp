@@ -81,7 +81,7 @@ TEST_F(Files, AMissingFolderIsNamedWithTheReason)
 }
 
 // The name asked for is wrong: the user's mistake.  Disk, permission and limits are the system's refusal.
-TEST(FileErrors, AreTheUsersOrTheSystems)
+TEST(FileErrors, FileErrorsBelongToTheUserOrToTheSystem)
 {
   for (const int error : {ENOENT, ENOTDIR, EISDIR, ENAMETOOLONG, ELOOP, EEXIST})
     EXPECT_FALSE(is_refused_by_system(error)) << error;
@@ -101,19 +101,19 @@ TEST_F(Files, AReadOnlyFolderIsNamedWithTheReason)
 {
   fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_exec);
   const std::string path = (folder / "a").string();
-  const bool superuser   = ::geteuid() == 0;  // may write everywhere; be nobody for a moment
+  const bool superuser   = ::geteuid() == 0;  // may write everywhere; become another user for a moment
   if (superuser) {
     ASSERT_EQ(::seteuid(65534), 0);
   }
-  const std::string said = message(path);
-  EXPECT_THROW(write_atomically(path, "x"), SystemError) << "a permission is no input error";
+  const std::string refusal_text = message(path);
+  EXPECT_THROW(write_atomically(path, "x"), SystemError) << "a missing permission is not an input error";
   if (superuser) {
     ASSERT_EQ(::seteuid(0), 0);
   }
-  EXPECT_EQ(said, path + ": error: cannot be written: Permission denied");
+  EXPECT_EQ(refusal_text, path + ": error: cannot be written: Permission denied");
 }
 
-TEST_F(Files, WhatCannotBeReadSaysWhy)
+TEST_F(Files, AFileThatCannotBeReadIsRefusedWithTheReason)
 {
   const std::string none = (folder / "none").string();
   EXPECT_EQ(refusal([&] { read_text(none); }), none + ": error: cannot be read: No such file or directory");
@@ -123,7 +123,7 @@ TEST_F(Files, WhatCannotBeReadSaysWhy)
   EXPECT_FALSE(text_if_readable(folder.string()));
 }
 
-// Opening a pipe that nobody writes to, or reading a device without end, would be waited for for ever.
+// Opening a pipe without a writer, or reading a device without end, would wait for ever.
 TEST_F(Files, PipesAndDevicesAreNeitherReadNorReplaced)
 {
   const std::string pipe = (folder / "pipe").string();

@@ -44,7 +44,7 @@ std::string refusal_of(const std::string &text, const std::size_t bytes)
 }
 }  // namespace
 
-TEST(ForceBlocks, GiveTheRecordWhateverTheirSize)
+TEST(ForceBlocks, BlocksOfAnySizeGiveTheSameRecord)
 {
   std::string comma = "# a comment\n\ntime [s],force [kN]\n", semicolon = "\xEF\xBB\xBFtime [ms];force [MN]\r\n";
   for (int i = 0; i < 500; ++i) {
@@ -63,7 +63,7 @@ TEST(ForceBlocks, GiveTheRecordWhateverTheirSize)
   }
 }
 
-TEST(ForceBlocks, MistakesAreToldWithTheirLine)
+TEST(ForceBlocks, ErrorsNameTheirLine)
 {
   std::string text = "time [s],force [kN]\n";
   for (int i = 0; i < 100; ++i)

@@ -86,7 +86,7 @@ TEST_F(GivenInstead, AMissingValueNamesWhatWouldBeNeededOtherwise)
 }
 
 // Every key of the table is a row of its section that would be required.
-TEST(BehindGiven, NamesRowsThatAreThere)
+TEST(BehindGiven, RowsReplacedByAGivenValueExist)
 {
   for (const BehindGiven &one : behind_given()) {
     for (const std::string &name : one.given) {

@@ -133,7 +133,7 @@ TEST(JsonArchive, EverythingComesBack)
   EXPECT_EQ(json_of_record(after), json_of_record(record_of_json<Outer>(json_of_record(after))));
 }
 
-TEST(JsonArchive, WhatIsAbsentOrOfAnotherTypeLeavesTheMemberAsItWas)
+TEST(JsonArchive, AMissingOrWronglyTypedEntryLeavesTheMemberUnchanged)
 {
   const auto empty = record_of_json<Outer>("{}");
   EXPECT_EQ(empty.number, 7);
@@ -141,7 +141,7 @@ TEST(JsonArchive, WhatIsAbsentOrOfAnotherTypeLeavesTheMemberAsItWas)
   EXPECT_EQ(empty.matrix.size(), 0);
   const auto other =
       record_of_json<Outer>(R"({"number": "a text", "flag": 1, "vector": {}, "list": [3, {"name": 4}],
-    "map": 1, "matrix": [[1], "x", [1, 2]], "present": [], "pair": [5], "what nobody knows": 1})");
+    "map": 1, "matrix": [[1], "x", [1, 2]], "present": [], "pair": [5], "an unknown name": 1})");
   EXPECT_EQ(other.number, 7);
   EXPECT_FALSE(other.flag);
   EXPECT_EQ(other.list.size(), 2u);
@@ -152,7 +152,7 @@ TEST(JsonArchive, WhatIsAbsentOrOfAnotherTypeLeavesTheMemberAsItWas)
   EXPECT_TRUE(std::isnan(other.matrix(0, 1))) << "rows that are too short end in gaps";
 }
 
-TEST(JsonArchive, WhatIsNoRecordIsRefused)
+TEST(JsonArchive, TextThatIsNotARecordIsRefused)
 {
   for (const char *text : {"", "7", "[1]", "{\"a\": [", "{\"number\": 1e999}"})
     EXPECT_THROW(record_of_json<Outer>(text), InputError) << text;

@@ -25,7 +25,7 @@ template <class Parse> std::string refusal(const Parse &parse)
 }
 }  // namespace
 
-TEST(Laws, ConstantsStandInTheOrderOfTheirRows)
+TEST(Laws, ConstantsAreInTheOrderOfTheirRows)
 {
   expect_rows_in_order<Friction>(friction_constants());
   expect_rows_in_order<FlowStress>(flow_stress_constants());

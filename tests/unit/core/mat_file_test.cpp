@@ -11,14 +11,14 @@ namespace {
 /// Walks through the data elements of a file.
 struct Bytes {
   std::string data;
-  std::size_t at = 0;
+  std::size_t position = 0;
   template <class Number> Number take()
   {
     Number n;
-    if (at + sizeof n > data.size())
+    if (position + sizeof n > data.size())
       throw std::runtime_error("the file ends too early");
-    std::memcpy(&n, data.data() + at, sizeof n);
-    at += sizeof n;
+    std::memcpy(&n, data.data() + position, sizeof n);
+    position += sizeof n;
     return n;
   }
   /// Content of the next element, which must be of this type; padding is left behind.
@@ -26,9 +26,9 @@ struct Bytes {
   {
     EXPECT_EQ(take<std::uint32_t>(), type);
     const auto n = take<std::uint32_t>();
-    Bytes content{data.substr(at, n)};
+    Bytes content{data.substr(position, n)};
     EXPECT_EQ(content.data.size(), n);
-    at += (n + 7) / 8 * 8;
+    position += (n + 7) / 8 * 8;
     return content;
   }
 };
@@ -48,7 +48,7 @@ Array array_of(Bytes &file)
   a.rows    = size.take<std::int32_t>();
   a.columns = size.take<std::int32_t>();
   a.name    = name.data;
-  a.content = {whole.data.substr(whole.at)};
+  a.content = {whole.data.substr(whole.position)};
   return a;
 }
 }  // namespace
@@ -62,10 +62,10 @@ TEST(MatFile, MatricesAndTextsComeBack)
       )
   };
   EXPECT_EQ(file.data.substr(0, 19), "MATLAB 5.0 MAT-file");
-  file.at = 124;
+  file.position = 124;
   EXPECT_EQ(file.take<std::uint16_t>(), 0x0100);
   EXPECT_EQ(file.data.substr(126, 2), "IM") << "little-endian";
-  file.at = 128;
+  file.position = 128;
 
   Array matrix = array_of(file);
   EXPECT_EQ(matrix.kind, 6u);
@@ -88,14 +88,14 @@ TEST(MatFile, MatricesAndTextsComeBack)
     EXPECT_EQ(letters.columns, std::int32_t(text.size()));
     Bytes units = letters.content.element(4);
     std::string read;
-    while (units.at < units.data.size())
+    while (units.position < units.data.size())
       read += char(units.take<std::uint16_t>());
     EXPECT_EQ(read, text);
   }
-  EXPECT_EQ(file.at, file.data.size());
+  EXPECT_EQ(file.position, file.data.size());
 }
 
-TEST(MatFile, ANameThatMatlabDoesNotTakeIsABug)
+TEST(MatFile, ANameThatMatlabDoesNotAcceptIsAProgrammingError)
 {
   for (const char *name : {"", "1K", "a-b", "upper frame"})
     EXPECT_THROW(mat_file({

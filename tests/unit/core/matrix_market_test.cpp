@@ -1,4 +1,4 @@
-// Matrix Market files: every bit comes back, and what is wrong is said with its line.
+// Matrix Market files: every bit comes back, and errors name their line.
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include "core/records/matrix_market.h"
@@ -57,7 +57,7 @@ TEST_F(MatrixMarket, EveryBitComesBack)
   EXPECT_EQ(matrix_market_text(symmetric, "").find("\n1 2 "), std::string::npos) << "the lower triangle alone";
 }
 
-TEST_F(MatrixMarket, ReadsWhatOthersWrite)
+TEST_F(MatrixMarket, FilesOfOtherProgramsAreRead)
 {
   Eigen::MatrixXd expected(2, 2);
   expected << 1, 2, 2, 3;
@@ -68,7 +68,7 @@ TEST_F(MatrixMarket, ReadsWhatOthersWrite)
     EXPECT_EQ(read_matrix_market(file(text)), expected) << text;
 }
 
-TEST_F(MatrixMarket, WhatIsWrongIsSaidWithItsLine)
+TEST_F(MatrixMarket, ErrorsNameTheirLine)
 {
   const std::string head = "%%MatrixMarket matrix coordinate real symmetric\n";
   EXPECT_EQ(refused("1 2 3\n"),
@@ -80,9 +80,9 @@ TEST_F(MatrixMarket, WhatIsWrongIsSaidWithItsLine)
   EXPECT_EQ(refused(head + "2 2 2\n1 1 5\n1 1 6\n"), "4: the entry 1, 1 comes twice");
   EXPECT_EQ(refused(head + "2 2 2\n1 1 5\n"), "3: the file ends after 1 of 2 entries");
   EXPECT_EQ(refused(head + "2 2 1\n1 1 5\n2 2 5\n"), "4: more entries than the header says");
-  EXPECT_EQ(refused(head + "2 2 1\n3 1 5\n"), "3: \"3\" is no whole number from 1 to 2");
-  EXPECT_EQ(refused(head + "2 2 1\n1 1 nan\n"), "3: \"nan\" is no finite number");
-  EXPECT_EQ(refused(head + "2 2 1\n1 1 5x\n"), "3: \"5x\" is no finite number");
+  EXPECT_EQ(refused(head + "2 2 1\n3 1 5\n"), "3: \"3\" is not a whole number from 1 to 2");
+  EXPECT_EQ(refused(head + "2 2 1\n1 1 nan\n"), "3: \"nan\" is not a finite number");
+  EXPECT_EQ(refused(head + "2 2 1\n1 1 5x\n"), "3: \"5x\" is not a finite number");
   EXPECT_EQ(refused(head + "99999999999 2 1\n").substr(0, 2), "2:");
   EXPECT_EQ(refused(""), "0: is empty; a Matrix Market file begins with \"%%MatrixMarket\"");
 }

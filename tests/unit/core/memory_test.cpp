@@ -6,7 +6,7 @@
 
 using namespace mill;
 
-TEST(MemoryLeft, IsSomethingAndSaysWhatSetsTheEnd)
+TEST(MemoryLeft, MemoryLeftIsPositiveAndNamesItsLimit)
 {
   const MemoryLeft left = memory_left();
   EXPECT_GT(left.bytes, 1e6);

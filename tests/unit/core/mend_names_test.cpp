@@ -1,11 +1,14 @@
 // One typo, one error: what a mistyped name represents is read on and checked.
 #include "core/base/files.h"
+#include "core/case/fields.h"
 #include "core/case/input_reference.h"
 #include "core/case/removed_keys.h"
 #include "core/model/case.h"
 #include "tests/support/refusal.h"
+#include <ctime>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <random>
 
 using namespace mill;
 
@@ -20,10 +23,10 @@ protected:
   /// The demo stand with one text in place of another.
   std::string with(const std::string &from, const std::string &to, const char *file = "cases/four-high-1400.toml")
   {
-    std::string text = read_text(file);
-    const auto at    = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    text.replace(at, from.size(), to);
+    std::string text    = read_text(file);
+    const auto position = text.find(from);
+    EXPECT_NE(position, std::string::npos) << from;
+    text.replace(position, from.size(), to);
     for (std::size_t i; (i = text.find("\"data/")) != std::string::npos;)
       text.replace(i, 6, "\"" MILLSTAND_SOURCE_DIR "/cases/data/");
     write_atomically(path, text);
@@ -32,7 +35,7 @@ protected:
 };
 }  // namespace
 
-TEST_F(OneTypo, OfASectionIsOneError)
+TEST_F(OneTypo, ATypoInASectionIsOneError)
 {
   EXPECT_EQ(with("[backup_roll]", "[backup_rol]"), "unknown section [backup_rol]; did you mean 'backup_roll'?");
   EXPECT_EQ(with("[frame] ", "[fraem] "), "unknown section [fraem]; did you mean 'frame'?");
@@ -42,7 +45,7 @@ TEST_F(OneTypo, OfASectionIsOneError)
             "unknown section [uper]; did you mean 'upper'?");
 }
 
-TEST_F(OneTypo, OfAKeyIsOneError)
+TEST_F(OneTypo, ATypoInAKeyIsOneError)
 {
   EXPECT_EQ(with("barrel_length    = \"1400 mm\"", "barrel_lenght    = \"1400 mm\""),
             "unknown key 'barrel_lenght' in [work_roll]; did you mean 'barrel_length'?");
@@ -64,8 +67,8 @@ TEST_F(OneTypo, TheValueUnderItIsCheckedToo)
             "work_roll.barrel_length = \"1400 kg\" is a mass; a length is needed, for example \"1400 mm\"");
 }
 
-// A second key of the same name is no typo of the first.
-TEST_F(OneTypo, OfANameThatIsThereTooStaysUnknown)
+// A second key of the same name is not a typo of the first.
+TEST_F(OneTypo, ATypoOfANameThatIsAlsoGivenStaysUnknown)
 {
   EXPECT_EQ(with("crown            = \"0 um\"", "crown = \"0 um\"\ncrwon = \"1 kg\""),
             "unknown key 'crwon' in [work_roll]; did you mean 'crown'?");
@@ -106,4 +109,49 @@ TEST_F(OneTypo, ARemovedKeySaysWhatBecameOfIt)
   EXPECT_EQ(removal_note("barrel_diameter"), "");
   EXPECT_EQ(with("bearing_span     = ", "tilt_lever = \"full\"\nbearing_span     = ").substr(0, 60),
             "unknown key 'tilt_lever' in [work_roll]; it was dropped afte");
+// Each letter that only one of two words has costs a slip, and a table of distances ends where the limit is
+// reached.
+TEST(NearestWord, IsTheSameAsWithoutTheShortcuts)
+{
+  const std::vector<std::string> known{
+      "barrel_diameter", "barrel_length", "neck_diameter", "bearing_span", "k", "at"};
+  const auto by_full_tables = [&](const std::string &word) {
+    std::string best;
+    std::size_t fewest = word.size() == 2 ? 2 : word.size() / 3 + 1;
+    for (const std::string &candidate : known)
+      if (const std::size_t slips = slips_between(word, candidate); slips < fewest) {
+        fewest = slips;
+        best   = candidate;
+      }
+    return best;
+  };
+  std::mt19937 random(7);
+  int with_a_neighbour = 0;
+  for (int i = 0; i < 5000; ++i) {
+    std::string word = known[random() % known.size()];
+    for (unsigned n = random() % 6; n > 0 && !word.empty(); --n) {
+      const std::size_t place = random() % word.size();
+      if (random() % 3 == 0)
+        word.erase(place, 1);
+      else if (random() % 2 == 0)
+        word.insert(place, 1, char('a' + random() % 26));
+      else
+        std::swap(word[place], word[random() % word.size()]);
+    }
+    with_a_neighbour += !by_full_tables(word).empty();
+    ASSERT_EQ(nearest_word(word, known), by_full_tables(word)) << word << ", seed 7, word " << i;
+  }
+  EXPECT_GT(with_a_neighbour, 1000);
+}
+
+TEST_F(OneTypo, AMegabyteOfUnknownKeysIsReadInASecond)
+{
+  std::string keys;
+  for (int i = 0; keys.size() < 1000000; ++i)
+    keys += "a_key_that_is_unknown_" + std::to_string(i) + " = 1\n";
+  const auto begin        = std::clock();
+  const std::string error = with("barrel_length    =", keys + "barrel_length    =");
+  EXPECT_LT(double(std::clock() - begin) / CLOCKS_PER_SEC, 3.0)
+      << "seconds of a processor; one in the release build, twenty before";
+  EXPECT_NE(error.find("unknown key 'a_key_that_is_unknown_0' in [work_roll]"), std::string::npos);
 }

@@ -16,5 +16,5 @@ TEST(MeshPair, EstimateIsTheErrorTimesItsSafety)
           << order << " " << ratio;
     }
   EXPECT_EQ(mesh_pair_error(-4, -5, 2), mesh_pair_safety / 4)
-      << "without a known order the whole difference counts";
+      << "without a known order the error is the whole difference";
 }

@@ -67,12 +67,12 @@ TEST_F(MonitoringSection, NamesZonesAndBands)
 TEST_F(MonitoringSection, Refusals)
 {
   EXPECT_EQ(refusal("channels = \"AI_07\"\n"),
-            "monitoring.channels = \"AI_07\" is no list of names; a table of names such as "
+            "monitoring.channels = \"AI_07\" is not a list of names; a table of names such as "
             "{ \"AI_07\" = \"upper_work_roll\", \"AI_08\" = \"lower_work_roll\" } is needed");
   EXPECT_EQ(refusal("channels = { AI_07 = \"force\", AI_08 = \"force\" }\n"),
-            "monitoring.channels.AI_08 = \"force\" stands there twice");
+            "monitoring.channels.AI_08 = \"force\" appears twice");
   EXPECT_EQ(refusal("channels = { AI_07 = 3 }\n"),
-            "monitoring.channels.AI_07 = 3 is no name; a table of names such as "
+            "monitoring.channels.AI_07 = 3 is not a name; a table of names such as "
             "{ \"AI_07\" = \"upper_work_roll\", \"AI_08\" = \"lower_work_roll\" } is needed");
   EXPECT_EQ(refusal("severity = [\"2.3 mm\"]\n"), "monitoring.severity = [\"2.3 mm\"] holds '2.3 mm'; a velocity "
                                                   "above zero is needed, for example \"2.3 mm/s\"");

@@ -13,7 +13,7 @@ namespace {
 class MutilatedCases : public CaseFolder {};
 }  // namespace
 
-TEST_F(MutilatedCases, AMutilatedCaseIsReadOrRefusedAndNothingElse)
+TEST_F(MutilatedCases, AMutilatedCaseIsEitherReadOrRefused)
 {
   const std::string all[]      = {template_of("four-high"), template_of("lumped"),
                                   read_text("cases/four-high-1400.toml"), read_text("cases/published-1400.toml"),
@@ -28,18 +28,19 @@ TEST_F(MutilatedCases, AMutilatedCaseIsReadOrRefusedAndNothingElse)
   for (int i = 0; i < 2000; ++i) {
     std::string text = all[random() % std::size(all)];
     for (unsigned n = 1 + random() % 4; n > 0 && !text.empty(); --n) {
-      const std::size_t at   = random() % text.size();
-      const std::size_t line = text.rfind('\n', at) == std::string::npos ? 0 : text.rfind('\n', at) + 1;
-      const std::size_t end  = std::min(text.find('\n', at), text.size() - 1) + 1;
+      const std::size_t position = random() % text.size();
+      const std::size_t line =
+          text.rfind('\n', position) == std::string::npos ? 0 : text.rfind('\n', position) + 1;
+      const std::size_t end = std::min(text.find('\n', position), text.size() - 1) + 1;
       switch (random() % 6) {
       case 0:
-        text[at] = char(random() % 256);
+        text[position] = char(random() % 256);
         break;
       case 1:
-        text.insert(at, snippets[random() % std::size(snippets)]);
+        text.insert(position, snippets[random() % std::size(snippets)]);
         break;
       case 2:
-        text.erase(at, 1 + random() % 30);
+        text.erase(position, 1 + random() % 30);
         break;
       case 3:  // a line is lost
         text.erase(line, end - line);
@@ -68,7 +69,7 @@ TEST_F(MutilatedCases, AMutilatedCaseIsReadOrRefusedAndNothingElse)
 }
 
 // One problem for each name that stands again, not one for each pair.
-TEST_F(MutilatedCases, EqualNamesAreSaidOnceEach)
+TEST_F(MutilatedCases, EachEqualNameIsReportedOnce)
 {
   std::string text = "schema = 1\nkind = \"lumped\"\n";
   for (int i = 0; i < 200; ++i)

@@ -6,28 +6,28 @@ using namespace mill;
 
 TEST(OperatingPoint, QuantitiesAreShownInTheirUnitAndKeptInSI)
 {
-  const OperatingPoint at("pass 1, {} -> {}, {}",
-                          {
-                              {8e-3,    "mm", ".4g"},
-                              {5e-3,    "mm", ".4g"},
-                              {989.5e3, "kN", ".1f"}
+  const OperatingPoint point("pass 1, {} -> {}, {}",
+                             {
+                                 {8e-3,    "mm", ".4g"},
+                                 {5e-3,    "mm", ".4g"},
+                                 {989.5e3, "kN", ".1f"}
   });
-  EXPECT_EQ(at.text(), "pass 1, 8 mm -> 5 mm, 989.5 kN");
-  ASSERT_EQ(at.values().size(), 3U);
-  EXPECT_EQ(at.values()[0].value, 8e-3);
-  EXPECT_EQ(at.values()[0].unit, "m");
-  EXPECT_EQ(at.values()[2].value, 989.5e3);
-  EXPECT_EQ(at.values()[2].unit, "N");
+  EXPECT_EQ(point.text(), "pass 1, 8 mm -> 5 mm, 989.5 kN");
+  ASSERT_EQ(point.values().size(), 3U);
+  EXPECT_EQ(point.values()[0].value, 8e-3);
+  EXPECT_EQ(point.values()[0].unit, "m");
+  EXPECT_EQ(point.values()[2].value, 989.5e3);
+  EXPECT_EQ(point.values()[2].unit, "N");
 }
 
 TEST(OperatingPoint, PartsAreAddedAtTheEnd)
 {
-  OperatingPoint at = at_force(1e6);
-  at.add(", tilted by {}", {
-                               {1e-3, "mrad"}
+  OperatingPoint point = at_force(1e6);
+  point.add(", tilted by {}", {
+                                  {1e-3, "mrad"}
   });
-  EXPECT_EQ(at.text(), "1000.0 kN, tilted by 1 mrad");
-  EXPECT_EQ(at.values().back().unit, "rad");
+  EXPECT_EQ(point.text(), "1000.0 kN, tilted by 1 mrad");
+  EXPECT_EQ(point.values().back().unit, "rad");
 }
 
 TEST(OperatingPoint, WhatAUserWroteStaysWordForWord)

@@ -7,7 +7,7 @@
 
 using mill::share_tasks;
 
-TEST(ShareTasks, EveryTaskOnceWithAnyNumberOfThreads)
+TEST(ShareTasks, EveryTaskIsDoneOnceWithAnyNumberOfThreads)
 {
   for (const int threads : {-1, 1, 2, 7, 200}) {
     std::vector<int> calls(100, 0);
@@ -17,7 +17,7 @@ TEST(ShareTasks, EveryTaskOnceWithAnyNumberOfThreads)
   share_tasks(0, 4, [](long) { FAIL() << "there is no task"; });
 }
 
-TEST(ShareTasks, AnErrorOfATaskComesOut)
+TEST(ShareTasks, AnErrorOfATaskReachesTheCaller)
 {
   for (const int threads : {1, 4})
     EXPECT_THROW(share_tasks(50, threads,
@@ -29,7 +29,7 @@ TEST(ShareTasks, AnErrorOfATaskComesOut)
 }
 
 // A thread needs 8 MB of address space for its stack; without room for one the caller does the work alone.
-TEST(ShareTasks, WithoutRoomForThreadsTheWorkIsDoneAllTheSame)
+TEST(ShareTasks, WithoutMemoryForThreadsTheWorkIsStillDone)
 {
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "the sanitizer maps terabytes of address space";
@@ -43,7 +43,7 @@ TEST(ShareTasks, WithoutRoomForThreadsTheWorkIsDoneAllTheSame)
   EXPECT_EQ(calls, std::vector<int>(1000, 1));
 }
 
-TEST(ShareTasks, TasksThatShareOutWorkOfTheirOwnEndAsWell)
+TEST(ShareTasks, NestedSharedWorkEnds)
 {
   std::vector<std::vector<int>> calls(20, std::vector<int>(20, 0));
   share_tasks(20, 4, [&](const long i) {
@@ -55,13 +55,13 @@ TEST(ShareTasks, TasksThatShareOutWorkOfTheirOwnEndAsWell)
 namespace {
 void spend(const double seconds)
 {
-  const mill::StageWork own;
-  while (own.processor_seconds() < seconds) {
+  const mill::StageWork work;
+  while (work.processor_seconds() < seconds) {
   }
 }
 }  // namespace
 
-TEST(StageWork, CountsThreadsThatShareItsWorkOnce)
+TEST(StageWork, ThreadsThatShareWorkAreIncludedOnce)
 {
   const mill::StageWork stage;
   share_tasks(8, 2, [](long) { spend(0.01); });

@@ -92,8 +92,9 @@ TEST(ForeignUnits, EveryRowHasTheIndependentFactor)
     ASSERT_TRUE(one_of.count(name)) << name;
     EXPECT_TRUE(near(u.factor, one_of.at(name), within(5e-7, "half of the last of seven digits"))) << name;
     EXPECT_NE(find_unit(u.like), nullptr) << name;
-    const Unit *own = find_unit(u.spelling);
-    EXPECT_TRUE(!own || !(own->dimension == unit(u.like).dimension)) << name << " is read, and needs no remedy";
+    const Unit *known_unit = find_unit(u.spelling);
+    EXPECT_TRUE(!known_unit || !(known_unit->dimension == unit(u.like).dimension))
+        << name << " is read, and needs no remedy";
   }
 }
 
@@ -130,20 +131,20 @@ TEST(QuantityRemedy, NamesTheNumberWithAPoint)
 }
 
 // Of "1,450 mm" the range decides where it can.
-TEST(QuantityRemedy, SaysWhereACommaHasTwoMeanings)
+TEST(QuantityRemedy, AnAmbiguousCommaIsReported)
 {
   EXPECT_EQ(quantity_remedy("1,450 mm", "mm", lengths), "has a comma in its number; write \"1450 mm\"");
   EXPECT_EQ(quantity_remedy("1,450 mm", "mm", {}), "has a comma that may stand for a decimal point or for "
                                                    "thousands; write \"1.450 mm\" or \"1450 mm\"");
 }
 
-TEST(QuantityRemedy, IsSilentWhereNothingIsKnown)
+TEST(QuantityRemedy, UnknownUnitsGetNoRemedy)
 {
   for (const char *text : {"420 mm", "wide", "", ",", "1,", "5 kg x", "2e-8 1/Pa"})
     EXPECT_EQ(quantity_remedy(text, "kN", {}), "") << text;
 }
 
-TEST_F(Slips, TomlThatACommaBreaksIsMended)
+TEST_F(Slips, ACommaThatBreaksTomlGetsTheRepairedLine)
 {
   EXPECT_EQ(of_line("friction = 0,2"),
             "a number is written with a decimal point and no other separator: friction = 0.2");

@@ -1,7 +1,8 @@
-// A result folder holds one whole run, whenever the program that writes it stops.
+// A result folder holds one whole run, at whatever moment the program that writes it stops.
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include "core/records/result_folder.h"
+#include "core/records/run_identity.h"
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
@@ -65,7 +66,29 @@ protected:
     fs::create_directory(staging.path() + "/response");
     publish_results(staging.path(), folder.string(), rename);
   }
-  // What a user sees: entries that are not hidden.
+  // A process publishes and is killed at the rename with this number, before or after it.
+  void kill_while_publishing(const int kill, const bool after)
+  {
+    set_up_earlier_run();
+    const pid_t child = ::fork();
+    if (child == 0) {
+      int renames = 0;
+      publish([&](const char *from, const char *to) {
+        const bool last = renames++ == kill;
+        if (last && !after)
+          ::raise(SIGKILL);
+        const int result = ::rename(from, to);
+        if (last)
+          ::raise(SIGKILL);
+        return result;
+      });
+      ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status)) << kill;
+  }
+  // The entries that a user sees: those that are not hidden.
   std::map<std::string, std::string> shown() const
   {
     std::map<std::string, std::string> texts;
@@ -109,7 +132,7 @@ std::string refusal(const std::function<void()> &action)
 }
 }  // namespace
 
-TEST_F(ResultFolder, TheNewRunTakesThePlaceOfTheEarlierOneAndForeignFilesStay)
+TEST_F(ResultFolder, TheNewRunReplacesTheEarlierOneAndForeignFilesStay)
 {
   set_up_earlier_run();
   int renames = 0;
@@ -119,71 +142,110 @@ TEST_F(ResultFolder, TheNewRunTakesThePlaceOfTheEarlierOneAndForeignFilesStay)
   });
   EXPECT_EQ(shown(), later);
   EXPECT_EQ(hidden(), "");
-  EXPECT_EQ(renames, 1 + 9 + 7 + 1) << "the switch, nine names leave, seven come, the end";
+  EXPECT_EQ(renames, 1 + 9 + 7 + 1) << "the switch, nine names are moved away, seven into place, the end";
 }
 
-// A process that is killed at any rename: the first is the switch.
-TEST_F(ResultFolder, AKillAtAnyRenameLeavesOneRunAndTheNextCommandFindsItWhole)
+// A process that is killed at any of the renames; the first of them is the switch.
+TEST_F(ResultFolder, AKillAtAnyRenameLeavesOneRunAndTheNextCommandCompletesIt)
 {
-  for (int at = 0; at < 18; ++at)
+  for (int kill = 0; kill < 18; ++kill)
     for (const bool after : {false, true}) {
-      set_up_earlier_run();
-      const pid_t child = ::fork();
-      if (child == 0) {
-        int renames = 0;
-        publish([&](const char *from, const char *to) {
-          const bool last = renames++ == at;
-          if (last && !after)
-            ::raise(SIGKILL);
-          const int result = ::rename(from, to);
-          if (last)
-            ::raise(SIGKILL);
-          return result;
-        });
-        ::_exit(0);
-      }
-      int status = 0;
-      ::waitpid(child, &status, 0);
-      ASSERT_TRUE(WIFSIGNALED(status)) << at;
-      EXPECT_LE(runs_shown().size(), 1u) << "files of two runs side by side after rename " << at;
-      const bool switched = at > 0 || after;
+      kill_while_publishing(kill, after);
+      EXPECT_LE(runs_shown().size(), 1u) << "files of two runs are visible after rename " << kill;
+      const bool switched = kill > 0 || after;
       {
         const FolderLock alone(folder.string());
         finish_publishing(folder.string());
         remove_leftovers(folder.string());
       }
-      EXPECT_EQ(shown(), switched ? later : earlier) << at;
-      EXPECT_EQ(hidden(), "") << at;
+      EXPECT_EQ(shown(), switched ? later : earlier) << kill;
+      EXPECT_EQ(hidden(), "") << kill;
     }
 }
 
-// As before, but the system refuses: the program goes on and says so.
-TEST_F(ResultFolder, ARefusedRenameIsSaidAndLosesNothing)
+// The same, and the next program only reads.
+TEST_F(ResultFolder, AReaderAfterAKillAtAnyRenameSeesOneWholeRun)
 {
-  for (int at = 0; at < 18; ++at) {
+  for (int kill = 0; kill < 18; ++kill)
+    for (const bool after : {false, true}) {
+      kill_while_publishing(kill, after);
+      const bool switched = kill > 0 || after;
+      const WholeRun run(folder.string());
+      EXPECT_EQ(shown(), switched ? later : earlier) << kill;
+    }
+}
+
+TEST_F(ResultFolder, AFileOfAnInterruptedRunIsReadFromTheCompletedRun)
+{
+  for (int kill = 1; kill < 18; ++kill) {
+    kill_while_publishing(kill, false);
+    EXPECT_EQ(read_toml_text((folder / "resolved.toml").string()), "later") << kill;
+  }
+}
+
+TEST_F(ResultFolder, AReaderThatMayNotWriteRefusesAnIncompleteRun)
+{
+  kill_while_publishing(12, false);
+  fs::permissions(folder,
+                  fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    constexpr uid_t another = 65534;
+    if (::geteuid() == 0 && ::setuid(another) != 0)  // root may write everywhere
+      ::_exit(2);
+    const std::string error   = refusal([&] { const WholeRun run(folder.string()); });
+    const std::string refused = "a run was interrupted while it replaced the results in " + folder.string() +
+                                ", and the replacement cannot be completed (";
+    ::_exit(error.find(refused) != std::string::npos ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  fs::permissions(folder, fs::perms::owner_all);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0) << "1: not refused in these words, 2: no other user";
+}
+
+TEST_F(ResultFolder, ASymbolicLinkToAFolderIsFollowed)
+{
+  set_up_earlier_run();
+  const fs::path target = folder, link = folder.string() + "-link";
+  fs::remove(link);
+  fs::create_directory_symlink(target, link);
+  folder = link;
+  publish();
+  EXPECT_TRUE(fs::is_symlink(link));
+  folder = target;
+  fs::remove(link);
+  EXPECT_EQ(shown(), later);
+  EXPECT_EQ(hidden(), "");
+}
+
+// As before, but the system refuses the rename: the program continues and reports it.
+TEST_F(ResultFolder, ARefusedRenameIsReportedAndLosesNothing)
+{
+  for (int refused = 0; refused < 18; ++refused) {
     set_up_earlier_run();
     int renames              = 0;
     const std::string error  = refusal([&] {
       publish([&](const char *from, const char *to) {
-        if (renames++ == at)
+        if (renames++ == refused)
           return errno = EIO, -1;
         return ::rename(from, to);
       });
     });
-    const std::string remedy = at == 0 ? "; the earlier results are as they were, choose another folder with -o"
-                                       : "; the new results are complete in " + folder.string() +
-                                             "/.publishing, `millstand report " + folder.string() +
-                                             "` puts them in their places";
+    const std::string remedy = refused == 0 ? "; the earlier results are unchanged, choose another folder with -o"
+                                            : "; the new results are complete in " + folder.string() +
+                                                  "/.publishing, `millstand report " + folder.string() +
+                                                  "` moves them into place";
     EXPECT_NE(error.find("cannot be written: Input/output error" + remedy), std::string::npos) << error;
-    EXPECT_LE(runs_shown().size(), 1u) << at;
-    EXPECT_EQ(refusal([&] { require_published(folder.string()); }).empty(), at == 0);
+    EXPECT_LE(runs_shown().size(), 1u) << refused;
     finish_publishing(folder.string());
-    EXPECT_EQ(shown(), at == 0 ? earlier : later) << at;
-    EXPECT_EQ(hidden(), "") << at;
+    EXPECT_EQ(shown(), refused == 0 ? earlier : later) << refused;
+    EXPECT_EQ(hidden(), "") << refused;
   }
 }
 
-TEST_F(ResultFolder, AnInterruptedRenameIsMadeAgain)
+TEST_F(ResultFolder, AnInterruptedRenameIsRepeated)
 {
   set_up_earlier_run();
   int calls = 0;
@@ -195,7 +257,7 @@ TEST_F(ResultFolder, AnInterruptedRenameIsMadeAgain)
   EXPECT_EQ(shown(), later);
 }
 
-TEST_F(ResultFolder, AFolderThatIsNoJournalIsRefused)
+TEST_F(ResultFolder, AFolderThatIsNotAJournalIsRefused)
 {
   set_up_earlier_run();
   fs::create_directory(folder / ".publishing");

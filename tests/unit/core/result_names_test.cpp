@@ -6,7 +6,7 @@
 
 using namespace mill;
 
-TEST(ResultNames, PartsAndSubjects)
+TEST(ResultNames, NamesAreSplitIntoPartsAndSubjects)
 {
   EXPECT_EQ(result_name({family::bite, "pass 1", "", "force"}), "bite.pass 1.force");
   EXPECT_TRUE(is_of("contact.upper.half_width", "contact"));
@@ -19,7 +19,7 @@ TEST(ResultNames, PartsAndSubjects)
   EXPECT_EQ(spring_of_contact("line"), "contact.line");
 }
 
-TEST(Checks, AreFoundByTheirId)
+TEST(Checks, ChecksAreFoundByTheirId)
 {
   const std::vector<Check> checks{
       check(CheckId::johnson_secant, 2, "upper end"), {"Foeppl (3.8)", 3, ""},
@@ -35,17 +35,17 @@ TEST(Checks, AreFoundByTheirId)
     EXPECT_TRUE(names.insert(name_of(CheckId(id))).second) << name_of(CheckId(id)) << " represents two checks";
 }
 
-TEST(Curves, EveryKindIsToldByTheNameOfItsFile)
+TEST(Curves, EveryKindIsRecognisedByTheNameOfItsFile)
 {
   for (const CurveKind *kind : curve::all)
     for (const std::string item : {"upper", "pass-1", "2"}) {
-      const std::string of   = *kind->ending && std::string(kind->ending).back() == '-' ? "tension" : "";
-      const std::string path = curve_path(*kind, item, of);
-      const auto name        = curve_name(path);
+      const std::string quantity = *kind->ending && std::string(kind->ending).back() == '-' ? "tension" : "";
+      const std::string path     = curve_path(*kind, item, quantity);
+      const auto name            = curve_name(path);
       ASSERT_TRUE(name) << path;
       EXPECT_EQ(name->kind, kind) << path;
       EXPECT_EQ(name->item, item) << path;
-      EXPECT_EQ(name->of, of) << path;
+      EXPECT_EQ(name->of, quantity) << path;
     }
   EXPECT_EQ(curve_path(curve::contact_barrel_mirrored, "upper"), "curves/contact-upper-barrel-mirrored");
   EXPECT_EQ(curve_path(curve::chatter_map, "2", "tension"), "curves/chatter-2-map-tension");

@@ -54,7 +54,7 @@ TEST(Results, JsonHasEveryPart)
   EXPECT_EQ(json.at("assumptions").at(0), "bearing load F/20");
 }
 
-TEST(Results, WhatIsUnknownIsNull)
+TEST(Results, UnknownNumbersAreNull)
 {
   const auto json  = nlohmann::json::parse(results_json(sample(), "x", "ok"));
   const auto &none = json.at("values").at("A.first.in.the.alphabet");
@@ -73,7 +73,7 @@ TEST(Results, OrderIsThatOfTheComputation)
   EXPECT_EQ(text.find('\r'), std::string::npos);
 }
 
-TEST(Results, AreFoundByName)
+TEST(Results, ResultsAreFoundByName)
 {
   const Results results = sample();
   ASSERT_NE(results.find("K3.tangent"), nullptr);
@@ -81,7 +81,7 @@ TEST(Results, AreFoundByName)
   EXPECT_EQ(results.find("K3"), nullptr);
 }
 
-TEST(Results, BytesThatAreNoUtf8DoNotBreakTheFile)
+TEST(Results, BytesThatAreNotUtf8DoNotBreakTheFile)
 {
   Results results;
   results.warnings = {"a name with a stray byte: \xff"};

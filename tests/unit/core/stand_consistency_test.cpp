@@ -31,24 +31,23 @@ Sets with(Sets sets, const Sets &more)
 }
 }  // namespace
 
-TEST(StandConsistency, TheCasesOfTheTreeAgreeWithThemselves)
+TEST(StandConsistency, TheCasesOfTheTreeAreConsistent)
 {
   EXPECT_EQ(warned({}), "");
   EXPECT_EQ(warned({}, "cases/four-high-drawn.toml"), "");
 }
 
-TEST(StandConsistency, ANeckGoesIntoItsBearing)
+TEST(StandConsistency, ANeckMustFitIntoItsBearing)
 {
-  EXPECT_EQ(
-      refused({"work_roll.neck_diameter=280 mm"}),
-      "work_roll.neck_diameter = \"280 mm\" does not go into bearing.trb, whose bore is 266.7 mm; of a stepped "
-      "neck the seat of the bearing is wanted");
+  EXPECT_EQ(refused({"work_roll.neck_diameter=280 mm"}),
+            "work_roll.neck_diameter = \"280 mm\" does not fit into bearing.trb, whose bore is 266.7 mm; for a "
+            "stepped neck give the seat of the bearing");
   EXPECT_EQ(warned({"work_roll.neck_diameter=200 mm"}),
             "work_roll.neck_diameter = \"200 mm\" is loose in bearing.trb, whose bore is 266.7 mm");
   EXPECT_EQ(warned({"work_roll.neck_diameter=260 mm"}), "");
 }
 
-TEST(StandConsistency, ABearingStandsOnTheNeck)
+TEST(StandConsistency, ABearingMustBeOnTheNeck)
 {
   EXPECT_EQ(
       refused({"work_roll.bearing_span=1500 mm"}),
@@ -60,7 +59,7 @@ TEST(StandConsistency, ABearingStandsOnTheNeck)
       "roll: its centre is 400 mm from the barrel end, and the neck 460 mm long");
 }
 
-TEST(StandConsistency, ChocksAndRollsGoIntoTheWindow)
+TEST(StandConsistency, ChocksAndRollsMustFitIntoTheWindow)
 {
   const char *drawn = "cases/four-high-drawn.toml";
   EXPECT_EQ(
@@ -81,20 +80,20 @@ TEST(StandConsistency, ChocksAndRollsGoIntoTheWindow)
 }
 
 // Half of (560 + 1500) mm against (420 + 1450)/2 mm between the axes.
-TEST(StandConsistency, ChocksThatOverlapAreSaid)
+TEST(StandConsistency, OverlappingChocksAreAWarning)
 {
   EXPECT_EQ(
       warned(with(backup_drawn, {"bearing.crb.chock_height=1500 mm", "bearing.crb.chock_width=1600 mm",
                                  "bearing.crb.chock_length=600 mm"})),
       "bearing.trb.chock_height = \"560 mm\" and the chock of the backup roll overlap by 95 mm: half of both "
-      "heights is 1030 mm, the axes are 935 mm apart; so be it where the one stands between the legs of the "
-      "other");
+      "heights is 1030 mm, the axes are 935 mm apart; this is possible only where one chock lies between the legs "
+      "of the other");
   EXPECT_EQ(warned(with(backup_drawn, {"bearing.crb.chock_height=1305 mm", "bearing.crb.chock_width=1600 mm",
                                        "bearing.crb.chock_length=600 mm"})),
             "");
 }
 
-TEST(StandConsistency, ALoadOfAnotherOrderIsSaid)
+TEST(StandConsistency, ALoadOfAnotherOrderIsAWarning)
 {
   EXPECT_EQ(
       warned({"pass.0.load=976 kN", "backup_roll.bearing_load=20 MN"})

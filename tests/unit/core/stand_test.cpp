@@ -27,8 +27,8 @@ class Cases : public CaseFolder {};
 std::string values_of(const Case &c)
 {
   std::string text = c.resolved;
-  for (std::size_t at; (at = text.find("  # default")) != std::string::npos;)
-    text.erase(at, std::string("  # default").size());
+  for (std::size_t position; (position = text.find("  # default")) != std::string::npos;)
+    text.erase(position, std::string("  # default").size());
   return text;
 }
 
@@ -47,7 +47,7 @@ template <class T> void expect_same(const std::vector<Field<T>> &fields, const T
 }
 }  // namespace
 
-TEST_F(Cases, TheDemoStandArrivesInSi)
+TEST_F(Cases, TheDemoStandIsReadInSi)
 {
   const Case c = read_case("cases/four-high-1400.toml");
   EXPECT_EQ(c.name, "four-high-1400");
@@ -102,7 +102,7 @@ TEST_F(Cases, ThePublishedModelHasThePublishedNumbers)
   EXPECT_EQ(std::get<Lumped>(c.spec).dynamics.force_meaning, "published");
 }
 
-TEST_F(Cases, TwoCylinders)
+TEST_F(Cases, ATwoCylindersCaseIsReadInSi)
 {
   const auto pair = std::get<TwoCylinders>(read_case("cases/two-cylinders.toml").spec);
   EXPECT_EQ(pair.upper.diameter, 0.4);
@@ -113,7 +113,7 @@ TEST_F(Cases, TwoCylinders)
   EXPECT_EQ(pair.contact.at, 1e6);
 }
 
-TEST_F(Cases, Bearing)
+TEST_F(Cases, ABearingCaseIsReadInSi)
 {
   const auto spec          = std::get<BearingCase>(read_case("cases/bearing-266.toml").spec);
   const RollerBearing &trb = bearing_of(spec.bearings, spec.load.bearing);
@@ -126,14 +126,14 @@ TEST_F(Cases, Bearing)
   EXPECT_TRUE(same(spec.published.at("row1_roller").parameter.value, 6.78395e8));
 }
 
-// What the drawing of a bearing leaves out follows from the rest, and is said.
+// Values that the drawing of a bearing leaves out follow from the others, and are reported.
 TEST_F(Cases, AMissingMemberOfTheApexConditionIsComputed)
 {
   const std::string whole = read_text("cases/bearing-266.toml");
   const auto without      = [&](const std::string &key) {
-    const auto at = whole.find(key + " "), end = whole.find('\n', at);
+    const auto begin = whole.find(key + " "), end = whole.find('\n', begin);
     const auto spec =
-        std::get<BearingCase>(read_case(file("b.toml", whole.substr(0, at) + whole.substr(end + 1))).spec);
+        std::get<BearingCase>(read_case(file("b.toml", whole.substr(0, begin) + whole.substr(end + 1))).spec);
     return spec.bearings.at(0);
   };
   const double degree = 3.14159265358979323846 / 180;
@@ -150,19 +150,36 @@ TEST_F(Cases, AMissingMemberOfTheApexConditionIsComputed)
             "bearing.trb.chock_width is not given: 604.52 mm assumed, 1.7 outside diameters");
 }
 
+TEST_F(Cases, AnOldNameOfAKeyIsAcceptedWithAWarning)
+{
+  const std::string file = "cases/bearing-266.toml";
+  const Case old         = read_case(file, {"bearing.trb.row_hands=-+-+"});
+  EXPECT_EQ(std::get<BearingCase>(old.spec).bearings.at(0).row_hands, "-+-+");
+  ASSERT_EQ(old.warnings.size(), 1u);
+  EXPECT_EQ(old.warnings[0].message,
+            "bearing.trb.row_hands is the old name of the key arrangement; write arrangement");
+  EXPECT_NE(old.resolved.find("\narrangement = \"-+-+\"\n"), std::string::npos) << "the present name";
+  EXPECT_EQ(refusal([&] {
+              read_case(file, {"bearing.trb.row_hands=-+-+", "bearing.trb.arrangement=-+-+"});
+            }).rfind("unknown key 'row_hands' in [bearing.trb]", 0),
+            0u);
+}
+
 TEST_F(Cases, TheArrangementOfTheRowsMustBeConfirmed)
 {
   const auto trb = [](const std::vector<std::string> &sets) {
     return std::get<BearingCase>(read_case("cases/bearing-266.toml", sets).spec).bearings.at(0);
   };
   EXPECT_TRUE(trb({}).row_hands_assumed);
-  EXPECT_FALSE(trb({"bearing.trb.row_hands=+-+-"}).row_hands_assumed);
+  EXPECT_FALSE(trb({"bearing.trb.arrangement=+-+-"}).row_hands_assumed);
   EXPECT_FALSE(trb({"bearing.trb.rows=1"}).row_hands_assumed);
-  EXPECT_EQ(trb({"bearing.trb.rows=2", "bearing.trb.row_hands=+-"}).row_hands, "+-");
+  EXPECT_EQ(trb({"bearing.trb.rows=2", "bearing.trb.arrangement=+-"}).row_hands, "+-");
   EXPECT_EQ(refusal([&] {
-              trb({"bearing.trb.rows=2", "bearing.trb.row_hands=-+-+"});
+              trb({"bearing.trb.rows=2", "bearing.trb.arrangement=-+-+"});
             }),
-            "bearing.trb.row_hands = \"-+-+\" arranges 4 rows; the bearing has 2");
+            "bearing.trb.arrangement = \"-+-+\" arranges 4 rows; the bearing has 2");
+  EXPECT_EQ(trb({"bearing.trb.arrangement=back-to-back"}).row_hands, "+-+-");
+  EXPECT_EQ(trb({"bearing.trb.rows=2", "bearing.trb.arrangement=face-to-face"}).row_hands, "-+");
   EXPECT_EQ(arrangement_name("+-+-", 2), "+-, back to back (TDO)");
   EXPECT_EQ(arrangement_name("-+", 4), "-+-+, pairs face to face: two double cones (TQO)");
   EXPECT_EQ(usual_arrangements(2), (std::vector<std::string>{"-+", "+-"}));
@@ -170,8 +187,8 @@ TEST_F(Cases, TheArrangementOfTheRowsMustBeConfirmed)
   EXPECT_TRUE(usual_arrangements(1).empty());
 }
 
-// A chock inside Kzc is no spring of the chain, and a backup roll's does not hang on two feet.
-TEST_F(Cases, AChockIsCountedOnce)
+// A chock inside Kzc is not a spring of the chain, and the chock of a backup roll is not carried by two feet.
+TEST_F(Cases, AChockEntersTheChainOnce)
 {
   const std::vector<std::string> drawn{"bearing.crb.bore=950 mm", "bearing.crb.outside_diameter=1200 mm",
                                        "bearing.crb.width=520 mm", "bearing.crb.roller_law=iso"};
@@ -186,10 +203,11 @@ TEST_F(Cases, AChockIsCountedOnce)
   const RollerBearing &crb = bearing_of(elastic.bearings, "crb");
   EXPECT_TRUE(crb.support_assumed);
   EXPECT_TRUE(std::isnan(crb.chock_support_gap));
-  EXPECT_NEAR(bearing_of(elastic.bearings, "trb").chock_support_gap, 0.4, 1e-12);
-  const auto &said = crb.filled;
-  EXPECT_EQ(std::count_if(said.begin(), said.end(),
-                          [](const auto &text) { return text.find("counts already") != std::string::npos; }),
+  EXPECT_TRUE(near(bearing_of(elastic.bearings, "trb").chock_support_gap, 0.4,
+                   within(1e-12, "read from millimetres and added: rounding", 1)));
+  const auto &notes = crb.filled;
+  EXPECT_EQ(std::count_if(notes.begin(), notes.end(),
+                          [](const auto &text) { return text.find("already includes") != std::string::npos; }),
             2);
   EXPECT_EQ(stand("bearing.crb.chock=rigid").frame.upper_chock_stiffness, 1.03e11);
   EXPECT_EQ(stand("bearing.crb.rings=rigid").frame.upper_chock_stiffness, 1.03e11);
@@ -207,7 +225,7 @@ TEST_F(Cases, LawAndRingsFollowTheDrawing)
   EXPECT_EQ(trb.rings, "rigid");
 }
 
-TEST_F(Cases, TheEchoReadsBackAsTheSameCase)
+TEST_F(Cases, TheResolvedCaseReadsBackAsTheSameCase)
 {
   for (const char *path : {"cases/four-high-1400.toml", "cases/published-1400.toml", "cases/two-cylinders.toml",
                            "cases/bearing-266.toml"}) {
@@ -230,7 +248,7 @@ TEST_F(Cases, TheEchoReadsBackAsTheSameCase)
 }
 
 // Numbers without a short decimal form survive the way through the text.
-TEST_F(Cases, TheEchoKeepsEveryDigit)
+TEST_F(Cases, TheResolvedCaseKeepsEveryDigit)
 {
   const std::string text = template_of("two-cylinders");
   const unsigned seed    = 99;
@@ -247,7 +265,7 @@ TEST_F(Cases, TheEchoKeepsEveryDigit)
   }
 }
 
-TEST_F(Cases, OverridesGoThroughTheSameRows)
+TEST_F(Cases, OverridesAreCheckedLikeTheFile)
 {
   const Case c = read_case("cases/two-cylinders.toml", {"upper.diameter=0.5 m", "contact.line.samples=30"});
   EXPECT_EQ(std::get<TwoCylinders>(c.spec).upper.diameter, 0.5);
@@ -287,22 +305,25 @@ TEST_F(Cases, AToleranceIsTheErrorOfItsValue)
 TEST_F(Cases, AToleranceBelongsToAValue)
 {
   const std::string path = "cases/four-high-1400.toml";
-  const auto of = [&](const std::vector<std::string> &sets) { return refusal([&] { read_case(path, sets); }); };
-  EXPECT_EQ(of({"given.K3_tolerance=2 %"}),
+  const auto message_of  = [&](const std::vector<std::string> &sets) {
+    return refusal([&] { read_case(path, sets); });
+  };
+  EXPECT_EQ(message_of({"given.K3_tolerance=2 %"}),
             "given.K3_tolerance = \"2 %\" belongs to given.K3, which is not given; give both or neither");
   EXPECT_EQ(
-      of({"frame.load_cell_stiffness_tolerance=2 %"}),
+      message_of({"frame.load_cell_stiffness_tolerance=2 %"}),
       "frame.load_cell_stiffness_tolerance = \"2 %\" belongs to frame.load_cell_stiffness, which is not given; "
       "give both or neither");
-  EXPECT_EQ(of({"frame.piston_mass_tolerance=200 %"}),
+  EXPECT_EQ(message_of({"frame.piston_mass_tolerance=200 %"}),
             "frame.piston_mass_tolerance = \"200 %\" is outside 0 % .. 100 %");
-  EXPECT_EQ(of({"backup_roll.bending_model=euler"}).find("backup_roll.bending_model"), 0u);
+  EXPECT_EQ(message_of({"backup_roll.bending_model=euler"}).find("backup_roll.bending_model"), 0u);
   std::string text = read_text("cases/published-1400.toml");
   text.replace(text.find("{ value = \"9321.943 kg\",   source = \"published\" }"),
                std::string("{ value = \"9321.943 kg\",   source = \"published\" }").size(),
                "{ value = \"9321.943 kg\", error_estimate = 0.1 }\nM1_tolerance = \"3 %\"");
   EXPECT_EQ(refusal([&] { read_case(file("cases.toml", text)); }),
-            "given.M1_tolerance = \"3 %\" says again, or otherwise, what stands there");
+            "given.M1_tolerance = \"3 %\" repeats or contradicts the error estimate of the value; leave one of "
+            "the two out");
 }
 
 TEST_F(Cases, FrictionIsANumberOrALaw)
@@ -321,7 +342,7 @@ TEST_F(Cases, FrictionIsANumberOrALaw)
   EXPECT_EQ(std::get<BiteCase>(again.spec).strip.friction.law, FrictionLaw::speed);
 }
 
-TEST_F(Cases, ThicknessesAndPeaksOfAPassMayBeItsOwn)
+TEST_F(Cases, APassMayHaveItsOwnThicknessesAndPeaks)
 {
   const std::string path = file("a.toml", template_of("four-high"));
   const Case c           = read_case(path, {"pass.0.entry_thickness=6 mm", "pass.0.exit_thickness=4 mm",
@@ -334,11 +355,11 @@ TEST_F(Cases, ThicknessesAndPeaksOfAPassMayBeItsOwn)
   EXPECT_TRUE(std::isnan(pass.published_peak_g[0]));
 }
 
-TEST_F(Cases, APassWithoutAFileSaysThatItIsSynthetic)
+TEST_F(Cases, APassWithoutAForceFileIsMarkedSynthetic)
 {
   std::string text = template_of("four-high");
-  for (std::size_t at; (at = text.find("synthetic = true")) != std::string::npos;)
-    text.replace(at, 16, "# nothing");
+  for (std::size_t position; (position = text.find("synthetic = true")) != std::string::npos;)
+    text.replace(position, 16, "# nothing");
   const Case c = read_case(file("a.toml", text));
   EXPECT_TRUE(std::get<FourHigh>(c.spec).passes[0].synthetic);
 }
@@ -351,14 +372,14 @@ TEST_F(Cases, EveryTemplateRunsAndNamesEveryKey)
     EXPECT_EQ(c.kind, kind);
     for (const SectionRows &section : sections_of(kind))
       for (const Row &row : section.rows)
-        if (!is_tolerance(row.key))  // one for each value, said once in the meaning of the section
+        if (!is_tolerance(row.key))  // one for each value, explained once in the meaning of the section
           EXPECT_NE(text.find(row.key + " = "), std::string::npos)
               << kind << ": " << section.name << "." << row.key;
   }
   EXPECT_THROW(template_of("fourhigh"), InputError);
 }
 
-TEST_F(Cases, TheReferencePageIsTheOneInTheTree)
+TEST_F(Cases, TheInputReferenceInTheTreeIsCurrent)
 {
   EXPECT_EQ(read_text("docs/input.md"), input_reference())
       << "docs/input.md is printed by input_reference(); replace it by the new text";

@@ -81,7 +81,7 @@ const std::map<std::string, double> one_in_si{
     {"MW",      1000000.0           }
 };
 
-// Dimension from the symbol: base units of each part, so that a wrong vector in the list is found.
+// Dimension from the symbol: base units of each part, so that a wrong vector in the list fails.
 Dimension dimension_of(const std::string &symbol)
 {
   static const std::map<std::string, Dimension> parts{
@@ -169,7 +169,7 @@ TEST(Units, EveryRowIsFoundByItsSymbolAndNamesItsQuantity)
   }
 }
 
-TEST(Units, SpellingsOfOneUnit)
+TEST(Units, AUnitHasSeveralSpellings)
 {
   const Unit *damping = find_unit("N s/m");
   for (const char *spelling : {"N.s/m", "N*s/m", "N\u00b7s/m", " N  s/m "})
@@ -196,7 +196,7 @@ TEST(Units, QuantitiesAreReadAsWritten)
   EXPECT_EQ(parse_quantity("20 degC").value(), 293.15);
 }
 
-TEST(Units, WhatIsNoQuantitySaysWhy)
+TEST(Units, TextThatIsNotAQuantityIsRefusedWithTheReason)
 {
   using Fault = ParsedQuantity::Fault;
   for (const char *text : {"", "mm", "big mm", "nan mm", "inf mm", "1e999 mm", "1e305 GPa", ". mm", "+-1 mm"})

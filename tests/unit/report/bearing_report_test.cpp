@@ -179,7 +179,8 @@ TEST(BearingReport, SaysHowTheRowsAreArranged)
   EXPECT_TRUE(
       says(html_page(run), "+-+-, pairs back to back: two double cups (TQI)</code>, as the case gives it"));
   run.manifest.bearings["trb"].size["row_hands_assumed"] = 1;
-  EXPECT_TRUE(says(html_page(run), "(TQI)</code>, <b>assumed</b>: the case does not give <code>row_hands</code>"));
+  EXPECT_TRUE(
+      says(html_page(run), "(TQI)</code>, <b>assumed</b>: the case does not give <code>arrangement</code>"));
   run.manifest.bearings["trb"].size["cup_angle"] = 0;
   EXPECT_FALSE(says(html_page(run), "back to back"));
 }

@@ -103,9 +103,9 @@ TEST(BiteCampaign, EveryPassEndsWithAValueOrAPhysicalReason)
       }
     }
   };
-  std::thread beside(work);
+  std::thread second(work);
   work();
-  beside.join();
+  second.join();
   std::filesystem::remove_all(folder);
 
   int possible = 0, values = 0;

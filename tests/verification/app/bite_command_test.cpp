@@ -50,8 +50,8 @@ Outcome stiffness(const std::string &path, const std::string &name, const std::s
 
 }  // namespace
 
-// The pass of the demo stand: slope and closed forms by slab theory, finite elements beside them.
-TEST(BiteCommand, TheFourQuantitiesCalledK4)
+// The pass of the demo stand: slope and closed forms by slab theory, compared with finite elements.
+TEST(BiteCommand, TheFourQuantitiesCalledK4AreAllResults)
 {
   const std::string path = write_case("demo", demo_pass);
   const auto outcome     = stiffness(path, "demo", "--set bite.elements_along=24 --set bite.elements_through=6");
@@ -93,7 +93,7 @@ TEST(BiteCommand, TheFourQuantitiesCalledK4)
 }
 
 // What a file holds stands behind a point, which no name of a pass brings into a file name.
-TEST(BiteCommand, PassesNamedLikeTheFilesOfOthersKeepTheirOwn)
+TEST(BiteCommand, PassesWithSimilarNamesKeepTheirOwnFiles)
 {
   std::string text = demo_pass;
   const std::vector<std::string> names{"x", "x-karman", "x-karman-rigid", "k4", "k4-reduction", "x-roll"};
@@ -112,27 +112,27 @@ TEST(BiteCommand, PassesNamedLikeTheFilesOfOthersKeepTheirOwn)
       sums.insert(files.at("curves/bite-" + name + "." + model + ".csv").get<std::string>());
     }
   EXPECT_EQ(sums.size(), 4 * names.size()) << "each with what is its own";
-  for (const char *own : {"bite-k4-reduction.csv", "bite-k4-friction.csv"})
-    EXPECT_TRUE(files.contains(std::string("curves/") + own)) << own;
+  for (const char *file : {"bite-k4-reduction.csv", "bite-k4-friction.csv"})
+    EXPECT_TRUE(files.contains(std::string("curves/") + file)) << file;
   const std::string page = mill::read_text(scratch("alike") + "/report.html");
   EXPECT_EQ(page.find("cannot be read and is left out"), std::string::npos);
 }
 
-// What no roll can do is said at the pass, before anything is computed and by check as well.
-TEST(BiteCommand, PassesThatCannotBeRolled)
+// An impossible pass is refused at its place, before anything is computed and by check as well.
+TEST(BiteCommand, PassesThatCannotBeRolledAreRefused)
 {
   const std::string path = write_case("refused", demo_pass);
-  const auto said        = [&](const std::string &set) {
+  const auto message_of  = [&](const std::string &set) {
     const auto outcome = millstand("check " + path + " " + set);
     EXPECT_EQ(outcome.exit_code, 2) << set;
     return outcome.err;
   };
-  const std::string cannot = said("--set strip.friction=0.02");
+  const std::string cannot = message_of("--set strip.friction=0.02");
   EXPECT_NE(cannot.find("pass \"demo\""), std::string::npos) << cannot;
   EXPECT_NE(cannot.find("0.02"), std::string::npos) << cannot;
   EXPECT_NE(cannot.find("0.1196 rad"), std::string::npos) << cannot;
-  EXPECT_NE(said("--set strip.exit_thickness='9 mm'").find("is not smaller than the entry thickness"),
+  EXPECT_NE(message_of("--set strip.exit_thickness='9 mm'").find("is not smaller than the entry thickness"),
             std::string::npos);
-  EXPECT_NE(said("--set strip.exit_tension='30.8 MPa'").find("would stretch the strip outside the bite"),
+  EXPECT_NE(message_of("--set strip.exit_tension='30.8 MPa'").find("would stretch the strip outside the bite"),
             std::string::npos);
 }

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 // Two bodies of revolution as a user meets them: cases against references that stand in their comments, and the
-// engine against the closed form beside it.
+// engine against the closed form.
 namespace {
 nlohmann::json run(const std::string &what, const std::string &name, const std::string &more = "")
 {
@@ -52,7 +52,7 @@ TEST(Bodies, ASphereInPartialSlipIsMindlin)
   EXPECT_TRUE(near(of(values, "contact.space.tangential_stiffness"), 76.412e6, within(0.01, "singular rim")));
 }
 
-TEST(Bodies, ARollerMeetsLundbergAndSaysWhatASharpEndIs)
+TEST(Bodies, ARollerAgreesWithLundbergAndWarnsOfASharpEnd)
 {
   // contact.md 8.7.
   const auto log = run("cases/tilted-roller.toml", "log",
@@ -69,7 +69,7 @@ TEST(Bodies, ARollerMeetsLundbergAndSaysWhatASharpEndIs)
   EXPECT_FALSE(sharp.contains("contact.space.line_load_ratio"));
 }
 
-TEST(Bodies, ATiltedCrownRolls)
+TEST(Bodies, ATiltedCrownMovesItsContact)
 {
   const auto values = run("cases/elliptic-contact.toml", "rolled", few + "--set contact.space.tilt='10 mrad'");
   EXPECT_TRUE(
@@ -91,7 +91,7 @@ TEST(Bodies, ARollOnARigidPlateIsHalfOfTwo)
                    0.5 * 30.0268e-6, within(5e-4, "second order")));
 }
 
-TEST(Bodies, UnlikeCylindersSlipBesideCattaneo)
+TEST(Bodies, UnlikeCylindersDifferFromCattaneo)
 {
   const std::string material =
       "--set upper='{diameter = \"400 mm\", youngs_modulus = \"310 GPa\", poisson_ratio = 0.24}' ";

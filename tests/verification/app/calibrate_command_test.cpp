@@ -92,7 +92,7 @@ TEST(CalibrateCommand, RecordsBecomeACase)
   EXPECT_GT(K3.checks[1].value, K3.value);
   EXPECT_LT(std::abs(K3.value / truth - 1), 4 * K3.error_estimate);
   EXPECT_NEAR(lumped.dynamics.modal_damping, 0.01 * std::exp(0.25), 1e-4);
-  EXPECT_EQ(lumped.given.at("K1").parameter.source, Source::given);  // nobody asked for it
+  EXPECT_EQ(lumped.given.at("K1").parameter.source, Source::given);  // it was not asked for
   // any verb takes it, and it may be calibrated again
   EXPECT_EQ(millstand("modes out/calibrated.toml -q -o modes", stand.folder).exit_code, 0);
   const auto page = read_text(stand.folder + "/out/report.html");
@@ -125,7 +125,7 @@ TEST(CalibrateCommand, AStandThatCannotExplainTheRecordsIsRefused)
   EXPECT_NE(text.find("; refused, accepted by the user\""), std::string::npos);
 }
 
-// The column of the force is under a name that nobody gave, so that it is none.
+// The column of the force has a name without a role, so that it is not used.
 TEST(CalibrateCommand, RecordsWithoutForceBecomeACase)
 {
   const Stand stand;
@@ -172,15 +172,15 @@ TEST(CalibrateCommand, RecordsWithoutForceBecomeACase)
 
 TEST(CalibrateCommand, LevelsAloneDetermineOneNumber)
 {
-  const auto said = millstand("calibrate cases/published-levels.toml --measured cases/data/published-levels");
-  EXPECT_EQ(said.exit_code, 3);
-  EXPECT_NE(
-      said.out.find("refused: these levels determine 1 number, damping x bandwidth of the force (both slopes near "
-                    "-0.5); neither of the two is given, and no case is written"),
-      std::string::npos)
-      << said.out;
-  EXPECT_NE(said.out.find("zeta       0.64 of its prior deviation is left: not told"), std::string::npos)
-      << said.out;
+  const auto outcome = millstand("calibrate cases/published-levels.toml --measured cases/data/published-levels");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_NE(outcome.out.find(
+                "refused: these levels determine 1 number, damping x bandwidth of the force (both slopes near "
+                "-0.5); neither of the two is given, and no case is written"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("zeta       0.64 of its prior deviation is left: not told"), std::string::npos)
+      << outcome.out;
 }
 
 TEST(CalibrateCommand, APlanSaysWhatWouldBeTold)
@@ -229,13 +229,13 @@ void expect_refused(const CommandLine &line, const std::string &message)
     calibrate_command(line);
     ADD_FAILURE() << "not refused; wanted: " << message;
   } catch (const InputError &error) {
-    std::string said;
+    std::string output;
     for (const Problem &problem : error.problems)
-      said += render(problem) + "\n";
+      output += render(problem) + "\n";
     const std::string folder = fs::path(line.target).parent_path().string() + "/";
-    for (auto at = said.find(folder); at != std::string::npos; at = said.find(folder))
-      said.erase(at, folder.size());
-    EXPECT_NE(said.find(message), std::string::npos) << said << "\nwanted: " << message;
+    for (auto position = output.find(folder); position != std::string::npos; position = output.find(folder))
+      output.erase(position, folder.size());
+    EXPECT_NE(output.find(message), std::string::npos) << output << "\nwanted: " << message;
   }
 }
 }  // namespace

@@ -50,10 +50,10 @@ struct Beams {
     StandModel other = model;
     double zeta      = 0.01;
     for (Connection &c : other.connections)
-      if (const auto at = moved.find(c.name); at != moved.end())
-        c.stiffness *= std::exp(at->second);
-    if (const auto at = moved.find("zeta"); at != moved.end())
-      zeta *= std::exp(at->second);
+      if (const auto factor = moved.find(c.name); factor != moved.end())
+        c.stiffness *= std::exp(factor->second);
+    if (const auto factor = moved.find("zeta"); factor != moved.end())
+      zeta *= std::exp(factor->second);
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness_of(other), other.M);
     const Eigen::VectorXd frequency = solver.eigenvalues().cwiseSqrt() / (2 * M_PI);
     const auto kept             = std::lower_bound(frequency.begin(), frequency.end(), 2000.0) - frequency.begin();
@@ -138,8 +138,8 @@ TEST(CalibrateDetailed, FilesWithoutConnectionsSaySo)
   const Beams beams;
   std::string text = read_text(beams.folder + "/stand.toml");
   for (const char *key : {"connections", "strains"}) {
-    const auto at = text.find(std::string("\n") + key);
-    text.erase(at, text.find('\n', at + 1) - at);
+    const auto position = text.find(std::string("\n") + key);
+    text.erase(position, text.find('\n', position + 1) - position);
   }
   write_atomically(beams.folder + "/bare.toml", text);
   const auto refused = millstand("calibrate bare.toml --plan", beams.folder);

@@ -55,7 +55,7 @@ const std::string &condition_2()
 const auto search = within(1e-5, "root finding and the settled bite are far below the digits of the reference");
 }  // namespace
 
-// The published conditions: computed values beside the printed ones, in results, files and on the console.
+// The published conditions: computed and printed values in results, files and on the console.
 TEST(ChatterCommand, ThePublishedTable)
 {
   const auto outcome =
@@ -91,7 +91,7 @@ TEST(ChatterCommand, TheResolvedCaseGivesTheSame)
   EXPECT_EQ(results_of("first").at("values"), results_of("again").at("values"));
 }
 
-// A range without a crossing says so, with the margin, and is no failure.
+// A range without a crossing is reported with the margin and is not a failure.
 TEST(ChatterCommand, StableThroughout)
 {
   const auto outcome = chatter(condition_2(), "stable", R"(--set 'analysis.speeds=["8 m/s", "15 m/s"]')");
@@ -110,7 +110,7 @@ TEST(ChatterCommand, UnstableThroughout)
   EXPECT_GT(value(results_of("unstable"), "chatter.2.margin"), 0.0);
 }
 
-// At low speed the film breaks down and the flattening has no root: said, and the search goes on elsewhere.
+// At low speed the film breaks down and the flattening has no root: reported, and the search continues elsewhere.
 TEST(ChatterCommand, NoBiteAtTheWorkingSpeed)
 {
   const auto outcome = chatter(condition_2(), "slow",
@@ -204,7 +204,7 @@ TEST(ChatterCommand, StandFromALumpedModel)
       << lumped.err;
 }
 
-// Two stands: the tandem's own critical speed stands beside those of its stands.
+// Two stands: the critical speed of the tandem and those of its stands.
 TEST(ChatterCommand, TwoStands)
 {
   const auto outcome = chatter("cases/chatter-two-stands.toml", "two", "");

@@ -15,7 +15,7 @@ using Changes = std::vector<std::pair<std::string, std::string>>;
 
 const std::string z_mill = "cases/z-mill.toml";
 
-// Without friction there is no bite, and no finite elements of one: what is asked here is the stack.
+// Without friction the strip is not drawn in, and no finite elements are solved: this tests the stack.
 const Changes stack_alone{
     {"[strip.friction]  # a3 < 0: friction falls with speed\nlaw = \"speed\"\nscale = 1\nat_unit_speed = "
      "0.066723\nper_log_speed = -0.00662\n", ""}
@@ -28,9 +28,9 @@ public:
   {
     std::string text = mill::read_text(std::string(MILLSTAND_SOURCE_DIR) + "/" + z_mill);
     for (const auto &[from, to] : changes) {
-      const auto at = text.find(from);
-      EXPECT_NE(at, std::string::npos) << from;
-      text.replace(at, from.size(), to);
+      const auto position = text.find(from);
+      EXPECT_NE(position, std::string::npos) << from;
+      text.replace(position, from.size(), to);
     }
     mill::write_atomically(path_, text);
   }
@@ -99,7 +99,8 @@ TEST(ClusterCommand, RefusesFitsWithMoreUnknownsThanData)
                     {
                         {"name = \"N\"", "name = \"N.1\""}
   }),
-            "200:8: error: variant.0.name = \"N.1\" contains a dot, which parts the names of results; take a dash "
+            "200:8: error: variant.0.name = \"N.1\" contains a dot, which separates the parts of result names; "
+            "take a dash "
             "or a blank");
 }
 
@@ -235,7 +236,7 @@ TEST(ClusterCommand, CoupledSpinSaysWhatItLacks)
       << results.at("warnings").dump();
   const auto &velocity = results.at("values").at("cluster.pass 1.velocity.W.y");
   EXPECT_GT(velocity.at("value").get<double>(), 0);
-  EXPECT_FALSE(velocity.contains("checks")) << "no history beside it";
+  EXPECT_FALSE(velocity.contains("checks")) << "no history to compare with";
   EXPECT_FALSE(std::filesystem::exists(folder + "/curves/cluster-pass-1.history.csv"));
   EXPECT_TRUE(std::filesystem::exists(folder + "/curves/cluster-pass-1.response.csv"));
 }

@@ -19,7 +19,7 @@ nlohmann::json json_of(const std::string &file)
   return nlohmann::json::parse(std::ifstream(file));
 }
 
-// What stepped beams in the place of solid rolls would give, beside the result.
+// Results of stepped beams in place of solid rolls, for comparison.
 double by_beams(const nlohmann::json &results, const std::string &name)
 {
   for (const auto &check : results.at("values").at(name).at("checks"))
@@ -43,7 +43,7 @@ std::string run_demo(const std::string &out, const std::string &more = "")
 }
 }  // namespace
 
-TEST(Run, TwoCylindersMeetTheClosedForm)
+TEST(Run, TwoCylindersAgreeWithTheClosedForm)
 {
   const std::string out = scratch("cylinders");
   const auto outcome    = millstand("run cases/two-cylinders.toml -q -o " + out + " --cache " + shared_cache());
@@ -63,7 +63,7 @@ TEST(Run, TwoCylindersMeetTheClosedForm)
     EXPECT_GT(fs::file_size(out + "/" + file), 0u) << file;
 }
 
-TEST(Run, DemoStandLeavesEveryPromisedFileAndName)
+TEST(Run, TheDemoStandWritesEveryDocumentedFileAndName)
 {
   const std::string out = run_demo(scratch("demo"));
   for (const char *file : {"resolved.toml", "results.json", "run.json", "millstand.log", "report.html",
@@ -103,7 +103,7 @@ TEST(Run, DemoStandLeavesEveryPromisedFileAndName)
   // inputs.
   EXPECT_TRUE(near(value(results, "K1"), 6.31412e9, within(2e-6, "springs in series, six digits printed")));
   EXPECT_TRUE(near(value(results, "K7"), 6.88067e9, within(2e-6, "springs in series, six digits printed")));
-  // The chain bends solid rolls; stepped beams stand beside them.
+  // The chain bends solid rolls; stepped beams are compared with them.
   EXPECT_TRUE(near(by_beams(results, "K2"), 1.02333e10,
                    within(2e-5, "bearing load is the mean of the record, 0.02 % off the mid value")));
   EXPECT_TRUE(near(by_beams(results, "M2"), 59725.0, within(1e-5, "same")));
@@ -159,7 +159,7 @@ TEST(Run, ForeignFolderIsNotTouched)
   EXPECT_EQ(mill::read_text(other + "/results.json"), before);
 }
 
-TEST(Run, OutputThatCannotBeWrittenIsSaidSo)
+TEST(Run, OutputThatCannotBeWrittenIsReported)
 {
   const std::string blocked = scratch("blocked") + "/file";
   std::ofstream(blocked) << "x";
@@ -168,7 +168,7 @@ TEST(Run, OutputThatCannotBeWrittenIsSaidSo)
   EXPECT_EQ(outcome.err, "error: " + blocked + " is a file, not a folder; choose another with -o\n");
   const auto below = millstand("modes cases/published-1400.toml -q -o " + blocked + "/out");
   EXPECT_EQ(below.exit_code, 2);
-  EXPECT_NE(below.err.find("cannot be made: Not a directory; choose another with -o"), std::string::npos)
+  EXPECT_NE(below.err.find("cannot be created: Not a directory; choose another with -o"), std::string::npos)
       << below.err;
 }
 
@@ -226,7 +226,7 @@ TEST(New, TemplatesRunAsTheyAre)
   EXPECT_EQ(twice.err, "error: the file " + file + " exists; choose another with -o, or give --force-overwrite\n");
 }
 
-TEST(Run, StaleResultsDoNotStayAndAFailedRunChangesNothing)
+TEST(Run, ARunRemovesOldResultsAndAFailedRunChangesNothing)
 {
   const std::string out = scratch("stale");
   ASSERT_EQ(millstand("run cases/published-1400.toml -q -o " + out).exit_code, 0);
@@ -249,7 +249,7 @@ TEST(Run, StaleResultsDoNotStayAndAFailedRunChangesNothing)
     EXPECT_NE(entry.path().filename().string().substr(0, 5), ".run-");
 }
 
-TEST(Run, TwoAtOnceLeaveWholeResults)
+TEST(Run, TwoRunsAtOnceLeaveWholeResults)
 {
   const std::string out = scratch("twice"), one = "modes cases/published-1400.toml -q -o " + out;
   for (int trial = 0; trial < 4; ++trial) {
@@ -278,7 +278,7 @@ TEST(Run, VerbThatDoesNotFitTheKindIsRefused)
                          "(cases/two-cylinders.toml); use millstand run\n");
 }
 
-TEST(CommandLine, HelpVersionAndMistakes)
+TEST(CommandLine, HelpVersionAndErrorsHaveTheirExitCodes)
 {
   EXPECT_EQ(millstand("--help").exit_code, 0);
   const auto version = millstand("--version");
@@ -299,7 +299,7 @@ TEST(CommandLine, HelpVersionAndMistakes)
   EXPECT_NE(check.out.find(" kN, the load is 738.2 kN (+"), std::string::npos) << check.out;
   const std::string facts =
       "bearing.trb: the apex condition closes at a cup angle of 19.66 deg; cup_angle is 19.66 deg\n"
-      "bearing.trb: row_hands is not given; +-+-, pairs back to back: two double cups (TQI) is "
+      "bearing.trb: arrangement is not given; +-+-, pairs back to back: two double cups (TQI) is "
       "assumed\n"
       "pass 1: the force record lasts 10 s, 100001 samples at 10 kHz, mean 976.0 kN\n"
       "pass 2: the force record lasts 10 s, 100001 samples at 10 kHz, mean 738.2 kN\n";
@@ -309,7 +309,7 @@ TEST(CommandLine, HelpVersionAndMistakes)
 TEST(CommandLine, MistypedVerbsAndOptionsGetTheNearest)
 {
   EXPECT_EQ(millstand("chekc cases/two-cylinders.toml").err,
-            "error: there is no verb 'chekc'; did you mean 'check'?\n");
+            "error: unknown verb 'chekc'; did you mean 'check'?\n");
   EXPECT_EQ(millstand("run cases/two-cylinders.toml --freshh").err,
             "error: millstand run has no option --freshh; did you mean '--fresh'?\n");
   EXPECT_EQ(millstand("check cases/two-cylinders.toml --outptu x").exit_code, 2);
@@ -327,7 +327,7 @@ TEST(CommandLine, ASheetFillsATemplateThatIsChecked)
   EXPECT_NE(check.out.find("warning: "), std::string::npos) << "what is left of the template";
 }
 
-TEST(CommandLine, ARunEndsWithItsVerdict)
+TEST(CommandLine, ARunEndsWithASummary)
 {
   const auto outcome = millstand("run cases/published-1400.toml -o " + scratch("verdict"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -51,7 +51,7 @@ TEST(ContactCommand, ADamagedCacheChangesNothing)
   std::vector<std::string> entries;
   for (const auto &entry : fs::directory_iterator(cache))
     entries.push_back(entry.path());
-  ASSERT_EQ(entries.size(), 4u) << "two cylinders on two meshes, and nothing beside them";
+  ASSERT_EQ(entries.size(), 4u) << "two cylinders on two meshes, and nothing else";
   std::vector<std::string> whole;
   for (const std::string &entry : entries)
     whole.push_back(mill::read_text(entry));

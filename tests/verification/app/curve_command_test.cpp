@@ -31,10 +31,10 @@ std::string case_with_curves(const std::string &name, const double load)
   const double K   = 1 / (5.3e-11 - 1.9e-12 * (std::log(load) + 1));
   std::string text = mill::template_of("lumped");
   for (const char *spring : {"\nK3", "\nK5"}) {
-    const auto at = text.find(spring);
-    EXPECT_NE(at, std::string::npos);
-    const auto end = text.find('\n', at + 1);
-    text.replace(at, end - at, fmt::format("{} = \"{:.9g} N/m\"", spring, K));
+    const auto position = text.find(spring);
+    EXPECT_NE(position, std::string::npos);
+    const auto end = text.find('\n', position + 1);
+    text.replace(position, end - position, fmt::format("{} = \"{:.9g} N/m\"", spring, K));
   }
   std::filesystem::create_directories(scratch(name));
   std::ofstream(scratch(name) + "/chain.toml") << text + curves;
@@ -88,7 +88,7 @@ TEST(CurveCommand, DrivesALumpedModelOnItsCurves)
                      within(1e-9, "the same curves")));
 }
 
-TEST(CurveCommand, SaysWhatPartsUnderALargeForce)
+TEST(CurveCommand, ContactsThatPartUnderALargeForceAreReported)
 {
   const std::string chain = case_with_curves("parting", 976e3), out = scratch("parting") + "/out";
   const auto outcome = millstand("simulate " + chain + " -q -o " + out + on_curves +
@@ -105,7 +105,7 @@ TEST(CurveCommand, SaysWhatPartsUnderALargeForce)
 }
 
 // A unit follows the curves; matrices cannot, and say so.
-TEST(CurveCommand, ExportsAUnitOnItsCurvesAndSaysWhereOnlySlopesLeave)
+TEST(CurveCommand, AUnitContainsTheCurvesAndOtherFormatsWarnOfSlopes)
 {
   const std::string chain = case_with_curves("curve-unit", 976e3), out = scratch("curve-unit");
   const auto unit = millstand("export fmu " + chain + " -o " + out + "/chain.fmu" + on_curves);

@@ -69,7 +69,7 @@ TEST(ExportCommand, TheUnitMovesAsSimulateDoes)
   const fmu::UnpackedUnit unit(read_text(folder() + "/moves.fmu"), "stand", 2);
   const fmi2CallbackFunctions callbacks{};
   const auto variables = fmu::variables_of(model);
-  const auto at        = [&](const std::string &name) {
+  const auto value_of  = [&](const std::string &name) {
     for (std::size_t i = 0; i < variables.size(); ++i)
       if (variables[i].name == name)
         return unsigned(i);
@@ -79,14 +79,14 @@ TEST(ExportCommand, TheUnitMovesAsSimulateDoes)
   const fmi2Component c = unit.function<decltype(&fmi2Instantiate)>("fmi2Instantiate")(
       "stand", fmi2CoSimulation, model.guid.c_str(), unit.resources().c_str(), &callbacks, 0, 0);
   ASSERT_TRUE(c);
-  const unsigned use = at("use_stored_force");
+  const unsigned use = value_of("use_stored_force");
   const int yes      = 1;
   EXPECT_EQ(unit.function<decltype(&fmi2SetBoolean)>("fmi2SetBoolean")(c, &use, 1, &yes), 0);
   EXPECT_EQ(unit.function<decltype(&fmi2SetupExperiment)>("fmi2SetupExperiment")(c, 0, 0, 0, 0, 0), 0);
   EXPECT_EQ(unit.function<decltype(&fmi2EnterInitializationMode)>("fmi2EnterInitializationMode")(c), 0);
   EXPECT_EQ(unit.function<decltype(&fmi2ExitInitializationMode)>("fmi2ExitInitializationMode")(c), 0);
-  const unsigned references[] = {at("a_upper_work_roll"), at("a_lower_work_roll"), at("a_upper_frame"),
-                                 at("F_cell")};
+  const unsigned references[] = {value_of("a_upper_work_roll"), value_of("a_lower_work_roll"),
+                                 value_of("a_upper_frame"), value_of("F_cell")};
   const char *const columns[] = {"upper_work_roll", "lower_work_roll", "upper_frame", "load_cell"};
   const double units[]        = {9.80665, 9.80665, 9.80665, 1e3};
   const auto n                = response.column("time")->size();

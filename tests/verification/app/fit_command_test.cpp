@@ -53,7 +53,7 @@ elements_through = 2
 )";
 }  // namespace
 
-TEST(FitCommand, ThreePassesGiveTheirFrictionAndFlowStressBack)
+TEST(FitCommand, ThreePassesReturnTheirFrictionAndFlowStress)
 {
   const auto outcome = fit("cases/cold-fit.toml", "three");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -82,7 +82,7 @@ TEST(FitCommand, ThreePassesGiveTheirFrictionAndFlowStressBack)
   EXPECT_NE(page.find("95 % interval"), std::string::npos);
 }
 
-TEST(FitCommand, ForceAloneIsOneNumberAndSaysSo)
+TEST(FitCommand, ForceAloneDeterminesOneNumberAndIsReported)
 {
   const auto outcome = fit("cases/cold-fit.toml", "force", "--set 'bite.fit=[\"force\"]'");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -92,18 +92,18 @@ TEST(FitCommand, ForceAloneIsOneNumberAndSaysSo)
   EXPECT_FALSE(results.at("values").contains("bite.fit.friction_low"));
   EXPECT_TRUE(results.at("values").contains("bite.fit.flow_stress_factor_low"));
   EXPECT_EQ(value(results, "bite.fit.freedom"), 2);
-  const std::string said = sentence_with(results, "warnings", "one number");
+  const std::string warning = sentence_with(results, "warnings", "one number");
   EXPECT_EQ(
-      said.rfind("fit of the bite: the force alone gives one number: friction stays 0.08, for friction +10 % "
-                 "with flow_stress -",
-                 0),
+      warning.rfind("fit of the bite: the force alone gives one number: friction stays 0.08, for friction +10 % "
+                    "with flow_stress -",
+                    0),
       0u)
-      << said;
-  EXPECT_NE(said.find("add \"slip\" to bite.fit and forward_slip to the passes"), std::string::npos) << said;
+      << warning;
+  EXPECT_NE(warning.find("add \"slip\" to bite.fit and forward_slip to the passes"), std::string::npos) << warning;
 }
 
 // One force and one slip, two numbers: the model of the run itself ends on both.
-TEST(FitCommand, FiniteElementsOfTheFittedStripMeetTheMeasuredValues)
+TEST(FitCommand, FiniteElementsOfTheFittedStripReproduceTheMeasuredValues)
 {
   const std::string path = scratch("hot") + ".toml";
   std::ofstream(path) << hot_pass;

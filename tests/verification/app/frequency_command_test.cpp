@@ -37,10 +37,10 @@ const std::string &stand()
 double distance_to(const mill::Table &table, const std::string &place, const double frequency, const double value)
 {
   const auto &f = *table.column("frequency"), &re = *table.column(place + "_real"),
-             &im  = *table.column(place + "_imag");
-  Eigen::Index at = 0;
-  (f.array() - frequency).abs().minCoeff(&at);
-  return std::abs(std::hypot(re[at], im[at]) / value - 1);
+             &im       = *table.column(place + "_imag");
+  Eigen::Index highest = 0;
+  (f.array() - frequency).abs().minCoeff(&highest);
+  return std::abs(std::hypot(re[highest], im[highest]) / value - 1);
 }
 }  // namespace
 
@@ -75,7 +75,7 @@ TEST(FrequencyCommand, PeaksHaveASecondSolutionAnErrorAndTheirCurve)
   EXPECT_TRUE((band.column("upper-work-roll_high")->array() >= band.column("upper-work-roll_low")->array()).all());
 }
 
-TEST(FrequencyCommand, WithoutATolerancePeaksSayWhatTheyLack)
+TEST(FrequencyCommand, PeaksWithoutAToleranceNameTheMissingKey)
 {
   const auto outcome = millstand("modes " + lumped + " -q -o " + scratch("no-tolerance"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -88,11 +88,11 @@ TEST(FrequencyCommand, WithoutATolerancePeaksSayWhatTheyLack)
 TEST(FrequencyCommand, CampbellListsTheCrossings)
 {
   const auto all = values(stand());
-  int found      = 0;
+  int n_found    = 0;
   for (const auto &[name, entry] : all.items()) {
     if (name.rfind("campbell.", 0) != 0 || name.find(".speed") == std::string::npos)
       continue;
-    ++found;
+    ++n_found;
     const std::string mode = name.substr(9, name.rfind('.') - 9), method = entry.at("source");
     const double f = all.at("mode." + mode + ".frequency").at("value"), v = entry.at("value");
     const double per_turn = std::stod(method.substr(method.find('(') + 1));
@@ -103,13 +103,13 @@ TEST(FrequencyCommand, CampbellListsTheCrossings)
     EXPECT_TRUE(near(all.at("campbell." + mode + ".distance").at("value").get<double>(), wanted,
                      within(1e-12, "definition", 1)));
   }
-  EXPECT_GT(found, 0);
+  EXPECT_GT(n_found, 0);
   const std::string csv = mill::read_text(scratch(stand()) + "/campbell.csv");
   EXPECT_EQ(csv.rfind("mode,frequency [Hz],line,shaft,per turn,speed [m/s],distance to working range [-]\n", 0),
             0u);
 }
 
-TEST(FrequencyCommand, ResolutionThatAsksForTooMuch)
+TEST(FrequencyCommand, ATooFineResolutionIsRefused)
 {
   const auto outcome = millstand("modes " + lumped + " -q -o " + scratch("fine") +
                                  " --set 'frequency_response.resolution=0.001 Hz'");

@@ -60,8 +60,8 @@ std::string finished_run(const std::string &name, const std::string &more = "")
 std::string published_case()
 {
   std::string text = mill::read_text(MILLSTAND_SOURCE_DIR "/cases/published-1400.toml");
-  for (std::size_t at = 0; (at = text.find("\"data/", at)) != std::string::npos; at += 2)
-    text.replace(at, 1, "\"" MILLSTAND_SOURCE_DIR "/cases/");
+  for (std::size_t position = 0; (position = text.find("\"data/", position)) != std::string::npos; position += 2)
+    text.replace(position, 1, "\"" MILLSTAND_SOURCE_DIR "/cases/");
   return text;
 }
 
@@ -74,10 +74,10 @@ TEST(HostilePlaces, PipesAreRefusedWhereverAFileIsNamed)
   expect_refused(soon("check " + pipe), no_pipe);
   expect_refused(soon("simulate cases/published-1400.toml -q -o " + out + " --force " + pipe), no_pipe);
   expect_refused(soon("check cases/published-1400.toml --set pass.1.force=" + pipe),
-                 "is no regular file; name one");
+                 "is not a regular file; name one");
   expect_refused(soon("check cases/chatter-tandem.toml --set stand.from=" + pipe), no_pipe);
-  expect_refused(soon(quick + out + " --log " + pipe), "is no regular file; name one with --log");
-  expect_refused(soon(quick + out + " --log /dev/full"), "is no regular file; name one with --log");
+  expect_refused(soon(quick + out + " --log " + pipe), "is not a regular file; name one with --log");
+  expect_refused(soon(quick + out + " --log /dev/full"), "is not a regular file; name one with --log");
   const std::string run = finished_run("piped-run");
   fs::remove(run + "/results.json");
   EXPECT_EQ(::mkfifo((run + "/results.json").c_str(), 0600), 0);
@@ -86,13 +86,13 @@ TEST(HostilePlaces, PipesAreRefusedWhereverAFileIsNamed)
   EXPECT_EQ(soon(quick + run).exit_code, 0) << "a new run replaces it";
 }
 
-TEST(HostilePlaces, ALogTakesThePlaceOfNothingButALog)
+TEST(HostilePlaces, ALogReplacesOnlyALog)
 {
   const std::string folder = scratch("logs"), out = folder + "/out", file = folder + "/case.toml";
   mill::write_atomically(file, published_case());
   const std::string before = mill::read_text(file);
   const std::string run    = "modes " + file + " -q -o " + out + " --force-overwrite --log ";
-  expect_refused(soon(run + file), "exists and is no log of this program; choose another with --log");
+  expect_refused(soon(run + file), "exists and is not a log of this program; choose another with --log");
   EXPECT_EQ(mill::read_text(file), before);
   fs::create_symlink(file, folder + "/link");
   expect_refused(soon(run + folder + "/link"), "is a symbolic link; name the file that it points to");
@@ -102,7 +102,7 @@ TEST(HostilePlaces, ALogTakesThePlaceOfNothingButALog)
   expect_refused(soon(run + out + "/millstand.log"), "is one of the results in " + out);
 }
 
-TEST(HostilePlaces, FullAndClosedOutputs)
+TEST(HostilePlaces, FullAndClosedOutputsAreReported)
 {
   const std::string folder = scratch("full"), err = folder + "/err", out = folder + "/out";
   for (const std::string verb : {"schema", "--version", "new bite", "check cases/two-cylinders.toml",
@@ -129,8 +129,8 @@ TEST(HostilePlaces, FullAndClosedOutputs)
   EXPECT_EQ(after, before) << "text for the terminal went into a result that was given its number";
 }
 
-// The user asked for the right thing and the system refuses it: that is no input error.
-TEST(HostilePlaces, ARefusedWriteEndsWithThree)
+// The user asked for the right thing and the system refuses it: that is not an input error.
+TEST(HostilePlaces, ARefusedWriteEndsWithExitCodeThree)
 {
   const std::string folder = scratch("refused"), err = folder + "/err", out = folder + "/out";
   const auto limited = [&](const std::string &arguments) {  // no file may be longer than 2 KiB
@@ -148,10 +148,11 @@ TEST(HostilePlaces, ARefusedWriteEndsWithThree)
   EXPECT_EQ(mill::read_text(out + "/results.json"), before);
   const auto elsewhere = soon(quick + "/sys/millstand");  // no user may make a folder there
   EXPECT_EQ(elsewhere.exit_code, 3) << elsewhere.err;
-  EXPECT_NE(elsewhere.err.find("the folder /sys/millstand cannot be made: "), std::string::npos) << elsewhere.err;
+  EXPECT_NE(elsewhere.err.find("the folder /sys/millstand cannot be created: "), std::string::npos)
+      << elsewhere.err;
 }
 
-TEST(HostilePlaces, ARunRemovesWhatKilledOnesWereWriting)
+TEST(HostilePlaces, ARunRemovesTheTemporaryFilesOfKilledRuns)
 {
   const std::string cache = scratch("parts-cache"), out = scratch("parts-run");
   const std::string ending = ".0123456789abcdef.part";
@@ -163,8 +164,8 @@ TEST(HostilePlaces, ARunRemovesWhatKilledOnesWereWriting)
   EXPECT_FALSE(fs::exists(out + "/report.html" + ending));
 }
 
-// A folder whose run.json says something else than a name is nobody's.
-TEST(HostilePlaces, AFolderOfNobodyIsRefused)
+// A folder whose run.json does not hold a name belongs to no case.
+TEST(HostilePlaces, AFolderWithoutAnOwnerIsRefused)
 {
   const std::string folder = scratch("nobody");
   for (const std::string text :
@@ -231,23 +232,46 @@ TEST(HostilePlaces, FilesOfTwoRunsAreRefused)
   EXPECT_EQ(soon("report " + a).exit_code, 0);
 }
 
-TEST(HostilePlaces, WhatAKilledRunLeftIsFinishedByTheNextCommand)
+namespace {
+// As a kill between the renames leaves it: all of the earlier run gone, some entries of the new one not yet in
+// place.
+void interrupt_publishing(const std::string &out, const std::vector<std::string> &not_yet_in_place)
 {
-  const std::string out = finished_run("killed-between"), journal = out + "/.publishing";
-  // As a kill between the last renames leaves it: all of the earlier run gone, results.json not yet in its place.
-  fs::create_directory(journal);
-  fs::rename(out + "/results.json", journal + "/results.json");
+  const std::string journal = out + "/.publishing";
   std::string names;
   for (const auto &entry : fs::directory_iterator(out))
-    if (entry.path() != journal)
-      names += entry.path().filename().string() + "\n";
-  mill::write_atomically(journal + "/.names", names + "results.json\n");
-  const std::string told = "a run was interrupted while its results took their places in " + out;
-  expect_refused(soon("trace cases/published-1400.toml given.K3 -o " + out), told);
-  expect_refused(soon("check " + out + "/lumped_model.toml"), told);
-  const auto report = soon("report " + out);
-  EXPECT_EQ(report.exit_code, 0) << report.err;
-  EXPECT_FALSE(fs::exists(journal));
-  EXPECT_TRUE(fs::exists(out + "/results.json"));
-  EXPECT_EQ(soon("check " + out + "/lumped_model.toml").exit_code, 0);
+    names += entry.path().filename().string() + "\n";
+  fs::create_directory(journal);
+  for (const std::string &name : not_yet_in_place)
+    fs::rename(out + "/" + name, journal + "/" + name);
+  mill::write_atomically(journal + "/.names", names);
+}
+}  // namespace
+
+TEST(HostilePlaces, EveryCommandThatReadsAFolderCompletesAnInterruptedRun)
+{
+  const std::string out = finished_run("killed-between");
+  for (const std::string command : {"trace cases/published-1400.toml given.K3 -o " + out,
+                                    "check " + out + "/lumped_model.toml", "report " + out}) {
+    interrupt_publishing(out, {"results.json", "run.json", "lumped_model.toml"});
+    const auto reader = soon(command);
+    EXPECT_EQ(reader.exit_code, 0) << command << ": " << reader.err;
+    EXPECT_FALSE(fs::exists(out + "/.publishing")) << command;
+    EXPECT_TRUE(fs::exists(out + "/results.json")) << command;
+  }
+}
+
+TEST(HostilePlaces, AResultFolderMayBeASymbolicLink)
+{
+  const std::string out = finished_run("linked-run"), link = scratch("link-to-run") + "/link";
+  fs::create_directory_symlink(out, link);
+  fs::remove(out + "/results.json");
+  const auto run = soon(quick + link);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(fs::is_symlink(link)) << "the link stays";
+  EXPECT_TRUE(fs::exists(out + "/results.json")) << "the results are where it points to";
+  EXPECT_EQ(soon("report " + link).exit_code, 0);
+  const std::string nowhere = scratch("link-to-nothing") + "/link";
+  fs::create_symlink(out + "-that-is-not-there", nowhere);
+  expect_refused(soon(quick + nowhere), "the folder " + nowhere + " cannot be created");
 }

@@ -21,10 +21,10 @@ bool holds(const std::string &text, const std::string &part)
 }
 }  // namespace
 
-TEST(MarksCommand, LaysTheSpacingAroundRollsBearingsAndModes)
+TEST(MarksCommand, TheSpacingIsComparedWithRollsBearingsAndModes)
 {
   const std::string folder = scratch("marks"), drawn = MILLSTAND_SOURCE_DIR "/" + stand;
-  // In a folder of its own: beside out/four-high-1400 of a run the modes would be those of that run.
+  // In a separate folder: with out/four-high-1400 of a run present, the modes would be those of that run.
   const Outcome run =
       millstand("marks " + drawn + asked + folder + " --side-bands '4 Hz'", scratch("marks-home"), "true");
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -67,7 +67,7 @@ TEST(MarksCommand, TakesTheModesOfARunOfThisCase)
   for (const auto &mode : record.at("modes"))
     EXPECT_EQ(mode.at("frequency"),
               modes.at("mode." + mode.at("key").get<std::string>() + ".frequency").at("value"));
-  // The same folder for another case is no such run.
+  // The same folder for another case is not such a run.
   const Outcome other = millstand("marks " + model + asked + scratch("marks-other") + rolls + " --run " +
                                   run_folder + " --set given.M1='12 t'");
   EXPECT_EQ(other.exit_code, 2);
@@ -75,26 +75,26 @@ TEST(MarksCommand, TakesTheModesOfARunOfThisCase)
                            " is of other inputs; leave --run out to take modes by closed forms\n");
 }
 
-TEST(MarksCommand, RefusesInWords)
+TEST(MarksCommand, RefusalsAreSentences)
 {
-  const auto said = [](const std::string &flags) {
+  const auto message_of = [](const std::string &flags) {
     const Outcome run = millstand("marks " + flags + " -o " + scratch("marks-refused"));
     EXPECT_EQ(run.exit_code, 2) << run.out;
     return run.err;
   };
-  EXPECT_EQ(said(stand + " --spacing 2 --speed '500 m/min'"),
+  EXPECT_EQ(message_of(stand + " --spacing 2 --speed '500 m/min'"),
             "error: --spacing \"2\" has no unit; it takes a number with one of m, mm, um\n");
-  EXPECT_EQ(said(stand + " --spacing '2 mm' --speed '500 mm'"),
+  EXPECT_EQ(message_of(stand + " --spacing '2 mm' --speed '500 mm'"),
             "error: --speed \"500 mm\" is a length; it takes a number with one of m/s, mm/s, m/min\n");
-  EXPECT_EQ(said(stand + " --spacing '-2 mm' --speed '5 m/s'"),
+  EXPECT_EQ(message_of(stand + " --spacing '-2 mm' --speed '5 m/s'"),
             "error: the spacing of the marks must be positive\n");
-  EXPECT_EQ(said(stand + " --spacing 'two' --speed '5 m/s'"),
+  EXPECT_EQ(message_of(stand + " --spacing 'two' --speed '5 m/s'"),
             "error: --spacing \"two\" does not begin with a number; it takes a number with one of m, mm, um\n");
   EXPECT_EQ(
-      said("cases/bearing-266.toml --spacing '2 mm' --speed '5 m/s'"),
+      message_of("cases/bearing-266.toml --spacing '2 mm' --speed '5 m/s'"),
       "error: millstand marks: nothing turns in kind = \"bearing\" (cases/bearing-266.toml); it takes cases with "
       "work rolls\n");
-  EXPECT_EQ(said("cases/published-1400.toml --spacing '2 mm' --speed '5 m/s'"),
+  EXPECT_EQ(message_of("cases/published-1400.toml --spacing '2 mm' --speed '5 m/s'"),
             "error: marks: no roll of the case has a diameter, so that no spacing can be laid around it\n");
-  EXPECT_TRUE(holds(said(stand + " --speed '5 m/s'"), "--spacing is required"));
+  EXPECT_TRUE(holds(message_of(stand + " --speed '5 m/s'"), "--spacing is required"));
 }

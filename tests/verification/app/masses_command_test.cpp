@@ -51,8 +51,8 @@ std::string frame_tolerances()
 
 bool lacks(const nlohmann::json &result, const std::string &key)
 {
-  const auto found = result.find("error_lacks");
-  return found != result.end() && std::find(found->begin(), found->end(), key) != found->end();
+  const auto entry = result.find("error_lacks");
+  return entry != result.end() && std::find(entry->begin(), entry->end(), key) != entry->end();
 }
 
 const std::string demo = "cases/four-high-1400.toml", drawn = "cases/four-high-drawn.toml";
@@ -69,7 +69,7 @@ const std::string &demo_masses()
 }
 }  // namespace
 
-TEST(Masses, BothRoadsBesideThePublishedValues)
+TEST(Masses, BothMethodsAgreeWithThePublishedValues)
 {
   const auto results = json_of(demo_masses() + "/results.json");
   for (const char *mass : {"M2", "M3", "M4", "M5"}) {
@@ -109,7 +109,7 @@ TEST(Masses, FiniteElementsGiveTheMassesWhenAsked)
 }
 
 // K_ZW of the demo roll by an independent finite-element program on meshes of its own: 6.14 to 6.17e10 N/m.
-TEST(Masses, BackupRollsBendAsASolidDoes)
+TEST(Masses, BackupRollsBendLikeSolids)
 {
   const auto solid = json_of(demo_masses() + "/results.json").at("values").at("K_ZW");
   const double e   = solid.at("error_estimate");
@@ -137,7 +137,7 @@ TEST(Masses, NeedNoCurvesOfTheBite)
 }
 
 // The lower bearings carry what the lower rolls' offset adds; Palmgren's tangent goes with load^0.1.
-TEST(Masses, LowerIsNotUpper)
+TEST(Masses, LowerAndUpperMassesDiffer)
 {
   const double e = 0.4, between = (0.420 + 1.450) / 2;
   ASSERT_EQ(run("masses", demo, "offset", "--set 'contact.lower.axis_offset=400 mm'").exit_code, 0);
@@ -149,7 +149,7 @@ TEST(Masses, LowerIsNotUpper)
 }
 
 // An unknown error is not zero: a frequency has one when all its springs and masses do, else it says which do not.
-TEST(Modes, AFrequencyNamesWhatItsErrorLacks)
+TEST(Modes, AFrequencyNamesTheKeysThatItsErrorNeeds)
 {
   const std::string published = "cases/published-1400.toml";
   ASSERT_EQ(millstand("modes " + published + " -q -o " + scratch("bare")).exit_code, 0);
@@ -172,7 +172,7 @@ TEST(Modes, AFrequencyNamesWhatItsErrorLacks)
   EXPECT_EQ(mill::read_text(scratch("bare") + "/curves/poles.csv").substr(0, 27), "pole,frequency [Hz],damping");
 }
 
-TEST(Modes, LevelsStateNoAccuracyThatNobodyKnows)
+TEST(Modes, LevelsStateNoErrorWhereItIsNotKnown)
 {
   ASSERT_EQ(run("simulate", demo, "levels").exit_code, 0);
   const auto values = json_of(scratch("levels") + "/results.json").at("values");
@@ -194,14 +194,14 @@ TEST(Models, EachDrivesTheStandAndMakesAChainThatRuns)
   }
   // Six masses lack modes that the force excites, and the run says so: among the assumptions where the force is
   // made, as a warning where it is measured; the others have them.
-  const auto said = [](const std::string &model, const char *where) {
+  const auto message_of = [](const std::string &model, const char *where) {
     return json_of(scratch(model) + "/results.json").at(where).dump().find("no counterpart") != std::string::npos;
   };
-  EXPECT_TRUE(said("six-mass", "assumptions"));
-  EXPECT_FALSE(said("six-mass", "warnings"));
+  EXPECT_TRUE(message_of("six-mass", "assumptions"));
+  EXPECT_FALSE(message_of("six-mass", "warnings"));
   ASSERT_EQ(run("simulate", demo, "measured", "--set pass.0.synthetic=false").exit_code, 0);
-  EXPECT_TRUE(said("measured", "warnings"));
-  EXPECT_FALSE(said("craig-bampton", "assumptions") || said("craig-bampton", "warnings"));
+  EXPECT_TRUE(message_of("measured", "warnings"));
+  EXPECT_FALSE(message_of("craig-bampton", "assumptions") || message_of("craig-bampton", "warnings"));
   // The two stand modes are all but the same in beams and finite elements; the chain has them 3 % too high.
   for (const std::string mode : {"f1", "f2"}) {
     const double fe = value("craig-bampton", "craig-bampton." + mode);
@@ -227,21 +227,22 @@ TEST(Housing, DrawingReplacesTheFrame)
                 "--set 'frame.piston_stiffness_tolerance=1 %' --set 'frame.upper_packing_stiffness_tolerance=1 %'")
                 .exit_code,
             0);
-  const auto values = json_of(scratch("drawn") + "/results.json").at("values");
-  const auto at     = [&](const std::string &name) { return values.at(name).at("value").get<double>(); };
+  const auto values   = json_of(scratch("drawn") + "/results.json").at("values");
+  const auto value_of = [&](const std::string &name) { return values.at(name).at("value").get<double>(); };
   // K1 is the drawn posts, beam, screw, nut and piston with the given packing in series.
-  EXPECT_TRUE(near(at("K1"),
-                   1 / (1 / at("frame.upper_post_stiffness") + 1 / at("frame.upper_beam_stiffness") +
-                        1 / at("frame.piston_stiffness") + 1 / 4.5e11),
+  EXPECT_TRUE(near(value_of("K1"),
+                   1 / (1 / value_of("frame.upper_post_stiffness") + 1 / value_of("frame.upper_beam_stiffness") +
+                        1 / value_of("frame.piston_stiffness") + 1 / 4.5e11),
                    within(1e-12, "series springs")));
-  EXPECT_TRUE(near(at("M1"), at("frame.upper_post_mass") + at("frame.upper_beam_mass") + 420 + 1000,
+  EXPECT_TRUE(near(value_of("M1"),
+                   value_of("frame.upper_post_mass") + value_of("frame.upper_beam_mass") + 420 + 1000,
                    within(1e-12, "sum of the reduced masses")));
   EXPECT_GT(values.at("K1").at("error_estimate").get<double>(), 0);
   EXPECT_TRUE(lacks(values.at("K7"), "frame.lower_packing_stiffness_tolerance"));
   EXPECT_TRUE(lacks(values.at("frame.oil_column_stiffness"), "frame.oil_column_stiffness_tolerance"));
   EXPECT_EQ(values.at("frame.piston_stiffness").at("error_estimate"), 0.01);
-  EXPECT_GT(at("housing.f1"), 10) << "the bare housing on its feet";
-  EXPECT_GT(at("housing.f2"), at("housing.f1"));
+  EXPECT_GT(value_of("housing.f1"), 10) << "the bare housing on its feet";
+  EXPECT_GT(value_of("housing.f2"), value_of("housing.f1"));
   EXPECT_GT(values.at("housing.f1").at("error_estimate").get<double>(), 0);
   EXPECT_TRUE(fs::exists(scratch("drawn") + "/fields/housing.vtu"));
   const auto models = json_of(scratch("drawn") + "/curves/models.json");
@@ -285,40 +286,41 @@ TEST(Models, LumpedCaseHasNoOtherModel)
 // PL-1: all springs from results.json.
 TEST(Modulus, IsTheSeriesOfTheSpringsOfTheResults)
 {
-  const auto values = json_of(demo_masses() + "/results.json").at("values");
-  const auto at     = [&](const std::string &name) { return values.at(name).at("value").get<double>(); };
-  double path       = 0;
+  const auto values   = json_of(demo_masses() + "/results.json").at("values");
+  const auto value_of = [&](const std::string &name) { return values.at(name).at("value").get<double>(); };
+  double path         = 0;
   for (const char *spring : {"K1", "K2", "K3", "K5", "K6", "K7"})
-    path += 1 / at(spring);
+    path += 1 / value_of(spring);
   const auto series = within(1e-12, "sum of reciprocals in another order");
-  EXPECT_TRUE(near(at("stand.modulus.kiss"), 1 / (path + 1 / at("stand.K_ww.tangent")), series));
-  EXPECT_TRUE(
-      near(at("stand.modulus.tangent"), 1 / (path + 2 / at("K4.flattening") + 1 / at("stand.K_bend")), series));
-  const double M = at("stand.modulus.tangent"), Q = at("K4.plastic_slope");
-  EXPECT_TRUE(near(at("stand.screw_sensitivity"), M / (M + Q), series));
-  EXPECT_TRUE(near(at("stand.thickness_by.entry_thickness"), at("bite.pass 1.force_by_entry_thickness") / (M + Q),
-                   series));
-  double later = 1 / at("stand.pass 2.K_ww.tangent");
+  EXPECT_TRUE(near(value_of("stand.modulus.kiss"), 1 / (path + 1 / value_of("stand.K_ww.tangent")), series));
+  EXPECT_TRUE(near(value_of("stand.modulus.tangent"),
+                   1 / (path + 2 / value_of("K4.flattening") + 1 / value_of("stand.K_bend")), series));
+  const double M = value_of("stand.modulus.tangent"), Q = value_of("K4.plastic_slope");
+  EXPECT_TRUE(near(value_of("stand.screw_sensitivity"), M / (M + Q), series));
+  EXPECT_TRUE(near(value_of("stand.thickness_by.entry_thickness"),
+                   value_of("bite.pass 1.force_by_entry_thickness") / (M + Q), series));
+  double later = 1 / value_of("stand.pass 2.K_ww.tangent");
   for (const char *spring : {"K1", "K2", "K3", "K5", "K6", "K7"})
-    later += 1 / at(std::string("pass 2.") + spring);
-  EXPECT_TRUE(near(at("stand.pass 2.modulus.kiss"), 1 / later, series));
-  EXPECT_LT(at("stand.pass 2.modulus.kiss"), at("stand.modulus.kiss"))
+    later += 1 / value_of(std::string("pass 2.") + spring);
+  EXPECT_TRUE(near(value_of("stand.pass 2.modulus.kiss"), 1 / later, series));
+  EXPECT_LT(value_of("stand.pass 2.modulus.kiss"), value_of("stand.modulus.kiss"))
       << "738 kN in place of 976 kN: softer contacts";
-  EXPECT_LT(at("stand.pass 2.modulus.secant"), at("stand.pass 2.modulus.tangent")) << "the foot of the curve";
+  EXPECT_LT(value_of("stand.pass 2.modulus.secant"), value_of("stand.pass 2.modulus.tangent"))
+      << "the foot of the curve";
 }
 
-TEST(Modulus, StandsBesideOtherModelsAndDifferences)
+TEST(Modulus, TheModulusIsComparedWithOtherModelsAndDifferences)
 {
   const auto values       = json_of(demo_masses() + "/results.json").at("values");
   const auto expect_check = [&](const std::string &name, const std::string &check, const Tolerance &tolerance) {
-    int found = 0;
+    int n_found = 0;
     for (const auto &c : values.at(name).at("checks"))
       if (c.at("name").get<std::string>().rfind(check, 0) == 0) {
-        ++found;
+        ++n_found;
         EXPECT_TRUE(near(c.at("value").get<double>(), values.at(name).at("value").get<double>(), tolerance))
             << name;
       }
-    EXPECT_EQ(found, 1) << name << ": " << check;
+    EXPECT_EQ(n_found, 1) << name << ": " << check;
   };
   const auto distributed = within(0.05, "the contact of the other models is distributed along bending rolls");
   expect_check("stand.modulus.tangent", "rolls as reduced finite elements", distributed);
@@ -331,7 +333,7 @@ TEST(Modulus, StandsBesideOtherModelsAndDifferences)
   expect_check("stand.modulus.tangent", "differences of the stretch", differences);
   expect_check("stand.modulus.kiss", "differences of the stretch", differences);
   expect_check("stand.modulus.secant", "tangents summed over the force", differences);
-  // One rigid arc and one theory in the bite and beside it: what is left is the slope of the stretch.
+  // One rigid arc and one theory in the bite and as its comparison: what is left is the slope of the stretch.
   for (const char *name :
        {"stand.screw_sensitivity", "stand.thickness_by.entry_thickness", "stand.thickness_by.exit_tension"})
     expect_check(name, "differences of the coupled solution",
@@ -362,9 +364,9 @@ TEST(ModeNames, AreEqualInAllModelsWhereShapesAreAlike)
     ++alike;
     EXPECT_EQ(detailed.at("name"), other.at("name"));
     // Its own shares agree, or one of the two models has no clear case.
-    const std::string own = other.at("own_name");
-    EXPECT_TRUE(own.empty() || own == "mixed" || detailed.at("name") == "mixed")
-        << detailed.at("name") << " is " << own << " by its own shares: " << other.at("decided");
+    const std::string own_name = other.at("own_name");
+    EXPECT_TRUE(own_name.empty() || own_name == "mixed" || detailed.at("name") == "mixed")
+        << detailed.at("name") << " is " << own_name << " by its own shares: " << other.at("decided");
   };
   const auto &mac = record.at("mac").at("values");
   for (std::size_t i = 0; i < mac.size(); ++i)
@@ -385,14 +387,15 @@ TEST(ModeNames, AreEqualInAllModelsWhereShapesAreAlike)
           << model << ": " << name;
 }
 
-TEST(Headline, IsOfTheMostDetailedModelWithTheSixMassesBeside)
+TEST(Headline, TheHeadlineComparesTheMostDetailedModelWithSixMasses)
 {
   std::string loud = "modes " + demo + " -o " + scratch("headline") + quick;
   loud.erase(loud.find(" -q"), 3);
   const auto shown = millstand(loud);
   ASSERT_EQ(shown.exit_code, 0) << shown.err;
-  EXPECT_NE(shown.out.find("modes below 1000 Hz: rolls as reduced finite elements, six masses beside them\n"),
-            std::string::npos)
+  EXPECT_NE(
+      shown.out.find("modes below 1000 Hz: rolls as reduced finite elements, compared with the six masses\n"),
+      std::string::npos)
       << shown.out;
   const auto values = json_of(scratch("headline") + "/results.json").at("values");
   EXPECT_NE(shown.out.find(fmt::format("{:10.1f} Hz", values.at("craig-bampton.f1").at("value").get<double>())),
@@ -406,7 +409,7 @@ TEST(Headline, IsOfTheMostDetailedModelWithTheSixMassesBeside)
 }
 
 // The worst of the models, with the band, for a stand at 5 to 9 m/s.
-TEST(StandChatter, IsTheWorstOfTheModels)
+TEST(StandChatter, StandChatterIsThatOfTheWorstModel)
 {
   const auto outcome =
       run("chatter", demo, "worst", "--set analysis.speeds='[\"5 m/s\", \"9 m/s\"]' --set analysis.map_points=0");
@@ -426,10 +429,11 @@ TEST(StandChatter, IsTheWorstOfTheModels)
   EXPECT_NE(
       record.at("structure").get<std::string>().find(all[0].at("name").get<std::string>() + " model of this run"),
       std::string::npos);
-  const std::string said = record.at("critical").at("sentence");
-  EXPECT_NE(said.find("this is " + all[0].at("name").get<std::string>() + ", the worst of 3 models of the stand"),
-            std::string::npos)
-      << said;
+  const std::string sentence = record.at("critical").at("sentence");
+  EXPECT_NE(
+      sentence.find("this is " + all[0].at("name").get<std::string>() + ", the worst of 3 models of the stand"),
+      std::string::npos)
+      << sentence;
 }
 
 namespace {
@@ -439,7 +443,7 @@ Eigen::MatrixXd matrix(const std::string &name)
 }
 }  // namespace
 
-TEST(ModelFiles, HoldTheModesOfTheRun)
+TEST(ModelFiles, ModelFilesHoldTheModesOfTheRun)
 {
   for (const std::string model : {"six-mass", "beam", "craig-bampton"}) {
     const Eigen::MatrixXd M = matrix(model + "-mass"), K = matrix(model + "-stiffness");
@@ -471,7 +475,7 @@ TEST(ModelFiles, HoldTheModesOfTheRun)
   EXPECT_TRUE(near(v.dot(C * v), 2 * 0.01 * std::sqrt(modes.eigenvalues()[1]), within(1e-6, "1 %, the default")));
 }
 
-TEST(ModelFiles, AreACaseThatRuns)
+TEST(ModelFiles, ModelFilesAreACaseThatRuns)
 {
   demo_masses();
   for (const std::string model : {"beam", "craig-bampton"}) {
@@ -490,14 +494,14 @@ TEST(ModelFiles, AreACaseThatRuns)
       EXPECT_TRUE(
           near(value("back-" + model, level), value("driven", level), within(1e-6, "the same modes driven")));
   }
-  const std::string of = " " + scratch("demo") + "/lumped_model-beam.toml -q -o " + scratch("tampered");
+  const std::string arguments = " " + scratch("demo") + "/lumped_model-beam.toml -q -o " + scratch("tampered");
   const auto other =
-      millstand("modes" + of + " --set model.stiffness='" + scratch("demo") + "/models/beam-mass.mtx'");
+      millstand("modes" + arguments + " --set model.stiffness='" + scratch("demo") + "/models/beam-mass.mtx'");
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_NE(other.err.find("of two parts are still joined in "), std::string::npos) << other.err;
   const std::string heavier = scratch("demo") + "/heavier.mtx";
   mill::write_atomically(heavier, mill::matrix_market_text(1.1 * matrix("beam-mass"), "ten percent more"));
-  const auto tampered = millstand("modes" + of + " --set model.mass='" + heavier + "'");
+  const auto tampered = millstand("modes" + arguments + " --set model.mass='" + heavier + "'");
   EXPECT_EQ(tampered.exit_code, 2);
   EXPECT_NE(tampered.err.find("model.modes says that mode 1 is at "), std::string::npos) << tampered.err;
 }
@@ -513,7 +517,7 @@ TEST(ModelFiles, MatlabFileAgreesWithTheMatrices)
                   .c_str());
   if (status != 0)
     GTEST_SKIP() << "python3 with scipy is not here; tests/unit/core/mat_file_test reads the bytes";
-  const std::string said = mill::read_text(out);
-  EXPECT_EQ(std::stod(said), matrix("six-mass-stiffness")(2, 1));
-  EXPECT_NE(said.find("upper frame, displacement, y [m]"), std::string::npos) << said;
+  const std::string model_text = mill::read_text(out);
+  EXPECT_EQ(std::stod(model_text), matrix("six-mass-stiffness")(2, 1));
+  EXPECT_NE(model_text.find("upper frame, displacement, y [m]"), std::string::npos) << model_text;
 }

@@ -15,7 +15,7 @@ bool says(const std::string &text, const std::string &what)
 }
 }  // namespace
 
-TEST(MemoryLimits, BelowTheBuffersOfTheBlasItIsSaidAtOnce)
+TEST(MemoryLimits, ALimitBelowTheBuffersOfTheBlasIsReportedAtOnce)
 {
   const Outcome outcome = with_address_space(300, "check cases/two-cylinders.toml");
   EXPECT_EQ(outcome.exit_code, 3);

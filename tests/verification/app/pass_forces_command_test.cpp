@@ -33,9 +33,9 @@ std::string refused(const std::vector<std::pair<std::string, std::string>> &chan
 {
   std::string text = mill::read_text(std::string(MILLSTAND_SOURCE_DIR) + "/" + z_mill);
   for (const auto &[from, to] : changes) {
-    const auto at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    text.replace(at, from.size(), to);
+    const auto position = text.find(from);
+    EXPECT_NE(position, std::string::npos) << from;
+    text.replace(position, from.size(), to);
   }
   const std::string file = scratch("z-mill-changed") + ".toml";
   mill::write_atomically(file, text);
@@ -73,7 +73,7 @@ TEST(PassForcesCommand, FitsOfTheReferenceAreResults)
   EXPECT_TRUE(near(value("cluster.pass 5.dynamic_force"), reference("P_d.flattened", "cluster")[2][4], regress));
 }
 
-TEST(PassForcesCommand, BlindPassesAndThePage)
+TEST(PassForcesCommand, BlindPassesAreMarkedOnThePage)
 {
   const auto record = json_in(stiffness_run() + "/curves/schedule.json");
   EXPECT_EQ(record.at("passes").size(), 5u);
@@ -107,7 +107,7 @@ TEST(PassForcesCommand, RefusesWithThePlaceOfThePass)
             std::string::npos);
 }
 
-TEST(PassForcesCommand, MarksOfTheCluster)
+TEST(PassForcesCommand, MarksOfAClusterNameItsRolls)
 {
   const std::string folder = scratch("z-mill-marks");
   const Outcome run =

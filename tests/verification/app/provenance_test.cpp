@@ -103,7 +103,7 @@ std::string text_of(const Case &the_case, const std::string &name)
 
 struct Exceptions {
   std::vector<std::string>
-      not_moved;  // declared, though no value that the case accepts shows it; the reason beside
+      not_moved;  // declared, although no value that the case accepts shows it; with the reason
   std::vector<std::string> kept_apart;  // enter a text without moving the result
 };
 
@@ -135,11 +135,11 @@ void expect_complete(const BaseCase &base, const Exceptions &known)
     names.insert(key.name);
     std::vector<std::pair<Case, Results>> others;
     // Up, down, and further as long as something that should move has not.
-    const TraceKey found = find_key(the_case, base.sets, key.name, {});
-    for (const std::string &value : other_values(found)) {
+    const TraceKey trace_key = find_key(the_case, base.sets, key.name, {});
+    for (const std::string &value : other_values(trace_key)) {
       if (others.size() > 1 && all_moved(before, others, key.name))
         break;
-      std::optional<Case> other = with_value(base, found, value);
+      std::optional<Case> other = with_value(base, trace_key, value);
       if (!other)
         continue;
       try {
@@ -179,8 +179,9 @@ BaseCase stand(const std::string &name, std::vector<std::string> sets = {})
 {
   std::string text   = read_text("cases/" + name + ".toml");
   const auto replace = [&](const std::string &from, const std::string &to) {
-    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-      text.replace(at, from.size(), to);
+    for (auto position = text.find(from); position != std::string::npos;
+         position      = text.find(from, position + to.size()))
+      text.replace(position, from.size(), to);
   };
   replace("force          = \"data/pass-1.csv\"",
           "synthetic_range = [\"972 kN\", \"979 kN\"]\nsynthetic_duration = \"0.2 s\"");
@@ -207,11 +208,12 @@ std::string every_flow_stress(const std::string &law, const std::string &k)
 const std::vector<std::string> tapered{"bearing.trb.roller_total_length=34 mm",
                                        "bearing.trb.radial_clearance=0.02 mm"};
 
-// Of a stand: the type of a bearing follows from its angles and is not changed alone, nor does an end play or
-// a preload stand beside a clearance; the closed forms bend one beam whatever bending_model says; another bearing
+// Of a stand: the type of a bearing follows from its angles and is not changed alone, nor may an end play or
+// a preload be given with a clearance; the closed forms bend one beam whatever bending_model says; another bearing
 // or a seat for the chocks puts the horizontal modes in another order; in another frame a mode has another name;
 // what is not given yet stands in no list of what it would replace; the work rolls' bearing does not go on the
-// necks of the backup rolls, and there is no third.  The bite's elements are kept under all constants of all laws.
+// necks of the backup rolls, and the stand has no third bearing.  The bite's elements are kept under all constants
+// of all laws.
 const Exceptions of_a_stand{
     {"backup_roll.bearing",       "bearing.trb.type",           "bearing.crb.type", "bearing.trb.end_play", "bearing.trb.preload",
      "given.*",                                                                                      "backup_roll.bending_model", "work_roll.bearing of fh3", "bearing.trb.profile of fh3",
@@ -227,7 +229,7 @@ Exceptions also(Exceptions known, const std::vector<std::string> &not_moved)
 }
 }  // namespace
 
-TEST(Provenance, OfAStand)
+TEST(Provenance, ResultsOfAStandStateTheirInputs)
 {
   BaseCase base = stand("four-high-1400", tapered);
   for (const char *set :
@@ -241,7 +243,7 @@ TEST(Provenance, OfAStand)
   std::filesystem::remove(base.file);
 }
 
-TEST(Provenance, OfAStandWithADrawnFrameAndGivenSprings)
+TEST(Provenance, ResultsOfADrawnFrameAndGivenSpringsStateTheirInputs)
 {
   BaseCase base = stand("four-high-drawn", tapered);
   for (const char *set :
@@ -252,7 +254,7 @@ TEST(Provenance, OfAStandWithADrawnFrameAndGivenSprings)
         "backup_roll.crown_table=[[\"-700 mm\", \"0 um\"], [\"0 mm\", \"20 um\"], [\"700 mm\", \"0 um\"]]",
         "work_roll.crown_polynomial=[[2, \"30 um\"]]"})
     base.sets.push_back(set);
-  // A number as friction has no section beside it; a soft seat or another bearing puts the horizontal modes in
+  // Friction given as a number excludes its section; a soft seat or another bearing puts the horizontal modes in
   // another order; a barrel whose crown table reaches its ends can only grow, beyond the other one.
   expect_complete(base,
                   also(of_a_stand, {"strip.friction.*", "strip.flow_stress.law", "bite.strip", "contact.*",
@@ -261,10 +263,10 @@ TEST(Provenance, OfAStandWithADrawnFrameAndGivenSprings)
   std::filesystem::remove(base.file);
 }
 
-TEST(Provenance, OfTheOtherKinds)
+TEST(Provenance, ResultsOfTheOtherKindsStateTheirInputs)
 {
   expect_complete({"cases/two-cylinders.toml", {}}, {});
-  // A face as long as the examples does not cut the ellipse; a profile needs a length beside it, a cylinder a
+  // A face as long as the examples does not cut the ellipse; a profile needs a length, a cylinder a
   // diameter.
   expect_complete(
       {
@@ -289,9 +291,9 @@ TEST(Provenance, OfTheOtherKinds)
       {{"condition.*", "analysis.speeds"}, {}});
 }
 
-TEST(Provenance, OfBearings)
+TEST(Provenance, ResultsOfBearingsStateTheirInputs)
 {
-  // [model] says law, rings and slices of the one bearing again; neither end play nor preload stand beside a
+  // [model] says law, rings and slices of the one bearing again; neither end play nor preload may be given with a
   // clearance; the example of a pitch diameter is the mean that represents it where it is not given.
   const std::vector<std::string> known{
       "bearing.trb.type",     "bearing.trb.roller_law", "bearing.trb.rings",
@@ -304,7 +306,7 @@ TEST(Provenance, OfBearings)
   }
 }
 
-TEST(Provenance, OfBitesByEveryLaw)
+TEST(Provenance, ResultsOfBitesByEveryLawStateTheirInputs)
 {
   for (const char *friction : {"coulomb", "factor", "speed", "film"})
     for (const char *flow : {"constant", "swift", "ludwik", "table"}) {

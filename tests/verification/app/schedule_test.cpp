@@ -12,11 +12,11 @@ nlohmann::json stages_of(const std::string &folder)
 
 std::string stages_that_begin(const std::string &folder, const std::string &beginning)
 {
-  std::string found;
+  std::string lines;
   for (const auto &stage : stages_of(folder))
     if (const auto name = stage.at("stage").get<std::string>(); name.rfind(beginning, 0) == 0)
-      found += name + "; ";
-  return found;
+      lines += name + "; ";
+  return lines;
 }
 
 // The demo stand on two threads, once for all tests of this file; from the cache what other tests have left there.
@@ -40,7 +40,7 @@ const std::string &fresh_stiffness()
 }
 }  // namespace
 
-TEST(Schedule, TheSameCaseAgainIsTakenFromTheCacheAndSaysTheSame)
+TEST(Schedule, TheSameCaseAgainIsTakenFromTheCacheWithTheSameResults)
 {
   const auto &first = first_run();
   const auto again  = coarse_run("run", "again", "");
@@ -81,7 +81,7 @@ TEST(Schedule, AGivenStiffnessIsNotSolved)
   EXPECT_DOUBLE_EQ(values.at("K_Zy").at("value").get<double>(), 4e10) << "both bearings of a backup roll";
 }
 
-TEST(Schedule, AStageSaysWhatItFactorised)
+TEST(Schedule, TheLogOfAStageNamesItsFactorisations)
 {
   int factorised = 0;
   for (const auto &stage : stages_of(fresh_stiffness())) {

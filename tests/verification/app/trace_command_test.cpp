@@ -1,7 +1,7 @@
 #include "tests/support/program.h"
 #include <gtest/gtest.h>
 
-TEST(TraceCommand, PrintsTheTableAndItsExitCodes)
+TEST(TraceCommand, TraceCommandPrintsTheTableAndHasItsExitCodes)
 {
   const auto good = millstand("trace cases/two-cylinders.toml lower.diameter -q");
   EXPECT_EQ(good.exit_code, 0) << good.err;

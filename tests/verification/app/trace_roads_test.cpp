@@ -55,7 +55,7 @@ TEST(TraceRoads, EveryKeyOfTheDemoStandIsTraced)
   EXPECT_GT(sizes, 100);
 }
 
-TEST(TraceRoads, AGivenValueMovesWithItselfAndWithWhatIsMadeOfIt)
+TEST(TraceRoads, AGivenValueReachesItselfAndItsResults)
 {
   const ShortRecords demo("four-high-1400");
   const std::string &file = demo.file;
@@ -110,7 +110,7 @@ TEST(TraceRoads, FrequenciesFollowStiffnessAndMassByHalf)
   EXPECT_TRUE(near(masses, -0.5, within(1e-4, "central differences over 1 %: third order, 1e-4 of each")));
 }
 
-TEST(TraceRoads, ADrawnFrameIsFollowed)
+TEST(TraceRoads, AKeyOfADrawnFrameIsTraced)
 {
   // Oil column 2 E A/h: one for one with its inverse height, two for one with its diameter; K1 and K2 carry on.
   const std::string file = "cases/four-high-1400.toml";

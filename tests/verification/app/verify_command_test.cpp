@@ -4,7 +4,7 @@
 
 // The manual as a user runs it, where the program it compares with is not installed.
 namespace {
-// No program is found while this lives.
+// No program can be started while this object exists.
 class EmptyPath {
 public:
   EmptyPath() : before_(std::getenv("PATH"))
@@ -22,7 +22,7 @@ private:
 };
 }  // namespace
 
-TEST(VerifyCommand, SkipsAloudWithoutThePeer)
+TEST(VerifyCommand, AMissingPeerProgramIsReported)
 {
   const EmptyPath nothing;
   const auto outcome = millstand("verify -q peer-line love-patch");
@@ -34,7 +34,7 @@ TEST(VerifyCommand, SkipsAloudWithoutThePeer)
       << outcome.out;
 }
 
-TEST(VerifyCommand, DoesNotWriteHalfAPage)
+TEST(VerifyCommand, AnUnfinishedManualIsNotWritten)
 {
   const EmptyPath nothing;
   const auto outcome = millstand("verify --markdown page.md", scratch("page"));
@@ -42,7 +42,7 @@ TEST(VerifyCommand, DoesNotWriteHalfAPage)
   EXPECT_NE(outcome.err.find("needs CalculiX: apt-get install calculix-ccx"), std::string::npos) << outcome.err;
 }
 
-TEST(VerifyCommand, CountsWhatIsJudged)
+TEST(VerifyCommand, TheSummaryCountsJudgedChecks)
 {
   const auto outcome = millstand("verify -q film-slab-equation");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
