@@ -332,7 +332,7 @@ TEST(CommandLine, ARunEndsWithASummary)
   const auto outcome = millstand("run cases/published-1400.toml -o " + scratch("verdict"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_LE(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 25) << outcome.out;
-  EXPECT_EQ(outcome.out.rfind("published-1400: done, ", 0), 0u) << outcome.out;
+  EXPECT_EQ(outcome.out.rfind("published-1400: finished with ", 0), 0u) << outcome.out;
   EXPECT_NE(outcome.out.find("/report.html\n"), std::string::npos);
   const auto table = millstand("run cases/published-1400.toml -v -o " + scratch("verdict"));
   EXPECT_NE(table.out.find("\nM1 "), std::string::npos) << table.out;
