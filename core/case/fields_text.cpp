@@ -1,7 +1,7 @@
 #include "core/base/units.h"
 #include "core/case/fields.h"
 #include <algorithm>
-#include <bitset>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -27,20 +27,27 @@ std::string scalar_toml(const double value, const std::string &form)
   return form == "1" ? number_text(value) : quoted(quantity_text(value, unit(form)));
 }
 
-// The letters of a word, one bit each; other characters share the bits.
-std::bitset<64> letters_of(const std::string &word)
+// How often each letter is in a word; other characters share the places of letters.
+using Letters = std::array<int, 32>;
+
+Letters letters_of(const std::string &word)
 {
-  std::bitset<64> letters;
+  Letters letters{};
   for (const char c : word)
-    letters.set(static_cast<unsigned char>(c) % 64);
+    ++letters[static_cast<unsigned char>(c) % letters.size()];
   return letters;
 }
 
-// A lower bound of slips_between(): each letter that only one of the words has costs a slip, which a replacement
-// pays for one letter of both.
-std::size_t least_slips(const std::bitset<64> &a, const std::bitset<64> &b)
+// A lower bound of slips_between(): each letter that one of the words has more often costs a slip, which a
+// replacement pays for one letter of both.
+std::size_t least_slips(const Letters &a, const Letters &b)
 {
-  return std::max((a & ~b).count(), (b & ~a).count());
+  int only_a = 0, only_b = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    only_a += std::max(0, a[i] - b[i]);
+    only_b += std::max(0, b[i] - a[i]);
+  }
+  return std::size_t(std::max(only_a, only_b));
 }
 }  // namespace
 
@@ -192,8 +199,8 @@ std::string nearest_word(const std::string &word, const std::vector<std::string>
 {
   std::string best;
   // More than a third of the letters wrong is another word; of two letters one may be.
-  std::size_t fewest            = word.size() == 2 ? 2 : word.size() / 3 + 1;
-  const std::bitset<64> letters = letters_of(word);
+  std::size_t fewest    = word.size() == 2 ? 2 : word.size() / 3 + 1;
+  const Letters letters = letters_of(word);
   for (const std::string &candidate : known) {
     if (std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size()) >= fewest)
       continue;  // each letter too many is a slip; a very long word would make the table of distances large

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <set>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -186,8 +187,7 @@ TEST_F(ResultFolder, AFileOfAnInterruptedRunIsReadFromTheCompletedRun)
 TEST_F(ResultFolder, AReaderThatMayNotWriteRefusesAnIncompleteRun)
 {
   kill_while_publishing(12, false);
-  fs::permissions(folder,
-                  fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
+  ::chmod(folder.c_str(), 0555);
   const pid_t child = ::fork();
   if (child == 0) {
     constexpr uid_t another = 65534;
