@@ -137,7 +137,7 @@ std::string read_text(const std::string &path)
     cannot_read(path, errno);
   if (const std::string kind = other_kind(status.st_mode); !kind.empty())
     cannot("read", path, kind);
-  require_memory(path, double(found.st_size), 2.0 * double(found.st_size));
+  require_memory(path, double(status.st_size), 2.0 * double(status.st_size));
   std::string text, block(1 << 16, '\0');
   text.reserve(std::min<std::size_t>(std::size_t(status.st_size), 1 << 26));  // a size may be a lie
   while (true) {

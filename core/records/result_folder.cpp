@@ -109,7 +109,7 @@ std::vector<std::string> staged_names(const std::string &staged)
   std::vector<std::string> names;
   for (const std::string &name : result_names()) {
     const std::string path = staged + "/" + name;
-    if (exists(path) && !(fs::is_directory(path) && fs::is_empty(path)))
+    if (exists(path) && !(fs::is_directory(path) && names_in(path).empty()))
       names.push_back(name);
   }
   return names;

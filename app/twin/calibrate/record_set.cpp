@@ -108,14 +108,14 @@ RecordSet described_set(const std::string &folder, const std::string &path)
   set.folder = folder;
   read(Section{&root, ""}, set_rows(), set, reading, {"record", "level"});
   if (!(set.band[1] > set.band[0]))
-    reading.add(reading.place("band"), reading.said("band") + ": the upper end is above the lower one");
+    reading.add(reading.place("band"), reading.as_written("band") + ": the upper end is above the lower one");
   each_table(root, "record", reading, [&](const Section &section) {
     RecordEntry entry;
     read(section, entry_rows(), entry, reading, {"channels"});
     read_channels(section, entry, reading);
     if (!entry.role.empty() && entry.role != "fit" && entry.role != "check")
       reading.add(reading.place(section.key("role")),
-                  reading.said(section.key("role")) + ": a record is for the \"fit\" or for the \"check\"");
+                  reading.as_written(section.key("role")) + ": a record is for the \"fit\" or for the \"check\"");
     set.entries.push_back(entry);
   });
   each_table(root, "level", reading, [&](const Section &section) {
