@@ -109,6 +109,8 @@ TEST_F(OneTypo, ARemovedKeySaysWhatBecameOfIt)
   EXPECT_EQ(removal_note("barrel_diameter"), "");
   EXPECT_EQ(with("bearing_span     = ", "tilt_lever = \"full\"\nbearing_span     = ").substr(0, 60),
             "unknown key 'tilt_lever' in [work_roll]; it was dropped afte");
+}
+
 // Each letter that only one of two words has costs a slip, and a table of distances ends where the limit is
 // reached.
 TEST(NearestWord, IsTheSameAsWithoutTheShortcuts)
