@@ -158,8 +158,7 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
     q.speed_assumed = true;
     c.speed         = 0.5 * (stand.analysis.speeds[0] + stand.analysis.speeds[1]);
     asked.assumed.push_back(
-        fmt::format("{}: the speed of the rolls is not given (pass.speed); {:.4g} m/s, the middle of the range "
-                    "searched, represents it",
+        fmt::format("{}: the speed of the rolls is not given (pass.speed); {:.4g} m/s is used, the middle of the range searched",
                     pass.name, c.speed));
   }
   const FreeStrip free = free_strip(stand);

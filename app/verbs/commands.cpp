@@ -191,16 +191,29 @@ int write_report(const std::string &directory)
   return 0;
 }
 
-// Runs beside each other; the page stands in the first folder unless -o says where.
+// A page of an earlier comparison may be replaced, any other file is kept.
+void refuse_foreign_file(const std::string &file)
+{
+  std::error_code ignored;
+  if (!fs::exists(fs::symlink_status(file, ignored)))
+    return;
+  const auto text = text_if_readable(file);
+  if (!text || !report::is_comparison_page(*text))
+    throw InputError("the file " + file +
+                     " exists and is not a comparison that 'millstand report' wrote; choose another name with -o");
+}
+
+// Compares runs; the page is written to the first folder unless -o names a file.
 int write_comparison(const CommandLine &command)
 {
+  const std::string file = command.output.empty() ? command.target + "/comparison.html" : command.output;
+  refuse_foreign_file(file);
   std::vector<std::string> directories{command.target};
   directories.insert(directories.end(), command.names.begin(), command.names.end());
   for (const std::string &directory : directories) {
     const FolderLock alone(directory);
     finish_publishing(directory);
   }
-  const std::string file = command.output.empty() ? command.target + "/comparison.html" : command.output;
   write_atomically(file, report::comparison_of(directories));
   console::print("comparison: " + file + "\n");
   return 0;

@@ -17,6 +17,7 @@ struct BiteQuestion {
   double force = not_given;            ///< N, to stand beside the computed one
   std::string force_name;              ///< "mean of the recorded force"
   double force_deviation = not_given;  ///< -, standard deviation of that force where the strip was fitted to it
+  bool stress_fitted_to_force = false;  ///< the flow stress of `bite` comes from `force`, not from the case
   double measured_slip   = not_given;  ///< -, forward slip to stand beside the computed one
   double measured_torque = not_given;  ///< N m, of one roll
   std::string roll_key;                ///< of the case file, "work_roll.barrel_diameter"

@@ -56,7 +56,7 @@ const auto search = within(1e-5, "root finding and the settled bite are far belo
 }  // namespace
 
 // The published conditions: computed values beside the printed ones, in results, files and on the console.
-TEST(ChatterCommand, ThePublishedTable)
+TEST(ChatterCommand, PrintsThePublishedTable)
 {
   const auto outcome =
       chatter(published, "published", "--set analysis.map_points=8 --set analysis.duration='0.6 s'");
@@ -84,7 +84,7 @@ TEST(ChatterCommand, ThePublishedTable)
 }
 
 // What resolved.toml holds runs again to the same numbers.
-TEST(ChatterCommand, TheResolvedCaseGivesTheSame)
+TEST(ChatterCommand, TheResolvedCaseGivesTheSameResults)
 {
   ASSERT_EQ(chatter(condition_2(), "first", "-q").exit_code, 0);
   ASSERT_EQ(chatter(scratch("first") + "/resolved.toml", "again", "-q").exit_code, 0);
@@ -92,7 +92,7 @@ TEST(ChatterCommand, TheResolvedCaseGivesTheSame)
 }
 
 // A range without a crossing says so, with the margin, and is no failure.
-TEST(ChatterCommand, StableThroughout)
+TEST(ChatterCommand, AStableRangeHasNoCriticalSpeedButAMargin)
 {
   const auto outcome = chatter(condition_2(), "stable", R"(--set 'analysis.speeds=["8 m/s", "15 m/s"]')");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -102,7 +102,7 @@ TEST(ChatterCommand, StableThroughout)
   EXPECT_LT(value(results, "chatter.2.margin"), 0.0);
 }
 
-TEST(ChatterCommand, UnstableThroughout)
+TEST(ChatterCommand, AnUnstableRangeHasAPositiveMargin)
 {
   const auto outcome = chatter(condition_2(), "unstable", R"(--set 'analysis.speeds=["22 m/s", "30 m/s"]')");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -111,7 +111,7 @@ TEST(ChatterCommand, UnstableThroughout)
 }
 
 // At low speed the film breaks down and the flattening has no root: said, and the search goes on elsewhere.
-TEST(ChatterCommand, NoBiteAtTheWorkingSpeed)
+TEST(ChatterCommand, WarnsOfAWorkingSpeedWithoutABite)
 {
   const auto outcome = chatter(condition_2(), "slow",
                                "--set condition.0.speed='1 m/s' --set analysis.speeds='[\"1 m/s\", \"30 m/s\"]'");
@@ -158,7 +158,7 @@ TEST(ChatterCommand, FilmOutsideItsRange)
   const auto thick =
       chatter(condition_2(), "thick", "--set oil.viscosity='9 mPa s' --set condition.0.speed='28 m/s'");
   ASSERT_EQ(thick.exit_code, 0) << thick.err;
-  EXPECT_NE(thick.out.find("where the friction law still tells films apart"), std::string::npos) << thick.out;
+  EXPECT_NE(thick.out.find("where the friction law still depends on the film"), std::string::npos) << thick.out;
 }
 
 // Constant friction instead of a film: an older model of the same mill.
