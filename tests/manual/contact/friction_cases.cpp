@@ -226,7 +226,7 @@ std::vector<Case> friction_cases()
        "(mu p - t)^2 over x^2 where it sticks, the traction at c by the line through t^2 where it slips.", "C. Cattaneo (1938); K. L. Johnson, Contact Mechanics (1985), 7.2: c/b = (1 - Q/(mu P))^(1/2)",
        "2 %: at Q = 0.25 mu P the slip zone is 0.13 b, 25 strips wide; its edge is known to half a strip of 186 "
        "on "
-       "b, tractions beside the kink to two strips. The tangent is exact for the discrete problem: 1e-6.", cattaneo},
+       "b, tractions next to the kink to two strips. The tangent is exact for the discrete problem: 1e-6.", cattaneo},
       {"mindlin-sphere", "verification",
        "Sphere R 10 mm on a flat, steel on steel, pressed with 1000 N and then pushed sideways with Q = 0.25 and "
        "0.5 "
