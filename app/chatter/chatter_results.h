@@ -3,7 +3,7 @@
 #include "core/records/chatter_record.h"
 
 namespace mill {
-/// bite.<condition>.* and chatter.<condition>.* with their checks, and what has to be said of the condition.
+/// bite.<condition>.* and chatter.<condition>.* with their checks, and the notes on the condition.
 void add_chatter_results(RunContext &run, const ChatterStudy &study);
 
 /// "condition 2: stable below 18.21 m/s and unstable above (128.1 Hz)"

@@ -58,7 +58,7 @@ OtherSearch search(const std::string &name, const ChatterStandModel &stand, cons
     const auto point = dynamics::working_point(q.bite, q.condition.speed, scheme);
     other.growth     = dynamics::growth_rate(dynamics::chatter_matrix(stand, point.by));
   } catch (const std::runtime_error &) {
-    // no bite at the working speed, which is said once for the condition
+    // no bite at the working speed, which is reported once for the condition
   }
   return other;
 }

@@ -102,7 +102,7 @@ struct MotionIntegrator::Solver {
   void *cvode            = nullptr;
   Eigen::Index next      = 0;  // break of the record that no step may cross
   long earlier_steps     = 0;
-  std::string complaint;  // what CVODE said last
+  std::string complaint;  // last message of CVODE
 
   explicit Solver(const BearingMotion &m) : motion(m) {}
   Solver(const Solver &)            = delete;

@@ -126,7 +126,7 @@ TimeSteps::Result TimeSteps::solve(const double h)
   return r;
 }
 
-// Contacts that at this state are not what they are said to be.
+// Contacts whose state differs from the assumed one.
 std::vector<int> TimeSteps::changed(const Eigen::VectorXd &state) const
 {
   Eigen::VectorXd d(equations_.contacts());

@@ -10,7 +10,7 @@
 
 namespace mill::report {
 namespace {
-// A run that compares models has more to show than one by the standard alone; then what is missing is said.
+// A run that compares models has more to show than one by the standard alone; missing parts are then named.
 bool is_compared(const Run &run, const std::string &bearing)
 {
   return run.manifest.kind == "bearing" || stored_curve(run, curve::bearing_law, bearing);

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-// Pieces of a table.  What is said to be HTML is taken as it is, the rest is escaped.
+// Pieces of a table.  Arguments named as HTML are taken as they are, the others are escaped.
 namespace mill::report {
 /// A cell of a number, aligned to the right; HTML.
 std::string cell(const std::string &html);
