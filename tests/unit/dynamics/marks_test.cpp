@@ -144,9 +144,9 @@ TEST(Marks, MapPeaksWhereAModeIsMet)
   // On a meeting it is 1/(2 zeta).
   const MarksRecord record = marks_of(q, s);
   const MarkMeeting &m     = record.meetings[6];
-  const MarkMap map        = mark_map(q, {"", record.rolls[std::size_t(m.roll)].diameter}, s,
+  const MarkMap peak       = mark_map(q, {"", record.rolls[std::size_t(m.roll)].diameter}, s,
                                       {Eigen::VectorXd::Constant(1, m.speed), Eigen::VectorXd::Constant(1, m.waves)});
-  EXPECT_TRUE(near(map.gain(0, 0), 20 * std::log10(50), within(1e-10, "damping of 1 %")));
+  EXPECT_TRUE(near(peak.gain(0, 0), 20 * std::log10(50), within(1e-10, "damping of 1 %")));
 }
 
 TEST(Marks, AxesOfTheMapCoverTheRequestOrTheModes)
