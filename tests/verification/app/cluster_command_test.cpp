@@ -105,10 +105,12 @@ TEST(ClusterCommand, RefusesFitsWithMoreUnknownsThanData)
 
 TEST(ClusterCommand, RefusesAFitOfTheBite)
 {
-  EXPECT_TRUE(holds(refused(" --set 'bite.fit=[\"force\"]'"),
-                    "bite.fit = [\"force\"] is not solved in kind = \"cluster\", where the flow stress of each pass is "
-                    "fitted to its load; remove it, or fit the same passes in a case of kind = \"bite\""));
-  EXPECT_TRUE(holds(refused(" --set 'bite.fit_for=[\"friction\"]'"), "bite.fit_for = [\"friction\"] is not solved"));
+  EXPECT_TRUE(
+      holds(refused(" --set 'bite.fit=[\"force\"]'"),
+            "bite.fit = [\"force\"] is not solved in kind = \"cluster\", where the flow stress of each pass is "
+            "fitted to its load; remove it, or fit the same passes in a case of kind = \"bite\""));
+  EXPECT_TRUE(
+      holds(refused(" --set 'bite.fit_for=[\"friction\"]'"), "bite.fit_for = [\"friction\"] is not solved"));
 }
 
 TEST(ClusterCommand, RefusesForcesThatTheLawsDoNotGive)
@@ -184,9 +186,10 @@ TEST(ClusterCommand, ResultsKeepTheCaseOfNamesAndFitsStateTheirNumbers)
   const auto force_of = [&](const char *name) {
     return all.at(std::string("cluster.pass 1.") + name).at("value").get<double>();
   };
-  EXPECT_TRUE(near((force_of("roller_load.R.1") + force_of("roller_load.R.2")) * std::cos(36 * M_PI / 180),
-                   force_of("W-R.force"),
-                   within(2e-3, "horizontal balance of roll R; the contact turns by 0.1 mm over 60 mm")));
+  EXPECT_TRUE(
+      near((force_of("roller_load.R.1") + force_of("roller_load.R.2")) * std::cos(36 * M_PI / 180),
+           force_of("W-R.force"),
+           within(1e-6, "horizontal balance of roll R; the contact turns by 0.1 mm over 60 mm, second order")));
   const auto &inputs = all.at("cluster.pass 1.f1").at("inputs");
   const auto enters  = [&](const char *key) {
     return std::find(inputs.begin(), inputs.end(), key) != inputs.end();
@@ -222,8 +225,8 @@ TEST(ClusterCommand, APassWithoutLoadTakesTheForceOfItsLaws)
 TEST(ClusterCommand, TheForceOfTheGivenFlowStressDoesNotFollowTheLoad)
 {
   const std::string folder = scratch("given-stress");
-  const Outcome run        = millstand("simulate " + z_mill + " -q -o " + folder +
-                                " --set bite.method=slab --set 'pass.0.load=900 kN'");
+  const Outcome run =
+      millstand("simulate " + z_mill + " -q -o " + folder + " --set bite.method=slab --set 'pass.0.load=900 kN'");
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto results       = results_in(folder);
   const std::string notes  = results.at("warnings").dump() + results.at("assumptions").dump();
@@ -233,7 +236,6 @@ TEST(ClusterCommand, TheForceOfTheGivenFlowStressDoesNotFollowTheLoad)
   // Y = 802 MPa, n = 0.290 of section 3.8: 1185 kN.
   EXPECT_TRUE(near(std::stod(notes.substr(begin + before.size())), 1185, within(2e-3, "three digits of Y and n")));
   EXPECT_TRUE(holds(notes, "the load of the pass is 900 kN; the computed force differs by +32 %")) << notes;
-  EXPECT_FALSE(holds(notes, "bite of pass 1: strip.flow_stress")) << "the models have the fitted flow stress";
 }
 
 TEST(ClusterCommand, TraceReachesStackBiteAndFits)
@@ -274,8 +276,7 @@ TEST(ClusterCommand, CoupledSpinWarnsOfTheMissingHistory)
   const auto &acceleration = results.at("values").at("cluster.pass 1.acceleration.W.y");
   EXPECT_EQ(acceleration.at("unit").get<std::string>(), "m/s2");
   EXPECT_EQ(acceleration.at("inputs"), velocity.at("inputs"));
-  EXPECT_TRUE(near(acceleration.at("value").get<double>(),
-                   2 * M_PI * 610 * velocity.at("value").get<double>(),
+  EXPECT_TRUE(near(acceleration.at("value").get<double>(), 2 * M_PI * 610 * velocity.at("value").get<double>(),
                    within(1e-13, "a harmonic motion at the frequency of the dynamic force: one product")));
   EXPECT_FALSE(std::filesystem::exists(folder + "/curves/cluster-pass-1.history.csv"));
   EXPECT_TRUE(std::filesystem::exists(folder + "/curves/cluster-pass-1.response.csv"));
