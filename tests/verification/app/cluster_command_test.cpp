@@ -105,12 +105,16 @@ TEST(ClusterCommand, RefusesFitsWithMoreUnknownsThanData)
 
 TEST(ClusterCommand, RefusesAFitOfTheBite)
 {
+  const auto with = [](const std::string &line) {
+    return refused("", {
+                           {"[strip.friction]", "[bite]\n" + line + "\n[strip.friction]"}
+    });
+  };
   EXPECT_TRUE(
-      holds(refused(" --set 'bite.fit=[\"force\"]'"),
-            "bite.fit = [\"force\"] is not solved in kind = \"cluster\", where the flow stress of each pass is "
-            "fitted to its load; remove it, or fit the same passes in a case of kind = \"bite\""));
-  EXPECT_TRUE(
-      holds(refused(" --set 'bite.fit_for=[\"friction\"]'"), "bite.fit_for = [\"friction\"] is not solved"));
+      holds(with("fit = [\"force\"]"),
+            "error: bite.fit = [\"force\"] is not solved in kind = \"cluster\", where the flow stress of each "
+            "pass is fitted to its load; remove it, or fit the same passes in a case of kind = \"bite\""));
+  EXPECT_TRUE(holds(with("fit_for = [\"friction\"]"), "error: bite.fit_for = [\"friction\"] is not solved"));
 }
 
 TEST(ClusterCommand, RefusesForcesThatTheLawsDoNotGive)

@@ -234,11 +234,12 @@ TEST(HostilePlaces, FilesOfTwoRunsAreRefused)
 TEST(HostilePlaces, AComparisonReplacesOnlyAComparison)
 {
   const std::string a = finished_run("compared-a"), b = finished_run("compared-b", " --set 'given.K1=5e3 kN/mm'"),
-                    page = scratch("compared.html"), notes = scratch("notes.html");
+                    page = scratch("compared") + "/page.html", notes = scratch("compared") + "/notes.html";
   const std::string runs = "report " + a + " " + b + " -o ";
   mill::write_atomically(notes, "not to be lost");
-  expect_refused(soon(runs + notes), "exists and is not a comparison that 'millstand report' wrote; choose another "
-                                     "name with -o");
+  expect_refused(soon(runs + notes),
+                 "exists and is not a comparison that 'millstand report' wrote; choose another "
+                 "name with -o");
   EXPECT_EQ(mill::read_text(notes), "not to be lost");
   expect_refused(soon(runs + a + "/report.html"), "is not a comparison");
   fs::remove(page);
