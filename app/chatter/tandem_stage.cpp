@@ -77,8 +77,8 @@ void judge_working_speed(RunContext &run, const dynamics::TandemLine &line, cons
     run.results.add("chatter.tandem.growth_rate", growth);
     if (root.real() > 1e-9 * std::abs(root))
       run.warn(fmt::format(
-          "the tandem chatters at {:.4g} m/s of its last stand: vibration of {:.4g} Hz doubles in {:.3g} s",
-          speed, std::abs(root.imag()) / (2 * M_PI), std::log(2) / root.real()));
+          "the tandem chatters at {:.4g} m/s of its last stand: vibration of {:.4g} Hz doubles in {:.3g} s", speed,
+          std::abs(root.imag()) / (2 * M_PI), std::log(2) / root.real()));
     for (std::size_t i = 0; i + 1 < line.stands.size(); ++i) {
       const double given = line.stands[i].bite.roll_speed, needed = point.stands[i].bite.roll_speed;
       if (std::abs(given / needed - 1) > 0.01)

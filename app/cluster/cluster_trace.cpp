@@ -48,8 +48,8 @@ void add_velocities_of(const ClusterStand &stand, const ClusterPass &pass, const
       const double omega = 2 * M_PI * pass.dynamic_frequency;
       const auto add     = [&](const char *quantity, const double value, const char *unit) {
         all.push_back(result_of(
-            keys, result_name({family::cluster, pass.name, quantity, stand.rolls[i].name, k ? "y" : "x"}), value,
-            unit, force));
+                keys, result_name({family::cluster, pass.name, quantity, stand.rolls[i].name, k ? "y" : "x"}), value,
+                unit, force));
         all.back().relation = "harmonic response with complex stiffness";
         all.back().file     = "dynamics/cluster/response";
         all.back().equation = "(38.16)";
@@ -147,10 +147,9 @@ std::vector<ClosedFormResult> closed_form_cluster(const Case &the_case)
         continue;
       const auto loads = cluster::roller_forces(support, state.rest.u.segment<2>(2 * support.roll));
       for (const std::size_t k : {0, 1})
-        all.push_back(result_of(keys,
-                                result_name({family::cluster, pass.name, "roller_load", support.name,
-                                             fmt::format("{}", k + 1)}),
-                                loads[k], "N", force));
+        all.push_back(result_of(
+            keys, result_name({family::cluster, pass.name, "roller_load", support.name, fmt::format("{}", k + 1)}),
+            loads[k], "N", force));
     }
     for (std::size_t i = 0; i < stand.rolls.size(); ++i)
       for (const int k : {0, 1})

@@ -74,8 +74,8 @@ Level level_between(const Eigen::VectorXd &time, const Eigen::VectorXd &signal, 
 Comparison compare(const Response &response, const MeasuredRecord &measured)
 {
   Comparison result;
-  result.begin      = std::max(response.time[0], measured.time[0]);
-  result.end        = std::min(response.time[response.time.size() - 1], measured.time[measured.time.size() - 1]);
+  result.begin        = std::max(response.time[0], measured.time[0]);
+  result.end          = std::min(response.time[response.time.size() - 1], measured.time[measured.time.size() - 1]);
   const auto compared = [&](const Mass roll, const Eigen::VectorXd &record) {
     const Level computed = level_between(response.time, response.acceleration.col(roll), result.begin, result.end);
     const Level known    = level_between(measured.time, record, result.begin, result.end);

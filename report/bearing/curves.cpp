@@ -66,12 +66,12 @@ std::string stiffness_over_load(const Table &curve, const std::vector<Mark> &loa
 {
   Plot plot;
   const bool with_standard = values_of(curve, {"standard_tangent", "kN/mm"}).size() > 0;
-  plot.title        = "Radial stiffness over load";
-  plot.width        = with_standard ? 660 : 360;
-  plot.height       = with_standard ? 360 : 330;
-  plot.x            = {"radial load of one bearing", "kN", Scale::logarithmic};
-  plot.y            = {"stiffness Kzc", "kN/mm"};
-  const auto add    = [&](const char *column, const char *label, const Pen pen, const bool markers = false) {
+  plot.title               = "Radial stiffness over load";
+  plot.width               = with_standard ? 660 : 360;
+  plot.height              = with_standard ? 360 : 330;
+  plot.x                   = {"radial load of one bearing", "kN", Scale::logarithmic};
+  plot.y                   = {"stiffness Kzc", "kN/mm"};
+  const auto add = [&](const char *column, const char *label, const Pen pen, const bool markers = false) {
     add_line(plot, curve, {"load", "kN"}, {column, "kN/mm"}, label, pen, markers);
   };
   add("tangent", with_standard ? "tangent, this run" : "tangent", Pen::dark, true);

@@ -169,7 +169,8 @@ void bearing_motion(Page &page, const Run &run, const std::string &bearing)
     page.figure(
         {spectrum(run, *lines, bearing, "acceleration", "Acceleration along the driving force", "g/\u221aHz"),
          spectrum(run, *lines, bearing, "force", "Force of the bearing", "N/\u221aHz")},
-        "Spectra, with the natural frequency of small motions. The driving force has one line; its multiples come from the curve of the bearing, which is not straight.");
+        "Spectra, with the natural frequency of small motions. The driving force has one line; its multiples come "
+        "from the curve of the bearing, which is not straight.");
   else
     page.absent("Spectra of the mass on the bearing are", curve_path(curve::bearing_spectrum, bearing) + ".csv");
 }

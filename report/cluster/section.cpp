@@ -149,11 +149,13 @@ void vibration_part(Page &page, const Run &run, const ClusterRecord &record)
                      " of its force at rest.");
   }
   if (const std::string table = cluster_history_table(record); !table.empty())
-    page.table(table,
-               "Velocity amplitudes at the frequency of the dynamic force, linear response compared with the history.");
+    page.table(
+        table,
+        "Velocity amplitudes at the frequency of the dynamic force, linear response compared with the history.");
   if (!backbones.empty())
     page.figure(backbones, "Frequency over amplitude of the modes that bend, free and undamped, " +
-                               escaped(record.passes[0].name) + ". The frequency falls from the amplitude at which a contact opens.");
+                               escaped(record.passes[0].name) +
+                               ". The frequency falls from the amplitude at which a contact opens.");
 }
 }  // namespace
 
@@ -195,14 +197,14 @@ void cluster_section(Page &page, const Run &run)
   page.table(contact_table(record), "Contacts under every pass. The tangent is the stiffness for vibration.");
   if (!record.passes[0].modes.empty() && !std::isnan(record.passes[0].least_root)) {
     modes_part(page, run, record);
-    page.table(stability_table(record),
-               "How far the stack is from buckling and from an open contact. The horizontal force acts on the roll at the strip.");
+    page.table(stability_table(record), "How far the stack is from buckling and from an open contact. The "
+                                        "horizontal force acts on the roll at the strip.");
     vibration_part(page, run, record);
   }
   if (const std::string fits = cluster_fit_table(record); !fits.empty()) {
     page.heading("Explanations of the frequencies");
-    page.table(fits,
-               "Variants of the stack fitted to the published frequencies. Each row states how many numbers were fitted to how many frequencies; only the other frequencies test the variant.");
+    page.table(fits, "Variants of the stack fitted to the published frequencies. Each row states how many numbers "
+                     "were fitted to how many frequencies; only the other frequencies test the variant.");
   }
 }
 }  // namespace mill::report

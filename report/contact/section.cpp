@@ -94,7 +94,8 @@ std::string band_caption(const bool plane_strain)
              "without a far side. ") +
          (plane_strain
               ? "The cylinders of this case are long, as Hertz assumes: his form, axis to axis, is the reference."
-              : "No closed form is exact here: they all leave out the ends and necks of a barrel, where load and stiffness per length change.");
+              : "No closed form is exact here: they all leave out the ends and necks of a barrel, where load and "
+                "stiffness per length change.");
 }
 
 // Why the secant lies where it does in the band: what belongs to the section and what to the barrel ends.
@@ -109,7 +110,8 @@ std::string why_in_band(const Run &run, const std::string &name)
   if (!(closed > 0) || !(section > 0))
     return "";
   if (std::abs(section / closed - 1) > 0.05)
-    return "With a profile, a tilt or an off-centre force this is not a line contact under an even load: the closed forms show how far it is from one, not which value is right.";
+    return "With a profile, a tilt or an off-centre force this is not a line contact under an even load: the "
+           "closed forms show how far it is from one, not which value is right.";
   const auto off = [](const double ratio) { return percent(ratio - 1); };
   return "Reason: compared with Johnson's infinitely long rolls the section at mid-length, taken over the whole "
          "length, has " +
@@ -147,7 +149,8 @@ void one_contact(Page &page, const Run &run, const std::string &name, const std:
   page.figure(
       {load_approach(contact), stiffness_over_load(contact)},
       "Left: how far the two roll axes come together under the load; the dots are the solved loads, the "
-      "circles the working loads. Right: the two slopes of that curve. The <b>tangent</b> is the stiffness for vibration, the <b>secant</b> that for screwing down; both grow only with the logarithm of the load. "
+      "circles the working loads. Right: the two slopes of that curve. The <b>tangent</b> is the stiffness for "
+      "vibration, the <b>secant</b> that for screwing down; both grow only with the logarithm of the load. "
       "Small steps of a computed tangent are rows of the mesh that come into contact." +
           std::string(stored_curve(run, curve::contact_in_stand, name)
                           ? " This run squeezes each roll evenly between two contacts, as the closed forms "

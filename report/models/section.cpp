@@ -97,7 +97,8 @@ void likeness(Page &page, const ModelData &data)
   if (const std::string map = mac_map(data); !map.empty())
     page.figure(
         {map},
-        "Modal assurance between two detailed models. One dark cell in every row and column: both have the same modes. Two dark cells in one column are a motion that one model has twice, as a chock with "
+        "Modal assurance between two detailed models. One dark cell in every row and column: both have the same "
+        "modes. Two dark cells in one column are a motion that one model has twice, as a chock with "
         "its neck and on its bearing. Two half-dark cells side by side are two modes that lie so close that "
         "each model mixes them in its own way.");
 }

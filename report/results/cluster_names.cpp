@@ -14,7 +14,7 @@ const std::map<std::string, std::string> quantity_words{
     {"x",               "displacement along the rolling direction"      },
     {"y",               "displacement upwards"                          },
     {"buckling_factor", "factor on the force at which the stack buckles"},
-    {"leaving_force",   "horizontal force at which a contact opens"      },
+    {"leaving_force",   "horizontal force at which a contact opens"     },
     {"least_guide",     "smallest stiffness of the guide"               },
     {"velocity",        "velocity amplitude under the dynamic force"    },
     {"acceleration",    "acceleration amplitude under the dynamic force"},

@@ -17,7 +17,7 @@ const Words quantities[] = {
     {"K5",          "lower work roll on lower backup roll"                 },
     {"K6",          "M5 to M6: roll, bearing, chock"                       },
     {"K7",          "M6 to ground: lower frame"                            },
-    {"C",           "damper parallel to K4"                                     },
+    {"C",           "damper parallel to K4"                                },
     {"K_Zy",        "two upper backup bearings, part of K2"                },
     {"K_Zy_lower",  "two lower backup bearings, part of K6"                },
     {"K_ZW",        "bending and shear of a backup roll"                   },

@@ -43,7 +43,8 @@ void schedule_section(Page &page, const Run &run)
   page.figure(
       {force_drawing(data)},
       "The force that every pass was fitted to, and what the fitted flow stress gives by theories that differ in "
-      "the shape of the arc. A rigid roll needs far less force: without the flattening the fitted flow stress is too high.");
+      "the shape of the arc. A rigid roll needs far less force: without the flattening the fitted flow stress is "
+      "too high.");
   page.table(
       fit_table(data),
       "<b>Fits of one unknown</b>: the plane-strain flow stress <i>k</i> that returns the force of the pass at "

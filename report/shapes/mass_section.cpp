@@ -190,7 +190,8 @@ void mass_section(Page &page, const ModelData &data)
                       "with that of the meshed roll; the third adds up the motion of all its material.");
   if (!drawings.empty())
     page.figure({side_by_side(drawings)},
-                "What the equivalent masses are made of: the real parts (first bar) and the weighted parts. A part is weighted with the square of its displacement over that of the reference "
+                "What the equivalent masses are made of: the real parts (first bar) and the weighted parts. A "
+                "part is weighted with the square of its displacement over that of the reference "
                 "point, so <b>what lies near the reference keeps its weight and what lies towards the "
                 "ground loses it</b>.");
 }

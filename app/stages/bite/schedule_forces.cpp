@@ -90,8 +90,8 @@ void study_pass(RunContext &run, const ScheduleQuestion &q, const std::size_t p,
   question.force      = force.fitted_to;
   question.force_name = force.fitted_to_what.empty() ? "the computed force" : "the " + force.fitted_to_what;
   question.stress_fitted_to_force = !std::isnan(force.flat.flow_stress);
-  question.roll_key   = q.roll_key;
-  question.curves     = false;
+  question.roll_key               = q.roll_key;
+  question.curves                 = false;
   try {
     const BiteStudy study = study_bite(run, question);
     add_bite_results(run, study);
@@ -119,9 +119,8 @@ void note_force_of_case(RunContext &run, const PassForce &pass, const bite::Roll
   const double difference = pass.law_force / pass.fitted_to - 1;
   const std::string sentence =
       fmt::format("pass \"{}\": strip.flow_stress and strip.friction give {:.4g} kN by {}; the {} is {:.4g} kN",
-                  pass.name, 1e-3 * pass.law_force,
-                  bite::model_name({closed_theory(bite), bite::Arc::hitchcock}), pass.fitted_to_what,
-                  1e-3 * pass.fitted_to);
+                  pass.name, 1e-3 * pass.law_force, bite::model_name({closed_theory(bite), bite::Arc::hitchcock}),
+                  pass.fitted_to_what, 1e-3 * pass.fitted_to);
   if (std::abs(difference) <= same_schedule_force)
     run.assume(sentence);
   else

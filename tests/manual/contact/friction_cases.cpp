@@ -238,7 +238,7 @@ std::vector<Case> friction_cases()
        "2 % on c/a, 1 % on approach and stiffness: squares of a/24 on the rim, and Mindlin's traction is along "
        "the "
        "load everywhere, while slip across it is not quite zero (of the order nu / (4 - 2 nu) of the slip). The "
-       "tangent is exact for the discrete problem: 1e-6.",                                                 mindlin },
+       "tangent is exact for the discrete problem: 1e-6.",                                                  mindlin },
       {"cgs4-wedge",     "verification",
        "Elastic block on a rigid incline of tan 0.1, pushed up by an imposed motion under its weight until it "
        "slides. "
@@ -246,7 +246,7 @@ std::vector<Case> friction_cases()
        "push is the reaction to the motion.",                                                              "equilibrium of a sliding block, (tan a + mu)/(1 - mu tan a); NAFEMS CGS-4",
        "0.01 %: the limit is a matter of equilibrium and exact for any discretisation; the reference is rounded "
        "to "
-       "six digits.",                                                                                      wedge   },
+       "six digits.",                                                                                       wedge   },
   };
 }
 }  // namespace mill::verify

@@ -258,7 +258,8 @@ std::vector<Case> stand_model_cases()
   add("stand-beam-energies", "The same stand: kinetic energy of frame, backup groups and work rolls in each mode.",
       program + "detailed.energy)", rounding, beam_energies);
   add("stand-beam-static",
-      "The same stand under a bite force of 1 N, strip as wide as the barrel; for comparison the springs in series and "
+      "The same stand under a bite force of 1 N, strip as wide as the barrel; for comparison the springs in "
+      "series and "
       "the order in which frequencies converge with the mesh.",
       program + "detailed.static)",
       rounding + "; the series springs load the backup roll evenly and let the work roll sink in without bending, "

@@ -117,10 +117,9 @@ TEST(BandwidthWarning, NamesTheFrequencyThatTheForceDoesNotReach)
 {
   ForceStatistics s{};
   s.sample_rate = 200, s.bandwidth = 100, s.content = 80;
-  EXPECT_EQ(
-      bandwidth_warning(s, 745.8),
-      "the rolling force is sampled at 200 Hz and contains nothing above 100 Hz, but the highest mode is at 745.8 Hz: "
-      "the accelerations of that mode are missing, not small");
+  EXPECT_EQ(bandwidth_warning(s, 745.8), "the rolling force is sampled at 200 Hz and contains nothing above 100 "
+                                         "Hz, but the highest mode is at 745.8 Hz: "
+                                         "the accelerations of that mode are missing, not small");
   s.sample_rate = 10e3, s.bandwidth = 5e3, s.content = 500;
   EXPECT_EQ(bandwidth_warning(s, 745.8),
             "the content of the rolling force ends near 500 Hz, below the highest mode at "

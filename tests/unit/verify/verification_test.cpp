@@ -199,7 +199,8 @@ TEST(Selecting, TakesNamesInTheirOrderAndNamesTheNearest)
     FAIL() << "an unknown name was taken";
   } catch (const InputError &e) {
     ASSERT_EQ(e.problems.size(), 1u);
-    EXPECT_EQ(e.problems[0].message, "no verification case has the name 'crown-pair'; did you mean 'crowned-pair'?");
+    EXPECT_EQ(e.problems[0].message,
+              "no verification case has the name 'crown-pair'; did you mean 'crowned-pair'?");
   }
   EXPECT_TRUE(contains(list_text(all), "love-patch    unit          A spring.\n"));
 }
