@@ -198,10 +198,10 @@ double write_sweep(RunContext &run, const SpaceRun &s)
   curve.iterations.resize(n);
   Eigen::VectorXd approach(n), tangent(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const double load      = curve.load[i];
-    const SpaceAnswer a    = solve_in_space(s.shape, load, c.tilt, std::max(6, c.rectangles / 2));
-    curve.approach[i]      = a.state.approach;
-    curve.half_width[i]    = a.half_width;
+    const double load   = curve.load[i];
+    const SpaceAnswer a = solve_in_space(s.shape, load, c.tilt, std::max(6, c.rectangles / 2), SpaceRows::graded);
+    curve.approach[i]   = a.state.approach;
+    curve.half_width[i] = a.half_width;
     curve.peak_pressure[i] = a.peak_pressure;
     curve.tangent[i]       = a.tangent;
     curve.secant[i]        = load / a.state.approach;
@@ -309,8 +309,8 @@ void solve_space(RunContext &run, const TwoCylinders &pair)
   const auto &c = pair.space;
   SpaceRun s{pair, space_shape(pair), {}, {}, false, false};
   s.point    = s.shape.is_point(c.at, c.tilt);
-  s.fine     = solve_in_space(s.shape, c.at, c.tilt, c.rectangles);
-  s.coarse   = solve_in_space(s.shape, c.at, c.tilt, c.rectangles / 2);
+  s.fine     = solve_in_space(s.shape, c.at, c.tilt, c.rectangles, SpaceRows::refined);
+  s.coarse   = solve_in_space(s.shape, c.at, c.tilt, c.rectangles / 2, SpaceRows::refined);
   s.singular = singular_end(s.shape, s.coarse, c.tilt);
   add_scalars(run, s);
   add_edges(run, s);
