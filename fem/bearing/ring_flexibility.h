@@ -8,7 +8,7 @@
 namespace mill::fem {
 struct RingOptions {
   int modes           = 3;     ///< Legendre polynomials along a roller
-  int chock_harmonics = 8;     ///< for which a block is told from a round housing
+  int chock_harmonics = 8;     ///< for which a block differs from a round housing
   int last_harmonic   = 80;    ///< at which the series ends at the latest
   double share        = 1e-4;  ///< -, of the sum, below which harmonics are left out
 };

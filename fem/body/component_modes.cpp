@@ -8,7 +8,7 @@
 
 namespace mill::fem {
 namespace {
-// T and M of a part in units that make eigenvalues of order one, whatever size and unit the body is given in.
+// T and M of a part in units that make eigenvalues of order one, for every size and unit of the body.
 struct ScaledPart {
   const PartModel *part;
   double force, mass;  // N/m, kg

@@ -10,7 +10,7 @@ namespace mill::fem {
 namespace {
 enum Component { u_r = 0, u_theta = 1, u_z = 2 };
 
-// Group of the mesh, empty if it has none of that name.
+// Group of the mesh, empty if it has no group of that name.
 std::vector<int> group_or_none(const SectionBody &body, const std::string &name)
 {
   try {

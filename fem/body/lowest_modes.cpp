@@ -50,7 +50,7 @@ LowestModes lowest_modes(const std::string &what, const SymmetricOperator &T, co
   if (found < n_modes || solver.info() != Spectra::CompInfo::Successful)
     throw SolverError({std::to_string(found) + " of " + std::to_string(n_modes) + " " + what + " converged",
                        "after " + std::to_string(solver.num_iterations()) + " restarts of the Lanczos iteration",
-                       "more modes than the mesh can tell apart", "ask for fewer modes or use a finer mesh", ""});
+                       "more modes than the mesh can distinguish", "ask for fewer modes or use a finer mesh", ""});
   out.frequency = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
   out.shapes    = solver.eigenvectors();
   for (int k = 0; k < n_modes; ++k)  // once more through T: what rounding put outside its range goes

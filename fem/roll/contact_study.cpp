@@ -195,7 +195,7 @@ ContactPair make_pair(const std::string &name, const CondensedRoll &first, const
   moved << 1, 0, -shift, 1;
   pair.problem.W =
       along_stations(link.slave, a.support, n_x) + along_stations(link.master, b.support * moved, n_x);
-  // Multipliers act on each roll by the transposed coupling, and its axis counts at the stations of the pair.
+  // Multipliers act on each roll by the transposed coupling, and its axis is read at the stations of the pair.
   const auto axis_of = [&](const contact::Coupling::Sparse &T, const Eigen::MatrixXd &axis) {
     return along_stations(T, along_stations(T, axis.transpose(), n_x).transpose(), 1);
   };

@@ -136,7 +136,7 @@ double roll_reach(const ElasticBody &body, const RollGeometry &g, const Material
 }
 
 namespace {
-// The outside of the eighth: corners of the faces of every group that is no plane of symmetry.
+// The outside of the eighth: corners of the faces of every group that is not a plane of symmetry.
 ComponentSurface outside(const ElasticBody &body, const bool neck, const ComponentBasis &basis)
 {
   ComponentSurface out;

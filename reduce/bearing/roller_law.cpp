@@ -27,7 +27,7 @@ double plane_flexibility(const RollerBearing &b, const double line_load, const R
 {
   const double load = line_load * b.roller_length;
   return (elastic_roller(b, load, depth.inner).approach + elastic_roller(b, load, depth.outer).approach) /
-         (2 * line_load);  // each call counts both contacts at one depth, and depth enters by its logarithm
+         (2 * line_load);  // each call takes both contacts at one depth, and depth enters by its logarithm
 }
 
 /// Newton inside a bracket: the load never falls with the approach.

@@ -38,7 +38,7 @@ Keys as_drawn(const Keys &keys, const FourHigh &stand)
     if (stand.housing.present() && (key.find("frame.upper_post_") == 0 || key.find("frame.upper_beam_") == 0 ||
                                     key.find("frame.lower_post_") == 0 || key.find("frame.lower_beam_") == 0))
       return housing_keys(stand.housing, key.find("_mass") != std::string::npos);
-    // A backup bearing that counts its chock has put it out of the chain.
+    // A backup bearing that contains its chock has taken it out of the chain.
     if ((key == "frame.upper_chock_stiffness" && std::isinf(stand.frame.upper_chock_stiffness)) ||
         (key == "frame.lower_chock_stiffness" && std::isinf(stand.frame.lower_chock_stiffness)))
       return {};

@@ -16,7 +16,7 @@ namespace {
 /// M1..M6, then K1..K7.
 using ChainValues = std::array<double, 13>;
 
-/// What the chain is made of beside the drawing.  N/m
+/// What the chain needs in addition to the drawing.  N/m
 struct ChainNumbers {
   double K3 = 0, K4 = 0, K5 = 0, K_Zy_upper = 0, K_Zy_lower = 0;
   double K_ZW = not_given, K1 = not_given, K7 = not_given;  ///< given ones; absent: from the drawing
@@ -104,7 +104,7 @@ ChainValues chain_values(const FourHigh &stand, const ChainNumbers &n, const Rol
 
 /// An input of the chain that may be off.
 struct UncertainInput {
-  double error;  ///< -, relative; NaN: nobody says
+  double error;  ///< -, relative; NaN: not stated
   Keys lacks;    ///< what would say it
   std::function<void(FourHigh &, ChainNumbers &, double)> scale;
 };
@@ -168,7 +168,7 @@ std::string mass_method(const std::size_t i, const std::string &reference)
   return "kinetic energy of the static shape, " + reference + " reference";
 }
 
-/// The other reference beside the chosen one: how much the choice of the reference point moves a mass.
+/// The other reference compared with the chosen one: how much the choice of the reference point moves a mass.
 Check other_reference(const std::size_t i, const std::string &chosen, const ChainValues &other)
 {
   const std::string name = chosen == "mean" ? "mid-span" : "mean";
@@ -211,7 +211,7 @@ Parameter damper(const FourHigh &stand)
   return given_or(stand, "C", none);
 }
 
-/// K_ZW as the chain has it, with the other model of the roll beside it.
+/// K_ZW as the chain has it, compared with the other model of the roll.
 Parameter bending_of(const FourHigh &stand, const ChainInputs &in, const Rolls &rolls)
 {
   const std::string &reference = stand.dynamics.mass_reference;
@@ -287,7 +287,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
   uncertain.push_back(spring(&ChainNumbers::K_Zy_lower, "K_Zy_lower", result.K_Zy_lower));
   if (!inputs.solid || stand.given.count("K_ZW"))  // else by the change of all shapes together
     uncertain.push_back(spring(&ChainNumbers::K_ZW_factor, "K_ZW", result.K_ZW));
-  const auto fills = [&](const std::string &name) {  // a given spring that represents parts nobody drew
+  const auto fills = [&](const std::string &name) {  // a given spring that represents parts that are not drawn
     const Frame &f = stand.frame;
     return name == "K2" ? std::isnan(f.oil_column_stiffness) || std::isnan(f.cylinder_body_stiffness) ||
                               std::isnan(f.upper_chock_stiffness)

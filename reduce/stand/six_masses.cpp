@@ -45,7 +45,7 @@ double loaded_mean(const StandModel &stand, const std::string &foundation, const
   return otherwise;
 }
 
-/// Place of the chain that the energy of unknown i counts for.
+/// Place of the chain to which the energy of unknown i belongs.
 int place_of_unknown(const StandModel &stand, const Eigen::Index i)
 {
   const int place = place_of_part(stand.parts[std::size_t(stand.part_of[std::size_t(i)])]);
@@ -166,7 +166,7 @@ LumpedModel with_six_masses(LumpedModel chain, const SixMasses &values, const st
   for (std::size_t i = 0; i < 6; ++i)
     set(chain.M[i], values.M[i]);
   for (std::size_t i = 0; i < 7; ++i)
-    if (i != 3)  // the bite is no part of the stand
+    if (i != 3)  // the bite does not belong to the stand
       set(chain.K[i], values.K[i]);
   return chain;
 }

@@ -120,7 +120,7 @@ Eigen::MatrixXd mac_with_chain(const StandWithModes &stand, const StandWithModes
 
 Eigen::MatrixXd mac_between(const StandWithModes &other, const StandWithModes &beam)
 {
-  // A mass that a beam carries counts with its own displacement, which another model may know apart from the
+  // A mass that a beam carries has its own displacement, which another model may know apart from the
   // seat's.
   const auto &carried  = beam.model.carried;
   const Eigen::Index n = beam.model.M.rows(), c = Eigen::Index(carried.size());
@@ -194,7 +194,7 @@ ChainVerdict chain_verdict(const StandWithModes &detailed, const StandWithModes 
     say.push_back(title + " has no mode" + range + ".");
     return verdict;
   }
-  say.push_back(shown.empty() ? "Six masses are right to 5 % for none of the " + std::to_string(below) +
+  say.push_back(shown.empty() ? "Six masses are right to 5 % for no mode of the " + std::to_string(below) +
                                     " modes of " + title + range + "."
                               : "Six masses are right to " + percent(worst_right) + " for " +
                                     std::to_string(shown.size()) + " of the " + std::to_string(below) +

@@ -13,7 +13,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace {
-constexpr double touching = 1e-6;  // roll pressure over the unit of stress that counts as contact
+constexpr double touching = 1e-6;  // roll pressure over the unit of stress that is taken as contact
 
 // Stress (deviatoric) and strain of a row at its upstream face, its first and its last Radau point.
 std::array<std::array<double, 4>, 3> row_values(const ElasticGrid &grid, const ElasticEquations &e,

@@ -30,7 +30,7 @@ constexpr double start_tolerance = 1e-2;
 constexpr int picard_steps       = 6;
 
 // Length to which predicted directions are cut, by the residual; 0.7 where a level begins.  A direction of length
-// one cannot leave the yield surface, whatever the step: points that are to become rigid need it shorter, and as
+// one cannot leave the yield surface, for any step: points that are to become rigid need it shorter, and as
 // the residual goes to zero it may not disturb the quadratic convergence.
 double longest_direction(const double residual)
 {

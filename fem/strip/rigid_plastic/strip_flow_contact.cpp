@@ -147,7 +147,7 @@ FlattenedArc flattened_arc(const StripPass &pass, const StripGrid &grid, const E
   const int n = grid.last - grid.first + 1, m = int(at.size());
   const Place entry = Place::variable(unknowns[grid.whole(Whole::entry)], 0);
   const Place exit  = Place::variable(unknowns[grid.whole(Whole::exit)], 1);
-  std::vector<Place> place(n);  // towards the entry, as the flexibility counts: falls with the spine
+  std::vector<Place> place(n);  // towards the entry, in the order of the flexibility: falls with the spine
   Eigen::VectorXd pressure(n);
   for (int i = 0; i < n; ++i) {
     place[i]    = -spine_place(grid, grid.first + i, entry, exit);

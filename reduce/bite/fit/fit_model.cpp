@@ -71,7 +71,7 @@ Eigen::Vector3d measured_value(const RollBite &bite, const CircularBite &s)
 // A law of factors has no coefficient to differentiate by: a central difference on the arc as it is.
 Eigen::Vector3d by_factors(const RollBite &bite, const double radius, const CircularBite &s)
 {
-  constexpr double step = 1e-4;  // third derivatives of order one: an error of 1e-9 beside rounding of 1e-7
+  constexpr double step = 1e-4;  // third derivatives of order one: an error of 1e-9, next to rounding of 1e-7
   KarmanOptions quick;
   quick.derivatives = false;
   quick.points      = 0;
@@ -93,7 +93,7 @@ FitUnknown fit_unknown(const std::string &name)
   for (const FrictionConstant &constant : friction_constants())
     if (name == constant.key)
       return {Role::constant, name, constant.member};
-  throw InputError("bite.fit_for knows no '" + name + "'");
+  throw InputError("bite.fit_for must be friction, flow_stress or a constant of the friction law, not '" + name + "'");
 }
 
 Strip with_factors(Strip strip, const std::vector<FitUnknown> &unknowns, const Eigen::VectorXd &log_factors)

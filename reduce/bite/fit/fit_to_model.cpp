@@ -97,7 +97,7 @@ std::vector<Eigen::Vector3d> model_near(const PassModel &model, const FitProblem
 // With much friction the slab sticks everywhere and no longer depends on it, whatever the model does.
 bool slab_is_flat(const FitPoint &point)
 {
-  return !point.at_edge && directions_of(point).front().deviation > told_apart;
+  return !point.at_edge && directions_of(point).front().deviation > identified_within;
 }
 
 VectorXd residual_of(const FitProblem &problem, const std::vector<Eigen::Vector3d> &by_model)

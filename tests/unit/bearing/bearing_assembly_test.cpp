@@ -224,7 +224,8 @@ TEST(BearingAssembly, EndPlayIsClearance)
   RingLoading axial;
   axial.value << 0, 0, 1, 0, 0;
   axial.prescribed = {true, true, false, true, true};
-  EXPECT_NEAR(BearingAssembly(rigid_model(play)).solve(axial).motion[2], 0.1e-3, 1e-7);
+  EXPECT_TRUE(near(BearingAssembly(rigid_model(play)).solve(axial).motion[2], 0.1e-3,
+                   within_absolute(1e-7, "half the end play, found on a grid of the search")));
 }
 
 TEST(BearingAssembly, HandsDecideWhichRowsCarryAxially)
@@ -273,7 +274,8 @@ TEST(BearingAssembly, ATurnPressesByItsFullMoment)
       const double psi = state.azimuth[j];
       const Eigen::Vector3d p(R * std::cos(psi), R * std::sin(psi), (r - 1.5) * b.width / 4),
           n(std::cos(a) * std::cos(psi), std::cos(a) * std::sin(psi), hand[r] * std::sin(a));
-      EXPECT_NEAR(state.roller_approach(r, j), Eigen::Vector3d(1e-4, 2e-4, 0).dot(p.cross(n)), 1e-15);
+      EXPECT_TRUE(near(state.roller_approach(r, j), Eigen::Vector3d(1e-4, 2e-4, 0).dot(p.cross(n)),
+                       within_absolute(1e-15, "rounding of 1e-4 rad times half a metre")));
     }
 }
 
@@ -284,9 +286,11 @@ TEST(CageVariation, OverOnePitch)
   const auto spread = [](const CageVariation &v) {
     return 100 * (v.tangent.maxCoeff() / v.tangent.minCoeff() - 1);
   };
-  EXPECT_NEAR(spread(cage_variation(rigid_model(b), radial_drive(1e6), 16)), 0.01, 0.005);
+  EXPECT_TRUE(near(spread(cage_variation(rigid_model(b), radial_drive(1e6), 16)), 0.01,
+                   within_absolute(0.005, "printed with two decimals")));
   b.radial_clearance = 1e-4;
-  EXPECT_NEAR(spread(cage_variation(rigid_model(b), radial_drive(1e6), 16)), 1.7, 0.06);
+  EXPECT_TRUE(near(spread(cage_variation(rigid_model(b), radial_drive(1e6), 16)), 1.7,
+                   within_absolute(0.06, "printed with one decimal")));
   const auto elastic = cage_variation(elastic_model(4), radial_drive(1e6), 4);
   EXPECT_EQ(elastic.angle.size(), 4);
   EXPECT_LT(spread(elastic), 5);

@@ -1,4 +1,4 @@
-// Life and static safety from rollers that are solved, beside what closed forms say of them.
+// Life and static safety from rollers that are solved, compared with closed forms.
 #include "reduce/bearing/rating_life.h"
 #include "reduce/bearing/ratings.h"
 #include "reduce/bearing/roller_set.h"

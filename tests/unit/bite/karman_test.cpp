@@ -269,7 +269,9 @@ TEST(Karman, CurvesAlongTheArc)
 {
   for (const Theory theory : {Theory::karman, Theory::orowan}) {
     const BiteState s = solve_karman(cold_pass(), theory, Arc::rigid, nullptr);
-    EXPECT_NEAR(static_cast<double>(s.position.size()), 200, 1) << "points asked for";
+    EXPECT_TRUE(near(static_cast<double>(s.position.size()), 200,
+                     within_absolute(1, "one point more or less at the neutral point")))
+        << "points asked for";
     EXPECT_TRUE(near(s.position[0], 0, within(1e-12, "exit on the line of centres", s.arc_length)));
     EXPECT_TRUE(near(s.position[s.position.size() - 1], s.arc_length, within(1e-12, "entry")));
     double force = 0;
@@ -333,7 +335,7 @@ TEST(Karman, RefusalsWordForWord)
                                                          "= 0 MPa and strip.exit_tension = 5 MPa; use karman or "
                                                          "orowan");
   EXPECT_EQ(refusal([&] { solve(demo_pass(), Theory::orowan, Arc::elastic); }),
-            "the elastic arc is known to the theory karman only: the pressure along an arc that is no circle is "
+            "the elastic arc is known to the theory karman only: the pressure along an arc that is not a circle is "
             "integrated "
             "with it");
 }

@@ -346,7 +346,7 @@ TEST(DynamicForce, OfAStrip)
   // 610 Hz, span 1 m: the constant 552 mm2/s needs n a0 = 0.48 mm.
   const double omega = 2 * M_PI * 610;
   EXPECT_TRUE(
-      near(strip_constant({1, 0.48e-3, 1}, omega), 552e-6, within(0.02, "0.48 is rounded, its square counts")));
+      near(strip_constant({1, 0.48e-3, 1}, omega), 552e-6, within(0.02, "0.48 is rounded and enters by its square")));
   EXPECT_TRUE(near(strip_constant({1, 0.24e-3, 2}, omega), strip_constant({1, 0.48e-3, 1}, omega),
                    within(1e-14, "mode times amplitude")));
   // Wave speed of the strip, 221 to 230 m/s at the exit tensions of the schedule.
@@ -436,7 +436,7 @@ TEST(Schedule, PutsThePassesTogether)
       EXPECT_TRUE(near(p.friction, expected["mu_needed"][i], roots));
       EXPECT_GT(p.blind_force, 0) << "a law of the two others exists";
     }
-    EXPECT_TRUE(std::isnan(law.passes[1].blind_force)) << "pass 2 is no part of the fit";
+    EXPECT_TRUE(std::isnan(law.passes[1].blind_force)) << "pass 2 does not belong to the fit";
   }
   ASSERT_EQ(record.dynamics.size(), 2u);
   EXPECT_TRUE(near(record.dynamics[0].common, cluster("P_d.unflattened.common_G"), roots));
