@@ -27,7 +27,7 @@ struct RingResult {
 };
 
 /// How far rings, neck and chock deflect under the rollers beyond the raceway pieces that the law of one roller
-/// counts. Bodies of revolution by one factorisation per harmonic; the block by one per symmetry case.  theory.md
+/// contains. Bodies of revolution by one factorisation per harmonic; the block by one per symmetry case. theory.md
 /// 15
 /// @param meshes  of these sections
 /// @param coarse  a coarser set, for companion and error estimate; null: none (error_estimate 0)

@@ -202,7 +202,7 @@ double smooth_tangent(const double load, const std::function<double(double)> &ap
 
 double HalfSpaceContact::tangent(const double load)
 {
-  return smooth_tangent(load, [&](const double at) { return at_load(at).approach; });
+  return smooth_tangent(load, [&](const double one_load) { return at_load(one_load).approach; });
 }
 
 bool has_singular_end(const HalfSpaces &bodies, const QuarterGrid &grid, const GapShape &gap, const double load)

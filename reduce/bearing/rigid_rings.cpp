@@ -113,9 +113,9 @@ double equilibrium(const RigidRings &rings, const double load)
       high   = beyond(rings, load);
   double x   = high;
   for (int i = 0; i < 200; ++i) {
-    const RadialForce at           = bearing_force(rings, x);
-    (at.force > load ? high : low) = x;
-    double next                    = x - (at.force - load) / at.stiffness;
+    const RadialForce roller_state           = bearing_force(rings, x);
+    (roller_state.force > load ? high : low) = x;
+    double next                              = x - (roller_state.force - load) / roller_state.stiffness;
     if (!(next > low && next < high))
       next = (low + high) / 2;
     if (std::abs(next - x) <= 4e-16 * high || next == low || next == high)

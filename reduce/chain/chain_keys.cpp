@@ -24,8 +24,8 @@ Keys housing_keys(const MillHousing &housing, const bool mass)
   const Keys shape =
       keys_in("housing", "thickness post_width window_width window_height upper_beam_height lower_beam_height "
                          "fillet_radius foot_height screw_pad seat_pad youngs_modulus");
-  const auto of_rolls = [](const double own, const char *key) {
-    return std::isnan(own) ? Keys{std::string("steel.") + key} : Keys{};
+  const auto of_rolls = [](const double given_by_roll, const char *key) {
+    return std::isnan(given_by_roll) ? Keys{std::string("steel.") + key} : Keys{};
   };
   return joined(shape, of_rolls(housing.modulus, "youngs_modulus"), Keys{"steel.poisson_ratio"},
                 mass ? joined(Keys{"housing.density"}, of_rolls(housing.density, "density")) : Keys{});

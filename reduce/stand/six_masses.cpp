@@ -35,12 +35,12 @@ double loaded_mean(const StandModel &stand, const std::string &foundation, const
   for (const Connection &c : stand.connections) {
     if (c.name != foundation)
       continue;
-    Eigen::VectorXd own = y;
+    Eigen::VectorXd shape_vector = y;
     for (Eigen::Index i = 0; i < y.size(); ++i)
       if (stand.parts[std::size_t(stand.part_of[std::size_t(i)])] != part)
-        own[i] = 0;
+        shape_vector[i] = 0;
     const Eigen::VectorXd force = c.stiffness.cwiseProduct(c.rows * y);
-    return std::copysign(force.dot(c.rows * own) / force.sum(), otherwise);
+    return std::copysign(force.dot(c.rows * shape_vector) / force.sum(), otherwise);
   }
   return otherwise;
 }
@@ -139,12 +139,12 @@ SixMasses six_masses(const StandModel &stand, const std::vector<Rider> &riders, 
     moving[5] += (1 - upper_share) * energy;
   }
   for (const Rider &rider : riders) {
-    const auto at = std::find_if(path.points.begin(), path.points.end(),
-                                 [&](const StandPoint &p) { return p.name == rider.point; });
-    if (at == path.points.end())
+    const auto match = std::find_if(path.points.begin(), path.points.end(),
+                                    [&](const StandPoint &p) { return p.name == rider.point; });
+    if (match == path.points.end())
       throw InputError("stand model \"" + stand.name + "\" has no point \"" + rider.point + "\" for the " +
                        rider.name);
-    const double energy = rider.mass * std::pow(at->row.dot(y), 2);
+    const double energy = rider.mass * std::pow(match->row.dot(y), 2);
     moving[std::size_t(rider.from)] -= energy;
     moving[std::size_t(rider.to)] += energy;
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace mill::reduce {
-/// Relative error of a frequency up to which a mode counts as shown rightly.
+/// Relative error of a frequency up to which a mode is shown rightly.
 inline constexpr double right_frequency = 0.05;
 
 /// A stand model with its modes.

@@ -176,9 +176,10 @@ private:
     remedy = "a rigid-plastic strip has a pressure step at both ends, which an elastic roll answers to with an "
              "infinite slope: take the elastic-plastic strip, or Hitchcock's circle";
   if (pass.flexibility) {
-    const auto &at = pass.flexibility->position;
-    remedy += "; the flexibility given reaches from " + short_number(at[0] * 1e3, 3) + " to " +
-              short_number(at[at.size() - 1] * 1e3, 3) + " mm from the line of centres, the contact had come to " +
+    const auto &result = pass.flexibility->position;
+    remedy += "; the flexibility given reaches from " + short_number(result[0] * 1e3, 3) + " to " +
+              short_number(result[result.size() - 1] * 1e3, 3) +
+              " mm from the line of centres, the contact had come to " +
               short_number(-c.u[c.grid.whole(Whole::exit)] * pass.length * 1e3, 3) + " to " +
               short_number(-c.u[c.grid.whole(Whole::entry)] * pass.length * 1e3, 3) + " mm";
   }

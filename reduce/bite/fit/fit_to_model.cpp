@@ -94,7 +94,7 @@ std::vector<Eigen::Vector3d> model_near(const PassModel &model, const FitProblem
   }
   refuse("the model has no answer between one round and the next: " + message);
 }
-// With much friction the slab sticks everywhere and no longer depends on it, whatever the model does.
+// With much friction the slab sticks everywhere and no longer depends on it, even if the model does.
 bool slab_is_flat(const FitPoint &point)
 {
   return !point.at_edge && directions_of(point).front().deviation > identified_within;

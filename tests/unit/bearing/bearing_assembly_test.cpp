@@ -248,7 +248,7 @@ TEST(BearingAssembly, HandsDecideWhichRowsCarryAxially)
 }
 
 // The roller at 90 deg is pressed by the rounding of its cosine; 40 rollers have 19 between -81 and 81 deg.
-TEST(BearingAssembly, ARollerAtRightAnglesDoesNotCount)
+TEST(BearingAssembly, RollerAtRightAnglesCarriesNothing)
 {
   RollerBearing b   = demo_bearing(20);
   b.rollers_per_row = 40;
@@ -310,7 +310,7 @@ TEST(BearingAssembly, CentrifugalForceHoldsTheLeastLoad)
   EXPECT_GT(state.roller_load.maxCoeff(), still.roller_load.maxCoeff());
 }
 
-TEST(BearingAssembly, SaysWhyThereIsNoState)
+TEST(BearingAssembly, ReportsWhyEquilibriumFails)
 {
   RollerBearing single = demo_bearing(20);
   single.rows          = 1;
@@ -346,19 +346,19 @@ TEST(BearingAssembly, CurveKeepsWhatConverged)
 {
   RollerBearing single = demo_bearing(20);
   single.rows          = 1;
-  const auto at        = [](double radial, double axial) {
+  const auto value_at  = [](double radial, double axial) {
     RingLoading loading;
     loading.value << radial, 0, axial, 0, 0;
     loading.prescribed = {false, false, false, true, true};
     return loading;
   };
-  const auto curve =
-      BearingAssembly(rigid_model(single)).curve({at(1e5, 1e5), at(2e5, 1e5), at(2e5, 0), at(1e5, 1e5)});
+  const auto curve = BearingAssembly(rigid_model(single))
+                         .curve({value_at(1e5, 1e5), value_at(2e5, 1e5), value_at(2e5, 0), value_at(1e5, 1e5)});
   EXPECT_EQ(curve.states.size(), 2u);
   ASSERT_TRUE(curve.failure);
   EXPECT_NE(curve.failure->what.find("F_x = 200 kN"), std::string::npos);
   EXPECT_EQ(curve.failure->kept, "2 of 4 states");
-  EXPECT_FALSE(BearingAssembly(rigid_model(single)).curve({at(1e5, 1e5)}).failure);
+  EXPECT_FALSE(BearingAssembly(rigid_model(single)).curve({value_at(1e5, 1e5)}).failure);
 }
 
 TEST(BearingAssembly, AnyMixOfLoadsConverges)

@@ -102,13 +102,13 @@ TEST(OilFilm, AgreesWithTheReference)
     EXPECT_TRUE(near(r.sommerfeld, entry.at("S").get<double>(), within(1e-3, "two grids against two grids")));
     EXPECT_TRUE(near(r.attitude / degree, entry.at("attitude_deg").get<double>(),
                      within_absolute(0.05, "tenths of a degree are printed")));
-    const double own = misses_turn(k, entry.at("attitude_deg").get<double>() * degree, e).norm();
+    const double own_misfit = misses_turn(k, entry.at("attitude_deg").get<double>() * degree, e).norm();
     for (int i = 0; i < 4; ++i) {
       EXPECT_TRUE(near(r.stiffness(i / 2, i % 2), k(i / 2, i % 2),
-                       within_absolute(0.03 * std::abs(k(i / 2, i % 2)) + own,
+                       within_absolute(0.03 * std::abs(k(i / 2, i % 2)) + own_misfit,
                                        "two grids, and the deviation of the table from its own balance")));
       EXPECT_TRUE(near(r.damping(i / 2, i % 2), b(i / 2, i % 2),
-                       within_absolute(0.03 * std::abs(b(i / 2, i % 2)) + own,
+                       within_absolute(0.03 * std::abs(b(i / 2, i % 2)) + own_misfit,
                                        "two grids, and the deviation of the table from its own balance")));
     }
   }
@@ -369,7 +369,7 @@ TEST(OilFilm, ViscosityFollowsWalther)
                InputError);
 }
 
-TEST(OilFilm, ClosedFormsRefuseWhatIsNoEccentricity)
+TEST(OilFilm, ClosedFormsRefuseAnInvalidEccentricity)
 {
   EXPECT_THROW(ocvirk_force(1, 1.2), InputError);
   EXPECT_THROW(ocvirk_coefficients(0), InputError);

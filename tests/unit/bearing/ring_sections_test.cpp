@@ -149,7 +149,7 @@ TEST(RingSections, RefusesALandForWhichThereIsNoRoom)
   expect_says(message([](auto &) {}, datum), {"depth", "positive"});
 }
 
-TEST(ChockSupports, AreThoseThatNobodyRuledOut)
+TEST(ChockSupports, AreAllThatTheCaseAllows)
 {
   const auto names = [](const RollerBearing &b) {
     std::string all;

@@ -31,7 +31,7 @@ TEST(RollerLaw, IsoConstantAndApproach)
 }
 
 // 3.84e-5 Q^0.9 / l^0.8 belongs to one contact; read as the whole roller the stiffness doubles.
-TEST(RollerLaw, PalmgrenCountsBothContacts)
+TEST(RollerLaw, PalmgrenApproachIncludesBothContacts)
 {
   EXPECT_TRUE(
       near(roller_constant("palmgren", 0.0334), reference("bearing.Kn"), within(1e-12, "same closed form")));
@@ -59,7 +59,7 @@ TEST(RollerLaw, SumOverLaminaeIsTheWholeRoller)
 
 // Elastic half-planes (Johnson 1985, ch. 5), E 206 GPa, nu 0.3, raceways held 12 mm deep: columns load kN,
 // approach um, roller part um, half widths mm, peak pressures MPa (inner, outer).
-TEST(RollerLaw, ElasticRollerStandsBesideTheStandard)
+TEST(RollerLaw, ElasticRollerIsComparedWithTheStandard)
 {
   const double table[6][7] = {
       {1,   2.00,   1.02,  0.058, 0.062, 328,  306 },
@@ -149,7 +149,7 @@ TEST(RollerLaw, CrownIsACircleAndTiltLoadsOneEnd)
       near(roller_load(flat, d, tilt).load, roller_load(flat, d, -tilt).load, within(1e-14, "symmetric roller")));
 }
 
-TEST(RollerLaw, RefusesWhatItDoesNotKnow)
+TEST(RollerLaw, RefusesUnknownLawsAndProfiles)
 {
   EXPECT_THROW(roller_constant("hertz", 0.03), InputError);
   EXPECT_THROW(roller_law(bearing_with("iso", "barrel")), InputError);

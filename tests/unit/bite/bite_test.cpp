@@ -373,7 +373,7 @@ TEST(BiteStiffness, IsTheSlopeOfTheForce)
 }
 
 // Least friction of the first message: ln(8/5) / (2 sqrt(210/5) atan(sqrt(3/5))) = 0.0550206.
-TEST(BiteErrors, SayWhatIsWrong)
+TEST(BiteErrors, ReportInvalidInput)
 {
   RollBite bite                   = demo_pass();
   bite.strip.friction.coefficient = 0.02;
@@ -431,7 +431,7 @@ TEST(BiteErrors, FrictionAtTheStatedLimitIsEnough)
   EXPECT_NE(message_of(bite), "accepted");
 }
 
-TEST(BiteNotes, FlagWhatTheModelDoesNotKnow)
+TEST(BiteNotes, WarnOutsideTheRangeOfTheModel)
 {
   EXPECT_TRUE(solve_bite(demo_pass()).notes.empty());
   RollBite bite                   = demo_pass();

@@ -135,10 +135,11 @@ TEST(SlabNotes, FarFlattenedRoll)
   bite.strip.flow_stress.k        = 1.53e9;
   const BiteState state           = solve_slab(bite, {Theory::bland_ford, Arc::hitchcock});
   EXPECT_GT(state.flattened_radius / bite.roll_radius, 5);
-  bool said = false;
+  bool message = false;
   for (const std::string &note : state.notes)
-    said = said || note.find("is beyond 5, where Hitchcock's circular arc no longer holds") != std::string::npos;
-  EXPECT_TRUE(said);
+    message =
+        message || note.find("is beyond 5, where Hitchcock's circular arc no longer holds") != std::string::npos;
+  EXPECT_TRUE(message);
 }
 
 TEST(SlabNotes, NoFlattenedRadiusInWords)
@@ -184,7 +185,7 @@ TEST(Flattening, FirstRootOfAnyRisingForce)
   EXPECT_LE(flattened_arc(bite, force_for([](double r) { return 1.5 + 0.05 * r * r; })).evaluations, 9);
 }
 
-TEST(Flattening, FarAwayForcesAreNoNumbers)
+TEST(Flattening, ForcesFarFromTheRootMayBeNan)
 {
   const RollBite bite = demo_pass();
   EXPECT_THROW(flattened_arc(bite, [](double) { return not_given; }), SolverError);

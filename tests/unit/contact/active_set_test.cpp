@@ -233,7 +233,7 @@ TEST(ActiveSet, NodesThatTouchWithoutForceAreNoTrouble)
   EXPECT_LE(s.residual, 1e-15);
 }
 
-TEST(ActiveSet, SaysWhatCannotBe)
+TEST(ActiveSet, RefusesLoadsWithoutEquilibrium)
 {
   const auto p = rough(60, 2, 3);
   ActiveSet solver(p);

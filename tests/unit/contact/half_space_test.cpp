@@ -221,7 +221,7 @@ TEST(Influence, OfALongRectangleIsThatOfAStrip)
   }
 }
 
-TEST(Influence, RefusesWhatIsNoBody)
+TEST(Influence, RefusesInvalidBodiesAndRectangles)
 {
   EXPECT_THROW(half_spaces(rigid_material(), rigid_material()), InputError);
   EXPECT_THROW(half_spaces({-1, 0.3, 0}, steel), InputError);
@@ -269,7 +269,7 @@ TEST(MeanPotential, IsTheMeanOfTheKernelAndSymmetric)
                       (4 * n * n);
       const double m = mean_potential(a, b, x, y);
       EXPECT_TRUE(near(m / mean, 1, within(5e-5, "the two-point rule in 40 parts, next to an edge")))
-          << at(b, x, y);  // the two-point rule in 40 parts, beside an edge
+          << at(b, x, y);  // the two-point rule in 40 parts, next to an edge
       EXPECT_TRUE(near(mean_potential(b, a, -x, -y) * a.half_x * a.half_y / (m * b.half_x * b.half_y), 1,
                        within(1e-11, "reciprocity: differences of the fourfold primitive cost digits")))
           << at(b, x, y);
@@ -304,7 +304,7 @@ TEST(GradedEdges, EndWithTheStepAskedForAndGrowTowardsTheMiddle)
   EXPECT_THROW(graded_edges(0.02, 1e-3, 0, 1.3), InputError);
 }
 
-TEST(FitPressure, IsExactForASemiEllipseAndSaysWhenThereIsNone)
+TEST(FitPressure, IsExactForASemiEllipseAndNanWithoutOne)
 {
   std::vector<double> x, p;
   for (int i = 0; i < 8; ++i) {
@@ -403,7 +403,7 @@ TEST(HalfSpaceContact, BothSidesAreTheQuarterTwice)
                    within(1e-9, "a crown that rolls by whole rows is the same system")));
 }
 
-TEST(HalfSpaceContact, SaysWhatIsWrong)
+TEST(HalfSpaceContact, ReportsInvalidInput)
 {
   const QuarterGrid narrow{1e-5, 10, Eigen::VectorXd::LinSpaced(11, 0, 1e-3)};  // 0.1 mm for a contact of 0.4 mm
   EXPECT_THROW(HalfSpaceContact(pair, narrow, sphere).at_load(1000), SolverError);

@@ -174,11 +174,11 @@ TEST_P(SectionDegree, RigidMotionsOfAPlaneSectionCarryNoForce)
 {
   const Grid grid(4, 3, skewed);
   const SectionBody body(grid.mesh, steel, GetParam(), Section::plane_strain);
-  for (const auto &at : std::vector<std::function<Eigen::VectorXd(double, double)>>{
+  for (const auto &position : std::vector<std::function<Eigen::VectorXd(double, double)>>{
            [](double, double) { return Eigen::Vector2d(1, 0); },
            [](double, double) { return Eigen::Vector2d(0, 1); },
            [](double x, double y) { return Eigen::Vector2d(-y, x); }})
-    EXPECT_LT(force_ratio(body.stiffness(), field(body, 2, at)), 1e-14);
+    EXPECT_LT(force_ratio(body.stiffness(), field(body, 2, position)), 1e-14);
 }
 
 TEST_P(SectionDegree, UniformPlaneStrainIsInEquilibriumAndHasItsEnergy)

@@ -306,7 +306,7 @@ TEST(StripFlow, ARollThatDoesNotYieldIsARigidOne)
       near(flow.exit_thickness, b.strip.exit_thickness, within_absolute(1e-12, "m, the gap is given, rounding")));
 }
 
-TEST(StripFlow, AFlexibilityThatIsTooShortIsSaid)
+TEST(StripFlow, ReportsAFlexibilityThatIsTooShort)
 {
   const bite::RollBite b = demo();
   const auto shorter =

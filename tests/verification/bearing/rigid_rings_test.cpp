@@ -28,7 +28,8 @@ RollerBearing crowned(const int slices)
 }
 }  // namespace
 
-// Reference: Palmgren law, cup angle 19.66 deg; its clearance is measured normal to the raceway, the case's radially.
+// Reference: Palmgren law, cup angle 19.66 deg; its clearance is measured normal to the raceway, the case's
+// radially.
 TEST(BearingStiffness, MeetsTheReferenceTable)
 {
   const auto root = within(1e-9, "root found to rounding, closed-form law");
@@ -202,9 +203,9 @@ TEST(BearingStiffness, TangentIsTheSlopeOfTheCurve)
                within(5e-4, "a lamina that comes into contact inside the step bends the curve like d^(1/9)")));
     }
   const double load = 300e3, step = 1e-4 * load;
-  const auto at = [&](double F) { return solve_bearing(tapered("palmgren", 19.66), F).displacement; };
+  const auto value_at = [&](double F) { return solve_bearing(tapered("palmgren", 19.66), F).displacement; };
   EXPECT_TRUE(near(solve_bearing(tapered("palmgren", 19.66), load).tangent,
-                   2 * step / (at(load + step) - at(load - step)),
+                   2 * step / (value_at(load + step) - value_at(load - step)),
                    within(1e-6, "no roller changes its state: central difference, truncation 1e-9")));
 }
 

@@ -96,15 +96,15 @@ TEST(BearingRings, MirroredRowsGiveMirroredFlexibilities)
                std::pair{0, 3},
                std::pair{1, 2}
       }) {
-        const auto at = [&](const Eigen::MatrixXd &C, const int k) { return C(3 * k + a, 3 * k + b); };
+        const auto value_at = [&](const Eigen::MatrixXd &C, const int k) { return C(3 * k + a, 3 * k + b); };
         EXPECT_TRUE(
-            near(at(r.inner[2], row), mirror(a, b) * at(r.inner[2], other),
+            near(value_at(r.inner[2], row), mirror(a, b) * value_at(r.inner[2], other),
                  within_absolute(1e-9 * r.inner[2].norm(), "mirrored meshes: the same numbers in another order")));
         EXPECT_TRUE(
-            near(at(r.outer[8], row), mirror(a, b) * at(r.outer[8], other),
+            near(value_at(r.outer[8], row), mirror(a, b) * value_at(r.outer[8], other),
                  within_absolute(1e-9 * r.outer[8].norm(), "mirrored meshes: the same numbers in another order")));
         EXPECT_TRUE(near(
-            at(r.chock_cosine, row), mirror(a, b) * at(r.chock_cosine, other),
+            value_at(r.chock_cosine, row), mirror(a, b) * value_at(r.chock_cosine, other),
             within_absolute(1e-9 * r.chock_cosine.norm(), "mirrored meshes: the same numbers in another order")));
       }
     }

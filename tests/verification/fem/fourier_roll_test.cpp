@@ -125,12 +125,12 @@ template <class Pair> double slope(const Pair &pair, const double F)
   return F * (1.6 - 1 / 1.6) / (fem::solve_load(pair, 1.6 * F).approach - fem::solve_load(pair, F / 1.6).approach);
 }
 
-double interpolated(const Eigen::VectorXd &z, const Eigen::VectorXd &value, const double at)
+double interpolated(const Eigen::VectorXd &z, const Eigen::VectorXd &value, const double position)
 {
   Eigen::Index i = 0;
-  while (i + 2 < z.size() && z[i + 1] < at)
+  while (i + 2 < z.size() && z[i + 1] < position)
     ++i;
-  return value[i] + (at - z[i]) / (z[i + 1] - z[i]) * (value[i + 1] - value[i]);
+  return value[i] + (position - z[i]) / (z[i + 1] - z[i]) * (value[i + 1] - value[i]);
 }
 }  // namespace
 
@@ -190,14 +190,14 @@ TEST(FourierRoll, LongCylindersMeetTheClosedForm)
   r.second        = condensed(small, size, options, r.first.edge);
   const auto pair = pair_of(r, Held::mirrored, 0, 0);
   for (const double q : {2e5, 697.29e3, 2e6}) {
-    const auto at    = fem::solve_load(pair, 0.02 * q);
+    const auto state = fem::solve_load(pair, 0.02 * q);
     const auto exact = closed_form::line_contact(q, 0.420, 1.450, 210e9, 0.28);
-    EXPECT_TRUE(near(at.approach, exact.approach,
+    EXPECT_TRUE(near(state.approach, exact.approach,
                      within(5e-4, "the closed form neglects the half width against the radius, 0.1 to 0.9 %")));
-    EXPECT_TRUE(near(at.tangent, 0.02 * exact.tangent, within(1e-3, "the same")));
+    EXPECT_TRUE(near(state.tangent, 0.02 * exact.tangent, within(1e-3, "the same")));
     for (int k = 0; k < pair.z.size(); ++k) {
-      EXPECT_TRUE(near(at.line_load[k], q, within(1e-9, "nothing varies along the slice")));
-      EXPECT_TRUE(near(at.half_width[k], exact.half_width, within(1e-9, "Hertz")));
+      EXPECT_TRUE(near(state.line_load[k], q, within(1e-9, "nothing varies along the slice")));
+      EXPECT_TRUE(near(state.half_width[k], exact.half_width, within(1e-9, "Hertz")));
     }
   }
 }
@@ -325,16 +325,16 @@ TEST(FourierContact, TangentIsTheSlopeAndForcesBalance)
   for (const Held held : {Held::mirrored, Held::in_stand})
     for (const double crown : {0., -30e-6}) {
       const auto pair   = pair_of(coarse_rolls(), held, 0.6, crown);
-      const auto at     = fem::solve_load(pair, F1);
+      const auto state  = fem::solve_load(pair, F1);
       const double step = 1e-4;
-      const auto above  = fem::solve_load(pair, F1 * (1 + step), {}, at.line_load),
-                 below  = fem::solve_load(pair, F1 * (1 - step), {}, at.line_load);
+      const auto above  = fem::solve_load(pair, F1 * (1 + step), {}, state.line_load),
+                 below  = fem::solve_load(pair, F1 * (1 - step), {}, state.line_load);
       EXPECT_TRUE(
-          near(at.tangent, 2 * step * F1 / (above.approach - below.approach),
+          near(state.tangent, 2 * step * F1 / (above.approach - below.approach),
                within(1e-6, "central difference inside one set: curvature 1e-8, convergence 1e-12 / 1e-4")));
-      EXPECT_TRUE(near(2 * at.line_load.dot(pair.length), F1, within(1e-12, "equilibrium")));
-      EXPECT_LE(at.residual, 1e-11) << "Newton stops at a change of 1e-12";
-      EXPECT_LE(at.iterations, 10);
+      EXPECT_TRUE(near(2 * state.line_load.dot(pair.length), F1, within(1e-12, "equilibrium")));
+      EXPECT_LE(state.residual, 1e-11) << "Newton stops at a change of 1e-12";
+      EXPECT_LE(state.iterations, 10);
     }
 }
 
