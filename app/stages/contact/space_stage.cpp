@@ -50,7 +50,7 @@ double palmgren(const double load, const double length)
 }
 
 void add(RunContext &run, const SpaceRun &s, const std::string &what, const std::string &unit, const double value,
-         const double coarse, std::vector<Check> checks)
+         const double coarse, std::vector<Check> checks, const double safety = mesh_pair_safety)
 {
   if (!std::isfinite(value))
     return;
@@ -59,7 +59,7 @@ void add(RunContext &run, const SpaceRun &s, const std::string &what, const std:
   p.unit           = unit;
   p.method         = "half spaces, boundary elements (sec. 33.3), between points far from the contact";
   p.at             = {"{}", {{s.load(), "N"}}};
-  p.error_estimate = mesh_pair_error(value, coarse);
+  p.error_estimate = mesh_pair_error(value, coarse, 2, safety);
   if (s.point && !checks.empty())  // Hertz is exact there
     p.error_estimate = std::max(p.error_estimate, difference(checks.front().value, value));
   p.checks = std::move(checks);
@@ -127,12 +127,14 @@ void add_edges(RunContext &run, const SpaceRun &s)
   add(run, s, "line_load_ratio", "1", ratio(s.fine), ratio(s.coarse),
       {
           {"even line load", 1, ""}
-  });
+  },
+      unseen_order_safety);
   if (s.fine.state.line_load[s.fine.row] > 0)
     add(run, s, "edge_factor", "1", edge(s.fine), edge(s.coarse),
         {
             {"even line load", 1, ""}
-    });
+    },
+        unseen_order_safety);
 }
 
 // Moment of the pressures about mid-length, from tilted axes.

@@ -3,7 +3,9 @@
 #include "fem/contact/half_space.h"
 #include "fem/contact/half_space_contact.h"
 #include "fem/contact/hertz.h"
+#include "fem/contact/row_refinement.h"
 #include "tests/support/near.h"
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -426,4 +428,36 @@ TEST(SingularEnd, IsThatOfASharpEdgeOnly)
   EXPECT_TRUE(has_singular_end(pair, grid, sharp, 2000));
   EXPECT_FALSE(has_singular_end(pair, grid, relieved, 2000));
   EXPECT_FALSE(has_singular_end(pair, {5e-5, 20, Eigen::VectorXd::LinSpaced(11, 0, 1e-3)}, sphere, 1000));
+}
+
+namespace {
+// Rows of a roller of 20 mm whose last 2 mm are rounded by 20 um; the largest line load over the mean.
+double largest_line_load(const Eigen::VectorXd &rows)
+{
+  const double load = 10e3, length = 0.02, arc = 2e-3;
+  const GapShape rounded = [&](const double x, const double z) {
+    if (z > length / 2)
+      return std::numeric_limits<double>::infinity();
+    const double beyond = std::max(0., z - length / 2 + arc) / arc;
+    return x * x / 0.025 + 20e-6 * beyond * beyond;
+  };
+  const double half_width = hertz_line(load / length, 0.0125, contact_modulus(pair)).half_width;
+  QuarterGrid grid{half_width / 6, 12, rows};
+  for (int round = 0; round < 6; ++round) {
+    const HalfSpaceState state = HalfSpaceContact(pair, grid, rounded).at_load(load);
+    const Eigen::VectorXd next = refined_rows(grid, state, 0.04, 5e-5);
+    if (next.size() == grid.z.size())
+      return state.line_load.maxCoeff() / (load / length);
+    grid.z = next;
+  }
+  return HalfSpaceContact(pair, grid, rounded).at_load(load).line_load.maxCoeff() / (load / length);
+}
+}  // namespace
+
+TEST(RefinedRows, FindTheLineLoadWhereARoundingBegins)
+{
+  const double from_graded = largest_line_load(graded_edges(0.01, 8e-4, 5e-5, 1.4)),
+               from_even   = largest_line_load(Eigen::VectorXd::LinSpaced(101, 0, 0.01));
+  EXPECT_TRUE(near(from_graded, from_even,
+                   within(0.01, "two grids that share no row; a quarter of the largest bend of 4 %")));
 }
