@@ -13,6 +13,7 @@
 #include "report/twin/advice/advice_page.h"
 #include "report/twin/analysis/analysis_page.h"
 #include "report/twin/calibration/calibration_page.h"
+#include "report/twin/calibration/plan_page.h"
 #include <filesystem>
 
 // millstand-all: every subject.
@@ -23,6 +24,7 @@ int write_page(const std::string &directory)
 {
   const auto holds = [&](const char *file) { return std::filesystem::exists(directory + "/" + file); };
   write_atomically(directory + "/report.html", holds("calibration.json") ? report::calibration_page(directory)
+                                               : holds("plan.json")      ? report::plan_page(directory)
                                                : holds("analysis.json")  ? report::analysis_page(directory)
                                                                          : report::advice_page(directory));
   console::print("report: " + directory + "/report.html\n");

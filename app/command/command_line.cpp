@@ -81,13 +81,18 @@ void add_folder_of_records(CLI::App *verb, CommandLine &c, const char *folder, c
 
 void add_calibrate(CLI::App &app, CommandLine &c)
 {
-  auto *verb = app.add_subcommand(
-      "calibrate", "springs and damping of a stand from records: what they tell, and what they do not");
+  auto *verb =
+      app.add_subcommand("calibrate", "springs, masses and damping of a stand from records, with their intervals");
   CalibrateOptions &o = c.calibrate;
   verb->add_option("CASE", c.target, "stand, kind four-high or lumped")->required();
   verb->add_option("--measured", o.measured, "folder of the records, with records.toml where they have roles");
-  verb->add_option("--free", o.free, "what is fitted, K1,K2,zeta (default: all springs and zeta)");
-  verb->add_flag("--plan", o.plan, "what a record would tell, before anyone measures");
+  verb->add_option(
+      "--free", o.free,
+      "unknowns of the fit, \"K1, M2/M5, frame, zeta\": names, groups with one factor, or frame, springs, "
+      "masses, ratios (default: all springs, masses with a stated error, zeta)");
+  verb->add_option("--model-error", o.model_error,
+                   "error that the model may have in each third octave, of its level (default \"5 %\")");
+  verb->add_flag("--plan", o.plan, "which unknowns a record would identify, before anyone measures");
   verb->add_flag("--accept", o.accept, "write calibrated.toml although it is refused, and say so in it");
   verb->add_flag("--align", o.align, "force and vibration have two clocks: fit their delay");
   verb->add_option("--sensors", o.sensors, "with --plan: places (default: upper_work_roll,lower_work_roll)");

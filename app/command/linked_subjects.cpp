@@ -16,8 +16,8 @@ namespace {
 bool is_folder_of_records(const std::string &directory)
 {
   return !fs::exists(directory + "/results.json") &&
-         (fs::exists(directory + "/calibration.json") || fs::exists(directory + "/analysis.json") ||
-          fs::exists(directory + "/advice.json"));
+         (fs::exists(directory + "/calibration.json") || fs::exists(directory + "/plan.json") ||
+          fs::exists(directory + "/analysis.json") || fs::exists(directory + "/advice.json"));
 }
 
 bool is_streamed(const CommandLine &command)

@@ -28,7 +28,7 @@ public:
   {
     advice_.now = critical_state(asked_.stand, asked_.bite, asked_.scheme, asked_.range, asked_.working_speed);
     if (advice_.now.no_bite)
-      throw InputError(fmt::format("there is no steady bite at the working speed of {:.4g} m/s: {}; no advice can "
+      throw InputError(fmt::format("no steady bite exists at the working speed of {:.4g} m/s: {}; no advice can "
                                    "be given for a bite that does not exist",
                                    asked_.working_speed, advice_.now.why));
     advice_.reached = reaches(advice_.now, 1);

@@ -1,5 +1,6 @@
 #include "twin/cleaning/clean_record.h"
 #include "twin/cleaning/channel_faults.h"
+#include "twin/cleaning/long_gaps.h"
 #include "twin/cleaning/spline.h"
 #include <algorithm>
 #include <cmath>
@@ -215,6 +216,7 @@ double CleanRecord::duration() const
 
 CleanRecord clean_record(RawRecord &&raw)
 {
+  shorten_long_gaps(raw);
   const TimeGrid grid = time_grid(raw);
   CleanRecord record;
   record.file         = raw.file;

@@ -16,6 +16,8 @@ constexpr Eigen::Index most_sampled_steps = 1 << 20;            // the median is
   throw InputError(record.time_place, "the time column is too coarse, " + why + "; give --rate");
 }
 
+}  // namespace
+
 double median_step(const RawRecord &record)
 {
   const Eigen::Index n = record.time.size() - 1, stride = std::max<Eigen::Index>(1, n / most_sampled_steps);
@@ -26,6 +28,8 @@ double median_step(const RawRecord &record)
   std::nth_element(steps.begin(), middle, steps.end());
   return *middle;
 }
+
+namespace {
 
 // Line t = offset + k / rate through all samples that count; jitter about it.
 void fit_line(TimeGrid &grid, const Eigen::VectorXd &time)

@@ -29,7 +29,7 @@ struct ModeFit {
   double significance =
       0;                   ///< -, twice the logarithm of the likelihood that the mode gains: 60 and more is a mode
   Eigen::Index lines = 0;  ///< used
-  std::string why_not;     ///< it is not told; empty: it is
+  std::string why_not;     ///< why it is not identified; empty: it is
 };
 
 /// The likelihood of theory.md 50.4 in the band of one mode: free are its frequency, its damping, its residues at

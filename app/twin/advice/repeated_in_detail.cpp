@@ -207,7 +207,7 @@ void mark_chain_only(RatedAction &action, const std::string &detailed)
   if (says == action.remarks.end())
     return;
   if (!action.repeated.empty())
-    *says = "six masses have no chocks: what counts is the change in the model of " + detailed +
+    *says = "six masses have no chocks: the decisive change is that in the model of " + detailed +
             ", dampers on the chocks";
   else
     *says += detailed.empty()

@@ -14,7 +14,7 @@ bool is_detailed(const Case &the_case);
 PriorChain detailed_prior(const CommandLine &command, const Case &the_case, double load);
 
 /// calibrated.toml and the files of the model that it names, by their paths in the folder: connections by what is
-/// told, bodies as they were.
+/// identified, bodies as they were.
 std::map<std::string, std::string> calibrated_model(const PriorChain &stand, const Case &origin,
                                                     const twin::Calibration &result,
                                                     const std::vector<std::string> &files, bool accepted,

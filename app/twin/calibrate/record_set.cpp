@@ -72,14 +72,14 @@ void read_channels(const Section &section, RecordEntry &entry, Reading &reading)
   if (channels->value.kind != Node::Kind::table) {
     reading.add(channels->value.place,
                 section.key("channels") +
-                    " is no table of names, for example { \"AI_07\" = \"upper_work_roll\" }");
+                    " must be a table of names, for example { \"AI_07\" = \"upper_work_roll\" }");
     return;
   }
   for (const Node::Entry &pair : channels->value.entries)
     if (pair.value.kind == Node::Kind::text)
       entry.channels[pair.key] = pair.value.text;
     else
-      reading.add(pair.value.place, fmt::format("{}.{} = {} is no place, for example \"upper_work_roll\"",
+      reading.add(pair.value.place, fmt::format("{}.{} = {} must be a place, for example \"upper_work_roll\"",
                                                 section.key("channels"), pair.key, shown(pair.value)));
 }
 

@@ -223,7 +223,7 @@ TEST(CsvFaults, AClockThatJumpsAheadIsFollowed)
   const CameMessages came = lines.end();
   EXPECT_EQ(came.notes,
             std::vector<std::string>{"loss: mill.csv:502: the clock jumps ahead by 7200 s and goes on from "
-                                     "there: what is between counts as missing"});
+                                     "there: what is between is missing"});
   EXPECT_EQ(came.numbers.size(), 1000u);
   const auto account = account_of(lines.messages);
   EXPECT_EQ(account.missing, 7200000);

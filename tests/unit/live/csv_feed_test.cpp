@@ -159,16 +159,17 @@ TEST(CsvFeed, SaysWhatAHeadLacks)
   live::SourceRules rules;
   rules.places = {"upper_work_roll"};
   live::CsvFeed feed("rolls.csv", rules);
-  feed.line("time [s],upper_work_roll [g]", 1);
+  feed.line("time [s],torque [Nm]", 1);
   feed.line("0,0.1", 2);
   feed.line("0.001,0.1", 3);
   try {
     feed.settle();
-    FAIL() << "a record without a force was taken";
+    FAIL() << "a record without a force and without an acceleration was taken";
   } catch (const InputError &error) {
-    EXPECT_EQ(error.problems.front().message,
-              "no channel \"force\", which drives the twin; name the column of the "
-              "rolling force with --channel NAME=force");
+    EXPECT_EQ(
+        error.problems.front().message,
+        "no channel \"force\", which drives the twin, and no acceleration; name the column of the rolling force "
+        "with --channel NAME=force, or give the unit of an acceleration with --unit NAME=g");
     EXPECT_EQ(error.problems.front().place.file, "rolls.csv");
     EXPECT_EQ(error.problems.front().place.line, 1);
   }

@@ -143,7 +143,8 @@ TEST(DataPort, RefusesAddressesWithAReason)
 {
   auto its    = settings();
   its.address = "localhost";
-  EXPECT_EQ(refusal(its), "--input tcp:localhost: this is no literal address; name one such as 127.0.0.1 or ::1");
+  EXPECT_EQ(refusal(its),
+            "--input tcp:localhost: this is not a literal address; write for example 127.0.0.1 or ::1");
   its.address = "0.0.0.0";
   its.port    = 8461;
   EXPECT_EQ(refusal(its),

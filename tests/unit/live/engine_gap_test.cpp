@@ -152,7 +152,8 @@ TEST(LiveGaps, StateOfAnotherCaseIsNotTaken)
   auto other       = published();
   other.hash       = "another";
   LiveSamples second(other, 1000, &state);
-  EXPECT_EQ(second.said.front(),
-            "the stored state belongs to another case, or to other values of this one; the twin starts anew");
+  EXPECT_EQ(
+      second.said.front(),
+      "the stored state belongs to another case, or to other values of this one; the twin starts without it");
   EXPECT_EQ(second.engine().resumed_at(), 0);
 }

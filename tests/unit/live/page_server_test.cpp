@@ -380,6 +380,6 @@ TEST(PageServer, TokensAreLongKeptAndGuarded)
       "a token is 22 to 256 letters, digits, - _ . ~ without blanks (128 bit and more); `openssl rand -hex 24` "
       "makes one");
   EXPECT_EQ(refusal([&] { live::token_of_file(own_folder()); }),
-            "is no file; a token is the first line of a file of its own");
+            "is not a file; the token must be the first line of a file");
   fs::remove_all(own_folder());
 }

@@ -184,23 +184,26 @@ TEST(StoredState, OlderAndDamagedOnesAreTold)
     EXPECT_TRUE(engine.model().adopted.empty()) << "nothing of it is taken: " << pointer;
     return text;
   };
-  EXPECT_EQ(said("/format", 1), "the stored state is of another version of this program; the twin starts anew");
-  EXPECT_EQ(said("/case_hash", "other"),
-            "the stored state belongs to another case, or to other values of this one; the twin starts anew");
+  EXPECT_EQ(said("/format", 1),
+            "the stored state is of another version of this program; the twin starts without it");
+  EXPECT_EQ(
+      said("/case_hash", "other"),
+      "the stored state belongs to another case, or to other values of this one; the twin starts without it");
   EXPECT_EQ(
       said("/motion/displacement", {1, 2}),
-      "the stored state cannot be used: motion has a \"displacement\" that is no list of 6 numbers; the twin "
+      "the stored state cannot be used: motion has a \"displacement\" that is not a list of 6 numbers; the twin "
       "starts anew");
-  EXPECT_EQ(
-      said("/channels/0/offered", 7),
-      "the stored state cannot be used: channels has an account that does not balance; the twin starts anew");
+  EXPECT_EQ(said("/channels/0/offered", 7), "the stored state cannot be used: channels has an account that does "
+                                            "not balance; the twin starts without it");
   EXPECT_EQ(said("/source/rate", 0),
             "the stored state cannot be used: source has a \"rate\" of 0, outside 0.001 .. 1e+09; the twin starts "
             "anew");
-  EXPECT_EQ(said("/next", 1e30),
-            "the stored state cannot be used: it has a \"next\" that is no whole number; the twin starts anew");
-  EXPECT_EQ(said("/adopted/springs/2/value", nullptr),
-            "the stored state cannot be used: adopted has other springs than the case; the twin starts anew");
+  EXPECT_EQ(
+      said("/next", 1e30),
+      "the stored state cannot be used: it has a \"next\" that is not a whole number; the twin starts without it");
+  EXPECT_EQ(
+      said("/adopted/springs/2/value", nullptr),
+      "the stored state cannot be used: adopted has other springs than the case; the twin starts without it");
 }
 
 TEST(StoredState, WhatWasLearnedComesBack)
@@ -225,7 +228,7 @@ TEST(StoredState, WhatWasLearnedComesBack)
   damaged["drift"]["modes"][0]["mean"] = "much";
   live::Comparison anew(stored_setup());
   EXPECT_EQ(anew.resume(damaged), "what was learned of the mill cannot be used: modes has a \"mean\" that is no "
-                                  "number; drift, baselines, alarms and proposals begin anew");
+                                  "number; drift, baselines, alarms and proposals start without it");
   EXPECT_TRUE(anew.proposals().empty());
 }
 

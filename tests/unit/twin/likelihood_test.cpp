@@ -60,6 +60,18 @@ TEST(Likelihood, SlopesOfSpringsAndRatios)
   expect_slopes(unknowns, 2e-5);
 }
 
+TEST(Likelihood, SlopesOfMassesAndOfGroups)
+{
+  expect_slopes({
+      {"M2",    0.1 },
+      {"M3",    0.05},
+      {"M4/M5", 0.1 },
+      {"K1/K7", 0.1 },
+      {"K3",    0.05},
+      {"zeta2", 0.7 }
+  });
+}
+
 TEST(Likelihood, SlopesOfTheFrequenciesOfModes)
 {
   expect_slopes({

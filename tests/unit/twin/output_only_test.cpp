@@ -121,12 +121,12 @@ TEST(OutputOnly, EstimatesScatterByWhatThePlanForetells)
       {"zeta", 0.7 }
   };
   PlannedRecord plan;
-  plan.places         = {2, 3};
-  plan.duration       = 4;
-  plan.force_density  = std::sqrt(planned_density);
-  plan.force_highest  = 1500;
-  plan.force_recorded = false;
-  const Told told     = planned(calibration::stand_r(), unknowns, plan);
+  plan.places                = {2, 3};
+  plan.duration              = 4;
+  plan.force_density         = std::sqrt(planned_density);
+  plan.force_highest         = 1500;
+  plan.force_recorded        = false;
+  const Identification found = planned(calibration::stand_r(), unknowns, plan);
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(3), square = sum;
   for (int i = 0; i < records; ++i) {
     calibration::Recipe r   = short_recipe(80000);
@@ -145,20 +145,20 @@ TEST(OutputOnly, EstimatesScatterByWhatThePlanForetells)
     problem.before              = equal_noise(record, truth);
     problem.values              = number_of_values(record.data);
     const Fit fit               = fitted(problem, truth, {1, 20, 1e-3, 1});
-    const Eigen::ArrayXd z      = fit.estimate.head(3).array() / told.covariance.diagonal().head(3).array().sqrt();
+    const Eigen::ArrayXd z = fit.estimate.head(3).array() / found.covariance.diagonal().head(3).array().sqrt();
     sum += z;
     square += z.square();
     for (int q = 0; q < 3; ++q)  // the fit's own deviation
-      EXPECT_TRUE(near(fit.sd()[q], std::sqrt(told.covariance(q, q)),
+      EXPECT_TRUE(near(fit.sd()[q], std::sqrt(found.covariance(q, q)),
                        within(0.3, "another force in each record, its density free at the knots")));
   }
   for (int q = 0; q < 3; ++q) {
     const double scatter = std::sqrt(square[q] / records);
     // four deviations of a root mean square of so many normal numbers
-    EXPECT_NEAR(scatter, 1, 4 / std::sqrt(2.0 * records)) << told.names[std::size_t(q)];
-    EXPECT_LT(std::abs(sum[q] / records), 4 / std::sqrt(double(records))) << told.names[std::size_t(q)];
+    EXPECT_NEAR(scatter, 1, 4 / std::sqrt(2.0 * records)) << found.names[std::size_t(q)];
+    EXPECT_LT(std::abs(sum[q] / records), 4 / std::sqrt(double(records))) << found.names[std::size_t(q)];
     if (asked)
-      std::printf("%s: scatter %.3f, mean %.3f of the planned deviation\n", told.names[std::size_t(q)].c_str(),
+      std::printf("%s: scatter %.3f, mean %.3f of the planned deviation\n", found.names[std::size_t(q)].c_str(),
                   scatter, sum[q] / records);
   }
 }
@@ -242,9 +242,9 @@ TEST(OutputOnly, OfTwoMinimaThatExplainARecordAlikeTheCorrectionIsTheFit)
   EXPECT_NEAR(scan.basins[0].theta, -0.35 / 1.04, 1e-3);
   const double deviance = 2 * (0.5 * 0.35 * 0.35 / (0.01 + 0.0004) - 7.5 - 0.5 * 0.05 * 0.05 / (0.01 + 0.0004));
   EXPECT_NEAR(scan.basins[0].deviance, deviance, 1e-3);
-  const auto told = judged_with_minima(scan);
-  EXPECT_FALSE(told[0].told);
-  EXPECT_EQ(told[0].why_not, "not told by these data: a second minimum at -28.6 %, deviance -3.5");
+  const auto judged = judged_with_minima(scan);
+  EXPECT_FALSE(judged[0].identified);
+  EXPECT_EQ(judged[0].why_not, "not identified by these data: a second minimum at -28.6 %, deviance -3.5");
 }
 
 TEST(OutputOnly, AMinimumBeyondThePriorsThatIsLowerByFarStaysTheFit)
@@ -269,13 +269,13 @@ TEST(OutputOnly, AnIntervalCoversTheEndsOfTheOthers)
   scan.basins = {
       {"K1", 0.02, 0.5, Eigen::Vector2d(0.02, -0.15)}
   };
-  const auto told = judged_with_minima(scan);
-  EXPECT_TRUE(told[0].told);  // the second minimum lies inside its interval
-  EXPECT_EQ(told[1].low, -0.15);
-  EXPECT_EQ(told[1].high, 0.06);
-  EXPECT_NEAR(told[1].sd, 0.21 / 3.92, 1e-12);
-  EXPECT_FALSE(told[1].told);
-  EXPECT_EQ(told[1].why_not, "not told by these data: 54 % of the prior's deviation is left");
+  const auto judged = judged_with_minima(scan);
+  EXPECT_TRUE(judged[0].identified);  // the second minimum lies inside its interval
+  EXPECT_EQ(judged[1].low, -0.15);
+  EXPECT_EQ(judged[1].high, 0.06);
+  EXPECT_NEAR(judged[1].sd, 0.21 / 3.92, 1e-12);
+  EXPECT_FALSE(judged[1].identified);
+  EXPECT_EQ(judged[1].why_not, "not identified by these data: 54 % of the prior's deviation is left");
 }
 
 // A weak resonance that noise feigns is sharp at its top and hardly higher than its surroundings.
@@ -292,12 +292,12 @@ TEST(OutputOnly, AProfileThatHardlyRisesTellsNothing)
   profile.deviance[8] = 0;
   scan.profiles       = {profile};
   const auto low      = judged_with_minima(scan);
-  EXPECT_FALSE(low[0].told);
+  EXPECT_FALSE(low[0].identified);
   EXPECT_NEAR(low[0].sd, 0.5 / 6, 1e-12);
-  EXPECT_EQ(low[0].why_not, "not told by these data: 83 % of the prior's deviation is left");
+  EXPECT_EQ(low[0].why_not, "not identified by these data: 83 % of the prior's deviation is left");
   scan.profiles[0].deviance *= 2;
   scan.profiles[0].deviance[8] = 0;
   const auto high              = judged_with_minima(scan);
-  EXPECT_TRUE(high[0].told);
+  EXPECT_TRUE(high[0].identified);
   EXPECT_NEAR(high[0].sd, 2 * 0.75 * 0.03125 / 6, 1e-12);  // 9 of 12 on the way to both neighbours
 }

@@ -80,7 +80,7 @@ TEST(CalibrateCommand, RecordsBecomeACase)
   const auto done = stand.calibrate("--measured measured --free K3,zeta -q -o out");
   ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
   const std::string path = stand.folder + "/out/calibrated.toml", text = read_text(path);
-  EXPECT_NE(text.find("source = \"calibrated: records pass.csv; not told: none\", interval = ["),
+  EXPECT_NE(text.find("source = \"calibrated: records pass.csv; not identified: none\", interval = ["),
             std::string::npos);
   const Case calibrated = read_case(path);
   const auto &lumped    = std::get<Lumped>(calibrated.spec);
@@ -96,7 +96,7 @@ TEST(CalibrateCommand, RecordsBecomeACase)
   // any verb takes it, and it may be calibrated again
   EXPECT_EQ(millstand("modes out/calibrated.toml -q -o modes", stand.folder).exit_code, 0);
   const auto page = read_text(stand.folder + "/out/report.html");
-  EXPECT_NE(page.find("2 of 2 unknowns are told by these records"), std::string::npos);
+  EXPECT_NE(page.find("2 of 2 unknowns are identified by these records"), std::string::npos);
   EXPECT_EQ(millstand("report out", stand.folder).out, "report: out/report.html\n");
   EXPECT_EQ(read_text(stand.folder + "/out/report.html"), page);
   // a folder that holds something else stays as it is
@@ -140,7 +140,7 @@ TEST(CalibrateCommand, RecordsWithoutForceBecomeACase)
   EXPECT_NE(done.out.find("note: " + words + "\n"), std::string::npos) << done.out;
   const std::string path = stand.folder + "/out/calibrated.toml", text = read_text(path);
   EXPECT_NE(text.find("# " + words + "\n"), std::string::npos);
-  EXPECT_NE(text.find("source = \"calibrated: records pass.csv; no force recorded; not told: none\""),
+  EXPECT_NE(text.find("source = \"calibrated: records pass.csv; no force recorded; not identified: none\""),
             std::string::npos)
       << text;
   const Case calibrated = read_case(path);
@@ -179,7 +179,7 @@ TEST(CalibrateCommand, LevelsAloneDetermineOneNumber)
                     "-0.5); neither of the two is given, and no case is written"),
       std::string::npos)
       << said.out;
-  EXPECT_NE(said.out.find("zeta       0.64 of its prior deviation is left: not told"), std::string::npos)
+  EXPECT_NE(said.out.find("zeta       0.64 of its prior deviation is left: not identified"), std::string::npos)
       << said.out;
 }
 
@@ -192,7 +192,7 @@ TEST(CalibrateCommand, APlanSaysWhatWouldBeTold)
   const auto low =
       millstand("calibrate cases/published-levels.toml --plan --force-up-to \"300 Hz\" --free K3,K6,K7 "
                 "--force-rms \"447.2136 N\"");
-  EXPECT_NE(low.out.find("not told"), std::string::npos) << low.out;
+  EXPECT_NE(low.out.find("not identified"), std::string::npos) << low.out;
 }
 
 namespace {

@@ -183,7 +183,7 @@ TEST(ChatterAdvice, WithoutABiteNoAdvice)
     critical_advice(q);
     FAIL();
   } catch (const InputError &error) {
-    EXPECT_NE(std::string(error.what()).find("there is no steady bite at the working speed of 1 m/s"),
+    EXPECT_NE(std::string(error.what()).find("no steady bite exists at the working speed of 1 m/s"),
               std::string::npos)
         << error.what();
   }

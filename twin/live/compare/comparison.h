@@ -96,6 +96,7 @@ private:
 
   ComparisonSetup setup_;
   std::vector<Pair> pairs;
+  std::vector<Eigen::Index> watched;  // columns of LiveBlock::measured that are accelerations
   std::vector<std::string> said;
   twin::RunningComparison levels;
   OnsetMonitor onset;

@@ -29,7 +29,8 @@ asio::ip::address literal_address(const std::string &text)
   Failure failure;
   const auto address = asio::ip::make_address(text, failure);
   if (failure)
-    throw InputError(fmt::format("--listen: '{}' is no literal address; name one such as 127.0.0.1 or ::1", text));
+    throw InputError(
+        fmt::format("--listen: '{}' is not a literal address; write for example 127.0.0.1 or ::1", text));
   return address;
 }
 }  // namespace

@@ -102,7 +102,7 @@ std::vector<FinishedPart> finish_parts(const std::string &folder,
     if (!lock_file(file, LOCK_EX | LOCK_NB)) {
       said(path + " is being written by another program");
     } else if (!mend_part(file, header)) {
-      said(path + " is no recording that can be finished; it stays as it is");
+      said(path + " cannot be finished, since it is not a recording; it stays as it is");
     } else if (header.rows == 0) {
       fs::remove(path, error);
       fs::remove(stem + ".json", error);
